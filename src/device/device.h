@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+// Finding and opening an OpenCL device.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "device/opencl.h"
+
+namespace strahl {
+
+/// What is known of a device before it is opened.
+struct DeviceInfo {
+  int platform_index = 0;
+  int device_index = 0;           ///< Within its platform.
+  std::string platform;           ///< "Portable Computing Language"
+  std::string name;
+  std::string vendor;
+  std::string version;            ///< CL_DEVICE_VERSION
+  std::string driver;
+  std::string type;               ///< "CPU", "GPU", "accelerator", "custom"
+  bool fp64 = false;
+  unsigned compute_units = 0;
+  unsigned clock_mhz = 0;
+  std::uint64_t global_memory = 0;     ///< bytes
+  std::uint64_t max_allocation = 0;    ///< bytes
+  std::size_t max_work_group = 0;
+  unsigned native_vector_width = 0;    ///< CL_DEVICE_NATIVE_VECTOR_WIDTH_FLOAT
+  bool available = true;
+
+  /// "0:1 llvmpipe (rusticl)".
+  [[nodiscard]] std::string text() const;
+};
+
+struct PlatformInfo {
+  int index = 0;
+  std::string name;
+  std::string version;
+  std::vector<DeviceInfo> devices;
+  std::string skipped;  ///< Why the platform offers nothing; empty where it does.
+};
+
+/// Every platform, the broken and empty ones too, with the reason. Never throws for a platform's fault.
+[[nodiscard]] std::vector<PlatformInfo> list_platforms();
+
+/// What a render asks of a device.
+struct DeviceNeeds {
+  bool fp64 = false;
+};
+
+/// An open device: one context, one in-order queue with profiling.
+class Device {
+ public:
+  /// selector: "" (fastest GPU, else CPU), "0", "0:1", "cpu", "gpu", or part of a platform's or device's name,
+  /// case-insensitive, "pocl" and "intel" included. Opens only the platform asked for.
+  /// Throws NoDeviceError: what is missing, what to install, which devices would do.
+  static Device open(const std::string& selector, const DeviceNeeds& needs = {});
+
+  [[nodiscard]] const DeviceInfo& info() const { return info_; }
+  [[nodiscard]] const cl::Context& context() const { return context_; }
+  [[nodiscard]] const cl::Device& device() const { return device_; }
+  [[nodiscard]] const cl::CommandQueue& queue() const { return queue_; }
+
+ private:
+  DeviceInfo info_;
+  cl::Device device_;
+  cl::Context context_;
+  cl::CommandQueue queue_;
+};
+
+}  // namespace strahl

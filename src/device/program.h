@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// From program text to an executable program, through strahl's own cache of device binaries.
+#pragma once
+
+#include <string>
+
+#include "device/device.h"
+
+namespace strahl {
+
+/// Everything that decides what a program computes.
+struct ProgramSource {
+  std::string text;     ///< Complete OpenCL C, includes expanded.
+  std::string options;  ///< Build options.
+};
+
+/// How a program came to be, for --stats.
+struct ProgramReport {
+  double seconds = 0;
+  bool from_cache = false;
+  std::size_t binary_bytes = 0;
+};
+
+/// FNV-1a of text and options in hex, 16 digits: names the program in `explain`, dumps and the cache.
+[[nodiscard]] std::string program_hash(const ProgramSource& source);
+
+/// Builds, or takes the binary from the cache (key: text, options, platform, device, driver and strahl version; files
+/// written atomically under $XDG_CACHE_HOME/strahl or ~/.cache/strahl; STRAHL_CACHE_DIR overrides; a cache that cannot
+/// be read or written, or a binary that the driver rejects, is never an error: it is built from source).
+/// Throws KernelBuildError with options, build log and the path where the source was dumped.
+[[nodiscard]] cl::Program build_program(const Device& device, const ProgramSource& source,
+                                        ProgramReport* report = nullptr);
+
+/// Removes every cached binary; returns how many there were.
+std::size_t clear_program_cache();
+/// The directory in use.
+[[nodiscard]] std::string program_cache_directory();
+
+}  // namespace strahl

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// Pictures to and from files. Every writer writes to a temporary name beside the target and renames it.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "image/image.h"
+
+namespace strahl {
+
+enum class ImageFormat { png, exr, pfm };
+
+/// By extension, case-insensitive; throws UsageError that lists the known ones.
+[[nodiscard]] ImageFormat image_format(const std::string& path);
+
+struct PngOptions {
+  int bits = 8;            ///< 8 or 16.
+  double exposure = 0;     ///< Stops: linear values are multiplied by 2^exposure before encoding.
+};
+
+/// What writing did to the values.
+struct WriteReport {
+  std::size_t clipped = 0;  ///< PNG: channel values above 1 (after exposure) or below 0.
+  std::size_t invalid = 0;  ///< NaN or infinite values (PNG: written as 0 / 1).
+};
+
+/// PNG: the first three channels (or one: grey) in sRGB with the metadata as text chunks. EXR: all channels as
+/// 32-bit float, ZIP, metadata as string attributes. PFM: three channels or one, little-endian, bottom row first.
+WriteReport write_image(const Image& image, const std::string& path, const PngOptions& png = {});
+
+/// Linear floats of a PNG (sRGB decoded), EXR (all channels, any compression, half/float/uint) or PFM file.
+/// Throws InputError.
+[[nodiscard]] Image read_image(const std::string& path);
+
+}  // namespace strahl

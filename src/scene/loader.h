@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// From a file to a validated Scene: Mitsuba 3 XML (docs/scene-format.md), or a bare .obj / .ply mesh.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "scene/scene.h"
+
+namespace strahl {
+
+struct LoadOptions {
+  std::map<std::string, std::string> defines;  ///< -D name=value; overrides <default>.
+  bool strict = false;                         ///< Unknown plugins and parameters are errors.
+};
+
+struct LoadedScene {
+  Scene scene;
+  std::vector<Diagnostic> warnings;
+};
+
+/// Throws SceneError with every problem found (never just the first).
+[[nodiscard]] LoadedScene load_scene(const std::string& path, const LoadOptions& options = {});
+
+}  // namespace strahl

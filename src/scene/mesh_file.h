@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// Triangle meshes from OBJ (+ MTL Kd, Ke) and PLY files, read in double.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "errors.h"
+#include "scene/scene.h"
+
+namespace strahl {
+
+/// A material that an OBJ file names: diffuse Kd and emission Ke of its MTL entry.
+struct MeshMaterial {
+  std::string name;
+  Rgb reflectance{0.5, 0.5, 0.5};
+  std::optional<Rgb> radiance;  ///< Present where Ke is not black.
+};
+
+struct MeshFile {
+  Mesh mesh;  ///< `parts` stays empty; part_of_triangle holds indices into `materials` (empty where there are none).
+  std::vector<MeshMaterial> materials;
+  std::vector<Diagnostic> warnings;  ///< Skipped faces (counted, with the first one's place), missing MTL, ...
+};
+
+/// Reads by extension (.obj, .ply; case-insensitive). Quads and n-gons are triangulated (convex and concave planar
+/// polygons); vertices that differ in normal or uv index are split. Throws SceneError with file:line.
+[[nodiscard]] MeshFile read_mesh(const std::string& path);
+[[nodiscard]] MeshFile read_obj(const std::string& path);
+[[nodiscard]] MeshFile read_ply(const std::string& path);
+
+}  // namespace strahl

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: MIT
+// The scene: plain structs, always double, world frame, right-handed. Nothing here knows OpenCL.
+//
+// Readers (loader.h) fill it and validate it; a program that builds one by hand calls validate() (validate.h).
+// Shapes keep the order of the file: their index is the `shape` column of `strahl intersect`.
+#pragma once
+
+#include <array>
+#include <limits>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "errors.h"
+#include "scene/vec.h"
+
+namespace strahl {
+
+// ---- shapes -------------------------------------------------------------------------------------------------
+// Each: world-frame geometry; u, v as documented in docs/scene-format.md.
+
+/// Centre and radius > 0. The frame (x, y, z; orthonormal) orients u, v only.
+struct Sphere {
+  Vec3 center;
+  double radius = 1;
+  std::array<Vec3, 3> frame{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+};
+
+/// Infinite plane through `point`. `normal` has any length > 0 and is kept as given. `u`, `v` span its 2-D frame.
+struct Plane {
+  Vec3 point;
+  Vec3 normal{0, 1, 0};
+  Vec3 u{1, 0, 0};
+  Vec3 v{0, 0, -1};
+};
+
+/// Axis-aligned box, min <= max in every axis (flat boxes are allowed).
+struct Box {
+  Vec3 min, max;
+};
+
+/// Geometric normal along (p1 - p0) x (p2 - p0).
+struct Triangle {
+  Vec3 p0, p1, p2;
+};
+
+/// Parallelogram corner + s edge_u + t edge_v, 0 <= s, t <= 1; normal along edge_u x edge_v.
+struct Rectangle {
+  Vec3 corner, edge_u, edge_v;
+};
+
+/// Parallelepiped corner + sum s_i edge[i], 0 <= s_i <= 1. Six faces, normals outward whatever the handedness.
+struct Cube {
+  Vec3 corner;
+  std::array<Vec3, 3> edge;
+};
+
+/// Centre, two perpendicular axes of equal length (the radius); normal along axis_u x axis_v.
+struct Disk {
+  Vec3 center, axis_u, axis_v;
+};
+
+/// Open cylinder around the segment p0 -> p1, radius > 0; `reference` (unit, perpendicular to the axis) is u = 0.
+struct Cylinder {
+  Vec3 p0, p1;
+  double radius = 1;
+  Vec3 reference{1, 0, 0};
+};
+
+/// What a group of a mesh's triangles looks like (OBJ usemtl).
+struct MeshPart {
+  int material = -1;  ///< Index into Scene::materials.
+  std::optional<Rgb> radiance;
+};
+
+/// Triangles over shared vertices; `normals` and `uvs` are empty or as long as `positions`.
+struct Mesh {
+  std::vector<Vec3> positions;
+  std::vector<Vec3> normals;  ///< Unit; empty: shade with the face normal.
+  std::vector<Vec2> uvs;
+  std::vector<std::array<int, 3>> triangles;
+  std::vector<MeshPart> parts;        ///< Empty: the shape's own material and radiance hold everywhere.
+  std::vector<int> part_of_triangle;  ///< As long as `triangles` where parts is not empty.
+};
+
+using Geometry = std::variant<Sphere, Plane, Box, Triangle, Rectangle, Cube, Disk, Cylinder, Mesh>;
+
+struct Shape {
+  std::string id;
+  Geometry geometry;
+  int material = 0;              ///< Index into Scene::materials.
+  std::optional<Rgb> radiance;   ///< Area emitter: emitted on the side that the normal points to.
+  bool flip_normals = false;     ///< Mitsuba's flip_normals: reverses the normal as built.
+  SourceLocation where;          ///< The <shape> element.
+  SourceLocation radiance_where; ///< The <emitter> element inside it.
+};
+
+/// Number of primitives of a shape as `strahl intersect` counts them: cube 6, mesh its triangles, others 1.
+[[nodiscard]] int primitive_count(const Shape& shape);
+
+// ---- appearance ---------------------------------------------------------------------------------------------
+
+/// Lambertian reflectance rho, 0 <= rho <= 1.
+struct Diffuse {
+  Rgb reflectance{0.5, 0.5, 0.5};
+};
+
+struct Material {
+  std::string id;
+  std::variant<Diffuse> bsdf;
+  bool twosided = false;  ///< false: black from behind, as in Mitsuba.
+  SourceLocation where;
+};
+
+// ---- lights (emitters that are not shapes) --------------------------------------------------------------------
+
+struct PointLight {
+  Vec3 position;
+  Rgb intensity{1, 1, 1};  ///< W/sr.
+};
+
+struct DirectionalLight {
+  Vec3 direction{0, 0, 1};  ///< The way the light travels, any length > 0.
+  Rgb irradiance{1, 1, 1};  ///< W/m^2 on a plane perpendicular to it.
+};
+
+/// Radiance of every ray that leaves the scene.
+struct ConstantLight {
+  Rgb radiance{1, 1, 1};
+};
+
+struct Light {
+  std::string id;
+  std::variant<PointLight, DirectionalLight, ConstantLight> emitter;
+  SourceLocation where;
+};
+
+// ---- camera, film, sampling -----------------------------------------------------------------------------------
+
+enum class Projection { perspective, orthographic };
+enum class FovAxis { x, y, diagonal, smaller, larger };
+
+/// Camera frame as Mitsuba's: looks along +z, y up, +x to the LEFT of the picture. world_from_camera may scale.
+/// Orthographic: the picture spans [-1, 1] in x of the camera frame; size comes from world_from_camera.
+struct Camera {
+  Projection projection = Projection::perspective;
+  Transform world_from_camera;
+  double fov_degrees = 50;  ///< Opening angle along fov_axis (a stated fov; a focal_length is converted).
+  FovAxis fov_axis = FovAxis::x;
+  double principal_point_offset_x = 0;  ///< In picture widths, to the right.
+  double principal_point_offset_y = 0;  ///< In picture heights, downwards.
+  double near_clip = 0;  ///< Distances along the viewing axis. Default: nothing is clipped (Mitsuba: 1e-2 … 1e4).
+  double far_clip = std::numeric_limits<double>::infinity();
+  SourceLocation where;
+};
+
+enum class FilterKind { box, tent, gaussian };
+
+/// Pixel reconstruction filter; samples are drawn from it.
+struct Filter {
+  FilterKind kind = FilterKind::gaussian;
+  double radius = 0;  ///< Pixels. 0: the kind's own (box 0.5, tent 1, gaussian 4 stddev).
+  double stddev = 0.5;
+};
+
+/// Pixels [x0, x1) x [y0, y1) of the full picture; y down.
+struct Window {
+  int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+  [[nodiscard]] int width() const { return x1 - x0; }
+  [[nodiscard]] int height() const { return y1 - y0; }
+  friend bool operator==(const Window&, const Window&) = default;
+};
+
+struct Film {
+  int width = 768;
+  int height = 576;
+  std::optional<Window> crop;  ///< None: the whole picture.
+  Filter filter;
+  SourceLocation where;
+  [[nodiscard]] Window window() const { return crop ? *crop : Window{0, 0, width, height}; }
+};
+
+enum class SamplerKind { independent, centre };
+
+struct SamplerSettings {
+  std::optional<SamplerKind> kind;  ///< None: the integrator's default.
+  std::optional<int> sample_count;
+  std::optional<int> seed;
+  SourceLocation where;
+};
+
+struct IntegratorSettings {
+  std::string name = "direct";  ///< An entry of cl/integrators/integrators.def.
+  int max_depth = -1;           ///< -1: no limit. Mitsuba's count: 1 = emission only, 2 = one bounce.
+  bool hide_emitters = false;
+  SourceLocation where;
+};
+
+struct Scene {
+  std::string name;  ///< The file's stem; names the picture where no -o is given.
+  std::vector<Shape> shapes;
+  std::vector<Material> materials;  ///< Index 0 is the default: diffuse 0.5, one-sided, as in Mitsuba.
+  std::vector<Light> lights;
+  Camera camera;
+  Film film;
+  SamplerSettings sampler;
+  IntegratorSettings integrator;
+};
+
+/// Axis-aligned bounds of everything bounded; none where there is nothing bounded.
+[[nodiscard]] std::optional<Box> bounds(const Scene& scene);
+
+}  // namespace strahl
