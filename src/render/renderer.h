@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+// A scene on a device, ready to become pictures.
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include "device/device.h"
+#include "image/image.h"
+#include "render/settings.h"
+#include "render/stats.h"
+#include "scene/scene.h"
+
+namespace strahl {
+
+/// After each launch. samples_done / samples_total count pixel samples.
+struct Progress {
+  std::uint64_t samples_done = 0;
+  std::uint64_t samples_total = 0;
+  double seconds = 0;  ///< Since the first launch.
+};
+
+/// Called between launches; returning false finishes the render with what there is.
+using ProgressCallback = std::function<bool(const Progress&)>;
+
+struct RenderResult {
+  Image color;  ///< R, G, B, linear, size of the crop window. A pixel without samples (interrupted) is black.
+  Image aov;    ///< Layered channels ("depth.Z", "normal.X", ...); no channels where no AOV was asked for.
+  RunStats stats;
+  bool complete = true;  ///< false: the callback stopped it.
+};
+
+class Renderer {
+ public:
+  /// Validates, packs, builds the program and uploads. Throws SceneError, DeviceError, KernelBuildError, or
+  /// NoDeviceError where the device's memory cannot hold the scene and one row of the film.
+  Renderer(const Device& device, const Scene& scene, const RenderSettings& settings = {});
+  ~Renderer();
+  Renderer(Renderer&&) noexcept;
+  Renderer& operator=(Renderer&&) noexcept;
+
+  /// Each call renders the same picture anew.
+  [[nodiscard]] RenderResult render(const ProgressCallback& progress = {});
+
+  /// The exact program: text with includes expanded, options in its first comment line.
+  [[nodiscard]] std::string program_text() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+/// Samples per pixel and sampler that a scene ends up with: what it states, or the integrator's default.
+/// emission, depth, normals: centre, 1 sample; others: independent, 16.
+struct ResolvedSampling {
+  SamplerKind kind;
+  int spp;
+  std::uint32_t seed;
+};
+[[nodiscard]] ResolvedSampling resolve_sampling(const Scene& scene);
+
+}  // namespace strahl

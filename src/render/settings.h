@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// How a scene is computed, apart from what the scene itself says.
+#pragma once
+
+#include <optional>
+#include <set>
+#include <string>
+
+namespace strahl {
+
+/// Kernel variants of one source. stable: fp32, published stable forms, contraction off. fp64: the same in double.
+enum class Precision { stable, fp64 };
+
+[[nodiscard]] Precision precision_from_name(const std::string& name);  ///< "stable", "double"; throws UsageError.
+[[nodiscard]] const char* precision_name(Precision precision);
+
+/// Values of the first sample of each pixel, beside the picture.
+enum class Aov { depth, normal, position, uv, shape_id, primitive_id };
+
+[[nodiscard]] Aov aov_from_name(const std::string& name);  ///< Throws UsageError that lists the names.
+
+/// Work-items per group, x times y.
+struct WorkGroup {
+  int x = 64;
+  int y = 1;
+};
+
+struct RenderSettings {
+  Precision precision = Precision::stable;
+  std::set<Aov> aovs;
+  bool generic = false;            ///< Every entry and flag in the program; the same picture, slower.
+  bool count_rays = false;         ///< Instrumented program (--stats-detail): counts shadow and bounce rays.
+  std::optional<int> lanes;        ///< 1, 8 or 16 (fp64: 1, 8) primitives at a time; none: by the device.
+  WorkGroup work_group;
+  std::optional<int> passes;       ///< Split the samples into this many launches; none: by measured time.
+};
+
+}  // namespace strahl
