@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// Names of precisions and AOVs, as the command line and the files spell them.
+#include "render/settings.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <utility>
+
+#include "errors.h"
+
+namespace strahl {
+namespace {
+
+constexpr std::array<std::pair<const char*, Precision>, 2> kPrecisions{{
+    {"stable", Precision::stable},
+    {"double", Precision::fp64},
+}};
+
+constexpr std::array<std::pair<const char*, Aov>, 6> kAovs{{
+    {"depth", Aov::depth},
+    {"normal", Aov::normal},
+    {"position", Aov::position},
+    {"uv", Aov::uv},
+    {"shape_id", Aov::shape_id},
+    {"primitive_id", Aov::primitive_id},
+}};
+
+template <typename Table>
+auto by_name(const Table& table, const char* what, const std::string& name) {
+  std::string known;
+  for (const auto& [text, value] : table) {
+    if (name == text) return value;
+    known += fmt::format("{}{}", known.empty() ? "" : ", ", text);
+  }
+  throw UsageError(fmt::format("unknown {} \"{}\"; known: {}", what, name, known));
+}
+
+}  // namespace
+
+Precision precision_from_name(const std::string& name) { return by_name(kPrecisions, "precision", name); }
+
+const char* precision_name(Precision precision) { return precision == Precision::stable ? "stable" : "double"; }
+
+Aov aov_from_name(const std::string& name) { return by_name(kAovs, "AOV", name); }
+
+}  // namespace strahl

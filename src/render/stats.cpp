@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+// Statistics of a run as the JSON object of docs/stats.md.
+#include "render/stats.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+namespace strahl {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json count_or_null(const std::optional<std::uint64_t>& count) { return count ? Json(*count) : Json(nullptr); }
+
+}  // namespace
+
+double RunStats::longest_launch() const {
+  return kernel_runs.empty() ? 0 : *std::max_element(kernel_runs.begin(), kernel_runs.end());
+}
+
+std::string RunStats::json() const {
+  Json json;
+  json["seconds"] = {
+      {"load", seconds.load},       {"bvh", seconds.bvh},
+      {"program", seconds.program}, {"upload", seconds.upload},
+      {"kernel", seconds.kernel},   {"readback", seconds.readback},
+      {"encode", seconds.encode},   {"other", std::max(0.0, seconds.other())},
+      {"total", seconds.total},
+  };
+  json["kernel_runs"] = kernel_runs;
+  json["longest_launch"] = longest_launch();
+  json["rays"] = {
+      {"camera", camera_rays}, {"shadow", count_or_null(shadow_rays)}, {"bounce", count_or_null(bounce_rays)}};
+  json["bytes"] = {{"device", device_bytes}, {"host", host_bytes}};
+  json["device"] = device;
+  json["precision"] = precision;
+  json["lanes"] = lanes;
+  json["spp"] = spp;
+  json["seed"] = seed;
+  json["features"] = features;
+  json["program"] = program;
+  json["program_from_cache"] = program_from_cache;
+  json["saturated_samples"] = saturated_samples;
+  json["invalid_samples"] = invalid_samples;
+  // A device may name itself in any encoding; JSON is UTF-8. Non-finite numbers become null.
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace strahl
