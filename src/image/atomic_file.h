@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// An output file that is complete or absent.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <string>
+
+namespace strahl {
+
+/// Writes to a temporary name in the target's folder; commit() renames it to the target, and without commit() the
+/// destructor removes it, so that a failure leaves an older file as it was. A symbolic link is followed. A device or
+/// pipe cannot be replaced and is written to directly. All members throw Error with cause and remedy.
+class AtomicFile {
+ public:
+  /// Creates the temporary file: what can be known to fail, fails here.
+  explicit AtomicFile(const std::string& path);
+  ~AtomicFile();
+  AtomicFile(const AtomicFile&) = delete;
+  AtomicFile& operator=(const AtomicFile&) = delete;
+
+  void write(const void* data, std::size_t size);
+  void write(const std::string& bytes) { write(bytes.data(), bytes.size()); }
+  void seek(std::uint64_t position);
+  [[nodiscard]] std::uint64_t tell();
+  /// Once, after the last write. Fails if any earlier call failed, even if somebody swallowed that exception.
+  void commit();
+
+ private:
+  [[noreturn]] void fail(int error);
+
+  std::string path_;       // As the user named it.
+  std::string target_;     // The same with a symbolic link resolved.
+  std::string temporary_;  // Empty where target_ is written to directly.
+  std::FILE* file_ = nullptr;
+  int failure_ = 0;  // The first errno.
+};
+
+}  // namespace strahl

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// What image_io.h promises, one function a format; image_io.cpp alone calls these.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+#include "image/image.h"
+#include "image/image_io.h"
+
+namespace strahl {
+
+WriteReport write_png(const Image& image, const std::string& path, const PngOptions& options);
+WriteReport write_exr(const Image& image, const std::string& path);
+WriteReport write_pfm(const Image& image, const std::string& path);
+
+[[nodiscard]] Image read_png(const std::string& path);
+[[nodiscard]] Image read_exr(const std::string& path);
+[[nodiscard]] Image read_pfm(const std::string& path);
+
+/// Throws InputError for sizes that no file of so many bytes can hold, before memory for them is asked for: a damaged
+/// header must not end in an exhausted computer.
+void check_picture_size(const std::string& path, std::int64_t width, std::int64_t height, std::size_t channels,
+                        std::size_t file_bytes);
+
+}  // namespace strahl

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+// OpenEXR reader: one part, scan lines or tiles, any compression; half and unsigned channels become floats.
+// The picture is the display window; where the data window does not reach, it is 0.
+#include <ImfChannelList.h>
+#include <ImfFrameBuffer.h>
+#include <ImfHeader.h>
+#include <ImfIO.h>
+#include <ImfInputPart.h>
+#include <ImfMultiPartInputFile.h>
+#include <ImfPartType.h>
+#include <ImfStringAttribute.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstring>
+#include <tuple>
+
+#include "errors.h"
+#include "image/codecs.h"
+#include "image/exr_metadata.h"
+#include "image/file_bytes.h"
+
+namespace strahl {
+namespace {
+
+class Stream : public Imf::IStream {
+ public:
+  Stream(const std::string& bytes, const std::string& path) : Imf::IStream(path.c_str()), bytes_(bytes) {}
+
+  bool read(char target[], int size) override {
+    const auto wanted = static_cast<std::size_t>(size);
+    if (position_ > bytes_.size() || wanted > bytes_.size() - position_) {
+      throw std::runtime_error("the file ends too early");
+    }
+    std::memcpy(target, bytes_.data() + position_, wanted);
+    position_ += wanted;
+    return position_ < bytes_.size();
+  }
+  std::uint64_t tellg() override { return position_; }
+  void seekg(std::uint64_t position) override { position_ = position; }
+
+ private:
+  const std::string& bytes_;
+  std::uint64_t position_ = 0;
+};
+
+/// OpenEXR lists channels by alphabet; a picture has R G B A, layer by layer.
+std::vector<std::string> channel_order(const Imf::ChannelList& channels) {
+  std::vector<std::string> names;
+  for (auto it = channels.begin(); it != channels.end(); ++it) names.emplace_back(it.name());
+  const auto key = [](const std::string& name) {
+    const std::size_t base = name.rfind('.') + 1;
+    const std::string channel = name.substr(base);
+    static const std::string order[] = {"R", "G", "B"};
+    const auto rank = channel == "A" ? 4 : std::find(std::begin(order), std::end(order), channel) - std::begin(order);
+    return std::tuple(name.substr(0, base), rank, channel);
+  };
+  std::sort(names.begin(), names.end(), [&key](const auto& a, const auto& b) { return key(a) < key(b); });
+  return names;
+}
+
+std::map<std::string, std::string> metadata_of(const Imf::Header& header) {
+  const std::string prefix = exr_metadata_prefix;
+  std::map<std::string, std::string> metadata;
+  for (auto it = header.begin(); it != header.end(); ++it) {
+    const std::string name = it.name();
+    if (name == "type" || name == "name") continue;  // They belong to the container.
+    const auto* text = dynamic_cast<const Imf::StringAttribute*>(&it.attribute());
+    if (text) metadata[name.rfind(prefix, 0) == 0 ? name.substr(prefix.size()) : name] = text->value();
+  }
+  return metadata;
+}
+
+void check_readable(const Imf::MultiPartInputFile& file, const std::string& path) {
+  const Imf::Header& header = file.header(0);
+  const auto reject = [&path](const std::string& why) { throw InputError(fmt::format("\"{}\": {}", path, why)); };
+  if (file.parts() != 1) reject(fmt::format("an OpenEXR file of {} parts; extract one into a file", file.parts()));
+  if (header.hasType() && Imf::isDeepData(header.type())) reject("deep OpenEXR files are not read; flatten it first");
+  for (auto it = header.channels().begin(); it != header.channels().end(); ++it) {
+    if (it.channel().xSampling != 1 || it.channel().ySampling != 1) {
+      reject(fmt::format("channel \"{}\" is subsampled; convert the file to full resolution", it.name()));
+    }
+  }
+  if (!file.partComplete(0)) reject("incomplete OpenEXR file");
+}
+
+Image decode(Imf::MultiPartInputFile& file, const std::string& path, std::size_t file_bytes) {
+  check_readable(file, path);
+  const Imf::Header& header = file.header(0);
+  const Imath::Box2i window = header.dataWindow();
+  const Imath::Box2i display = header.displayWindow();
+  const auto length = [](int from, int to) { return std::int64_t{to} - from + 1; };
+  const std::vector<std::string> channels = channel_order(header.channels());
+  for (const Imath::Box2i& box : {window, display}) {
+    check_picture_size(path, length(box.min.x, box.max.x), length(box.min.y, box.max.y), channels.size(), file_bytes);
+  }
+
+  const auto blank = [&channels](const Imath::Box2i& box) {
+    Image image;
+    image.width = box.max.x - box.min.x + 1;
+    image.height = box.max.y - box.min.y + 1;
+    image.channels = channels;
+    image.data.resize(image.index(0, image.height, 0));
+    return image;
+  };
+  Image stored = blank(window);
+  Imf::FrameBuffer pixels;
+  for (std::size_t c = 0; c < channels.size(); ++c) {
+    const std::size_t stride = channels.size() * sizeof(float);
+    pixels.insert(channels[c], Imf::Slice::Make(Imf::FLOAT, stored.data.data() + c, window, stride,
+                                                stride * static_cast<std::size_t>(stored.width)));
+  }
+  Imf::InputPart part(file, 0);
+  part.setFrameBuffer(pixels);
+  part.readPixels(window.min.y, window.max.y);
+  stored.metadata = metadata_of(header);
+  if (window == display) return stored;
+
+  Image image = blank(display);
+  image.metadata = stored.metadata;
+  const int left = std::max(window.min.x, display.min.x);
+  const int right = std::min(window.max.x, display.max.x);
+  for (int y = std::max(window.min.y, display.min.y); left <= right && y <= std::min(window.max.y, display.max.y);
+       ++y) {
+    const float* row = &stored.data[stored.index(left - window.min.x, y - window.min.y, 0)];
+    std::copy_n(row, static_cast<std::size_t>(right - left + 1) * channels.size(),
+                &image.data[image.index(left - display.min.x, y - display.min.y, 0)]);
+  }
+  return image;
+}
+
+}  // namespace
+
+Image read_exr(const std::string& path) {
+  const std::string bytes = read_file(path);
+  try {
+    Stream stream(bytes, path);
+    Imf::MultiPartInputFile file(stream);
+    return decode(file, path, bytes.size());
+  } catch (const Error&) {
+    throw;
+  } catch (const std::exception& e) {
+    throw InputError(fmt::format("\"{}\": not a readable OpenEXR file: {}", path, e.what()));
+  }
+}
+
+}  // namespace strahl

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+// Pictures by file extension, and the checks that all formats share.
+#include "image/image_io.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <limits>
+#include <set>
+
+#include "errors.h"
+#include "image/codecs.h"
+
+namespace strahl {
+namespace {
+
+void check_image(const Image& image) {
+  if (image.width < 1 || image.height < 1 || image.channels.empty()) {
+    throw Error(fmt::format("a picture of {} x {} pixels with {} channels cannot be written", image.width, image.height,
+                            image.channels.size()));
+  }
+  if (image.data.size() != image.index(0, image.height, 0)) {
+    throw Error(fmt::format("a picture of {} x {} pixels with {} channels needs {} values and has {}", image.width,
+                            image.height, image.channels.size(), image.index(0, image.height, 0), image.data.size()));
+  }
+  if (std::set(image.channels.begin(), image.channels.end()).size() != image.channels.size()) {
+    throw Error(fmt::format("channel names must differ: {}", fmt::join(image.channels, ", ")));
+  }
+}
+
+}  // namespace
+
+ImageFormat image_format(const std::string& path) {
+  std::string extension = std::filesystem::path(path).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  if (extension == ".png") return ImageFormat::png;
+  if (extension == ".exr") return ImageFormat::exr;
+  if (extension == ".pfm") return ImageFormat::pfm;
+  throw UsageError(fmt::format("\"{}\": {}; known are .png, .exr and .pfm", path,
+                               extension.empty() ? "a picture's name needs an extension"
+                                                 : fmt::format("unknown picture format \"{}\"", extension)));
+}
+
+WriteReport write_image(const Image& image, const std::string& path, const PngOptions& png) {
+  const ImageFormat format = image_format(path);
+  check_image(image);
+  switch (format) {
+    case ImageFormat::png:
+      return write_png(image, path, png);
+    case ImageFormat::exr:
+      return write_exr(image, path);
+    case ImageFormat::pfm:
+      break;
+  }
+  return write_pfm(image, path);
+}
+
+Image read_image(const std::string& path) {
+  switch (image_format(path)) {
+    case ImageFormat::png:
+      return read_png(path);
+    case ImageFormat::exr:
+      return read_exr(path);
+    case ImageFormat::pfm:
+      break;
+  }
+  return read_pfm(path);
+}
+
+void check_picture_size(const std::string& path, std::int64_t width, std::int64_t height, std::size_t channels,
+                        std::size_t file_bytes) {
+  constexpr double limit = 1u << 30;         // Values: 4 GiB.
+  constexpr double always = 1u << 26;        // Values: 256 MiB are no danger, whatever the file.
+  constexpr double values_per_byte = 65536;  // More than the best compression (DWA of one constant) reaches.
+  constexpr std::int64_t longest = std::numeric_limits<int>::max();
+  const double values = static_cast<double>(width) * static_cast<double>(height) * static_cast<double>(channels);
+  if (width < 1 || height < 1 || width > longest || height > longest || channels < 1 ||
+      values > std::min(limit, std::max(always, static_cast<double>(file_bytes) * values_per_byte))) {
+    throw InputError(fmt::format("\"{}\": {} x {} pixels with {} channels in {} bytes: damaged, or too large", path,
+                                 width, height, channels, file_bytes));
+  }
+}
+
+}  // namespace strahl
