@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+// The command line as a whole: `render` is the subcommand where the first argument is a file; mistyped subcommands and
+// options are answered with the nearest known ones.
+#include "cli/app.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <sstream>
+
+#include "cli/console.h"
+#include "cli/suggestion.h"
+
+namespace strahl::cli {
+namespace {
+
+constexpr const char* kFooter = R"(
+The first argument may be a scene or a mesh instead of a subcommand: it is rendered.
+
+Examples:
+  strahl scenes/lecture/first-light.xml -o first-light.png
+  strahl render mesh.obj --width 512 --spp 64 --aov depth,normal -o mesh.exr
+  strahl explain scenes/lecture/lit.xml
+  strahl devices
+
+Exit codes:
+  0  ok                           5  a kernel does not build
+  1  failure                      6  target missed
+  2  wrong usage                  7  comparison failed
+  3  scene or input unusable      130, 143  interrupted (Ctrl-C), terminated;
+  4  no suitable OpenCL device              the picture so far is written
+
+`strahl COMMAND --help` lists a command's options.)";
+
+/// `strahl scene.xml` means `strahl render scene.xml`; a word that is neither command nor file is a typing error.
+void insert_default_command(std::vector<std::string>& arguments, const std::vector<std::string>& commands) {
+  const std::string& first = arguments.front();
+  const auto is = [&](const auto& known) { return std::find(known.begin(), known.end(), first) != known.end(); };
+  if (is(commands) || is(std::vector<std::string>{"-h", "--help", "--version"})) return;
+  std::error_code ignored;
+  const bool looks_like_a_file =
+      first.find_first_of("./") != std::string::npos || std::filesystem::exists(first, ignored);
+  if (!first.starts_with('-') && !looks_like_a_file)
+    throw UsageError(fmt::format("\"{}\" is neither a command nor a file{}; commands: {}", first,
+                                 suggestion(first, commands), fmt::join(commands, ", ")));
+  arguments.insert(arguments.begin(), "render");
+}
+
+/// What CLI11 found wrong, with the nearest option's name where one was mistyped, and where help is.
+UsageError usage_error(const CLI::ParseError& error, const CLI::App& app) {
+  const std::vector<CLI::App*> parsed = app.get_subcommands();
+  const CLI::App& command = parsed.empty() ? app : *parsed.front();
+  std::string hint;
+  if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) {
+    std::vector<std::string> known;
+    for (const CLI::Option* option : command.get_options())
+      for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
+    for (const std::string& extra : command.remaining()) {
+      const std::string name = extra.substr(0, extra.find('='));
+      if (name.starts_with("--")) hint += suggestion(name, known);
+    }
+  }
+  return UsageError(fmt::format("{}{}\nstrahl: `strahl {}--help` shows what is possible", error.what(), hint,
+                                parsed.empty() ? "" : command.get_name() + " "));
+}
+
+}  // namespace
+
+ExitCode run(std::vector<std::string> arguments, const Invocation& invocation) {
+  CLI::App app{"strahl: a ray tracer for any OpenCL device", "strahl"};
+  app.set_version_flag("--version", "strahl " STRAHL_VERSION, "Print the version and exit");
+  app.set_help_flag("-h,--help", "Print this help and exit");
+  app.get_formatter()->column_width(34);
+  app.footer(kFooter);
+  app.require_subcommand(1);
+
+  std::vector<std::string> names;
+  std::vector<std::pair<const CLI::App*, Command>> commands;
+  const auto add = [&](const char* name, const char* description, const auto& declare) {
+    CLI::App* sub = app.add_subcommand(name, description);
+    commands.emplace_back(sub, declare(*sub));
+    names.emplace_back(name);
+  };
+  add("render", "Render a scene or a mesh to a picture", [&](CLI::App& sub) { return add_render(sub, invocation); });
+  add("intersect", "Trace rays of a NumPy file, write where they hit",
+      [&](CLI::App& sub) { return add_intersect(sub, invocation); });
+  add("devices", "List OpenCL platforms and devices", add_devices);
+  add("explain", "Say which effects a scene calls for, and where", add_explain);
+  add("compare", "Measure how far one picture is from another", add_compare);
+
+  if (arguments.empty()) throw UsageError("nothing to do: name a scene or a command; `strahl --help` shows which");
+  insert_default_command(arguments, names);
+  try {
+    std::reverse(arguments.begin(), arguments.end());  // CLI11 takes them from the back.
+    app.parse(arguments);
+  } catch (const CLI::Success& success) {  // --help, --version
+    std::ostringstream text;
+    app.exit(success, text, text);
+    print(text.str());
+    return ExitCode::ok;
+  } catch (const CLI::ParseError& error) {
+    throw usage_error(error, app);
+  }
+  const auto chosen =
+      std::find_if(commands.begin(), commands.end(), [](const auto& command) { return command.first->parsed(); });
+  return chosen->second();
+}
+
+}  // namespace strahl::cli

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+// Options that say how a scene is computed. None but --precision changes a picture.
+#include "cli/kernel_options.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <limits>
+
+#include "errors.h"
+
+namespace strahl::cli {
+namespace {
+
+constexpr const char* kGroup = "How it is computed";
+
+WorkGroup work_group_of(const std::string& text) {
+  const char* const end = text.data() + text.size();
+  WorkGroup group{0, 1};
+  auto result = std::from_chars(text.data(), end, group.x);
+  if (result.ec == std::errc() && result.ptr != end && *result.ptr == 'x')
+    result = std::from_chars(result.ptr + 1, end, group.y);
+  if (result.ec != std::errc() || result.ptr != end || group.x < 1 || group.y < 1)
+    throw UsageError(fmt::format("--work-group takes X or XxY work-items (8x8, 64), not \"{}\"", text));
+  return group;
+}
+
+}  // namespace
+
+void add_kernel_options(CLI::App& app, KernelOptions& options) {
+  app.add_option("--precision", options.precision, "stable: single precision, formulas in stable form; double")
+      ->type_name("NAME")
+      ->check(CLI::IsMember({"stable", "double"}))
+      ->capture_default_str()
+      ->group(kGroup);
+  app.add_option("--lanes", options.lanes,
+                 "Primitives tested at a time: 1, 8 or 16 (double: 1 or 8); default: what fits the device; the "
+                 "results do not change")
+      ->type_name("N")
+      ->check(CLI::IsMember({1, 8, 16}))
+      ->group(kGroup);
+}
+
+void add_program_options(CLI::App& app, KernelOptions& options) {
+  app.add_option("--aov", options.aovs,
+                 "Further pictures of each pixel's first sample: depth, normal, position, uv, shape_id, primitive_id")
+      ->type_name("LIST")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->group("Output");
+  app.add_flag("--generic", options.generic, "Every effect in the program, used or not; the picture does not change")
+      ->group(kGroup);
+}
+
+void add_launch_options(CLI::App& app, KernelOptions& options) {
+  app.add_option("--work-group", options.work_group, "Work-items per group; the picture does not change")
+      ->type_name("XxY")
+      ->group(kGroup);
+  app.add_option("--passes", options.passes,
+                 "Split the samples into N launches; default: by measured time; the picture does not change")
+      ->type_name("N")
+      ->check(CLI::Range(1, std::numeric_limits<int>::max()))
+      ->group(kGroup);
+}
+
+RenderSettings settings_of(const KernelOptions& options) {
+  RenderSettings settings;
+  settings.precision = precision_from_name(options.precision);
+  settings.lanes = options.lanes;
+  if (settings.precision == Precision::fp64 && options.lanes && *options.lanes == 16)
+    throw UsageError("--precision double has 1 or 8 lanes, not 16");
+  if (!options.work_group.empty()) settings.work_group = work_group_of(options.work_group);
+  settings.passes = options.passes;
+  settings.generic = options.generic;
+  for (const std::string& name : options.aovs) settings.aovs.insert(aov_from_name(name));
+  return settings;
+}
+
+}  // namespace strahl::cli

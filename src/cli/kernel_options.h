@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// Options that say how a scene is computed: precision, lanes, work-groups, passes, AOVs.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "render/settings.h"
+
+namespace strahl::cli {
+
+struct KernelOptions {
+  std::string precision = "stable";
+  std::optional<int> lanes;
+  std::string work_group;  ///< "8x8", "64"; empty: the default.
+  std::optional<int> passes;
+  bool generic = false;
+  std::vector<std::string> aovs;
+};
+
+/// --precision and --lanes: what every kernel has.
+void add_kernel_options(CLI::App& app, KernelOptions& options);
+/// --aov and --generic: what decides the rendering program beside the scene.
+void add_program_options(CLI::App& app, KernelOptions& options);
+/// --work-group and --passes: how a render is launched.
+void add_launch_options(CLI::App& app, KernelOptions& options);
+
+/// Throws UsageError.
+[[nodiscard]] RenderSettings settings_of(const KernelOptions& options);
+
+}  // namespace strahl::cli

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// A progress bar on one line of standard error.
+#include "cli/progress_bar.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+
+namespace strahl::cli {
+
+ProgressBar::ProgressBar(std::string label, bool wanted)
+    : label_(std::move(label)), enabled_(wanted && isatty(STDERR_FILENO) == 1) {}
+
+ProgressBar::~ProgressBar() {
+  if (enabled_ && shown_at_ >= 0) std::fputs("\r\033[K", stderr);
+}
+
+void ProgressBar::show(const Progress& progress) {
+  constexpr double kRedrawSeconds = 0.1;
+  constexpr int kWidth = 30;
+  if (!enabled_ || progress.samples_total == 0 || progress.seconds <= 0) return;
+  if (shown_at_ >= 0 && progress.seconds < shown_at_ + kRedrawSeconds) return;
+  shown_at_ = progress.seconds;
+  const double done = static_cast<double>(progress.samples_done);
+  const double total = static_cast<double>(progress.samples_total);
+  const double rate = done / progress.seconds;
+  const int filled = std::clamp(static_cast<int>(kWidth * done / total), 0, kWidth);
+  const std::string left = rate > 0 ? fmt::format("{:.0f} s left", (total - done) / rate) : "";
+  const std::string line =
+      fmt::format("\r{} {:3.0f} % [{:<{}}] {:.2f} Msamples/s  {}\033[K", label_, 100 * done / total,
+                  std::string(static_cast<std::size_t>(filled), '='), kWidth, rate / 1e6, left);
+  std::fputs(line.c_str(), stderr);
+}
+
+}  // namespace strahl::cli

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// Options around the scene file, and loading it.
+#include "cli/scene_options.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+
+#include "cli/console.h"
+#include "scene/loader.h"
+
+namespace strahl::cli {
+
+void add_scene_options(CLI::App& app, SceneOptions& options) {
+  app.add_option("scene", options.path, "Mitsuba XML scene, or an .obj or .ply mesh")->required()->type_name("SCENE");
+  app.add_option("-D", options.defines, "Define $NAME of the scene; overrides its <default>; repeatable")
+      ->type_name("NAME=VALUE")
+      ->allow_extra_args(false);
+  app.add_flag("--strict", options.strict, "Unknown plugins and parameters of the scene are errors");
+  CLI::Option* quiet = app.add_flag("-q", options.quiet, "Say nothing but warnings and errors");
+  app.add_flag("-v", options.verbose, "Say more: device, program, cache, launches")->excludes(quiet);
+}
+
+void add_device_option(CLI::App& app, std::string& selector) {
+  app.add_option("-d,--device", selector,
+                 "Index (0, 0:1), kind (cpu, gpu) or part of the platform's or device's name (pocl, intel); default: "
+                 "the fastest GPU, else CPU")
+      ->type_name("DEVICE");
+}
+
+Scene load(const SceneOptions& options, double& seconds) {
+  LoadOptions load_options;
+  load_options.strict = options.strict;
+  for (const std::string& define : options.defines) {
+    const std::size_t equals = define.find('=');
+    if (equals == std::string::npos || equals == 0)
+      throw UsageError(fmt::format("-D takes name=value, not \"{}\"", define));
+    load_options.defines[define.substr(0, equals)] = define.substr(equals + 1);
+  }
+  const auto start = std::chrono::steady_clock::now();
+  LoadedScene loaded = load_scene(options.path, load_options);
+  seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  for (const Diagnostic& warning : loaded.warnings) say(warning.text());
+  return std::move(loaded.scene);
+}
+
+}  // namespace strahl::cli

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// What every subcommand that loads a scene offers: the scene, -D, --strict, -q, -v; and -d where a device is used.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+#include "scene/scene.h"
+
+namespace strahl::cli {
+
+struct SceneOptions {
+  std::string path;
+  std::vector<std::string> defines;  ///< name=value
+  bool strict = false;
+  bool quiet = false;
+  bool verbose = false;
+};
+
+void add_scene_options(CLI::App& app, SceneOptions& options);
+void add_device_option(CLI::App& app, std::string& selector);
+
+/// Loads the scene and says its warnings on standard error; `seconds` takes the time.
+[[nodiscard]] Scene load(const SceneOptions& options, double& seconds);
+
+}  // namespace strahl::cli

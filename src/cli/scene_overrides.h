@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// Options that take the place of what the scene says: integrator, sampler, film.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+
+#include "scene/scene.h"
+
+namespace strahl::cli {
+
+struct SceneOverrides {
+  std::optional<std::string> integrator;
+  std::optional<int> max_depth;
+  std::optional<int> spp;
+  std::optional<int> seed;
+  std::optional<std::string> sampler;  ///< "independent", "centre"
+  std::optional<int> width, height;    ///< One alone: the other follows, so that the aspect ratio stays.
+  std::optional<std::string> crop;     ///< "x0,y0,x1,y1"
+  std::optional<std::string> pixel;    ///< "x,y"
+};
+
+void add_scene_overrides(CLI::App& app, SceneOverrides& overrides);
+
+/// Throws UsageError for an unknown integrator and for a crop window outside the picture.
+void apply(const SceneOverrides& overrides, Scene& scene);
+
+}  // namespace strahl::cli

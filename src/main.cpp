@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+// strahl's command line: parse, run, and the only place that turns an exception into a message and an exit code.
+#include <chrono>
+#include <exception>
+#include <new>
+#include <string>
+#include <vector>
+
+#include "cli/app.h"
+#include "cli/console.h"
+
+namespace {
+
+using strahl::ExitCode;
+using strahl::cli::say;
+
+/// One argument as a shell would take it back.
+std::string quoted(const std::string& argument) {
+  const auto is_plain = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+           std::string("-_./:=,+@%").find(c) != std::string::npos;
+  };
+  bool plain = !argument.empty();
+  for (const char c : argument) plain = plain && is_plain(c);
+  if (plain) return argument;
+  std::string text = "'";
+  for (const char c : argument) {
+    if (c == '\'')
+      text += "'\\''";
+    else
+      text += c;
+  }
+  return text + "'";
+}
+
+ExitCode run(const std::vector<std::string>& arguments, const strahl::cli::Invocation& invocation) {
+  try {
+    return strahl::cli::run(arguments, invocation);
+  } catch (const strahl::SceneError& error) {
+    say(error.what());  // Its lines name file, line and column themselves.
+    return error.exit_code();
+  } catch (const strahl::Error& error) {
+    say(std::string("strahl: error: ") + error.what());
+    return error.exit_code();
+  } catch (const std::bad_alloc&) {
+    say("strahl: error: out of memory on the host; a smaller picture (--width, --crop), fewer --aov or fewer rays at a "
+        "time need less");
+  } catch (const std::exception& error) {
+    say(std::string("strahl: error: ") + error.what());
+  }
+  return ExitCode::failure;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const auto start = std::chrono::steady_clock::now();
+  strahl::cli::reserve_standard_streams();
+  const std::vector<std::string> arguments(argv + (argc > 0 ? 1 : 0), argv + argc);
+  std::string command_line = "strahl";
+  for (const std::string& argument : arguments) command_line += " " + quoted(argument);
+  return static_cast<int>(run(arguments, {start, command_line}));
+}
