@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: MIT
+// Output files are complete or absent, whatever goes wrong: full disk, missing folder, no permission, an exception.
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <catch2/catch.hpp>
+#include <csignal>
+#include <filesystem>
+
+#include "errors.h"
+#include "image/atomic_file.h"
+#include "image/file_bytes.h"
+#include "image/image_io.h"
+#include "image/npy.h"
+#include "image/pictures.h"
+#include "image/temporary_folder.h"
+
+using namespace strahl;
+using namespace strahl::test;
+using Catch::Matchers::Contains;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// No file may grow beyond `bytes`: what a full disk looks like to a writer, without one.
+class FileSizeLimit {
+ public:
+  explicit FileSizeLimit(rlim_t bytes) {
+    ::getrlimit(RLIMIT_FSIZE, &before_);
+    handler_ = std::signal(SIGXFSZ, SIG_IGN);
+    const rlimit limit{bytes, before_.rlim_max};
+    ::setrlimit(RLIMIT_FSIZE, &limit);
+  }
+  ~FileSizeLimit() {
+    ::setrlimit(RLIMIT_FSIZE, &before_);
+    std::signal(SIGXFSZ, handler_);
+  }
+  FileSizeLimit(const FileSizeLimit&) = delete;
+  FileSizeLimit& operator=(const FileSizeLimit&) = delete;
+
+ private:
+  rlimit before_{};
+  void (*handler_)(int) = nullptr;
+};
+
+/// Root may write anywhere; the test then goes on as nobody.
+class OrdinaryUser {
+ public:
+  OrdinaryUser() {
+    if (was_root_) REQUIRE(::seteuid(65534) == 0);
+  }
+  ~OrdinaryUser() {
+    if (was_root_ && ::seteuid(0) != 0) std::abort();
+  }
+  OrdinaryUser(const OrdinaryUser&) = delete;
+  OrdinaryUser& operator=(const OrdinaryUser&) = delete;
+
+ private:
+  bool was_root_ = ::geteuid() == 0;
+};
+
+/// Noise, which no compression brings below the limit that the tests set.
+Image noise() {
+  Image image = picture(200, 200, {"R", "G", "B"}, {0});
+  unsigned state = 1;
+  for (float& value : image.data) value = static_cast<float>((state = state * 1664525U + 1013904223U) >> 8) * 0x1p-24F;
+  return image;
+}
+
+}  // namespace
+
+TEST_CASE("a committed file is there, an abandoned one is not") {
+  const TemporaryFolder folder;
+  const std::string path = folder / "a.txt";
+  {
+    AtomicFile file(path);
+    file.write("hello ");
+    CHECK_FALSE(fs::exists(path));
+    CHECK(folder.names().size() == 1);
+    file.write("world");
+    file.seek(0);
+    file.write("J");
+    CHECK(file.tell() == 1);
+    file.commit();
+  }
+  CHECK(bytes_of(path) == "Jello world");
+  { AtomicFile(path).write("half"); }
+  CHECK(bytes_of(path) == "Jello world");
+  CHECK(folder.names() == std::set<std::string>{"a.txt"});
+}
+
+TEST_CASE("two writers of one file do not meet") {
+  const TemporaryFolder folder;
+  AtomicFile first(folder / "a");
+  AtomicFile second(folder / "a");
+  first.write("first");
+  second.write("second");
+  second.commit();
+  first.commit();
+  CHECK(bytes_of(folder / "a") == "first");
+  CHECK(folder.names().size() == 1);
+}
+
+TEST_CASE("permissions: the umask's for a new file, the old ones for a replaced file") {
+  const TemporaryFolder folder;
+  const mode_t mask = ::umask(027);
+  AtomicFile(folder / "new").commit();
+  ::umask(mask);
+  CHECK((fs::status(folder / "new").permissions() & fs::perms::mask) == fs::perms(0640));
+  fs::permissions(folder / "new", fs::perms(0604));
+  AtomicFile(folder / "new").commit();
+  CHECK((fs::status(folder / "new").permissions() & fs::perms::mask) == fs::perms(0604));
+}
+
+TEST_CASE("a symbolic link stays one, its target is replaced") {
+  const TemporaryFolder folder;
+  fs::create_directory(folder / "deep");
+  put_bytes(folder / "deep/target", "old");
+  fs::create_symlink("deep/target", folder / "link");
+  AtomicFile file(folder / "link");
+  file.write("new");
+  file.commit();
+  CHECK(fs::is_symlink(folder / "link"));
+  CHECK(bytes_of(folder / "deep/target") == "new");
+}
+
+TEST_CASE("a name as long as names can be") {
+  const TemporaryFolder folder;
+  const std::string name(255, 'x');
+  AtomicFile(folder / name).commit();
+  CHECK(folder.names() == std::set<std::string>{name});
+}
+
+TEST_CASE("places that cannot be written to") {
+  const TemporaryFolder folder;
+  put_bytes(folder / "file", "");
+  CHECK_THROWS_WITH(AtomicFile(folder / "no/a.png"), Contains("does not exist; create it first"));
+  CHECK_THROWS_WITH(AtomicFile(folder / "file/a.png"), Contains("is not a folder"));
+  CHECK_THROWS_WITH(AtomicFile(folder.path()), Contains("is a folder; name a file"));
+  CHECK_THROWS_AS(AtomicFile(""), Error);
+  CHECK(folder.names() == std::set<std::string>{"file"});
+}
+
+TEST_CASE("no permission") {
+  const TemporaryFolder folder;
+  fs::create_directory(folder / "closed");
+  put_bytes(folder / "kept", "old");
+  fs::permissions(folder.path(), fs::perms(0755));
+  fs::permissions(folder / "closed", fs::perms(0555));
+  fs::permissions(folder / "kept", fs::perms(0444));
+  const OrdinaryUser nobody;
+  CHECK_THROWS_WITH(AtomicFile(folder / "closed/a.png"), Contains("no permission to write here"));
+  CHECK_THROWS_WITH(AtomicFile(folder / "kept"), Contains("no permission to write here"));
+  CHECK(bytes_of(folder / "kept") == "old");
+}
+
+TEST_CASE("a full disk leaves the older file and nothing else") {
+  const TemporaryFolder folder;
+  const Image image = noise();
+  Matrix matrix{100, 100, std::vector<double>(10000, 0.1)};
+  for (const std::string name : {"a.png", "a.exr", "a.pfm", "a.npy"}) {
+    INFO(name);
+    put_bytes(folder / name, "old");
+    const auto write = [&] {
+      name == "a.npy" ? write_npy(matrix, folder / name) : void(write_image(image, folder / name));
+    };
+    {
+      const FileSizeLimit limit(20000);
+      CHECK_THROWS_WITH(write(), Contains(name) && Contains("File too large"));
+    }
+    CHECK(bytes_of(folder / name) == "old");
+    CHECK(folder.names().size() == 1);
+    CHECK_NOTHROW(write());
+    CHECK(bytes_of(folder / name).size() > 20000);
+    fs::remove(folder / name);
+  }
+}
+
+TEST_CASE("a device is written to and not replaced, and says that it is full") {
+  const TemporaryFolder folder;
+  CHECK_NOTHROW(write_npy({1, 2, {3, 4}}, "/dev/null"));
+  CHECK(fs::is_character_file("/dev/null"));
+  if (!fs::exists("/dev/full")) return;  // Linux alone has it.
+  fs::create_symlink("/dev/full", folder / "a.png");
+  CHECK_THROWS_WITH(write_image(noise(), folder / "a.png"), Contains("the disk is full"));
+  CHECK_THROWS_WITH(write_npy({1, 2, {3, 4}}, "/dev/full"), Contains("the disk is full"));
+  CHECK(fs::is_character_file("/dev/full"));
+}
+
+TEST_CASE("a failure that somebody swallowed still fails the commit") {
+  const TemporaryFolder folder;
+  {
+    const FileSizeLimit limit(10);
+    AtomicFile file(folder / "a");
+    CHECK_THROWS_AS(file.write(std::string(100000, 'x')), Error);
+    CHECK_THROWS_AS(file.commit(), Error);
+  }
+  CHECK(folder.names().empty());
+}
+
+TEST_CASE("whole files are read, and unreadable ones say why") {
+  const TemporaryFolder folder;
+  for (const std::size_t size : {0, 1, 4095, 65536, 200000}) {
+    const std::string bytes(size, 'z');
+    put_bytes(folder / "a", bytes);
+    CHECK(read_file(folder / "a") == bytes);
+  }
+  ::mkfifo((folder / "pipe").c_str(), 0600);
+  const pid_t child = ::fork();
+  if (child == 0) {
+    put_bytes(folder / "pipe", std::string(300000, 'p'));
+    ::_exit(0);
+  }
+  CHECK(read_file(folder / "pipe") == std::string(300000, 'p'));
+  CHECK_THROWS_WITH(read_file(folder / "none"), Contains("No such file"));
+  CHECK_THROWS_WITH(read_file(folder.path()), Contains("directory"));
+  CHECK_THROWS_AS(read_file(folder / "none"), InputError);
+}

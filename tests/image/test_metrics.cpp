@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+// Metrics against cases worked out by hand, refusals, and the heat map.
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <limits>
+
+#include "errors.h"
+#include "image/metrics.h"
+#include "image/pictures.h"
+#include "image/srgb.h"
+
+using namespace strahl;
+using namespace strahl::test;
+using Catch::Matchers::Contains;
+
+namespace {
+
+const std::vector<std::string> rgb{"R", "G", "B"};
+
+double measure(const Image& a, const Image& b, Metric metric) { return compare_images(a, b, metric); }
+
+}  // namespace
+
+TEST_CASE("names lead to metrics and back") {
+  CHECK(all_metrics().size() == 5);
+  for (const Metric metric : all_metrics()) CHECK(metric_from_name(metric_name(metric)) == metric);
+  CHECK_THROWS_AS(metric_from_name("ssim"), UsageError);
+  CHECK_THROWS_WITH(metric_from_name("ssim"), Contains("mse, rmse, mae, relmse, psnr"));
+}
+
+TEST_CASE("equal pictures") {
+  const Image image = picture(3, 2, rgb, {0.25F, 4, -1});
+  for (const Metric metric : {Metric::mse, Metric::rmse, Metric::mae, Metric::relmse}) {
+    CHECK(measure(image, image, metric) == 0);
+  }
+  CHECK(measure(image, image, Metric::psnr) == std::numeric_limits<double>::infinity());
+}
+
+TEST_CASE("differences worked out by hand") {
+  // Differences 1, -2, 3, 0, 0, 0 against references 2, 2, 2, 0, 0, 0; dyadic values: no rounding.
+  const Image a = picture(2, 1, rgb, {3, 0, 5, 0, 0, 0});
+  const Image b = picture(2, 1, rgb, {2, 2, 2, 0, 0, 0});
+  CHECK(measure(a, b, Metric::mse) == 14.0 / 6);
+  CHECK(measure(a, b, Metric::rmse) == std::sqrt(14.0 / 6));
+  CHECK(measure(a, b, Metric::mae) == 1);
+  CHECK(measure(a, b, Metric::relmse) == Approx(14 / 4.01 / 6).epsilon(1e-14));
+  CHECK(measure(b, a, Metric::relmse) == Approx((1 / 9.01 + 4 / 0.01 + 9 / 25.01) / 6).epsilon(1e-14));
+}
+
+TEST_CASE("psnr is taken of encoded values in [0, 1]") {
+  const Image black = picture(2, 2, {"Y"}, {0});
+  CHECK(measure(picture(2, 2, {"Y"}, {1}), black, Metric::psnr) == Approx(0).margin(1e-12));
+  CHECK(measure(picture(2, 2, {"Y"}, {9}), picture(2, 2, {"Y"}, {1}), Metric::psnr) ==
+        std::numeric_limits<double>::infinity());
+  const auto tenth = static_cast<float>(linear_from_srgb(0.1));
+  CHECK(measure(picture(2, 2, {"Y"}, {tenth}), black, Metric::psnr) == Approx(20).epsilon(1e-7));
+}
+
+TEST_CASE("alpha and further layers are not compared, the order of channels does not matter") {
+  const Image a = picture(1, 1, {"R", "G", "B", "A"}, {1, 2, 3, 0.5F});
+  const Image b = picture(1, 1, {"A", "R", "G", "B", "normal.X"}, {1, 1, 2, 3, 7});
+  CHECK(measure(a, b, Metric::mse) == 0);
+}
+
+TEST_CASE("what cannot be compared is refused with the place") {
+  const Image a = picture(4, 2, rgb, {0.5F});
+  CHECK_THROWS_AS(measure(a, picture(2, 4, rgb, {0.5F}), Metric::mse), InputError);
+  CHECK_THROWS_WITH(measure(a, picture(2, 4, rgb, {0.5F}), Metric::mse), Contains("4 x 2") && Contains("2 x 4"));
+  CHECK_THROWS_WITH(measure(a, picture(4, 2, {"Y"}, {0.5F}), Metric::psnr), Contains("R G B") && Contains("Y"));
+  for (const float bad : {std::nanf(""), std::numeric_limits<float>::infinity()}) {
+    Image b = a;
+    b.at(3, 1, 2) = bad;
+    CHECK_THROWS_WITH(measure(a, b, Metric::mae), Contains("the reference") && Contains("pixel 3,1 in channel B"));
+    CHECK_THROWS_WITH(measure(b, a, Metric::mae), Contains("the picture holds"));
+    CHECK_THROWS_AS(difference_heatmap(a, b), InputError);
+  }
+}
+
+TEST_CASE("the heat map grows lighter with the difference") {
+  constexpr int steps = 1001;
+  Image a = picture(steps, 1, rgb, {0});
+  for (int x = 0; x < steps; ++x) a.at(x, 0, x % 3) = static_cast<float>(x) * -0.003F;
+  const Image map = difference_heatmap(a, picture(steps, 1, rgb, {0}));
+  CHECK(map.width == steps);
+  CHECK(map.channels == rgb);
+  CHECK(std::stod(map.metadata.at("largest difference")) == Approx(1).epsilon(1e-6));
+  const auto lightness = [&map](int x) {  // CIE L* of linear RGB with the sRGB primaries.
+    const double y = 0.2126 * static_cast<double>(map.at(x, 0, 0)) + 0.7152 * static_cast<double>(map.at(x, 0, 1)) +
+                     0.0722 * static_cast<double>(map.at(x, 0, 2));
+    return y > 216.0 / 24389 ? 116 * std::cbrt(y) - 16 : y * 24389 / 27;
+  };
+  CHECK(lightness(0) < 1);
+  CHECK(lightness(steps - 1) > 97);
+  int out_of_order = 0;
+  double steepest = 0;
+  for (int x = 1; x < steps; ++x) {
+    out_of_order += lightness(x) <= lightness(x - 1);
+    steepest = std::max(steepest, lightness(x) - lightness(x - 1));
+  }
+  CHECK(out_of_order == 0);
+  CHECK(steepest * (steps - 1) < 200);  // No step of the map stands out: at most twice the mean slope.
+}
+
+TEST_CASE("the heat map of equal pictures is dark") {
+  const Image a = picture(2, 2, rgb, {0.5F});
+  const Image map = difference_heatmap(a, a);
+  CHECK(map.metadata.at("largest difference") == "0");
+  for (const float value : map.data) CHECK(value < 0.01F);
+}

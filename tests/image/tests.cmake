@@ -1,0 +1,10 @@
+# SPDX-License-Identifier: MIT
+strahl_test(image/test_atomic_file.cpp LABEL unit)
+strahl_test(image/test_srgb.cpp LABEL unit)
+strahl_test(image/test_png.cpp LABEL unit LIBS PNG::PNG)
+strahl_test(image/test_exr.cpp LABEL unit LIBS OpenEXR::OpenEXR)
+strahl_test(image/test_exr_references.cpp LABEL unit)
+strahl_test(image/test_pfm.cpp LABEL unit)
+strahl_test(image/test_image_io.cpp LABEL unit)
+strahl_test(image/test_metrics.cpp LABEL unit)
+strahl_test(image/test_npy.cpp LABEL unit)
