@@ -1,7 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Triangle meshes from OBJ (+ MTL Kd, Ke) and PLY files, read in double.
+//
+// A face that cannot be read, has fewer than 3 corners, no area, or edges that cross is skipped and counted in a
+// warning. An index out of range, a number that is not finite where a face uses it, a truncated file and a mesh
+// without triangles are errors. Where only some corners have a normal, the others get their triangle's; where only
+// some have texture coordinates, the others get (0, 0). What no triangle uses is left out.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -18,9 +24,11 @@ struct MeshMaterial {
   std::optional<Rgb> radiance;  ///< Present where Ke is not black.
 };
 
+/// Faces before the first usemtl have a material without a name where others have one.
 struct MeshFile {
   Mesh mesh;  ///< `parts` stays empty; part_of_triangle holds indices into `materials` (empty where there are none).
   std::vector<MeshMaterial> materials;
+  std::size_t skipped_faces = 0;
   std::vector<Diagnostic> warnings;  ///< Skipped faces (counted, with the first one's place), missing MTL, ...
 };
 

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// Chooses the mesh reader by the file's extension.
+#include "scene/mesh_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+namespace strahl {
+
+MeshFile read_mesh(const std::string& path) {
+  std::string extension = std::filesystem::path(path).extension().string();
+  std::ranges::transform(extension, extension.begin(),
+                         [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  if (extension == ".obj") return read_obj(path);
+  if (extension == ".ply") return read_ply(path);
+  throw SceneError({{Severity::error,
+                     {path},
+                     fmt::format("extension \"{}\" is no mesh format that is read; use .obj "
+                                 "or .ply",
+                                 extension)}});
+}
+
+}  // namespace strahl
