@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "device/kernel_source.h"
+#include "render/sampling.h"
 #include "render/settings.h"
 #include "scene/scene.h"
 
@@ -26,7 +27,14 @@ struct Features {
 
   [[nodiscard]] bool has(const std::string& list, const std::string& entry) const;
   [[nodiscard]] bool flag(const std::string& name) const;
+  /// Number of an entry among the active ones, as the program's enumerators count; -1 where it is not active.
+  [[nodiscard]] int entry_index(const std::string& list, const std::string& entry) const;
 };
+
+/// The list entry that a scene element is computed by: rectangle and cube are "parallelogram", a mesh "triangle".
+[[nodiscard]] std::string shape_kind(const Shape& shape);
+[[nodiscard]] std::string material_kind(const Material& material);
+[[nodiscard]] std::string light_kind(const Light& light);
 
 /// Pure. settings.generic: everything on.
 [[nodiscard]] Features features_of(const Scene& scene, const RenderSettings& settings);

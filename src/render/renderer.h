@@ -7,6 +7,7 @@
 
 #include "device/device.h"
 #include "image/image.h"
+#include "render/sampling.h"
 #include "render/settings.h"
 #include "render/stats.h"
 #include "scene/scene.h"
@@ -49,14 +50,5 @@ class Renderer {
   struct State;
   std::unique_ptr<State> state_;
 };
-
-/// Samples per pixel and sampler that a scene ends up with: what it states, or the integrator's default.
-/// emission, depth, normals: centre, 1 sample; others: independent, 16.
-struct ResolvedSampling {
-  SamplerKind kind;
-  int spp;
-  std::uint32_t seed;
-};
-[[nodiscard]] ResolvedSampling resolve_sampling(const Scene& scene);
 
 }  // namespace strahl

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// Closest hit and any hit over flat lists: every block of every active kind of shape. One width; no guard.
+#include "core/candidates.h"
+#include "scene/scene.h"
+#include "shapes/edge_lanes.h"
+#include "shapes/all_lanes.h"
+
+FN Nearest LANED(closest_hit)(const Scene* scene, const Ray* ray) {
+  Nearest best = nearest_none(ray->t_max);
+#define SHAPE(name, planes)                                                                              \
+  {                                                                                                      \
+    GLOBAL const int* row = scene_shape_row(scene, SHAPE_##name);                                        \
+    GLOBAL const real* block = scene->geometry + row[SHAPE_GEOMETRY];                                    \
+    GLOBAL const int* ids = scene->index + row[SHAPE_IDS];                                               \
+    int blocks = row[SHAPE_BLOCKS];                                                                      \
+    for (int b = 0; b < blocks; ++b, block += (planes)*LANES, ids += LANES)                              \
+      LANED(name##_block)(ray, block, ids, b * LANES, &best);                                            \
+  }
+#include "shapes/shapes.def"
+#undef SHAPE
+  return best;
+}
+
+/// Is anything hit within [t_min, t_max]? Stops at the first block that says so.
+FN int LANED(any_hit)(const Scene* scene, const Ray* ray) {
+  Nearest best = nearest_none(ray->t_max);
+#define SHAPE(name, planes)                                                                              \
+  if (best.kind < 0) {                                                                                   \
+    GLOBAL const int* row = scene_shape_row(scene, SHAPE_##name);                                        \
+    GLOBAL const real* block = scene->geometry + row[SHAPE_GEOMETRY];                                    \
+    GLOBAL const int* ids = scene->index + row[SHAPE_IDS];                                               \
+    int blocks = row[SHAPE_BLOCKS];                                                                      \
+    for (int b = 0; b < blocks && best.kind < 0; ++b, block += (planes)*LANES, ids += LANES)             \
+      LANED(name##_block)(ray, block, ids, b * LANES, &best);                                            \
+  }
+#include "shapes/shapes.def"
+#undef SHAPE
+  return best.kind >= 0;
+}

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// The film: sums that do not depend on how samples were split into launches. Each sample's channel is rounded once to
+// a fixed-point integer and added as an integer; docs/decisions/0002-film.md has the numbers.
+#ifndef STRAHL_CORE_FILM_H
+#define STRAHL_CORE_FILM_H
+
+#include "core/counters.h"
+#include "portable.h"
+
+/// Units a sample may add at the most: 2^43, so that 2^19 samples a sub-sum (render/sampling.h) stay within 63 bits.
+#define FILM_LIMIT R(8796093022208.0)
+
+FN long film_units(const Scene* scene, real value, real scale) {
+  real scaled = value * scale;
+  if (!(scaled <= FILM_LIMIT && scaled >= -FILM_LIMIT)) {
+    int is_number = scaled > FILM_LIMIT || scaled < -FILM_LIMIT;
+    count_event(scene, is_number ? COUNT_SATURATED : COUNT_INVALID);
+    scaled = is_number ? (scaled > R(0.0) ? FILM_LIMIT : -FILM_LIMIT) : R(0.0);
+  }
+  return (long)(scaled < R(0.0) ? scaled - R(0.5) : scaled + R(0.5));
+}
+
+#endif

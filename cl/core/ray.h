@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+// A ray, and what intersection bodies of every width want prepared of it. Frame: the one the scene was uploaded in.
+#ifndef STRAHL_CORE_RAY_H
+#define STRAHL_CORE_RAY_H
+
+#include "math/vec3.h"
+#include "portable.h"
+
+/// The direction is scaled by an exact power of two so that max |d_i| lies in [1, 2): tiny and huge directions then
+/// neither underflow nor overflow. t of this ray = t of the given ray times t_scale.
+typedef struct {
+  real3 o, d;
+  real t_min, t_max;   ///< Both inclusive; in units of d.
+  real t_from_scaled;  ///< t in units of the direction as given = t * t_from_scaled.
+  int left;            ///< Scene-wide id of the primitive just left, -1: none. It is not hit again where it was left.
+
+  real3 inv;           ///< 1 / d, infinite where d is 0.
+  int near_x, near_y, near_z;     ///< Plane of a box (0 lo_x, 1 hi_x, 2 lo_y, ...) that the ray meets first, per axis.
+  int kx, ky, kz;                 ///< Axes of the shear: kz the largest of |d|; x, y, z form a right-handed turn.
+  real shear_x, shear_y, shear_z; ///< Woop, Benthin, Wald, "Watertight Ray/Triangle Intersection", JCGT 2(1), 2013.
+} Ray;
+
+FN real component(real3 v, int axis) { return axis == 0 ? v.x : (axis == 1 ? v.y : v.z); }
+
+/// A ray with a NaN or infinite origin or direction, or with direction 0, hits nothing.
+FN Ray ray_make(real3 o, real3 d, real t_min, real t_max, int left) {
+  Ray ray;
+  real3 magnitude = abs3(d);
+  PowerOfTwo scale = power_of_two_to_one(max3(magnitude));
+  ray.o = o;
+  ray.d = scale3(scale.up, d);
+  ray.t_min = t_min * scale.down;
+  ray.t_max = t_max * scale.down;
+  ray.t_from_scaled = scale.up;
+  ray.left = left;
+  int usable = real_is_finite(o.x) & real_is_finite(o.y) & real_is_finite(o.z) & real_is_finite(d.x) &
+               real_is_finite(d.y) & real_is_finite(d.z) & (max3(magnitude) > R(0.0));
+  if (!usable) {
+    ray.t_min = R(1.0);
+    ray.t_max = -R(1.0);
+  }
+
+  ray.inv = vec3(R(1.0) / ray.d.x, R(1.0) / ray.d.y, R(1.0) / ray.d.z);
+  ray.near_x = ray.inv.x < R(0.0) ? 1 : 0;
+  ray.near_y = ray.inv.y < R(0.0) ? 3 : 2;
+  ray.near_z = ray.inv.z < R(0.0) ? 5 : 4;
+
+  int kz = magnitude.x > magnitude.y ? (magnitude.x > magnitude.z ? 0 : 2) : (magnitude.y > magnitude.z ? 1 : 2);
+  int kx = kz == 2 ? 0 : kz + 1;
+  int ky = kx == 2 ? 0 : kx + 1;
+  real dz = component(ray.d, kz);
+  if (dz < R(0.0)) {
+    int swap = kx;
+    kx = ky;
+    ky = swap;
+  }
+  ray.kx = kx;
+  ray.ky = ky;
+  ray.kz = kz;
+  ray.shear_x = component(ray.d, kx) / dz;
+  ray.shear_y = component(ray.d, ky) / dz;
+  ray.shear_z = R(1.0) / dz;
+  return ray;
+}
+
+#endif

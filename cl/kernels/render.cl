@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+// One work-item a pixel: camera ray, closest hit, radiance, film. A launch covers rows [row_first, row_first + rows) of
+// the window and samples [sample_first, sample_first + sample_count) of each of its pixels.
+#include "math/vec3.h"
+#include "math/rng.h"
+#include "lanes/lane_ops.h"
+#include "accel/flat.h"
+#include "shapes/shape.h"
+#include "core/camera.h"
+#include "core/film.h"
+#include "integrators/integrator.h"
+
+FN void store_first_sample(GLOBAL real* reals, GLOBAL int* ints, const Ray* ray, int hit, const Surface* s) {
+  for (int i = 0; i < AOV_REALS; ++i) reals[i] = R(0.0);
+  ints[AOV_SHAPE] = -1;
+  ints[AOV_PRIMITIVE] = -1;
+  if (!hit) return;
+  reals[AOV_DEPTH] = length3(sub3(s->position, ray->o));
+  reals[AOV_NORMAL] = s->shading.x;
+  reals[AOV_NORMAL + 1] = s->shading.y;
+  reals[AOV_NORMAL + 2] = s->shading.z;
+  reals[AOV_POSITION] = s->position.x;
+  reals[AOV_POSITION + 1] = s->position.y;
+  reals[AOV_POSITION + 2] = s->position.z;
+  reals[AOV_UV] = s->tex_u;
+  reals[AOV_UV + 1] = s->tex_v;
+  ints[AOV_SHAPE] = s->shape;
+  ints[AOV_PRIMITIVE] = s->primitive;
+}
+
+KERNEL LANE_HINT void render(GLOBAL const real* geometry, GLOBAL const real* shading, GLOBAL const int* index,
+                             GLOBAL long* film, GLOBAL real* aov_reals, GLOBAL int* aov_ints, GLOBAL uint* counters,
+                             int film_row, int row_first, int rows, int sample_first, int sample_count) {
+  int column = (int)get_global_id(0), row = (int)get_global_id(1);
+  if (column >= index[HEADER_CROP_WIDTH] || row >= rows) return;
+  Scene scene;
+  scene.geometry = geometry;
+  scene.shading = shading;
+  scene.index = index;
+  scene.counters = counters;
+  int width = index[HEADER_WIDTH], height = index[HEADER_HEIGHT];
+  int x = index[HEADER_CROP_X] + column, y = index[HEADER_CROP_Y] + row_first + row;
+  uint pixel = (uint)y * (uint)width + (uint)x;
+  // film_row: the window's row that the film buffer begins with.
+  ulong slot = (ulong)(row_first + row - film_row) * (ulong)index[HEADER_CROP_WIDTH] + (ulong)column;
+  real film_scale = shading[index[HEADER_FILM_SCALE]];
+  GLOBAL long* sums = film + slot * (FILM_SUBSUMS * FILM_CHANNELS);
+
+  for (int sub = 0; sub < FILM_SUBSUMS; ++sub) {
+    long r = 0, g = 0, b = 0;
+    int first = sample_first + ((sub - sample_first) & (FILM_SUBSUMS - 1));
+    for (int sample = first; sample < sample_first + sample_count; sample += FILM_SUBSUMS) {
+      real dx = R(0.0), dy = R(0.0);
+      if (HAS_PIXEL_FILTER) {
+        Random4 bits = random4(pixel, (uint)sample, 0u, (uint)index[HEADER_SEED]);
+        dx = filter_offset(shading + index[HEADER_FILTER], random_unit(bits.x));
+        dy = filter_offset(shading + index[HEADER_FILTER], random_unit(bits.y));
+      }
+      Ray ray = camera_ray(shading + index[HEADER_CAMERA], width, height, x, y, dx, dy);
+      Nearest nearest = LANED(closest_hit)(&scene, &ray);
+      int hit = nearest.kind >= 0;
+      Surface surface;
+      if (hit) surface = surface_at(&scene, &ray, &nearest, LANES);
+      real3 radiance = radiance_of(&scene, &ray, hit, &surface, nearest.id);
+      r += film_units(&scene, radiance.x, film_scale);
+      g += film_units(&scene, radiance.y, film_scale);
+      b += film_units(&scene, radiance.z, film_scale);
+      if (HAS_AOV && sample == 0)
+        store_first_sample(aov_reals + slot * AOV_REALS, aov_ints + slot * AOV_INTS, &ray, hit, &surface);
+    }
+    sums[sub * FILM_CHANNELS] += r;
+    sums[sub * FILM_CHANNELS + 1] += g;
+    sums[sub * FILM_CHANNELS + 2] += b;
+  }
+}

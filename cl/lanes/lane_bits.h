@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// Compare mask to bit mask on the device, LANES 8 and 16. Runtimes built on clang for AVX-512 (PoCL) offer the
+// instruction's own builtin; everywhere else each lane keeps its own bit and halves are OR-ed: the same bits.
+// The tests stand nested because a compiler without __has_builtin must not see its argument.
+#if REAL_BITS == 32 && LANES == 16 && defined(__has_builtin) && defined(__AVX512DQ__)
+#if __has_builtin(__builtin_ia32_cvtd2mask512)
+#define LANE_BITS_NATIVE(m) ((uint)__builtin_ia32_cvtd2mask512(m))
+#endif
+#endif
+#if REAL_BITS == 32 && LANES == 8 && defined(__has_builtin) && defined(__AVX512DQ__) && defined(__AVX512VL__)
+#if __has_builtin(__builtin_ia32_cvtd2mask256)
+#define LANE_BITS_NATIVE(m) ((uint)(uchar)__builtin_ia32_cvtd2mask256(m))
+#endif
+#endif
+#if REAL_BITS == 64 && LANES == 8 && defined(__has_builtin) && defined(__AVX512DQ__)
+#if __has_builtin(__builtin_ia32_cvtq2mask512)
+#define LANE_BITS_NATIVE(m) ((uint)(uchar)__builtin_ia32_cvtq2mask512(m))
+#endif
+#endif
+
+#ifdef LANE_BITS_NATIVE
+FN uint bits_w(maskw m) { return LANE_BITS_NATIVE(m); }
+#undef LANE_BITS_NATIVE
+#elif LANES == 16
+FN uint bits_w(maskw m) {
+  maskw bit = m & (maskw)(1, 2, 4, 8, 16, 32, 64, 128, 256, 512, 1024, 2048, 4096, 8192, 16384, 32768);
+#if REAL_BITS == 64
+  long8 b8 = bit.lo | bit.hi;
+  long4 b4 = b8.lo | b8.hi;
+#else
+  int8 b8 = bit.lo | bit.hi;
+  int4 b4 = b8.lo | b8.hi;
+#endif
+  return (uint)(b4.x | b4.y | b4.z | b4.w);
+}
+#else
+FN uint bits_w(maskw m) {
+  maskw bit = m & (maskw)(1, 2, 4, 8, 16, 32, 64, 128);
+  return (uint)(bit.s0 | bit.s1 | bit.s2 | bit.s3 | bit.s4 | bit.s5 | bit.s6 | bit.s7);
+}
+#endif

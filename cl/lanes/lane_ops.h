@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// Lane types and operations for one value of LANES (1, 8 or 16): include once per width, after defining LANES.
+// No include guard on purpose. Bodies use these, + - * / and unary - on realw, & | ~ on maskw, nothing else.
+//
+//   splat_w(x) every lane x          lt_w le_w eq_w  compare, false on NaN       sel_w(m, a, b)  m ? a : b, no arithmetic
+//   max_w(x, a) min_w(x, a)  the larger / smaller, a NaN x is dropped            fma_w sqrt_w    correctly rounded
+//   abs_w, flip_w(a, s)  clear the sign, xor it with the sign of s              nonzero_w(i)    mask of i != 0
+//   bits_w(m)  bit i = lane i         any_w(m)  is a lane set                    load_w load_int_w store_w  LANES values
+#include "lanes/lane_names.h"
+#include "portable.h"
+
+
+#if LANES == 1
+
+typedef real realw;
+typedef int intw;
+typedef int maskw;
+
+FN realw splat_w(real x) { return x; }
+FN intw splat_int_w(int x) { return x; }
+FN maskw lt_w(realw a, realw b) { return -(int)(a < b); }
+FN maskw le_w(realw a, realw b) { return -(int)(a <= b); }
+FN maskw eq_w(realw a, realw b) { return -(int)(a == b); }
+FN realw sel_w(maskw m, realw a, realw b) { return m ? a : b; }
+FN maskw nonzero_w(intw i) { return -(int)(i != 0); }
+FN realw fma_w(realw a, realw b, realw c) { return real_fma(a, b, c); }
+FN realw sqrt_w(realw a) { return real_sqrt(a); }
+FN realw abs_w(realw a) { return real_abs(a); }
+FN realw flip_w(realw a, realw s) {
+  return bits_to_real(real_to_bits(a) ^ (real_to_bits(s) & real_to_bits(-R(0.0))));
+}
+FN uint bits_w(maskw m) { return (uint)(m & 1); }
+FN int any_w(maskw m) { return m != 0; }
+FN realw load_w(GLOBAL const real* p) { return *p; }
+FN intw load_int_w(GLOBAL const int* p) { return *p; }
+FN void store_w(realw a, PRIVATE real* p) { *p = a; }
+
+#elif ON_HOST
+#include "lanes/lane_host.h"
+#else
+#include "lanes/lane_device.h"
+#endif
+
+FN realw max_w(realw x, realw a) { return sel_w(lt_w(a, x), x, a); }
+FN realw min_w(realw x, realw a) { return sel_w(lt_w(x, a), x, a); }

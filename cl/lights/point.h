@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// Point light: intensity / distance^2. Parameters: position x y z, intensity r g b (W/sr).
+#ifndef STRAHL_LIGHTS_POINT_H
+#define STRAHL_LIGHTS_POINT_H
+
+#include "lights/light_sample.h"
+
+FN LightSample point_sample(GLOBAL const real* params, real3 from) {
+  LightSample s;
+  s.towards = sub3(load3(params), from);
+  s.t_max = R(1.0);
+  real distance = length3(s.towards);
+  real inverse = R(1.0) / distance;
+  s.irradiance = scale3(inverse, scale3(inverse, load3(params + 3)));
+  return s;
+}
+
+FN real3 point_background(GLOBAL const real* params) {
+  (void)params;
+  return vec3(R(0.0), R(0.0), R(0.0));
+}
+
+#endif

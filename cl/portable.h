@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+// The dialect's ground: what OpenCL C 1.2 and C++20 must agree on. The only file that asks which language it is.
+//
+// Needs REAL_BITS (32 or 64): the precision tier's floating type. On the host, include <cmath>, <cstdint> and <cstring>
+// first, then this inside a namespace of the tier (f32 or f64): one translation unit holds one tier.
+// Rules of the dialect: cl/README.md.
+#ifndef STRAHL_PORTABLE_H
+#define STRAHL_PORTABLE_H
+
+#ifndef __cplusplus
+#pragma OPENCL FP_CONTRACT OFF
+#endif
+
+#define FN static inline __attribute__((always_inline))
+
+#ifdef __cplusplus
+#define ON_HOST 1
+#define GLOBAL
+#define PRIVATE
+typedef unsigned int uint;
+#if REAL_BITS == 64
+typedef std::uint64_t bitsr;
+#else
+typedef std::uint32_t bitsr;
+#endif
+#else
+#define ON_HOST 0
+#define GLOBAL __global
+#define PRIVATE __private
+#define KERNEL __kernel
+#if REAL_BITS == 64
+#pragma OPENCL EXTENSION cl_khr_fp64 : enable
+typedef ulong bitsr;
+#else
+typedef uint bitsr;
+#endif
+#endif
+
+#if REAL_BITS == 64
+typedef double real;
+#define R(x) x
+#define REAL_MAX 0x1.fffffffffffffp+1023
+#define REAL_EXPONENT_SHIFT 52
+#define REAL_EXPONENT_MASK 0x7ff
+#else
+typedef float real;
+#define R(x) x##f
+#define REAL_MAX 0x1.fffffep+127f
+#define REAL_EXPONENT_SHIFT 23
+#define REAL_EXPONENT_MASK 0xff
+#endif
+
+#define INT_MAX_ID 0x7fffffff
+
+#ifdef __cplusplus
+FN bitsr real_to_bits(real x) {
+  bitsr b;
+  std::memcpy(&b, &x, sizeof b);
+  return b;
+}
+FN real bits_to_real(bitsr b) {
+  real x;
+  std::memcpy(&x, &b, sizeof x);
+  return x;
+}
+/// Position of the lowest set bit; m must not be 0.
+FN int first_bit(uint m) { return __builtin_ctz(m); }
+FN real real_fma(real a, real b, real c) { return std::fma(a, b, c); }
+FN real real_sqrt(real a) { return std::sqrt(a); }
+FN real real_abs(real a) { return std::fabs(a); }
+#else
+#if REAL_BITS == 64
+FN bitsr real_to_bits(real x) { return as_ulong(x); }
+FN real bits_to_real(bitsr b) { return as_double(b); }
+#else
+FN bitsr real_to_bits(real x) { return as_uint(x); }
+FN real bits_to_real(bitsr b) { return as_float(b); }
+#endif
+FN int first_bit(uint m) { return 31 - (int)clz(m & (~m + 1u)); }
+FN real real_fma(real a, real b, real c) { return fma(a, b, c); }
+FN real real_sqrt(real a) { return sqrt(a); }
+FN real real_abs(real a) { return fabs(a); }
+#endif
+
+/// Neither NaN nor infinite, decided on the bits so that no compiler can assume it away.
+FN int real_is_finite(real x) {
+  return ((int)(real_to_bits(x) >> REAL_EXPONENT_SHIFT) & REAL_EXPONENT_MASK) != REAL_EXPONENT_MASK;
+}
+
+#endif

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+// Where things stand in the three buffers of a scene. The host packs by this file and the kernels read by it.
+//
+//   geometry  reals: per kind of shape, blocks of planes x LANES
+//   shading   reals: camera, filter table, frames, vertex attributes, radiances, material and light parameters
+//   index     ints:  header, one row a kind of shape, ids, tables. Offsets count elements of the buffer they point into.
+#ifndef STRAHL_SCENE_LAYOUT_H
+#define STRAHL_SCENE_LAYOUT_H
+
+enum {
+  HEADER_WIDTH,         // pixels of the whole picture
+  HEADER_HEIGHT,
+  HEADER_CROP_X,        // first pixel of the window, and its width
+  HEADER_CROP_Y,
+  HEADER_CROP_WIDTH,
+  HEADER_SEED,
+  HEADER_INTEGRATOR,    // INTEGRATOR_direct, ...
+  HEADER_MAX_DEPTH,     // -1: no limit
+  HEADER_HIDE_EMITTERS,
+  HEADER_CAMERA,        // -> shading
+  HEADER_FILTER,        // -> shading, FILTER_CELLS + 1 quantiles
+  HEADER_FILM_SCALE,    // -> shading, 1 real: film units per unit of radiance, a power of two
+  HEADER_PARTS,         // -> index, PART_INTS a part
+  HEADER_MATERIALS,     // -> index, MATERIAL_INTS a material
+  HEADER_LIGHTS,        // -> index, LIGHT_INTS a light
+  HEADER_LIGHT_COUNT,
+  HEADER_INTS
+};
+
+// Row of a kind of shape, at HEADER_INTS + SHAPE_x * SHAPE_INTS. The ids are followed by the part of every slot.
+enum { SHAPE_BLOCKS, SHAPE_GEOMETRY, SHAPE_IDS, SHAPE_INTS };
+
+enum {
+  PART_SHAPE,       // index in file order
+  PART_FIRST_ID,    // scene-wide id of the shape's primitive 0
+  PART_MATERIAL,    // row of the material table
+  PART_RADIANCE,    // -> shading, r g b; -1: does not emit
+  PART_FLIP,        // 1: the normal is reversed
+  PART_FRAME,       // -> shading, 9 reals, meaning by kind; -1: none
+  PART_NORMALS,     // -> shading, 9 reals a primitive of the shape; -1: none
+  PART_UVS,         // -> shading, 6 reals a primitive of the shape; -1: none
+  PART_INTS
+};
+
+enum { MATERIAL_KIND, MATERIAL_REALS, MATERIAL_TWOSIDED, MATERIAL_INTS };
+enum { LIGHT_KIND, LIGHT_REALS, LIGHT_INTS };
+
+// Camera: origin = O + sx OX + sy OY, direction = D + sx DX + sy DY with sx, sy in [-1, 1] across the picture, y down.
+enum {
+  CAMERA_O = 0,
+  CAMERA_OX = 3,
+  CAMERA_OY = 6,
+  CAMERA_D = 9,
+  CAMERA_DX = 12,
+  CAMERA_DY = 15,
+  CAMERA_NEAR = 18,  // t range in units of that direction
+  CAMERA_FAR = 19,
+  CAMERA_REALS = 20
+};
+
+enum { FILTER_CELLS = 1024 };
+
+// Film: FILM_SUBSUMS x 3 sums a pixel (sample index mod FILM_SUBSUMS), docs/decisions/0002-film.md.
+enum { FILM_SUBSUMS = 4, FILM_CHANNELS = 3 };
+
+// First-sample values of a pixel: depth, normal, position, uv; shape, primitive.
+enum { AOV_DEPTH = 0, AOV_NORMAL = 1, AOV_POSITION = 4, AOV_UV = 7, AOV_REALS = 9 };
+enum { AOV_SHAPE, AOV_PRIMITIVE, AOV_INTS };
+
+enum { COUNT_SATURATED, COUNT_INVALID, COUNT_SHADOW, COUNT_BOUNCE, COUNTERS };
+
+// strahl intersect: a ray and a hit.
+enum { RAY_O = 0, RAY_D = 3, RAY_T_MIN = 6, RAY_T_MAX = 7, RAY_REALS = 8 };
+enum { HIT_T = 0, HIT_U = 1, HIT_V = 2, HIT_NORMAL = 3, HIT_REALS = 6 };
+enum { HIT_SHAPE, HIT_PRIMITIVE, HIT_INTS };
+
+#endif

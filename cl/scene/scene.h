@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// The scene as kernels see it: three buffers (layout.h) and the enumerators of the active entries of every list.
+#ifndef STRAHL_SCENE_SCENE_H
+#define STRAHL_SCENE_SCENE_H
+
+#include "portable.h"
+#include "scene/layout.h"
+
+enum {
+#define SHAPE(name, planes) SHAPE_##name,
+#include "shapes/shapes.def"
+#undef SHAPE
+  SHAPE_COUNT
+};
+
+enum {
+#define MATERIAL(name) MATERIAL_##name,
+#include "materials/materials.def"
+#undef MATERIAL
+  MATERIAL_COUNT
+};
+
+enum {
+#define LIGHT(name) LIGHT_##name,
+#include "lights/lights.def"
+#undef LIGHT
+  LIGHT_COUNT
+};
+
+enum {
+#define INTEGRATOR(name) INTEGRATOR_##name,
+#include "integrators/integrators.def"
+#undef INTEGRATOR
+  INTEGRATOR_COUNT
+};
+
+typedef struct {
+  GLOBAL const real* geometry;
+  GLOBAL const real* shading;
+  GLOBAL const int* index;
+  GLOBAL uint* counters;  ///< COUNTERS of them; written only by programs that count.
+} Scene;
+
+FN GLOBAL const int* scene_shape_row(const Scene* scene, int kind) {
+  return scene->index + HEADER_INTS + kind * SHAPE_INTS;
+}
+
+FN GLOBAL const int* scene_part(const Scene* scene, int part) {
+  return scene->index + scene->index[HEADER_PARTS] + part * PART_INTS;
+}
+
+#endif

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// Ray against LANES axis-aligned boxes: slabs, comparing t values only (the hit point is never tested).
+// After A. Williams et al., "An Efficient and Robust Ray-Box Intersection Algorithm", JGT 10(1), 2005, with compares
+// that drop NaN (a ray in a face plane: 0/0) and a correctly rounded divide, so equal faces give equal t.
+// From inside, and where the entry lies before t_min, the exit counts. A box is convex: the box just left is met again
+// only at its far side, and not at all where the ray leaves through the face that the origin lies on.
+
+FN maskw LANED(box_left_outward)(const Ray* ray, GLOBAL const real* block) {
+  // The face nearest to the origin is the one that was left.
+  realw nearest = splat_w(REAL_MAX), inward = splat_w(R(0.0));
+  for (int axis = 0; axis < 3; ++axis) {
+    realw o = splat_w(component(ray->o, axis)), d = splat_w(component(ray->d, axis));
+    realw lo = abs_w(load_w(block + 2 * axis * LANES) - o), hi = abs_w(load_w(block + (2 * axis + 1) * LANES) - o);
+    inward = sel_w(lt_w(lo, nearest), d, inward);
+    nearest = min_w(lo, nearest);
+    inward = sel_w(lt_w(hi, nearest), -d, inward);
+    nearest = min_w(hi, nearest);
+  }
+  return ~lt_w(splat_w(R(0.0)), inward);
+}
+
+FN void LANED(box_block)(const Ray* ray, GLOBAL const real* block, GLOBAL const int* ids, int slot, Nearest* best) {
+  realw ox = splat_w(ray->o.x), oy = splat_w(ray->o.y), oz = splat_w(ray->o.z);
+  realw dx = splat_w(ray->d.x), dy = splat_w(ray->d.y), dz = splat_w(ray->d.z);
+  int x = ray->near_x, y = ray->near_y, z = ray->near_z;
+  realw enter = splat_w(-REAL_MAX), leave = splat_w(REAL_MAX);
+  enter = max_w((load_w(block + x * LANES) - ox) / dx, enter);
+  enter = max_w((load_w(block + y * LANES) - oy) / dy, enter);
+  enter = max_w((load_w(block + z * LANES) - oz) / dz, enter);
+  leave = min_w((load_w(block + (x ^ 1) * LANES) - ox) / dx, leave);
+  leave = min_w((load_w(block + (y ^ 1) * LANES) - oy) / dy, leave);
+  leave = min_w((load_w(block + (z ^ 1) * LANES) - oz) / dz, leave);
+  maskw hit = le_w(enter, leave);
+  realw t = sel_w(le_w(splat_w(ray->t_min), enter), enter, leave);
+  if (ray->left >= 0) {
+    maskw left = LANED(is_left)(ids, ray);
+    if (any_w(left)) {
+      t = sel_w(left, leave, t);
+      hit = hit & ~(left & (LANED(box_left_outward)(ray, block) | ~lt_w(splat_w(R(0.0)), leave)));
+    }
+  }
+  LANED(take_nearest)(hit & LANED(in_range)(t, ray, best), t, ids, -1, SHAPE_box, slot, best);
+}

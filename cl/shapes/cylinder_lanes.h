@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// Ray against LANES open cylinders: the sphere's stable form (sphere_lanes.h) across the axis, then each root's place
+// along the axis. A ray parallel to the axis misses. The cylinder just left: the other root, -2 (f.d) / (d.d).
+
+FN void LANED(cylinder_block)(const Ray* ray, GLOBAL const real* block, GLOBAL const int* ids, int slot,
+                              Nearest* best) {
+  realw gx = splat_w(ray->o.x) - load_w(block);
+  realw gy = splat_w(ray->o.y) - load_w(block + LANES);
+  realw gz = splat_w(ray->o.z) - load_w(block + 2 * LANES);
+  realw ux = load_w(block + 3 * LANES), uy = load_w(block + 4 * LANES), uz = load_w(block + 5 * LANES);
+  realw length = load_w(block + 6 * LANES), r = load_w(block + 7 * LANES);
+  realw rx = splat_w(ray->d.x), ry = splat_w(ray->d.y), rz = splat_w(ray->d.z);
+  realw o_along = fma_w(gz, uz, fma_w(gy, uy, gx * ux)), d_along = fma_w(rz, uz, fma_w(ry, uy, rx * ux));
+  realw fx = fma_w(-o_along, ux, gx), fy = fma_w(-o_along, uy, gy), fz = fma_w(-o_along, uz, gz);
+  realw dx = fma_w(-d_along, ux, rx), dy = fma_w(-d_along, uy, ry), dz = fma_w(-d_along, uz, rz);
+
+  realw a = fma_w(dz, dz, fma_w(dy, dy, dx * dx));
+  realw b = fma_w(fz, dz, fma_w(fy, dy, fx * dx));
+  realw k = b / a;
+  realw lx = fma_w(-k, dx, fx), ly = fma_w(-k, dy, fy), lz = fma_w(-k, dz, fz);
+  realw r2 = r * r;
+  realw d = r2 - fma_w(lz, lz, fma_w(ly, ly, lx * lx));
+  realw zero = splat_w(R(0.0));
+  maskw hit = le_w(zero, d);
+  maskw left = hit & ~hit;
+  if (ray->left >= 0) left = LANED(is_left)(ids, ray);
+  if (!any_w(hit | left)) return;
+
+  realw q = -b - flip_w(sqrt_w(a * max_w(d, zero)), b);
+  realw c = fma_w(fz, fz, fma_w(fy, fy, fx * fx)) - r2;
+  realw t0 = q / a, t1 = c / q;
+  realw near = sel_w(lt_w(t1, t0), t1, t0), far = sel_w(lt_w(t1, t0), t0, t1);
+  realw near_along = fma_w(near, d_along, o_along);
+  maskw near_hit = le_w(splat_w(ray->t_min), near) & le_w(zero, near_along) & le_w(near_along, length);
+  realw t = sel_w(near_hit, near, far);
+
+  realw other = splat_w(-R(2.0)) * k;
+  t = sel_w(left, other, t);
+  realw along = fma_w(t, d_along, o_along);
+  hit = ((hit & ~left) | (left & lt_w(zero, other))) & le_w(zero, along) & le_w(along, length);
+  LANED(take_nearest)(hit & LANED(in_range)(t, ray, best), t, ids, -1, SHAPE_cylinder, slot, best);
+}

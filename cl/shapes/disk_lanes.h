@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+// Ray against LANES disks: the anchored plane (plane_lanes.h), then |p - c|^2 <= r^2.
+
+FN void LANED(disk_block)(const Ray* ray, GLOBAL const real* block, GLOBAL const int* ids, int slot, Nearest* best) {
+  realw gx = load_w(block) - splat_w(ray->o.x);
+  realw gy = load_w(block + LANES) - splat_w(ray->o.y);
+  realw gz = load_w(block + 2 * LANES) - splat_w(ray->o.z);
+  realw nx = load_w(block + 3 * LANES), ny = load_w(block + 4 * LANES), nz = load_w(block + 5 * LANES);
+  realw dx = splat_w(ray->d.x), dy = splat_w(ray->d.y), dz = splat_w(ray->d.z);
+  realw t = fma_w(nz, gz, fma_w(ny, gy, nx * gx)) / fma_w(nz, dz, fma_w(ny, dy, nx * dx));
+  realw px = fma_w(t, dx, -gx), py = fma_w(t, dy, -gy), pz = fma_w(t, dz, -gz);
+  maskw hit = le_w(fma_w(pz, pz, fma_w(py, py, px * px)), load_w(block + 6 * LANES));
+  LANED(take_nearest)(hit & LANED(in_range)(t, ray, best), t, ids, ray->left, SHAPE_disk, slot, best);
+}

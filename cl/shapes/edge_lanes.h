@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// Sheared vertices and edge functions for triangle_lanes.h and parallelogram_lanes.h, one width; no guard.
+// S. Woop, C. Benthin, I. Wald, "Watertight Ray/Triangle Intersection", JCGT 2(1), 2013, with the sign of every edge
+// function made exact by Kahan's difference of products (math/vec3.h), so no fp64 fallback is needed. A vertex is
+// sheared by literally the same operations in every primitive that shares it: neighbours agree on the sign.
+// Where an edge function is exactly 0 the ray counts as shifted by (delta, delta^2), delta -> 0: of the primitives
+// around an edge or a vertex exactly one is hit (simulation of simplicity; Edelsbrunner, Muecke, ACM TOG 9(1), 1990).
+
+typedef struct {
+  realw x, y, z;  ///< x, y: in the plane across the ray. z: along its largest axis, not yet divided.
+} LANED(ShearedVertex);
+
+/// planes: three planes (x, y, z) of LANES reals.
+FN LANED(ShearedVertex) LANED(shear_vertex)(const Ray* ray, GLOBAL const real* planes) {
+  LANED(ShearedVertex) v;
+  realw x = load_w(planes + ray->kx * LANES) - splat_w(component(ray->o, ray->kx));
+  realw y = load_w(planes + ray->ky * LANES) - splat_w(component(ray->o, ray->ky));
+  v.z = load_w(planes + ray->kz * LANES) - splat_w(component(ray->o, ray->kz));
+  v.x = fma_w(splat_w(-ray->shear_x), v.z, x);
+  v.y = fma_w(splat_w(-ray->shear_y), v.z, y);
+  return v;
+}
+
+/// Twice the signed area of (ray, a, b), exact in sign: b.x a.y - b.y a.x.
+FN realw LANED(edge_function)(LANED(ShearedVertex) a, LANED(ShearedVertex) b) {
+  realw cd = b.y * a.x;
+  realw error = fma_w(-b.y, a.x, cd);
+  return fma_w(b.x, a.y, -cd) + error;
+}
+
+/// A value with the sign that e has once the ray is shifted; antisymmetric in a and b as e is.
+FN realw LANED(resolved_edge)(realw e, LANED(ShearedVertex) a, LANED(ShearedVertex) b) {
+  realw zero = splat_w(R(0.0));
+  realw dy = b.y - a.y, dx = a.x - b.x;
+  return sel_w(eq_w(e, zero), sel_w(eq_w(dy, zero), dx, dy), e);
+}
+
+/// Lanes whose values are not of one sign.
+FN maskw LANED(signs_differ)(realw a, realw b, realw c) {
+  realw zero = splat_w(R(0.0));
+  maskw negative = lt_w(a, zero) | lt_w(b, zero) | lt_w(c, zero);
+  maskw positive = lt_w(zero, a) | lt_w(zero, b) | lt_w(zero, c);
+  return negative & positive;
+}

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// Ray against LANES parallelograms: the four edge functions of its corners A, B, C, D have one sign (edge_lanes.h), so
+// faces that share corners neither leak nor hit twice. t comes from the plane of A, B, D.
+
+FN void LANED(parallelogram_block)(const Ray* ray, GLOBAL const real* block, GLOBAL const int* ids, int slot,
+                                   Nearest* best) {
+  LANED(ShearedVertex) a = LANED(shear_vertex)(ray, block);
+  LANED(ShearedVertex) b = LANED(shear_vertex)(ray, block + 3 * LANES);
+  LANED(ShearedVertex) c = LANED(shear_vertex)(ray, block + 6 * LANES);
+  LANED(ShearedVertex) d = LANED(shear_vertex)(ray, block + 9 * LANES);
+  realw ab = LANED(edge_function)(a, b), bc = LANED(edge_function)(b, c);
+  realw cd = LANED(edge_function)(c, d), da = LANED(edge_function)(d, a);
+  maskw hit = ~(LANED(signs_differ)(ab, bc, cd) | LANED(signs_differ)(bc, cd, da));
+  if (!any_w(hit)) return;
+
+  realw bd = LANED(edge_function)(b, d);
+  realw t = fma_w(ab, d.z, fma_w(da, b.z, bd * a.z)) / (ab + da + bd);
+  realw z_min = min_w(d.z, min_w(c.z, min_w(b.z, a.z))), z_max = max_w(d.z, max_w(c.z, max_w(b.z, a.z)));
+  t = sel_w(lt_w(t, z_min), z_min, t);
+  t = sel_w(lt_w(z_max, t), z_max, t) * splat_w(ray->shear_z);
+  hit = hit & LANED(in_range)(t, ray, best);
+
+  realw zero = splat_w(R(0.0));
+  maskw on_edge = hit & (eq_w(ab, zero) | eq_w(bc, zero) | eq_w(cd, zero) | eq_w(da, zero));
+  if (any_w(on_edge)) {
+    realw rab = LANED(resolved_edge)(ab, a, b), rbc = LANED(resolved_edge)(bc, b, c);
+    realw rcd = LANED(resolved_edge)(cd, c, d), rda = LANED(resolved_edge)(da, d, a);
+    hit = hit & ~(on_edge & (LANED(signs_differ)(rab, rbc, rcd) | LANED(signs_differ)(rbc, rcd, rda)));
+  }
+  LANED(take_nearest)(hit, t, ids, ray->left, SHAPE_parallelogram, slot, best);
+}

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+// From the nearest hit to the surface there: dispatch over the active kinds, flipped and smooth normals, mesh uvs.
+#ifndef STRAHL_SHAPES_SHAPE_H
+#define STRAHL_SHAPES_SHAPE_H
+
+#include "core/nearest.h"
+#include "core/surface.h"
+#include "scene/scene.h"
+#include "shapes/all.h"
+
+/// a + u (b - a) + v (c - a) over three consecutive triples, without cancelling near a corner.
+FN real3 interpolate3(GLOBAL const real* abc, real u, real v) {
+  real w = R(1.0) - u - v;
+  return fma3(v, load3(abc + 6), fma3(u, load3(abc + 3), scale3(w, load3(abc))));
+}
+
+/// lanes: the width that the scene was packed for.
+FN Surface surface_at(const Scene* scene, const Ray* ray, const Nearest* hit, int lanes) {
+  Surface s;
+  GLOBAL const int* row = scene_shape_row(scene, hit->kind);
+  int block = hit->slot / lanes, lane = hit->slot % lanes;
+  s.part = scene->index[row[SHAPE_IDS] + row[SHAPE_BLOCKS] * lanes + hit->slot];
+  GLOBAL const int* part = scene_part(scene, s.part);
+  s.shape = part[PART_SHAPE];
+  s.primitive = hit->id - part[PART_FIRST_ID];
+  s.position = s.normal = ray->o;
+  s.u = s.v = R(0.0);
+  int frame_at = part[PART_FRAME];
+  GLOBAL const real* frame = scene->shading + (frame_at < 0 ? 0 : frame_at);
+  switch (hit->kind) {
+#define SHAPE(name, planes)                                                                                      \
+  case SHAPE_##name:                                                                                             \
+    name##_surface(ray, scene->geometry + row[SHAPE_GEOMETRY] + block * (planes)*lanes + lane, lanes, frame, hit->t, \
+                   &s);                                                                                          \
+    break;
+#include "shapes/shapes.def"
+#undef SHAPE
+    default:
+      break;
+  }
+  s.tex_u = s.u;
+  s.tex_v = s.v;
+  if (part[PART_FLIP] != 0) s.normal = negate3(s.normal);
+  s.shading = s.normal;
+  if (HAS_SMOOTH_NORMALS && part[PART_NORMALS] >= 0) {
+    real3 smooth = interpolate3(scene->shading + part[PART_NORMALS] + 9 * s.primitive, s.u, s.v);
+    if (dot3(smooth, smooth) > R(0.0)) s.shading = normalize3(part[PART_FLIP] != 0 ? negate3(smooth) : smooth);
+  }
+  if (HAS_MESH_UVS && part[PART_UVS] >= 0) {
+    GLOBAL const real* uv = scene->shading + part[PART_UVS] + 6 * s.primitive;
+    real w = R(1.0) - s.u - s.v;
+    s.tex_u = real_fma(s.v, uv[4], real_fma(s.u, uv[2], w * uv[0]));
+    s.tex_v = real_fma(s.v, uv[5], real_fma(s.u, uv[3], w * uv[1]));
+  }
+  return s;
+}
+
+#endif

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// Ray against LANES spheres, stable form: discriminant from the distance of line and centre, roots without
+// cancellation. E. Haines, J. Guenther, T. Akenine-Moeller, "Precision Improvements for Ray/Sphere Intersection",
+// Ray Tracing Gems, ch. 7, 2019. Weak (until the robust tier): r / distance below 1e-6, eye close to a huge sphere.
+// The sphere just left is met again only at its other root, -2 (f.d) / (d.d): the known root is exactly 0.
+
+FN void LANED(sphere_block)(const Ray* ray, GLOBAL const real* block, GLOBAL const int* ids, int slot,
+                            Nearest* best) {
+  realw fx = splat_w(ray->o.x) - load_w(block);
+  realw fy = splat_w(ray->o.y) - load_w(block + LANES);
+  realw fz = splat_w(ray->o.z) - load_w(block + 2 * LANES);
+  realw r = load_w(block + 3 * LANES);
+  realw dx = splat_w(ray->d.x), dy = splat_w(ray->d.y), dz = splat_w(ray->d.z);
+  real a_scalar = dot3(ray->d, ray->d);
+  realw a = splat_w(a_scalar);
+
+  realw b = fma_w(fz, dz, fma_w(fy, dy, fx * dx));
+  realw k = b / a;
+  realw lx = fma_w(-k, dx, fx), ly = fma_w(-k, dy, fy), lz = fma_w(-k, dz, fz);
+  realw r2 = r * r;
+  realw d = r2 - fma_w(lz, lz, fma_w(ly, ly, lx * lx));
+  maskw hit = le_w(splat_w(R(0.0)), d);
+  maskw left = hit & ~hit;
+  if (ray->left >= 0) left = LANED(is_left)(ids, ray);
+  if (!any_w(hit | left)) return;
+
+  realw q = -b - flip_w(sqrt_w(a * max_w(d, splat_w(R(0.0)))), b);
+  realw c = fma_w(fz, fz, fma_w(fy, fy, fx * fx)) - r2;
+  realw t0 = q / a, t1 = c / q;
+  realw near = sel_w(lt_w(t1, t0), t1, t0), far = sel_w(lt_w(t1, t0), t0, t1);
+  realw t = sel_w(le_w(splat_w(ray->t_min), near), near, far);
+
+  realw other = splat_w(-R(2.0)) * k;
+  t = sel_w(left, other, t);
+  hit = (hit & ~left) | (left & lt_w(splat_w(R(0.0)), other));
+  LANED(take_nearest)(hit & LANED(in_range)(t, ray, best), t, ids, -1, SHAPE_sphere, slot, best);
+}

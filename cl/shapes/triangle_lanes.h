@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// Ray against LANES triangles, watertight and single-hit (edge_lanes.h). Zeros are looked for only where a lane is
+// hit. t is held within the triangle's own range along the ray. Zero-area triangles give a NaN t and are never hit.
+
+FN void LANED(triangle_block)(const Ray* ray, GLOBAL const real* block, GLOBAL const int* ids, int slot,
+                              Nearest* best) {
+  LANED(ShearedVertex) a = LANED(shear_vertex)(ray, block);
+  LANED(ShearedVertex) b = LANED(shear_vertex)(ray, block + 3 * LANES);
+  LANED(ShearedVertex) c = LANED(shear_vertex)(ray, block + 6 * LANES);
+  realw ea = LANED(edge_function)(b, c), eb = LANED(edge_function)(c, a), ec = LANED(edge_function)(a, b);
+  maskw hit = ~LANED(signs_differ)(ea, eb, ec);
+  if (!any_w(hit)) return;
+
+  realw t = fma_w(ec, c.z, fma_w(eb, b.z, ea * a.z)) / (ea + eb + ec);
+  realw z_min = min_w(c.z, min_w(b.z, a.z)), z_max = max_w(c.z, max_w(b.z, a.z));
+  t = sel_w(lt_w(t, z_min), z_min, t);
+  t = sel_w(lt_w(z_max, t), z_max, t) * splat_w(ray->shear_z);
+  hit = hit & LANED(in_range)(t, ray, best);
+
+  realw zero = splat_w(R(0.0));
+  maskw on_edge = hit & (eq_w(ea, zero) | eq_w(eb, zero) | eq_w(ec, zero));
+  if (any_w(on_edge))
+    hit = hit & ~(on_edge & LANED(signs_differ)(LANED(resolved_edge)(ea, b, c), LANED(resolved_edge)(eb, c, a),
+                                                LANED(resolved_edge)(ec, a, b)));
+  LANED(take_nearest)(hit, t, ids, ray->left, SHAPE_triangle, slot, best);
+}

@@ -1,0 +1,7 @@
+// SPDX-License-Identifier: MIT
+// The kernels' own buffer layout, for the host: one definition, read by both sides.
+#pragma once
+
+namespace strahl::layout {
+#include "../../cl/scene/layout.h"
+}

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+// One predicate per entry and flag; the first element that calls for an effect is the one reported.
+#include "device/features.h"
+
+#include <algorithm>
+#include <map>
+#include <stdexcept>
+
+namespace strahl {
+namespace {
+
+struct Cause {
+  std::string why;
+  SourceLocation where;
+};
+
+/// name -> the first cause found.
+using Causes = std::map<std::string, Cause>;
+
+void call_for(Causes& causes, const std::string& name, const std::string& why, const SourceLocation& where) {
+  causes.try_emplace(name, Cause{why, where});
+}
+
+struct ShapeKind {
+  std::string operator()(const Sphere&) const { return "sphere"; }
+  std::string operator()(const Plane&) const { return "plane"; }
+  std::string operator()(const Box&) const { return "box"; }
+  std::string operator()(const Triangle&) const { return "triangle"; }
+  std::string operator()(const Rectangle&) const { return "parallelogram"; }
+  std::string operator()(const Cube&) const { return "parallelogram"; }
+  std::string operator()(const Disk&) const { return "disk"; }
+  std::string operator()(const Cylinder&) const { return "cylinder"; }
+  std::string operator()(const Mesh&) const { return "triangle"; }
+};
+
+struct MaterialKind {
+  std::string operator()(const Diffuse&) const { return "diffuse"; }
+};
+
+struct LightKind {
+  std::string operator()(const PointLight&) const { return "point"; }
+  std::string operator()(const DirectionalLight&) const { return "directional"; }
+  std::string operator()(const ConstantLight&) const { return "constant"; }
+};
+
+bool shows_light(const std::string& integrator) { return integrator == "emission" || integrator == "direct"; }
+
+void shape_causes(const Scene& scene, const RenderSettings& settings, Causes& causes) {
+  const bool lit = shows_light(scene.integrator.name);
+  const bool reflects = scene.integrator.name == "direct";
+  // Normals interpolated over a mesh reach the picture through lighting, the normals picture and its AOV.
+  const bool shading = reflects || scene.integrator.name == "normals" || settings.aovs.contains(Aov::normal);
+  auto use_material = [&](int index, const SourceLocation& where) {
+    const Material& material = scene.materials.at(static_cast<std::size_t>(index));
+    const std::string kind = std::visit(MaterialKind{}, material.bsdf);
+    const SourceLocation& place = material.where.line > 0 ? material.where : where;
+    call_for(causes, "materials/" + kind, "material of type " + kind, place);
+    if (material.twosided) call_for(causes, "TWOSIDED", "a twosided material", place);
+  };
+  for (const Shape& shape : scene.shapes) {
+    const std::string kind = shape_kind(shape);
+    call_for(causes, "shapes/" + kind, "a shape made of " + kind + " primitives", shape.where);
+    const auto* mesh = std::get_if<Mesh>(&shape.geometry);
+    if (mesh && shading && !mesh->normals.empty())
+      call_for(causes, "SMOOTH_NORMALS", "a mesh with vertex normals", shape.where);
+    if (mesh && settings.aovs.contains(Aov::uv) && !mesh->uvs.empty())
+      call_for(causes, "MESH_UVS", "a mesh with texture coordinates, for --aov uv", shape.where);
+    if (lit && shape.radiance) call_for(causes, "EMISSION", "an area emitter", shape.radiance_where);
+    if (reflects && !(mesh && !mesh->parts.empty())) use_material(shape.material, shape.where);
+    if (!mesh) continue;
+    for (const MeshPart& part : mesh->parts) {
+      if (lit && part.radiance) call_for(causes, "EMISSION", "a mesh material that emits", shape.where);
+      if (reflects) use_material(part.material, shape.where);
+    }
+  }
+}
+
+Causes causes_of(const Scene& scene, const RenderSettings& settings) {
+  Causes causes;
+  shape_causes(scene, settings, causes);
+  for (const Light& light : scene.lights) {
+    const std::string kind = std::visit(LightKind{}, light.emitter);
+    const bool seen = scene.integrator.name == "direct" || (scene.integrator.name == "emission" && kind == "constant");
+    if (seen) call_for(causes, "lights/" + kind, "an emitter of type " + kind, light.where);
+  }
+  const std::string& integrator = scene.integrator.name;
+  call_for(causes, "integrators/" + integrator, "integrator " + integrator, scene.integrator.where);
+  if (resolve_sampling(scene).kind == SamplerKind::independent)
+    call_for(causes, "PIXEL_FILTER", "sampler independent", scene.sampler.where);
+  if (!settings.aovs.empty()) call_for(causes, "AOV", "--aov", {});
+  if (settings.count_rays) call_for(causes, "COUNT_RAYS", "--stats-detail", {});
+  return causes;
+}
+
+}  // namespace
+
+std::string shape_kind(const Shape& shape) { return std::visit(ShapeKind{}, shape.geometry); }
+std::string material_kind(const Material& material) { return std::visit(MaterialKind{}, material.bsdf); }
+std::string light_kind(const Light& light) { return std::visit(LightKind{}, light.emitter); }
+
+bool Features::has(const std::string& list, const std::string& entry) const {
+  const auto found = entries.find(list);
+  return found != entries.end() && found->second.contains(entry);
+}
+
+bool Features::flag(const std::string& name) const {
+  const auto found = std::find_if(flags.begin(), flags.end(), [&](const auto& flag) { return flag.first == name; });
+  if (found == flags.end()) throw std::logic_error("features.def has no " + name);
+  return found->second;
+}
+
+int Features::entry_index(const std::string& list, const std::string& entry) const {
+  int index = 0;
+  for (const std::string& name : list_entries(list)) {
+    if (name == entry) return has(list, entry) ? index : -1;
+    if (has(list, name)) ++index;
+  }
+  throw std::logic_error(list + " has no entry " + entry);
+}
+
+Features features_of(const Scene& scene, const RenderSettings& settings) {
+  const Causes causes = causes_of(scene, settings);
+  Features features;
+  auto report = [&](const std::string& name, const std::string& purpose) {
+    const auto cause = causes.find(name);
+    FeatureReport row{name, cause != causes.end(), purpose, {}};
+    if (row.on) {
+      row.why = cause->second.why;
+      row.where = cause->second.where;
+    } else if (settings.generic && name != "COUNT_RAYS") {
+      row.on = true;
+      row.why = "--generic";
+    }
+    features.report.push_back(row);
+    return row.on;
+  };
+  for (const std::string& list : list_folders()) {
+    auto& active = features.entries[list];
+    for (const std::string& entry : list_entries(list))
+      if (report(list + "/" + entry, {})) active.insert(entry);
+  }
+  for (const auto& [name, purpose] : list_features()) features.flags.emplace_back(name, report(name, purpose));
+  return features;
+}
+
+}  // namespace strahl

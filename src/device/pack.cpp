@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: MIT
+// Offsets are ints: a buffer holds at most 2^31 elements.
+#include "device/pack.h"
+
+#include <limits>
+#include <map>
+
+#include "device/cl_layout.h"
+#include "device/pack_camera.h"
+#include "device/pack_shapes.h"
+#include "render/sampling.h"
+
+namespace strahl {
+namespace {
+
+int checked_offset(std::size_t size) {
+  if (size > static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max()))
+    throw Error("the scene is too large: a device buffer would hold more than 2^31 numbers");
+  return static_cast<int>(size);
+}
+
+/// Planes per kind of shape, from the kernels' own list.
+int planes_of(const std::string& kind) {
+  static const std::map<std::string, int> planes = {
+#define SHAPE(name, count) {#name, count},
+#include "../../cl/shapes/shapes.def"
+#undef SHAPE
+  };
+  return planes.at(kind);
+}
+
+template <typename Real>
+class Packing {
+ public:
+  Packing(const Scene& scene, const Features& features, const PackOptions& options)
+      : scene_(scene), features_(features), options_(options) {
+    int kinds = 0;
+    for (const std::string& kind : list_entries("shapes")) kinds += features.has("shapes", kind) ? 1 : 0;
+    packed_.index.resize(static_cast<std::size_t>(layout::HEADER_INTS + kinds * layout::SHAPE_INTS), 0);
+  }
+
+  PackedScene<Real> run() {
+    header();
+    materials();
+    lights();
+    parts();
+    shapes();
+    return std::move(packed_);
+  }
+
+ private:
+  int put_shading(const std::vector<double>& values) {
+    const int at = checked_offset(packed_.shading.size());
+    for (const double value : values) packed_.shading.push_back(static_cast<Real>(value));
+    return at;
+  }
+  int put_rgb(const Rgb& c) { return put_shading({c.r, c.g, c.b}); }
+  std::int32_t& index(int at) { return packed_.index[static_cast<std::size_t>(at)]; }
+  int index_end() const { return checked_offset(packed_.index.size()); }
+
+  void header() {
+    const ResolvedSampling sampling = resolve_sampling(scene_);
+    const Window window = scene_.film.window();
+    index(layout::HEADER_WIDTH) = scene_.film.width;
+    index(layout::HEADER_HEIGHT) = scene_.film.height;
+    index(layout::HEADER_CROP_X) = window.x0;
+    index(layout::HEADER_CROP_Y) = window.y0;
+    index(layout::HEADER_CROP_WIDTH) = window.width();
+    index(layout::HEADER_SEED) = static_cast<std::int32_t>(sampling.seed);
+    index(layout::HEADER_INTEGRATOR) = features_.entry_index("integrators", scene_.integrator.name);
+    index(layout::HEADER_MAX_DEPTH) = scene_.integrator.max_depth;
+    index(layout::HEADER_HIDE_EMITTERS) = scene_.integrator.hide_emitters ? 1 : 0;
+    index(layout::HEADER_CAMERA) = put_shading(camera_reals(scene_.camera, scene_.film, options_.frame_origin));
+    index(layout::HEADER_FILTER) = put_shading(filter_quantiles(scene_.film.filter, sampling.kind));
+    packed_.film_scale = film_scale(scene_);
+    index(layout::HEADER_FILM_SCALE) = put_shading({packed_.film_scale});
+  }
+
+  void materials() {
+    index(layout::HEADER_MATERIALS) = index_end();
+    for (const Material& material : scene_.materials) {
+      const auto& diffuse = std::get<Diffuse>(material.bsdf);
+      packed_.index.push_back(features_.entry_index("materials", material_kind(material)));
+      packed_.index.push_back(put_rgb(diffuse.reflectance));
+      packed_.index.push_back(material.twosided ? 1 : 0);
+    }
+  }
+
+  void lights() {
+    index(layout::HEADER_LIGHTS) = index_end();
+    int count = 0;
+    for (const Light& light : scene_.lights) {
+      const int kind = features_.entry_index("lights", light_kind(light));
+      if (kind < 0) continue;
+      std::vector<double> reals;
+      if (const auto* point = std::get_if<PointLight>(&light.emitter)) {
+        const Vec3 p = point->position - options_.frame_origin;
+        reals = {p.x, p.y, p.z, point->intensity.r, point->intensity.g, point->intensity.b};
+      } else if (const auto* sun = std::get_if<DirectionalLight>(&light.emitter)) {
+        const Vec3 d = normalized(sun->direction);
+        reals = {d.x, d.y, d.z, sun->irradiance.r, sun->irradiance.g, sun->irradiance.b};
+      } else {
+        const Rgb& radiance = std::get<ConstantLight>(light.emitter).radiance;
+        reals = {radiance.r, radiance.g, radiance.b};
+      }
+      packed_.index.push_back(kind);
+      packed_.index.push_back(put_shading(reals));
+      ++count;
+    }
+    index(layout::HEADER_LIGHT_COUNT) = count;
+  }
+
+  /// Per-corner attributes of a mesh, three corners a triangle; -1 where the program has no use for them.
+  template <typename Vector, typename Components>
+  int put_corners(const Mesh& mesh, const std::vector<Vector>& attribute, bool wanted, Components components) {
+    if (!wanted || attribute.empty()) return -1;
+    const int at = checked_offset(packed_.shading.size());
+    for (const auto& triangle : mesh.triangles)
+      for (const int corner : triangle)
+        for (const double x : components(attribute[static_cast<std::size_t>(corner)]))
+          packed_.shading.push_back(static_cast<Real>(x));
+    return at;
+  }
+
+  void parts() {
+    index(layout::HEADER_PARTS) = index_end();
+    const std::vector<std::int64_t> first = first_ids(scene_);
+    int row = 0;
+    for (std::size_t i = 0; i < scene_.shapes.size(); ++i) {
+      const Shape& shape = scene_.shapes[i];
+      first_part_.push_back(row);
+      int frame_at = -1, normals_at = -1, uvs_at = -1;
+      if (const auto frame = surface_frame(shape.geometry, options_.frame_origin))
+        frame_at = put_shading({frame->begin(), frame->end()});
+      std::vector<MeshPart> looks = {{shape.material, shape.radiance}};
+      if (const auto* mesh = std::get_if<Mesh>(&shape.geometry)) {
+        normals_at = put_corners(*mesh, mesh->normals, features_.flag("SMOOTH_NORMALS"), [](const Vec3& n) {
+          return std::array{n.x, n.y, n.z};
+        });
+        uvs_at = put_corners(*mesh, mesh->uvs, features_.flag("MESH_UVS"), [](const Vec2& uv) {
+          return std::array{uv.x, uv.y};
+        });
+        if (!mesh->parts.empty()) looks = mesh->parts;
+      }
+      for (const MeshPart& look : looks) {
+        const int radiance_at = look.radiance ? put_rgb(*look.radiance) : -1;
+        packed_.index.insert(packed_.index.end(),
+                             {static_cast<int>(i), static_cast<int>(first[i]), look.material, radiance_at,
+                              shape.flip_normals ? 1 : 0, frame_at, normals_at, uvs_at});
+        ++row;
+      }
+    }
+  }
+
+  void shapes() {
+    for (const std::string& kind : list_entries("shapes"))
+      if (features_.has("shapes", kind)) kind_blocks(kind);
+  }
+
+  /// Blocks, ids and parts of every primitive of one kind, in the order of the scene.
+  void kind_blocks(const std::string& kind) {
+    const auto lanes = static_cast<std::size_t>(options_.lanes);
+    const auto planes = static_cast<std::size_t>(planes_of(kind));
+    const std::size_t geometry_at = packed_.geometry.size();
+    std::vector<std::int32_t> ids, part_of;
+    const std::vector<std::int64_t> first = first_ids(scene_);
+    for (std::size_t i = 0; i < scene_.shapes.size(); ++i) {
+      const Shape& shape = scene_.shapes[i];
+      if (shape_kind(shape) != kind) continue;
+      const auto* mesh = std::get_if<Mesh>(&shape.geometry);
+      std::int32_t primitive = 0;
+      primitive_planes(shape.geometry, options_.frame_origin, [&](std::span<const double> values) {
+        const std::size_t slot = ids.size(), block = slot / lanes, lane = slot % lanes;
+        if (lane == 0) packed_.geometry.resize(geometry_at + (block + 1) * planes * lanes, Real(0));
+        for (std::size_t plane = 0; plane < planes; ++plane)
+          packed_.geometry[geometry_at + (block * planes + plane) * lanes + lane] = static_cast<Real>(values[plane]);
+        ids.push_back(static_cast<std::int32_t>(first[i]) + primitive);
+        const bool many = mesh && !mesh->parts.empty();
+        part_of.push_back(first_part_[i] + (many ? mesh->part_of_triangle[static_cast<std::size_t>(primitive)] : 0));
+        ++primitive;
+      });
+    }
+    const std::size_t blocks = (ids.size() + lanes - 1) / lanes;
+    ids.resize(blocks * lanes, -1);
+    part_of.resize(blocks * lanes, 0);
+    const int row = layout::HEADER_INTS + features_.entry_index("shapes", kind) * layout::SHAPE_INTS;
+    checked_offset(packed_.geometry.size());
+    index(row + layout::SHAPE_BLOCKS) = checked_offset(blocks);
+    index(row + layout::SHAPE_GEOMETRY) = checked_offset(geometry_at);
+    index(row + layout::SHAPE_IDS) = index_end();
+    packed_.index.insert(packed_.index.end(), ids.begin(), ids.end());
+    packed_.index.insert(packed_.index.end(), part_of.begin(), part_of.end());
+    checked_offset(packed_.index.size());
+  }
+
+  const Scene& scene_;
+  const Features& features_;
+  const PackOptions& options_;
+  PackedScene<Real> packed_;
+  std::vector<int> first_part_;
+};
+
+}  // namespace
+
+std::vector<std::int64_t> first_ids(const Scene& scene) {
+  std::vector<std::int64_t> first = {0};
+  for (const Shape& shape : scene.shapes) first.push_back(first.back() + primitive_count(shape));
+  if (first.back() >= std::numeric_limits<std::int32_t>::max())
+    throw Error("the scene has more than 2^31 - 1 primitives");
+  return first;
+}
+
+template <typename Real>
+PackedScene<Real> pack_scene(const Scene& scene, const Features& features, const PackOptions& options) {
+  return Packing<Real>(scene, features, options).run();
+}
+
+template PackedScene<float> pack_scene(const Scene&, const Features&, const PackOptions&);
+template PackedScene<double> pack_scene(const Scene&, const Features&, const PackOptions&);
+
+}  // namespace strahl

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// From the scene (double, world frame) to the three buffers of cl/scene/layout.h, rounded once, relative to a frame.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "device/features.h"
+#include "scene/scene.h"
+
+namespace strahl {
+
+/// What packing depends on besides the scene.
+struct PackOptions {
+  int lanes = 1;
+  Vec3 frame_origin;  ///< Subtracted in double before rounding: the camera for render, zero for intersect.
+};
+
+template <typename Real>
+struct PackedScene {
+  std::vector<Real> geometry;
+  std::vector<Real> shading;
+  std::vector<std::int32_t> index;
+  double film_scale = 1;  ///< Film units per unit of radiance.
+
+  [[nodiscard]] std::size_t bytes() const {
+    return (geometry.size() + shading.size()) * sizeof(Real) + index.size() * sizeof(std::int32_t);
+  }
+};
+
+/// Instantiated for float and double.
+template <typename Real>
+[[nodiscard]] PackedScene<Real> pack_scene(const Scene& scene, const Features& features, const PackOptions& options);
+
+/// Scene-wide id of primitive 0 of every shape, and one past the last: shapes.size() + 1 values.
+[[nodiscard]] std::vector<std::int64_t> first_ids(const Scene& scene);
+
+/// The film's unit: 2^-28 of a typical radiance of the scene, as a power of two (docs/decisions/0002-film.md).
+[[nodiscard]] double film_scale(const Scene& scene);
+
+/// FILM_CELLS + 1 quantiles of a pixel filter in pixels, antisymmetric; all 0 for the centre sampler.
+[[nodiscard]] std::vector<double> filter_quantiles(const Filter& filter, SamplerKind sampler);
+
+}  // namespace strahl

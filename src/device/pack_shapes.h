@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// One primitive after another of a shape, as its kind's block planes hold it.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <span>
+
+#include "scene/scene.h"
+
+namespace strahl {
+
+/// Receives the planes of one primitive; positions are relative to the frame, still double.
+using PrimitiveSink = std::function<void(std::span<const double> planes)>;
+
+/// Calls sink once per primitive in the order of the shape's primitives.
+void primitive_planes(const Geometry& geometry, const Vec3& frame_origin, const PrimitiveSink& sink);
+
+/// The nine reals that a kind's surface function calls its frame; none for kinds that have no use for one.
+[[nodiscard]] std::optional<std::array<double, 9>> surface_frame(const Geometry& geometry, const Vec3& frame_origin);
+
+}  // namespace strahl

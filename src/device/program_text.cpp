@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+#include "device/program_text.h"
+
+#include <fmt/format.h>
+
+namespace strahl {
+
+ProgramSource program_source(const std::string& root, const Features& features, Precision precision, int lanes) {
+  ProgramSource source;
+  source.options = "-cl-std=CL1.2";
+  source.text = fmt::format("// strahl {} · {} · precision {} · lanes {} · {}\n", STRAHL_VERSION, root,
+                            precision_name(precision), lanes, source.options);
+  source.text += fmt::format("#define REAL_BITS {}\n", precision == Precision::fp64 ? 64 : 32);
+  source.text += fmt::format("#define LANES {}\n", lanes);
+  for (const auto& [name, on] : features.flags) source.text += fmt::format("#define HAS_{} {}\n", name, on ? 1 : 0);
+  source.text += expand_kernel(root, features.entries);
+  return source;
+}
+
+int default_lanes(unsigned native_vector_width, Precision precision) {
+  if (native_vector_width >= 16) return precision == Precision::fp64 ? 8 : 16;
+  return native_vector_width >= 8 ? 8 : 1;
+}
+
+}  // namespace strahl

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#include "render/aov.h"
+
+#include "device/cl_layout.h"
+
+namespace strahl {
+namespace {
+
+/// A channel: its name and where its value stands.
+struct Channel {
+  Aov aov;
+  const char* name;
+  int at;
+  bool integer;
+};
+
+constexpr Channel channels[] = {
+    {Aov::depth, "depth.Z", layout::AOV_DEPTH, false},
+    {Aov::normal, "normal.X", layout::AOV_NORMAL, false},
+    {Aov::normal, "normal.Y", layout::AOV_NORMAL + 1, false},
+    {Aov::normal, "normal.Z", layout::AOV_NORMAL + 2, false},
+    {Aov::position, "position.X", layout::AOV_POSITION, false},
+    {Aov::position, "position.Y", layout::AOV_POSITION + 1, false},
+    {Aov::position, "position.Z", layout::AOV_POSITION + 2, false},
+    {Aov::uv, "uv.U", layout::AOV_UV, false},
+    {Aov::uv, "uv.V", layout::AOV_UV + 1, false},
+    {Aov::shape_id, "shape_id.I", layout::AOV_SHAPE, true},
+    {Aov::primitive_id, "primitive_id.I", layout::AOV_PRIMITIVE, true},
+};
+
+}  // namespace
+
+std::vector<std::string> aov_channels(const std::set<Aov>& aovs) {
+  std::vector<std::string> names;
+  for (const Channel& channel : channels)
+    if (aovs.contains(channel.aov)) names.emplace_back(channel.name);
+  return names;
+}
+
+Image aov_image(int width, int height, const std::set<Aov>& aovs, const std::vector<double>& reals,
+                const std::vector<std::int32_t>& ints, const Vec3& frame_origin) {
+  Image image;
+  image.width = width;
+  image.height = height;
+  image.channels = aov_channels(aovs);
+  const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  image.data.reserve(pixels * image.channels.size());
+  const double origin[] = {frame_origin.x, frame_origin.y, frame_origin.z};
+  for (std::size_t pixel = 0; pixel < pixels; ++pixel) {
+    const double* real = &reals[pixel * layout::AOV_REALS];
+    const std::int32_t* integer = &ints[pixel * layout::AOV_INTS];
+    const bool hit = integer[layout::AOV_SHAPE] >= 0;
+    for (const Channel& channel : channels) {
+      if (!aovs.contains(channel.aov)) continue;
+      double value = channel.integer ? integer[channel.at] : real[channel.at];
+      if (channel.aov == Aov::position && hit) value += origin[channel.at - layout::AOV_POSITION];
+      image.data.push_back(static_cast<float>(value));
+    }
+  }
+  return image;
+}
+
+}  // namespace strahl

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// The film on the host: fixed-point sums that any split of the samples adds up to alike (docs/decisions/0002-film.md).
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "image/image.h"
+
+namespace strahl {
+
+/// Four sub-sums (sample index mod 4) of three channels a pixel; window coordinates.
+struct FilmSums {
+  int width = 0;
+  int height = 0;
+  double scale = 1;                ///< Units per unit of radiance.
+  std::vector<std::int64_t> sums;  ///< height x width x 4 x 3.
+  std::vector<int> samples;        ///< Per row: how many samples each of its pixels has.
+
+  FilmSums(int width, int height, double scale);
+  /// Mean over all samples; a row without samples is black.
+  [[nodiscard]] Image mean() const;
+};
+
+}  // namespace strahl

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: MIT
+#include "render/intersector.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+
+#include "device/cl_layout.h"
+#include "device/program_text.h"
+#include "device/scene_buffers.h"
+#include "render/sampling.h"
+#include "scene/validate.h"
+
+namespace strahl {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+constexpr std::size_t group_size = 64;
+
+/// Rays a launch: keeps buffers and launches small whatever the number of rays.
+constexpr std::size_t chunk_rays = std::size_t{1} << 18;
+
+/// Only what intersection needs: no lights, no materials, no film.
+Features intersection_features(const Scene& scene, const RenderSettings& settings) {
+  Scene bare = scene;
+  bare.integrator.name = "emission";
+  bare.sampler.kind = SamplerKind::centre;
+  bare.lights.clear();
+  for (Shape& shape : bare.shapes) shape.radiance.reset();
+  RenderSettings plain = settings;
+  plain.aovs.clear();
+  return features_of(bare, plain);
+}
+
+template <typename Real>
+std::vector<Real> pack_rays(const std::vector<Ray>& rays, std::size_t first, std::size_t count) {
+  std::vector<Real> reals(count * layout::RAY_REALS);
+  for (std::size_t i = 0; i < count; ++i) {
+    const Ray& ray = rays[first + i];
+    const double values[] = {ray.origin.x,    ray.origin.y,    ray.origin.z, ray.direction.x,
+                             ray.direction.y, ray.direction.z, ray.t_min,    ray.t_max};
+    for (std::size_t k = 0; k < layout::RAY_REALS; ++k)
+      reals[i * layout::RAY_REALS + k] = static_cast<Real>(values[k]);
+  }
+  return reals;
+}
+
+}  // namespace
+
+struct Intersector::State {
+  Device device;
+  Precision precision;
+  SceneBuffers buffers;
+  cl::Kernel kernel;
+  std::vector<std::int64_t> first_ids;
+  RunStats stats;
+
+  explicit State(const Device& d, Precision p) : device(d), precision(p) {}
+
+  [[nodiscard]] std::int32_t left_id(const Ray& ray, std::size_t row) const;
+  template <typename Real>
+  void trace_chunk(const std::vector<Ray>& rays, std::size_t first, std::size_t count, bool any_hit,
+                   std::vector<double>& run_seconds, std::vector<Hit>& hits);
+};
+
+std::int32_t Intersector::State::left_id(const Ray& ray, std::size_t row) const {
+  if (ray.shape == -1) return -1;
+  const auto shapes = static_cast<std::int64_t>(first_ids.size()) - 1;
+  const auto shape = static_cast<std::size_t>(ray.shape);
+  if (ray.instance != -1)
+    throw InputError(fmt::format("ray {}: instance {} does not exist (the scene has none: -1)", row, ray.instance));
+  if (ray.shape < 0 || ray.shape >= shapes)
+    throw InputError(fmt::format("ray {}: shape {} does not exist (0 to {}, or -1)", row, ray.shape, shapes - 1));
+  if (ray.primitive < 0 || ray.primitive >= first_ids[shape + 1] - first_ids[shape])
+    throw InputError(fmt::format("ray {}: primitive {} of shape {} does not exist", row, ray.primitive, ray.shape));
+  return static_cast<std::int32_t>(first_ids[shape]) + ray.primitive;
+}
+
+template <typename Real>
+void Intersector::State::trace_chunk(const std::vector<Ray>& rays, std::size_t first, std::size_t count, bool any_hit,
+                                     std::vector<double>& run_seconds, std::vector<Hit>& hits) {
+  const std::vector<Real> ray_reals = pack_rays<Real>(rays, first, count);
+  std::vector<std::int32_t> left(count), ids(count * layout::HIT_INTS);
+  for (std::size_t i = 0; i < count; ++i) left[i] = left_id(rays[first + i], first + i);
+  std::vector<Real> out(count * layout::HIT_REALS);
+
+  const Clock::time_point upload = Clock::now();
+  const cl::Buffer ray_buffer = allocate(device, ray_reals.size() * sizeof(Real), "the rays");
+  const cl::Buffer left_buffer = allocate(device, left.size() * sizeof(std::int32_t), "the rays");
+  const cl::Buffer hit_buffer = allocate(device, out.size() * sizeof(Real), "the hits");
+  const cl::Buffer id_buffer = allocate(device, ids.size() * sizeof(std::int32_t), "the hits");
+  write_buffer(device, ray_buffer, ray_reals.data(), ray_reals.size() * sizeof(Real));
+  write_buffer(device, left_buffer, left.data(), left.size() * sizeof(std::int32_t));
+  stats.seconds.upload += seconds_since(upload);
+
+  for (double& seconds : run_seconds) {
+    const Clock::time_point start = Clock::now();
+    checked(device.info().text(), [&] {
+      cl_uint arg = 0;
+      for (const cl::Buffer* buffer : {&static_cast<const cl::Buffer&>(buffers.geometry),
+                                       &static_cast<const cl::Buffer&>(buffers.shading),
+                                       &static_cast<const cl::Buffer&>(buffers.index), &ray_buffer, &left_buffer,
+                                       &hit_buffer, &id_buffer})
+        kernel.setArg(arg++, *buffer);
+      kernel.setArg(arg++, static_cast<cl_ulong>(count));
+      kernel.setArg(arg++, static_cast<cl_int>(any_hit));
+      const std::size_t padded = (count + group_size - 1) / group_size * group_size;
+      device.queue().enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange(padded), cl::NDRange(group_size));
+      return device.queue().finish();
+    });
+    seconds += seconds_since(start);
+  }
+
+  const Clock::time_point readback = Clock::now();
+  read_buffer(device, hit_buffer, out.data(), out.size() * sizeof(Real));
+  read_buffer(device, id_buffer, ids.data(), ids.size() * sizeof(std::int32_t));
+  for (std::size_t i = 0; i < count; ++i) {
+    const Real* real = &out[i * layout::HIT_REALS];
+    Hit& hit = hits[first + i];
+    hit.t = static_cast<double>(real[layout::HIT_T]);
+    hit.u = static_cast<double>(real[layout::HIT_U]);
+    hit.v = static_cast<double>(real[layout::HIT_V]);
+    hit.normal = {static_cast<double>(real[layout::HIT_NORMAL]), static_cast<double>(real[layout::HIT_NORMAL + 1]),
+                  static_cast<double>(real[layout::HIT_NORMAL + 2])};
+    hit.shape = ids[i * layout::HIT_INTS + layout::HIT_SHAPE];
+    hit.primitive = ids[i * layout::HIT_INTS + layout::HIT_PRIMITIVE];
+  }
+  stats.seconds.readback += seconds_since(readback);
+}
+
+Intersector::Intersector(const Device& device, const Scene& scene, const RenderSettings& settings)
+    : state_(std::make_unique<State>(device, settings.precision)) {
+  if (std::vector<Diagnostic> problems = validate(scene); !problems.empty()) throw SceneError(problems);
+  State& s = *state_;
+  const int lanes =
+      settings.lanes.value_or(default_lanes(device.info().native_vector_width, settings.precision));
+  const Clock::time_point start = Clock::now();
+  const Features features = intersection_features(scene, settings);
+  const ProgramSource source = program_source("kernels/intersect.cl", features, settings.precision, lanes);
+  ProgramReport report;
+  const cl::Program program = build_program(device, source, &report);
+  s.kernel = checked(device.info().text(), [&] { return cl::Kernel(program, "intersect"); });
+  s.stats.seconds.program = seconds_since(start);
+  const Clock::time_point upload = Clock::now();
+  s.buffers = upload_scene(device, scene, features, settings.precision, {lanes, Vec3{}});
+  s.first_ids = first_ids(scene);
+  s.stats.seconds.upload = seconds_since(upload);
+  s.stats.device_bytes = s.stats.host_bytes = s.buffers.bytes;
+  s.stats.device = device.info().text();
+  s.stats.precision = precision_name(settings.precision);
+  s.stats.lanes = lanes;
+  s.stats.program = program_hash(source);
+  s.stats.program_from_cache = report.from_cache;
+  for (const FeatureReport& row : features.report)
+    if (row.on) s.stats.features.push_back(row.name);
+}
+Intersector::~Intersector() = default;
+Intersector::Intersector(Intersector&&) noexcept = default;
+Intersector& Intersector::operator=(Intersector&&) noexcept = default;
+
+const RunStats& Intersector::stats() const { return state_->stats; }
+
+std::vector<Hit> Intersector::trace(const std::vector<Ray>& rays, bool any_hit, int repeat) {
+  State& s = *state_;
+  std::vector<Hit> hits(rays.size());
+  std::vector<double> run_seconds(static_cast<std::size_t>(std::max(repeat, 1)), 0.0);
+  for (std::size_t first = 0; first < rays.size(); first += chunk_rays) {
+    const std::size_t count = std::min(chunk_rays, rays.size() - first);
+    if (s.precision == Precision::fp64)
+      s.trace_chunk<double>(rays, first, count, any_hit, run_seconds, hits);
+    else
+      s.trace_chunk<float>(rays, first, count, any_hit, run_seconds, hits);
+  }
+  s.stats.kernel_runs = run_seconds;
+  std::sort(run_seconds.begin(), run_seconds.end());
+  const std::size_t middle = run_seconds.size() / 2;
+  s.stats.seconds.kernel = run_seconds.size() % 2 == 1 ? run_seconds[middle]
+                                                       : 0.5 * (run_seconds[middle - 1] + run_seconds[middle]);
+  s.stats.camera_rays = rays.size();
+  return hits;
+}
+
+}  // namespace strahl

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+// Which samples a pixel gets.
+#pragma once
+
+#include <cstdint>
+
+#include "scene/scene.h"
+
+namespace strahl {
+
+/// Samples per pixel, sampler and seed that a scene ends up with: what it states, or the integrator's default.
+/// emission, depth, normals: centre, 1 sample; others: independent, 16.
+struct ResolvedSampling {
+  SamplerKind kind;
+  int spp;
+  std::uint32_t seed;
+};
+
+[[nodiscard]] ResolvedSampling resolve_sampling(const Scene& scene);
+
+/// What the film's 63-bit sums hold: 2^19 samples in each of its 4 sub-sums.
+inline constexpr int max_spp = 1 << 21;
+
+}  // namespace strahl
