@@ -31,9 +31,9 @@ struct ProgramReport {
 [[nodiscard]] cl::Program build_program(const Device& device, const ProgramSource& source,
                                         ProgramReport* report = nullptr);
 
-/// Removes every cached binary; returns how many there were.
+/// Removes every cached binary and every dumped source; returns how many binaries there were. Throws Error.
 std::size_t clear_program_cache();
-/// The directory in use.
+/// The directory in use; empty where there is none (no home directory): nothing is cached.
 [[nodiscard]] std::string program_cache_directory();
 
 }  // namespace strahl

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+// Building OpenCL programs, first from the cached binary, else from source.
+#include "device/program.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+
+#include "device/cl_code.h"
+#include "device/program_cache.h"
+
+namespace strahl {
+
+namespace {
+
+/// Everything that a binary depends on; a driver update changes the version of platform, device or driver.
+std::string cache_key(const Device& device, const ProgramSource& source) {
+  const cl::Platform platform(device.device().getInfo<CL_DEVICE_PLATFORM>());
+  const DeviceInfo& info = device.info();
+  return fmt::format("strahl {}\nplatform {} {}\ndevice {} {} {}\ndriver {}\noptions {}\n{}", STRAHL_VERSION,
+                     platform.getInfo<CL_PLATFORM_NAME>(), platform.getInfo<CL_PLATFORM_VERSION>(), info.name,
+                     info.vendor, info.version, info.driver, source.options, source.text);
+}
+
+/// Empty where the driver does not take the binary: it may, whatever the key says.
+std::optional<cl::Program> build_binary(const Device& device, const ProgramSource& source,
+                                        const std::vector<unsigned char>& binary) {
+  try {
+    cl::Program program(device.context(), {device.device()}, cl::Program::Binaries{binary});
+    program.build(device.device(), source.options.c_str());
+    return program;
+  } catch (const cl::Error&) {
+    return std::nullopt;
+  }
+}
+
+/// Where the text went, or why it went nowhere.
+std::string dump(const ProgramSource& source) {
+  const std::string path = failed_program_path(program_hash(source));
+  std::ofstream out(path, std::ios::binary);
+  out << source.text;
+  out.close();
+  return out ? path : fmt::format("could not be written to {}", path);
+}
+
+cl::Program build_text(const Device& device, const ProgramSource& source) {
+  const std::string name = device.info().text();
+  cl::Program program = checked(name, [&] { return cl::Program(device.context(), source.text); });
+  try {
+    program.build(device.device(), source.options.c_str());
+  } catch (const cl::Error& error) {
+    const std::string log = checked(name, [&] { return program.getBuildInfo<CL_PROGRAM_BUILD_LOG>(device.device()); });
+    throw KernelBuildError(fmt::format("{} failed with {} on {}\noptions: {}\nsource: {}\nbuild log:\n{}", error.what(),
+                                       cl_code_name(error.err()), name, source.options, dump(source), log),
+                           error.err());
+  }
+  return program;
+}
+
+}  // namespace
+
+std::string program_hash(const ProgramSource& source) {
+  // The zero keeps "ab" + "c" apart from "a" + "bc".
+  return fmt::format("{:016x}", fnv1a(source.options, fnv1a(std::string_view("\0", 1), fnv1a(source.text))));
+}
+
+cl::Program build_program(const Device& device, const ProgramSource& source, ProgramReport* report) {
+  const auto start = std::chrono::steady_clock::now();
+  const std::string key = checked(device.info().text(), [&] { return cache_key(device, source); });
+  const std::string name = program_hash(source);
+
+  std::vector<unsigned char> binary = read_cached_binary(name, key);
+  std::optional<cl::Program> program;
+  if (!binary.empty()) program = build_binary(device, source, binary);
+  const bool from_cache = program.has_value();
+  if (!program) {
+    program = build_text(device, source);
+    const auto binaries = checked(device.info().text(), [&] { return program->getInfo<CL_PROGRAM_BINARIES>(); });
+    binary = binaries.at(0);
+    write_cached_binary(name, key, binary);
+  }
+  if (report != nullptr) {
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+    *report = {seconds.count(), from_cache, binary.size()};
+  }
+  return *program;
+}
+
+}  // namespace strahl

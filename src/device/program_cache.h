@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// strahl's own cache of device binaries: one file a program and device, whole or not at all.
+//
+// A file holds the complete key (all that the binary depends on, the source included) and a checksum, so neither an
+// equal hash nor a damaged file can give a wrong program. Processes may share the directory: files are renamed into
+// place. Whatever goes wrong with the cache means "not cached".
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace strahl {
+
+/// FNV-1a, 64 bits (Fowler, Noll and Vo, 1991).
+[[nodiscard]] constexpr std::uint64_t fnv1a(std::string_view bytes, std::uint64_t hash = 0xcbf29ce484222325u) {
+  for (const char byte : bytes) {
+    hash ^= static_cast<unsigned char>(byte);
+    hash *= 0x100000001b3u;
+  }
+  return hash;
+}
+
+/// The binary stored for this key, empty where there is none. `name` begins the file's name.
+[[nodiscard]] std::vector<unsigned char> read_cached_binary(const std::string& name, const std::string& key);
+
+void write_cached_binary(const std::string& name, const std::string& key, const std::vector<unsigned char>& binary);
+
+/// Where the source of a program that does not build is kept: below the cache, or the directory for temporary files.
+[[nodiscard]] std::string failed_program_path(const std::string& name);
+
+}  // namespace strahl

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// The OpenCL devices that tests may use.
+#pragma once
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cstdlib>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "device/device.h"
+
+namespace strahl::test {
+
+/// Selectors of what is there, of "pocl", "llvmpipe", "intel" and "oclgrind". In a program that runs under the
+/// `oclgrind` command, that is all there is. Call before anything else that uses OpenCL: Mesa reads its environment
+/// once, and offers no llvmpipe without RUSTICL_ENABLE.
+inline std::vector<std::string> present_devices() {
+  setenv("RUSTICL_ENABLE", "llvmpipe", 0);
+  const std::vector<std::pair<std::string, std::string>> known = {
+      {"pocl", "Portable Computing Language"}, {"llvmpipe", "llvmpipe"}, {"intel", "Intel"}, {"oclgrind", "Oclgrind"}};
+  const std::vector<PlatformInfo> platforms = list_platforms();
+  std::vector<std::string> present;
+  for (const auto& [selector, name] : known) {
+    const bool by_device = selector == "llvmpipe";
+    const bool found = std::any_of(platforms.begin(), platforms.end(), [&](const PlatformInfo& platform) {
+      return std::any_of(platform.devices.begin(), platform.devices.end(), [&](const DeviceInfo& device) {
+        return (by_device ? device.name : device.platform).find(name) != std::string::npos;
+      });
+    });
+    if (found) present.push_back(selector);
+  }
+  return present;
+}
+
+/// Fails the test case where PoCL or rusticl's llvmpipe is missing: those two may not be skipped.
+inline void require_pocl_and_rusticl() {
+  const std::vector<std::string> present = present_devices();
+  for (const std::string selector : {"pocl", "llvmpipe"}) {
+    INFO(selector << " is missing: apt install pocl-opencl-icd mesa-opencl-icd");
+    REQUIRE(std::count(present.begin(), present.end(), selector) == 1);
+  }
+}
+
+}  // namespace strahl::test
