@@ -186,13 +186,13 @@ TEST_CASE("damaged files") {
   image.metadata = {{"device", "a device"}};
   write_image(image, folder / "good.exr");
   check_truncations(bytes_of(folder / "good.exr"), folder / "a.exr", read);
-  CHECK(check_mutations(bytes_of(folder / "good.exr"), folder / "a.exr", 1000, read) > 100);
+  CHECK(check_mutations(bytes_of(folder / "good.exr"), folder / "a.exr", 400, read) > 40);
   const Imath::Box2i window = box(0, 0, 30, 39);
   std::vector<float> values(31 * 40);
   for (std::size_t i = 0; i < values.size(); ++i) values[i] = static_cast<float>(i % 97);
   put_exr<float>(folder / "piz.exr", Imf::FLOAT, window, window, values);
   check_truncations(bytes_of(folder / "piz.exr"), folder / "a.exr", read);
-  CHECK(check_mutations(bytes_of(folder / "piz.exr"), folder / "a.exr", 1000, read) > 100);
+  CHECK(check_mutations(bytes_of(folder / "piz.exr"), folder / "a.exr", 400, read) > 40);
   put_bytes(folder / "a.exr", "not an OpenEXR file at all");
   CHECK_THROWS_WITH(read_image(folder / "a.exr"), Contains("a.exr\": not a readable OpenEXR file"));
 }

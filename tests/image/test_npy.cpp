@@ -148,5 +148,5 @@ TEST_CASE("damaged files") {
   const auto read = [](const std::string& name) { return read_npy(name); };
   const std::string good = npy(2, dictionary("<f4", true, "(2, 3)"), f4);
   check_truncations(good, folder / "a.npy", read);
-  CHECK(check_mutations(good, folder / "a.npy", 2000, read) > 1000);
+  CHECK(check_mutations(good, folder / "a.npy", 1000, read) > 500);
 }

@@ -154,7 +154,8 @@ TEST_CASE("metadata survives, ASCII and UTF-8") {
   CHECK(bytes.find("iTXtdevice") != std::string::npos);
   CHECK(bytes.find("sRGB") != std::string::npos);
   CHECK(bytes.find("gAMA") != std::string::npos);
-  for (const std::string key : {"", " x", "x ", "a  b", "ümlaut", std::string(80, 'k').c_str()}) {
+  const std::vector<std::string> bad_keys{"", " x", "x ", "a  b", "ümlaut", std::string(80, 'k')};
+  for (const std::string& key : bad_keys) {
     INFO(key);
     image.metadata = {{key, "value"}};
     CHECK_THROWS_WITH(write_image(image, folder / "bad.png"), Contains("1 to 79 printable"));
@@ -222,7 +223,7 @@ TEST_CASE("damaged files") {
   write_image(image, folder / "good.png", {16, 0});
   const std::string good = bytes_of(folder / "good.png");
   check_truncations(good, folder / "a.png", read);
-  CHECK(check_mutations(good, folder / "a.png", 1000, read) > 500);
+  CHECK(check_mutations(good, folder / "a.png", 600, read) > 300);
   put_bytes(folder / "a.png", "GIF89a");
   CHECK_THROWS_WITH(read_image(folder / "a.png"), Contains("not a PNG file"));
   put_bytes(folder / "a.png", good.substr(0, good.size() / 2));
