@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+// File -> scene: expand, check, read, validate; every problem is collected before anything is thrown.
+#include "scene/loader.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "scene/diagnostics.h"
+#include "scene/element_ids.h"
+#include "scene/framing.h"
+#include "scene/mesh_file.h"
+#include "scene/readers/mesh_import.h"
+#include "scene/scene_builder.h"
+#include "scene/validate.h"
+#include "scene/xml_expand.h"
+#include "scene/xml_vocabulary.h"
+
+namespace strahl {
+
+namespace {
+
+bool is_mesh_path(const std::string& path) {
+  const std::string extension = lower_case_extension(path);
+  return extension == ".obj" || extension == ".ply";
+}
+
+Scene scene_of_xml(const std::string& path, const LoadOptions& options, Diagnostics& diagnostics) {
+  std::optional<XmlElement> root = read_expanded_xml(path, options.defines, diagnostics);
+  if (!root) return {};
+  check_vocabulary(*root, diagnostics);
+  const ElementIds ids(*root, diagnostics);
+  SceneBuilder builder{{}, path, ids, diagnostics, {}, {}, {}};
+  read_scene(*root, builder);
+  return std::move(builder.scene);
+}
+
+Scene scene_of_mesh(const std::string& path, const LoadOptions& options, Diagnostics& diagnostics) {
+  for (const auto& [name, value] : options.defines)
+    diagnostics.unknown({path}, fmt::format("-D {}={}: a mesh has no parameters; it has no effect", name, value));
+  MeshFile file = read_mesh(path);
+  diagnostics.append(file.warnings);
+  Scene scene;
+  scene.materials.assign(1, Material{});
+  scene.integrator.name = "normals";
+  Shape shape;
+  shape.where = {path};
+  if (file.mesh.triangles.empty()) diagnostics.error({path}, "has no triangles");
+  add_mesh_materials(file, false, shape, scene, diagnostics);
+  if (lower_case_extension(path) == ".obj") flip_tex_coords(file.mesh);
+  shape.geometry = std::move(file.mesh);
+  scene.shapes.push_back(std::move(shape));
+  scene.camera = camera_framing(bounds(scene));
+  return scene;
+}
+
+}  // namespace
+
+LoadedScene load_scene(const std::string& path, const LoadOptions& options) {
+  Diagnostics diagnostics(options.strict);
+  diagnostics.opened(path);
+  Scene scene;
+  try {
+    scene = is_mesh_path(path) ? scene_of_mesh(path, options, diagnostics) : scene_of_xml(path, options, diagnostics);
+  } catch (const SceneError& fault) {
+    diagnostics.append(fault.diagnostics());
+  }
+  if (!diagnostics.has_errors()) diagnostics.append(validate(scene));
+  if (diagnostics.has_errors()) throw SceneError(diagnostics.in_file_order());
+  scene.name = std::filesystem::path(path).stem().string();
+  return {std::move(scene), diagnostics.in_file_order()};
+}
+
+}  // namespace strahl

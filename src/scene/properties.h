@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+// The parameters and nested objects of one plugin, by name and type. Getters remember what was asked for, so that
+// report_unknown() can name what nobody asked for and what was probably meant.
+#pragma once
+
+#include <initializer_list>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scene/diagnostics.h"
+#include "scene/element_ids.h"
+#include "scene/vec.h"
+#include "scene/xml_element.h"
+
+namespace strahl {
+
+/// What a colour is for: it decides what values are possible.
+enum class ColorUse { reflectance, emission };
+
+class Properties {
+ public:
+  Properties(const XmlElement& element, const ElementIds& ids, Diagnostics& diagnostics);
+
+  [[nodiscard]] std::string type() const { return element_.text("type"); }
+  [[nodiscard]] std::string id() const { return element_.text("id"); }
+  /// `<shape type="sphere">`, for messages.
+  [[nodiscard]] std::string title() const;
+  [[nodiscard]] const SourceLocation& where() const { return element_.where; }
+  /// Where the parameter is given, else where the plugin stands.
+  [[nodiscard]] const SourceLocation& where(const std::string& name) const;
+  [[nodiscard]] Diagnostics& diagnostics() const { return diagnostics_; }
+
+  // Each returns none where the parameter is absent, or faulty (which is then reported).
+  [[nodiscard]] std::optional<double> number(const std::string& name);
+  [[nodiscard]] std::optional<int> integer(const std::string& name);
+  [[nodiscard]] std::optional<bool> boolean(const std::string& name);
+  [[nodiscard]] std::optional<std::string> string(const std::string& name);
+  [[nodiscard]] std::optional<Vec3> vector(const std::string& name);
+  [[nodiscard]] std::optional<Transform> transform(const std::string& name);
+  /// A colour; what strahl cannot read as one is replaced by `substitute` with a warning.
+  [[nodiscard]] std::optional<Rgb> color(const std::string& name, ColorUse use, const Rgb& substitute);
+
+  [[nodiscard]] std::optional<double> positive(const std::string& name);  ///< Reports what is not > 0.
+  [[nodiscard]] std::optional<int> integer_in(const std::string& name, int low, int high);
+  [[nodiscard]] std::optional<Vec3> required_vector(const std::string& name);  ///< Reports a missing one.
+
+  [[nodiscard]] bool has(const std::string& name) const;
+  /// Nested objects of a kind ("bsdf"), references resolved.
+  [[nodiscard]] std::vector<const XmlElement*> objects(const std::string& tag);
+  /// Parameters that are known and have no effect on what strahl computes.
+  void accept(std::initializer_list<const char*> names);
+  /// Accepts whatever there is: the plugin itself is unknown and that has been said.
+  void accept_all();
+  /// To be called last.
+  void report_unknown();
+
+ private:
+  struct Entry {
+    const XmlElement* given;
+    const XmlElement* meant;  ///< What a <ref> points to, else `given`.
+    std::string name;
+    bool used = false;
+  };
+
+  const XmlElement* take(const std::string& name, std::initializer_list<const char*> tags);
+  void report_duplicates();
+
+  const XmlElement& element_;
+  Diagnostics& diagnostics_;
+  std::vector<Entry> entries_;
+  std::vector<std::string> known_;
+};
+
+}  // namespace strahl

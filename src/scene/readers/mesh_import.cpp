@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+// MTL materials are two-sided: OBJ files know no sidedness, and many do not care for their winding.
+#include "scene/readers/mesh_import.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+
+#include "scene/color_value.h"
+
+namespace strahl {
+
+namespace {
+
+int added_material(const MeshMaterial& from, const Shape& shape, Scene& scene, Diagnostics& diagnostics) {
+  Material material;
+  material.id = from.name;
+  material.bsdf =
+      Diffuse{clamped_reflectance(from.reflectance, shape.where, fmt::format("Kd of {}", from.name), diagnostics)};
+  material.twosided = true;
+  material.where = shape.where;
+  scene.materials.push_back(material);
+  return static_cast<int>(scene.materials.size()) - 1;
+}
+
+}  // namespace
+
+void add_mesh_materials(MeshFile& file, bool has_material, const Shape& shape, Scene& scene, Diagnostics& diagnostics) {
+  Mesh& mesh = file.mesh;
+  if (file.materials.empty() || mesh.part_of_triangle.empty() || (has_material && shape.radiance)) {
+    mesh.part_of_triangle.clear();
+    return;
+  }
+  for (const MeshMaterial& from : file.materials) {
+    MeshPart part;
+    part.material = has_material ? shape.material : added_material(from, shape, scene, diagnostics);
+    part.radiance = shape.radiance ? shape.radiance : from.radiance;
+    mesh.parts.push_back(part);
+  }
+  const bool has_plain =
+      std::any_of(mesh.part_of_triangle.begin(), mesh.part_of_triangle.end(), [](int p) { return p < 0; });
+  if (!has_plain) return;
+  mesh.parts.push_back({shape.material, shape.radiance});
+  for (int& part : mesh.part_of_triangle)
+    if (part < 0) part = static_cast<int>(mesh.parts.size()) - 1;
+}
+
+std::string lower_case_extension(const std::string& path) {
+  std::string extension = std::filesystem::path(path).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension;
+}
+
+void flip_tex_coords(Mesh& mesh) {
+  for (Vec2& uv : mesh.uvs) uv.y = 1 - uv.y;
+}
+
+}  // namespace strahl

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// What becomes of a mesh file's materials and texture coordinates in a scene.
+#pragma once
+
+#include <string>
+
+#include "scene/diagnostics.h"
+#include "scene/mesh_file.h"
+#include "scene/scene.h"
+
+namespace strahl {
+
+/// Fills file.mesh.parts from file.materials and appends what is used to scene.materials. A <bsdf> (has_material) and
+/// an <emitter> of the shape win over the file's.
+void add_mesh_materials(MeshFile& file, bool has_material, const Shape& shape, Scene& scene, Diagnostics& diagnostics);
+
+/// ".obj" of "A.OBJ".
+[[nodiscard]] std::string lower_case_extension(const std::string& path);
+
+/// v -> 1 - v: OBJ files count v from the bottom, as Mitsuba assumes by default.
+void flip_tex_coords(Mesh& mesh);
+
+}  // namespace strahl

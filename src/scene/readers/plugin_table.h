@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// From the type="..." of a plugin to its reader. The .def files beside this one are the only registration.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "scene/did_you_mean.h"
+
+namespace strahl {
+
+template <class Reader>
+using PluginTable = std::vector<std::pair<std::string, Reader>>;
+
+template <class Reader>
+[[nodiscard]] const Reader* find_plugin(const PluginTable<Reader>& table, const std::string& type) {
+  for (const auto& [name, reader] : table)
+    if (name == type) return &reader;
+  return nullptr;
+}
+
+template <class Reader>
+[[nodiscard]] std::string did_you_mean_plugin(const PluginTable<Reader>& table, const std::string& type) {
+  std::vector<std::string> names;
+  for (const auto& [name, reader] : table) names.push_back(name);
+  return did_you_mean(type, names);
+}
+
+}  // namespace strahl

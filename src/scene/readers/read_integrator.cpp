@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// <integrator>: by name; what strahl does not have yet becomes "direct" with a warning.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "scene/did_you_mean.h"
+#include "scene/properties.h"
+#include "scene/readers/readers.h"
+
+namespace strahl {
+
+IntegratorSettings read_integrator(const XmlElement& element, SceneBuilder& builder) {
+  static const std::vector<std::string> known{"emission", "depth", "normals", "direct"};
+  Properties properties(element, builder.ids, builder.diagnostics);
+  IntegratorSettings integrator;
+  integrator.where = element.where;
+  integrator.max_depth =
+      properties.integer_in("max_depth", -1, std::numeric_limits<int>::max()).value_or(integrator.max_depth);
+  integrator.hide_emitters = properties.boolean("hide_emitters").value_or(false);
+  const std::string type = properties.type();
+  if (std::find(known.begin(), known.end(), type) != known.end()) {
+    integrator.name = type;
+    properties.accept({"shading_samples", "emitter_samples", "bsdf_samples", "rr_depth"});
+  } else if (type == "path" || type == "volpath") {
+    builder.diagnostics.unknown(
+        element.where,
+        fmt::format("integrator \"{}\" is not there yet; \"direct\" takes its place: no indirect light", type));
+    properties.accept({"rr_depth"});
+  } else {
+    builder.diagnostics.unknown(element.where, fmt::format("unknown integrator \"{}\"{}; \"direct\" takes its place",
+                                                           type, did_you_mean(type, known)));
+    properties.accept_all();
+  }
+  properties.report_unknown();
+  return integrator;
+}
+
+}  // namespace strahl

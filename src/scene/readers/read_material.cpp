@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+// Materials by name, each read once, and what stands for those that strahl does not have.
+#include "scene/readers/read_material.h"
+
+#include <fmt/format.h>
+
+#include "scene/readers/plugin_table.h"
+
+namespace strahl {
+
+namespace {
+
+const PluginTable<MaterialReader>& material_readers() {
+  static const PluginTable<MaterialReader> table{
+#define MATERIAL(type, reader) {#type, reader},
+#include "scene/readers/materials.def"
+#undef MATERIAL
+  };
+  return table;
+}
+
+/// Two-sided, since most of what is missing (glass, masks, radio materials) is seen from both sides.
+Material substitute_for(Properties& properties, SceneBuilder& builder) {
+  const std::string what = fmt::format("unknown bsdf \"{}\"{}", properties.type(),
+                                       did_you_mean_plugin(material_readers(), properties.type()));
+  const std::vector<const XmlElement*> nested = properties.objects("bsdf");
+  properties.accept_all();
+  if (!nested.empty()) {
+    builder.diagnostics.unknown(properties.where(), what + "; the bsdf inside it takes its place");
+    return material_of(*nested.front(), builder);
+  }
+  Material material;
+  material.twosided = true;
+  for (const char* name : {"reflectance", "diffuse_reflectance", "base_color"}) {
+    const std::optional<Rgb> own = properties.color(name, ColorUse::reflectance, {0.5, 0.5, 0.5});
+    if (!own) continue;
+    builder.diagnostics.unknown(properties.where(),
+                                fmt::format("{}; a two-sided diffuse one with its {} takes its place", what, name));
+    material.bsdf = Diffuse{*own};
+    return material;
+  }
+  builder.diagnostics.unknown(properties.where(),
+                              what + "; a two-sided diffuse one of reflectance 0.5 takes its place");
+  return material;
+}
+
+}  // namespace
+
+Material material_of(const XmlElement& bsdf, SceneBuilder& builder) {
+  const auto known = builder.materials.find(&bsdf);
+  if (known != builder.materials.end()) return known->second;
+  if (!builder.materials_being_read.insert(&bsdf).second) {
+    builder.diagnostics.error(bsdf.where, fmt::format("bsdf \"{}\" contains itself", bsdf.text("id")));
+    return {};
+  }
+  Properties properties(bsdf, builder.ids, builder.diagnostics);
+  const MaterialReader* reader = find_plugin(material_readers(), properties.type());
+  Material material = reader != nullptr ? (*reader)(properties, builder) : substitute_for(properties, builder);
+  properties.report_unknown();
+  material.id = properties.id();
+  material.where = bsdf.where;
+  builder.materials_being_read.erase(&bsdf);
+  builder.materials.emplace(&bsdf, material);
+  return material;
+}
+
+int material_index(const XmlElement& bsdf, SceneBuilder& builder) {
+  const auto known = builder.material_indices.find(&bsdf);
+  if (known != builder.material_indices.end()) return known->second;
+  builder.scene.materials.push_back(material_of(bsdf, builder));
+  const int index = static_cast<int>(builder.scene.materials.size()) - 1;
+  builder.material_indices.emplace(&bsdf, index);
+  return index;
+}
+
+}  // namespace strahl

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+// <shape type="obj"> and <shape type="ply">: a mesh file in the world frame, with the materials that it names.
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "scene/mesh_file.h"
+#include "scene/readers/mesh_import.h"
+#include "scene/readers/shape_reader.h"
+#include "scene/xml_expand.h"
+
+namespace strahl {
+
+namespace {
+
+std::optional<std::string> mesh_path(ShapeInput& input) {
+  Properties& properties = input.properties;
+  Diagnostics& diagnostics = input.builder.diagnostics;
+  const std::optional<std::string> name = properties.string("filename");
+  if (!name) {
+    if (!properties.has("filename"))
+      diagnostics.error(properties.where(), fmt::format("{} needs the string \"filename\"", properties.title()));
+    return std::nullopt;
+  }
+  const SourceLocation& where = properties.where("filename");
+  const std::string path = resolve_path(*name, where.file, input.builder.file);
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(path, ignored)) {
+    diagnostics.error(where, fmt::format("cannot read \"{}\"; the path counts from the scene file", path));
+    return std::nullopt;
+  }
+  if (lower_case_extension(path) != "." + properties.type()) {
+    diagnostics.error(
+        where, fmt::format("\"{}\" does not end in .{}, which {} reads", path, properties.type(), properties.title()));
+    return std::nullopt;
+  }
+  return path;
+}
+
+void to_world(Mesh& mesh, const Transform& world_from_object) {
+  for (Vec3& p : mesh.positions) p = world_from_object.point(p);
+  for (Vec3& n : mesh.normals) {
+    const Vec3 turned = world_from_object.normal(n);
+    if (turned != Vec3{}) n = normalized(turned);
+  }
+}
+
+}  // namespace
+
+Geometry read_mesh_shape(ShapeInput& input) {
+  Properties& properties = input.properties;
+  Diagnostics& diagnostics = input.builder.diagnostics;
+  const bool face_normals = properties.boolean("face_normals").value_or(false);
+  const bool flip_v = properties.boolean("flip_tex_coords").value_or(properties.type() == "obj");
+  const std::optional<std::string> path = mesh_path(input);
+  if (!path) return Mesh{};
+  diagnostics.opened(*path);
+  try {
+    MeshFile file = read_mesh(*path);
+    diagnostics.append(file.warnings);
+    if (file.mesh.triangles.empty())
+      diagnostics.error(properties.where("filename"), fmt::format("\"{}\" has no triangles", *path));
+    add_mesh_materials(file, input.has_material, input.shape, input.builder.scene, diagnostics);
+    if (face_normals) file.mesh.normals.clear();
+    if (flip_v) flip_tex_coords(file.mesh);
+    to_world(file.mesh, input.world_from_object);
+    return std::move(file.mesh);
+  } catch (const SceneError& fault) {
+    diagnostics.append(fault.diagnostics());
+    return Mesh{};
+  }
+}
+
+}  // namespace strahl

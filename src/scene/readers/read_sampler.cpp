@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// <sampler>: "independent" is obeyed; Mitsuba's other types give strahl's own stratification.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "scene/did_you_mean.h"
+#include "scene/properties.h"
+#include "scene/readers/readers.h"
+
+namespace strahl {
+
+SamplerSettings read_sampler(const XmlElement& element, SceneBuilder& builder) {
+  static const std::vector<std::string> known{"independent", "stratified", "multijitter", "orthogonal",
+                                              "ldsampler",   "halton",     "hammersley",  "sobol"};
+  constexpr int largest = std::numeric_limits<int>::max();
+  Properties properties(element, builder.ids, builder.diagnostics);
+  SamplerSettings sampler;
+  sampler.where = element.where;
+  sampler.sample_count = properties.integer_in("sample_count", 1, largest);
+  sampler.seed = properties.integer_in("seed", 0, largest);
+  if (properties.type() == "independent") sampler.kind = SamplerKind::independent;
+  if (std::find(known.begin(), known.end(), properties.type()) == known.end())
+    builder.diagnostics.unknown(element.where, fmt::format("unknown sampler \"{}\"{}; strahl's default takes its place",
+                                                           properties.type(), did_you_mean(properties.type(), known)));
+  properties.accept({"jitter", "strength", "scramble"});
+  properties.report_unknown();
+  return sampler;
+}
+
+}  // namespace strahl

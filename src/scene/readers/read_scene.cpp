@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// The children of <scene>, kind by kind, each in file order.
+#include <fmt/format.h>
+
+#include "scene/framing.h"
+#include "scene/properties.h"
+#include "scene/readers/read_material.h"
+#include "scene/readers/readers.h"
+#include "scene/readers/shape_reader.h"
+
+namespace strahl {
+
+namespace {
+
+void read_integrators(const std::vector<const XmlElement*>& elements, SceneBuilder& builder) {
+  if (!elements.empty()) builder.scene.integrator = read_integrator(*elements.front(), builder);
+  for (std::size_t i = 1; i < elements.size(); ++i)
+    builder.diagnostics.error(elements[i]->where, "a scene has one <integrator>");
+}
+
+void read_sensors(const std::vector<const XmlElement*>& elements, const XmlElement& root, SceneBuilder& builder) {
+  for (std::size_t i = 1; i < elements.size(); ++i)
+    builder.diagnostics.warning(elements[i]->where, "the first <sensor> is used; this one is left out");
+  if (!elements.empty()) return read_sensor(*elements.front(), builder);
+  builder.diagnostics.warning(root.where,
+                              "the scene has no <sensor>; a perspective camera that looks along -z frames it");
+  builder.scene.camera = camera_framing(bounds(builder.scene));
+}
+
+/// Definitions wait for a <ref>; without an id nothing can refer to them.
+void read_definitions(const std::vector<const XmlElement*>& elements, SceneBuilder& builder) {
+  for (const XmlElement* element : elements) {
+    if (element->attribute("id") != nullptr) continue;
+    builder.diagnostics.unknown(
+        element->where, fmt::format("<scene> has no use for a <{}> without an id; it is ignored", element->tag));
+  }
+}
+
+}  // namespace
+
+void read_scene(const XmlElement& root, SceneBuilder& builder) {
+  builder.scene.materials.assign(1, Material{});
+  Properties properties(root, builder.ids, builder.diagnostics);
+  for (const XmlElement* bsdf : properties.objects("bsdf")) static_cast<void>(material_index(*bsdf, builder));
+  for (const XmlElement* shape : properties.objects("shape")) read_shape(*shape, builder);
+  for (const XmlElement* emitter : properties.objects("emitter")) read_light(*emitter, builder);
+  read_integrators(properties.objects("integrator"), builder);
+  read_sensors(properties.objects("sensor"), root, builder);
+  for (const char* tag : {"texture", "spectrum", "rgb", "film", "sampler", "rfilter"})
+    read_definitions(properties.objects(tag), builder);
+  properties.report_unknown();
+}
+
+}  // namespace strahl

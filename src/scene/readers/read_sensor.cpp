@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+// <sensor>: perspective and orthographic cameras with film and sampler.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "scene/parse_value.h"
+#include "scene/properties.h"
+#include "scene/readers/plugin_table.h"
+#include "scene/readers/readers.h"
+
+namespace strahl {
+
+namespace {
+
+const PluginTable<Projection>& projections() {
+  static const PluginTable<Projection> table{{"perspective", Projection::perspective},
+                                             {"orthographic", Projection::orthographic}};
+  return table;
+}
+
+const PluginTable<FovAxis>& fov_axes() {
+  static const PluginTable<FovAxis> table{{"x", FovAxis::x},
+                                          {"y", FovAxis::y},
+                                          {"diagonal", FovAxis::diagonal},
+                                          {"smaller", FovAxis::smaller},
+                                          {"larger", FovAxis::larger}};
+  return table;
+}
+
+/// Opening angle along the diagonal of 36 mm x 24 mm film, as in Mitsuba.
+double diagonal_fov_degrees(double focal_length_mm) {
+  return 2 * std::atan(std::hypot(36.0, 24.0) / (2 * focal_length_mm)) * 180 / std::numbers::pi;
+}
+
+void read_focal_length(Properties& properties, Camera& camera) {
+  camera.fov_axis = FovAxis::diagonal;
+  camera.fov_degrees = diagonal_fov_degrees(50);
+  const std::optional<std::string> text = properties.string("focal_length");
+  if (!text) return;
+  const std::size_t unit = text->rfind("mm");
+  const std::optional<double> length = parse_number(text->substr(0, unit));
+  if (length && std::isfinite(*length) && *length > 0) {
+    camera.fov_degrees = diagonal_fov_degrees(*length);
+  } else {
+    properties.diagnostics().error(properties.where("focal_length"),
+                                   fmt::format("\"{}\" is not a focal length such as \"50mm\"", *text));
+  }
+}
+
+void read_fov_axis(Properties& properties, Camera& camera) {
+  const std::optional<std::string> name = properties.string("fov_axis");
+  if (!name) return;
+  const FovAxis* axis = find_plugin(fov_axes(), *name);
+  if (axis != nullptr) {
+    camera.fov_axis = *axis;
+  } else {
+    properties.diagnostics().error(properties.where("fov_axis"),
+                                   fmt::format("fov_axis \"{}\" is none of x, y, diagonal, smaller, larger{}", *name,
+                                               did_you_mean_plugin(fov_axes(), *name)));
+  }
+}
+
+void read_field_of_view(Properties& properties, Camera& camera) {
+  if (properties.has("fov") && properties.has("focal_length")) {
+    properties.accept({"fov", "focal_length", "fov_axis"});
+    properties.diagnostics().error(properties.where("focal_length"),
+                                   "give either \"fov\" or \"focal_length\", not both");
+  } else if (!properties.has("fov")) {
+    read_focal_length(properties, camera);
+    if (properties.has("fov_axis")) {
+      properties.accept({"fov_axis"});
+      properties.diagnostics().unknown(
+          properties.where("fov_axis"),
+          "fov_axis needs \"fov\"; a focal length counts along the diagonal, so it is ignored");
+    }
+  } else {
+    camera.fov_degrees = properties.number("fov").value_or(50);
+    if (!(camera.fov_degrees > 0 && camera.fov_degrees < 180))
+      properties.diagnostics().error(
+          properties.where("fov"), fmt::format("fov is {}; it must lie between 0 and 180 degrees", camera.fov_degrees));
+    read_fov_axis(properties, camera);
+  }
+}
+
+void read_clipping(Properties& properties, Camera& camera) {
+  camera.near_clip = properties.number("near_clip").value_or(camera.near_clip);
+  camera.far_clip = properties.number("far_clip").value_or(camera.far_clip);
+  if (camera.near_clip < 0)
+    properties.diagnostics().error(properties.where("near_clip"), "near_clip is negative; it is a distance");
+  if (camera.far_clip <= camera.near_clip)
+    properties.diagnostics().error(properties.where(properties.has("far_clip") ? "far_clip" : "near_clip"),
+                                   "far_clip must be greater than near_clip");
+}
+
+/// The only object of a kind; further ones are reported.
+const XmlElement* first_object(Properties& properties, const std::string& tag) {
+  const std::vector<const XmlElement*> objects = properties.objects(tag);
+  for (std::size_t i = 1; i < objects.size(); ++i)
+    properties.diagnostics().error(objects[i]->where,
+                                   fmt::format("{} has more than one <{}>", properties.title(), tag));
+  return objects.empty() ? nullptr : objects.front();
+}
+
+}  // namespace
+
+void read_sensor(const XmlElement& element, SceneBuilder& builder) {
+  Properties properties(element, builder.ids, builder.diagnostics);
+  Camera camera;
+  camera.where = element.where;
+  const Projection* projection = find_plugin(projections(), properties.type());
+  if (projection != nullptr) camera.projection = *projection;
+  camera.world_from_camera = properties.transform("to_world").value_or(Transform{});
+  const bool may_have_fov = camera.projection == Projection::perspective;
+  if (may_have_fov) {
+    read_field_of_view(properties, camera);
+    camera.principal_point_offset_x = properties.number("principal_point_offset_x").value_or(0);
+    camera.principal_point_offset_y = properties.number("principal_point_offset_y").value_or(0);
+  }
+  read_clipping(properties, camera);
+  if (const XmlElement* film = first_object(properties, "film")) builder.scene.film = read_film(*film, builder);
+  if (const XmlElement* sampler = first_object(properties, "sampler"))
+    builder.scene.sampler = read_sampler(*sampler, builder);
+  properties.accept({"focus_distance", "shutter_open", "shutter_close"});
+  if (projection == nullptr) {
+    builder.diagnostics.unknown(
+        element.where, fmt::format("unknown sensor \"{}\"{}; a perspective camera takes its place", properties.type(),
+                                   did_you_mean_plugin(projections(), properties.type())));
+    properties.accept_all();
+  }
+  properties.report_unknown();
+  builder.scene.camera = camera;
+}
+
+}  // namespace strahl

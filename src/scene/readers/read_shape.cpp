@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+// What all shapes share: id, to_world, flip_normals, a bsdf, an area emitter.
+#include <fmt/format.h>
+
+#include "scene/readers/plugin_table.h"
+#include "scene/readers/read_material.h"
+#include "scene/readers/shape_reader.h"
+
+namespace strahl {
+
+namespace {
+
+const PluginTable<ShapeReader>& shape_readers() {
+  static const PluginTable<ShapeReader> table{
+#define SHAPE(type, reader) {#type, reader},
+#include "scene/readers/shapes.def"
+#undef SHAPE
+  };
+  return table;
+}
+
+void read_area_emitter(const XmlElement& element, Shape& shape, SceneBuilder& builder) {
+  Properties properties(element, builder.ids, builder.diagnostics);
+  if (properties.type() != "area") {
+    builder.diagnostics.unknown(
+        element.where, fmt::format("{} cannot be part of a shape{}; the shape does not emit", properties.title(),
+                                   did_you_mean(properties.type(), {"area"})));
+    return;
+  }
+  shape.radiance = properties.color("radiance", ColorUse::emission, {1, 1, 1}).value_or(Rgb{1, 1, 1});
+  shape.radiance_where = element.where;
+  properties.accept({"sampling_weight"});
+  properties.report_unknown();
+}
+
+/// The first of the objects; more are reported.
+const XmlElement* only_one(const std::vector<const XmlElement*>& objects, const Properties& properties) {
+  for (std::size_t i = 1; i < objects.size(); ++i) {
+    properties.diagnostics().error(objects[i]->where,
+                                   fmt::format("{} has more than one <{}>", properties.title(), objects[i]->tag));
+  }
+  return objects.empty() ? nullptr : objects.front();
+}
+
+}  // namespace
+
+void read_shape(const XmlElement& element, SceneBuilder& builder) {
+  Properties properties(element, builder.ids, builder.diagnostics);
+  const ShapeReader* read_geometry = find_plugin(shape_readers(), properties.type());
+  if (read_geometry == nullptr) {
+    builder.diagnostics.unknown(element.where, fmt::format("unknown shape \"{}\"{}; it is left out", properties.type(),
+                                                           did_you_mean_plugin(shape_readers(), properties.type())));
+    return;
+  }
+  Shape shape;
+  shape.id = properties.id();
+  shape.where = element.where;
+  shape.flip_normals = properties.boolean("flip_normals").value_or(false);
+  const XmlElement* bsdf = only_one(properties.objects("bsdf"), properties);
+  const XmlElement* emitter = only_one(properties.objects("emitter"), properties);
+  if (bsdf != nullptr) shape.material = material_index(*bsdf, builder);
+  if (emitter != nullptr) read_area_emitter(*emitter, shape, builder);
+  const Transform to_world = properties.transform("to_world").value_or(Transform{});
+  ShapeInput input{properties, to_world, shape, bsdf != nullptr, builder};
+  shape.geometry = (*read_geometry)(input);
+  properties.report_unknown();
+  builder.scene.shapes.push_back(std::move(shape));
+}
+
+}  // namespace strahl

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// <shape type="sphere">: center and radius in object space; to_world may turn, move, mirror and scale uniformly.
+#include "scene/readers/shape_reader.h"
+
+namespace strahl {
+
+Geometry read_sphere(ShapeInput& input) {
+  Sphere sphere;
+  sphere.center = input.world_from_object.point(input.properties.vector("center").value_or(Vec3{}));
+  sphere.radius = input.properties.positive("radius").value_or(1.0);
+  const Vec3 x = input.world_from_object.column(0), y = input.world_from_object.column(1),
+             z = input.world_from_object.column(2);
+  const bool is_round = are_equally_long(x, y) && are_equally_long(x, z) && are_perpendicular(x, y) &&
+                        are_perpendicular(y, z) && are_perpendicular(z, x);
+  if (!is_round) {
+    report_distortion(input, "a sphere can be rotated, moved and scaled uniformly only");
+    return sphere;
+  }
+  sphere.radius *= length(x);
+  const Vec3 frame_x = normalized(x);
+  const Vec3 normal = normalized(cross(frame_x, y));
+  const double handedness = input.world_from_object.determinant() < 0 ? -1 : 1;
+  sphere.frame = {frame_x, cross(normal, frame_x), handedness * normal};
+  return sphere;
+}
+
+}  // namespace strahl

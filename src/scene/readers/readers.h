@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// The readers of what is no shape and no material.
+#pragma once
+
+#include "scene/scene_builder.h"
+
+namespace strahl {
+
+/// An <emitter> outside shapes (lights.def); area emitters belong to shapes.
+void read_light(const XmlElement& element, SceneBuilder& builder);
+/// <sensor> with its film and sampler.
+void read_sensor(const XmlElement& element, SceneBuilder& builder);
+[[nodiscard]] Film read_film(const XmlElement& element, SceneBuilder& builder);
+[[nodiscard]] Filter read_filter(const XmlElement& element, SceneBuilder& builder);
+[[nodiscard]] SamplerSettings read_sampler(const XmlElement& element, SceneBuilder& builder);
+[[nodiscard]] IntegratorSettings read_integrator(const XmlElement& element, SceneBuilder& builder);
+
+}  // namespace strahl

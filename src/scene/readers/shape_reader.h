@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// What the reader of a shape's geometry gets and gives; one read_<shape>.cpp each, registered in shapes.def.
+#pragma once
+
+#include "scene/properties.h"
+#include "scene/scene.h"
+#include "scene/scene_builder.h"
+
+namespace strahl {
+
+struct ShapeInput {
+  Properties& properties;
+  Transform world_from_object;
+  Shape& shape;               ///< Material, radiance and flip_normals are set already; a reader may change them.
+  bool has_material = false;  ///< The shape has a <bsdf> of its own.
+  SceneBuilder& builder;
+};
+
+/// World-frame geometry. After an error (in the diagnostics) any geometry: the scene is not used then.
+using ShapeReader = Geometry (*)(ShapeInput&);
+
+#define SHAPE(type, reader) Geometry reader(ShapeInput& input);
+#include "scene/readers/shapes.def"
+#undef SHAPE
+
+/// One <shape>: geometry, material, emitter; appended to builder.scene.
+void read_shape(const XmlElement& element, SceneBuilder& builder);
+
+// ---- what a transform may do to shapes that have a radius ------------------------------------------------------
+
+/// Relative deviation from equal lengths and right angles up to which a transform counts as rotation and uniform
+/// scale. Files carry matrices with six decimals: entries are off by 5e-7, sums of three products by less than 1e-5.
+constexpr double shape_tolerance = 1e-5;
+
+/// Equal lengths, within shape_tolerance.
+[[nodiscard]] bool are_equally_long(const Vec3& a, const Vec3& b);
+/// A right angle, within shape_tolerance.
+[[nodiscard]] bool are_perpendicular(const Vec3& a, const Vec3& b);
+/// Reports that to_world would make something else of the shape.
+void report_distortion(const ShapeInput& input, const char* remedy);
+
+}  // namespace strahl

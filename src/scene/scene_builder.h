@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// What the readers of one scene file share: the scene being built, the ids, the problems found.
+#pragma once
+
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "scene/diagnostics.h"
+#include "scene/element_ids.h"
+#include "scene/scene.h"
+#include "scene/xml_element.h"
+
+namespace strahl {
+
+struct SceneBuilder {
+  Scene scene;
+  std::string file;  ///< The main scene file.
+  const ElementIds& ids;
+  Diagnostics& diagnostics;
+
+  // read_material.cpp: a bsdf that several shapes refer to is read once.
+  std::map<const XmlElement*, Material> materials;
+  std::map<const XmlElement*, int> material_indices;
+  std::set<const XmlElement*> materials_being_read;
+};
+
+/// Reads all that a checked <scene> holds into builder.scene.
+void read_scene(const XmlElement& root, SceneBuilder& builder);
+
+}  // namespace strahl

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+// Invariants of a scene beside those of its shapes' geometry (validate_geometry.cpp).
+#include "scene/validate.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "scene/validate_geometry.h"
+#include "scene/xml_transform.h"
+
+namespace strahl {
+
+namespace {
+
+constexpr int largest_size = 65536;
+
+class Checker {
+ public:
+  explicit Checker(std::vector<Diagnostic>& found) : found_(found) {}
+  void at(const SourceLocation& where) { where_ = where; }
+  void require(bool holds, const std::string& message) {
+    if (!holds) found_.push_back({Severity::error, where_, message});
+  }
+  void require_light(const Rgb& c, const char* what) {
+    require(std::isfinite(c.r) && std::isfinite(c.g) && std::isfinite(c.b) && c.r >= 0 && c.g >= 0 && c.b >= 0,
+            fmt::format("the {} must be finite and not negative", what));
+  }
+
+ private:
+  std::vector<Diagnostic>& found_;
+  SourceLocation where_;
+};
+
+bool is_index(int index, std::size_t size) { return index >= 0 && static_cast<std::size_t>(index) < size; }
+
+void check_shape(const Shape& shape, const Scene& scene, Checker& check, std::vector<Diagnostic>& found) {
+  check.at(shape.where);
+  check.require(is_index(shape.material, scene.materials.size()),
+                fmt::format("material {} does not exist; there are {}", shape.material, scene.materials.size()));
+  for (const std::string& fault : geometry_faults(shape.geometry))
+    found.push_back({Severity::error, shape.where, fault});
+  if (const Mesh* mesh = std::get_if<Mesh>(&shape.geometry)) {
+    for (const MeshPart& part : mesh->parts) {
+      check.require(is_index(part.material, scene.materials.size()),
+                    fmt::format("material {} of a mesh part does not exist", part.material));
+      if (part.radiance) check.require_light(*part.radiance, "radiance of a mesh part");
+    }
+  }
+  if (!shape.radiance) return;
+  if (!shape.radiance_where.file.empty()) check.at(shape.radiance_where);
+  check.require_light(*shape.radiance, "radiance");
+}
+
+void check_material(const Material& material, Checker& check) {
+  check.at(material.where);
+  const Rgb& rho = std::get<Diffuse>(material.bsdf).reflectance;
+  const auto inside = [](double x) { return x >= 0 && x <= 1; };
+  check.require(inside(rho.r) && inside(rho.g) && inside(rho.b), "the reflectance must lie in [0, 1]");
+}
+
+void check_light(const Light& light, Checker& check) {
+  check.at(light.where);
+  if (const auto* point = std::get_if<PointLight>(&light.emitter)) {
+    check.require(is_finite(point->position), "the position must be finite");
+    check.require_light(point->intensity, "intensity");
+  } else if (const auto* directional = std::get_if<DirectionalLight>(&light.emitter)) {
+    check.require(is_finite(directional->direction) && directional->direction != Vec3{},
+                  "the direction must be finite and not zero");
+    check.require_light(directional->irradiance, "irradiance");
+  } else {
+    check.require_light(std::get<ConstantLight>(light.emitter).radiance, "radiance");
+  }
+}
+
+void check_camera(const Camera& camera, Checker& check) {
+  check.at(camera.where);
+  const Transform& t = camera.world_from_camera;
+  const bool finite =
+      is_finite(t.column(0)) && is_finite(t.column(1)) && is_finite(t.column(2)) && is_finite(t.translation());
+  check.require(finite && !is_singular(t), "the camera's transform must be finite and not singular");
+  check.require(camera.fov_degrees > 0 && camera.fov_degrees < 180, "fov must lie between 0 and 180 degrees");
+  check.require(std::isfinite(camera.principal_point_offset_x) && std::isfinite(camera.principal_point_offset_y),
+                "the principal point offset must be finite");
+  check.require(camera.near_clip >= 0 && camera.far_clip > camera.near_clip, "0 <= near_clip < far_clip must hold");
+}
+
+void check_film(const Film& film, Checker& check) {
+  check.at(film.where);
+  const auto is_size = [](int size) { return size >= 1 && size <= largest_size; };
+  check.require(is_size(film.width) && is_size(film.height),
+                fmt::format("the film is {} x {}; sizes lie in [1, {}]", film.width, film.height, largest_size));
+  const Window w = film.window();
+  check.require(w.x0 >= 0 && w.y0 >= 0 && w.x0 < w.x1 && w.y0 < w.y1 && w.x1 <= film.width && w.y1 <= film.height,
+                "the crop window must hold a pixel and lie inside the picture");
+  check.require(std::isfinite(film.filter.radius) && film.filter.radius >= 0,
+                "the filter's radius must not be negative");
+  check.require(std::isfinite(film.filter.stddev) && film.filter.stddev > 0,
+                "the filter's stddev must be greater than 0");
+}
+
+}  // namespace
+
+std::vector<Diagnostic> validate(const Scene& scene) {
+  std::vector<Diagnostic> found;
+  Checker check(found);
+  for (const Shape& shape : scene.shapes) check_shape(shape, scene, check, found);
+  check.at({});
+  check.require(!scene.materials.empty(), "materials[0], the default, is missing");
+  for (const Material& material : scene.materials) check_material(material, check);
+  int constants = 0;
+  for (const Light& light : scene.lights) {
+    check_light(light, check);
+    constants += std::holds_alternative<ConstantLight>(light.emitter) ? 1 : 0;
+    check.require(constants <= 1 || !std::holds_alternative<ConstantLight>(light.emitter),
+                  "a scene has one constant emitter at most");
+  }
+  check_camera(scene.camera, check);
+  check_film(scene.film, check);
+  check.at(scene.sampler.where);
+  check.require(scene.sampler.sample_count.value_or(1) >= 1, "sample_count must be at least 1");
+  check.at(scene.integrator.where);
+  check.require(!scene.integrator.name.empty(), "the integrator has no name");
+  check.require(scene.integrator.max_depth >= -1, "max_depth must be -1 (no limit) or more");
+  return found;
+}
+
+}  // namespace strahl

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: MIT
+// Rotations by Rodrigues' formula, exact for multiples of 90 degrees around a coordinate axis.
+#include "scene/xml_transform.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "scene/parse_value.h"
+
+namespace strahl {
+
+namespace {
+
+// A cross product or determinant of unit vectors carries a few roundings of 2^-53 each; 16 of them decide nothing.
+constexpr double rounding = 16 * 0x1p-53;
+
+using Step = std::optional<Transform> (*)(const XmlElement&, Diagnostics&);
+
+bool is_finite(const Transform& t) {
+  return strahl::is_finite(t.column(0)) && strahl::is_finite(t.column(1)) && strahl::is_finite(t.column(2)) &&
+         strahl::is_finite(t.translation());
+}
+
+std::optional<double> finite_number(const XmlElement& element, const std::string& text, Diagnostics& diagnostics) {
+  const std::optional<double> number = parse_number(text);
+  if (number && std::isfinite(*number)) return number;
+  diagnostics.error(element.where,
+                    fmt::format("\"{}\" in <{}> is not {}", text, element.tag, number ? "finite" : "a number"));
+  return std::nullopt;
+}
+
+std::optional<Vec3> listed(const XmlElement& element, const std::string& text, bool broadcast,
+                           Diagnostics& diagnostics) {
+  const std::vector<std::string> words = split_list(text);
+  if (words.size() != 3 && !(broadcast && words.size() == 1)) {
+    diagnostics.error(element.where, fmt::format("\"{}\" in <{}> has {} components; three are needed", text,
+                                                 element.tag, words.size()));
+    return std::nullopt;
+  }
+  const auto x = finite_number(element, words[0], diagnostics);
+  const auto y = words.size() == 3 ? finite_number(element, words[1], diagnostics) : x;
+  const auto z = words.size() == 3 ? finite_number(element, words[2], diagnostics) : x;
+  return x && y && z ? std::optional(Vec3{*x, *y, *z}) : std::nullopt;
+}
+
+/// Sine and cosine; quarter turns come out exact, so that a scene turned by 90 degrees stays axis-aligned.
+std::pair<double, double> sin_cos_degrees(double degrees) {
+  const double turn = std::remainder(degrees, 360.0);
+  const double quarter = std::nearbyint(turn / 90.0);
+  const double rest = (turn - 90.0 * quarter) * (std::numbers::pi / 180.0);
+  const double s = std::sin(rest), c = std::cos(rest);
+  switch ((static_cast<int>(quarter) % 4 + 4) % 4) {
+    case 0:
+      return {s, c};
+    case 1:
+      return {c, -s};
+    case 2:
+      return {-s, -c};
+    default:
+      return {-c, s};
+  }
+}
+
+std::optional<Transform> read_translate(const XmlElement& element, Diagnostics& diagnostics) {
+  const std::optional<Vec3> t = read_components(element, 0, diagnostics);
+  if (!t) return std::nullopt;
+  return Transform{{{{1, 0, 0, t->x}, {0, 1, 0, t->y}, {0, 0, 1, t->z}}}};
+}
+
+std::optional<Transform> read_scale(const XmlElement& element, Diagnostics& diagnostics) {
+  const std::optional<Vec3> s = read_components(element, 1, diagnostics);
+  if (!s) return std::nullopt;
+  if (s->x == 0 || s->y == 0 || s->z == 0) {
+    diagnostics.error(element.where, "a scale of 0 is singular; every factor must differ from 0");
+    return std::nullopt;
+  }
+  return Transform{{{{s->x, 0, 0, 0}, {0, s->y, 0, 0}, {0, 0, s->z, 0}}}};
+}
+
+std::optional<Transform> read_rotate(const XmlElement& element, Diagnostics& diagnostics) {
+  const std::optional<Vec3> axis = read_components(element, 0, diagnostics);
+  const std::optional<double> angle = finite_number(element, element.text("angle"), diagnostics);
+  if (!axis || !angle) return std::nullopt;
+  if (*axis == Vec3{}) {
+    diagnostics.error(element.where, "<rotate> needs an axis, for example y=\"1\"");
+    return std::nullopt;
+  }
+  return rotation(*axis, *angle);
+}
+
+std::optional<Transform> read_lookat(const XmlElement& element, Diagnostics& diagnostics) {
+  const auto origin = listed(element, element.text("origin"), false, diagnostics);
+  const auto target = listed(element, element.text("target"), false, diagnostics);
+  const bool has_up = element.attribute("up") != nullptr;
+  auto up = has_up ? listed(element, element.text("up"), false, diagnostics) : Vec3{};
+  if (!origin || !target || !up) return std::nullopt;
+  if (*origin == *target) {
+    diagnostics.error(element.where, "degenerate lookat: origin and target are the same point");
+    return std::nullopt;
+  }
+  if (!has_up) up = orthonormal_basis(normalized(*target - *origin))[0];
+  const std::optional<Transform> view = look_at(*origin, *target, *up);
+  if (!view) diagnostics.error(element.where, "degenerate lookat: up is zero or parallel to the view direction");
+  return view;
+}
+
+std::optional<Transform> read_matrix(const XmlElement& element, Diagnostics& diagnostics) {
+  const std::vector<std::string> words = split_list(element.text("value"));
+  if (words.size() != 9 && words.size() != 16) {
+    diagnostics.error(element.where, fmt::format("<matrix> has {} values; 9 or 16 are needed", words.size()));
+    return std::nullopt;
+  }
+  const std::size_t columns = words.size() == 9 ? 3 : 4;
+  Transform transform;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const std::optional<double> number = finite_number(element, words[i], diagnostics);
+    if (!number) return std::nullopt;
+    if (i < 3 * columns) {
+      transform.m[i / columns][i % columns] = *number;
+    } else if (*number != (i == 15 ? 1.0 : 0.0)) {
+      diagnostics.error(element.where, "the last row of a <matrix> must be 0 0 0 1");
+      return std::nullopt;
+    }
+  }
+  if (!is_singular(transform)) return transform;
+  diagnostics.error(element.where, "the <matrix> is singular");
+  return std::nullopt;
+}
+
+Step step_of(const std::string& tag) {
+  if (tag == "translate") return read_translate;
+  if (tag == "scale") return read_scale;
+  if (tag == "rotate") return read_rotate;
+  if (tag == "lookat") return read_lookat;
+  return tag == "matrix" ? read_matrix : nullptr;
+}
+
+}  // namespace
+
+std::optional<Vec3> read_components(const XmlElement& element, double missing, Diagnostics& diagnostics) {
+  const std::string* value = element.attribute("value");
+  const std::string* given[] = {element.attribute("x"), element.attribute("y"), element.attribute("z")};
+  const bool any = given[0] != nullptr || given[1] != nullptr || given[2] != nullptr;
+  if (any == (value != nullptr)) {
+    diagnostics.error(element.where, fmt::format("<{}> needs either value or x, y, z", element.tag));
+    return std::nullopt;
+  }
+  if (value != nullptr) return listed(element, *value, true, diagnostics);
+  double components[3];
+  bool ok = true;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto number = given[i] != nullptr ? finite_number(element, *given[i], diagnostics) : missing;
+    ok = ok && number.has_value();
+    components[i] = number.value_or(missing);
+  }
+  return ok ? std::optional(Vec3{components[0], components[1], components[2]}) : std::nullopt;
+}
+
+std::optional<Transform> read_transform(const XmlElement& element, Diagnostics& diagnostics) {
+  Transform transform;
+  bool ok = true;
+  for (const XmlElement& child : element.children) {
+    const Step step = step_of(child.tag);
+    if (step == nullptr) {
+      diagnostics.error(child.where, fmt::format("<{}> is not a step of a <transform>", child.tag));
+      ok = false;
+      continue;
+    }
+    const std::optional<Transform> next = step(child, diagnostics);
+    ok = ok && next.has_value();
+    if (next) transform = *next * transform;
+  }
+  if (ok && (!is_finite(transform) || is_singular(transform))) {
+    diagnostics.error(element.where, "the composed transform leaves the range of double");
+    ok = false;
+  }
+  return ok ? std::optional(transform) : std::nullopt;
+}
+
+Transform rotation(const Vec3& axis, double degrees) {
+  const auto [s, c] = sin_cos_degrees(degrees);
+  const Vec3 a = normalized(axis);
+  const double k = 1 - c;
+  return Transform{{{{c + a.x * a.x * k, a.x * a.y * k - a.z * s, a.x * a.z * k + a.y * s, 0},
+                     {a.y * a.x * k + a.z * s, c + a.y * a.y * k, a.y * a.z * k - a.x * s, 0},
+                     {a.z * a.x * k - a.y * s, a.z * a.y * k + a.x * s, c + a.z * a.z * k, 0}}}};
+}
+
+std::optional<Transform> look_at(const Vec3& origin, const Vec3& target, const Vec3& up) {
+  if (origin == target || up == Vec3{} || !is_finite(target - origin)) return std::nullopt;
+  const Vec3 forward = normalized(target - origin);
+  const Vec3 side = cross(normalized(up), forward);
+  if (length(side) <= rounding) return std::nullopt;
+  const Vec3 left = normalized(side);
+  const Vec3 upward = cross(forward, left);
+  return Transform{{{{left.x, upward.x, forward.x, origin.x},
+                     {left.y, upward.y, forward.y, origin.y},
+                     {left.z, upward.z, forward.z, origin.z}}}};
+}
+
+bool is_singular(const Transform& transform) {
+  for (int i = 0; i < 3; ++i)
+    if (transform.column(i) == Vec3{}) return true;
+  const Vec3 x = normalized(transform.column(0)), y = normalized(transform.column(1));
+  return std::abs(dot(cross(x, y), normalized(transform.column(2)))) <= rounding;
+}
+
+}  // namespace strahl

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// Scenes of Mitsuba 0.x in the names of Mitsuba 3.
+#pragma once
+
+#include <string>
+
+#include "scene/diagnostics.h"
+#include "scene/xml_element.h"
+
+namespace strahl {
+
+/// "toWorld" -> "to_world", "cropOffsetX" -> "crop_offset_x"; other names stay.
+[[nodiscard]] std::string snake_case(const std::string& name);
+
+/// Reads the root's version and, below 2, renames all camelCase parameters and <lookAt> in place.
+void upgrade_to_version_3(XmlElement& root, Diagnostics& diagnostics);
+
+}  // namespace strahl

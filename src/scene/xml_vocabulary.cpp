@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+// One table; the language is Mitsuba 3's, with <srgb> of 0.x.
+#include "scene/xml_vocabulary.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "scene/did_you_mean.h"
+
+namespace strahl {
+
+namespace {
+
+struct Tag {
+  std::string name;
+  std::vector<std::string> required;
+  std::vector<std::string> optional;
+  bool has_children = false;
+};
+
+const std::vector<Tag>& vocabulary() {
+  static const std::vector<Tag> tags = [] {
+    std::vector<Tag> all{
+        {"scene", {}, {"version", "type", "id"}, true},
+        {"ref", {"id"}, {"name"}},
+        {"alias", {"id", "as"}, {}},
+        {"transform", {"name"}, {}, true},
+        {"translate", {}, {"x", "y", "z", "value"}},
+        {"scale", {}, {"x", "y", "z", "value"}},
+        {"rotate", {"angle"}, {"x", "y", "z", "value"}},
+        {"lookat", {"origin", "target"}, {"up"}},
+        {"matrix", {"value"}, {}},
+        {"point", {"name"}, {"x", "y", "z", "value"}},
+        {"vector", {"name"}, {"x", "y", "z", "value"}},
+        {"spectrum", {}, {"name", "value", "filename", "type", "id"}, true},
+        {"blackbody", {}, {"name", "temperature", "scale"}},
+    };
+    for (const char* value : {"float", "integer", "boolean", "string", "rgb", "srgb"})
+      all.push_back({value, {"name", "value"}, {}});
+    for (const char* object : {"integrator", "sensor", "film", "rfilter", "sampler", "bsdf", "shape", "emitter",
+                               "texture", "medium", "phase", "volume"})
+      all.push_back({object, {"type"}, {"id", "name"}, true});
+    return all;
+  }();
+  return tags;
+}
+
+const Tag* find_tag(const std::string& name) {
+  const auto& tags = vocabulary();
+  const auto found = std::find_if(tags.begin(), tags.end(), [&](const Tag& tag) { return tag.name == name; });
+  return found == tags.end() ? nullptr : &*found;
+}
+
+std::string unknown_tag(const std::string& name) {
+  std::vector<std::string> known;
+  for (const Tag& tag : vocabulary()) known.push_back(tag.name);
+  return fmt::format("unknown element <{}>{}; it is ignored", name, did_you_mean(name, known));
+}
+
+void check_attributes(const XmlElement& element, const Tag& tag, Diagnostics& diagnostics) {
+  std::vector<std::string> known = tag.required;
+  known.insert(known.end(), tag.optional.begin(), tag.optional.end());
+  for (const auto& [key, value] : element.attributes) {
+    if (std::find(known.begin(), known.end(), key) != known.end()) continue;
+    diagnostics.unknown(element.where, fmt::format("unknown attribute \"{}\" of <{}>{}; it is ignored", key,
+                                                   element.tag, did_you_mean(key, known)));
+  }
+}
+
+bool has_required(const XmlElement& element, const Tag& tag, Diagnostics& diagnostics) {
+  bool complete = true;
+  for (const std::string& name : tag.required) {
+    if (element.attribute(name) != nullptr) continue;
+    diagnostics.error(element.where, fmt::format("<{}> needs the attribute {}", element.tag, name));
+    complete = false;
+  }
+  return complete;
+}
+
+/// False: the element is to be removed.
+bool check(XmlElement& element, Diagnostics& diagnostics) {
+  const Tag* tag = find_tag(element.tag);
+  if (tag == nullptr) {
+    diagnostics.unknown(element.where, unknown_tag(element.tag));
+    return false;
+  }
+  check_attributes(element, *tag, diagnostics);
+  if (!has_required(element, *tag, diagnostics)) return false;
+  if (!tag->has_children && !element.children.empty()) {
+    diagnostics.unknown(element.children.front().where,
+                        fmt::format("<{}> cannot contain other elements; they are ignored", element.tag));
+    element.children.clear();
+  }
+  std::erase_if(element.children, [&](XmlElement& child) {
+    if (child.tag != "scene") return !check(child, diagnostics);
+    diagnostics.error(child.where, "<scene> can only be the root");
+    return true;
+  });
+  return true;
+}
+
+}  // namespace
+
+void check_vocabulary(XmlElement& root, Diagnostics& diagnostics) {
+  if (root.tag != "scene") {
+    diagnostics.error(root.where,
+                      fmt::format("the root is <{}>; a scene begins with <scene version=\"3.0.0\">", root.tag));
+    root.children.clear();
+    return;
+  }
+  check(root, diagnostics);
+}
+
+bool is_object_tag(const std::string& tag) {
+  const Tag* known = find_tag(tag);
+  return known != nullptr && !known->required.empty() && known->required.front() == "type";
+}
+
+}  // namespace strahl

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// The elements of the scene language and the attributes that each may and must have.
+#pragma once
+
+#include "scene/diagnostics.h"
+#include "scene/xml_element.h"
+
+namespace strahl {
+
+/// Reports unknown elements and attributes and missing attributes in the whole tree, and removes the elements that
+/// cannot be used, so that readers meet only well-formed ones.
+void check_vocabulary(XmlElement& root, Diagnostics& diagnostics);
+
+/// True for elements that stand for a plugin or a set of properties ("shape"), false for values ("float").
+[[nodiscard]] bool is_object_tag(const std::string& tag);
+
+}  // namespace strahl
