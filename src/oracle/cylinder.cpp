@@ -18,7 +18,7 @@ QuadricAnswer solve(const Ray& ray, const Cylinder& shape) {
 
   QuadricAnswer answer;
   answer.discriminant_sign = sign(roots.discriminant);
-  answer.margin = to_double(N(roots.discriminant / (a * limit)));
+  answer.margin = ratio(roots.discriminant, N(a * limit));
   if (answer.discriminant_sign < 0) return answer;
 
   // Place along the axis times a v.v at t = (-b +- sqrt(D)) / a, which is base +- slope sqrt(D).
@@ -30,9 +30,9 @@ QuadricAnswer solve(const Ray& ray, const Cylinder& shape) {
     answer.root[i] = root_value(roots, root);
     answer.on_shape[i] = sign_with_root(base, signed_slope, roots.discriminant) >= 0 &&
                          sign_with_root(N(base - length), signed_slope, roots.discriminant) <= 0;
-    const double place =
-        to_double(N(base / length)) + to_double(N(signed_slope / length)) * std::sqrt(to_double(roots.discriminant));
-    margin = std::fmin(margin, std::fmin(std::fabs(place), std::fabs(1 - place)));
+    const N t = N(answer.root[i].value) + N(answer.root[i].rest);
+    const N place = dot(f, v) + t * slope;
+    margin = std::fmin(margin, std::fmin(std::fabs(ratio(place, v2)), std::fabs(ratio(N(v2 - place), v2))));
     if (!answer.on_shape[i]) continue;
     answer.range_margin = std::fmin(answer.range_margin, range_gap(ray, answer.root[i]));
     if (answer.hit || !in_range(ray, roots, root)) continue;

@@ -16,7 +16,7 @@ Answer solve(const Ray& ray, const Disk& shape) {
   const N limit = r * r * descent * descent, slack = limit - dot(scaled_offset, scaled_offset);
 
   Answer answer;
-  answer.margin = to_double(N(slack / limit));
+  answer.margin = ratio(slack, limit);
   const N t = -height / descent;
   answer.t = to_exact(t);
   answer.range_margin = range_gap(ray, answer.t);

@@ -59,6 +59,10 @@ class Filtered {
     return a.value_ > 0 ? 1 : -1;
   }
   friend double to_double(const Filtered& a) { return static_cast<double>(a.value_); }
+  /// a / b rounded, where the two alone might leave the range of double; b is not 0.
+  friend double ratio(const Filtered& a, const Filtered& b) {
+    return static_cast<double>(static_cast<long double>(a.value_) / static_cast<long double>(b.value_));
+  }
   friend Exact to_exact(const Filtered& a) {
     if (a.is_exact_zero()) return {};
     if (!(a.error_ <= magnitude(a) * 0x1p-81L)) throw Uncertain{};

@@ -15,6 +15,7 @@ namespace strahl::oracle {
 
 inline int sign(const mpq_class& a) { return sgn(a); }
 inline double to_double(const mpq_class& a) { return a.get_d(); }
+inline double ratio(const mpq_class& a, const mpq_class& b) { return mpq_class(a / b).get_d(); }
 [[nodiscard]] Exact to_exact(const mpq_class& a);
 
 /// Runs body.operator()<Filtered>(), and body.operator()<mpq_class>() where the filter gives up or is not wanted.
@@ -49,6 +50,12 @@ N dot(const Vector<N>& a, const Vector<N>& b) {
 template <class N>
 Vector<N> cross(const Vector<N>& a, const Vector<N>& b) {
   return {N(a.y * b.z - a.z * b.y), N(a.z * b.x - a.x * b.z), N(a.x * b.y - a.y * b.x)};
+}
+
+/// |v| rounded, for margins only.
+template <class N>
+double length(const Vector<N>& v) {
+  return std::hypot(to_double(v.x), to_double(v.y), to_double(v.z));
 }
 
 inline bool is_zero(const Vec3& v) { return v.x == 0 && v.y == 0 && v.z == 0; }

@@ -25,7 +25,7 @@ PlanarSolution<N> solve_planar(const Ray& ray, const Vector<N>& corner, const Ve
   const int orientation = sign(descent);
   if (orientation == 0) return {N(0), N(0), N(0), N(0), 0};
   const N flip(orientation);
-  const double cosine = std::sqrt(to_double(N(descent * descent / (dot(normal, normal) * dot(d, d)))));
+  const double cosine = ratio(N(flip * descent), N(length(normal) * length(d)));
   return {N(flip * descent), N(-flip * dot(normal, f)), N(flip * dot(f, cross(edge_v, d))),
           N(flip * dot(f, cross(d, edge_u))), cosine};
 }
@@ -44,8 +44,8 @@ PlanarAnswer planar_answer(const Ray& ray, const PlanarSolution<N>& s, std::init
   const Vector<N> o(ray.origin), d(ray.direction);
   answer.is_parallel = false;
   answer.cosine = s.cosine;
-  answer.u = to_double(N(s.u / s.denominator));
-  answer.v = to_double(N(s.v / s.denominator));
+  answer.u = ratio(s.u, s.denominator);
+  answer.v = ratio(s.v, s.denominator);
   answer.margin = INFINITY;
   int zeros = 0;
   bool is_inside = true;
@@ -55,11 +55,12 @@ PlanarAnswer planar_answer(const Ray& ray, const PlanarSolution<N>& s, std::init
     answer.edge_sign[i++] = side;
     zeros += side == 0;
     is_inside = is_inside && side >= 0;
-    const Vector<N> a = edge.from - o, b = edge.to - o;
-    // Square roots one by one: the product of the three squares may leave the range of double.
-    const double scale =
-        std::sqrt(to_double(dot(a, a))) * std::sqrt(to_double(dot(b, b))) * std::sqrt(to_double(dot(d, d)));
-    answer.margin = std::fmin(answer.margin, side == 0 ? 0 : to_double(edge.inside) / scale);
+    if (side == 0) {
+      answer.margin = std::fmin(answer.margin, 0);
+      continue;
+    }
+    const N scale = N(length(edge.from - o)) * N(length(edge.to - o)) * N(length(d));
+    answer.margin = std::fmin(answer.margin, ratio(edge.inside, scale));
   }
   answer.on_edge = is_inside && zeros > 0;
   answer.on_vertex = is_inside && zeros > 1;

@@ -11,7 +11,7 @@ Answer solve(const Ray& ray, const Plane& shape) {
   Answer answer;
   answer.margin = 0;
   if (sign(descent) == 0) return answer;
-  answer.margin = std::sqrt(to_double(N(descent * descent / (dot(n, n) * dot(d, d)))));
+  answer.margin = std::sqrt(ratio(N(descent * descent), N(dot(n, n) * dot(d, d))));
   const N t = dot(n, Vector<N>(shape.point) - Vector<N>(ray.origin)) / descent;
   answer.hit = in_range(ray, t);
   answer.t = to_exact(t);

@@ -29,7 +29,10 @@ class Random {
   /// 1 or -1.
   [[nodiscard]] int sign() { return bits() >> 63 ? 1 : -1; }
   /// 10^x with x even in [low, high], either sign.
-  [[nodiscard]] double log_uniform(double low, double high) { return sign() * std::pow(10.0, uniform(low, high)); }
+  [[nodiscard]] double log_uniform(double low, double high) {
+    const double magnitude = std::pow(10.0, uniform(low, high));
+    return sign() * magnitude;
+  }
 
  private:
   std::uint64_t state_;

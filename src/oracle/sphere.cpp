@@ -14,7 +14,7 @@ QuadricAnswer solve(const Ray& ray, const Sphere& shape) {
 
   QuadricAnswer answer;
   answer.discriminant_sign = sign(roots.discriminant);
-  answer.margin = to_double(N(roots.discriminant / ar2));
+  answer.margin = ratio(roots.discriminant, ar2);
   if (answer.discriminant_sign < 0) return answer;
   answer.root = {root_value(roots, Root::near), root_value(roots, Root::far)};
   answer.on_shape = {true, true};
