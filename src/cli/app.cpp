@@ -10,7 +10,7 @@
 #include <sstream>
 
 #include "cli/console.h"
-#include "cli/suggestion.h"
+#include "scene/did_you_mean.h"
 
 namespace strahl::cli {
 namespace {
@@ -43,7 +43,7 @@ void insert_default_command(std::vector<std::string>& arguments, const std::vect
       first.find_first_of("./") != std::string::npos || std::filesystem::exists(first, ignored);
   if (!first.starts_with('-') && !looks_like_a_file)
     throw UsageError(fmt::format("\"{}\" is neither a command nor a file{}; commands: {}", first,
-                                 suggestion(first, commands), fmt::join(commands, ", ")));
+                                 did_you_mean(first, commands), fmt::join(commands, ", ")));
   arguments.insert(arguments.begin(), "render");
 }
 
@@ -58,7 +58,7 @@ UsageError usage_error(const CLI::ParseError& error, const CLI::App& app) {
       for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
     for (const std::string& extra : command.remaining()) {
       const std::string name = extra.substr(0, extra.find('='));
-      if (name.starts_with("--")) hint += suggestion(name, known);
+      if (name.starts_with("--")) hint += did_you_mean(name, known);
     }
   }
   return UsageError(fmt::format("{}{}\nstrahl: `strahl {}--help` shows what is possible", error.what(), hint,

@@ -8,7 +8,6 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <utility>
 
 namespace strahl::cli {
 namespace {
@@ -26,17 +25,8 @@ Image rgb_like(const Image& image) {
   return rgb;
 }
 
-/// Least and largest finite value of a channel; least > largest where there is none.
-std::pair<float, float> range(const Image& image, std::size_t channel) {
-  float least = std::numeric_limits<float>::infinity();
-  float largest = -least;
-  for (std::size_t i = channel; i < image.data.size(); i += image.channels.size()) {
-    if (!std::isfinite(image.data[i])) continue;
-    least = std::min(least, image.data[i]);
-    largest = std::max(largest, image.data[i]);
-  }
-  return {least, largest};
-}
+/// Normals and positions of pixels where nothing was hit are zero; a hit at the very origin is taken for one.
+bool is_zero(const float* v) { return v[0] == 0 && v[1] == 0 && v[2] == 0; }
 
 Image scaled_depth(const Image& layer, const std::string& name) {
   Image depth = layer;
@@ -47,14 +37,21 @@ Image scaled_depth(const Image& layer, const std::string& name) {
 
 Image scaled_positions(const Image& layer, const std::string& name) {
   Image rgb = rgb_like(layer);
-  for (std::size_t c = 0; c < std::min<std::size_t>(3, layer.channels.size()); ++c) {
-    const auto [least, largest] = range(layer, c);
+  for (std::size_t c = 0; c < 3; ++c) {
+    float least = std::numeric_limits<float>::infinity();
+    float largest = -least;
+    for (std::size_t p = 0; p < pixel_count(layer); ++p) {
+      const float value = layer.data[p * 3 + c];
+      if (is_zero(&layer.data[p * 3]) || !std::isfinite(value)) continue;
+      least = std::min(least, value);
+      largest = std::max(largest, value);
+    }
     if (least > largest) continue;
     rgb.metadata[fmt::format("{}.{}.range", name, "XYZ"[c])] = fmt::format("{} {}", least, largest);
     const float extent = largest > least ? largest - least : 1.0F;
     for (std::size_t p = 0; p < pixel_count(layer); ++p) {
-      const float value = layer.data[p * layer.channels.size() + c];
-      if (std::isfinite(value)) rgb.data[p * 3 + c] = (value - least) / extent;
+      const float value = layer.data[p * 3 + c];
+      if (!is_zero(&layer.data[p * 3]) && std::isfinite(value)) rgb.data[p * 3 + c] = (value - least) / extent;
     }
   }
   return rgb;
@@ -62,11 +59,9 @@ Image scaled_positions(const Image& layer, const std::string& name) {
 
 Image normals_as_colors(const Image& layer) {
   Image rgb = rgb_like(layer);
-  const std::size_t stride = layer.channels.size();
   for (std::size_t p = 0; p < pixel_count(layer); ++p) {
-    const float* n = &layer.data[p * stride];
-    const bool missed = n[0] == 0 && n[1] == 0 && n[2] == 0;
-    for (std::size_t c = 0; c < 3 && !missed; ++c) rgb.data[p * 3 + c] = 0.5F + 0.5F * n[c];
+    const float* n = &layer.data[p * 3];
+    for (std::size_t c = 0; c < 3 && !is_zero(n); ++c) rgb.data[p * 3 + c] = 0.5F + 0.5F * n[c];
   }
   return rgb;
 }
@@ -139,7 +134,8 @@ Image plain(const Image& layer) {
 
 double scale_to_largest(Image& image, const std::string& key) {
   float largest = 0;
-  for (std::size_t c = 0; c < image.channels.size(); ++c) largest = std::max(largest, range(image, c).second);
+  for (const float value : image.data)
+    if (std::isfinite(value)) largest = std::max(largest, value);
   for (float& value : image.data) {
     if (!std::isfinite(value))
       value = 0;

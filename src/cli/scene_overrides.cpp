@@ -10,8 +10,9 @@
 #include <limits>
 #include <vector>
 
-#include "cli/suggestion.h"
 #include "device/kernel_source.h"
+#include "render/sampling.h"
+#include "scene/did_you_mean.h"
 
 namespace strahl::cli {
 namespace {
@@ -88,7 +89,7 @@ void add_scene_overrides(CLI::App& app, SceneOverrides& overrides) {
       ->group(group);
   app.add_option("--spp", overrides.spp, "Samples per pixel")
       ->type_name("N")
-      ->check(CLI::Range(1, std::numeric_limits<int>::max()))
+      ->check(CLI::Range(1, max_spp))
       ->group(group);
   app.add_option("--seed", overrides.seed, "Another seed gives other noise, the same one the same picture")
       ->type_name("N")
@@ -121,7 +122,7 @@ void apply(const SceneOverrides& overrides, Scene& scene) {
     const std::vector<std::string> known = list_entries("integrators");
     if (std::find(known.begin(), known.end(), *overrides.integrator) == known.end())
       throw UsageError(fmt::format("unknown integrator \"{}\"{}; known: {}", *overrides.integrator,
-                                   suggestion(*overrides.integrator, known), fmt::join(known, ", ")));
+                                   did_you_mean(*overrides.integrator, known), fmt::join(known, ", ")));
     scene.integrator.name = *overrides.integrator;
   }
   if (overrides.max_depth) scene.integrator.max_depth = *overrides.max_depth;

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+// `strahl explain`: which effects are on, why and where, and the program's name.
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include "cli/program.h"
+#include "device/kernel_source.h"
+
+using namespace strahl_test;
+using Json = nlohmann::json;
+
+namespace {
+
+Json explain(const Folder& folder, const std::vector<std::string>& more) {
+  std::vector<std::string> arguments{"explain", folder.file("scene.xml", kGlowingSphere), "--json", "--lanes", "8"};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  const Outcome outcome = folder.run(arguments);
+  INFO(outcome.err);
+  REQUIRE(outcome.code == 0);
+  return Json::parse(outcome.out);
+}
+
+Json feature(const Json& report, const std::string& name) {
+  for (const Json& entry : report.at("features"))
+    if (entry.at("name") == name) return entry;
+  FAIL("no feature " << name);
+  return {};
+}
+
+}  // namespace
+
+TEST_CASE("every entry of every list and every flag is reported, with the element that called for it") {
+  const Folder folder;
+  const Json report = explain(folder, {});
+  const Json sphere = feature(report, "shapes/sphere");
+  CHECK(sphere.at("on") == true);
+  CHECK_FALSE(sphere.at("why").get<std::string>().empty());
+  CHECK(contains(sphere.at("where").get<std::string>(), "scene.xml:8"));
+  CHECK(feature(report, "shapes/disk").at("on") == false);
+  CHECK(feature(report, "shapes/disk").at("where").is_null());
+  CHECK(feature(report, "AOV").at("on") == false);
+  std::size_t expected = strahl::list_features().size();
+  for (const std::string& list : strahl::list_folders()) expected += strahl::list_entries(list).size();
+  CHECK(report.at("features").size() == expected);
+}
+
+TEST_CASE("options decide with the scene") {
+  const Folder folder;
+  CHECK(feature(explain(folder, {"--aov", "depth"}), "AOV").at("on") == true);
+  CHECK(feature(explain(folder, {"--integrator", "normals"}), "integrators/normals").at("on") == true);
+  CHECK(feature(explain(folder, {"--generic"}), "shapes/disk").at("on") == true);
+}
+
+TEST_CASE("the program's name follows what is in it, and nothing else") {
+  const Folder folder;
+  const auto program = [&](const std::vector<std::string>& more) {
+    return explain(folder, more).at("program").get<std::string>();
+  };
+  const std::string plain = program({});
+  CHECK(plain.size() == 16);
+  CHECK(program({"--width", "640", "--spp", "9", "--seed", "3"}) == plain);
+  CHECK(program({"--integrator", "normals"}) != plain);
+  CHECK(program({"--precision", "double"}) != plain);
+}
+
+TEST_CASE("the text has a line for each effect") {
+  const Folder folder;
+  folder.file("scene.xml", kGlowingSphere);
+  const Outcome text = folder.run({"explain", "scene.xml", "--lanes", "8"});
+  REQUIRE(text.code == 0);
+  CHECK(contains(text.out, "\non   shapes/sphere"));
+  CHECK(contains(text.out, "\noff  shapes/disk"));
+  CHECK(contains(text.out, "8 lanes (--lanes)"));
+}
+
+TEST_CASE("without any device one lane is assumed, and said") {
+  const Folder folder;
+  folder.file("scene.xml", kGlowingSphere);
+  std::filesystem::create_directory(folder.path("vendors"));
+  const std::map<std::string, std::string> none{{"OCL_ICD_VENDORS", folder.path("vendors/")}};
+  const Outcome text = folder.run({"explain", "scene.xml"}, none);
+  CHECK(text.code == 0);
+  CHECK(contains(text.out, "1 lane (no OpenCL device"));
+  CHECK(folder.run({"explain", "scene.xml", "-d", "pocl"}, none).code == 4);
+}

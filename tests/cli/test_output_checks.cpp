@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// Where the result cannot be written, nothing is computed: there is no such device, and nobody finds out.
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <catch2/catch.hpp>
+
+#include "cli/program.h"
+
+using namespace strahl_test;
+
+namespace {
+
+Outcome render_to(const Folder& folder, const std::vector<std::string>& more) {
+  std::vector<std::string> arguments{folder.file("scene.xml", kGlowingSphere), "-d", "no-such-device"};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return folder.run(arguments);
+}
+
+}  // namespace
+
+TEST_CASE("outputs that cannot be written fail before a device is looked for") {
+  const Folder folder;
+  mkdir(folder.path("folder.png").c_str(), 0700);
+  CHECK(render_to(folder, {}).code == 4);  // The device is looked for once the output is right.
+  for (const std::vector<std::string>& outputs : std::vector<std::vector<std::string>>{
+           {"-o", "missing/out.png"},
+           {"-o", "folder.png"},
+           {"-o", "scene.xml/out.png"},
+           {"-o", "out.png", "--stats", "missing/stats.json"},
+           {"-o", "out.png", "--dump-kernel", "missing/kernel.cl"},
+       }) {
+    INFO(outputs.back());
+    const Outcome outcome = render_to(folder, outputs);
+    CHECK(outcome.code == 1);
+    CHECK(contains(outcome.err, "strahl: error: "));
+    CHECK(contains(outcome.err, outputs.back()));
+  }
+  CHECK(folder.files() == std::vector<std::string>{"folder.png", "scene.xml"});
+}
+
+TEST_CASE("a folder without permission fails before a device is looked for") {
+  if (geteuid() == 0) return;  // Root may write anywhere.
+  const Folder folder;
+  mkdir(folder.path("closed").c_str(), 0500);
+  CHECK(render_to(folder, {"-o", "closed/out.png"}).code == 1);
+}

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: MIT
+// `strahl render` on a device: the files it leaves and what it says.
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <sstream>
+
+#include "cli/program.h"
+#include "image/image_io.h"
+
+using namespace strahl_test;
+using strahl::Image;
+
+namespace {
+
+/// Runs `strahl scene.xml MORE`; must succeed.
+Outcome render(const Folder& folder, const std::vector<std::string>& more) {
+  folder.file("scene.xml", kGlowingSphere);
+  std::vector<std::string> arguments{"scene.xml"};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  Outcome outcome = folder.run(arguments);
+  INFO(outcome.err);
+  REQUIRE(outcome.code == 0);
+  return outcome;
+}
+
+}  // namespace
+
+TEST_CASE("without -o the scene's name gets .png") {
+  const Folder folder;
+  const Outcome outcome = render(folder, {});
+  CHECK(folder.files() == std::vector<std::string>{"scene.png", "scene.xml"});
+  CHECK(outcome.out.empty());
+  CHECK(contains(outcome.err, "(load "));
+  CHECK(contains(outcome.err, "scene.png 32×24 · 1 spp"));
+}
+
+TEST_CASE("-q says nothing, -v more") {
+  const Folder folder;
+  CHECK(render(folder, {"-q"}).err.empty());
+  const Outcome verbose = render(folder, {"-v"});
+  for (const char* part : {"device ", "program ", "launches "}) CHECK(contains(verbose.err, part));
+}
+
+TEST_CASE("EXR and PFM keep linear values") {
+  const Folder folder;
+  for (const char* name : {"out.exr", "out.pfm"}) {
+    render(folder, {"-o", name});
+    const Image image = strahl::read_image(folder.path(name));
+    REQUIRE(image.width == 32);
+    REQUIRE(image.height == 24);
+    CHECK(image.at(16, 12, 0) == 4.0F);
+    CHECK(image.at(16, 12, 1) == 2.0F);
+    CHECK(image.at(16, 12, 2) == 1.0F);
+    CHECK(image.at(0, 0, 0) == 0.0F);
+  }
+}
+
+TEST_CASE("clipping is stated with its remedy, and the remedy works") {
+  const Folder folder;
+  CHECK(contains(render(folder, {}).err, "values clipped at 1; --exposure -2 shows them"));
+  CHECK_FALSE(contains(render(folder, {"--exposure", "-2"}).err, "clipped"));
+  const Image image = strahl::read_image(folder.path("scene.png"));
+  CHECK(image.at(16, 12, 0) == Approx(1.0).margin(0.01));
+  CHECK(image.at(16, 12, 2) == Approx(0.25).margin(0.01));
+}
+
+TEST_CASE("size, crop and pixel") {
+  const Folder folder;
+  render(folder, {"--width", "64", "-o", "wide.exr"});
+  const Image wide = strahl::read_image(folder.path("wide.exr"));
+  CHECK(wide.width == 64);
+  CHECK(wide.height == 48);  // The aspect ratio stays.
+  render(folder, {"--width", "10", "--height", "30", "-o", "tall.exr"});
+  CHECK(strahl::read_image(folder.path("tall.exr")).height == 30);
+
+  render(folder, {"-o", "all.exr", "--integrator", "normals"});
+  render(folder, {"-o", "part.exr", "--integrator", "normals", "--crop", "10,8,20,15"});
+  const Image all = strahl::read_image(folder.path("all.exr"));
+  const Image part = strahl::read_image(folder.path("part.exr"));
+  REQUIRE(part.width == 10);
+  REQUIRE(part.height == 7);
+  bool same = true;
+  for (int y = 0; y < 7; ++y)
+    for (int x = 0; x < 10; ++x)
+      for (int c = 0; c < 3; ++c) same = same && part.at(x, y, c) == all.at(x + 10, y + 8, c);
+  CHECK(same);
+
+  const Outcome pixel = render(folder, {"--pixel", "16,12"});
+  CHECK(pixel.out == "4 2 1\n");
+  CHECK_FALSE(std::filesystem::exists(folder.path("scene.png")));
+  render(folder, {"--pixel", "16,12", "-o", "one.exr"});
+  CHECK(strahl::read_image(folder.path("one.exr")).width == 1);
+}
+
+TEST_CASE("AOVs: layers of an EXR, files beside a PNG") {
+  const Folder folder;
+  const std::string list = "depth,normal,position,uv,shape_id,primitive_id";
+  render(folder, {"-o", "out.exr", "--aov", list});
+  const Image layers = strahl::read_image(folder.path("out.exr"));
+  const auto channel = [&](const std::string& name) {
+    const auto found = std::find(layers.channels.begin(), layers.channels.end(), name);
+    INFO(name);
+    REQUIRE(found != layers.channels.end());
+    return static_cast<int>(found - layers.channels.begin());
+  };
+  CHECK(layers.at(16, 12, channel("R")) == 4.0F);
+  CHECK(layers.at(16, 12, channel("normal.Z")) == Approx(1).margin(0.02));
+  CHECK(layers.at(16, 12, channel("position.Z")) == Approx(1).margin(0.02));
+
+  render(folder, {"-o", "out.png", "--aov", list});
+  for (const char* name : {"depth", "normal", "position", "uv", "shape_id", "primitive_id"}) {
+    INFO(name);
+    const Image layer = strahl::read_image(folder.path(std::string("out.") + name + ".png"));
+    CHECK(layer.width == 32);
+    CHECK(std::any_of(layer.data.begin(), layer.data.end(), [](float value) { return value > 0; }));
+    CHECK(std::all_of(layer.data.begin(), layer.data.end(), [](float value) { return value <= 1; }));
+  }
+  // Towards the camera: 0.5 + 0.5 (0, 0, 1).
+  const Image normal = strahl::read_image(folder.path("out.normal.png"));
+  CHECK(normal.at(16, 12, 2) == Approx(1).margin(0.02));
+  CHECK(normal.at(16, 12, 0) == Approx(0.5).margin(0.05));
+  CHECK(normal.at(0, 0, 2) == 0);
+}
+
+TEST_CASE("a depth picture is scaled in a PNG, and kept in an EXR") {
+  const Folder folder;
+  const Outcome png = render(folder, {"--integrator", "depth"});
+  CHECK(contains(png.err, "divided by the largest"));
+  const Image scaled = strahl::read_image(folder.path("scene.png"));
+  CHECK(*std::max_element(scaled.data.begin(), scaled.data.end()) == 1.0F);
+  render(folder, {"--integrator", "depth", "-o", "depth.exr"});
+  CHECK(strahl::read_image(folder.path("depth.exr")).at(16, 12, 0) == Approx(4).margin(0.05));
+}
+
+TEST_CASE("the picture says how it came to be") {
+  const Folder folder;
+  render(folder, {"-o", "out.exr", "--spp", "3", "--sampler", "independent", "--seed", "11"});
+  const auto metadata = strahl::read_image(folder.path("out.exr")).metadata;
+  const auto has = [&](const std::string& key, const std::string& value) {
+    INFO(key);
+    REQUIRE(metadata.count(key) == 1);
+    CHECK(metadata.at(key) == value);
+  };
+  has("command", "strahl scene.xml -o out.exr --spp 3 --sampler independent --seed 11");
+  has("scene", "scene.xml");
+  has("spp", "3");
+  has("seed", "11");
+  has("precision", "stable");
+  has("Software", "strahl " STRAHL_VERSION);
+  CHECK_FALSE(metadata.at("device").empty());
+}
+
+TEST_CASE("how it is computed does not change the picture") {
+  const Folder folder;
+  const std::vector<std::string> picture{"--integrator", "normals", "--spp", "6", "--sampler", "independent", "-o"};
+  const auto bytes = [&](const std::vector<std::string>& how) {
+    std::vector<std::string> arguments = picture;
+    arguments.push_back("out.pfm");
+    arguments.insert(arguments.end(), how.begin(), how.end());
+    render(folder, arguments);
+    return read_text(folder.path("out.pfm"));
+  };
+  const std::string first = bytes({});
+  REQUIRE_FALSE(first.empty());
+  for (const std::vector<std::string>& how : std::vector<std::vector<std::string>>{{"--lanes", "1"},
+                                                                                   {"--lanes", "8"},
+                                                                                   {"--lanes", "16"},
+                                                                                   {"--work-group", "8x8"},
+                                                                                   {"--work-group", "1"},
+                                                                                   {"--passes", "3"},
+                                                                                   {"--generic"},
+                                                                                   {"--no-progress"},
+                                                                                   {"--aov", "depth"}}) {
+    INFO(how.front() << ' ' << how.back());
+    CHECK(bytes(how) == first);
+  }
+  CHECK(bytes({"--seed", "1"}) != first);
+}
+
+TEST_CASE("the program's text is written as it is built") {
+  const Folder folder;
+  render(folder, {"--dump-kernel", "kernel.cl"});
+  CHECK(contains(read_text(folder.path("kernel.cl")), "kernel"));
+}
