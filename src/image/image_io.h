@@ -16,8 +16,8 @@ enum class ImageFormat { png, exr, pfm };
 [[nodiscard]] ImageFormat image_format(const std::string& path);
 
 struct PngOptions {
-  int bits = 8;            ///< 8 or 16.
-  double exposure = 0;     ///< Stops: linear values are multiplied by 2^exposure before encoding.
+  int bits = 8;         ///< 8 or 16.
+  double exposure = 0;  ///< Stops: linear values are multiplied by 2^exposure before encoding.
 };
 
 /// What writing did to the values.
