@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+// Materials of OBJ files: usemtl, mtllib in all its spellings, Kd and Ke.
+#include "scene_mesh/temp_folder.h"
+
+namespace strahl {
+namespace {
+
+using test::error_of;
+using test::TempFolder;
+using test::text_of;
+
+const std::string square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
+
+TEST_CASE("triangles know their material; materials come in the order of use, each once") {
+  const TempFolder folder;
+  folder.write("m.mtl",
+               "newmtl lamp\n\tKd 0.1 0.2 0.3\n Ke 5 6 7\nnewmtl grey\nKd 0.25\nKe 0 0 0\nKa 1 1 1\nmap_Ks x\n\n"
+               "newmtl two words\nKd 1 0 0\nnewmtl lamp\nKd 0.9 0.9 0.9\n");
+  const MeshFile file = read_mesh(folder.write("a.obj", "usemtl grey\nmtllib m.mtl\n" + square +
+                                                            "f 1 2 3\nusemtl  lamp \nf 1 2 3 4\nusemtl grey\nf 1 3 4\n"
+                                                            "usemtl two words\nf 1 2 3\nusemtl unused\n"));
+  REQUIRE(file.materials.size() == 3);
+  CHECK(file.mesh.part_of_triangle == std::vector<int>{0, 1, 1, 0, 2});
+  CHECK(file.materials[0].name == "grey");
+  CHECK(file.materials[0].reflectance == Rgb{0.25, 0.25, 0.25});
+  CHECK_FALSE(file.materials[0].radiance);
+  CHECK(file.materials[1].reflectance == Rgb{0.1, 0.2, 0.3});
+  CHECK(file.materials[1].radiance == Rgb{5, 6, 7});
+  CHECK(file.materials[2].name == "two words");
+  CHECK(file.materials[2].reflectance == Rgb{1, 0, 0});
+  CHECK(file.warnings.empty());
+}
+
+TEST_CASE("faces before the first usemtl get a default material without a name") {
+  const TempFolder folder;
+  folder.write("m.mtl", "newmtl a\nKd 1 1 1\n");
+  const MeshFile file = read_mesh(folder.write("a.obj", "mtllib m.mtl\n" + square + "f 1 2 3\nusemtl a\nf 1 3 4\n"));
+  CHECK(file.mesh.part_of_triangle == std::vector<int>{1, 0});
+  REQUIRE(file.materials.size() == 2);
+  CHECK(file.materials[1].name.empty());
+  CHECK(file.materials[1].reflectance == Rgb{0.5, 0.5, 0.5});
+}
+
+TEST_CASE("several libraries in one line, names with blanks, folders with backslashes") {
+  const TempFolder folder;
+  folder.write("one.mtl", "newmtl a\nKd 0.1\n");
+  folder.write("my second file.mtl", "newmtl b\nKd 0.2\n");
+  folder.write("sub/third.mtl", "newmtl c\r\nKd 0.3\r\n");
+  const std::string faces = square + "usemtl a\nf 1 2 3\nusemtl b\nf 1 2 3\nusemtl c\nf 1 2 3\n";
+  for (const char* line :
+       {"mtllib one.mtl my second file.mtl sub/third.mtl", "mtllib my\\ second\\ file.mtl one.mtl .\\sub\\third.mtl",
+        "mtllib one.mtl \\\n my second file.mtl\nmtllib sub/third.mtl  "}) {
+    const MeshFile file = read_mesh(folder.write("a.obj", std::string(line) + "\n" + faces));
+    CHECK(text_of(file.warnings).empty());
+    REQUIRE(file.materials.size() == 3);
+    CHECK(file.materials[0].reflectance.g == 0.1);
+    CHECK(file.materials[1].reflectance.g == 0.2);
+    CHECK(file.materials[2].reflectance.g == 0.3);
+  }
+}
+
+TEST_CASE("a missing library and unknown materials are warnings") {
+  const TempFolder folder;
+  const MeshFile file =
+      read_mesh(folder.write("a.obj", "mtllib gone.mtl also gone.mtl\n" + square +
+                                          "usemtl x\nf 1 2 3\nusemtl y\nf 1 2 3\nusemtl x\nf 1 2 3\n"));
+  CHECK(text_of(file.warnings) ==
+        "a.obj:1:8: warning: material library \"gone.mtl\" cannot be opened; its materials become the default diffuse\n"
+        "a.obj:1:8: warning: material library \"also\" cannot be opened; its materials become the default diffuse\n"
+        "a.obj:1:8: warning: material library \"gone.mtl\" cannot be opened; its materials become the default diffuse\n"
+        "a.obj:6:1: warning: materials that no library defines: 2; they become the default diffuse; the first is "
+        "\"x\"\n");
+  REQUIRE(file.materials.size() == 2);
+  CHECK(file.materials[1].reflectance == Rgb{0.5, 0.5, 0.5});
+}
+
+TEST_CASE("what an MTL file gets wrong") {
+  const TempFolder folder;
+  const std::string obj = folder.write("a.obj", "mtllib m.mtl\n" + square + "usemtl a\nf 1 2 3\n");
+  const auto read = [&](const std::string& text) {
+    folder.write("m.mtl", text);
+    const MeshFile file = read_mesh(obj);
+    return std::pair(file.materials.at(0), text_of(file.warnings));
+  };
+  SECTION("other colour spaces") {
+    const auto [material, warnings] = read("newmtl a\nKd xyz 1 1 1\nKe spectral x.rfl\n");
+    CHECK(material.reflectance == Rgb{0.5, 0.5, 0.5});
+    CHECK(warnings ==
+          "m.mtl:2:4: warning: Kd xyz is not supported; give red, green and blue\n"
+          "m.mtl:3:4: warning: Ke spectral is not supported; give red, green and blue\n");
+  }
+  SECTION("textures") {
+    const auto [material, warnings] = read("newmtl a\nKd 0.1 0.2 0.3\nmap_Kd a.png\nmap_Kd b.png\n");
+    CHECK(material.reflectance == Rgb{0.1, 0.2, 0.3});
+    CHECK(warnings == "m.mtl:3:1: warning: map_Kd: 2 textures are not read; Kd stands (this is the first)\n");
+  }
+  SECTION("values out of range") {
+    const auto [material, warnings] = read("newmtl a\nKd 2 -1 0.5\nKe 9 -1 0\n");
+    CHECK(material.reflectance == Rgb{1, 0, 0.5});
+    CHECK(material.radiance == Rgb{9, 0, 0});
+    CHECK(warnings ==
+          "m.mtl:2:1: warning: Kd 2 is outside [0, 1] and is clamped\n"
+          "m.mtl:2:1: warning: Kd -1 is outside [0, 1] and is clamped\n"
+          "m.mtl:3:1: warning: Ke -1 is outside [0, inf] and is clamped\n");
+  }
+  SECTION("lines that cannot be read") {
+    const auto [material, warnings] = read("Kd 1 1 1\nnewmtl a\nKd 1 1\nKd a b c\nKd\n");
+    CHECK(material.reflectance == Rgb{0.5, 0.5, 0.5});
+    CHECK(warnings ==
+          "m.mtl:1:1: warning: Kd before the first newmtl belongs to no material and is ignored\n"
+          "m.mtl:3:1: warning: Kd takes 3 numbers (or 1 for grey), not 2; the line is ignored\n"
+          "m.mtl:4:4: warning: Kd: \"a\" is not a number; the line is ignored\n"
+          "m.mtl:5:1: warning: Kd takes 3 numbers (or 1 for grey), not 0; the line is ignored\n");
+  }
+  SECTION("numbers that are not finite") {
+    folder.write("m.mtl", "newmtl a\nKd 1 nan 1\n");
+    CHECK(error_of(obj) == "m.mtl:2:6: error: Kd: \"nan\" is not finite\n");
+  }
+}
+
+}  // namespace
+}  // namespace strahl

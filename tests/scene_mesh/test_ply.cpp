@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: MIT
+// PLY files that must load: text and both byte orders, properties and elements in any order, names and types.
+#include <cstdint>
+
+#include "scene_mesh/ply_bytes.h"
+#include "scene_mesh/temp_folder.h"
+
+namespace strahl {
+namespace {
+
+using test::bytes;
+using test::TempFolder;
+using test::text_of;
+using Triangles = std::vector<std::array<int, 3>>;
+
+const std::string xyz = "property float x\nproperty float y\nproperty float z\n";
+const std::string square_header = "ply\nformat ascii 1.0\nelement vertex 4\n" + xyz +
+                                  "element face 1\nproperty list uchar int vertex_indices\nend_header\n";
+const std::string square_data = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n";
+
+void check_square(const MeshFile& file) {
+  CHECK(file.mesh.positions == std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}});
+  CHECK(file.mesh.triangles == Triangles{{0, 1, 2}, {0, 2, 3}});
+  CHECK(file.mesh.part_of_triangle.empty());
+  CHECK(text_of(file.warnings).empty());
+}
+
+TEST_CASE("text with every kind of line end") {
+  const TempFolder folder;
+  const std::string plain = square_header + square_data;
+  std::string crlf, cr;
+  for (char c : plain) {
+    crlf += c == '\n' ? "\r\n" : std::string(1, c);
+    cr += c == '\n' ? '\r' : c;
+  }
+  for (const std::string& text : {plain, crlf, cr, plain.substr(0, plain.size() - 1), plain + "\n \n"}) {
+    check_square(read_mesh(folder.write("a.ply", text)));
+  }
+}
+
+TEST_CASE("text is read in double where it is declared as float") {
+  const TempFolder folder;
+  const MeshFile file =
+      read_mesh(folder.write("a.ply", square_header + "0.1 .5 +1e-3\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n"));
+  CHECK(file.mesh.positions[0] == Vec3{0.1, 0.5, 1e-3});
+}
+
+TEST_CASE("binary of both byte orders, doubles, header with each line end") {
+  const TempFolder folder;
+  for (bool big : {false, true}) {
+    for (const std::string end : {"\n", "\r\n", "\r"}) {
+      std::string data;
+      for (double v : {0.1, 0.2, 0.3, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0}) data += bytes(v, big);
+      data += bytes<std::uint16_t>(3, big);
+      for (std::uint32_t i : {0u, 1u, 2u}) data += bytes(i, big);
+      std::string header = std::string("ply\nformat binary_") + (big ? "big" : "little") +
+                           "_endian 1.0\nelement vertex 3\nproperty double x\nproperty float64 y\nproperty double "
+                           "z\nelement face 1\nproperty list ushort uint vertex_index\nend_header\n";
+      for (std::size_t i = 0; (i = header.find('\n', i)) != std::string::npos; i += end.size())
+        header.replace(i, 1, end);
+      const MeshFile file = read_mesh(folder.write("a.ply", header + data));
+      CHECK(file.mesh.positions == std::vector<Vec3>{{0.1, 0.2, 0.3}, {1, 0, 0}, {0, 1, 0}});
+      CHECK(file.mesh.triangles == Triangles{{0, 1, 2}});
+      CHECK(text_of(file.warnings).empty());
+    }
+  }
+}
+
+TEST_CASE("other properties and elements are passed over, lists too, in any order") {
+  const TempFolder folder;
+  const std::string body =
+      "comment ends in a backslash \\\nobj_info x\nelement camera 2\nproperty list uchar float what\nproperty double "
+      "q\nelement face 1\nproperty uchar red\nproperty list uint8 float32 texcoord\nproperty list int8 int16 "
+      "vertex_indices\nproperty short after\nelement empty 5\nelement vertex 4\nproperty int z\nproperty list uchar "
+      "uchar "
+      "l\nproperty short y\nproperty char x\nproperty uchar alpha\nend_header\n";
+  check_square(read_mesh(folder.write(
+      "text.ply",
+      "ply\nformat ascii 1.0\n" + body +
+          "2 0.5 0.5 1\n0 1\n7 2 0.1 0.2 4 0 1 2 3 9\n0 0 0 0 1\n0 1 5 0 1 1\n0 2 5 5 1 1 1\n0 0 1 0 1\n")));
+  for (bool big : {false, true}) {
+    std::string data = bytes<std::uint8_t>(2, big) + bytes(0.5f, big) + bytes(0.5f, big) + bytes(1.0, big) +
+                       bytes<std::uint8_t>(0, big) + bytes(1.0, big);
+    data += bytes<std::uint8_t>(7, big) + bytes<std::uint8_t>(1, big) + bytes(0.1f, big) + bytes<std::int8_t>(4, big);
+    for (int i : {0, 1, 2, 3, -9}) data += bytes(static_cast<std::int16_t>(i), big);
+    const int corners[4][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+    for (const auto& [x, y] : corners) {
+      data += bytes<std::int32_t>(0, big) + bytes<std::uint8_t>(1, big) + "l" +
+              bytes(static_cast<std::int16_t>(y), big) + bytes(static_cast<std::int8_t>(x), big) + "a";
+    }
+    const std::string format = big ? "binary_big_endian" : "binary_little_endian";
+    check_square(read_mesh(folder.write("binary.ply", "ply\nformat " + format + " 1.0\n" + body + data)));
+  }
+}
+
+TEST_CASE("normals become unit vectors; texture coordinates have several names") {
+  const TempFolder folder;
+  for (const auto& [u, v] : {std::pair("u", "v"), std::pair("s", "t"), std::pair("texture_u", "texture_v")}) {
+    const std::string header = "ply\nformat ascii 1.0\nelement vertex 3\n" + xyz +
+                               "property float nx\nproperty float ny\nproperty float nz\nproperty float " + u +
+                               "\nproperty float " + v +
+                               "\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n";
+    const MeshFile file =
+        read_mesh(folder.write("a.ply", header + "0 0 0 0 3 0 .1 .2\n1 0 0 0 0 0 .3 .4\n0 1 0 0 0 2 .5 .6\n3 0 1 2\n"));
+    CHECK(file.mesh.normals == std::vector<Vec3>{{0, 1, 0}, {0, 0, 1}, {0, 0, 1}});
+    CHECK(file.mesh.uvs == std::vector<Vec2>{{.1, .2}, {.3, .4}, {.5, .6}});
+    CHECK(text_of(file.warnings) == "a.ply: warning: 1 vertices have a normal of length 0; their faces' stand in\n");
+  }
+}
+
+TEST_CASE("unused vertices are left out, bad ones with a warning; skipped faces are counted") {
+  const TempFolder folder;
+  const MeshFile file = read_mesh(folder.write(
+      "a.ply",
+      "ply\nformat ascii 1.0\nelement vertex 5\n" + xyz +
+          "element face 4\nproperty list uchar int vertex_indices\nend_header\n9 9 9\nnan 0 0\n0 0 0\n1 0 0\n0 1 "
+          "0\n2 0 2\n3 2 3 4\n0\n3 2 3 3\n"));
+  CHECK(file.mesh.positions == std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
+  CHECK(file.skipped_faces == 3);
+  CHECK(
+      text_of(file.warnings) ==
+      "a.ply:10:1: warning: vertex not made of finite numbers: 1 that no face uses (this is the first)\n"
+      "a.ply:14:1: warning: faces skipped: 3 with fewer than 3 corners, without area or whose edges cross (this is the "
+      "first)\n");
+}
+
+TEST_CASE("what is too much is a warning") {
+  const TempFolder folder;
+  const MeshFile text =
+      read_mesh(folder.write("a.ply", "ply\nformat ascii 1.0\nmade by me\n" + square_header.substr(21) +
+                                          "0 0 0 7\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3 4\nrest\n"));
+  CHECK(text_of(text.warnings) ==
+        "a.ply:3:1: warning: header lines ignored: 1 with an unknown keyword\n"
+        "a.ply:11:7: warning: lines with more values than the header names: 2\n"
+        "a.ply:16:1: warning: text after the last element is ignored\n");
+  std::string header = square_header;
+  header.replace(header.find("ascii"), 5, "binary_little_endian");
+  std::string data;
+  for (float v : {0.f, 0.f, 0.f, 1.f, 0.f, 0.f, 1.f, 1.f, 0.f, 0.f, 1.f, 0.f}) data += bytes(v, false);
+  data += bytes<std::uint8_t>(4, false);
+  for (int i : {0, 1, 2, 3}) data += bytes(i, false);
+  const std::size_t end = header.size() + data.size();
+  const MeshFile binary = read_mesh(folder.write("a.ply", header + data + "rest"));
+  CHECK(text_of(binary.warnings) ==
+        "a.ply: warning: byte " + std::to_string(end) + ": 4 bytes after the last element are ignored\n");
+}
+
+}  // namespace
+}  // namespace strahl

@@ -1,0 +1,9 @@
+# SPDX-License-Identifier: MIT
+strahl_test(scene_mesh/test_triangulate.cpp LABEL unit)
+strahl_test(scene_mesh/test_obj.cpp LABEL unit)
+strahl_test(scene_mesh/test_obj_faults.cpp LABEL unit)
+strahl_test(scene_mesh/test_mtl.cpp LABEL unit)
+strahl_test(scene_mesh/test_ply.cpp LABEL unit)
+strahl_test(scene_mesh/test_ply_faults.cpp LABEL unit)
+strahl_test(scene_mesh/test_expected_meshes.cpp LABEL unit)
+strahl_test(scene_mesh/test_fuzz.cpp LABEL fuzz)
