@@ -43,7 +43,8 @@ const std::string ascii_ply =
     "0 0 1 0\n5 0 4 1 2 3 1\n3 0 1 2 255\n";
 
 std::string damaged(std::string text, std::mt19937& random) {
-  static const std::string spice = std::string("\0\n\r\\/#-+.0919999999999eEnif \t\xFF\x80", 33);
+  using namespace std::string_literals;
+  static const std::string spice = "\0\n\r\\/#-+.0919999999999eEnif \t\xFF\x80"s;
   const auto pick = [&](std::size_t n) { return static_cast<std::size_t>(random()) % n; };
   for (std::size_t n = 1 + pick(4); n > 0 && !text.empty(); --n) {
     const std::size_t at = pick(text.size());

@@ -119,8 +119,8 @@ TEST_CASE("unused vertices are left out, bad ones with a warning; skipped faces 
   CHECK(file.skipped_faces == 3);
   CHECK(
       text_of(file.warnings) ==
-      "a.ply:10:1: warning: vertex not made of finite numbers: 1 that no face uses (this is the first)\n"
-      "a.ply:14:1: warning: faces skipped: 3 with fewer than 3 corners, without area or whose edges cross (this is the "
+      "a.ply:11:1: warning: vertex not made of finite numbers: 1 that no face uses (this is the first)\n"
+      "a.ply:15:1: warning: faces skipped: 3 with fewer than 3 corners, without area or whose edges cross (this is the "
       "first)\n");
 }
 
