@@ -62,6 +62,8 @@ TEST_CASE("collinear corners are kept, so that neighbours meet without T-junctio
   CHECK(used.size() == 8);
 }
 
+TEST_CASE("a corner on the cut blocks an ear") { check_cover({{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {0, 1, 0}}, 2); }
+
 TEST_CASE("a keyhole leaves the hole open") {
   // A square with a square hole, joined by the doubled edge 0-4.
   const std::vector<Vec3> ring{{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}, {0, 0, 0},
