@@ -88,7 +88,7 @@ Command add_intersect(CLI::App& app, const Invocation& invocation) {
                "A hint that neighbouring rays are alike; the hits do not depend on it");
   app.add_option("--repeat", options->repeat, "Trace N times; seconds.kernel of --stats is the median")
       ->type_name("N")
-      ->check(CLI::Range(1, 1000000));
+      ->check(CLI::Range(1, 1000000).description(""));
   app.add_option("--stats", options->stats, "Time and memory as JSON; - for standard output")->type_name("FILE");
   add_kernel_options(app, options->kernel);
   app.footer(kFooter);

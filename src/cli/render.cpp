@@ -88,14 +88,19 @@ nlohmann::ordered_json count(const Device& device, const Scene& scene, RenderSet
   return {{"program", counted.stats.program}, {"kernel", counted.stats.seconds.kernel}};
 }
 
+/// A picture that is not what the scene says: said even with -q.
+void warn_of_samples(const RunStats& stats) {
+  if (stats.saturated_samples > 0)
+    say(fmt::format("strahl: warning: {} sample channels were brighter than the film holds; its largest value counts",
+                    stats.saturated_samples));
+  if (stats.invalid_samples > 0)
+    say(fmt::format("strahl: warning: {} sample channels were not a number; they count as black",
+                    stats.invalid_samples));
+}
+
 void say_summary(const RenderOptions& options, const std::string& picture, const RenderResult& result) {
-  if (options.scene.quiet) return;
   if (options.scene.verbose) say(kernel_summary(result.stats));
-  if (result.stats.saturated_samples > 0)
-    say(fmt::format("{} sample channels were brighter than the film holds and counted as its largest value",
-                    result.stats.saturated_samples));
-  if (result.stats.invalid_samples > 0)
-    say(fmt::format("{} sample channels were not a number and counted as black", result.stats.invalid_samples));
+  if (options.scene.quiet) return;
   const std::string target = picture.empty() ? "" : picture + " ";
   say(fmt::format("{} · {}{}×{} · {} spp · {}{}", time_summary(result.stats.seconds), target, result.color.width,
                   result.color.height, result.stats.spp, result.stats.device, result.complete ? "" : " · interrupted"));
@@ -134,6 +139,7 @@ ExitCode render(const RenderOptions& options, const Invocation& invocation) {
   if (options.overrides.pixel) print_pixel(result.color);
   result.stats.seconds.encode = invocation.seconds() - encode_start;
   result.stats.seconds.total = invocation.seconds();
+  warn_of_samples(result.stats);
   say_summary(options, files.path, result);
 
   if (!options.stats.empty()) {
@@ -153,7 +159,7 @@ void add_output_options(CLI::App& app, RenderOptions& options) {
       ->group(group);
   app.add_option("--exposure", options.png.exposure, "PNG: brighter by so many stops")
       ->type_name("STOPS")
-      ->check(CLI::Range(-64.0, 64.0))
+      ->check(CLI::Range(-64.0, 64.0).description(""))
       ->group(group);
   app.add_option("--png-bits", options.png.bits, "PNG: 8 or 16 bits a channel")
       ->type_name("N")

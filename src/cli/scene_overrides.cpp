@@ -85,15 +85,15 @@ void add_scene_overrides(CLI::App& app, SceneOverrides& overrides) {
       ->group(group);
   app.add_option("--max-depth", overrides.max_depth, "1: emission only, 2: one bounce, ...; -1: no limit")
       ->type_name("N")
-      ->check(CLI::Range(-1, std::numeric_limits<int>::max()))
+      ->check(CLI::Range(-1, std::numeric_limits<int>::max()).description(""))
       ->group(group);
   app.add_option("--spp", overrides.spp, "Samples per pixel")
       ->type_name("N")
-      ->check(CLI::Range(1, max_spp))
+      ->check(CLI::Range(1, max_spp).description(""))
       ->group(group);
   app.add_option("--seed", overrides.seed, "Another seed gives other noise, the same one the same picture")
       ->type_name("N")
-      ->check(CLI::Range(0, std::numeric_limits<int>::max()))
+      ->check(CLI::Range(0, std::numeric_limits<int>::max()).description(""))
       ->group(group);
   app.add_option("--sampler", overrides.sampler, "independent (random), or centre: rays through the pixels' middles")
       ->type_name("NAME")
@@ -101,11 +101,11 @@ void add_scene_overrides(CLI::App& app, SceneOverrides& overrides) {
       ->group(group);
   app.add_option("--width", overrides.width, "Pixels; without --height the aspect ratio stays")
       ->type_name("N")
-      ->check(CLI::Range(1, kMaxSize))
+      ->check(CLI::Range(1, kMaxSize).description(""))
       ->group(group);
   app.add_option("--height", overrides.height, "Pixels; without --width the aspect ratio stays")
       ->type_name("N")
-      ->check(CLI::Range(1, kMaxSize))
+      ->check(CLI::Range(1, kMaxSize).description(""))
       ->group(group);
   CLI::Option* crop_option =
       app.add_option("--crop", overrides.crop, "Only the pixels x0 <= x < x1, y0 <= y < y1; the picture is that large")
