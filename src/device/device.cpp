@@ -3,9 +3,9 @@
 #include "device/device.h"
 
 #include <fmt/format.h>
+#include <stdlib.h>  // NOLINT(modernize-deprecated-headers): setenv is POSIX
 
 #include <algorithm>
-#include <iterator>
 
 #include "device/platforms.h"
 #include "device/selector.h"
@@ -62,6 +62,11 @@ std::string everything_there_is() {
       others.empty() ? fmt::format("no other device here has it; {}", what_to_install) : "these have it:" + others));
 }
 
+/// PoCL compiles a kernel a second time for the work-group size of its first launch, and that version is not in the
+/// program's binary. The generic version is, and runs as fast where lanes are explicit: 0 % slower at 8 lanes, 15 % for
+/// a scalar loop, against 2.3 s of compilation for a kernel with everything in it (PoCL 3.1).
+void launch_what_the_binary_holds() { setenv("POCL_WORK_GROUP_SPECIALIZATION", "0", 0); }
+
 }  // namespace
 
 Device Device::open(const std::string& selector_text, const DeviceNeeds& needs) {
@@ -81,6 +86,7 @@ Device Device::open(const std::string& selector_text, const DeviceNeeds& needs) 
   });
   if (chosen == matches.end()) throw_no_fp64(matches.front());
 
+  if (chosen->platform == "Portable Computing Language") launch_what_the_binary_holds();
   Device device;
   device.info_ = *chosen;
   checked(chosen->text(), [&] {

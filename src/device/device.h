@@ -14,21 +14,21 @@ namespace strahl {
 /// What is known of a device before it is opened.
 struct DeviceInfo {
   int platform_index = 0;
-  int device_index = 0;           ///< Within its platform.
-  std::string platform;           ///< "Portable Computing Language"
+  int device_index = 0;  ///< Within its platform.
+  std::string platform;  ///< "Portable Computing Language"
   std::string name;
   std::string vendor;
-  std::string version;            ///< CL_DEVICE_VERSION
+  std::string version;  ///< CL_DEVICE_VERSION
   std::string driver;
-  std::string type;               ///< "CPU", "GPU", "accelerator", "custom"
+  std::string type;  ///< "CPU", "GPU", "accelerator", "custom"
   bool fp64 = false;
   unsigned compute_units = 0;
   unsigned clock_mhz = 0;
-  std::uint64_t global_memory = 0;     ///< bytes
-  std::uint64_t max_allocation = 0;    ///< bytes
+  std::uint64_t global_memory = 0;   ///< bytes
+  std::uint64_t max_allocation = 0;  ///< bytes
   std::size_t max_work_group = 0;
-  unsigned native_vector_width = 0;    ///< CL_DEVICE_NATIVE_VECTOR_WIDTH_FLOAT
-  bool available = true;
+  unsigned native_vector_width = 0;  ///< CL_DEVICE_NATIVE_VECTOR_WIDTH_FLOAT
+  bool available = true;             ///< The driver says so, has a compiler, and speaks OpenCL 1.2 or later.
 
   /// "0:1 llvmpipe (rusticl)".
   [[nodiscard]] std::string text() const;
@@ -54,7 +54,9 @@ struct DeviceNeeds {
 class Device {
  public:
   /// selector: "" (fastest GPU, else CPU), "0", "0:1", "cpu", "gpu", or part of a platform's or device's name,
-  /// case-insensitive, "pocl" and "intel" included. Opens only the platform asked for.
+  /// case-insensitive; "pocl" and "intel" name platforms only. A platform's name goes before a device's; of several
+  /// devices the best is taken: GPU before CPU, then compute units times clock. Opens only the platform asked for.
+  /// For PoCL, sets POCL_WORK_GROUP_SPECIALIZATION=0 unless the environment has it, so that cached programs are whole.
   /// Throws NoDeviceError: what is missing, what to install, which devices would do.
   static Device open(const std::string& selector, const DeviceNeeds& needs = {});
 

@@ -82,6 +82,17 @@ TEST_CASE("An open device computes, and its queue measures") {
   }
 }
 
+TEST_CASE("PoCL launches what a program's binary holds, unless the user wants otherwise") {
+  test::require_pocl_and_rusticl();
+  const auto setting = [] { return std::string(std::getenv("POCL_WORK_GROUP_SPECIALIZATION")); };
+  unsetenv("POCL_WORK_GROUP_SPECIALIZATION");
+  opened("pocl");
+  CHECK(setting() == "0");
+  setenv("POCL_WORK_GROUP_SPECIALIZATION", "1", 1);
+  opened("pocl");
+  CHECK(setting() == "1");
+}
+
 TEST_CASE("An unknown selector is answered with what there is") {
   test::require_pocl_and_rusticl();
   const std::string message = refusal("quantum");
