@@ -7,6 +7,7 @@
 
 FN Nearest LANED(closest_hit)(const Scene* scene, const Ray* ray) {
   Nearest best = nearest_none(ray->t_max);
+  (void)scene;  // A scene without shapes has no lists to walk.
 #define SHAPE(name, planes)                                                                              \
   {                                                                                                      \
     GLOBAL const int* row = scene_shape_row(scene, SHAPE_##name);                                        \
@@ -24,6 +25,7 @@ FN Nearest LANED(closest_hit)(const Scene* scene, const Ray* ray) {
 /// Is anything hit within [t_min, t_max]? Stops at the first block that says so.
 FN int LANED(any_hit)(const Scene* scene, const Ray* ray) {
   Nearest best = nearest_none(ray->t_max);
+  (void)scene;  // A scene without shapes has no lists to walk.
 #define SHAPE(name, planes)                                                                              \
   if (best.kind < 0) {                                                                                   \
     GLOBAL const int* row = scene_shape_row(scene, SHAPE_##name);                                        \

@@ -13,6 +13,10 @@ FN real3 radiance_of(const Scene* scene, const Ray* ray, int hit, const Surface*
 #include "integrators/integrators.def"
 #undef INTEGRATOR
     default:
+      (void)ray;
+      (void)hit;
+      (void)s;
+      (void)id;
       return vec3(R(0.0), R(0.0), R(0.0));
   }
 }

@@ -27,6 +27,9 @@ FN Surface surface_at(const Scene* scene, const Ray* ray, const Nearest* hit, in
   s.u = s.v = R(0.0);
   int frame_at = part[PART_FRAME];
   GLOBAL const real* frame = scene->shading + (frame_at < 0 ? 0 : frame_at);
+  (void)frame;
+  (void)block;
+  (void)lane;
   switch (hit->kind) {
 #define SHAPE(name, planes)                                                                                      \
   case SHAPE_##name:                                                                                             \
