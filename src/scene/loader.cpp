@@ -27,8 +27,7 @@ bool is_mesh_path(const std::string& path) {
 
 Scene scene_of_xml(const std::string& path, const LoadOptions& options, Diagnostics& diagnostics) {
   std::optional<XmlElement> root = read_expanded_xml(path, options.defines, diagnostics);
-  if (!root) return {};
-  check_vocabulary(*root, diagnostics);
+  if (!root || !check_vocabulary(*root, diagnostics)) return {};
   const ElementIds ids(*root, diagnostics);
   SceneBuilder builder{{}, path, ids, diagnostics, {}, {}, {}};
   read_scene(*root, builder);

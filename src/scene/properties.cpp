@@ -26,11 +26,11 @@ Properties::Properties(const XmlElement& element, const ElementIds& ids, Diagnos
 }
 
 void Properties::report_duplicates() {
-  for (std::size_t i = 0; i < entries_.size(); ++i) {
-    if (entries_[i].name.empty()) continue;
-    const auto same = [&](const Entry& other) { return other.name == entries_[i].name; };
-    if (std::none_of(entries_.begin(), entries_.begin() + static_cast<std::ptrdiff_t>(i), same)) continue;
-    diagnostics_.error(entries_[i].given->where, fmt::format("\"{}\" of {} is given twice", entries_[i].name, title()));
+  for (auto entry = entries_.begin(); entry != entries_.end(); ++entry) {
+    const auto same = [&](const Entry& other) { return other.name == entry->name; };
+    if (entry->name.empty() || std::none_of(entries_.begin(), entry, same)) continue;
+    entry->used = true;
+    diagnostics_.error(entry->given->where, fmt::format("\"{}\" of {} is given twice", entry->name, title()));
   }
 }
 

@@ -50,7 +50,7 @@ class Expander {
     if (!root) return std::nullopt;
     upgrade_to_version_3(*root, diagnostics_);
     open_.push_back(canonical);
-    substitute_attributes(*root);
+    static_cast<void>(substitute_attributes(*root));
     expand_children(*root);
     open_.pop_back();
     return root;
@@ -71,7 +71,7 @@ class Expander {
     std::vector<XmlElement> given = std::move(element.children);
     element.children.clear();
     for (XmlElement& child : given) {
-      substitute_attributes(child);
+      if (!substitute_attributes(child)) continue;  // Reported; what lacks its value is left out.
       if (child.tag == "default") {
         add_default(child);
       } else if (child.tag == "include") {
@@ -114,36 +114,45 @@ class Expander {
     }
   }
 
-  void substitute_attributes(XmlElement& element) {
+  [[nodiscard]] bool substitute_attributes(XmlElement& element) {
+    bool ok = true;
     for (auto& [key, value] : element.attributes)
-      if (value.find('$') != std::string::npos) value = substituted(value, element.where);
+      if (value.find('$') != std::string::npos) ok = substitute(value, element.where) && ok;
+    return ok;
   }
 
-  [[nodiscard]] std::string substituted(const std::string& text, const SourceLocation& where) {
+  [[nodiscard]] bool substitute(std::string& text, const SourceLocation& where) {
     std::string result;
+    bool ok = true;
     for (std::size_t i = 0; i < text.size();) {
       if (text[i] != '$') {
         result += text[i++];
         continue;
       }
-      std::size_t end = i + 1;
-      while (end < text.size() && is_name_char(text[end])) ++end;
-      const std::string name = text.substr(i + 1, end - i - 1);
-      i = end;
+      const std::size_t begin = i + 1;
+      for (i = begin; i < text.size() && is_name_char(text[i]);) ++i;
+      const std::string name = text.substr(begin, i - begin);
       used_.insert(name);
       const auto found = values_.find(name);
       if (found == values_.end()) {
-        diagnostics_.error(where, fmt::format("${} is not defined{}; give it a <default name=\"{}\"> before this place "
-                                              "or -D {}=...",
-                                              name, did_you_mean(name, names_of(values_)), name, name));
-      } else if (result.size() + found->second.size() > longest_value) {
-        diagnostics_.error(where, fmt::format("${} makes the text longer than {} bytes", name, longest_value));
-        return {};
+        report_undefined(name, where);
+        ok = false;
       } else {
         result += found->second;
       }
+      if (result.size() > longest_value) {
+        diagnostics_.error(where, fmt::format("${} makes the text longer than {} bytes", name, longest_value));
+        return false;
+      }
     }
-    return result;
+    text = std::move(result);
+    return ok;
+  }
+
+  void report_undefined(const std::string& name, const SourceLocation& where) {
+    diagnostics_.error(
+        where, fmt::format("${} is not defined{}; give it a <default name=\"{}\"> before this place or -D {}=...", name,
+                           did_you_mean(name, names_of(values_)), name, name));
   }
 
   std::string main_file_;

@@ -121,6 +121,7 @@ std::optional<XmlElement> read_xml_file(const std::string& path, const SourceLoc
   for (pugi::xml_node other = root.next_sibling(); other; other = other.next_sibling()) {
     if (other.type() != pugi::node_element) continue;
     diagnostics.error(lines.at(other.offset_debug() - 1), "malformed XML: a file has one root element");
+    return std::nullopt;
   }
   return TreeBuilder(lines, diagnostics).build(root, 1);
 }

@@ -102,14 +102,11 @@ bool check(XmlElement& element, Diagnostics& diagnostics) {
 
 }  // namespace
 
-void check_vocabulary(XmlElement& root, Diagnostics& diagnostics) {
-  if (root.tag != "scene") {
-    diagnostics.error(root.where,
-                      fmt::format("the root is <{}>; a scene begins with <scene version=\"3.0.0\">", root.tag));
-    root.children.clear();
-    return;
-  }
-  check(root, diagnostics);
+bool check_vocabulary(XmlElement& root, Diagnostics& diagnostics) {
+  if (root.tag == "scene") return check(root, diagnostics);
+  diagnostics.error(root.where,
+                    fmt::format("the root is <{}>; a scene begins with <scene version=\"3.0.0\">", root.tag));
+  return false;
 }
 
 bool is_object_tag(const std::string& tag) {

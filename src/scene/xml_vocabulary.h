@@ -8,8 +8,8 @@
 namespace strahl {
 
 /// Reports unknown elements and attributes and missing attributes in the whole tree, and removes the elements that
-/// cannot be used, so that readers meet only well-formed ones.
-void check_vocabulary(XmlElement& root, Diagnostics& diagnostics);
+/// cannot be used, so that readers meet only well-formed ones. False where the root is no <scene>.
+[[nodiscard]] bool check_vocabulary(XmlElement& root, Diagnostics& diagnostics);
 
 /// True for elements that stand for a plugin or a set of properties ("shape"), false for values ("float").
 [[nodiscard]] bool is_object_tag(const std::string& tag);

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: MIT
+// Every element of the scene language gives what docs/scene-format.md says, defaults included.
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "scene/parse_value.h"
+#include "scene/scene_text.h"
+
+using namespace strahl;
+using namespace strahl::test;
+
+namespace {
+
+Scene sensor(const std::string& inside, const std::string& type = "perspective") {
+  return load_text("<scene version=\"3.0.0\"><sensor type=\"" + type + "\">" + inside + "</sensor></scene>").scene;
+}
+
+Rgb reflectance(const std::string& property) {
+  return std::get<Diffuse>(load_body("<bsdf type=\"diffuse\">" + property + "</bsdf>").scene.materials.at(1).bsdf)
+      .reflectance;
+}
+
+}  // namespace
+
+TEST_CASE("defaults of an empty scene") {
+  const LoadedScene loaded = load_text("<scene version=\"3.0.0\"/>");
+  REQUIRE(loaded.warnings.size() == 1);
+  CHECK(loaded.warnings[0].message.find("no <sensor>") != std::string::npos);
+  CHECK(loaded.scene.film.width == 768);
+  CHECK(loaded.scene.film.height == 576);
+  CHECK(loaded.scene.film.filter.kind == FilterKind::gaussian);
+  CHECK(loaded.scene.integrator.name == "direct");
+  CHECK(loaded.scene.integrator.max_depth == -1);
+  CHECK(loaded.scene.materials.size() == 1);
+  CHECK_FALSE(loaded.scene.materials[0].twosided);
+}
+
+TEST_CASE("fields of view") {
+  const Camera normal = sensor("").camera;
+  CHECK(normal.fov_axis == FovAxis::diagonal);
+  CHECK(normal.fov_degrees ==
+        Approx(2 * std::atan(std::sqrt(36. * 36 + 24 * 24) / 100) * 180 / std::acos(-1)).epsilon(1e-14));
+  CHECK(sensor("<string name=\"focal_length\" value=\"25mm\"/>").camera.fov_degrees > 80);
+  const std::pair<const char*, FovAxis> axes[] = {{"x", FovAxis::x},
+                                                  {"y", FovAxis::y},
+                                                  {"diagonal", FovAxis::diagonal},
+                                                  {"smaller", FovAxis::smaller},
+                                                  {"larger", FovAxis::larger}};
+  for (const auto& [name, axis] : axes) {
+    const Camera camera =
+        sensor(std::string("<float name=\"fov\" value=\"33\"/><string name=\"fov_axis\" value=\"") + name + "\"/>")
+            .camera;
+    CHECK(camera.fov_axis == axis);
+    CHECK(camera.fov_degrees == 33);
+  }
+  CHECK(sensor("<float name=\"fov\" value=\"33\"/>").camera.fov_axis == FovAxis::x);
+}
+
+TEST_CASE("sensors") {
+  const Camera camera = sensor(
+                            "<float name=\"principal_point_offset_x\" value=\".1\"/><float name=\"near_clip\" "
+                            "value=\"2\"/><integer name=\"far_clip\" value=\"3\"/><float name=\"focus_distance\" "
+                            "value=\"9\"/>")
+                            .camera;
+  CHECK(camera.principal_point_offset_x == .1);
+  CHECK(camera.near_clip == 2);
+  CHECK(camera.far_clip == 3);
+  CHECK(sensor("").camera.near_clip == 0);
+  CHECK(std::isinf(sensor("").camera.far_clip));
+  CHECK(sensor("", "orthographic").camera.projection == Projection::orthographic);
+}
+
+TEST_CASE("film, filter, sampler") {
+  const Film film =
+      sensor(
+          "<film type=\"hdrfilm\"><integer name=\"width\" value=\"100\"/><integer name=\"height\" value=\"50\"/>"
+          "<integer name=\"crop_offset_x\" value=\"10\"/><integer name=\"crop_width\" value=\"20\"/>"
+          "<string name=\"pixel_format\" value=\"rgb\"/><rfilter type=\"tent\"><float name=\"radius\" "
+          "value=\"2\"/></rfilter></film>")
+          .film;
+  CHECK(film.window() == Window{10, 0, 30, 50});
+  CHECK(film.filter.kind == FilterKind::tent);
+  CHECK(film.filter.radius == 2);
+  CHECK(
+      sensor("<film type=\"hdrfilm\"><rfilter type=\"gaussian\"><float name=\"stddev\" value=\".7\"/></rfilter></film>")
+          .film.filter.stddev == .7);
+  const SamplerSettings sampler =
+      sensor(
+          "<sampler type=\"independent\"><integer name=\"sample_count\" value=\"8\"/><integer "
+          "name=\"seed\" value=\"3\"/></sampler>")
+          .sampler;
+  CHECK(sampler.kind == SamplerKind::independent);
+  CHECK(sampler.sample_count == 8);
+  CHECK(sampler.seed == 3);
+  for (const char* type : {"stratified", "multijitter", "orthogonal", "ldsampler"})
+    CHECK_FALSE(sensor(std::string("<sampler type=\"") + type + "\"/>").sampler.kind.has_value());
+}
+
+TEST_CASE("colours") {
+  CHECK(reflectance("<rgb name=\"reflectance\" value=\"0.1, 0.2, 0.3\"/>") == Rgb{.1, .2, .3});
+  CHECK(reflectance("<rgb name=\"reflectance\" value=\".25\"/>") == Rgb{.25, .25, .25});
+  CHECK(reflectance("<rgb name=\"reflectance\" value=\"#00ff80\"/>") == Rgb{0, 1, linear_from_srgb(128 / 255.)});
+  CHECK(reflectance("<spectrum name=\"reflectance\" value=\"0.75\"/>") == Rgb{.75, .75, .75});
+  CHECK(reflectance("<float name=\"reflectance\" value=\"0.75\"/>") == Rgb{.75, .75, .75});
+  CHECK(reflectance("") == Rgb{.5, .5, .5});
+  CHECK(linear_from_srgb(128 / 255.) == Approx(0.21586).epsilon(1e-4));
+}
+
+TEST_CASE("materials are shared by reference, in any order") {
+  const Scene scene =
+      load_body(
+          "<shape type=\"sphere\"><ref id=\"b\" name=\"bsdf\"/></shape><shape type=\"disk\"><ref id=\"t\"/>"
+          "</shape><bsdf type=\"diffuse\" id=\"b\"/><bsdf type=\"twosided\" id=\"t\"><ref id=\"b\"/></bsdf>"
+          "<shape type=\"cube\"/><alias id=\"b\" as=\"c\"/><shape type=\"cube\"><ref id=\"c\"/></shape>")
+          .scene;
+  REQUIRE(scene.materials.size() == 3);
+  CHECK(scene.shapes[0].material == 1);
+  CHECK(scene.shapes[1].material == 2);
+  CHECK(scene.shapes[2].material == 0);
+  CHECK(scene.shapes[3].material == 1);
+  CHECK(scene.materials[2].twosided);
+  CHECK_FALSE(scene.materials[1].twosided);
+}
+
+TEST_CASE("lights") {
+  const Scene scene =
+      load_body(
+          "<emitter type=\"point\"><transform name=\"to_world\"><translate x=\"1\" y=\"2\" z=\"3\"/>"
+          "</transform><rgb name=\"intensity\" value=\"4\"/></emitter><emitter type=\"directional\">"
+          "<transform name=\"to_world\"><rotate y=\"1\" angle=\"90\"/></transform></emitter><emitter "
+          "type=\"constant\"><rgb name=\"radiance\" value=\"1 2 3\"/></emitter>\n<shape type=\"sphere\">"
+          "<emitter type=\"area\"><rgb name=\"radiance\" value=\"5\"/></emitter></shape>")
+          .scene;
+  REQUIRE(scene.lights.size() == 3);
+  CHECK(std::get<PointLight>(scene.lights[0].emitter).position == Vec3{1, 2, 3});
+  CHECK(std::get<PointLight>(scene.lights[0].emitter).intensity == Rgb{4, 4, 4});
+  CHECK(std::get<DirectionalLight>(scene.lights[1].emitter).direction == Vec3{1, 0, 0});
+  CHECK(std::get<DirectionalLight>(scene.lights[1].emitter).irradiance == Rgb{1, 1, 1});
+  CHECK(std::get<ConstantLight>(scene.lights[2].emitter).radiance == Rgb{1, 2, 3});
+  CHECK(scene.shapes[0].radiance == Rgb{5, 5, 5});
+  CHECK(scene.shapes[0].radiance_where.line == 3);
+  CHECK(scene.shapes[0].radiance_where.column == 22);
+}
+
+TEST_CASE("a scene without sensor is framed along -z") {
+  const Scene scene = load_text(
+                          "<scene version=\"3.0.0\"><shape type=\"box\"><point name=\"min\" value=\"1 2 3\"/><point "
+                          "name=\"max\" value=\"5 4 9\"/></shape></scene>")
+                          .scene;
+  const Transform& t = scene.camera.world_from_camera;
+  CHECK(t.vector({0, 0, 1}) == Vec3{0, 0, -1});
+  CHECK(t.vector({1, 0, 0}) == Vec3{-1, 0, 0});
+  CHECK(t.translation().x == 3);
+  CHECK(t.translation().y == 3);
+  const double tangent = std::tan(scene.camera.fov_degrees / 2 * std::acos(-1) / 180);
+  CHECK((t.translation().z - 9) * tangent > 2);
+  CHECK((t.translation().z - 9) * tangent < 2.2);
+  CHECK(scene.camera.fov_axis == FovAxis::smaller);
+}

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+// <default>, $name, -D, <include>, <alias>, and the names of Mitsuba 0.x.
+#include <catch2/catch.hpp>
+
+#include "scene/scene_text.h"
+#include "scene/xml_upgrade.h"
+
+using namespace strahl;
+using namespace strahl::test;
+
+namespace {
+
+double radius(const Scene& scene, std::size_t shape = 0) {
+  return std::get<Sphere>(scene.shapes.at(shape).geometry).radius;
+}
+
+const char* const sphere_of_r = "<shape type=\"sphere\"><float name=\"radius\" value=\"$r\"/></shape>";
+
+}  // namespace
+
+TEST_CASE("defaults, and -D before them") {
+  const std::string body =
+      std::string("<default name=\"r\" value=\"2\"/><default name=\"r\" value=\"3\"/>") + sphere_of_r;
+  CHECK(radius(load_body(body).scene) == 2);
+  CHECK(radius(load_body(body, {{{"r", "5"}}, false}).scene) == 5);
+  CHECK(radius(load_body(sphere_of_r, {{{"r", "7"}}, false}).scene) == 7);
+  const Scene scene = load_body(
+                          "<default name=\"a\" value=\"1\"/><default name=\"b\" value=\"$a.5\"/><shape type=\"sphere\" "
+                          "id=\"x-$a-$b\"><float name=\"radius\" value=\"$b\"/></shape>")
+                          .scene;
+  CHECK(radius(scene) == 1.5);
+  CHECK(scene.shapes[0].id == "x-1-1.5");
+}
+
+TEST_CASE("undefined and unused names") {
+  CHECK(
+      problems(around(std::string("<default name=\"rr\" value=\"1\"/>") + sphere_of_r)) ==
+      std::vector<std::string>{"2:52: error: $r is not defined (did you mean \"rr\"?); give it a <default name=\"r\"> "
+                               "before this place or -D r=..."});
+  CHECK(problems(around(""), {{{"rse", "1"}}, false}) ==
+        std::vector<std::string>{"0:0: warning: -D rse=1: the scene does not use $rse; it has no effect"});
+}
+
+TEST_CASE("a chain of defaults cannot grow without bound") {
+  std::string body = "<default name=\"x0\" value=\"aaaaaaaaaaaaaaaa\"/>";
+  for (int i = 1; i < 60; ++i) {
+    const std::string previous = "$x" + std::to_string(i - 1);
+    body += "<default name=\"x" + std::to_string(i) + "\" value=\"" + previous + previous + "\"/>";
+  }
+  const std::vector<std::string> found = problems(around(body));
+  REQUIRE(!found.empty());
+  CHECK(found[0].find("longer than 65536 bytes") != std::string::npos);
+}
+
+TEST_CASE("includes share names and count paths from their own folder") {
+  const SceneFolder folder;
+  folder.write("parts/balls.xml", std::string("<scene version=\"0.6.0\"><default name=\"r\" value=\"2\"/>") +
+                                      sphere_of_r + "<include filename=\"one.xml\"/></scene>");
+  folder.write("parts/one.xml", "<shape type=\"sphere\"><float name=\"radius\" value=\"$r\"/></shape>");
+  const std::string main =
+      folder.write("scene.xml", around(std::string("<include filename=\"parts/balls.xml\"/>") + sphere_of_r));
+  const LoadedScene loaded = load_scene(main);
+  CHECK(loaded.warnings.empty());
+  REQUIRE(loaded.scene.shapes.size() == 3);
+  CHECK(radius(loaded.scene, 2) == 2);
+  CHECK(loaded.scene.shapes[1].where.file == folder.path("parts/one.xml"));
+  CHECK(loaded.scene.name == "scene");
+}
+
+TEST_CASE("include cycles and missing includes end in errors at the <include>") {
+  const SceneFolder folder;
+  folder.write("a.xml", "<scene version=\"3.0.0\">\n<include filename=\"scene.xml\"/></scene>");
+  const std::string main =
+      folder.write("scene.xml", around("<include filename=\"a.xml\"/>\n<include filename=\"none.xml\"/>"));
+  try {
+    static_cast<void>(load_scene(main));
+    FAIL("the cycle went unnoticed");
+  } catch (const SceneError& error) {
+    const std::vector<std::string> found = shortened(error.diagnostics());
+    REQUIRE(found.size() == 2);
+    CHECK(found[0].rfind("3:1: error: cannot read", 0) == 0);
+    CHECK(found[1].rfind("a.xml:2:1: error:", 0) == 0);
+    CHECK(found[1].find("includes itself") != std::string::npos);
+  }
+}
+
+TEST_CASE("names of Mitsuba 0.x") {
+  CHECK(snake_case("toWorld") == "to_world");
+  CHECK(snake_case("cropOffsetX") == "crop_offset_x");
+  CHECK(snake_case("reflectance") == "reflectance");
+  CHECK(snake_case("intIOR") == "int_ior");
+  const LoadedScene loaded = load_text(
+      "<scene version=\"0.6.0\"><default name=\"myFov\" value=\"30\"/><sensor type=\"perspective\"><string "
+      "name=\"fovAxis\" "
+      "value=\"larger\"/><float name=\"fov\" value=\"$myFov\"/><transform name=\"toWorld\"><lookAt origin=\"0 0 5\" "
+      "target=\"0 0 0\" up=\"0 1 0\"/></transform><sampler type=\"ldsampler\"><integer name=\"sampleCount\" "
+      "value=\"9\"/>"
+      "</sampler></sensor><integrator type=\"direct\"><boolean name=\"hideEmitters\" value=\"true\"/></integrator>"
+      "<shape type=\"sphere\"><bsdf type=\"diffuse\"><srgb name=\"reflectance\" "
+      "value=\"#ff0000\"/></bsdf></shape></scene>");
+  CHECK(loaded.warnings.empty());
+  CHECK(loaded.scene.camera.fov_axis == FovAxis::larger);
+  CHECK(loaded.scene.camera.fov_degrees == 30);
+  CHECK(loaded.scene.camera.world_from_camera.translation() == Vec3{0, 0, 5});
+  CHECK(loaded.scene.sampler.sample_count == 9);
+  CHECK(loaded.scene.integrator.hide_emitters);
+  CHECK(std::get<Diffuse>(loaded.scene.materials[1].bsdf).reflectance == Rgb{1, 0, 0});
+  CHECK(problems("<scene version=\"2.1.0\"><sensor type=\"perspective\"><float name=\"nearClip\" value=\"1\"/></sensor>"
+                 "</scene>") ==
+        std::vector<std::string>{
+            "1:51: warning: unknown parameter \"nearClip\" of <sensor type=\"perspective\"> (did you "
+            "mean \"near_clip\"?); it is ignored"});
+}
+
+TEST_CASE("versions") {
+  CHECK(problems("<scene><sensor type=\"perspective\"/></scene>") ==
+        std::vector<std::string>{"1:1: warning: <scene> has no version; it is read as version=\"3.0.0\""});
+  CHECK(problems("<scene version=\"x\"><sensor type=\"perspective\"/></scene>").at(0).rfind("1:1: error: version", 0) ==
+        0);
+}

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: MIT
+// Geometry of every shape in the world frame, under to_world as Mitsuba does it.
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "scene/scene_text.h"
+
+using namespace strahl;
+using namespace strahl::test;
+
+namespace {
+
+Shape shape(const std::string& type, const std::string& inside, const std::string& steps = "") {
+  const std::string to_world = steps.empty() ? "" : "<transform name=\"to_world\">" + steps + "</transform>";
+  return load_body("<shape type=\"" + type + "\">" + inside + to_world + "</shape>").scene.shapes.at(0);
+}
+
+const char* const mirror_x = "<scale x=\"-1\"/>";
+const char* const box = "<point name=\"min\" value=\"-1 -2 -3\"/><point name=\"max\" value=\"1 2 5\"/>";
+const char* const square_obj = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0.25\nvn 0 0 1\nf 1/1/1 2/1/1 3/1/1 4/1/1\n";
+
+void check_close(const Vec3& a, const Vec3& b) {
+  INFO(a.x << ' ' << a.y << ' ' << a.z);
+  CHECK(length(a - b) < 1e-12);
+}
+
+}  // namespace
+
+TEST_CASE("sphere") {
+  const Sphere s =
+      std::get<Sphere>(shape("sphere", "<point name=\"center\" value=\"1 0 0\"/><float name=\"radius\" value=\".5\"/>",
+                             "<scale value=\"2\"/><rotate z=\"1\" angle=\"90\"/><translate z=\"7\"/>")
+                           .geometry);
+  check_close(s.center, {0, 2, 7});
+  CHECK(s.radius == 1);
+  check_close(s.frame[0], {0, 1, 0});
+  check_close(s.frame[2], {0, 0, 1});
+  check_close(std::get<Sphere>(shape("sphere", "", "<scale z=\"-1\"/>").geometry).frame[2], {0, 0, -1});
+  CHECK_NOTHROW(shape("sphere", "", "<matrix value=\"0.707107 -0.707107 0 0.707107 0.707107 0 0 0 1\"/>"));
+}
+
+TEST_CASE("rectangle and disk keep facing their +z when mirrored") {
+  const Rectangle r = std::get<Rectangle>(shape("rectangle", "", "<translate z=\"3\"/>").geometry);
+  CHECK(r.corner == Vec3{-1, -1, 3});
+  CHECK(r.edge_u == Vec3{2, 0, 0});
+  CHECK(r.edge_v == Vec3{0, 2, 0});
+  CHECK_FALSE(shape("rectangle", "").flip_normals);
+  CHECK(shape("rectangle", "", mirror_x).flip_normals);
+  CHECK(shape("disk", "", mirror_x).flip_normals);
+  CHECK_FALSE(shape("disk", "<boolean name=\"flip_normals\" value=\"true\"/>", mirror_x).flip_normals);
+  const Disk d =
+      std::get<Disk>(shape("disk", "", "<scale x=\"3\" y=\"3\" z=\"9\"/><rotate x=\"1\" angle=\"90\"/>").geometry);
+  CHECK(d.axis_u == Vec3{3, 0, 0});
+  check_close(d.axis_v, {0, 0, 3});
+}
+
+TEST_CASE("cube") {
+  const Shape s = shape("cube", "", "<scale x=\"2\"/>");
+  CHECK(std::get<Cube>(s.geometry).corner == Vec3{-2, -1, -1});
+  CHECK(std::get<Cube>(s.geometry).edge[0] == Vec3{4, 0, 0});
+  CHECK(primitive_count(s) == 6);
+}
+
+TEST_CASE("cylinder") {
+  const Cylinder plain = std::get<Cylinder>(shape("cylinder", "").geometry);
+  CHECK(plain.p0 == Vec3{0, 0, 0});
+  CHECK(plain.p1 == Vec3{0, 0, 1});
+  CHECK(plain.radius == 1);
+  CHECK(plain.reference == Vec3{1, 0, 0});
+  const Cylinder c =
+      std::get<Cylinder>(shape("cylinder", "<point name=\"p1\" value=\"0 0 2\"/><float name=\"radius\" value=\".5\"/>",
+                               "<scale x=\"2\" y=\"2\" z=\"3\"/><rotate x=\"1\" angle=\"-90\"/>")
+                             .geometry);
+  check_close(c.p1, {0, 6, 0});
+  CHECK(c.radius == 1);
+}
+
+TEST_CASE("plane in its three forms") {
+  const Plane a = std::get<Plane>(
+      shape("plane", "<point name=\"point\" value=\"1 2 3\"/><vector name=\"normal\" value=\"0 5 0\"/>").geometry);
+  CHECK(a.point == Vec3{1, 2, 3});
+  CHECK(a.normal == Vec3{0, 5, 0});
+  check_close(cross(a.u, a.v), {0, 1, 0});
+  const Plane b = std::get<Plane>(
+      shape("plane", "<vector name=\"normal\" value=\"1 2 2\"/><float name=\"d\" value=\"6\"/>").geometry);
+  CHECK(dot(b.normal, b.point) == Approx(6).epsilon(1e-14));
+  const Plane c = std::get<Plane>(shape("plane",
+                                        "<point name=\"point\" value=\"1 1 1\"/><vector name=\"u\" value=\"2 0 0\"/>"
+                                        "<vector name=\"v\" value=\"1 0 -1\"/>")
+                                      .geometry);
+  CHECK(c.u == Vec3{2, 0, 0});
+  CHECK(c.normal == Vec3{0, 2, 0});
+  const Plane t = std::get<Plane>(
+      shape("plane", "<vector name=\"normal\" value=\"1 1 0\"/>", "<scale x=\"2\"/><translate y=\"1\"/>").geometry);
+  check_close(t.normal, {0.5, 1, 0});
+  CHECK(t.point == Vec3{0, 1, 0});
+}
+
+TEST_CASE("box and triangle") {
+  const Box b = std::get<Box>(shape("box", box, "<rotate x=\"1\" angle=\"90\"/><translate y=\"10\"/>").geometry);
+  CHECK(b.min == Vec3{-1, 5, -2});
+  CHECK(b.max == Vec3{1, 13, 2});
+  CHECK_THROWS_AS(shape("box", box, "<rotate x=\"1\" angle=\"45\"/>"), SceneError);
+  const Triangle t =
+      std::get<Triangle>(shape("triangle",
+                               "<point name=\"p0\" value=\"0\"/><point name=\"p1\" value=\"1 0 0\"/><point "
+                               "name=\"p2\" value=\"0 1 0\"/>",
+                               mirror_x)
+                             .geometry);
+  CHECK(t.p1 == Vec3{-1, 0, 0});
+}
+
+TEST_CASE("bounds") {
+  const Scene scene =
+      load_body(
+          "<shape type=\"disk\"><transform name=\"to_world\"><rotate y=\"1\" angle=\"90\"/></transform></shape>"
+          "<shape type=\"cylinder\"/><shape type=\"plane\"/>")
+          .scene;
+  const std::optional<Box> b = bounds(scene);
+  REQUIRE(b);
+  check_close(b->min, {-1, -1, -1});
+  check_close(b->max, {1, 1, 1});
+  CHECK_FALSE(bounds(load_body("<shape type=\"plane\"/>").scene));
+}
+
+TEST_CASE("meshes") {
+  const SceneFolder folder;
+  folder.write("m/square.obj", std::string("mtllib a.mtl\nusemtl red\n") + square_obj);
+  folder.write("m/a.mtl", "newmtl red\nKd 0.8 0.1 0.1\nKe 1 2 3\n");
+  const std::string file = "<shape type=\"obj\"><string name=\"filename\" value=\"m/square.obj\"/>";
+  const std::string stretch =
+      "<transform name=\"to_world\"><rotate x=\"1\" angle=\"90\"/><scale value=\"2\"/></transform>";
+  const LoadedScene loaded =
+      load_scene(folder.write("scene.xml", around(file + stretch + "</shape>" + file +
+                                                  "<bsdf type=\"diffuse\"/><boolean name=\"face_normals\" "
+                                                  "value=\"true\"/></shape>" +
+                                                  file + "<emitter type=\"area\"/></shape>" + file +
+                                                  "<bsdf type=\"diffuse\"/><emitter type=\"area\"/></shape>")));
+  CHECK(loaded.warnings.empty());
+  const auto mesh = [&](std::size_t i) { return std::get<Mesh>(loaded.scene.shapes.at(i).geometry); };
+  CHECK(primitive_count(loaded.scene.shapes[0]) == 2);
+  check_close(mesh(0).normals.at(0), {0, -1, 0});
+  CHECK(mesh(0).uvs.at(0).y == 0.75);
+  REQUIRE(mesh(0).parts.size() == 1);
+  CHECK(mesh(0).parts[0].radiance == Rgb{1, 2, 3});
+  const Material& red = loaded.scene.materials.at(static_cast<std::size_t>(mesh(0).parts[0].material));
+  CHECK(std::get<Diffuse>(red.bsdf).reflectance == Rgb{.8, .1, .1});
+  CHECK(mesh(1).normals.empty());
+  CHECK(mesh(1).parts.at(0).material == loaded.scene.shapes[1].material);
+  CHECK(mesh(1).parts.at(0).radiance == Rgb{1, 2, 3});
+  CHECK(mesh(2).parts.at(0).radiance == Rgb{1, 1, 1});
+  CHECK(mesh(3).parts.empty());
+  const LoadedScene bare = load_scene(folder.path("m/square.obj"));
+  CHECK(bare.scene.integrator.name == "normals");
+  CHECK(bare.scene.name == "square");
+  CHECK(bare.warnings.empty());
+  CHECK(bare.scene.camera.world_from_camera.vector({0, 0, 1}) == Vec3{0, 0, -1});
+}

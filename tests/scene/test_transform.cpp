@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+// <transform> against closed forms and against matrices that Mitsuba 3.9.1 printed for the same text.
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "scene/scene_text.h"
+
+using namespace strahl;
+using namespace strahl::test;
+
+namespace {
+
+Transform to_world(const std::string& steps) {
+  return load_text("<scene version=\"3.0.0\"><sensor type=\"orthographic\"><transform name=\"to_world\">" + steps +
+                   "</transform></sensor></scene>")
+      .scene.camera.world_from_camera;
+}
+
+void check_matrix(const Transform& t, const std::array<std::array<double, 4>, 3>& expected, double tolerance) {
+  for (std::size_t row = 0; row < 3; ++row)
+    for (std::size_t column = 0; column < 4; ++column) {
+      INFO("row " << row << " column " << column);
+      CHECK(t.m[row][column] == Approx(expected[row][column]).margin(tolerance));
+    }
+}
+
+}  // namespace
+
+TEST_CASE("both attribute forms") {
+  const Transform expected{{{{1, 0, 0, 1}, {0, 1, 0, -2}, {0, 0, 1, 0.5}}}};
+  CHECK(to_world("<translate x=\"1\" y=\"-2\" z=\".5\"/>").m == expected.m);
+  CHECK(to_world("<translate value=\"1, -2, +0.5\"/>").m == expected.m);
+  CHECK(to_world("<translate value=\" 1 -2\n5e-1 \"/>").m == expected.m);
+  CHECK(to_world("<translate y=\"-2\"/>").translation() == Vec3{0, -2, 0});
+  CHECK(to_world("<scale value=\"3\"/>").determinant() == 27);
+  CHECK(to_world("<scale y=\"3\"/>").determinant() == 3);
+}
+
+TEST_CASE("each step is applied after those before it") {
+  CHECK(to_world("<scale value=\"2\"/><translate x=\"1\"/>").point({1, 1, 1}) == Vec3{3, 2, 2});
+  CHECK(to_world("<translate x=\"1\"/><scale value=\"2\"/>").point({1, 1, 1}) == Vec3{4, 2, 2});
+}
+
+TEST_CASE("quarter turns are exact") {
+  CHECK(to_world("<rotate x=\"1\" angle=\"90\"/>").point({1, 2, 3}) == Vec3{1, -3, 2});
+  CHECK(to_world("<rotate y=\"1\" angle=\"-90\"/>").point({1, 2, 3}) == Vec3{-3, 2, 1});
+  CHECK(to_world("<rotate value=\"0 0 5\" angle=\"540\"/>").point({1, 2, 3}) == Vec3{-1, -2, 3});
+}
+
+TEST_CASE("a rotation is one, whatever the length of its axis") {
+  const Transform t = to_world("<rotate x=\"1\" y=\"2\" z=\"3\" angle=\"30\"/>");
+  CHECK(length(t.vector({1, 2, 3}) - Vec3{1, 2, 3}) < 1e-15);
+  CHECK(t.determinant() == Approx(1).epsilon(1e-14));
+  CHECK(dot(t.vector({3, 0, -1}), {3, 0, -1}) == Approx(10 * std::cos(std::acos(-1) / 6)).epsilon(1e-14));
+}
+
+TEST_CASE("as Mitsuba: lookat") {
+  check_matrix(
+      to_world("<lookat origin=\"1,2,3\" target=\"4,1,-2\" up=\"0,1,0\"/>"),
+      {{{-0.857493, 0.0869657, 0.507093, 1}, {0, 0.985611, -0.169031, 2}, {-0.514496, -0.144943, -0.845154, 3}}}, 1e-6);
+  check_matrix(
+      to_world("<lookat origin=\"0,0,0\" target=\"0.3,1,0.2\"/>"),
+      {{{0.223447, 0.932966, 0.282216, 0}, {-0.255178, -0.223447, 0.940721, 0}, {0.940721, -0.282216, 0.188144, 0}}},
+      1e-6);
+}
+
+TEST_CASE("matrices of 9 and 16 values") {
+  const Transform expected{{{{1, 2, 3, 0}, {0, 1, 4, 0}, {5, 6, 0, 0}}}};
+  CHECK(to_world("<matrix value=\"1 2 3 0 1 4 5 6 0\"/>").m == expected.m);
+  CHECK(to_world("<matrix value=\"1 2 3 7 0 1 4 8 5 6 0 9 0 0 0 1\"/>").translation() == Vec3{7, 8, 9});
+}

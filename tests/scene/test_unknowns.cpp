@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+// Nothing is ignored silently: unknown plugins and parameters warn, with --strict they are errors.
+#include <catch2/catch.hpp>
+
+#include "scene/did_you_mean.h"
+#include "scene/scene_text.h"
+
+using namespace strahl;
+using namespace strahl::test;
+
+namespace {
+
+struct Unknown {
+  const char* body;
+  const char* place;
+  const char* words;
+};
+
+const Unknown unknowns[] = {
+    {"<shape type=\"torus\"/>", "2:1", "unknown shape \"torus\"; it is left out"},
+    {"<shape type=\"sphere\"><floot name=\"radius\" value=\"1\"/></shape>", "2:22",
+     "<floot> (did you mean \"float\"?)"},
+    {"<shape type=\"sphere\"><float name=\"Radius\" value=\"1\"/></shape>", "2:22", "did you mean \"radius\"?"},
+    {"<shape type=\"sphere\" nmae=\"x\"/>", "2:1", "unknown attribute \"nmae\" of <shape> (did you mean \"name\"?)"},
+    {"<shape type=\"sphere\">text</shape>", "2:1", "text inside <shape> is ignored"},
+    {"<shape type=\"sphere\"><float name=\"radius\" value=\"1\"><float name=\"a\" value=\"1\"/></float></shape>",
+     "2:53", "cannot contain"},
+    {"<shape type=\"sphere\"><shape type=\"disk\"/></shape>", "2:22", "has no use for a <shape>"},
+    {"<shape type=\"sphere\"><medium type=\"homogeneous\" name=\"interior\"/></shape>", "2:22",
+     "no use for a <medium>"},
+    {"<shape type=\"sphere\"><bsdf type=\"dielectric\"><float name=\"int_ior\" value=\"1.5\"/></bsdf></shape>", "2:22",
+     "unknown bsdf \"dielectric\"; a two-sided diffuse one of reflectance 0.5 takes its place"},
+    {"<shape type=\"sphere\"><bsdf type=\"difuse\"/></shape>", "2:22", "did you mean \"diffuse\"?"},
+    {"<shape type=\"sphere\"><emitter type=\"spot\"/></shape>", "2:22", "cannot be part of a shape"},
+    {"<emitter type=\"envmap\"><string name=\"filename\" value=\"a.exr\"/></emitter>", "2:1",
+     "unknown emitter \"envmap\""},
+    {"<emitter type=\"area\"/>", "2:1", "belongs inside a <shape>"},
+    {"<integrator type=\"path\"/>", "2:1", "\"direct\" takes its place: no indirect light"},
+    {"<integrator type=\"pth\"/>", "2:1", "unknown integrator \"pth\""},
+    {"<texture type=\"bitmap\"/>", "2:1", "without an id"},
+    {"<bsdf type=\"diffuse\"><texture type=\"checkerboard\" name=\"reflectance\"/></bsdf>", "2:22",
+     "the constant 0.5 takes its place"},
+    {"<bsdf type=\"diffuse\"><spectrum name=\"reflectance\" value=\"400:.2, 600:.6\"/></bsdf>", "2:22", "mean 0.4"},
+    {"<bsdf type=\"diffuse\"><spectrum name=\"reflectance\" filename=\"a.spd\"/></bsdf>", "2:22", "from a file"},
+};
+
+}  // namespace
+
+TEST_CASE("unknown things warn with their place; strict makes them errors") {
+  LoadOptions strict;
+  strict.strict = true;
+  for (const Unknown& unknown : unknowns) {
+    for (const bool is_strict : {false, true}) {
+      const std::vector<std::string> found = problems(around(unknown.body), is_strict ? strict : LoadOptions{});
+      INFO(unknown.body);
+      for (const std::string& line : found) UNSCOPED_INFO(line);
+      REQUIRE(found.size() == 1);
+      CHECK(found[0].rfind(std::string(unknown.place) + (is_strict ? ": error: " : ": warning: "), 0) == 0);
+      CHECK(found[0].find(unknown.words) != std::string::npos);
+    }
+  }
+}
+
+TEST_CASE("substitutes keep what they can") {
+  const Scene scene = load_body(
+                          "<bsdf type=\"plastic\"><rgb name=\"diffuse_reflectance\" value=\".1 .2 .3\"/></bsdf>"
+                          "<bsdf type=\"mask\"><bsdf type=\"diffuse\"><rgb name=\"reflectance\" value=\".4\"/></bsdf>"
+                          "</bsdf><bsdf type=\"conductor\"/>")
+                          .scene;
+  REQUIRE(scene.materials.size() == 4);
+  CHECK(std::get<Diffuse>(scene.materials[1].bsdf).reflectance == Rgb{.1, .2, .3});
+  CHECK(std::get<Diffuse>(scene.materials[2].bsdf).reflectance == Rgb{.4, .4, .4});
+  CHECK(std::get<Diffuse>(scene.materials[3].bsdf).reflectance == Rgb{.5, .5, .5});
+}
+
+TEST_CASE("a reflectance outside [0, 1] is clamped with a warning, strict or not") {
+  const LoadedScene loaded = load_body("<bsdf type=\"diffuse\"><rgb name=\"reflectance\" value=\"2, .5, -1\"/></bsdf>");
+  CHECK(std::get<Diffuse>(loaded.scene.materials[1].bsdf).reflectance == Rgb{1, .5, 0});
+  REQUIRE(loaded.warnings.size() == 1);
+  CHECK(loaded.warnings[0].message == "\"reflectance\" is 2, 0.5, -1, outside [0, 1]; 1, 0.5, 0 is used");
+}
+
+TEST_CASE("edit distance") {
+  CHECK(edit_distance("", "abc") == 3);
+  CHECK(edit_distance("kitten", "sitting") == 3);
+  CHECK(edit_distance("radius", "raduis") == 1);
+  CHECK(did_you_mean("majr_radius", {"minor_radius", "major_radius"}) == " (did you mean \"major_radius\"?)");
+  CHECK(did_you_mean("itu-radio-material", {"diffuse", "twosided"}).empty());
+  CHECK(did_you_mean("zz", {"x", "y"}).empty());
+}

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+// Scenes built by hand: every broken invariant is named.
+#include <catch2/catch.hpp>
+#include <limits>
+
+#include "scene/validate.h"
+
+using namespace strahl;
+
+namespace {
+
+Scene scene_with(const Geometry& geometry) {
+  Scene scene;
+  scene.materials.emplace_back();
+  Shape shape;
+  shape.geometry = geometry;
+  scene.shapes.push_back(shape);
+  return scene;
+}
+
+void check_one(const Scene& scene, const std::string& words) {
+  const std::vector<Diagnostic> found = validate(scene);
+  INFO(words);
+  REQUIRE(found.size() == 1);
+  CHECK(found[0].message.find(words) != std::string::npos);
+}
+
+template <class Change>
+void check_changed(const std::string& words, const Change& change) {
+  Scene scene = scene_with(Sphere{});
+  change(scene);
+  check_one(scene, words);
+}
+
+Mesh triangle_mesh() {
+  Mesh mesh;
+  mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  mesh.triangles = {{0, 1, 2}};
+  return mesh;
+}
+
+constexpr double nan_value = std::numeric_limits<double>::quiet_NaN();
+
+}  // namespace
+
+TEST_CASE("sound scenes have no faults") {
+  const Geometry sound[] = {Sphere{},
+                            Plane{},
+                            Box{},
+                            Triangle{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}},
+                            Rectangle{{}, {1, 0, 0}, {0, 1, 0}},
+                            Cube{{}, {{{1, 0, 0}, {0, 1, 0}, {0, 0, -1}}}},
+                            Disk{{}, {1, 0, 0}, {0, 1, 0}},
+                            Cylinder{{}, {0, 0, 1}, 1, {1, 0, 0}},
+                            triangle_mesh()};
+  for (const Geometry& geometry : sound) {
+    INFO(geometry.index());
+    CHECK(validate(scene_with(geometry)).empty());
+  }
+}
+
+TEST_CASE("faults of geometry") {
+  check_one(scene_with(Sphere{{}, 0}), "radius");
+  check_one(scene_with(Sphere{{nan_value, 0, 0}}), "finite");
+  check_one(scene_with(Sphere{{}, 1, {{{1, 0, 0}, {1, 0, 0}, {0, 0, 1}}}}), "orthonormal");
+  check_one(scene_with(Plane{{}, {0, 0, 0}}), "not zero");
+  check_one(scene_with(Plane{{}, {0, 1, 0}, {1, 0, 0}, {2, 0, 0}}), "span");
+  check_one(scene_with(Box{{1, 0, 0}, {0, 0, 0}}), "min");
+  check_one(scene_with(Triangle{{0, 0, 0}, {1, 1, 1}, {2, 2, 2}}), "line");
+  check_one(scene_with(Rectangle{{}, {1, 0, 0}, {1, 0, 0}}), "area");
+  check_one(scene_with(Cube{{}, {{{1, 0, 0}, {0, 1, 0}, {0, 0, 0}}}}), "volume");
+  check_one(scene_with(Disk{{}, {1, 0, 0}, {0, 2, 0}}), "equally long");
+  check_one(scene_with(Cylinder{{}, {0, 0, 1}, 1, {0, 0, 1}}), "reference");
+  check_one(scene_with(Cylinder{{}, {}, 1, {1, 0, 0}}), "differ");
+  Mesh mesh = triangle_mesh();
+  mesh.triangles[0][1] = 3;
+  check_one(scene_with(mesh), "triangle 0");
+  mesh = triangle_mesh();
+  mesh.normals.resize(1);
+  check_one(scene_with(mesh), "normal for every vertex");
+  mesh = triangle_mesh();
+  mesh.parts = {{0, {}}};
+  mesh.part_of_triangle = {1};
+  check_one(scene_with(mesh), "part_of_triangle");
+  mesh.part_of_triangle = {0};
+  mesh.parts[0].material = 4;
+  check_one(scene_with(mesh), "material 4");
+  mesh = triangle_mesh();
+  mesh.triangles.clear();
+  check_one(scene_with(mesh), "no triangles");
+}
+
+TEST_CASE("faults of everything else") {
+  check_changed("material 1", [](Scene& s) { s.shapes[0].material = 1; });
+  check_changed("radiance", [](Scene& s) { s.shapes[0].radiance = Rgb{-1, 0, 0}; });
+  check_changed("reflectance", [](Scene& s) { s.materials[0].bsdf = Diffuse{{2, 0, 0}}; });
+  check_changed("position", [](Scene& s) { s.lights.push_back({"", PointLight{{nan_value, 0, 0}, {}}, {}}); });
+  check_changed("direction", [](Scene& s) { s.lights.push_back({"", DirectionalLight{{0, 0, 0}, {}}, {}}); });
+  check_changed("one constant", [](Scene& s) { s.lights.assign(2, {"", ConstantLight{}, {}}); });
+  check_changed("fov", [](Scene& s) { s.camera.fov_degrees = 180; });
+  check_changed("singular", [](Scene& s) { s.camera.world_from_camera.m[2] = {0, 0, 0, 0}; });
+  check_changed("near_clip", [](Scene& s) { s.camera.far_clip = 0; });
+  check_changed("crop", [](Scene& s) { s.film.crop = Window{5, 0, 5, 9}; });
+  check_changed("stddev", [](Scene& s) { s.film.filter.stddev = 0; });
+  check_changed("sample_count", [](Scene& s) { s.sampler.sample_count = 0; });
+  check_changed("max_depth", [](Scene& s) { s.integrator.max_depth = -2; });
+  check_changed("no name", [](Scene& s) { s.integrator.name.clear(); });
+  Scene wide = scene_with(Sphere{});
+  wide.film.width = 65537;
+  check_one(wide, "65536");
+}
