@@ -45,11 +45,10 @@ std::vector<double> camera_reals(const Camera& camera, const Film& film, const V
     const double tangent = tan_half_width(camera, film);
     dx = (tangent * depth) * right;
     dy = (tangent * aspect * depth) * down;
-    d = d - 2 * camera.principal_point_offset_x * dx - 2 * camera.principal_point_offset_y * dy;
+    d = d + 2 * camera.principal_point_offset_x * dx + 2 * camera.principal_point_offset_y * dy;
   } else {
     ox = right;
     oy = aspect * down;
-    o = o - 2 * camera.principal_point_offset_x * ox - 2 * camera.principal_point_offset_y * oy;
   }
   std::vector<double> reals(layout::CAMERA_REALS, 0.0);
   auto put = [&](int at, const Vec3& v) {

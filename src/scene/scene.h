@@ -148,8 +148,10 @@ struct Camera {
   Transform world_from_camera;
   double fov_degrees = 50;  ///< Opening angle along fov_axis (a stated fov; a focal_length is converted).
   FovAxis fov_axis = FovAxis::x;
-  double principal_point_offset_x = 0;  ///< In picture widths, to the right.
-  double principal_point_offset_y = 0;  ///< In picture heights, downwards.
+  /// As Mitsuba 3.9 computes it: every ray of a perspective camera goes where the ray this many picture widths to its
+  /// right (heights below it) would go.
+  double principal_point_offset_x = 0;
+  double principal_point_offset_y = 0;
   double near_clip = 0;  ///< Distances along the viewing axis. Default: nothing is clipped (Mitsuba: 1e-2 … 1e4).
   double far_clip = std::numeric_limits<double>::infinity();
   SourceLocation where;
