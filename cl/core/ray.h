@@ -14,10 +14,10 @@ typedef struct {
   real t_from_scaled;  ///< t in units of the direction as given = t * t_from_scaled.
   int left;            ///< Scene-wide id of the primitive just left, -1: none. It is not hit again where it was left.
 
-  real3 inv;           ///< 1 / d, infinite where d is 0.
-  int near_x, near_y, near_z;     ///< Plane of a box (0 lo_x, 1 hi_x, 2 lo_y, ...) that the ray meets first, per axis.
-  int kx, ky, kz;                 ///< Axes of the shear: kz the largest of |d|; x, y, z form a right-handed turn.
-  real shear_x, shear_y, shear_z; ///< Woop, Benthin, Wald, "Watertight Ray/Triangle Intersection", JCGT 2(1), 2013.
+  real3 inv;                       ///< 1 / d, infinite where d is 0.
+  int near_x, near_y, near_z;      ///< Plane of a box (0 lo_x, 1 hi_x, 2 lo_y, ...) that the ray meets first, per axis.
+  int kx, ky, kz;                  ///< Axes of the shear: kz the largest of |d|; x, y, z form a right-handed turn.
+  real shear_x, shear_y, shear_z;  ///< Woop, Benthin, Wald, "Watertight Ray/Triangle Intersection", JCGT 2(1), 2013.
 } Ray;
 
 FN real component(real3 v, int axis) { return axis == 0 ? v.x : (axis == 1 ? v.y : v.z); }

@@ -7,14 +7,14 @@
 #include "math/vec3.h"
 
 typedef struct {
-  real3 position;   ///< On the surface to rounding, not o + t d where the shape knows better.
-  real3 normal;     ///< Unit, geometric, as built.
-  real3 shading;    ///< Unit: interpolated vertex normals where there are any.
-  real u, v;        ///< The shape's own parameters (docs/scene-format.md).
-  real tex_u, tex_v;///< Texture coordinates: the mesh's uvs where there are any, else u, v.
-  int shape;        ///< Index in file order.
-  int primitive;    ///< Within the shape.
-  int part;         ///< Row of the part table.
+  real3 position;     ///< On the surface to rounding, not o + t d where the shape knows better.
+  real3 normal;       ///< Unit, geometric, as built.
+  real3 shading;      ///< Unit: interpolated vertex normals where there are any.
+  real u, v;          ///< The shape's own parameters (docs/scene-format.md).
+  real tex_u, tex_v;  ///< Texture coordinates: the mesh's uvs where there are any, else u, v.
+  int shape;          ///< Index in file order.
+  int primitive;      ///< Within the shape.
+  int part;           ///< Row of the part table.
 } Surface;
 
 FN real3 ray_at(const Ray* ray, real t) { return fma3(t, ray->d, ray->o); }

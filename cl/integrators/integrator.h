@@ -7,8 +7,8 @@
 
 FN real3 radiance_of(const Scene* scene, const Ray* ray, int hit, const Surface* s, int id) {
   switch (scene->index[HEADER_INTEGRATOR]) {
-#define INTEGRATOR(name)   \
-  case INTEGRATOR_##name:  \
+#define INTEGRATOR(name)  \
+  case INTEGRATOR_##name: \
     return name##_radiance(scene, ray, hit, s, id);
 #include "integrators/integrators.def"
 #undef INTEGRATOR

@@ -2,13 +2,17 @@
 // Lane types and operations for one value of LANES (1, 8 or 16): include once per width, after defining LANES.
 // No include guard on purpose. Bodies use these, + - * / and unary - on realw, & | ~ on maskw, nothing else.
 //
-//   splat_w(x) every lane x          lt_w le_w eq_w  compare, false on NaN       sel_w(m, a, b)  m ? a : b, no arithmetic
-//   max_w(x, a) min_w(x, a)  the larger / smaller, a NaN x is dropped            fma_w sqrt_w    correctly rounded
-//   abs_w, flip_w(a, s)  clear the sign, xor it with the sign of s              nonzero_w(i)    mask of i != 0
-//   bits_w(m)  bit i = lane i         any_w(m)  is a lane set                    load_w load_int_w store_w  LANES values
+//   splat_w(x)                every lane x
+//   lt_w le_w eq_w            compare, false on NaN
+//   sel_w(m, a, b)            m ? a : b, no arithmetic
+//   max_w(x, a) min_w(x, a)   the larger, smaller; a NaN x is dropped
+//   fma_w sqrt_w              correctly rounded
+//   abs_w(a) flip_w(a, s)     clear the sign; xor it with the sign of s
+//   nonzero_w(i)              mask of i != 0
+//   bits_w(m) any_w(m)        bit i = lane i; is a lane set
+//   load_w load_int_w store_w LANES consecutive values
 #include "lanes/lane_names.h"
 #include "portable.h"
-
 
 #if LANES == 1
 
@@ -26,9 +30,7 @@ FN maskw nonzero_w(intw i) { return -(int)(i != 0); }
 FN realw fma_w(realw a, realw b, realw c) { return real_fma(a, b, c); }
 FN realw sqrt_w(realw a) { return real_sqrt(a); }
 FN realw abs_w(realw a) { return real_abs(a); }
-FN realw flip_w(realw a, realw s) {
-  return bits_to_real(real_to_bits(a) ^ (real_to_bits(s) & real_to_bits(-R(0.0))));
-}
+FN realw flip_w(realw a, realw s) { return bits_to_real(real_to_bits(a) ^ (real_to_bits(s) & real_to_bits(-R(0.0)))); }
 FN uint bits_w(maskw m) { return (uint)(m & 1); }
 FN int any_w(maskw m) { return m != 0; }
 FN realw load_w(GLOBAL const real* p) { return *p; }

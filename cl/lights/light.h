@@ -13,8 +13,8 @@ FN LightSample light_sample(const Scene* scene, int light, real3 from) {
   GLOBAL const real* params = scene->shading + row[LIGHT_REALS];
   LightSample none;
   switch (row[LIGHT_KIND]) {
-#define LIGHT(name)   \
-  case LIGHT_##name:  \
+#define LIGHT(name)  \
+  case LIGHT_##name: \
     return name##_sample(params, from);
 #include "lights/lights.def"
 #undef LIGHT
@@ -36,9 +36,9 @@ FN real3 background_radiance(const Scene* scene) {
     GLOBAL const real* params = scene->shading + row[LIGHT_REALS];
     (void)params;
     switch (row[LIGHT_KIND]) {
-#define LIGHT(name)                                  \
-  case LIGHT_##name:                                 \
-    sum = add3(sum, name##_background(params));      \
+#define LIGHT(name)                             \
+  case LIGHT_##name:                            \
+    sum = add3(sum, name##_background(params)); \
     break;
 #include "lights/lights.def"
 #undef LIGHT

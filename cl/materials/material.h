@@ -21,8 +21,8 @@ FN real3 material_eval(const Scene* scene, const Surface* s, real3 wi, real3 wo)
   if (!(cos_i > zero && cos_o > zero)) return black;
   GLOBAL const real* params = scene->shading + row[MATERIAL_REALS];
   switch (row[MATERIAL_KIND]) {
-#define MATERIAL(name)   \
-  case MATERIAL_##name:  \
+#define MATERIAL(name)  \
+  case MATERIAL_##name: \
     return name##_eval(params, cos_i, cos_o);
 #include "materials/materials.def"
 #undef MATERIAL

@@ -3,26 +3,27 @@
 //
 //   geometry  reals: per kind of shape, blocks of planes x LANES
 //   shading   reals: camera, filter table, frames, vertex attributes, radiances, material and light parameters
-//   index     ints:  header, one row a kind of shape, ids, tables. Offsets count elements of the buffer they point into.
+//   index     ints:  header, one row a kind of shape, ids, tables. Offsets count elements of the buffer they point
+//   into.
 #ifndef STRAHL_SCENE_LAYOUT_H
 #define STRAHL_SCENE_LAYOUT_H
 
 enum {
-  HEADER_WIDTH,         // pixels of the whole picture
+  HEADER_WIDTH,  // pixels of the whole picture
   HEADER_HEIGHT,
-  HEADER_CROP_X,        // first pixel of the window, and its width
+  HEADER_CROP_X,  // first pixel of the window, and its width
   HEADER_CROP_Y,
   HEADER_CROP_WIDTH,
   HEADER_SEED,
-  HEADER_INTEGRATOR,    // INTEGRATOR_direct, ...
-  HEADER_MAX_DEPTH,     // -1: no limit
+  HEADER_INTEGRATOR,  // INTEGRATOR_direct, ...
+  HEADER_MAX_DEPTH,   // -1: no limit
   HEADER_HIDE_EMITTERS,
-  HEADER_CAMERA,        // -> shading
-  HEADER_FILTER,        // -> shading, FILTER_CELLS + 1 quantiles
-  HEADER_FILM_SCALE,    // -> shading, 1 real: film units per unit of radiance, a power of two
-  HEADER_PARTS,         // -> index, PART_INTS a part
-  HEADER_MATERIALS,     // -> index, MATERIAL_INTS a material
-  HEADER_LIGHTS,        // -> index, LIGHT_INTS a light
+  HEADER_CAMERA,      // -> shading
+  HEADER_FILTER,      // -> shading, FILTER_CELLS + 1 quantiles
+  HEADER_FILM_SCALE,  // -> shading, 1 real: film units per unit of radiance, a power of two
+  HEADER_PARTS,       // -> index, PART_INTS a part
+  HEADER_MATERIALS,   // -> index, MATERIAL_INTS a material
+  HEADER_LIGHTS,      // -> index, LIGHT_INTS a light
   HEADER_LIGHT_COUNT,
   HEADER_INTS
 };
@@ -31,14 +32,14 @@ enum {
 enum { SHAPE_BLOCKS, SHAPE_GEOMETRY, SHAPE_IDS, SHAPE_INTS };
 
 enum {
-  PART_SHAPE,       // index in file order
-  PART_FIRST_ID,    // scene-wide id of the shape's primitive 0
-  PART_MATERIAL,    // row of the material table
-  PART_RADIANCE,    // -> shading, r g b; -1: does not emit
-  PART_FLIP,        // 1: the normal is reversed
-  PART_FRAME,       // -> shading, 9 reals, meaning by kind; -1: none
-  PART_NORMALS,     // -> shading, 9 reals a primitive of the shape; -1: none
-  PART_UVS,         // -> shading, 6 reals a primitive of the shape; -1: none
+  PART_SHAPE,     // index in file order
+  PART_FIRST_ID,  // scene-wide id of the shape's primitive 0
+  PART_MATERIAL,  // row of the material table
+  PART_RADIANCE,  // -> shading, r g b; -1: does not emit
+  PART_FLIP,      // 1: the normal is reversed
+  PART_FRAME,     // -> shading, 9 reals, meaning by kind; -1: none
+  PART_NORMALS,   // -> shading, 9 reals a primitive of the shape; -1: none
+  PART_UVS,       // -> shading, 6 reals a primitive of the shape; -1: none
   PART_INTS
 };
 

@@ -19,8 +19,7 @@ FN int box_face(const Ray* ray, GLOBAL const real* prim, int stride, real t) {
   return near[0];
 }
 
-FN void box_surface(const Ray* ray, GLOBAL const real* prim, int stride, GLOBAL const real* frame, real t,
-                    Surface* s) {
+FN void box_surface(const Ray* ray, GLOBAL const real* prim, int stride, GLOBAL const real* frame, real t, Surface* s) {
   (void)frame;
   int face = box_face(ray, prim, stride, t);
   real outward = (face & 1) != 0 ? R(1.0) : -R(1.0);

@@ -3,8 +3,7 @@
 // loses nothing that its input did not lose. Weak (until the robust tier): grazing rays far from the anchor.
 // Parallel rays, those in the plane included, miss: n.d = 0 gives an infinite or NaN t.
 
-FN void LANED(plane_block)(const Ray* ray, GLOBAL const real* block, GLOBAL const int* ids, int slot,
-                           Nearest* best) {
+FN void LANED(plane_block)(const Ray* ray, GLOBAL const real* block, GLOBAL const int* ids, int slot, Nearest* best) {
   realw gx = load_w(block) - splat_w(ray->o.x);
   realw gy = load_w(block + LANES) - splat_w(ray->o.y);
   realw gz = load_w(block + 2 * LANES) - splat_w(ray->o.z);

@@ -31,10 +31,10 @@ FN Surface surface_at(const Scene* scene, const Ray* ray, const Nearest* hit, in
   (void)block;
   (void)lane;
   switch (hit->kind) {
-#define SHAPE(name, planes)                                                                                      \
-  case SHAPE_##name:                                                                                             \
+#define SHAPE(name, planes)                                                                                          \
+  case SHAPE_##name:                                                                                                 \
     name##_surface(ray, scene->geometry + row[SHAPE_GEOMETRY] + block * (planes)*lanes + lane, lanes, frame, hit->t, \
-                   &s);                                                                                          \
+                   &s);                                                                                              \
     break;
 #include "shapes/shapes.def"
 #undef SHAPE

@@ -4,8 +4,7 @@
 // Ray Tracing Gems, ch. 7, 2019. Weak (until the robust tier): r / distance below 1e-6, eye close to a huge sphere.
 // The sphere just left is met again only at its other root, -2 (f.d) / (d.d): the known root is exactly 0.
 
-FN void LANED(sphere_block)(const Ray* ray, GLOBAL const real* block, GLOBAL const int* ids, int slot,
-                            Nearest* best) {
+FN void LANED(sphere_block)(const Ray* ray, GLOBAL const real* block, GLOBAL const int* ids, int slot, Nearest* best) {
   realw fx = splat_w(ray->o.x) - load_w(block);
   realw fy = splat_w(ray->o.y) - load_w(block + LANES);
   realw fz = splat_w(ray->o.z) - load_w(block + 2 * LANES);

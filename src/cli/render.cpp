@@ -16,6 +16,7 @@
 #include "cli/scene_options.h"
 #include "cli/scene_overrides.h"
 #include "cli/summary.h"
+#include "render/limitations.h"
 #include "render/renderer.h"
 
 namespace strahl::cli {
@@ -112,6 +113,7 @@ ExitCode render(const RenderOptions& options, const Invocation& invocation) {
   double load_seconds = 0;
   Scene scene = load(options.scene, load_seconds);
   apply(options.overrides, scene);
+  for (const Diagnostic& warning : limitations(scene)) say(warning.text());
 
   PictureFiles files{options.output, options.png, scene.integrator.name == "depth"};
   const bool only_values = options.overrides.pixel && options.output.empty();

@@ -10,6 +10,7 @@
 #include <limits>
 #include <vector>
 
+#include "cli/console.h"
 #include "device/kernel_source.h"
 #include "render/sampling.h"
 #include "scene/did_you_mean.h"
@@ -118,7 +119,10 @@ void add_scene_overrides(CLI::App& app, SceneOverrides& overrides) {
 }
 
 void apply(const SceneOverrides& overrides, Scene& scene) {
-  if (overrides.integrator) {
+  if (overrides.integrator == "path" || overrides.integrator == "volpath") {
+    say(fmt::format("warning: integrator {} is not there yet: direct takes its place", *overrides.integrator));
+    scene.integrator.name = "direct";
+  } else if (overrides.integrator) {
     const std::vector<std::string> known = list_entries("integrators");
     if (std::find(known.begin(), known.end(), *overrides.integrator) == known.end())
       throw UsageError(fmt::format("unknown integrator \"{}\"{}; known: {}", *overrides.integrator,

@@ -14,16 +14,16 @@ namespace strahl {
 
 /// One effect, on or off, and the scene element that called for it.
 struct FeatureReport {
-  std::string name;      ///< "shapes/sphere" for an entry of a list, "AOV" for a flag of features.def.
+  std::string name;  ///< "shapes/sphere" for an entry of a list, "AOV" for a flag of features.def.
   bool on = false;
   std::string why;       ///< "shape of type sphere", or what the flag is for.
   SourceLocation where;  ///< The element (or option) that called for it; empty where off or a default.
 };
 
 struct Features {
-  ActiveEntries entries;                       ///< Active entries of every list.
+  ActiveEntries entries;                            ///< Active entries of every list.
   std::vector<std::pair<std::string, bool>> flags;  ///< Every flag of features.def, in its order.
-  std::vector<FeatureReport> report;           ///< All of them, lists first, each in file order.
+  std::vector<FeatureReport> report;                ///< All of them, lists first, each in file order.
 
   [[nodiscard]] bool has(const std::string& list, const std::string& entry) const;
   [[nodiscard]] bool flag(const std::string& name) const;

@@ -36,8 +36,8 @@ SceneBuffers upload_as(const Device& device, const Scene& scene, const Features&
 cl::Buffer allocate(const Device& device, std::size_t bytes, const std::string& what) {
   bytes = std::max<std::size_t>(bytes, 16);
   if (bytes > device.info().max_allocation)
-    throw NoDeviceError(fmt::format("{} needs a buffer of {} MiB and {} allows {} MiB: choose another device (-d)", what,
-                                    bytes >> 20, device.info().text(), device.info().max_allocation >> 20));
+    throw NoDeviceError(fmt::format("{} needs a buffer of {} MiB and {} allows {} MiB: choose another device (-d)",
+                                    what, bytes >> 20, device.info().text(), device.info().max_allocation >> 20));
   return checked(device.info().text(), [&] { return cl::Buffer(device.context(), CL_MEM_READ_WRITE, bytes); });
 }
 

@@ -43,8 +43,7 @@ std::vector<Real> pack_rays(const std::vector<Ray>& rays, std::size_t first, std
     const Ray& ray = rays[first + i];
     const double values[] = {ray.origin.x,    ray.origin.y,    ray.origin.z, ray.direction.x,
                              ray.direction.y, ray.direction.z, ray.t_min,    ray.t_max};
-    for (std::size_t k = 0; k < layout::RAY_REALS; ++k)
-      reals[i * layout::RAY_REALS + k] = static_cast<Real>(values[k]);
+    for (std::size_t k = 0; k < layout::RAY_REALS; ++k) reals[i * layout::RAY_REALS + k] = static_cast<Real>(values[k]);
   }
   return reals;
 }
@@ -101,10 +100,9 @@ void Intersector::State::trace_chunk(const std::vector<Ray>& rays, std::size_t f
     const Clock::time_point start = Clock::now();
     checked(device.info().text(), [&] {
       cl_uint arg = 0;
-      for (const cl::Buffer* buffer : {&static_cast<const cl::Buffer&>(buffers.geometry),
-                                       &static_cast<const cl::Buffer&>(buffers.shading),
-                                       &static_cast<const cl::Buffer&>(buffers.index), &ray_buffer, &left_buffer,
-                                       &hit_buffer, &id_buffer})
+      for (const cl::Buffer* buffer :
+           {&static_cast<const cl::Buffer&>(buffers.geometry), &static_cast<const cl::Buffer&>(buffers.shading),
+            &static_cast<const cl::Buffer&>(buffers.index), &ray_buffer, &left_buffer, &hit_buffer, &id_buffer})
         kernel.setArg(arg++, *buffer);
       kernel.setArg(arg++, static_cast<cl_ulong>(count));
       kernel.setArg(arg++, static_cast<cl_int>(any_hit));
@@ -136,8 +134,7 @@ Intersector::Intersector(const Device& device, const Scene& scene, const RenderS
     : state_(std::make_unique<State>(device, settings.precision)) {
   if (std::vector<Diagnostic> problems = validate(scene); !problems.empty()) throw SceneError(problems);
   State& s = *state_;
-  const int lanes =
-      settings.lanes.value_or(default_lanes(device.info().native_vector_width, settings.precision));
+  const int lanes = settings.lanes.value_or(default_lanes(device.info().native_vector_width, settings.precision));
   const Clock::time_point start = Clock::now();
   const Features features = intersection_features(scene, settings);
   const ProgramSource source = program_source("kernels/intersect.cl", features, settings.precision, lanes);
@@ -178,8 +175,8 @@ std::vector<Hit> Intersector::trace(const std::vector<Ray>& rays, bool any_hit, 
   s.stats.kernel_runs = run_seconds;
   std::sort(run_seconds.begin(), run_seconds.end());
   const std::size_t middle = run_seconds.size() / 2;
-  s.stats.seconds.kernel = run_seconds.size() % 2 == 1 ? run_seconds[middle]
-                                                       : 0.5 * (run_seconds[middle - 1] + run_seconds[middle]);
+  s.stats.seconds.kernel =
+      run_seconds.size() % 2 == 1 ? run_seconds[middle] : 0.5 * (run_seconds[middle - 1] + run_seconds[middle]);
   s.stats.camera_rays = rays.size();
   return hits;
 }

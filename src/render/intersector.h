@@ -30,7 +30,7 @@ struct Hit {
   int shape = -1;      ///< Index in Scene::shapes.
   int primitive = -1;  ///< Within the shape.
   double u = 0, v = 0;
-  Vec3 normal;         ///< Unit, as built, not flipped towards the ray.
+  Vec3 normal;  ///< Unit, as built, not flipped towards the ray.
 };
 
 class Intersector {

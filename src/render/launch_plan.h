@@ -35,10 +35,10 @@ class LaunchPlan {
   int width_, height_, samples_;
   std::optional<int> passes_;
   int pass_ = 0;
-  int row_ = 0;            ///< First row not yet handed out in this range of samples.
-  int sample_ = 0;         ///< First sample of the current range.
-  int range_ = 0;          ///< Samples in the current range; 0: not chosen yet.
-  double budget_ = 8192;   ///< Pixel samples for the next launch.
+  int row_ = 0;           ///< First row not yet handed out in this range of samples.
+  int sample_ = 0;        ///< First sample of the current range.
+  int range_ = 0;         ///< Samples in the current range; 0: not chosen yet.
+  double budget_ = 8192;  ///< Pixel samples for the next launch.
   double issued_ = 0;
 };
 

@@ -74,8 +74,7 @@ void Renderer::State::prepare() {
   window = scene.film.window();
   if (sampling.spp > max_spp)
     throw UsageError(fmt::format("--spp {}: the film holds at most {} samples per pixel", sampling.spp, max_spp));
-  const int lanes =
-      settings.lanes.value_or(default_lanes(device.info().native_vector_width, settings.precision));
+  const int lanes = settings.lanes.value_or(default_lanes(device.info().native_vector_width, settings.precision));
   const Clock::time_point start = Clock::now();
   features = features_of(scene, settings);
   source = program_source("kernels/render.cl", features, settings.precision, lanes);
@@ -128,7 +127,8 @@ void Renderer::State::launch(const Launch& l, int film_row) {
 
 /// A launch without pixels: runtimes that finish compiling at the first launch do it here, outside the kernel's time.
 void Renderer::State::warm_up() {
-  const std::size_t items = static_cast<std::size_t>(settings.work_group.x) * static_cast<std::size_t>(settings.work_group.y);
+  const std::size_t items =
+      static_cast<std::size_t>(settings.work_group.x) * static_cast<std::size_t>(settings.work_group.y);
   if (settings.work_group.x < 1 || settings.work_group.y < 1 || items > device.info().max_work_group)
     throw UsageError(fmt::format("--work-group {}x{}: {} allows 1 to {} work-items", settings.work_group.x,
                                  settings.work_group.y, device.info().text(), device.info().max_work_group));
@@ -139,7 +139,8 @@ void Renderer::State::read_aovs(std::size_t first_pixel, std::size_t pixels, std
                                 std::vector<int>& ints) {
   std::vector<std::int32_t> band_ints(pixels * layout::AOV_INTS);
   read_buffer(device, aov_ints, band_ints.data(), aov_int_bytes(pixels));
-  std::copy(band_ints.begin(), band_ints.end(), ints.begin() + static_cast<std::ptrdiff_t>(first_pixel * layout::AOV_INTS));
+  std::copy(band_ints.begin(), band_ints.end(),
+            ints.begin() + static_cast<std::ptrdiff_t>(first_pixel * layout::AOV_INTS));
   const auto out = reals.begin() + static_cast<std::ptrdiff_t>(first_pixel * layout::AOV_REALS);
   if (settings.precision == Precision::fp64) {
     read_buffer(device, aov_reals, &*out, aov_real_bytes(pixels));
@@ -151,9 +152,10 @@ void Renderer::State::read_aovs(std::size_t first_pixel, std::size_t pixels, std
 }
 
 /// false: stopped by the callback; what has been sampled is in the film all the same.
-bool Renderer::State::render_band(int row, int rows, FilmSums& sums, RunStats& run,
-                                  const std::function<bool()>& report, LaunchPlan& plan) {
-  const std::size_t bytes = static_cast<std::size_t>(window.width()) * static_cast<std::size_t>(rows) * film_bytes_per_pixel;
+bool Renderer::State::render_band(int row, int rows, FilmSums& sums, RunStats& run, const std::function<bool()>& report,
+                                  LaunchPlan& plan) {
+  const std::size_t bytes =
+      static_cast<std::size_t>(window.width()) * static_cast<std::size_t>(rows) * film_bytes_per_pixel;
   const std::vector<std::uint32_t> zero(layout::COUNTERS, 0);
   checked(device.info().text(), [&] {
     device.queue().enqueueFillBuffer(film, cl_long{0}, 0, bytes);

@@ -28,11 +28,11 @@ struct WorkGroup {
 struct RenderSettings {
   Precision precision = Precision::stable;
   std::set<Aov> aovs;
-  bool generic = false;            ///< Every entry and flag in the program; the same picture, slower.
-  bool count_rays = false;         ///< Instrumented program (--stats-detail): counts shadow and bounce rays.
-  std::optional<int> lanes;        ///< 1, 8 or 16 (fp64: 1, 8) primitives at a time; none: by the device.
+  bool generic = false;      ///< Every entry and flag in the program; the same picture, slower.
+  bool count_rays = false;   ///< Instrumented program (--stats-detail): counts shadow and bounce rays.
+  std::optional<int> lanes;  ///< 1, 8 or 16 (fp64: 1, 8) primitives at a time; none: by the device.
   WorkGroup work_group;
-  std::optional<int> passes;       ///< Split the samples into this many launches; none: by measured time.
+  std::optional<int> passes;  ///< Split the samples into this many launches; none: by measured time.
 };
 
 }  // namespace strahl

@@ -17,22 +17,22 @@ struct PhaseSeconds {
 
 struct RunStats {
   PhaseSeconds seconds;
-  std::vector<double> kernel_runs;          ///< Seconds of each launch (render) or each repetition (intersect).
+  std::vector<double> kernel_runs;  ///< Seconds of each launch (render) or each repetition (intersect).
   std::uint64_t camera_rays = 0;
   std::optional<std::uint64_t> shadow_rays;  ///< Only the instrumented program counts these.
   std::optional<std::uint64_t> bounce_rays;
-  std::uint64_t device_bytes = 0;           ///< Allocated in device buffers at the most.
-  std::uint64_t host_bytes = 0;             ///< Packed scene plus film on the host.
+  std::uint64_t device_bytes = 0;  ///< Allocated in device buffers at the most.
+  std::uint64_t host_bytes = 0;    ///< Packed scene plus film on the host.
   std::string device;
   std::string precision;
   int spp = 0;
   std::uint32_t seed = 0;
-  std::vector<std::string> features;        ///< "shapes/sphere", "AOV", ...: those that are on.
+  std::vector<std::string> features;  ///< "shapes/sphere", "AOV", ...: those that are on.
   int lanes = 1;
   bool program_from_cache = false;
-  std::string program;                      ///< Hash, as `explain` prints it.
-  std::uint64_t saturated_samples = 0;      ///< Sample channels that the film clamped (brighter than it can hold).
-  std::uint64_t invalid_samples = 0;        ///< NaN sample channels, counted as black.
+  std::string program;                  ///< Hash, as `explain` prints it.
+  std::uint64_t saturated_samples = 0;  ///< Sample channels that the film clamped (brighter than it can hold).
+  std::uint64_t invalid_samples = 0;    ///< NaN sample channels, counted as black.
 
   [[nodiscard]] double longest_launch() const;
   /// The documented JSON object, pretty-printed.

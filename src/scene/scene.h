@@ -89,11 +89,11 @@ using Geometry = std::variant<Sphere, Plane, Box, Triangle, Rectangle, Cube, Dis
 struct Shape {
   std::string id;
   Geometry geometry;
-  int material = 0;              ///< Index into Scene::materials.
-  std::optional<Rgb> radiance;   ///< Area emitter: emitted on the side that the normal points to.
-  bool flip_normals = false;     ///< Mitsuba's flip_normals: reverses the normal as built.
-  SourceLocation where;          ///< The <shape> element.
-  SourceLocation radiance_where; ///< The <emitter> element inside it.
+  int material = 0;               ///< Index into Scene::materials.
+  std::optional<Rgb> radiance;    ///< Area emitter: emitted on the side that the normal points to.
+  bool flip_normals = false;      ///< Mitsuba's flip_normals: reverses the normal as built.
+  SourceLocation where;           ///< The <shape> element.
+  SourceLocation radiance_where;  ///< The <emitter> element inside it.
 };
 
 /// Number of primitives of a shape as `strahl intersect` counts them: cube 6, mesh its triangles, others 1.

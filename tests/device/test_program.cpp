@@ -213,13 +213,13 @@ TEST_CASE("The cache directory follows the environment") {
   unsetenv("STRAHL_CACHE_DIR");
   const char* home = std::getenv("HOME");
   const std::string old_home = home == nullptr ? "" : home;
-  setenv("HOME", "/home/somebody", 1);
+  setenv("HOME", "/srv/somebody", 1);
   setenv("XDG_CACHE_HOME", "/cache", 1);
   CHECK(program_cache_directory() == "/cache/strahl");
   setenv("XDG_CACHE_HOME", "relative", 1);
-  CHECK(program_cache_directory() == "/home/somebody/.cache/strahl");
+  CHECK(program_cache_directory() == "/srv/somebody/.cache/strahl");
   unsetenv("XDG_CACHE_HOME");
-  CHECK(program_cache_directory() == "/home/somebody/.cache/strahl");
+  CHECK(program_cache_directory() == "/srv/somebody/.cache/strahl");
   unsetenv("HOME");
   CHECK(program_cache_directory().empty());
   CHECK(clear_program_cache() == 0);

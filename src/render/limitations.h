@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+// What a scene calls for that its integrator cannot do yet: said, never left out in silence.
+#pragma once
+
+#include <vector>
+
+#include "scene/scene.h"
+
+namespace strahl {
+
+/// Warnings in scene order; empty where the picture will show all that the scene asks for.
+[[nodiscard]] std::vector<Diagnostic> limitations(const Scene& scene);
+
+}  // namespace strahl
