@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One work-item a pixel: camera ray, closest hit, radiance, film. A launch covers rows [row_first, row_first + rows) of
-// the window and samples [sample_first, sample_first + sample_count) of each of its pixels.
+// One work-item a pixel: camera ray, closest hit, radiance, film. A launch covers a rectangle of the window's pixels
+// (its first column and row, its size) and samples [sample_first, sample_first + sample_count) of each of them.
 #include "math/vec3.h"
 #include "math/rng.h"
 #include "lanes/lane_ops.h"
@@ -30,19 +30,22 @@ FN void store_first_sample(GLOBAL real* reals, GLOBAL int* ints, const Ray* ray,
 
 KERNEL LANE_HINT void render(GLOBAL const real* geometry, GLOBAL const real* shading, GLOBAL const int* index,
                              GLOBAL long* film, GLOBAL real* aov_reals, GLOBAL int* aov_ints, GLOBAL uint* counters,
-                             int film_row, int row_first, int rows, int sample_first, int sample_count) {
+                             int film_row, int column_first, int row_first, int columns, int rows, int sample_first,
+                             int sample_count) {
   int column = (int)get_global_id(0), row = (int)get_global_id(1);
-  if (column >= index[HEADER_CROP_WIDTH] || row >= rows) return;
+  if (column >= columns || row >= rows) return;
+  column += column_first;
+  row += row_first;
   Scene scene;
   scene.geometry = geometry;
   scene.shading = shading;
   scene.index = index;
   scene.counters = counters;
   int width = index[HEADER_WIDTH], height = index[HEADER_HEIGHT];
-  int x = index[HEADER_CROP_X] + column, y = index[HEADER_CROP_Y] + row_first + row;
+  int x = index[HEADER_CROP_X] + column, y = index[HEADER_CROP_Y] + row;
   uint pixel = (uint)y * (uint)width + (uint)x;
   // film_row: the window's row that the film buffer begins with.
-  ulong slot = (ulong)(row_first + row - film_row) * (ulong)index[HEADER_CROP_WIDTH] + (ulong)column;
+  ulong slot = (ulong)(row - film_row) * (ulong)index[HEADER_CROP_WIDTH] + (ulong)column;
   real film_scale = shading[index[HEADER_FILM_SCALE]];
   GLOBAL long* sums = film + slot * (FILM_SUBSUMS * FILM_CHANNELS);
 

@@ -8,7 +8,14 @@ namespace strahl {
 FilmSums::FilmSums(int w, int h, double units) : width(w), height(h), scale(units) {
   const std::size_t pixels = static_cast<std::size_t>(w) * static_cast<std::size_t>(h);
   sums.resize(pixels * layout::FILM_SUBSUMS * layout::FILM_CHANNELS, 0);
-  samples.resize(static_cast<std::size_t>(h), 0);
+  samples.resize(pixels, 0);
+}
+
+void FilmSums::add_samples(const Launch& launch) {
+  for (int y = launch.row_first; y < launch.row_first + launch.rows; ++y) {
+    int* row = &samples[static_cast<std::size_t>(y) * static_cast<std::size_t>(width)];
+    for (int x = launch.column_first; x < launch.column_first + launch.columns; ++x) row[x] += launch.samples;
+  }
 }
 
 Image FilmSums::mean() const {
@@ -18,16 +25,15 @@ Image FilmSums::mean() const {
   image.data.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 3, 0.0F);
   const std::int64_t* pixel = sums.data();
   float* out = image.data.data();
-  for (int y = 0; y < height; ++y) {
-    const int count = samples[static_cast<std::size_t>(y)];
+  for (const int count : samples) {
     const double unit = count > 0 ? 1.0 / (scale * count) : 0.0;
-    for (int x = 0; x < width; ++x, pixel += layout::FILM_SUBSUMS * layout::FILM_CHANNELS)
-      for (int channel = 0; channel < 3; ++channel) {
-        double total = 0;
-        for (int sub = 0; sub < layout::FILM_SUBSUMS; ++sub)
-          total += static_cast<double>(pixel[sub * layout::FILM_CHANNELS + channel]);
-        *out++ = static_cast<float>(total * unit);
-      }
+    for (int channel = 0; channel < layout::FILM_CHANNELS; ++channel) {
+      double total = 0;
+      for (int sub = 0; sub < layout::FILM_SUBSUMS; ++sub)
+        total += static_cast<double>(pixel[sub * layout::FILM_CHANNELS + channel]);
+      *out++ = static_cast<float>(total * unit);
+    }
+    pixel += layout::FILM_SUBSUMS * layout::FILM_CHANNELS;
   }
   return image;
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "image/image.h"
+#include "render/launch_plan.h"
 
 namespace strahl {
 
@@ -15,10 +16,12 @@ struct FilmSums {
   int height = 0;
   double scale = 1;                ///< Units per unit of radiance.
   std::vector<std::int64_t> sums;  ///< height x width x 4 x 3.
-  std::vector<int> samples;        ///< Per row: how many samples each of its pixels has.
+  std::vector<int> samples;        ///< height x width: how many samples a pixel has.
 
   FilmSums(int width, int height, double scale);
-  /// Mean over all samples; a row without samples is black.
+  /// Counts what a launch has added to its pixels; rows count within the window.
+  void add_samples(const Launch& launch);
+  /// Mean over all samples; a pixel without samples is black.
   [[nodiscard]] Image mean() const;
 };
 

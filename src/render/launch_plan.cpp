@@ -2,29 +2,40 @@
 #include "render/launch_plan.h"
 
 #include <algorithm>
-#include <cmath>
+#include <cstdint>
 
 namespace strahl {
 
-LaunchPlan::LaunchPlan(int width, int rows, int samples, std::optional<int> passes)
-    : width_(width), height_(rows), samples_(samples), passes_(passes) {
+LaunchPlan::LaunchPlan(int columns, int rows, int samples, std::optional<int> passes)
+    : width_(columns), height_(rows), samples_(samples), passes_(passes) {
   if (passes_) passes_ = std::clamp(*passes_, 1, samples);
 }
 
-Launch LaunchPlan::next() {
-  if (range_ == 0) {
+void LaunchPlan::choose_range() {
+  if (passes_) {
+    const std::int64_t end = static_cast<std::int64_t>(samples_) * (pass_ + 1) / *passes_;
+    range_ = static_cast<int>(end) - sample_;
+  } else {
     const double frames = budget_ / (static_cast<double>(width_) * height_);
     range_ = static_cast<int>(std::clamp(frames, 1.0, static_cast<double>(samples_ - sample_)));
-    if (passes_) {
-      const auto end = static_cast<std::int64_t>(samples_) * (pass_ + 1) / *passes_;
-      range_ = static_cast<int>(end) - sample_;
-    }
   }
-  const double per_row = static_cast<double>(width_) * range_;
-  const int rows = static_cast<int>(std::clamp(budget_ / per_row, 1.0, static_cast<double>(height_ - row_)));
-  const Launch launch{row_, rows, sample_, range_};
-  issued_ = per_row * rows;
-  row_ += rows;
+}
+
+Launch LaunchPlan::next() {
+  if (range_ == 0) choose_range();
+  Launch launch{column_, row_, width_ - column_, 1, sample_, range_};
+  const double pixels = std::max(budget_ / range_, 1.0);
+  if (pixels < launch.columns)
+    launch.columns = static_cast<int>(pixels);
+  else if (column_ == 0)
+    launch.rows = static_cast<int>(std::clamp(pixels / width_, 1.0, static_cast<double>(height_ - row_)));
+  issued_ = static_cast<double>(launch.columns) * launch.rows * launch.samples;
+
+  column_ += launch.columns;
+  if (column_ == width_) {
+    column_ = 0;
+    row_ += launch.rows;
+  }
   if (row_ == height_) {
     row_ = 0;
     sample_ += range_;
@@ -35,8 +46,8 @@ Launch LaunchPlan::next() {
 }
 
 void LaunchPlan::measured(double seconds) {
-  const double wanted = seconds > 0 ? issued_ * target_seconds / seconds : issued_ * 4;
-  budget_ = std::clamp(wanted, 64.0, 4 * std::max(issued_, 64.0));
+  const double wanted = seconds > 0 ? issued_ * target_seconds / seconds : issued_ * 8;
+  budget_ = std::clamp(wanted, 1.0, 8 * std::max(issued_, 64.0));
 }
 
 }  // namespace strahl

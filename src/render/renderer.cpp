@@ -117,9 +117,11 @@ void Renderer::State::launch(const Launch& l, int film_row) {
     for (const cl::Buffer* buffer :
          {&buffers.geometry, &buffers.shading, &buffers.index, &film, &aov_reals, &aov_ints, &counters})
       kernel.setArg(arg++, *buffer);
-    for (const int value : {film_row, l.row_first, l.rows, l.sample_first, l.samples}) kernel.setArg(arg++, value);
+    for (const int value : {film_row, l.column_first, l.row_first, l.columns, l.rows, l.sample_first, l.samples})
+      kernel.setArg(arg++, value);
     device.queue().enqueueNDRangeKernel(
-        kernel, cl::NullRange, cl::NDRange(round_up(window.width(), group.x), round_up(std::max(l.rows, 1), group.y)),
+        kernel, cl::NullRange,
+        cl::NDRange(round_up(std::max(l.columns, 1), group.x), round_up(std::max(l.rows, 1), group.y)),
         cl::NDRange(static_cast<std::size_t>(group.x), static_cast<std::size_t>(group.y)));
     return device.queue().finish();
   });
@@ -132,7 +134,7 @@ void Renderer::State::warm_up() {
   if (settings.work_group.x < 1 || settings.work_group.y < 1 || items > device.info().max_work_group)
     throw UsageError(fmt::format("--work-group {}x{}: {} allows 1 to {} work-items", settings.work_group.x,
                                  settings.work_group.y, device.info().text(), device.info().max_work_group));
-  launch({0, 0, 0, 0}, 0);
+  launch({}, 0);
 }
 
 void Renderer::State::read_aovs(std::size_t first_pixel, std::size_t pixels, std::vector<double>& reals,
@@ -169,9 +171,10 @@ bool Renderer::State::render_band(int row, int rows, FilmSums& sums, RunStats& r
   bool carry_on = true;
   while (carry_on && !plan.finished()) {
     write_buffer(device, counters, zero.data(), zero.size() * sizeof(std::uint32_t));
-    const Launch next = plan.next();
+    Launch next = plan.next();
+    next.row_first += row;
     const Clock::time_point start = Clock::now();
-    launch({row + next.row_first, next.rows, next.sample_first, next.samples}, row);
+    launch(next, row);
     run.kernel_runs.push_back(seconds_since(start));
     plan.measured(run.kernel_runs.back());
     std::vector<std::uint32_t> counted(layout::COUNTERS);
@@ -182,9 +185,8 @@ bool Renderer::State::render_band(int row, int rows, FilmSums& sums, RunStats& r
       *run.shadow_rays += counted[layout::COUNT_SHADOW];
       *run.bounce_rays += counted[layout::COUNT_BOUNCE];
     }
-    for (int y = next.row_first; y < next.row_first + next.rows; ++y)
-      sums.samples[static_cast<std::size_t>(row + y)] += next.samples;
-    run.camera_rays += static_cast<std::uint64_t>(window.width()) * static_cast<std::uint64_t>(next.rows) *
+    sums.add_samples(next);
+    run.camera_rays += static_cast<std::uint64_t>(next.columns) * static_cast<std::uint64_t>(next.rows) *
                        static_cast<std::uint64_t>(next.samples);
     run.seconds.kernel += run.kernel_runs.back();
     carry_on = report();
