@@ -3,14 +3,38 @@
 include(CMakePackageConfigHelpers)
 
 install(TARGETS strahl-bin RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-install(TARGETS strahl EXPORT strahl ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+# strahl.h and what it includes; everything else is internal.
+target_sources(
+  strahl
+  PUBLIC FILE_SET
+         HEADERS
+         BASE_DIRS
+         src
+         FILES
+         src/strahl.h
+         src/errors.h
+         src/device/device.h
+         src/device/opencl.h
+         src/image/image.h
+         src/image/image_io.h
+         src/image/metrics.h
+         src/image/npy.h
+         src/render/intersector.h
+         src/render/renderer.h
+         src/render/sampling.h
+         src/render/settings.h
+         src/render/stats.h
+         src/scene/build.h
+         src/scene/loader.h
+         src/scene/mesh_file.h
+         src/scene/scene.h
+         src/scene/validate.h
+         src/scene/vec.h)
 install(
-  DIRECTORY src/
-  DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/strahl
-  FILES_MATCHING
-  PATTERN "*.h"
-  PATTERN cli EXCLUDE
-  PATTERN oracle EXCLUDE)
+  TARGETS strahl
+  EXPORT strahl
+  ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
+  FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/strahl)
 
 set(STRAHL_PACKAGE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/strahl)
 install(EXPORT strahl NAMESPACE strahl:: FILE strahlTargets.cmake DESTINATION ${STRAHL_PACKAGE_DIR})

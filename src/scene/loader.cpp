@@ -40,7 +40,6 @@ Scene scene_of_mesh(const std::string& path, const LoadOptions& options, Diagnos
   MeshFile file = read_mesh(path);
   diagnostics.append(file.warnings);
   Scene scene;
-  scene.materials.assign(1, Material{});
   scene.integrator.name = "normals";
   Shape shape;
   shape.where = {path};

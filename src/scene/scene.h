@@ -202,7 +202,7 @@ struct IntegratorSettings {
 struct Scene {
   std::string name;  ///< The file's stem; names the picture where no -o is given.
   std::vector<Shape> shapes;
-  std::vector<Material> materials;  ///< Index 0 is the default: diffuse 0.5, one-sided, as in Mitsuba.
+  std::vector<Material> materials{Material{}};  ///< Index 0 is the default: diffuse 0.5, one-sided, as in Mitsuba.
   std::vector<Light> lights;
   Camera camera;
   Film film;

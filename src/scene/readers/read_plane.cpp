@@ -2,16 +2,12 @@
 // <shape type="plane">, infinite: point + normal; Hesse normal + d (normal . x = d); or parametric point + u, v.
 #include <fmt/format.h>
 
+#include "scene/build.h"
 #include "scene/readers/shape_reader.h"
 
 namespace strahl {
 
 namespace {
-
-Plane with_normal(const Vec3& point, const Vec3& normal) {
-  const auto [u, v] = orthonormal_basis(normalized(normal));
-  return {point, normal, u, v};
-}
 
 Plane read_parametric(Properties& properties) {
   const Vec3 point = properties.vector("point").value_or(Vec3{});
@@ -30,7 +26,7 @@ Plane read_normal_form(Properties& properties) {
   }
   const std::optional<double> d = properties.number("d");
   const Vec3 point = d ? (*d / length(normal)) * normalized(normal) : properties.vector("point").value_or(Vec3{});
-  return with_normal(point, normal);
+  return plane_through(point, normal);
 }
 
 void report_conflict(Properties& properties) {

@@ -39,7 +39,6 @@ void read_definitions(const std::vector<const XmlElement*>& elements, SceneBuild
 }  // namespace
 
 void read_scene(const XmlElement& root, SceneBuilder& builder) {
-  builder.scene.materials.assign(1, Material{});
   Properties properties(root, builder.ids, builder.diagnostics);
   for (const XmlElement* bsdf : properties.objects("bsdf")) static_cast<void>(material_index(*bsdf, builder));
   for (const XmlElement* shape : properties.objects("shape")) read_shape(*shape, builder);
