@@ -85,8 +85,9 @@ Causes causes_of(const Scene& scene, const RenderSettings& settings) {
   }
   const std::string& integrator = scene.integrator.name;
   call_for(causes, "integrators/" + integrator, "integrator " + integrator, scene.integrator.where);
-  if (resolve_sampling(scene).kind == SamplerKind::independent)
-    call_for(causes, "PIXEL_FILTER", "sampler independent", scene.sampler.where);
+  // Whatever the number of samples, which must not change the program; a filter of width 0 serves the centre by default.
+  if (scene.sampler.kind != SamplerKind::centre)
+    call_for(causes, "PIXEL_FILTER", "samples anywhere but at the pixels' centres", scene.sampler.where);
   if (!settings.aovs.empty()) call_for(causes, "AOV", "--aov", {});
   if (settings.count_rays) call_for(causes, "COUNT_RAYS", "--stats-detail", {});
   return causes;

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "device/kernel_source.h"
-#include "render/sampling.h"
 #include "render/settings.h"
 #include "scene/scene.h"
 

@@ -67,6 +67,7 @@ const char* metric_name(Metric metric) {
 const std::vector<Metric>& all_metrics() {
   static const std::vector<Metric> metrics = [] {
     std::vector<Metric> all;
+    all.reserve(entries.size());
     for (const Entry& entry : entries) all.push_back(entry.metric);
     return all;
   }();

@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: MIT
 // Reference pictures that other renderers wrote (ignis: PIZ; Embree's viewer). They lie beside the checkout in
 // ../shared and are not part of it; without them the test counts as skipped.
-#define CATCH_CONFIG_RUNNER
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <filesystem>
 
 #include "image/image_io.h"
 #include "image/metrics.h"
+#include "support/needs.h"
+
+namespace {
+const strahl::test::Needs needs(STRAHL_SOURCE_DIR "/../shared/data/ignis");
+}
 
 using namespace strahl;
 
@@ -61,9 +65,4 @@ TEST_CASE("every other reference is read and holds finite values") {
     ++files;
   }
   CHECK(files == 15);
-}
-
-int main(int argc, char** argv) {
-  if (!std::filesystem::exists(data + "ignis")) return 77;
-  return Catch::Session().run(argc, argv);
 }

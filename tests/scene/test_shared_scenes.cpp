@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: MIT
 // Other people's scenes (../shared) load with the expected warnings and nothing else. Exits 77 where they are absent.
-#define CATCH_CONFIG_RUNNER
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <map>
 
 #include "scene/loader.h"
+#include "support/needs.h"
+
+namespace {
+const strahl::test::Needs needs(STRAHL_SOURCE_DIR "/../shared/data");
+}
 
 using namespace strahl;
 
@@ -57,9 +61,4 @@ TEST_CASE("sionna") {
               {15, {{"unknown bsdf \"principled\"", 1}, {no_sensor, 1}}});
   check_scene("sionna/simple_wedge/simple_wedge.xml", {1, {{path, 1}, {no_sensor, 1}}});
   check_scene("sionna/triple_reflector/triple_reflector.xml", {3, {{path, 1}, {no_sensor, 1}}});
-}
-
-int main(int argc, char* argv[]) {
-  if (!std::filesystem::exists(shared + "sionna")) return 77;
-  return Catch::Session().run(argc, argv);
 }

@@ -3,7 +3,6 @@
 // triangles, skipped faces, or where and how the first error begins. The numbers were compared with those of assimp
 // 5.2.5 (Triangulate, JoinIdenticalVertices); the note of a row says where that one differs and why.
 // Exit code 77 where ../shared is absent.
-#define CATCH_CONFIG_RUNNER
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <filesystem>
@@ -13,6 +12,11 @@
 #include <tuple>
 
 #include "scene/mesh_file.h"
+#include "support/needs.h"
+
+namespace {
+const strahl::test::Needs needs(STRAHL_SOURCE_DIR "/../shared/data");
+}
 
 namespace strahl {
 namespace {
@@ -98,8 +102,3 @@ TEST_CASE("the table names every OBJ and PLY file") {
 
 }  // namespace
 }  // namespace strahl
-
-int main(int argc, char** argv) {
-  if (!std::filesystem::exists(strahl::data)) return 77;
-  return Catch::Session().run(argc, argv);
-}
