@@ -85,7 +85,8 @@ Causes causes_of(const Scene& scene, const RenderSettings& settings) {
   }
   const std::string& integrator = scene.integrator.name;
   call_for(causes, "integrators/" + integrator, "integrator " + integrator, scene.integrator.where);
-  // Whatever the number of samples, which must not change the program; a filter of width 0 serves the centre by default.
+  // Whatever the number of samples, which must not change the program; a filter of width 0 serves the centre by
+  // default.
   if (scene.sampler.kind != SamplerKind::centre)
     call_for(causes, "PIXEL_FILTER", "samples anywhere but at the pixels' centres", scene.sampler.where);
   if (!settings.aovs.empty()) call_for(causes, "AOV", "--aov", {});

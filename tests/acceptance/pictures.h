@@ -2,7 +2,6 @@
 // What the tests against other programs' data share: where the data lies, and pictures by strahl.
 #pragma once
 
-#include <filesystem>
 #include <string>
 
 #include "render/renderer.h"
@@ -12,8 +11,6 @@
 namespace strahl::test {
 
 inline const std::string shared_data = STRAHL_SOURCE_DIR "/../shared/data/";
-
-inline bool has_shared_data(const std::string& folder) { return std::filesystem::exists(shared_data + folder); }
 
 /// On PoCL, which may not be missing.
 inline RenderResult picture(const Scene& scene, const RenderSettings& settings = {}) {

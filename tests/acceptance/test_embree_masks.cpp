@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: MIT
 // Hit masks of Embree's test scenes, restated in scenes/embree-*.xml, against the pictures of Embree's viewer
-// (../shared/data/embree). Exit code 77 where ../shared is absent.
-#define CATCH_CONFIG_RUNNER
+// (../shared/data/embree).
 #include <array>
 #include <catch2/catch.hpp>
 
 #include "acceptance/pictures.h"
 #include "image/image_io.h"
+#include "support/needs.h"
 
 namespace strahl::test {
 namespace {
+
+const Needs needs(STRAHL_SOURCE_DIR "/../shared/data/embree");
 
 struct Masks {
   int ours = 0, reference = 0;
@@ -79,8 +81,3 @@ TEST_CASE("Embree's quad") {
 
 }  // namespace
 }  // namespace strahl::test
-
-int main(int argc, char** argv) {
-  if (!strahl::test::has_shared_data("embree")) return 77;
-  return Catch::Session().run(argc, argv);
-}

@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: MIT
 // A point light over a diffuse square against 4096 samples a pixel by Ignis (../shared/data/ignis): the scene file as
 // it is, but for the number of samples. Only the sampling noise of a smooth shade within a pixel is left; the seed
-// fixes it. Exit code 77 where ../shared is absent.
-#define CATCH_CONFIG_RUNNER
+// fixes it.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 
 #include "acceptance/pictures.h"
 #include "image/image_io.h"
+#include "support/needs.h"
 
 namespace strahl::test {
 namespace {
+
+const Needs needs(STRAHL_SOURCE_DIR "/../shared/data/ignis");
 
 bool is_lit(const Image& image, int x, int y) { return image.at(x, y, 0) + image.at(x, y, 1) + image.at(x, y, 2) > 0; }
 
@@ -55,8 +57,3 @@ TEST_CASE("point light over a square: Ignis's picture") {
 
 }  // namespace
 }  // namespace strahl::test
-
-int main(int argc, char** argv) {
-  if (!strahl::test::has_shared_data("ignis")) return 77;
-  return Catch::Session().run(argc, argv);
-}

@@ -3,9 +3,7 @@
 // through the pixels' middles hit as often as sionna_hits.csv says. sionna_hits.py prints its last column with Mitsuba
 // 3, whose masks agree pixel by pixel but for simple_wedge: edges of it run along the picture's diagonals, exactly
 // through pixels' middles, and there rounding decides; 132 (stable) and 94 (double) pixels on them differ, none
-// elsewhere. Ten of those are the seam between two triangles, where Mitsuba's rays slip through. Exit code 77 where
-// ../shared is absent.
-#define CATCH_CONFIG_RUNNER
+// elsewhere. Ten of those are the seam between two triangles, where Mitsuba's rays slip through.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cstdlib>
@@ -13,9 +11,12 @@
 #include <sstream>
 
 #include "acceptance/pictures.h"
+#include "support/needs.h"
 
 namespace strahl::test {
 namespace {
+
+const Needs needs(STRAHL_SOURCE_DIR "/../shared/data/sionna");
 
 struct Row {
   std::string scene;
@@ -65,8 +66,3 @@ TEST_CASE("Sionna's scenes in double") { check_hits(Precision::fp64); }
 
 }  // namespace
 }  // namespace strahl::test
-
-int main(int argc, char** argv) {
-  if (!strahl::test::has_shared_data("sionna")) return 77;
-  return Catch::Session().run(argc, argv);
-}

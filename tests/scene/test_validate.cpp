@@ -11,7 +11,6 @@ namespace {
 
 Scene scene_with(const Geometry& geometry) {
   Scene scene;
-  scene.materials.emplace_back();
   Shape shape;
   shape.geometry = geometry;
   scene.shapes.push_back(shape);
