@@ -149,6 +149,23 @@ TEST_CASE("Another effect, another precision and another width are other program
   CHECK(text_of(scene, settings) == with_depth);
 }
 
+TEST_CASE("Ahead of the sources stand precision, width and every flag") {
+  const Features features = features_of(lecture_scene("lit"), {});
+  const auto says = [](const std::string& text, const std::string& line) {
+    return text.find("\n#define " + line + "\n") < text.find("#line");
+  };
+  const std::string single = program_source(roots[0], features, Precision::stable, 16).text;
+  CHECK(says(single, "REAL_BITS 32"));
+  CHECK(says(single, "LANES 16"));
+  const std::string twice = program_source(roots[0], features, Precision::fp64, 8).text;
+  CHECK(says(twice, "REAL_BITS 64"));
+  CHECK(says(twice, "LANES 8"));
+  for (const auto& [flag, purpose] : list_features()) {
+    INFO(flag);
+    CHECK(says(single, "HAS_" + flag + (features.flag(flag) ? " 1" : " 0")));
+  }
+}
+
 TEST_CASE("A new entry of any list leaves the programs that do not use it as they are") {
   const std::vector<Scene> scenes = {lecture_scene("first-light"), lecture_scene("lit")};
   const auto texts = [&] {
