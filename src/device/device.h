@@ -22,6 +22,7 @@ struct DeviceInfo {
   std::string driver;
   std::string type;  ///< "CPU", "GPU", "accelerator", "custom"
   bool fp64 = false;
+  bool correctly_rounded_option = false;  ///< Knows -cl-fp32-correctly-rounded-divide-sqrt.
   unsigned compute_units = 0;
   unsigned clock_mhz = 0;
   std::uint64_t global_memory = 0;   ///< bytes

@@ -60,6 +60,13 @@ cl::Program build_text(const Device& device, const ProgramSource& source) {
   return program;
 }
 
+/// OpenCL lets fp32 divisions and square roots be off by 2.5 and 3 ulp unless a program asks otherwise, which only some
+/// devices take. PoCL, Intel's runtime and llvmpipe round correctly either way.
+ProgramSource completed_for(const Device& device, ProgramSource source) {
+  if (device.info().correctly_rounded_option) source.options += " -cl-fp32-correctly-rounded-divide-sqrt";
+  return source;
+}
+
 }  // namespace
 
 std::string program_hash(const ProgramSource& source) {
@@ -67,7 +74,8 @@ std::string program_hash(const ProgramSource& source) {
   return fmt::format("{:016x}", fnv1a(source.options, fnv1a(std::string_view("\0", 1), fnv1a(source.text))));
 }
 
-cl::Program build_program(const Device& device, const ProgramSource& source, ProgramReport* report) {
+cl::Program build_program(const Device& device, const ProgramSource& asked, ProgramReport* report) {
+  const ProgramSource source = completed_for(device, asked);
   const auto start = std::chrono::steady_clock::now();
   const std::string key = checked(device.info().text(), [&] { return cache_key(device, source); });
   const std::string name = program_hash(source);

@@ -27,6 +27,7 @@ struct ProgramReport {
 /// Builds, or takes the binary from the cache (key: text, options, platform, device, driver and strahl version; files
 /// written atomically under $XDG_CACHE_HOME/strahl or ~/.cache/strahl; STRAHL_CACHE_DIR overrides; a cache that cannot
 /// be read or written, or a binary that the driver rejects, is never an error: it is built from source).
+/// Asks for correctly rounded fp32 division and square root where the device knows the option.
 /// Throws KernelBuildError with options, build log and the path where the source was dumped.
 [[nodiscard]] cl::Program build_program(const Device& device, const ProgramSource& source,
                                         ProgramReport* report = nullptr);

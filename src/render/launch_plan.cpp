@@ -6,8 +6,8 @@
 
 namespace strahl {
 
-LaunchPlan::LaunchPlan(int columns, int rows, int samples, std::optional<int> passes)
-    : width_(columns), height_(rows), samples_(samples), passes_(passes) {
+LaunchPlan::LaunchPlan(int columns, int rows, int samples, std::optional<int> passes, double overhead_seconds)
+    : width_(columns), height_(rows), samples_(samples), passes_(passes), overhead_(overhead_seconds) {
   if (passes_) passes_ = std::clamp(*passes_, 1, samples);
 }
 
@@ -46,8 +46,10 @@ Launch LaunchPlan::next() {
 }
 
 void LaunchPlan::measured(double seconds) {
-  const double wanted = seconds > 0 ? issued_ * target_seconds / seconds : issued_ * 8;
-  budget_ = std::clamp(wanted, 1.0, 8 * std::max(issued_, 64.0));
+  const double work = seconds - overhead_;
+  const double most = 8 * std::max(issued_, 64.0);
+  // Work that drowns in the overhead's own noise says only that there may be more of it.
+  budget_ = work > 0.1 * overhead_ ? std::clamp(issued_ * target_seconds / work, 1.0, most) : most;
 }
 
 }  // namespace strahl

@@ -23,8 +23,9 @@ class LaunchPlan {
   static constexpr double target_seconds =
       0.05;  ///< So that launches stay below 0.25 s where the cost of pixels varies.
 
-  /// passes: split the samples into that many ranges regardless of time.
-  LaunchPlan(int columns, int rows, int samples, std::optional<int> passes);
+  /// passes: split the samples into that many ranges regardless of time. overhead_seconds: what a launch without pixels
+  /// takes; it counts neither as work nor into the target, or a slow start would shrink launches to nothing.
+  LaunchPlan(int columns, int rows, int samples, std::optional<int> passes, double overhead_seconds = 0);
 
   [[nodiscard]] bool finished() const { return sample_ >= samples_; }
   [[nodiscard]] Launch next();
@@ -38,6 +39,7 @@ class LaunchPlan {
 
   int width_, height_, samples_;
   std::optional<int> passes_;
+  double overhead_;
   int pass_ = 0;
   int column_ = 0, row_ = 0;  ///< The first pixel not yet handed out in this range of samples.
   int sample_ = 0;            ///< First sample of the current range.

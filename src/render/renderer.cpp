@@ -65,6 +65,7 @@ struct Renderer::State {
   bool render_band(int row, int rows, FilmSums& film, RunStats& run, const std::function<bool()>& report,
                    LaunchPlan& plan);
 
+  double launch_overhead = 0;  ///< Seconds.
   cl::Buffer film, aov_reals, aov_ints, counters;
 };
 
@@ -127,7 +128,8 @@ void Renderer::State::launch(const Launch& l, int film_row) {
   });
 }
 
-/// A launch without pixels: runtimes that finish compiling at the first launch do it here, outside the kernel's time.
+/// Launches without pixels: runtimes that finish compiling at the first launch do it here, outside the kernel's time,
+/// and the second shows what a launch costs by itself (llvmpipe: tens of milliseconds).
 void Renderer::State::warm_up() {
   const std::size_t items =
       static_cast<std::size_t>(settings.work_group.x) * static_cast<std::size_t>(settings.work_group.y);
@@ -135,6 +137,9 @@ void Renderer::State::warm_up() {
     throw UsageError(fmt::format("--work-group {}x{}: {} allows 1 to {} work-items", settings.work_group.x,
                                  settings.work_group.y, device.info().text(), device.info().max_work_group));
   launch({}, 0);
+  const Clock::time_point start = Clock::now();
+  launch({}, 0);
+  launch_overhead = seconds_since(start);
 }
 
 void Renderer::State::read_aovs(std::size_t first_pixel, std::size_t pixels, std::vector<double>& reals,
@@ -227,7 +232,7 @@ RenderResult Renderer::render(const ProgressCallback& progress) {
   bool carry_on = true;
   for (int row = 0; row < height && carry_on; row += band) {
     const int rows = std::min(band, height - row);
-    LaunchPlan plan(width, rows, s.sampling.spp, s.settings.passes);
+    LaunchPlan plan(width, rows, s.sampling.spp, s.settings.passes, s.launch_overhead);
     if (earlier) plan.learn_from(*earlier);
     carry_on = s.render_band(row, rows, film, run, report, plan);
     if (s.has_aov())
