@@ -188,6 +188,11 @@ TEMPLATE_TEST_CASE("film_units rounds to the nearest, saturates, and counts what
   CHECK(units(0.5) == 1);
   CHECK(units(-0.5) == -1);
   CHECK(units(3, 0x1p20) == 3 << 20);
+  // Where adding a half would itself round.
+  CHECK(film_units(std::nextafter(TestType(0.5), TestType(0)), TestType(1), &counts) == 0);
+  const std::int64_t odd = (std::int64_t{1} << (std::min(Limits::digits, 42) - 1)) + 1;
+  CHECK(units(static_cast<double>(odd)) == odd);
+  CHECK(units(static_cast<double>(-odd)) == -odd);
   CHECK(units(0x1p43) == std::int64_t{1} << 43);
   CHECK(counts == std::array<std::uint32_t, 4>{});
   CHECK(units(0x1p44) == std::int64_t{1} << 43);
