@@ -18,7 +18,7 @@ target_compile_options(strahl_host_kernels PRIVATE -O2 -Wno-psabi $<$<BOOL:${STR
 foreach(name departed math)
   strahl_test(cl/test_${name}.cpp LABEL unit LIBS strahl_host_kernels strahl_oracle)
 endforeach()
-foreach(name shapes_oracle watertight arbitrary_bits host_equals_device)
+foreach(name shapes_oracle watertight ties arbitrary_bits host_equals_device)
   strahl_test(cl/test_${name}.cpp LABEL device LIBS strahl_host_kernels strahl_oracle TIMEOUT 600)
 endforeach()
 strahl_test(cl/test_rusticl_widths.cpp LABEL device slow LIBS strahl_host_kernels strahl_oracle TIMEOUT 3000)
