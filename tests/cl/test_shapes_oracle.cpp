@@ -237,6 +237,18 @@ TEMPLATE_TEST_CASE("what fits into the significand is answered exactly, tangents
   hold_exact<BoxCases, TestType>({Law::exact_border});
 }
 
+TEMPLATE_TEST_CASE("the rims of a cylinder belong to it, from outside and inside", "", float, double) {
+  Scene scene;
+  scene.shapes.emplace_back().geometry = Cylinder{{0, 0, 0}, {0, 0, 2}, 1, {1, 0, 0}};
+  PrimitiveTracer<TestType> tracer(scene, "cylinder");
+  for (const double z : {0.0, 2.0}) {
+    CHECK(tracer.trace(0, Ray{{-4, 0, z}, {1, 0, 0}}).t == 3);
+    CHECK(tracer.trace(0, Ray{{0, 0, z}, {0, 1, 0}}).t == 1);
+  }
+  CHECK(tracer.trace(0, Ray{{-4, 0, 2.001}, {1, 0, 0}}).shape == -1);
+  CHECK(tracer.trace(0, Ray{{-4, 0, -0.001}, {1, 0, 0}}).shape == -1);
+}
+
 TEST_CASE("a sample on the device has the host's answers") {
   require_pocl_and_rusticl();
   const Device pocl = Device::open("pocl");
