@@ -25,7 +25,7 @@ FN dw_w two_sum_w(realw a, realw b) {
 }
 
 /// a + b, exactly, for |a| >= |b| or a = 0 (Dekker).
-FN dw_w fast_two_sum_w(realw a, realw b) {
+FN dw_w quick_two_sum_w(realw a, realw b) {
   dw_w s;
   s.hi = a + b;
   s.lo = b - (s.hi - a);
@@ -56,21 +56,21 @@ FN dw_w dw_sel_w(maskw m, dw_w x, dw_w y) {
 /// Relative error at most 3 u^2 + 13 u^3, cancellation included (AccurateDWPlusDW).
 FN dw_w dw_add_w(dw_w x, dw_w y) {
   dw_w s = two_sum_w(x.hi, y.hi), t = two_sum_w(x.lo, y.lo);
-  dw_w v = fast_two_sum_w(s.hi, s.lo + t.hi);
-  return fast_two_sum_w(v.hi, t.lo + v.lo);
+  dw_w v = quick_two_sum_w(s.hi, s.lo + t.hi);
+  return quick_two_sum_w(v.hi, t.lo + v.lo);
 }
 
 /// x y of two double words, relative error at most 5 u^2 (DWTimesDW3).
 FN dw_w dw_mul_w(dw_w x, dw_w y) {
   dw_w p = two_prod_w(x.hi, y.hi);
   realw cross_terms = fma_w(x.lo, y.hi, fma_w(x.hi, y.lo, x.lo * y.lo));
-  return fast_two_sum_w(p.hi, p.lo + cross_terms);
+  return quick_two_sum_w(p.hi, p.lo + cross_terms);
 }
 
 /// x y, relative error at most 2 u^2 (DWTimesFP3).
 FN dw_w dw_scale_w(dw_w x, realw y) {
   dw_w p = two_prod_w(x.hi, y);
-  return fast_two_sum_w(p.hi, fma_w(x.lo, y, p.lo));
+  return quick_two_sum_w(p.hi, fma_w(x.lo, y, p.lo));
 }
 
 /// x / y, relative error below 12 u^2: the quotient of the high words leaves a remainder that fma gives exactly; it and
@@ -78,7 +78,7 @@ FN dw_w dw_scale_w(dw_w x, realw y) {
 FN dw_w dw_div_w(dw_w x, dw_w y) {
   realw q = x.hi / y.hi;
   realw rest = fma_w(-q, y.hi, x.hi) + fma_w(-q, y.lo, x.lo);
-  return fast_two_sum_w(q, rest / y.hi);
+  return quick_two_sum_w(q, rest / y.hi);
 }
 
 /// Square root of x >= 0, relative error below 4 u^2. V. Lefevre, N. Louvet, J.-M. Muller, J. Picot, L. Rideau,
@@ -87,7 +87,7 @@ FN dw_w dw_sqrt_w(dw_w x) {
   realw s = sqrt_w(x.hi);
   realw rest = fma_w(-s, s, x.hi) + x.lo;
   realw correction = rest / (s + s);
-  return fast_two_sum_w(s, sel_w(lt_w(splat_w(R(0.0)), s), correction, s));
+  return quick_two_sum_w(s, sel_w(lt_w(splat_w(R(0.0)), s), correction, s));
 }
 
 /// a b + c d, begun.

@@ -43,7 +43,7 @@
 #define sum3_w LANED(sum3_w)
 #define dw3_w LANED(dw3_w)
 #define two_sum_w LANED(two_sum_w)
-#define fast_two_sum_w LANED(fast_two_sum_w)
+#define quick_two_sum_w LANED(quick_two_sum_w)
 #define two_prod_w LANED(two_prod_w)
 #define dw_negate_w LANED(dw_negate_w)
 #define dw_sel_w LANED(dw_sel_w)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Ray against LANES planes, anchored form t = n.(P - o) / (n.d): the difference is taken first, so an offset scene
-// loses nothing that its input did not lose. Weak (until the robust tier): grazing rays far from the anchor.
+// loses nothing that its input did not lose. Weak (sound in the robust tier): grazing rays far from the anchor.
 // Parallel rays, those in the plane included, miss: n.d = 0 gives an infinite or NaN t.
 
 #if TIER_ROBUST
