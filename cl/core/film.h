@@ -17,7 +17,10 @@ FN long film_units(const Scene* scene, real value, real scale) {
     count_event(scene, is_number ? COUNT_SATURATED : COUNT_INVALID);
     scaled = is_number ? (scaled > R(0.0) ? FILM_LIMIT : -FILM_LIMIT) : R(0.0);
   }
-  return (long)(scaled < R(0.0) ? scaled - R(0.5) : scaled + R(0.5));
+  // The rest is exact; adding a half before truncating would round twice.
+  long whole = (long)scaled;
+  real rest = scaled - (real)whole;
+  return whole + (rest >= R(0.5) ? 1 : (rest <= -R(0.5) ? -1 : 0));
 }
 
 #endif

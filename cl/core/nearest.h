@@ -24,7 +24,7 @@ FN Nearest nearest_none(real t_max) {
 }
 
 FN void nearest_take(Nearest* best, real t, int id, int kind, int slot) {
-  if (id >= 0 && t <= REAL_MAX && (t < best->t || (t == best->t && id < best->id))) {
+  if (id >= 0 && (t < best->t || (t == best->t && id < best->id))) {
     best->t = t;
     best->id = id;
     best->kind = kind;

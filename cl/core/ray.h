@@ -29,8 +29,12 @@ FN Ray ray_make(real3 o, real3 d, real t_min, real t_max, int left) {
   PowerOfTwo scale = power_of_two_to_one(max3(magnitude));
   ray.o = o;
   ray.d = scale3(scale.up, d);
+  // A t that is not finite, here or in units of d as given, is out of reach: no hit has one.
+  real reach = scale.down < R(1.0) ? REAL_MAX * scale.down : REAL_MAX;
   ray.t_min = t_min * scale.down;
   ray.t_max = t_max * scale.down;
+  if (ray.t_min < -reach) ray.t_min = -reach;
+  if (ray.t_max > reach) ray.t_max = reach;
   ray.t_from_scaled = scale.up;
   ray.left = left;
   int usable = real_is_finite(o.x) & real_is_finite(o.y) & real_is_finite(o.z) & real_is_finite(d.x) &

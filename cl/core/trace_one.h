@@ -19,11 +19,8 @@ FN void LANED(trace_one)(const Scene* scene, GLOBAL const real* in, int left, in
   }
   Nearest hit = LANED(closest_hit)(scene, &ray);
   if (hit.kind < 0) return;
-  // In the units of the direction as given t may overflow; then nothing within reach was hit.
-  real t = hit.t * ray.t_from_scaled;
-  if (!real_is_finite(t)) return;
   Surface s = surface_at(scene, &ray, &hit, LANES);
-  out[HIT_T] = t;
+  out[HIT_T] = hit.t * ray.t_from_scaled;
   out[HIT_U] = s.u;
   out[HIT_V] = s.v;
   out[HIT_NORMAL] = s.normal.x;

@@ -36,7 +36,8 @@ FN void LANED(box_block)(const Ray* ray, GLOBAL const real* block, GLOBAL const 
     maskw left = LANED(is_left)(ids, ray);
     if (any_w(left)) {
       t = sel_w(left, leave, t);
-      hit = hit & ~(left & (LANED(box_left_outward)(ray, block) | ~lt_w(splat_w(R(0.0)), leave)));
+      // Not asked to enter first: a grazing ray whose origin was rounded out of the box would enter after it leaves.
+      hit = (hit & ~left) | (left & lt_w(splat_w(R(0.0)), leave) & ~LANED(box_left_outward)(ray, block));
     }
   }
   LANED(take_nearest)(hit & LANED(in_range)(t, ray, best), t, ids, -1, SHAPE_box, slot, best);

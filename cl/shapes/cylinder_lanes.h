@@ -29,7 +29,8 @@ FN void LANED(cylinder_block)(const Ray* ray, GLOBAL const real* block, GLOBAL c
   if (ray->left >= 0) left = LANED(is_left)(ids, ray);
   if (!any_w(hit | left)) return;
 
-  realw q = -b - flip_w(sqrt_w(a * max_w(d, zero)), b);
+  realw root = sqrt_w(a * max_w(d, zero));
+  realw q = -b - sel_w(lt_w(b, zero), -root, root);
   realw c = fma_w(fz, fz, fma_w(fy, fy, fx * fx)) - r2;
   realw t0 = q / a, t1 = c / q;
   realw near = sel_w(lt_w(t1, t0), t1, t0), far = sel_w(lt_w(t1, t0), t0, t1);

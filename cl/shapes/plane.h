@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Infinite plane, seen from the hit. Block planes: anchor x y z, normal x y z (any length, as given).
-// Frame: the duals of its spanning vectors u and v, and the point that has u = v = 0.
+// Frame: the duals of its spanning vectors u and v, and the point that has u = v = 0. Where u or v is beyond the range
+// of real it is 0.
 #ifndef STRAHL_SHAPES_PLANE_H
 #define STRAHL_SHAPES_PLANE_H
 
@@ -11,8 +12,9 @@ FN void plane_surface(const Ray* ray, GLOBAL const real* prim, int stride, GLOBA
   s->normal = normalize3(vec3(prim[3 * stride], prim[4 * stride], prim[5 * stride]));
   s->position = ray_at(ray, t);
   real3 from_origin = fma3(t, ray->d, sub3(ray->o, load3(frame + 6)));
-  s->u = dot3(from_origin, load3(frame));
-  s->v = dot3(from_origin, load3(frame + 3));
+  real u = dot3(from_origin, load3(frame)), v = dot3(from_origin, load3(frame + 3));
+  s->u = real_is_finite(u) ? u : R(0.0);
+  s->v = real_is_finite(v) ? v : R(0.0);
 }
 
 #endif

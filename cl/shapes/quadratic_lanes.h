@@ -10,8 +10,8 @@ typedef struct {
 /// d = b^2 - a c, in whatever form it is known best; meaningless where d < 0.
 FN LANED(Roots) LANED(quadratic_roots)(dw_w a, dw_w b, dw_w c, dw_w d) {
   dw_w s = dw_sqrt_w(d);
-  s.hi = flip_w(s.hi, b.hi);
-  s.lo = flip_w(s.lo, b.hi);
+  // A compare, not the sign bit: some devices lose the sign of a zero b.
+  s = dw_sel_w(lt_w(b.hi, splat_w(R(0.0))), dw_negate_w(s), s);
   dw_w q = dw_negate_w(dw_add_w(b, s));
   dw_w t0 = dw_div_w(q, a), t1 = dw_div_w(c, q);
   // b = D = 0: both roots are 0, and c / q is 0 / 0.

@@ -26,7 +26,9 @@ FN void LANED(sphere_block)(const Ray* ray, GLOBAL const real* block, GLOBAL con
   if (ray->left >= 0) left = LANED(is_left)(ids, ray);
   if (!any_w(hit | left)) return;
 
-  realw q = -b - flip_w(sqrt_w(a * max_w(d, splat_w(R(0.0)))), b);
+  // A compare, not the sign bit: some devices lose the sign of a zero b.
+  realw root = sqrt_w(a * max_w(d, splat_w(R(0.0))));
+  realw q = -b - sel_w(lt_w(b, splat_w(R(0.0))), -root, root);
   realw c = fma_w(fz, fz, fma_w(fy, fy, fx * fx)) - r2;
   realw t0 = q / a, t1 = c / q;
   realw near = sel_w(lt_w(t1, t0), t1, t0), far = sel_w(lt_w(t1, t0), t0, t1);

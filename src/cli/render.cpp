@@ -102,9 +102,13 @@ void warn_of_samples(const RunStats& stats) {
 void say_summary(const RenderOptions& options, const std::string& picture, const RenderResult& result) {
   if (options.scene.verbose) say(kernel_summary(result.stats));
   if (options.scene.quiet) return;
-  const std::string target = picture.empty() ? "" : picture + " ";
-  say(fmt::format("{} · {}{}×{} · {} spp · {}{}", time_summary(result.stats.seconds), target, result.color.width,
-                  result.color.height, result.stats.spp, result.stats.device, result.complete ? "" : " · interrupted"));
+  const RunStats& stats = result.stats;
+  const double samples = static_cast<double>(result.color.width) * result.color.height * stats.spp;
+  const std::string interrupted = result.complete ? ""
+                                                  : fmt::format(" · interrupted after {:.0f} % of the samples",
+                                                                100 * static_cast<double>(stats.camera_rays) / samples);
+  say(fmt::format("{} · {}{}×{} · {} spp · {}{}", time_summary(stats.seconds), picture.empty() ? "" : picture + " ",
+                  result.color.width, result.color.height, stats.spp, stats.device, interrupted));
 }
 
 ExitCode render(const RenderOptions& options, const Invocation& invocation) {

@@ -2,6 +2,7 @@
 // How bright a picture of the scene will typically be: decides the film's unit, never a value in the picture.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "device/pack.h"
 
@@ -10,15 +11,21 @@ namespace {
 
 double largest(const Rgb& c) { return std::max({c.r, c.g, c.b}); }
 
-/// Radiance of a white diffuse surface as far from the light as the scene's middle, or half its size where nearer.
-double reflected(const PointLight& light, const std::optional<Box>& box) {
-  double distance = 1;
-  if (box) {
-    const Vec3 middle = 0.5 * (box->min + box->max);
-    distance = std::max(length(light.position - middle), 0.5 * length(box->max - box->min));
-  }
-  if (!(distance > 0)) distance = 1;
-  return largest(light.intensity) / (distance * distance);
+/// How far what a light shines on typically is: the scene's middle, or half its size where that is nearer; the nearest
+/// plane where nothing is bounded.
+double typical_distance(const Vec3& light, const Scene& scene, const std::optional<Box>& box) {
+  if (box) return std::max(length(light - 0.5 * (box->min + box->max)), 0.5 * length(box->max - box->min));
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const Shape& shape : scene.shapes)
+    if (const auto* plane = std::get_if<Plane>(&shape.geometry))
+      nearest = std::min(nearest, std::abs(dot(normalized(plane->normal), light - plane->point)));
+  return nearest;
+}
+
+/// Radiance of a white diffuse surface at the typical distance.
+double reflected(const PointLight& light, const Scene& scene, const std::optional<Box>& box) {
+  const double distance = typical_distance(light.position, scene, box);
+  return distance > 0 ? largest(light.intensity) / (distance * distance) : largest(light.intensity);
 }
 
 double typical_radiance(const Scene& scene) {
@@ -38,7 +45,7 @@ double typical_radiance(const Scene& scene) {
   }
   for (const Light& light : scene.lights) {
     if (const auto* point = std::get_if<PointLight>(&light.emitter))
-      radiance = std::max(radiance, reflected(*point, box));
+      radiance = std::max(radiance, reflected(*point, scene, box));
     if (const auto* sun = std::get_if<DirectionalLight>(&light.emitter))
       radiance = std::max(radiance, largest(sun->irradiance));
     if (const auto* sky = std::get_if<ConstantLight>(&light.emitter))

@@ -38,24 +38,26 @@ std::optional<cl::Program> build_binary(const Device& device, const ProgramSourc
 }
 
 /// Where the text went, or why it went nowhere.
-std::string dump(const ProgramSource& source) {
-  const std::string path = failed_program_path(program_hash(source));
+std::string dump(const std::string& name, const ProgramSource& source) {
+  const std::string path = failed_program_path(name);
   std::ofstream out(path, std::ios::binary);
   out << source.text;
   out.close();
   return out ? path : fmt::format("could not be written to {}", path);
 }
 
-cl::Program build_text(const Device& device, const ProgramSource& source) {
+/// name: of the program, as `explain` prints it.
+cl::Program build_text(const Device& device, const ProgramSource& source, const std::string& program_name) {
   const std::string name = device.info().text();
   cl::Program program = checked(name, [&] { return cl::Program(device.context(), source.text); });
   try {
     program.build(device.device(), source.options.c_str());
   } catch (const cl::Error& error) {
     const std::string log = checked(name, [&] { return program.getBuildInfo<CL_PROGRAM_BUILD_LOG>(device.device()); });
-    throw KernelBuildError(fmt::format("{} failed with {} on {}\noptions: {}\nsource: {}\nbuild log:\n{}", error.what(),
-                                       cl_code_name(error.err()), name, source.options, dump(source), log),
-                           error.err());
+    throw KernelBuildError(
+        fmt::format("{} failed with {} on {}\noptions: {}\nsource: {}\nbuild log:\n{}", error.what(),
+                    cl_code_name(error.err()), name, source.options, dump(program_name, source), log),
+        error.err());
   }
   return program;
 }
@@ -78,14 +80,14 @@ cl::Program build_program(const Device& device, const ProgramSource& asked, Prog
   const ProgramSource source = completed_for(device, asked);
   const auto start = std::chrono::steady_clock::now();
   const std::string key = checked(device.info().text(), [&] { return cache_key(device, source); });
-  const std::string name = program_hash(source);
+  const std::string name = program_hash(asked);
 
   std::vector<unsigned char> binary = read_cached_binary(name, key);
   std::optional<cl::Program> program;
   if (!binary.empty()) program = build_binary(device, source, binary);
   const bool from_cache = program.has_value();
   if (!program) {
-    program = build_text(device, source);
+    program = build_text(device, source, name);
     const auto binaries = checked(device.info().text(), [&] { return program->getInfo<CL_PROGRAM_BINARIES>(); });
     binary = binaries.at(0);
     write_cached_binary(name, key, binary);

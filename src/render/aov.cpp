@@ -54,7 +54,8 @@ Image aov_image(int width, int height, const std::set<Aov>& aovs, const std::vec
       if (!aovs.contains(channel.aov)) continue;
       double value = channel.integer ? integer[channel.at] : real[channel.at];
       if (channel.aov == Aov::position && hit) value += origin[channel.at - layout::AOV_POSITION];
-      image.data.push_back(static_cast<float>(value));
+      // -0 becomes 0: some devices' fma (Mesa's software fma) loses the sign of a zero sum.
+      image.data.push_back(static_cast<float>(value + 0.0));
     }
   }
   return image;

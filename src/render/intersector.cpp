@@ -4,20 +4,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 
 #include "device/cl_layout.h"
 #include "device/program_text.h"
 #include "device/scene_buffers.h"
 #include "render/sampling.h"
+#include "render/stopwatch.h"
 #include "scene/validate.h"
 
 namespace strahl {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 constexpr std::size_t group_size = 64;
 
@@ -87,17 +83,17 @@ void Intersector::State::trace_chunk(const std::vector<Ray>& rays, std::size_t f
   for (std::size_t i = 0; i < count; ++i) left[i] = left_id(rays[first + i], first + i);
   std::vector<Real> out(count * layout::HIT_REALS);
 
-  const Clock::time_point upload = Clock::now();
+  const Stopwatch upload;
   const cl::Buffer ray_buffer = allocate(device, ray_reals.size() * sizeof(Real), "the rays");
   const cl::Buffer left_buffer = allocate(device, left.size() * sizeof(std::int32_t), "the rays");
   const cl::Buffer hit_buffer = allocate(device, out.size() * sizeof(Real), "the hits");
   const cl::Buffer id_buffer = allocate(device, ids.size() * sizeof(std::int32_t), "the hits");
   write_buffer(device, ray_buffer, ray_reals.data(), ray_reals.size() * sizeof(Real));
   write_buffer(device, left_buffer, left.data(), left.size() * sizeof(std::int32_t));
-  stats.seconds.upload += seconds_since(upload);
+  stats.seconds.upload += upload.seconds();
 
   for (double& seconds : run_seconds) {
-    const Clock::time_point start = Clock::now();
+    const Stopwatch start;
     checked(device.info().text(), [&] {
       cl_uint arg = 0;
       for (const cl::Buffer* buffer :
@@ -110,10 +106,10 @@ void Intersector::State::trace_chunk(const std::vector<Ray>& rays, std::size_t f
       device.queue().enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange(padded), cl::NDRange(group_size));
       return device.queue().finish();
     });
-    seconds += seconds_since(start);
+    seconds += start.seconds();
   }
 
-  const Clock::time_point readback = Clock::now();
+  const Stopwatch readback;
   read_buffer(device, hit_buffer, out.data(), out.size() * sizeof(Real));
   read_buffer(device, id_buffer, ids.data(), ids.size() * sizeof(std::int32_t));
   for (std::size_t i = 0; i < count; ++i) {
@@ -127,7 +123,7 @@ void Intersector::State::trace_chunk(const std::vector<Ray>& rays, std::size_t f
     hit.shape = ids[i * layout::HIT_INTS + layout::HIT_SHAPE];
     hit.primitive = ids[i * layout::HIT_INTS + layout::HIT_PRIMITIVE];
   }
-  stats.seconds.readback += seconds_since(readback);
+  stats.seconds.readback += readback.seconds();
 }
 
 Intersector::Intersector(const Device& device, const Scene& scene, const RenderSettings& settings)
@@ -135,17 +131,17 @@ Intersector::Intersector(const Device& device, const Scene& scene, const RenderS
   if (std::vector<Diagnostic> problems = validate(scene); !problems.empty()) throw SceneError(problems);
   State& s = *state_;
   const int lanes = settings.lanes.value_or(default_lanes(device.info().native_vector_width, settings.precision));
-  const Clock::time_point start = Clock::now();
+  const Stopwatch start;
   const Features features = intersection_features(scene, settings);
   const ProgramSource source = program_source("kernels/intersect.cl", features, settings.precision, lanes);
   ProgramReport report;
   const cl::Program program = build_program(device, source, &report);
   s.kernel = checked(device.info().text(), [&] { return cl::Kernel(program, "intersect"); });
-  s.stats.seconds.program = seconds_since(start);
-  const Clock::time_point upload = Clock::now();
+  s.stats.seconds.program = start.seconds();
+  const Stopwatch upload;
   s.buffers = upload_scene(device, scene, features, settings.precision, {lanes, Vec3{}});
   s.first_ids = first_ids(scene);
-  s.stats.seconds.upload = seconds_since(upload);
+  s.stats.seconds.upload = upload.seconds();
   s.stats.device_bytes = s.stats.host_bytes = s.buffers.bytes;
   s.stats.device = device.info().text();
   s.stats.precision = precision_name(settings.precision);

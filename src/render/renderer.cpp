@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 
 #include "device/cl_layout.h"
 #include "device/program_text.h"
@@ -13,14 +12,11 @@
 #include "render/aov.h"
 #include "render/film.h"
 #include "render/launch_plan.h"
+#include "render/stopwatch.h"
 #include "scene/validate.h"
 
 namespace strahl {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 constexpr std::size_t film_bytes_per_pixel = sizeof(std::int64_t) * layout::FILM_SUBSUMS * layout::FILM_CHANNELS;
 constexpr std::size_t film_buffer_bytes = std::size_t{256} << 20;
@@ -76,29 +72,29 @@ void Renderer::State::prepare() {
   if (sampling.spp > max_spp)
     throw UsageError(fmt::format("--spp {}: the film holds at most {} samples per pixel", sampling.spp, max_spp));
   const int lanes = settings.lanes.value_or(default_lanes(device.info().native_vector_width, settings.precision));
-  const Clock::time_point start = Clock::now();
+  const Stopwatch start;
   features = features_of(scene, settings);
   source = program_source("kernels/render.cl", features, settings.precision, lanes);
   ProgramReport report;
   const cl::Program program = build_program(device, source, &report);
   kernel = checked(device.info().text(), [&] { return cl::Kernel(program, "render"); });
-  stats.seconds.program = seconds_since(start);
+  stats.seconds.program = start.seconds();
 
-  const Clock::time_point upload_start = Clock::now();
+  const Stopwatch upload_start;
   buffers = upload_scene(device, scene, features, settings.precision, {lanes, frame_origin()});
   const std::size_t pixels = static_cast<std::size_t>(window.width()) * static_cast<std::size_t>(band_rows());
   film = allocate(device, pixels * film_bytes_per_pixel, "one band of the film");
   aov_reals = allocate(device, aov_real_bytes(pixels), "the auxiliary values");
   aov_ints = allocate(device, aov_int_bytes(pixels), "the auxiliary ids");
   counters = allocate(device, layout::COUNTERS * sizeof(std::uint32_t), "the counters");
-  stats.seconds.upload = seconds_since(upload_start);
+  stats.seconds.upload = upload_start.seconds();
   stats.device_bytes = buffers.bytes + pixels * film_bytes_per_pixel + aov_real_bytes(pixels) + aov_int_bytes(pixels);
   stats.host_bytes = buffers.bytes + static_cast<std::size_t>(window.width()) *
                                          static_cast<std::size_t>(window.height()) * film_bytes_per_pixel;
 
-  const Clock::time_point warm_start = Clock::now();
+  const Stopwatch warm_start;
   warm_up();
-  stats.seconds.program += seconds_since(warm_start);
+  stats.seconds.program += warm_start.seconds();
   stats.device = device.info().text();
   stats.precision = precision_name(settings.precision);
   stats.spp = sampling.spp;
@@ -137,9 +133,9 @@ void Renderer::State::warm_up() {
     throw UsageError(fmt::format("--work-group {}x{}: {} allows 1 to {} work-items", settings.work_group.x,
                                  settings.work_group.y, device.info().text(), device.info().max_work_group));
   launch({}, 0);
-  const Clock::time_point start = Clock::now();
+  const Stopwatch start;
   launch({}, 0);
-  launch_overhead = seconds_since(start);
+  launch_overhead = start.seconds();
 }
 
 void Renderer::State::read_aovs(std::size_t first_pixel, std::size_t pixels, std::vector<double>& reals,
@@ -178,9 +174,9 @@ bool Renderer::State::render_band(int row, int rows, FilmSums& sums, RunStats& r
     write_buffer(device, counters, zero.data(), zero.size() * sizeof(std::uint32_t));
     Launch next = plan.next();
     next.row_first += row;
-    const Clock::time_point start = Clock::now();
+    const Stopwatch start;
     launch(next, row);
-    run.kernel_runs.push_back(seconds_since(start));
+    run.kernel_runs.push_back(start.seconds());
     plan.measured(run.kernel_runs.back());
     std::vector<std::uint32_t> counted(layout::COUNTERS);
     read_buffer(device, counters, counted.data(), counted.size() * sizeof(std::uint32_t));
@@ -196,10 +192,10 @@ bool Renderer::State::render_band(int row, int rows, FilmSums& sums, RunStats& r
     run.seconds.kernel += run.kernel_runs.back();
     carry_on = report();
   }
-  const Clock::time_point start = Clock::now();
+  const Stopwatch start;
   const std::size_t at = static_cast<std::size_t>(row) * static_cast<std::size_t>(window.width());
   read_buffer(device, film, &sums.sums[at * layout::FILM_SUBSUMS * layout::FILM_CHANNELS], bytes);
-  run.seconds.readback += seconds_since(start);
+  run.seconds.readback += start.seconds();
   return carry_on;
 }
 
@@ -224,9 +220,9 @@ RenderResult Renderer::render(const ProgressCallback& progress) {
   FilmSums film(width, height, s.buffers.film_scale);
   std::vector<double> aov_reals(s.has_aov() ? pixels * layout::AOV_REALS : 0, 0.0);
   std::vector<std::int32_t> aov_ints(s.has_aov() ? pixels * layout::AOV_INTS : 0, -1);
-  const Clock::time_point start = Clock::now();
+  const Stopwatch start;
   const std::uint64_t total = static_cast<std::uint64_t>(pixels) * static_cast<std::uint64_t>(s.sampling.spp);
-  const auto report = [&] { return !progress || progress({run.camera_rays, total, seconds_since(start)}); };
+  const auto report = [&] { return !progress || progress({run.camera_rays, total, start.seconds()}); };
 
   std::optional<LaunchPlan> earlier;
   bool carry_on = true;
@@ -240,13 +236,13 @@ RenderResult Renderer::render(const ProgressCallback& progress) {
                   static_cast<std::size_t>(rows) * static_cast<std::size_t>(width), aov_reals, aov_ints);
     earlier = plan;
   }
-  const Clock::time_point convert = Clock::now();
+  const Stopwatch convert;
   result.color = film.mean();
   if (!s.settings.aovs.empty())
     result.aov = aov_image(width, height, s.settings.aovs, aov_reals, aov_ints, s.frame_origin());
   else
     result.aov.channels.clear();
-  run.seconds.readback += seconds_since(convert);
+  run.seconds.readback += convert.seconds();
   result.complete = run.camera_rays == total;
   return result;
 }

@@ -2,3 +2,8 @@
 foreach(name ignis_point sionna embree_masks)
   strahl_test(acceptance/test_${name}.cpp LABEL render)
 endforeach()
+
+# Needs a python3 with mitsuba and numpy (PyPI).
+add_test(NAME acceptance_mitsuba_geometry
+         COMMAND python3 -B ${CMAKE_CURRENT_LIST_DIR}/mitsuba_geometry.py $<TARGET_FILE:strahl-bin> 20)
+set_tests_properties(acceptance_mitsuba_geometry PROPERTIES LABELS slow SKIP_RETURN_CODE 77 TIMEOUT 900)

@@ -1,3 +1,24 @@
 # SPDX-License-Identifier: MIT
 strahl_test(cl/test_angle.cpp LABEL unit LIBS strahl_oracle SOURCES cl/angle_f32.cpp cl/angle_f64.cpp)
 target_include_directories(cl_test_angle PRIVATE ${PROJECT_SOURCE_DIR}/cl)
+
+# The dialect on the host. Apart from libstrahl, whose headers have the same names: only cl/ and tests/ are on the path.
+# Without the instruction every fma is a library call, right but ten times slower; it is used where this machine has it.
+include(CheckCXXSourceRuns)
+set(CMAKE_REQUIRED_FLAGS -mfma)
+check_cxx_source_runs(
+  "#include <cmath>
+   int main() { volatile double a = 1; return std::fma(a, a, -a) == 0 ? 0 : 1; }" STRAHL_HOST_HAS_FMA)
+unset(CMAKE_REQUIRED_FLAGS)
+add_library(strahl_host_kernels STATIC cl/host_kernels_f32.cpp cl/host_kernels_f64.cpp cl/math_f32.cpp cl/math_f64.cpp)
+target_include_directories(strahl_host_kernels PRIVATE ${PROJECT_SOURCE_DIR}/cl ${CMAKE_CURRENT_SOURCE_DIR})
+# -O2 in every configuration: these bodies are what the tests below spend their time in.
+target_compile_options(strahl_host_kernels PRIVATE -O2 -Wno-psabi $<$<BOOL:${STRAHL_HOST_HAS_FMA}>:-mfma>)
+
+foreach(name departed math)
+  strahl_test(cl/test_${name}.cpp LABEL unit LIBS strahl_host_kernels strahl_oracle)
+endforeach()
+foreach(name shapes_oracle watertight ties arbitrary_bits host_equals_device)
+  strahl_test(cl/test_${name}.cpp LABEL device LIBS strahl_host_kernels strahl_oracle TIMEOUT 600)
+endforeach()
+strahl_test(cl/test_rusticl_widths.cpp LABEL device slow LIBS strahl_host_kernels strahl_oracle TIMEOUT 3000)

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Help, version, and the exit code 2 of what cannot be parsed.
+#include <sys/wait.h>
+
 #include <catch2/catch.hpp>
+#include <cstdlib>
+#include <filesystem>
 
 #include "cli/program.h"
 
@@ -123,4 +127,16 @@ TEST_CASE("a result that cannot be printed is a failure, no crash") {
   CHECK(in_shell(">/dev/full 2>/dev/null") == 1);
   CHECK(in_shell(">&- 2>&-") == 1);
   CHECK(in_shell(">/dev/null 2>&- --heatmap h.png") == 0);
+}
+
+TEST_CASE("a closed stream's number goes to no file") {
+  const Folder folder;
+  folder.file("a.pfm", "Pf\n1 1\n-1.0\n" + std::string(4, '\0'));
+  // Reads what the program itself has as its standard output: something empty, not nothing and not a.pfm.
+  std::filesystem::create_symlink("/proc/self/fd/1", folder.path("stdout.pfm"));
+  const std::string program = STRAHL_PROGRAM;
+  const std::string line =
+      "cd " + folder.path("") + " && " + program + " compare stdout.pfm a.pfm >&- 2>said; test $? -eq 3";
+  CHECK(std::system(line.c_str()) == 0);
+  CHECK(contains(read_text(folder.path("said")), "not a PFM file"));
 }

@@ -194,16 +194,18 @@ TEST_CASE("One integrator at a time") {
   }
 }
 
-TEST_CASE("PIXEL_FILTER: samples that are not all in the pixel's middle") {
-  Scene scene = scene_of(Sphere{}, "normals");
-  check_off(scene, {}, "PIXEL_FILTER");
-  scene.sampler.sample_count = 4;
-  check_on(scene, {}, "PIXEL_FILTER", 4, "sampler independent");
+TEST_CASE("PIXEL_FILTER: unless every sample is asked to be in its pixel's middle, and whatever their number") {
+  const std::string why = "samples anywhere but at the pixels' centres";
+  Scene scene = scene_of(Sphere{});
+  scene.sampler.where = line(4);
+  for (const int spp : {1, 9}) {
+    scene.sampler.sample_count = spp;
+    check_on(scene, {}, "PIXEL_FILTER", 4, why);
+  }
+  scene.sampler.kind = SamplerKind::independent;
+  check_on(scene, {}, "PIXEL_FILTER", 4, why);
   scene.sampler.kind = SamplerKind::centre;
   check_off(scene, {}, "PIXEL_FILTER");
-  scene.integrator.name = "direct";
-  scene.sampler = {};
-  check_on(scene, {}, "PIXEL_FILTER", 0, "sampler independent");
 }
 
 TEST_CASE("AOV and COUNT_RAYS are called for by options") {

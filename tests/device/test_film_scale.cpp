@@ -74,9 +74,13 @@ TEST_CASE("Lights count by what a white surface in the scene's middle reflects")
   CHECK(film_scale(lit(PointLight{{0, 8, 0}, {0, 0, 64 * 32}})) == unit / 32);
   // Nearer than half the scene's size, that size counts: a light in the middle is not infinitely bright.
   CHECK(film_scale(lit(PointLight{{0, 0, 0}, {4 * 3.5, 0, 0}})) == unit / 4);
-  Scene empty;
-  add(empty, PointLight{{0, 0, 0}, {4, 4, 4}});
-  CHECK(film_scale(empty) == unit / 4);
+  // Where nothing is bounded the nearest plane is what the light shines on; no plane, nothing to shine on.
+  Scene planes;
+  add(planes, PointLight{{0, 10, 0}, {256, 256, 256}});
+  CHECK(film_scale(planes) == unit);
+  add(planes, Plane{{5, 6, 7}, {0, 3, 0}, {1, 0, 0}, {0, 0, -1}});
+  add(planes, Plane{{5, -90, 7}, {0, 1, 0}, {1, 0, 0}, {0, 0, -1}});
+  CHECK(film_scale(planes) == unit / 16);
 }
 
 TEST_CASE("Pictures of something else than light have a scale of their own") {

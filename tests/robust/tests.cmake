@@ -1,12 +1,6 @@
 # SPDX-License-Identifier: MIT
 # The robust tier on the host, apart from libstrahl, whose headers have the same names: only cl/ and tests/ on the path.
-# Without the instruction every fma is a library call, right but ten times slower; it is used where this machine has it.
-include(CheckCXXSourceRuns)
-set(CMAKE_REQUIRED_FLAGS -mfma)
-check_cxx_source_runs(
-  "#include <cmath>
-   int main() { volatile double a = 1; return std::fma(a, a, -a) == 0 ? 0 : 1; }" STRAHL_HOST_HAS_FMA)
-unset(CMAKE_REQUIRED_FLAGS)
+# STRAHL_HOST_HAS_FMA: tests/cl/tests.cmake, which comes first.
 add_library(strahl_robust_kernels STATIC robust/kernels.cpp)
 target_include_directories(strahl_robust_kernels PRIVATE ${PROJECT_SOURCE_DIR}/cl ${CMAKE_CURRENT_SOURCE_DIR})
 target_compile_options(strahl_robust_kernels PRIVATE -O2 -Wno-psabi $<$<BOOL:${STRAHL_HOST_HAS_FMA}>:-mfma>)

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: MIT
+// Every feature on, as --generic defines them. No guard needed beyond the unit's own: plain definitions.
+#pragma once
+
+#define HAS_PIXEL_FILTER 1
+#define HAS_EMISSION 1
+#define HAS_TWOSIDED 1
+#define HAS_SMOOTH_NORMALS 1
+#define HAS_MESH_UVS 1
+#define HAS_AOV 1
+#define HAS_COUNT_RAYS 0

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+
+#include "cl/host_features.h"
+#include "cl/math_tiers.h"
+
+#define REAL_BITS 32
+namespace f32 {
+#include "portable.h"
+// OpenCL's, for core/counters.h.
+inline void atomic_inc(uint* counter) { ++*counter; }
+#include "core/film.h"
+#include "math/rng.h"
+#include "math/vec3.h"
+}  // namespace f32
+
+namespace strahl::test {
+
+std::array<float, 3> normalize3(const std::array<float, 3>& v) {
+  const f32::real3 n = f32::normalize3(f32::vec3(v[0], v[1], v[2]));
+  return {n.x, n.y, n.z};
+}
+float length3(const std::array<float, 3>& v) { return f32::length3(f32::vec3(v[0], v[1], v[2])); }
+float difference_of_products(float a, float b, float c, float d) { return f32::difference_of_products(a, b, c, d); }
+float random_unit(float, std::uint32_t bits) { return f32::random_unit(bits); }
+std::int64_t film_units(float value, float scale, std::array<std::uint32_t, 4>* counts) {
+  const f32::Scene scene{nullptr, nullptr, nullptr, counts->data()};
+  return f32::film_units(&scene, value, scale);
+}
+
+}  // namespace strahl::test

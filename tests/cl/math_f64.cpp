@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+
+#include "cl/host_features.h"
+#include "cl/math_tiers.h"
+
+#define REAL_BITS 64
+namespace f64 {
+#include "portable.h"
+// OpenCL's, for core/counters.h.
+inline void atomic_inc(uint* counter) { ++*counter; }
+#include "core/film.h"
+#include "math/rng.h"
+#include "math/vec3.h"
+}  // namespace f64
+
+namespace strahl::test {
+
+std::array<double, 3> normalize3(const std::array<double, 3>& v) {
+  const f64::real3 n = f64::normalize3(f64::vec3(v[0], v[1], v[2]));
+  return {n.x, n.y, n.z};
+}
+double length3(const std::array<double, 3>& v) { return f64::length3(f64::vec3(v[0], v[1], v[2])); }
+double difference_of_products(double a, double b, double c, double d) {
+  return f64::difference_of_products(a, b, c, d);
+}
+std::array<std::uint32_t, 4> random4(std::uint32_t pixel, std::uint32_t sample, std::uint32_t dimension,
+                                     std::uint32_t seed) {
+  const f64::Random4 r = f64::random4(pixel, sample, dimension, seed);
+  return {r.x, r.y, r.z, r.w};
+}
+double random_unit(double, std::uint32_t bits) { return f64::random_unit(bits); }
+std::int64_t film_units(double value, double scale, std::array<std::uint32_t, 4>* counts) {
+  const f64::Scene scene{nullptr, nullptr, nullptr, counts->data()};
+  return f64::film_units(&scene, value, scale);
+}
+
+}  // namespace strahl::test

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// cl/math and cl/core/film.h of both tiers on the host, side by side; compiled in math_f32.cpp and math_f64.cpp.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+namespace strahl::test {
+
+std::array<float, 3> normalize3(const std::array<float, 3>& v);
+std::array<double, 3> normalize3(const std::array<double, 3>& v);
+float length3(const std::array<float, 3>& v);
+double length3(const std::array<double, 3>& v);
+float difference_of_products(float a, float b, float c, float d);
+double difference_of_products(double a, double b, double c, double d);
+
+std::array<std::uint32_t, 4> random4(std::uint32_t pixel, std::uint32_t sample, std::uint32_t dimension,
+                                     std::uint32_t seed);
+float random_unit(float tier, std::uint32_t bits);
+double random_unit(double tier, std::uint32_t bits);
+
+/// counts: saturated, invalid.
+std::int64_t film_units(float value, float scale, std::array<std::uint32_t, 4>* counts);
+std::int64_t film_units(double value, double scale, std::array<std::uint32_t, 4>* counts);
+
+}  // namespace strahl::test

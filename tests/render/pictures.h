@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+// What the render tests share: the project's scenes in small, all AOVs, and comparison of every bit.
+#pragma once
+
+#include <cstring>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "render/renderer.h"
+#include "scene/loader.h"
+#include "support/devices.h"
+
+namespace strahl::test {
+
+inline const std::filesystem::path scene_folder = STRAHL_SOURCE_DIR "/scenes";
+
+inline Scene small_scene(const std::filesystem::path& path, int width, int height, int spp) {
+  Scene scene = load_scene(path.string()).scene;
+  scene.film.width = width;
+  scene.film.height = height;
+  scene.film.crop.reset();
+  scene.sampler.sample_count = spp;
+  return scene;
+}
+
+inline RenderSettings all_aovs(Precision precision = Precision::stable) {
+  RenderSettings settings;
+  settings.precision = precision;
+  settings.aovs = {Aov::depth, Aov::normal, Aov::position, Aov::uv, Aov::shape_id, Aov::primitive_id};
+  return settings;
+}
+
+inline RenderResult render(const std::string& device, const Scene& scene, const RenderSettings& settings) {
+  return Renderer(Device::open(device, {settings.precision == Precision::fp64}), scene, settings).render();
+}
+
+/// Every float has the same bits: -0 differs from 0 and a NaN equals itself.
+inline bool same_bits(const Image& a, const Image& b) {
+  return a.width == b.width && a.height == b.height && a.channels == b.channels && a.data.size() == b.data.size() &&
+         std::memcmp(a.data.data(), b.data.data(), a.data.size() * sizeof(float)) == 0;
+}
+
+inline bool same_bits(const RenderResult& a, const RenderResult& b) {
+  return same_bits(a.color, b.color) && same_bits(a.aov, b.aov);
+}
+
+inline std::size_t lit_pixels(const Image& image) {
+  std::size_t lit = 0;
+  for (std::size_t i = 0; i + 2 < image.data.size(); i += 3)
+    if (image.data[i] + image.data[i + 1] + image.data[i + 2] > 0) ++lit;
+  return lit;
+}
+
+}  // namespace strahl::test

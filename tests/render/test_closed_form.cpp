@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: MIT
+// Pictures whose every pixel has a closed form: irradiance by point and directional lights, emission, depth, normals,
+// the edge of a hard shadow, sides, hidden emitters, depth of paths.
+#include <array>
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "render/stage.h"
+
+namespace strahl::test {
+namespace {
+
+/// Of a picture's floats: the device's arithmetic in single precision, the picture's own float in double.
+double rounding(Precision precision) { return precision == Precision::stable ? 1e-6 : 1e-7; }
+
+/// The largest error that the film may add (docs/decisions/0002-film.md): half a unit of 2^-28 of the typical radiance.
+double half_unit(double typical) { return std::ldexp(1.0, std::ilogb(typical) - 29); }
+
+constexpr std::array both{Precision::stable, Precision::fp64};
+
+TEST_CASE("a point light over a plane: rho / pi I cos / d^2") {
+  require_pocl_and_rusticl();
+  const Vec3 at{0.3, -0.4, 1.5};
+  Scene scene = stage({floor_plane()}, diffuse({0.8, 0.5, 0.25}));
+  scene.lights = {light(PointLight{at, {10, 5, 2}})};
+  for (const Precision precision : both) {
+    const Image image = color(scene, precision);
+    double worst = 0;
+    for (int y = 0; y < stage_size; ++y)
+      for (int x = 0; x < stage_size; ++x) {
+        const Vec3 to = at - Vec3{stage_x(x), stage_y(y), 0};
+        const double irradiance = to.z / std::pow(length(to), 3);
+        const std::array<double, 3> expected{0.8 * 10, 0.5 * 5, 0.25 * 2};
+        for (int c = 0; c < 3; ++c) {
+          const double radiance = expected.at(static_cast<std::size_t>(c)) / std::numbers::pi * irradiance;
+          worst = std::max(worst, (std::fabs(image.at(x, y, c) - radiance) - half_unit(10)) / radiance);
+        }
+      }
+    CHECK(worst < rounding(precision));
+  }
+}
+
+TEST_CASE("a directional light: rho / pi E cos") {
+  require_pocl_and_rusticl();
+  Scene scene = stage({floor_plane()}, diffuse({0.6, 0.6, 0.6}));
+  scene.lights = {light(DirectionalLight{{1, 2, -2}, {3, 2, 1}})};
+  for (const Precision precision : both) {
+    const Image image = color(scene, precision);
+    double worst = 0;
+    for (std::size_t i = 0; i < image.data.size(); ++i) {
+      const double radiance = 0.6 / std::numbers::pi * (3.0 - static_cast<double>(i % 3)) * 2 / 3;
+      worst = std::max(worst, std::fabs(image.data[i] / radiance - 1));
+    }
+    CHECK(worst < rounding(precision));
+  }
+}
+
+TEST_CASE("several lights add up") {
+  require_pocl_and_rusticl();
+  Scene scene = stage({floor_plane()});
+  const Light first = light(DirectionalLight{{0, 0, -1}, {1, 1, 1}}), second = light(PointLight{{0, 0, 2}, {1, 1, 1}});
+  scene.lights = {first};
+  const Image a = color(scene);
+  scene.lights = {second};
+  const Image b = color(scene);
+  scene.lights = {first, second};
+  const Image sum = color(scene);
+  for (std::size_t i = 0; i < sum.data.size(); ++i) REQUIRE(sum.data[i] == Approx(a.data[i] + b.data[i]).epsilon(1e-6));
+}
+
+// The smallest value spans the film's units with all of its 24 bits.
+TEST_CASE("emission is the colour that was given, exactly") {
+  require_pocl_and_rusticl();
+  Scene scene = stage({Rectangle{{-2, -2, 0}, {4, 0, 0}, {0, 4, 0}}});
+  scene.shapes[0].radiance = Rgb{0.1, 1.7, 3.3};
+  for (const char* integrator : {"emission", "direct"})
+    for (const Precision precision : both) {
+      scene.integrator.name = integrator;
+      const Image image = color(scene, precision);
+      for (std::size_t i = 0; i < image.data.size(); ++i) {
+        const std::array<float, 3> expected{0.1F, 1.7F, 3.3F};
+        REQUIRE(image.data[i] == expected.at(i % 3));
+      }
+    }
+}
+
+TEST_CASE("depth is the distance along the ray") {
+  require_pocl_and_rusticl();
+  Scene scene = stage({floor_plane()});
+  scene.integrator.name = "depth";
+  scene.camera.projection = Projection::perspective;
+  scene.camera.fov_degrees = 90;
+  scene.camera.world_from_camera.m = {{{-1, 0, 0, 7}, {0, 1, 0, -3}, {0, 0, -1, 4}}};
+  for (const Precision precision : both) {
+    const Image image = color(scene, precision);
+    double worst = 0;
+    for (int y = 0; y < stage_size; ++y)
+      for (int x = 0; x < stage_size; ++x) {
+        const double expected = 4 * length({stage_x(x) / half_width, stage_y(y) / half_width, 1});
+        worst = std::max(worst, std::fabs(image.at(x, y, 0) / expected - 1));
+      }
+    CHECK(worst < rounding(precision));
+  }
+}
+
+TEST_CASE("normals of a sphere") {
+  require_pocl_and_rusticl();
+  const double radius = 1.3;
+  Scene scene = stage({Sphere{{0.2, -0.1, 0}, radius}});
+  scene.integrator.name = "normals";
+  for (const Precision precision : both) {
+    const Image image = color(scene, precision);
+    double worst = 0;
+    for (int y = 0; y < stage_size; ++y)
+      for (int x = 0; x < stage_size; ++x) {
+        const double u = (stage_x(x) - 0.2) / radius, v = (stage_y(y) + 0.1) / radius, rest = 1 - u * u - v * v;
+        if (std::fabs(rest) < 1e-4) continue;
+        const bool hit = rest > 0;
+        REQUIRE((image.at(x, y, 2) > 0) == hit);
+        if (!hit) continue;
+        const std::array<double, 3> normal{u, v, std::sqrt(rest)};
+        for (int c = 0; c < 3; ++c)
+          worst = std::max(worst, std::fabs(2 * image.at(x, y, c) - 1 - normal.at(static_cast<std::size_t>(c))));
+      }
+    CHECK(worst < (precision == Precision::stable ? 1e-5 : 3e-7));
+  }
+}
+
+TEST_CASE("the shadow of a sphere ends where the tangent cone meets the plane") {
+  require_pocl_and_rusticl();
+  Scene scene = stage({floor_plane(), Sphere{{0.1, 0.2, 1.5}, 0.5}});
+  scene.camera.world_from_camera.m[2][3] = 0.8;  // Below the sphere.
+  const auto check = [&](const Vec3& center, double radius) {
+    for (const Precision precision : both) {
+      const Image image = color(scene, precision);
+      int dark = 0;
+      for (int y = 0; y < stage_size; ++y)
+        for (int x = 0; x < stage_size; ++x) {
+          const double distance = length(Vec3{stage_x(x), stage_y(y), 0} - center);
+          if (std::fabs(distance - radius) < 1e-5) continue;
+          INFO(x << ", " << y << ", " << precision_name(precision));
+          REQUIRE((image.at(x, y, 0) == 0) == (distance < radius));
+          dark += distance < radius ? 1 : 0;
+        }
+      CHECK(dark > 50);
+    }
+  };
+  const double sine = 0.5 / 3;  // Light 3 above the sphere's centre.
+  scene.lights = {light(PointLight{{0.1, 0.2, 4.5}, {1, 1, 1}})};
+  check({0.1, 0.2, 0}, 4.5 * sine / std::sqrt(1 - sine * sine));
+  scene.lights = {light(DirectionalLight{{0, 0, -1}, {1, 1, 1}})};
+  check({0.1, 0.2, 0}, 0.5);
+}
+
+TEST_CASE("a light beyond which something stands is not shadowed by it") {
+  require_pocl_and_rusticl();
+  Scene scene = stage({floor_plane(), Sphere{{0, 0, 3}, 0.5}});
+  scene.camera.world_from_camera.m[2][3] = 0.5;
+  scene.lights = {light(PointLight{{0, 0, 2}, {1, 1, 1}})};
+  CHECK(lit_pixels(color(scene)) == stage_size * stage_size);
+}
+
+TEST_CASE("diffuse is one-sided unless told otherwise") {
+  require_pocl_and_rusticl();
+  const Plane away{{0, 0, 0}, {0, 0, -1}, {1, 0, 0}, {0, 1, 0}};
+  const Light above = light(PointLight{{0, 0, 2}, {1, 1, 1}}), below = light(PointLight{{0, 0, -2}, {1, 1, 1}});
+  const auto lit = [](const Geometry& plane, bool twosided, const Light& lamp) {
+    Scene scene = stage({plane}, diffuse({0.5, 0.5, 0.5}, twosided));
+    scene.lights = {lamp};
+    return lit_pixels(color(scene));
+  };
+  const std::size_t all = stage_size * stage_size;
+  CHECK(lit(floor_plane(), false, above) == all);
+  CHECK(lit(floor_plane(), true, above) == all);
+  CHECK(lit(away, false, above) == 0);
+  CHECK(lit(away, true, above) == all);
+  for (const Plane& plane : {floor_plane(), away})
+    for (const bool twosided : {false, true}) CHECK(lit(plane, twosided, below) == 0);
+}
+
+TEST_CASE("max_depth counts as Mitsuba does, and hide_emitters hides emission alone") {
+  require_pocl_and_rusticl();
+  Scene scene = stage({floor_plane()}, diffuse({0.5, 0.5, 0.5}));
+  scene.shapes[0].radiance = Rgb{2, 2, 2};
+  scene.lights = {light(DirectionalLight{{0, 0, -1}, {1, 1, 1}})};
+  const auto value = [&](int max_depth, bool hide) {
+    scene.integrator.max_depth = max_depth;
+    scene.integrator.hide_emitters = hide;
+    return color(scene).data[0];
+  };
+  const double reflected = 0.5 / std::numbers::pi;
+  CHECK(value(0, false) == 0);
+  CHECK(value(1, false) == 2);
+  CHECK(value(1, true) == 0);
+  for (const int depth : {-1, 2, 5}) {
+    CHECK(value(depth, false) == Approx(2 + reflected).epsilon(1e-6));
+    CHECK(value(depth, true) == Approx(reflected).epsilon(1e-6));
+  }
+}
+
+}  // namespace
+}  // namespace strahl::test

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// The same bits on every device that is there, in picture and AOVs: direct lighting with 64 samples a pixel, a mesh,
+// the other shapes. PoCL and rusticl may not be missing; a line per picture says which ran. Mesa's llvmpipe takes tens
+// of milliseconds for a launch and emulates fma, hence the sizes.
+#include <catch2/catch.hpp>
+#include <iostream>
+
+#include "render/pictures.h"
+
+namespace strahl::test {
+namespace {
+
+void check_everywhere(const std::string& name, int width, int height, int spp) {
+  require_pocl_and_rusticl();
+  const Scene scene = small_scene(scene_folder / name, width, height, spp);
+  for (const Precision precision : {Precision::stable, Precision::fp64}) {
+    const RenderResult expected = render("pocl", scene, all_aovs(precision));
+    CHECK(lit_pixels(expected.color) > 0);
+    std::string ran, skipped;
+    for (const std::string& device : present_devices()) {
+      INFO(name << ", " << precision_name(precision) << ", " << device);
+      if (precision == Precision::fp64 && !Device::open(device).info().fp64) {
+        skipped += " " + device;
+        continue;
+      }
+      ran += " " + device;
+      CHECK(same_bits(expected, render(device, scene, all_aovs(precision))));
+    }
+    std::cout << name << ", " << precision_name(precision) << ": ran on" << ran
+              << (skipped.empty() ? "" : "; without double:" + skipped) << std::endl;
+  }
+}
+
+TEST_CASE("spheres and planes, 64 samples") { check_everywhere("lecture/lit.xml", 24, 18, 64); }
+
+TEST_CASE("rectangles and cubes") { check_everywhere("cornell/cornell-box.xml", 24, 18, 4); }
+
+TEST_CASE("a mesh") { check_everywhere("shapes/mesh-obj.xml", 16, 12, 2); }
+
+}  // namespace
+}  // namespace strahl::test

@@ -1,0 +1,10 @@
+# SPDX-License-Identifier: MIT
+foreach(name invariance generic launches closed_form terminator)
+  strahl_test(render/test_${name}.cpp LABEL render)
+endforeach()
+# rusticl takes its time where nothing is cached yet.
+strahl_test(render/test_devices.cpp LABEL render TIMEOUT 300)
+
+add_test(NAME render_test_oclgrind COMMAND ${CMAKE_CURRENT_LIST_DIR}/test_oclgrind $<TARGET_FILE:strahl-bin>
+                                           ${PROJECT_SOURCE_DIR}/scenes/lecture/lit.xml)
+set_tests_properties(render_test_oclgrind PROPERTIES LABELS oclgrind SKIP_RETURN_CODE 77 TIMEOUT 120)
