@@ -51,6 +51,11 @@ typedef float real;
 #define REAL_EXPONENT_MASK 0xff
 #endif
 
+/// 1: single precision, exact or compensated (docs/decisions/0007-robust-tier.md). The program's text defines it.
+#ifndef TIER_ROBUST
+#define TIER_ROBUST 0
+#endif
+
 #define INT_MAX_ID 0x7fffffff
 
 #ifdef __cplusplus

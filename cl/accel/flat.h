@@ -3,6 +3,12 @@
 #include "core/candidates.h"
 #include "scene/scene.h"
 #include "shapes/edge_lanes.h"
+#if TIER_ROBUST
+#include "lanes/double_word.h"
+#include "shapes/polygon_robust_lanes.h"
+#include "shapes/quadratic_lanes.h"
+#include "shapes/reach_lanes.h"
+#endif
 #include "shapes/all_lanes.h"
 
 /// stop_at_first: any hit will do.

@@ -38,4 +38,28 @@
 #define load_int_w LANED(load_int_w)
 #define store_w LANED(store_w)
 
+// lanes/double_word.h
+#define dw_w LANED(dw_w)
+#define sum3_w LANED(sum3_w)
+#define dw3_w LANED(dw3_w)
+#define two_sum_w LANED(two_sum_w)
+#define quick_two_sum_w LANED(quick_two_sum_w)
+#define two_prod_w LANED(two_prod_w)
+#define dw_negate_w LANED(dw_negate_w)
+#define dw_sel_w LANED(dw_sel_w)
+#define dw_add_w LANED(dw_add_w)
+#define dw_mul_w LANED(dw_mul_w)
+#define dw_scale_w LANED(dw_scale_w)
+#define dw_div_w LANED(dw_div_w)
+#define dw_sqrt_w LANED(dw_sqrt_w)
+#define sum3_begin_w LANED(sum3_begin_w)
+#define sum3_add_w LANED(sum3_add_w)
+#define sum3_round_w LANED(sum3_round_w)
+#define two_difference3_w LANED(two_difference3_w)
+#define dot_real3_w LANED(dot_real3_w)
+#define real_dot_real3_w LANED(real_dot_real3_w)
+#define dw_difference_of_products_w LANED(dw_difference_of_products_w)
+#define cross_real3_w LANED(cross_real3_w)
+#define dw_dot3_w LANED(dw_dot3_w)
+
 #endif

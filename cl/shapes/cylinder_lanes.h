@@ -2,6 +2,9 @@
 // Ray against LANES open cylinders: the sphere's stable form (sphere_lanes.h) across the axis, then each root's place
 // along the axis. A ray parallel to the axis misses. The cylinder just left: the other root, -2 (f.d) / (d.d).
 
+#if TIER_ROBUST
+#include "shapes/cylinder_robust_lanes.h"
+#else
 FN void LANED(cylinder_block)(const Ray* ray, GLOBAL const real* block, GLOBAL const int* ids, int slot,
                               Nearest* best) {
   realw gx = splat_w(ray->o.x) - load_w(block);
@@ -41,3 +44,4 @@ FN void LANED(cylinder_block)(const Ray* ray, GLOBAL const real* block, GLOBAL c
   hit = ((hit & ~left) | (left & lt_w(zero, other))) & le_w(zero, along) & le_w(along, length);
   LANED(take_nearest)(hit & LANED(in_range)(t, ray, best), t, ids, -1, SHAPE_cylinder, slot, best);
 }
+#endif

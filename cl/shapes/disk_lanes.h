@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Ray against LANES disks: the anchored plane (plane_lanes.h), then |p - c|^2 <= r^2.
 
+#if TIER_ROBUST
+#include "shapes/disk_robust_lanes.h"
+#else
 FN void LANED(disk_block)(const Ray* ray, GLOBAL const real* block, GLOBAL const int* ids, int slot, Nearest* best) {
   realw gx = load_w(block) - splat_w(ray->o.x);
   realw gy = load_w(block + LANES) - splat_w(ray->o.y);
@@ -12,3 +15,4 @@ FN void LANED(disk_block)(const Ray* ray, GLOBAL const real* block, GLOBAL const
   maskw hit = le_w(fma_w(pz, pz, fma_w(py, py, px * px)), load_w(block + 6 * LANES));
   LANED(take_nearest)(hit & LANED(in_range)(t, ray, best), t, ids, ray->left, SHAPE_disk, slot, best);
 }
+#endif

@@ -13,11 +13,15 @@ FN void LANED(parallelogram_block)(const Ray* ray, GLOBAL const real* block, GLO
   maskw hit = ~(LANED(signs_differ)(ab, bc, cd) | LANED(signs_differ)(bc, cd, da));
   if (!any_w(hit)) return;
 
+  realw z_min = min_w(d.z, min_w(c.z, min_w(b.z, a.z))), z_max = max_w(d.z, max_w(c.z, max_w(b.z, a.z)));
+#if TIER_ROBUST
+  realw t = LANED(polygon_t)(ray, block, block + 3 * LANES, block + 9 * LANES, z_min, z_max);
+#else
   realw bd = LANED(edge_function)(b, d);
   realw t = fma_w(ab, d.z, fma_w(da, b.z, bd * a.z)) / (ab + da + bd);
-  realw z_min = min_w(d.z, min_w(c.z, min_w(b.z, a.z))), z_max = max_w(d.z, max_w(c.z, max_w(b.z, a.z)));
   t = sel_w(lt_w(t, z_min), z_min, t);
   t = sel_w(lt_w(z_max, t), z_max, t) * splat_w(ray->shear_z);
+#endif
   hit = hit & LANED(in_range)(t, ray, best);
 
   realw zero = splat_w(R(0.0));

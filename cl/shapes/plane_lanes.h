@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Ray against LANES planes, anchored form t = n.(P - o) / (n.d): the difference is taken first, so an offset scene
-// loses nothing that its input did not lose. Weak (until the robust tier): grazing rays far from the anchor.
+// loses nothing that its input did not lose. Weak (sound in the robust tier): grazing rays far from the anchor.
 // Parallel rays, those in the plane included, miss: n.d = 0 gives an infinite or NaN t.
 
+#if TIER_ROBUST
+#include "shapes/plane_robust_lanes.h"
+#else
 FN void LANED(plane_block)(const Ray* ray, GLOBAL const real* block, GLOBAL const int* ids, int slot, Nearest* best) {
   realw gx = load_w(block) - splat_w(ray->o.x);
   realw gy = load_w(block + LANES) - splat_w(ray->o.y);
@@ -13,3 +16,4 @@ FN void LANED(plane_block)(const Ray* ray, GLOBAL const real* block, GLOBAL cons
   realw t = numerator / denominator;
   LANED(take_nearest)(LANED(in_range)(t, ray, best), t, ids, ray->left, SHAPE_plane, slot, best);
 }
+#endif

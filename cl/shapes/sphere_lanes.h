@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Ray against LANES spheres, stable form: discriminant from the distance of line and centre, roots without
 // cancellation. E. Haines, J. Guenther, T. Akenine-Moeller, "Precision Improvements for Ray/Sphere Intersection",
-// Ray Tracing Gems, ch. 7, 2019. Weak (until the robust tier): r / distance below 1e-6, eye close to a huge sphere.
+// Ray Tracing Gems, ch. 7, 2019. Weak (sound in the robust tier): r / distance below 1e-6, eye close to a huge sphere.
 // The sphere just left is met again only at its other root, -2 (f.d) / (d.d): the known root is exactly 0.
 
+#if TIER_ROBUST
+#include "shapes/sphere_robust_lanes.h"
+#else
 FN void LANED(sphere_block)(const Ray* ray, GLOBAL const real* block, GLOBAL const int* ids, int slot, Nearest* best) {
   realw fx = splat_w(ray->o.x) - load_w(block);
   realw fy = splat_w(ray->o.y) - load_w(block + LANES);
@@ -36,3 +39,4 @@ FN void LANED(sphere_block)(const Ray* ray, GLOBAL const real* block, GLOBAL con
   hit = (hit & ~left) | (left & lt_w(splat_w(R(0.0)), other));
   LANED(take_nearest)(hit & LANED(in_range)(t, ray, best), t, ids, -1, SHAPE_sphere, slot, best);
 }
+#endif

@@ -11,10 +11,14 @@ FN void LANED(triangle_block)(const Ray* ray, GLOBAL const real* block, GLOBAL c
   maskw hit = ~LANED(signs_differ)(ea, eb, ec);
   if (!any_w(hit)) return;
 
-  realw t = fma_w(ec, c.z, fma_w(eb, b.z, ea * a.z)) / (ea + eb + ec);
   realw z_min = min_w(c.z, min_w(b.z, a.z)), z_max = max_w(c.z, max_w(b.z, a.z));
+#if TIER_ROBUST
+  realw t = LANED(polygon_t)(ray, block, block + 3 * LANES, block + 6 * LANES, z_min, z_max);
+#else
+  realw t = fma_w(ec, c.z, fma_w(eb, b.z, ea * a.z)) / (ea + eb + ec);
   t = sel_w(lt_w(t, z_min), z_min, t);
   t = sel_w(lt_w(z_max, t), z_max, t) * splat_w(ray->shear_z);
+#endif
   hit = hit & LANED(in_range)(t, ray, best);
 
   realw zero = splat_w(R(0.0));

@@ -28,9 +28,11 @@ WorkGroup work_group_of(const std::string& text) {
 }  // namespace
 
 void add_kernel_options(CLI::App& app, KernelOptions& options) {
-  app.add_option("--precision", options.precision, "stable: single precision, formulas in stable form; double")
+  app.add_option("--precision", options.precision,
+                 "stable: single precision, formulas in stable form; robust: single precision, exact or compensated; "
+                 "double")
       ->type_name("NAME")
-      ->check(CLI::IsMember({"stable", "double"}))
+      ->check(CLI::IsMember({"stable", "robust", "double"}))
       ->capture_default_str()
       ->group(kGroup);
   app.add_option("--lanes", options.lanes,

@@ -4,7 +4,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <stdexcept>
 #include <utility>
 
 #include "errors.h"
@@ -12,8 +14,9 @@
 namespace strahl {
 namespace {
 
-constexpr std::array<std::pair<const char*, Precision>, 2> kPrecisions{{
+constexpr std::array<std::pair<const char*, Precision>, 3> kPrecisions{{
     {"stable", Precision::stable},
+    {"robust", Precision::robust},
     {"double", Precision::fp64},
 }};
 
@@ -40,7 +43,12 @@ auto by_name(const Table& table, const char* what, const std::string& name) {
 
 Precision precision_from_name(const std::string& name) { return by_name(kPrecisions, "precision", name); }
 
-const char* precision_name(Precision precision) { return precision == Precision::stable ? "stable" : "double"; }
+const char* precision_name(Precision precision) {
+  const auto* entry = std::find_if(kPrecisions.begin(), kPrecisions.end(),
+                                   [precision](const auto& known) { return known.second == precision; });
+  if (entry == kPrecisions.end()) throw std::logic_error("a precision without a name");
+  return entry->first;
+}
 
 Aov aov_from_name(const std::string& name) { return by_name(kAovs, "AOV", name); }
 

@@ -8,10 +8,11 @@
 
 namespace strahl {
 
-/// Kernel variants of one source. stable: fp32, published stable forms, contraction off. fp64: the same in double.
-enum class Precision { stable, fp64 };
+/// Kernel variants of one source. stable: fp32, published stable forms, contraction off. robust: fp32, exact or
+/// compensated. fp64: the forms of stable in double.
+enum class Precision { stable, robust, fp64 };
 
-[[nodiscard]] Precision precision_from_name(const std::string& name);  ///< "stable", "double"; throws UsageError.
+[[nodiscard]] Precision precision_from_name(const std::string& name);  ///< "robust", ...; throws UsageError.
 [[nodiscard]] const char* precision_name(Precision precision);
 
 /// Values of the first sample of each pixel, beside the picture.

@@ -53,7 +53,9 @@ TEST_CASE("no number and no name makes the text unreadable") {
 
 TEST_CASE("names of precisions and AOVs") {
   CHECK(strahl::precision_from_name("double") == strahl::Precision::fp64);
+  CHECK(strahl::precision_from_name("robust") == strahl::Precision::robust);
   CHECK(std::string(strahl::precision_name(strahl::Precision::stable)) == "stable");
+  CHECK(std::string(strahl::precision_name(strahl::Precision::robust)) == "robust");
   CHECK(std::string(strahl::precision_name(strahl::Precision::fp64)) == "double");
   CHECK(strahl::aov_from_name("primitive_id") == strahl::Aov::primitive_id);
   CHECK_THROWS_AS(strahl::precision_from_name("fp64"), strahl::UsageError);

@@ -156,7 +156,11 @@ TEST_CASE("Ahead of the sources stand precision, width and every flag") {
   };
   const std::string single = program_source(roots[0], features, Precision::stable, 16).text;
   CHECK(says(single, "REAL_BITS 32"));
+  CHECK(says(single, "TIER_ROBUST 0"));
   CHECK(says(single, "LANES 16"));
+  const std::string robust = program_source(roots[0], features, Precision::robust, 16).text;
+  CHECK(says(robust, "REAL_BITS 32"));
+  CHECK(says(robust, "TIER_ROBUST 1"));
   const std::string twice = program_source(roots[0], features, Precision::fp64, 8).text;
   CHECK(says(twice, "REAL_BITS 64"));
   CHECK(says(twice, "LANES 8"));

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+// Ray against LANES open cylinders, robust tier: the sphere's form in two dimensions, for f x v and d x v instead of f
+// and d, v the axis. v is a rounded unit vector and taken at its word: the mantle is |f x v| = r |v|, from
+// (p - p0).v = 0 to length v.v, so neither radius nor direction depends on |v| being 1.
+// (f x v) x (d x v) = (f . (d x v)) v, hence the discriminant is v.v times a r^2 - (f . (d x v))^2.
+// A ray parallel to the axis misses. The cylinder just left: the other root, -2 b / a.
+
+/// a b - c d, 1.5 ulp (math/vec3.h).
+FN realw LANED(difference_of_products)(realw a, realw b, realw c, realw d) {
+  realw cd = c * d;
+  realw error = fma_w(-c, d, cd);
+  return fma_w(a, b, -cd) + error;
+}
+
+/// Lanes whose axis the line may pass within r. Distance times |d x v|, all off by less than 16 u; NaN passes.
+FN maskw LANED(near_axis)(const Ray* ray, dw3_w f, realw vx, realw vy, realw vz, realw r) {
+  realw dx = splat_w(ray->d.x), dy = splat_w(ray->d.y), dz = splat_w(ray->d.z);
+  realw nx = LANED(difference_of_products)(dy, vz, dz, vy);
+  realw ny = LANED(difference_of_products)(dz, vx, dx, vz);
+  realw nz = LANED(difference_of_products)(dx, vy, dy, vx);
+  realw distance = fma_w(f.z.hi, nz, fma_w(f.y.hi, ny, f.x.hi * nx));
+  realw limit = fma_w(splat_w(R(0x1p-19)), abs_w(f.x.hi) + abs_w(f.y.hi) + abs_w(f.z.hi), r);
+  realw squared = limit * limit * fma_w(nz, nz, fma_w(ny, ny, nx * nx)) + splat_w(R(0x1p-120));
+  return ~lt_w(squared, distance * distance);
+}
+
+FN void LANED(cylinder_block)(const Ray* ray, GLOBAL const real* block, GLOBAL const int* ids, int slot,
+                              Nearest* best) {
+  dw3_w f = two_difference3_w(splat_w(ray->o.x), splat_w(ray->o.y), splat_w(ray->o.z), load_w(block),
+                              load_w(block + LANES), load_w(block + 2 * LANES));
+  realw vx = load_w(block + 3 * LANES), vy = load_w(block + 4 * LANES), vz = load_w(block + 5 * LANES);
+  realw length = load_w(block + 6 * LANES), r = load_w(block + 7 * LANES);
+  maskw candidate =
+      LANED(within_reach)(ray, best, f.x.hi, f.y.hi, f.z.hi, r + length) & LANED(near_axis)(ray, f, vx, vy, vz, r);
+  maskw left = candidate & ~candidate;
+  if (ray->left >= 0) left = LANED(is_left)(ids, ray);
+  if (!any_w(candidate | left)) return;
+
+  realw dx = splat_w(ray->d.x), dy = splat_w(ray->d.y), dz = splat_w(ray->d.z), zero = splat_w(R(0.0));
+  dw3_w across, from = cross_real3_w(f, vx, vy, vz);
+  across.x = sum3_round_w(sum3_begin_w(dy, vz, -dz, vy));
+  across.y = sum3_round_w(sum3_begin_w(dz, vx, -dx, vz));
+  across.z = sum3_round_w(sum3_begin_w(dx, vy, -dy, vx));
+  dw_w v2 = real_dot_real3_w(vx, vy, vz, vx, vy, vz), r2 = two_prod_w(r, r);
+  dw_w a = dw_dot3_w(across, across), b = dw_dot3_w(from, across), apart = dw_dot3_w(f, across);
+  dw_w c = dw_add_w(dw_dot3_w(from, from), dw_negate_w(dw_mul_w(r2, v2)));
+  dw_w discriminant = dw_mul_w(v2, dw_add_w(dw_mul_w(a, r2), dw_negate_w(dw_mul_w(apart, apart))));
+  maskw hit = le_w(zero, discriminant.hi) & lt_w(zero, a.hi);
+
+  LANED(Roots) roots = LANED(quadratic_roots)(a, b, c, discriminant);
+  dw_w o_along = dot_real3_w(f, vx, vy, vz), d_along = real_dot_real3_w(dx, dy, dz, vx, vy, vz);
+  dw_w end = dw_negate_w(dw_scale_w(v2, length));
+  dw_w along = dw_add_w(o_along, dw_mul_w(roots.near, d_along));
+  maskw near_hit =
+      le_w(splat_w(ray->t_min), roots.near.hi) & le_w(zero, along.hi) & le_w(dw_add_w(along, end).hi, zero);
+  dw_w t = dw_sel_w(near_hit, roots.near, roots.far);
+
+  dw_w other = dw_scale_w(dw_div_w(b, a), splat_w(-R(2.0)));
+  t = dw_sel_w(left, other, t);
+  along = dw_add_w(o_along, dw_mul_w(t, d_along));
+  hit = (hit & ~left) | (left & lt_w(zero, other.hi));
+  hit = hit & le_w(zero, along.hi) & le_w(dw_add_w(along, end).hi, zero);
+  LANED(take_nearest)(hit & LANED(in_range)(t.hi, ray, best), t.hi, ids, -1, SHAPE_cylinder, slot, best);
+}

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+// The dialect in the robust tier, every width.
+#include "robust/kernels.h"
+
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+
+#define HAS_PIXEL_FILTER 1
+#define HAS_EMISSION 1
+#define HAS_TWOSIDED 1
+#define HAS_SMOOTH_NORMALS 1
+#define HAS_MESH_UVS 1
+#define HAS_AOV 1
+#define HAS_COUNT_RAYS 0
+
+#define REAL_BITS 32
+#define TIER_ROBUST 1
+namespace robust {
+#define LANES 1
+#include "lanes/lane_ops.h"
+// Lanes come first: they define what the bodies are written in.
+#include "core/trace_one.h"
+#undef LANES
+#define LANES 8
+#include "lanes/lane_ops.h"
+// As above.
+#include "core/trace_one.h"
+#undef LANES
+#define LANES 16
+#include "lanes/lane_ops.h"
+// As above.
+#include "core/trace_one.h"
+#undef LANES
+}  // namespace robust
+
+namespace strahl::test {
+
+float robust_t(Kind kind, std::span<const float> planes, std::span<const float> ray, bool has_left) {
+  using namespace robust;
+  const std::int32_t id = 0;
+  const robust::Ray prepared = ray_make(load3(ray.data() + RAY_O), load3(ray.data() + RAY_D), ray[RAY_T_MIN],
+                                        ray[RAY_T_MAX], has_left ? id : -1);
+  Nearest best = nearest_none(prepared.t_max);
+  constexpr decltype(&sphere_block_1) blocks[] = {sphere_block_1,   plane_block_1,         box_block_1,
+                                                  triangle_block_1, parallelogram_block_1, disk_block_1,
+                                                  cylinder_block_1};
+  blocks[static_cast<std::size_t>(kind)](&prepared, planes.data(), &id, 0, &best);
+  return best.kind < 0 ? std::numeric_limits<float>::infinity() : best.t * prepared.t_from_scaled;
+}
+
+void robust_intersect(int lanes, const float* geometry, const float* shading, const std::int32_t* index,
+                      const float* rays, const std::int32_t* left, std::size_t count, float* hits, std::int32_t* ids) {
+  const robust::Scene view{geometry, shading, index, nullptr};
+  const auto trace = lanes == 16 ? robust::trace_one_16 : lanes == 8 ? robust::trace_one_8 : robust::trace_one_1;
+  for (std::size_t i = 0; i < count; ++i)
+    trace(&view, rays + i * robust::RAY_REALS, left[i], 0, hits + i * robust::HIT_REALS, ids + i * robust::HIT_INTS);
+}
+
+}  // namespace strahl::test

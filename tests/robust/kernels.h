@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// The robust tier's headers compiled for the host: one primitive alone, and kernels/intersect.cl as a function.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace strahl::test {
+
+enum class Kind { sphere, plane, box, triangle, parallelogram, disk, cylinder };
+
+/// t of the nearest hit in units of the direction as given, infinite for a miss. planes: of shapes.def, one primitive;
+/// ray: RAY_REALS of cl/scene/layout.h; has_left: the ray has just left the primitive.
+[[nodiscard]] float robust_t(Kind kind, std::span<const float> planes, std::span<const float> ray, bool has_left);
+
+/// Every entry and feature is active: for scenes packed with RenderSettings::generic at that width.
+void robust_intersect(int lanes, const float* geometry, const float* shading, const std::int32_t* index,
+                      const float* rays, const std::int32_t* left, std::size_t count, float* hits, std::int32_t* ids);
+
+}  // namespace strahl::test

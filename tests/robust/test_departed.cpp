@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+// Leaving a sphere or a cylinder in the robust tier: the point where it was left is not met again, the other root is,
+// -2 (f.d) / (d.d) across the axis, to the last place however grazing the ray is.
+#include <catch2/catch.hpp>
+
+#include "oracle/number.h"
+#include "robust/questions.h"
+
+using namespace strahl;
+using namespace strahl::test;
+
+namespace {
+
+using Long = oracle::Vector<long double>;
+
+Vec3 direction(oracle::Random& random) {
+  return normalized(Vec3{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)});
+}
+
+Vec3 rounded(const Vec3& v) { return {narrow(v.x), narrow(v.y), narrow(v.z)}; }
+
+/// From a point with the given normal: into the shape or out of it, now and then as good as tangent.
+Vec3 departing(oracle::Random& random, const Vec3& normal) {
+  const Vec3 any = direction(random), tangent = normalized(any - dot(any, normal) * normal);
+  const double tilt = random.sign() * std::fabs(random.log_uniform(-6, 0));
+  return rounded(tangent + tilt * normal);
+}
+
+double ulps_of(float t, long double exact) {
+  const auto value = static_cast<double>(exact);
+  return oracle::ulp_error_f32(t, {value, static_cast<double>(exact - value)});
+}
+
+}  // namespace
+
+TEST_CASE("a sphere that was left is met at its other root only") {
+  oracle::Random random(1);
+  double worst = 0;
+  int far_sides = 0;
+  for (int i = 0; i < 100000; ++i) {
+    const double radius = narrow(std::fabs(random.log_uniform(-3, 3)));
+    const Vec3 center = rounded(100 * direction(random)), normal = direction(random);
+    Question q;
+    put(q.planes, center);
+    q.planes.push_back(narrow(radius));
+    q.ray.origin = rounded(center + radius * normal);
+    q.ray.direction = departing(random, normal);
+    const Long f = Long(q.ray.origin) - Long(center), d(q.ray.direction);
+    const long double other = -2 * dot(f, d) / dot(d, d);
+    const float t = robust_t(Kind::sphere, q.planes, reals_of(q.ray), true);
+    if (std::isfinite(t) != (other > 0)) FAIL("case " << i << ": t " << t << ", other root " << other);
+    if (other <= 0) continue;
+    ++far_sides;
+    worst = std::max(worst, ulps_of(t, other));
+  }
+  CHECK(far_sides > 40000);
+  CHECK(worst <= 0.51);
+}
+
+TEST_CASE("a cylinder that was left is met at its other root only") {
+  oracle::Random random(2);
+  double worst = 0;
+  int far_sides = 0;
+  for (int i = 0; i < 100000; ++i) {
+    const double radius = narrow(std::fabs(random.log_uniform(-2, 2)));
+    const Vec3 p0 = rounded(100 * direction(random)), axis = rounded(direction(random));
+    const Vec3 any = direction(random), normal = normalized(any - dot(any, axis) * axis);
+    const double extent = narrow(1000 * radius);
+    Question q;
+    put(q.planes, p0);
+    put(q.planes, axis);
+    q.planes.push_back(narrow(extent));
+    q.planes.push_back(narrow(radius));
+    q.ray.origin = rounded(p0 + 0.5 * extent * axis + radius * normal);
+    q.ray.direction = departing(random, normal);
+    const Long v(axis), f = Long(q.ray.origin) - Long(p0), d(q.ray.direction), across = cross(d, v);
+    const long double other = -2 * dot(cross(f, v), across) / dot(across, across);
+    const long double place = dot(f + other * d, v) / dot(v, v);
+    // Clear of the ends.
+    if (!(std::fabs(place - extent / 2) < 0.4L * extent) && other > 0) continue;
+    const float t = robust_t(Kind::cylinder, q.planes, reals_of(q.ray), true);
+    if (std::isfinite(t) != (other > 0)) FAIL("case " << i << ": t " << t << ", other root " << other);
+    if (other <= 0) continue;
+    ++far_sides;
+    // What is left of (f x v).(d x v) by cancellation is good to 16 u^2 of |f x v| |d x v|.
+    const long double cancelled = 32 * u * u * std::sqrt(dot(cross(f, v), cross(f, v)) / dot(across, across));
+    if (std::fabs(t - other) > cancelled) worst = std::max(worst, ulps_of(t, other));
+  }
+  CHECK(far_sides > 40000);
+  CHECK(worst <= 1);
+}

@@ -1,0 +1,14 @@
+# SPDX-License-Identifier: MIT
+# The robust tier on the host, apart from libstrahl, whose headers have the same names: only cl/ and tests/ on the path.
+# STRAHL_HOST_HAS_FMA: tests/cl/tests.cmake, which comes first.
+add_library(strahl_robust_kernels STATIC robust/kernels.cpp)
+target_include_directories(strahl_robust_kernels PRIVATE ${PROJECT_SOURCE_DIR}/cl ${CMAKE_CURRENT_SOURCE_DIR})
+target_compile_options(strahl_robust_kernels PRIVATE -O2 -Wno-psabi $<$<BOOL:${STRAHL_HOST_HAS_FMA}>:-mfma>)
+
+strahl_test(robust/test_oracle.cpp LABEL unit LIBS strahl_robust_kernels strahl_oracle)
+strahl_test(robust/test_departed.cpp LABEL unit LIBS strahl_robust_kernels strahl_oracle)
+strahl_test(robust/test_devices.cpp LABEL device LIBS strahl_robust_kernels strahl_oracle TIMEOUT 300)
+
+# A million cases a law: minutes.
+add_test(NAME robust_test_oracle_million COMMAND robust_test_oracle "[million]")
+set_tests_properties(robust_test_oracle_million PROPERTIES LABELS slow TIMEOUT 3600)
