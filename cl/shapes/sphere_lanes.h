@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Ray against LANES spheres, stable form: discriminant from the distance of line and centre, roots without
 // cancellation. E. Haines, J. Guenther, T. Akenine-Moeller, "Precision Improvements for Ray/Sphere Intersection",
-// Ray Tracing Gems, ch. 7, 2019. Weak (sound in the robust tier): r / distance below 1e-6, eye close to a huge sphere.
+// Ray Tracing Gems, ch. 7, 2019. Weak (sound in the robust tier): r / distance below 10^-6, eye close to a huge sphere.
 // The sphere just left is met again only at its other root, -2 (f.d) / (d.d): the known root is exactly 0.
 
 #if TIER_ROBUST

@@ -10,5 +10,5 @@ strahl_test(robust/test_departed.cpp LABEL unit LIBS strahl_robust_kernels strah
 strahl_test(robust/test_devices.cpp LABEL device LIBS strahl_robust_kernels strahl_oracle TIMEOUT 300)
 
 # A million cases a law: minutes.
-add_test(NAME robust_test_oracle_million COMMAND robust_test_oracle "[million]")
-set_tests_properties(robust_test_oracle_million PROPERTIES LABELS slow TIMEOUT 3600)
+add_test(NAME robust_test_oracle_million COMMAND robust_test_oracle)
+set_tests_properties(robust_test_oracle_million PROPERTIES LABELS slow TIMEOUT 3600 ENVIRONMENT STRAHL_CASES=1000000)
