@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cmath>
+#include <initializer_list>
 #include <span>
 
 #include "oracle/generators.h"
@@ -28,6 +29,22 @@ inline double sine_to(const oracle::Ray& ray, const Vec3& p) {
   const Vec3 to = p - ray.origin;
   return length(to) > 0 ? length(cross(normalized(to), normalized(ray.direction))) : 1;
 }
+
+/// Where along the ray's largest axis the vertices lie, in t; a hit of a flat shape cannot lie outside.
+struct Extent {
+  double low = INFINITY, high = -INFINITY;
+
+  Extent(const oracle::Ray& ray, std::initializer_list<Vec3> vertices) {
+    const Vec3 &o = ray.origin, &d = ray.direction;
+    const double x = std::fabs(d.x), y = std::fabs(d.y), z = std::fabs(d.z);
+    for (const Vec3& v : vertices) {
+      // The kernels' choice among equals: z before y before x.
+      const double t = x > y && x > z ? (v.x - o.x) / d.x : y > z && !(x > y) ? (v.y - o.y) / d.y : (v.z - o.z) / d.z;
+      low = std::fmin(low, t);
+      high = std::fmax(high, t);
+    }
+  }
+};
 
 /// Each has: kind, the entry of shapes.def; draw; geometry, for the scene; asked, the packed planes as the oracle's
 /// shape; answer. And, of the oracle's answer for the whole line:
@@ -142,6 +159,7 @@ struct DiskCases {
 };
 
 struct TriangleCases {
+  static Extent extent(const oracle::Ray& ray, const oracle::Triangle& s) { return {ray, {s.p0, s.p1, s.p2}}; }
   static constexpr const char* kind = "triangle";
   using Shape = oracle::Triangle;
   static oracle::Case<Shape> draw(Random& r, Law law, Rounding to) { return oracle::triangle_case(r, law, to); }

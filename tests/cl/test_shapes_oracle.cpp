@@ -13,6 +13,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <initializer_list>
+#include <limits>
 #include <vector>
 
 #include "cl/host_tracer.h"
@@ -235,6 +236,27 @@ TEMPLATE_TEST_CASE("what fits into the significand is answered exactly, tangents
   hold_exact<PlaneCases, TestType>({Law::exact_border, Law::in_surface});
   hold_exact<DiskCases, TestType>({Law::exact_border});
   hold_exact<BoxCases, TestType>({Law::exact_border});
+}
+
+TEMPLATE_TEST_CASE("t of a triangle lies between its vertices under every law, extreme scales too", "", float, double) {
+  constexpr double u = roundoff<TestType>, least = static_cast<double>(std::numeric_limits<TestType>::denorm_min());
+  for (const Law law : oracle::all_laws) {
+    Drawn<TriangleCases> drawn(law, sizeof(TestType) == 4 ? Rounding::to_float : Rounding::to_double, cases_per_law);
+    PrimitiveTracer<TestType> tracer(drawn.scene, "triangle");
+    int outside = 0;
+    for (std::size_t i = 0; i < drawn.cases.size(); ++i) {
+      const oracle::Ray& ray = drawn.cases[i].ray;
+      const Hit hit = tracer.trace(i, ray_of(ray));
+      if (hit.shape < 0) continue;
+      const Extent range = TriangleCases::extent(ray, TriangleCases::asked(tracer.planes(i)));
+      // Difference, reciprocal, product; and a subnormal's last place, in units of the direction.
+      const double slack = 4 * u * std::fmax(std::fabs(range.low), std::fabs(range.high)) +
+                           4 * least * std::fmax(1, 1 / length(ray.direction));
+      outside += !(hit.t >= range.low - slack && hit.t <= range.high + slack);
+    }
+    INFO("law " << static_cast<int>(law));
+    CHECK(outside == 0);
+  }
 }
 
 TEMPLATE_TEST_CASE("the rims of a cylinder belong to it, from outside and inside", "", float, double) {
