@@ -38,7 +38,7 @@ double ulp_error(Float computed, const Exact& exact) {
 
 }  // namespace
 
-double ulp_error_f32(float computed, const Exact& exact) { return ulp_error(computed, exact); }
+double ulp_error_f32(double computed, const Exact& exact) { return ulp_error(computed, exact); }
 
 double ulp_error_f64(double computed, const Exact& exact) { return ulp_error(computed, exact); }
 

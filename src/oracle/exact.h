@@ -13,7 +13,7 @@ struct Exact {
 };
 
 /// |computed - exact| in ulps of the float at exact; infinity for NaN.
-[[nodiscard]] double ulp_error_f32(float computed, const Exact& exact);
+[[nodiscard]] double ulp_error_f32(double computed, const Exact& exact);
 
 /// |computed - exact| in ulps of the double at exact; infinity for NaN.
 [[nodiscard]] double ulp_error_f64(double computed, const Exact& exact);
