@@ -37,16 +37,16 @@ namespace robust {
 
 namespace strahl::test {
 
-float robust_t(Kind kind, std::span<const float> planes, std::span<const float> ray, bool has_left) {
+float robust_t(std::string_view kind, std::span<const float> planes, std::span<const float> ray, bool has_left) {
   using namespace robust;
   const std::int32_t id = 0;
   const robust::Ray prepared = ray_make(load3(ray.data() + RAY_O), load3(ray.data() + RAY_D), ray[RAY_T_MIN],
                                         ray[RAY_T_MAX], has_left ? id : -1);
   Nearest best = nearest_none(prepared.t_max);
-  constexpr decltype(&sphere_block_1) blocks[] = {sphere_block_1,   plane_block_1,         box_block_1,
-                                                  triangle_block_1, parallelogram_block_1, disk_block_1,
-                                                  cylinder_block_1};
-  blocks[static_cast<std::size_t>(kind)](&prepared, planes.data(), &id, 0, &best);
+#define SHAPE(name, planes_of_kind) \
+  if (kind == #name) name##_block_1(&prepared, planes.data(), &id, 0, &best);
+#include "shapes/shapes.def"
+#undef SHAPE
   return best.kind < 0 ? std::numeric_limits<float>::infinity() : best.t * prepared.t_from_scaled;
 }
 

@@ -5,14 +5,14 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string_view>
 
 namespace strahl::test {
 
-enum class Kind { sphere, plane, box, triangle, parallelogram, disk, cylinder };
-
-/// t of the nearest hit in units of the direction as given, infinite for a miss. planes: of shapes.def, one primitive;
-/// ray: RAY_REALS of cl/scene/layout.h; has_left: the ray has just left the primitive.
-[[nodiscard]] float robust_t(Kind kind, std::span<const float> planes, std::span<const float> ray, bool has_left);
+/// t of the nearest hit in units of the direction as given, infinite for a miss. kind, planes: of shapes.def, one
+/// primitive; ray: RAY_REALS of cl/scene/layout.h; has_left: the ray has just left the primitive.
+[[nodiscard]] float robust_t(std::string_view kind, std::span<const float> planes, std::span<const float> ray,
+                             bool has_left);
 
 /// Every entry and feature is active: for scenes packed with RenderSettings::generic at that width.
 void robust_intersect(int lanes, const float* geometry, const float* shading, const std::int32_t* index,

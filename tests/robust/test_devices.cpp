@@ -7,11 +7,13 @@
 #include "device/cl_layout.h"
 #include "device/pack.h"
 #include "render/intersector.h"
-#include "robust/questions.h"
+#include "robust/ask_host.h"
 #include "support/devices.h"
 
 using namespace strahl;
 using namespace strahl::test;
+using oracle::Law;
+using selftest::narrow;
 
 namespace {
 

@@ -5,9 +5,9 @@ add_library(strahl_robust_kernels STATIC robust/kernels.cpp)
 target_include_directories(strahl_robust_kernels PRIVATE ${PROJECT_SOURCE_DIR}/cl ${CMAKE_CURRENT_SOURCE_DIR})
 target_compile_options(strahl_robust_kernels PRIVATE -O2 -Wno-psabi $<$<BOOL:${STRAHL_HOST_HAS_FMA}>:-mfma>)
 
-strahl_test(robust/test_oracle.cpp LABEL unit LIBS strahl_robust_kernels strahl_oracle)
-strahl_test(robust/test_departed.cpp LABEL unit LIBS strahl_robust_kernels strahl_oracle)
-strahl_test(robust/test_devices.cpp LABEL device LIBS strahl_robust_kernels strahl_oracle TIMEOUT 300)
+strahl_test(robust/test_oracle.cpp LABEL unit LIBS strahl_robust_kernels strahl_selftest)
+strahl_test(robust/test_departed.cpp LABEL unit LIBS strahl_robust_kernels strahl_selftest)
+strahl_test(robust/test_devices.cpp LABEL device LIBS strahl_robust_kernels strahl_selftest TIMEOUT 300)
 
 # A million cases a law: minutes.
 add_test(NAME robust_test_oracle_million COMMAND robust_test_oracle)

@@ -1,81 +1,60 @@
 // SPDX-License-Identifier: MIT
-// What the tests of the robust tier ask, one function a kind of shape: a generated case, the planes that a device would
-// hold of it, and the exact answer for those planes.
-#pragma once
+// One function a kind of shape. Bands and what t_rounding covers: docs/decisions/0007-robust-tier.md.
+#include "selftest/questions.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <vector>
+#include <stdexcept>
 
-#include "oracle/generators.h"
-#include "robust/kernels.h"
+namespace strahl::selftest {
 
-namespace strahl::test {
-
-using oracle::Law;
-
-struct Question {
-  oracle::Ray ray;
-  Kind kind = Kind::sphere;
-  std::vector<float> planes;
-  bool hit = false;
-  oracle::Exact t;
-  /// Hit or miss is promised.
-  bool is_decided = false;
-  /// Size of what the ray sees, in units of t: origins that are on the surface to within 16 u^2 of it see t = 0.
-  double reach = 0;
-};
-
-inline float narrow(double x) {
-  // volatile: g++ 12.2 drops the rounding when it vectorises neighbouring components.
-  const volatile float f = static_cast<float>(x);
-  return f;
-}
-
-inline void put(std::vector<float>& planes, const Vec3& v) {
+void put(std::vector<double>& planes, const Vec3& v) {
   for (const double x : {v.x, v.y, v.z}) planes.push_back(narrow(x));
 }
 
-inline Vec3 at(const std::vector<float>& planes, std::size_t i) { return {planes[i], planes[i + 1], planes[i + 2]}; }
-
-inline std::array<float, 8> reals_of(const oracle::Ray& ray) {
-  return {narrow(ray.origin.x),    narrow(ray.origin.y),    narrow(ray.origin.z), narrow(ray.direction.x),
-          narrow(ray.direction.y), narrow(ray.direction.z), narrow(ray.t_min),    narrow(ray.t_max)};
-}
-
-constexpr double u = 0x1p-24;
-
-/// Outside the band, and no crossing so close to t_min or t_max that rounding t moves it across.
-inline void settle(Question& q, const oracle::Answer& answer, bool is_outside_band) {
-  q.hit = answer.hit;
+void settle(Question& q, const oracle::Answer& answer, bool is_outside_band) {
+  const bool is_decided = is_outside_band && answer.range_margin >= 4 * u;
+  q.expected = !is_decided ? Expected::either : answer.hit ? Expected::hit : Expected::miss;
+  q.primitive = answer.hit ? 0 : -1;
   q.t = answer.t;
-  q.is_decided = is_outside_band && answer.range_margin >= 4 * u;
 }
 
-inline double distance_in_t(const Question& q, const Vec3& point, double size) {
+namespace {
+
+using oracle::Law;
+
+Vec3 at(const std::vector<double>& planes, std::size_t i) { return {planes[i], planes[i + 1], planes[i + 2]}; }
+
+Question question(const char* kind, const oracle::Ray& ray) {
+  Question q;
+  q.kind = kind;
+  q.ray = ray;
+  return q;
+}
+
+double distance_in_t(const Question& q, const Vec3& point, double size) {
   return (length(q.ray.origin - point) + size) / length(q.ray.direction);
 }
 
 /// Band: 4 u of 1 - (L / r)^2. Ratios of radius and distance below 10^-7 are not promised.
-inline Question sphere_question(oracle::Random& random, Law law) {
+Question sphere_question(oracle::Random& random, Law law) {
   const auto drawn = oracle::sphere_case(random, law, oracle::Rounding::to_float);
   const oracle::Sphere& s = drawn.shape;
-  Question q{drawn.ray, Kind::sphere, {}, false, {}, false, 0};
+  Question q = question("sphere", drawn.ray);
   put(q.planes, s.center);
   q.planes.push_back(narrow(s.radius));
   const auto answer = oracle::sphere(q.ray, s);
   const bool is_seen = s.radius >= 1e-7 * length(q.ray.origin - s.center);
   settle(q, answer, is_seen && std::fabs(answer.margin) > 4 * u);
-  q.reach = distance_in_t(q, s.center, s.radius);
+  q.t_rounding = 16 * u * u * distance_in_t(q, s.center, s.radius);
   return q;
 }
 
 /// The axis is what the device holds: a unit vector, rounded, times the length, rounded. Ratios of radius or length and
 /// distance below 10^-6 are not promised.
-inline Question cylinder_question(oracle::Random& random, Law law) {
+Question cylinder_question(oracle::Random& random, Law law) {
   const auto drawn = oracle::cylinder_case(random, law, oracle::Rounding::to_float);
-  Question q{drawn.ray, Kind::cylinder, {}, false, {}, false, 0};
+  Question q = question("cylinder", drawn.ray);
   put(q.planes, drawn.shape.p0);
   put(q.planes, normalized(drawn.shape.axis));
   q.planes.push_back(narrow(length(drawn.shape.axis)));
@@ -91,13 +70,13 @@ inline Question cylinder_question(oracle::Random& random, Law law) {
     for (const auto& root : answer.root) is_at_start |= std::fabs(root.value - q.ray.t_min) <= near_zero;
   settle(q, answer, is_seen && !is_at_start && std::fabs(answer.margin) > 4 * u);
   const double sine = length(cross(normalized(q.ray.direction), normalized(s.axis)));
-  q.reach = distance_in_t(q, s.p0, size + s.radius) / (sine * std::sqrt(std::fabs(answer.margin)));
+  q.t_rounding = 16 * u * u * distance_in_t(q, s.p0, size + s.radius) / (sine * std::sqrt(std::fabs(answer.margin)));
   return q;
 }
 
-inline Question plane_question(oracle::Random& random, Law law) {
+Question plane_question(oracle::Random& random, Law law) {
   const auto drawn = oracle::plane_case(random, law, oracle::Rounding::to_float);
-  Question q{drawn.ray, Kind::plane, {}, false, {}, false, 0};
+  Question q = question("plane", drawn.ray);
   put(q.planes, drawn.shape.point);
   put(q.planes, drawn.shape.normal);
   const auto answer = oracle::plane(q.ray, drawn.shape);
@@ -106,9 +85,9 @@ inline Question plane_question(oracle::Random& random, Law law) {
 }
 
 /// Axes that span the packed normal's plane exactly: their cross product is a multiple of it.
-inline Question disk_question(oracle::Random& random, Law law) {
+Question disk_question(oracle::Random& random, Law law) {
   const auto drawn = oracle::disk_case(random, law, oracle::Rounding::to_float);
-  Question q{drawn.ray, Kind::disk, {}, false, {}, false, 0};
+  Question q = question("disk", drawn.ray);
   put(q.planes, drawn.shape.center);
   put(q.planes, cross(drawn.shape.axis_u, drawn.shape.axis_v));
   q.planes.push_back(narrow(dot(drawn.shape.axis_u, drawn.shape.axis_u)));
@@ -123,10 +102,10 @@ inline Question disk_question(oracle::Random& random, Law law) {
   return q;
 }
 
-inline Question box_question(oracle::Random& random, Law law) {
+Question box_question(oracle::Random& random, Law law) {
   const auto drawn = oracle::aabb_case(random, law, oracle::Rounding::to_float);
   const oracle::Aabb& s = drawn.shape;
-  Question q{drawn.ray, Kind::box, {}, false, {}, false, 0};
+  Question q = question("box", drawn.ray);
   for (const double x : {s.min.x, s.max.x, s.min.y, s.max.y, s.min.z, s.max.z}) q.planes.push_back(narrow(x));
   const auto answer = oracle::aabb(q.ray, s);
   settle(q, answer, std::fabs(answer.margin) > 4 * u);
@@ -135,18 +114,18 @@ inline Question box_question(oracle::Random& random, Law law) {
 
 /// Band: 8 u of the edge functions (vertices are sheared in float, consistently, so meshes do not leak). t is promised
 /// where it is not within that of 0.
-inline void settle_planar(Question& q, const oracle::PlanarAnswer& answer, std::size_t corners, double closes) {
+void settle_planar(Question& q, const oracle::PlanarAnswer& answer, std::size_t corners, double closes) {
   double scale = 0;
   for (std::size_t i = 0; i < corners; ++i) scale = std::fmax(scale, length(at(q.planes, 3 * i) - q.ray.origin));
   const double away = 16 * u * scale / (answer.cosine * length(q.ray.direction));
   settle(q, answer, answer.cosine >= 1e-7 && std::fabs(answer.margin) > 8 * u + closes);
   const auto far_from = [&](double bound) { return !(std::fabs(answer.t.value - bound) <= away); };
-  q.is_decided = q.is_decided && far_from(0) && far_from(q.ray.t_min) && far_from(q.ray.t_max);
+  if (!far_from(0) || !far_from(q.ray.t_min) || !far_from(q.ray.t_max)) q.expected = Expected::either;
 }
 
-inline Question triangle_question(oracle::Random& random, Law law) {
+Question triangle_question(oracle::Random& random, Law law) {
   const auto drawn = oracle::triangle_case(random, law, oracle::Rounding::to_float);
-  Question q{drawn.ray, Kind::triangle, {}, false, {}, false, 0};
+  Question q = question("triangle", drawn.ray);
   for (const Vec3& p : {drawn.shape.p0, drawn.shape.p1, drawn.shape.p2}) put(q.planes, p);
   settle_planar(q, oracle::triangle(q.ray, drawn.shape), 3, 0);
   return q;
@@ -154,10 +133,10 @@ inline Question triangle_question(oracle::Random& random, Law law) {
 
 /// Four corners are packed, each rounded; the band grows by what keeps them from closing, and those that it distorts
 /// are not asked about.
-inline Question parallelogram_question(oracle::Random& random, Law law) {
+Question parallelogram_question(oracle::Random& random, Law law) {
   const auto drawn = oracle::parallelogram_case(random, law, oracle::Rounding::to_float);
   const oracle::Parallelogram& given = drawn.shape;
-  Question q{drawn.ray, Kind::parallelogram, {}, false, {}, false, 0};
+  Question q = question("parallelogram", drawn.ray);
   put(q.planes, given.corner);
   put(q.planes, given.corner + given.edge_u);
   put(q.planes, given.corner + given.edge_u + given.edge_v);
@@ -167,8 +146,27 @@ inline Question parallelogram_question(oracle::Random& random, Law law) {
   const double gap = length(s.corner + s.edge_u + s.edge_v - c);
   const double height = length(cross(s.edge_u, s.edge_v)) / std::fmax(length(s.edge_u), length(s.edge_v));
   settle_planar(q, oracle::parallelogram(q.ray, s), 4, 4 * gap / length(c - q.ray.origin));
-  q.is_decided = q.is_decided && gap <= 0x1p-10 * height;
+  if (!(gap <= 0x1p-10 * height)) q.expected = Expected::either;
   return q;
 }
 
-}  // namespace strahl::test
+}  // namespace
+
+Question draw_question(const std::string& kind, Law law, oracle::Random& random) {
+  struct Kind {
+    const char* name;
+    Question (*draw)(oracle::Random&, Law);
+  };
+  static constexpr Kind kinds[] = {{"sphere", sphere_question},
+                                   {"plane", plane_question},
+                                   {"box", box_question},
+                                   {"triangle", triangle_question},
+                                   {"parallelogram", parallelogram_question},
+                                   {"disk", disk_question},
+                                   {"cylinder", cylinder_question}};
+  const auto* found = std::find_if(std::begin(kinds), std::end(kinds), [&](const Kind& k) { return kind == k.name; });
+  if (found == std::end(kinds)) throw std::logic_error("no questions are drawn about shapes of kind " + kind);
+  return found->draw(random, law);
+}
+
+}  // namespace strahl::selftest
