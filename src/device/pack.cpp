@@ -3,7 +3,6 @@
 #include "device/pack.h"
 
 #include <limits>
-#include <map>
 
 #include "device/cl_layout.h"
 #include "device/pack_camera.h"
@@ -17,16 +16,6 @@ int checked_offset(std::size_t size) {
   if (size > static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max()))
     throw Error("the scene is too large: a device buffer would hold more than 2^31 numbers");
   return static_cast<int>(size);
-}
-
-/// Planes per kind of shape, from the kernels' own list.
-int planes_of(const std::string& kind) {
-  static const std::map<std::string, int> planes = {
-#define SHAPE(name, count) {#name, count},
-#include "../../cl/shapes/shapes.def"
-#undef SHAPE
-  };
-  return planes.at(kind);
 }
 
 template <typename Real>

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "device/pack_shapes.h"
 
+#include <map>
+
 namespace strahl {
 namespace {
 
@@ -90,6 +92,15 @@ std::array<double, 9> nine(const Vec3& a, const Vec3& b, const Vec3& c) {
 }
 
 }  // namespace
+
+int planes_of(const std::string& kind) {
+  static const std::map<std::string, int> planes = {
+#define SHAPE(name, count) {#name, count},
+#include "../../cl/shapes/shapes.def"
+#undef SHAPE
+  };
+  return planes.at(kind);
+}
 
 void primitive_planes(const Geometry& geometry, const Vec3& frame_origin, const PrimitiveSink& sink) {
   std::visit(Packer{frame_origin, sink}, geometry);

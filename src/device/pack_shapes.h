@@ -5,10 +5,14 @@
 #include <array>
 #include <functional>
 #include <span>
+#include <string>
 
 #include "scene/scene.h"
 
 namespace strahl {
+
+/// Planes that a primitive of the kind has in its block (cl/shapes/shapes.def); throws std::out_of_range.
+[[nodiscard]] int planes_of(const std::string& kind);
 
 /// Receives the planes of one primitive; positions are relative to the frame, still double.
 using PrimitiveSink = std::function<void(std::span<const double> planes)>;

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: MIT
+#include "selftest/probe.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+
+#include "device/cl_layout.h"
+#include "device/pack_shapes.h"
+#include "device/program_text.h"
+#include "device/scene_buffers.h"
+
+namespace strahl::selftest {
+namespace {
+
+constexpr std::size_t group_size = 64;
+
+/// Reals of geometry a launch (a question larger than that has a launch of its own), so that buffers stay small.
+constexpr std::size_t launch_reals = std::size_t{1} << 22;
+
+Features only(const std::string& kind) {
+  Features features;
+  for (const std::string& list : list_folders()) features.entries[list];
+  features.entries["shapes"].insert(kind);
+  for (const auto& [flag, why] : list_features()) features.flags.emplace_back(flag, false);
+  return features;
+}
+
+/// One launch's questions as the kernel reads them.
+template <typename Real>
+struct Packed {
+  std::vector<Real> blocks, rays;
+  std::vector<std::int32_t> ids, first, left;
+
+  void clear() {
+    blocks.clear();
+    rays.clear();
+    ids.clear();
+    first.assign(1, 0);
+    left.clear();
+  }
+
+  void add(const Question& question, std::size_t planes, std::size_t lanes) {
+    const std::size_t primitives = question.planes.size() / planes;
+    const std::size_t block_count = (primitives + lanes - 1) / lanes;
+    const std::size_t reals_at = blocks.size(), ids_at = ids.size();
+    blocks.resize(reals_at + block_count * lanes * planes, Real(0));
+    ids.resize(ids_at + block_count * lanes, -1);
+    const double* value = question.planes.data();
+    for (std::size_t i = 0; i < primitives; ++i) {
+      Real* lane = &blocks[reals_at + i / lanes * lanes * planes + i % lanes];
+      for (std::size_t plane = 0; plane < planes; ++plane) lane[plane * lanes] = static_cast<Real>(*value++);
+      ids[ids_at + i] = static_cast<std::int32_t>(i);
+    }
+    first.push_back(static_cast<std::int32_t>(ids.size() / lanes));
+    left.push_back(question.left);
+    const oracle::Ray& ray = question.ray;
+    for (const double x : {ray.origin.x, ray.origin.y, ray.origin.z, ray.direction.x, ray.direction.y, ray.direction.z,
+                           ray.t_min, ray.t_max})
+      rays.push_back(static_cast<Real>(x));
+  }
+};
+
+/// A buffer that grows to what is asked of it.
+class Buffer {
+ public:
+  explicit Buffer(const Device& device) : device_(device) {}
+
+  const cl::Buffer& of(std::size_t bytes) {
+    if (bytes > bytes_) {
+      buffer_ = allocate(device_, bytes, "a batch of questions");
+      bytes_ = bytes;
+    }
+    return buffer_;
+  }
+  template <typename T>
+  const cl::Buffer& holding(const std::vector<T>& values) {
+    of(values.size() * sizeof(T));
+    if (!values.empty()) write_buffer(device_, buffer_, values.data(), values.size() * sizeof(T));
+    return buffer_;
+  }
+
+ private:
+  const Device& device_;
+  cl::Buffer buffer_;
+  std::size_t bytes_ = 0;
+};
+
+}  // namespace
+
+struct Probe::State {
+  Device device;
+  std::string kind;
+  Precision precision;
+  std::size_t lanes;
+  std::size_t planes;
+  cl::Kernel kernel;
+  Buffer blocks{device}, ids{device}, first{device}, rays{device}, left{device}, t{device}, primitive{device};
+  double nanoseconds = 0, tests = 0;
+
+  template <typename Real>
+  void ask(std::span<const Question> questions, std::vector<Answer>& answers);
+  template <typename Real>
+  void launch(const Packed<Real>& packed, std::vector<Answer>& answers);
+};
+
+template <typename Real>
+void Probe::State::launch(const Packed<Real>& packed, std::vector<Answer>& answers) {
+  const std::size_t count = packed.left.size();
+  std::vector<Real> ts(count);
+  std::vector<std::int32_t> primitives(count);
+  const std::array<const cl::Buffer*, 7> arguments{&blocks.holding(packed.blocks),
+                                                   &ids.holding(packed.ids),
+                                                   &first.holding(packed.first),
+                                                   &rays.holding(packed.rays),
+                                                   &left.holding(packed.left),
+                                                   &t.of(count * sizeof(Real)),
+                                                   &primitive.of(count * sizeof(std::int32_t))};
+  checked(device.info().text(), [&] {
+    cl_uint arg = 0;
+    for (const cl::Buffer* buffer : arguments) kernel.setArg(arg++, *buffer);
+    kernel.setArg(arg, static_cast<cl_int>(count));
+    const std::size_t padded = (count + group_size - 1) / group_size * group_size;
+    cl::Event event;
+    device.queue().enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange(padded), cl::NDRange(group_size), nullptr,
+                                        &event);
+    event.wait();
+    nanoseconds += static_cast<double>(event.getProfilingInfo<CL_PROFILING_COMMAND_END>() -
+                                       event.getProfilingInfo<CL_PROFILING_COMMAND_START>());
+  });
+  tests += static_cast<double>(packed.ids.size());
+  read_buffer(device, *arguments[5], ts.data(), count * sizeof(Real));
+  read_buffer(device, *arguments[6], primitives.data(), count * sizeof(std::int32_t));
+  for (std::size_t i = 0; i < count; ++i) answers.push_back({static_cast<double>(ts[i]), primitives[i]});
+}
+
+template <typename Real>
+void Probe::State::ask(std::span<const Question> questions, std::vector<Answer>& answers) {
+  Packed<Real> packed;
+  packed.clear();
+  for (const Question& question : questions) {
+    if (question.kind != kind)
+      throw std::logic_error(fmt::format("a probe of {} is asked about {}", kind, question.kind));
+    packed.add(question, planes, lanes);
+    if (packed.blocks.size() < launch_reals) continue;
+    launch(packed, answers);
+    packed.clear();
+  }
+  if (!packed.left.empty()) launch(packed, answers);
+}
+
+Probe::Probe(const Device& device, const std::string& kind, Precision precision, const ProbeOptions& options) {
+  const int lanes = options.lanes.value_or(default_lanes(device.info().native_vector_width, precision));
+  ProgramSource source = program_source("kernels/probe.cl", only(kind), precision, lanes);
+  if (options.change) options.change(source);
+  const cl::Program program = build_program(device, source);
+  const cl::Kernel kernel = checked(device.info().text(), [&] { return cl::Kernel(program, "probe"); });
+  state_ = std::unique_ptr<State>(new State{device, kind, precision, static_cast<std::size_t>(lanes),
+                                            static_cast<std::size_t>(planes_of(kind)), kernel});
+}
+Probe::~Probe() = default;
+Probe::Probe(Probe&&) noexcept = default;
+Probe& Probe::operator=(Probe&&) noexcept = default;
+
+std::vector<Answer> Probe::ask(std::span<const Question> questions) {
+  std::vector<Answer> answers;
+  answers.reserve(questions.size());
+  if (state_->precision == Precision::fp64)
+    state_->ask<double>(questions, answers);
+  else
+    state_->ask<float>(questions, answers);
+  return answers;
+}
+
+int Probe::lanes() const { return static_cast<int>(state_->lanes); }
+
+double Probe::nanoseconds_per_test() const { return state_->tests > 0 ? state_->nanoseconds / state_->tests : 0; }
+
+}  // namespace strahl::selftest
