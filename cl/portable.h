@@ -7,8 +7,23 @@
 #ifndef STRAHL_PORTABLE_H
 #define STRAHL_PORTABLE_H
 
+/// 1: single precision, exact or compensated (docs/decisions/0007-robust-tier.md). The program's text defines it.
+#ifndef TIER_ROBUST
+#define TIER_ROBUST 0
+#endif
+
+/// 1: the textbook's formulas in the files named *_fast*, contraction and relaxed maths allowed: what the others are
+/// compared with. The program's text defines it; the host has no such tier.
+#ifndef TIER_FAST
+#define TIER_FAST 0
+#endif
+
 #ifndef __cplusplus
+#if TIER_FAST
+#pragma OPENCL FP_CONTRACT ON
+#else
 #pragma OPENCL FP_CONTRACT OFF
+#endif
 #endif
 
 /// unused: a program holds only some of the callers.
@@ -49,11 +64,6 @@ typedef float real;
 #define REAL_MAX 0x1.fffffep+127f
 #define REAL_EXPONENT_SHIFT 23
 #define REAL_EXPONENT_MASK 0xff
-#endif
-
-/// 1: single precision, exact or compensated (docs/decisions/0007-robust-tier.md). The program's text defines it.
-#ifndef TIER_ROBUST
-#define TIER_ROBUST 0
 #endif
 
 #define INT_MAX_ID 0x7fffffff

@@ -8,6 +8,8 @@
 #include "shapes/polygon_robust_lanes.h"
 #include "shapes/quadratic_lanes.h"
 #include "shapes/reach_lanes.h"
+#elif TIER_FAST
+#include "shapes/moeller_fast_lanes.h"
 #endif
 #include "shapes/all_lanes.h"
 

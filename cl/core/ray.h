@@ -5,6 +5,9 @@
 
 #include "math/vec3.h"
 #include "portable.h"
+#if TIER_FAST
+#include "core/epsilon_fast.h"
+#endif
 
 /// The direction is scaled by an exact power of two so that max |d_i| lies in [1, 2): tiny and huge directions then
 /// neither underflow nor overflow. t of this ray = t of the given ray times t_scale.
@@ -36,6 +39,10 @@ FN Ray ray_make(real3 o, real3 d, real t_min, real t_max, int left) {
   if (ray.t_min < -reach) ray.t_min = -reach;
   if (ray.t_max > reach) ray.t_max = reach;
   ray.t_from_scaled = scale.up;
+#if TIER_FAST
+  if (left >= 0 && ray.t_min < t_min_past_epsilon(ray.d)) ray.t_min = t_min_past_epsilon(ray.d);
+  left = -1;
+#endif
   ray.left = left;
   int usable = real_is_finite(o.x) & real_is_finite(o.y) & real_is_finite(o.z) & real_is_finite(d.x) &
                real_is_finite(d.y) & real_is_finite(d.z) & (max3(magnitude) > R(0.0));

@@ -9,6 +9,18 @@
 /// The face (0 lo_x, 1 hi_x, 2 lo_y, ...) whose slab distance is t: the first that matches, entries before exits.
 FN int box_face(const Ray* ray, GLOBAL const real* prim, int stride, real t) {
   int near[3], i;
+#if TIER_FAST
+  int face, best = 0;
+  real gap = REAL_MAX;
+  for (face = 0; face < 6; ++face) {
+    real d = component(ray->d, face / 2);
+    real other = real_abs(prim[face * stride] - component(ray->o, face / 2) - t * d);
+    if (!(d < R(0.0) || R(0.0) < d) || gap <= other) continue;
+    gap = other;
+    best = face;
+  }
+  return best;
+#endif
   near[0] = ray->near_x;
   near[1] = ray->near_y;
   near[2] = ray->near_z;

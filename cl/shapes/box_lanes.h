@@ -5,6 +5,9 @@
 // From inside, and where the entry lies before t_min, the exit counts. A box is convex: the box just left is met again
 // only at its far side, and not at all where the ray leaves through the face that the origin lies on.
 
+#if TIER_FAST
+#include "shapes/box_fast_lanes.h"
+#else
 FN maskw LANED(box_left_outward)(const Ray* ray, GLOBAL const real* block) {
   // The face nearest to the origin is the one that was left.
   realw nearest = splat_w(REAL_MAX), inward = splat_w(R(0.0));
@@ -42,3 +45,4 @@ FN void LANED(box_block)(const Ray* ray, GLOBAL const real* block, GLOBAL const 
   }
   LANED(take_nearest)(hit & LANED(in_range)(t, ray, best), t, ids, -1, SHAPE_box, slot, best);
 }
+#endif

@@ -4,6 +4,8 @@
 
 #if TIER_ROBUST
 #include "shapes/cylinder_robust_lanes.h"
+#elif TIER_FAST
+#include "shapes/cylinder_fast_lanes.h"
 #else
 FN void LANED(cylinder_block)(const Ray* ray, GLOBAL const real* block, GLOBAL const int* ids, int slot,
                               Nearest* best) {

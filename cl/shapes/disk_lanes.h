@@ -3,6 +3,8 @@
 
 #if TIER_ROBUST
 #include "shapes/disk_robust_lanes.h"
+#elif TIER_FAST
+#include "shapes/disk_fast_lanes.h"
 #else
 FN void LANED(disk_block)(const Ray* ray, GLOBAL const real* block, GLOBAL const int* ids, int slot, Nearest* best) {
   realw gx = load_w(block) - splat_w(ray->o.x);

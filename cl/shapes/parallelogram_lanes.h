@@ -2,6 +2,9 @@
 // Ray against LANES parallelograms: the four edge functions of its corners A, B, C, D have one sign (edge_lanes.h), so
 // faces that share corners neither leak nor hit twice. t comes from the plane of A, B, D.
 
+#if TIER_FAST
+#include "shapes/parallelogram_fast_lanes.h"
+#else
 FN void LANED(parallelogram_block)(const Ray* ray, GLOBAL const real* block, GLOBAL const int* ids, int slot,
                                    Nearest* best) {
   LANED(ShearedVertex) a = LANED(shear_vertex)(ray, block);
@@ -33,3 +36,4 @@ FN void LANED(parallelogram_block)(const Ray* ray, GLOBAL const real* block, GLO
   }
   LANED(take_nearest)(hit, t, ids, ray->left, SHAPE_parallelogram, slot, best);
 }
+#endif

@@ -5,6 +5,8 @@
 
 #if TIER_ROBUST
 #include "shapes/plane_robust_lanes.h"
+#elif TIER_FAST
+#include "shapes/plane_fast_lanes.h"
 #else
 FN void LANED(plane_block)(const Ray* ray, GLOBAL const real* block, GLOBAL const int* ids, int slot, Nearest* best) {
   realw gx = load_w(block) - splat_w(ray->o.x);

@@ -6,6 +6,8 @@
 
 #if TIER_ROBUST
 #include "shapes/sphere_robust_lanes.h"
+#elif TIER_FAST
+#include "shapes/sphere_fast_lanes.h"
 #else
 FN void LANED(sphere_block)(const Ray* ray, GLOBAL const real* block, GLOBAL const int* ids, int slot, Nearest* best) {
   realw fx = splat_w(ray->o.x) - load_w(block);

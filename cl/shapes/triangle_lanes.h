@@ -2,6 +2,9 @@
 // Ray against LANES triangles, watertight and single-hit (edge_lanes.h). Zeros are looked for only where a lane is
 // hit. t is held within the triangle's own range along the ray. Zero-area triangles give a NaN t and are never hit.
 
+#if TIER_FAST
+#include "shapes/triangle_fast_lanes.h"
+#else
 FN void LANED(triangle_block)(const Ray* ray, GLOBAL const real* block, GLOBAL const int* ids, int slot,
                               Nearest* best) {
   LANED(ShearedVertex) a = LANED(shear_vertex)(ray, block);
@@ -28,3 +31,4 @@ FN void LANED(triangle_block)(const Ray* ray, GLOBAL const real* block, GLOBAL c
                                                 LANED(resolved_edge)(ec, a, b)));
   LANED(take_nearest)(hit, t, ids, ray->left, SHAPE_triangle, slot, best);
 }
+#endif

@@ -29,10 +29,10 @@ WorkGroup work_group_of(const std::string& text) {
 
 void add_kernel_options(CLI::App& app, KernelOptions& options) {
   app.add_option("--precision", options.precision,
-                 "stable: single precision, formulas in stable form; robust: single precision, exact or compensated; "
-                 "double")
+                 "fast: textbook formulas, for contrast; stable: single precision, formulas in stable form; robust: "
+                 "single precision, exact or compensated; double")
       ->type_name("NAME")
-      ->check(CLI::IsMember({"stable", "robust", "double"}))
+      ->check(CLI::IsMember({"fast", "stable", "robust", "double"}))
       ->capture_default_str()
       ->group(kGroup);
   app.add_option("--lanes", options.lanes,

@@ -12,7 +12,7 @@
 namespace strahl::cli {
 
 struct KernelOptions {
-  std::string precision = "stable";
+  std::string precision = "robust";
   std::optional<int> lanes;
   std::string work_group;  ///< "8x8", "64"; empty: the default.
   std::optional<int> passes;

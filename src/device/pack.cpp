@@ -59,11 +59,14 @@ class Packing {
     index(layout::HEADER_INTEGRATOR) = features_.entry_index("integrators", scene_.integrator.name);
     index(layout::HEADER_MAX_DEPTH) = scene_.integrator.max_depth;
     index(layout::HEADER_HIDE_EMITTERS) = scene_.integrator.hide_emitters ? 1 : 0;
-    index(layout::HEADER_CAMERA) = put_shading(camera_reals(scene_.camera, scene_.film, options_.frame_origin));
+    index(layout::HEADER_CAMERA) = put_shading(camera_reals(scene_.camera, scene_.film, options_.frame));
     index(layout::HEADER_FILTER) = put_shading(filter_quantiles(scene_.film.filter, sampling.kind));
     packed_.film_scale = film_scale(scene_);
-    index(layout::HEADER_FILM_SCALE) = put_shading({packed_.film_scale});
+    index(layout::HEADER_FILM_SCALE) = put_shading({packed_.film_scale * radiance_unit()});
   }
+
+  /// Radiance is the same in every frame, but where it is a length.
+  double radiance_unit() const { return scene_.integrator.name == "depth" ? 1 / options_.frame.scale : 1; }
 
   void materials() {
     index(layout::HEADER_MATERIALS) = index_end();
@@ -83,8 +86,9 @@ class Packing {
       if (kind < 0) continue;
       std::vector<double> reals;
       if (const auto* point = std::get_if<PointLight>(&light.emitter)) {
-        const Vec3 p = point->position - options_.frame_origin;
-        reals = {p.x, p.y, p.z, point->intensity.r, point->intensity.g, point->intensity.b};
+        const Vec3 p = options_.frame.point(point->position);
+        const double area = options_.frame.scale * options_.frame.scale;
+        reals = {p.x, p.y, p.z, area * point->intensity.r, area * point->intensity.g, area * point->intensity.b};
       } else if (const auto* sun = std::get_if<DirectionalLight>(&light.emitter)) {
         const Vec3 d = normalized(sun->direction);
         reals = {d.x, d.y, d.z, sun->irradiance.r, sun->irradiance.g, sun->irradiance.b};
@@ -119,7 +123,7 @@ class Packing {
       const Shape& shape = scene_.shapes[i];
       first_part_.push_back(row);
       int frame_at = -1, normals_at = -1, uvs_at = -1;
-      if (const auto frame = surface_frame(shape.geometry, options_.frame_origin))
+      if (const auto frame = surface_frame(shape.geometry, options_.frame))
         frame_at = put_shading({frame->begin(), frame->end()});
       std::vector<MeshPart> looks = {{shape.material, shape.radiance}};
       if (const auto* mesh = std::get_if<Mesh>(&shape.geometry)) {
@@ -158,7 +162,7 @@ class Packing {
       if (shape_kind(shape) != kind) continue;
       const auto* mesh = std::get_if<Mesh>(&shape.geometry);
       std::int32_t primitive = 0;
-      primitive_planes(shape.geometry, options_.frame_origin, [&](std::span<const double> values) {
+      primitive_planes(shape.geometry, options_.frame, [&](std::span<const double> values) {
         const std::size_t slot = ids.size(), block = slot / lanes, lane = slot % lanes;
         if (lane == 0) packed_.geometry.resize(geometry_at + (block + 1) * planes * lanes, Real(0));
         for (std::size_t plane = 0; plane < planes; ++plane)

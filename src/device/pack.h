@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "device/features.h"
+#include "device/frame.h"
 #include "scene/scene.h"
 
 namespace strahl {
@@ -13,7 +14,7 @@ namespace strahl {
 /// What packing depends on besides the scene.
 struct PackOptions {
   int lanes = 1;
-  Vec3 frame_origin;  ///< Subtracted in double before rounding: the camera for render, zero for intersect.
+  Frame frame;  ///< The camera's for render, the world for intersect and the fast tier.
 };
 
 template <typename Real>

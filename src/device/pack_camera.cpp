@@ -32,7 +32,7 @@ double tan_half_width(const Camera& camera, const Film& film) {
 
 }  // namespace
 
-std::vector<double> camera_reals(const Camera& camera, const Film& film, const Vec3& frame_origin) {
+std::vector<double> camera_reals(const Camera& camera, const Film& film, const Frame& frame) {
   const Transform& world = camera.world_from_camera;
   const Vec3 forward = world.column(2);
   // A distance along the viewing axis is 1 in t: directions are given per unit of depth.
@@ -40,15 +40,15 @@ std::vector<double> camera_reals(const Camera& camera, const Film& film, const V
   const Vec3 right = -(world.column(0)), down = -(world.column(1));
   const double aspect = static_cast<double>(film.height) / film.width;
 
-  Vec3 o = world.translation() - frame_origin, ox, oy, d = depth * forward, dx, dy;
+  Vec3 o = frame.point(world.translation()), ox, oy, d = depth * forward, dx, dy;
   if (camera.projection == Projection::perspective) {
     const double tangent = tan_half_width(camera, film);
     dx = (tangent * depth) * right;
     dy = (tangent * aspect * depth) * down;
     d = d + 2 * camera.principal_point_offset_x * dx + 2 * camera.principal_point_offset_y * dy;
   } else {
-    ox = right;
-    oy = aspect * down;
+    ox = frame.vector(right);
+    oy = frame.vector(aspect * down);
   }
   std::vector<double> reals(layout::CAMERA_REALS, 0.0);
   auto put = [&](int at, const Vec3& v) {
@@ -62,8 +62,8 @@ std::vector<double> camera_reals(const Camera& camera, const Film& film, const V
   put(layout::CAMERA_D, d);
   put(layout::CAMERA_DX, dx);
   put(layout::CAMERA_DY, dy);
-  reals[layout::CAMERA_NEAR] = camera.near_clip;
-  reals[layout::CAMERA_FAR] = camera.far_clip;
+  reals[layout::CAMERA_NEAR] = frame.scale * camera.near_clip;
+  reals[layout::CAMERA_FAR] = frame.scale * camera.far_clip;
   return reals;
 }
 

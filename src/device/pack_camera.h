@@ -4,11 +4,11 @@
 
 #include <vector>
 
-#include "scene/scene.h"
+#include "device/frame.h"
 
 namespace strahl {
 
 /// CAMERA_REALS values. Picture coordinates run from -1 to 1, x to the right and y down, over the whole film.
-[[nodiscard]] std::vector<double> camera_reals(const Camera& camera, const Film& film, const Vec3& frame_origin);
+[[nodiscard]] std::vector<double> camera_reals(const Camera& camera, const Film& film, const Frame& frame);
 
 }  // namespace strahl

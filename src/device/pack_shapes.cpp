@@ -1,14 +1,22 @@
 // SPDX-License-Identifier: MIT
 #include "device/pack_shapes.h"
 
+#include <algorithm>
+#include <cmath>
 #include <map>
 
 namespace strahl {
 namespace {
 
-/// Collects planes; points move into the frame, everything else stays.
+/// By a power of two to a length near 1: the length of a normal means nothing, and products with it stay in range.
+Vec3 near_unit(const Vec3& normal) {
+  const double size = std::max({std::fabs(normal.x), std::fabs(normal.y), std::fabs(normal.z)});
+  return size > 0 && std::isfinite(size) ? std::ldexp(1.0, -std::ilogb(size)) * normal : normal;
+}
+
+/// Collects planes; points and lengths move into the frame, everything else stays.
 struct Planes {
-  Vec3 origin;
+  const Frame& frame;
   std::array<double, 12> values{};
   std::size_t size = 0;
 
@@ -17,18 +25,19 @@ struct Planes {
     return *this;
   }
   Planes& vector(const Vec3& v) { return number(v.x).number(v.y).number(v.z); }
-  Planes& point(const Vec3& p) { return vector(p - origin); }
+  Planes& point(const Vec3& p) { return vector(frame.point(p)); }
+  Planes& length(double x) { return number(frame.scale * x); }
   [[nodiscard]] std::span<const double> span() const { return {values.data(), size}; }
 };
 
-void parallelogram(const Vec3& origin, const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d,
+void parallelogram(const Frame& frame, const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d,
                    const PrimitiveSink& sink) {
-  sink(Planes{origin}.point(a).point(b).point(c).point(d).span());
+  sink(Planes{frame}.point(a).point(b).point(c).point(d).span());
 }
 
 /// Faces -x, +x, -y, +y, -z, +z of the cube's own axes, normals outward whatever the handedness. Corners are computed
 /// once, so that faces share them to the bit.
-void cube_faces(const Cube& cube, const Vec3& origin, const PrimitiveSink& sink) {
+void cube_faces(const Cube& cube, const Frame& frame, const PrimitiveSink& sink) {
   std::array<Vec3, 8> corner;
   for (unsigned i = 0; i < 8; ++i) {
     Vec3 p = cube.corner;
@@ -43,36 +52,37 @@ void cube_faces(const Cube& cube, const Vec3& origin, const PrimitiveSink& sink)
       const unsigned base = side << axis;
       const bool u_first = (side == 1) == right_handed;
       const unsigned first = u_first ? u : v, second = u_first ? v : u;
-      parallelogram(origin, corner[base], corner[base | first], corner[base | u | v], corner[base | second], sink);
+      parallelogram(frame, corner[base], corner[base | first], corner[base | u | v], corner[base | second], sink);
     }
   }
 }
 
 struct Packer {
-  const Vec3& origin;
+  const Frame& frame;
   const PrimitiveSink& sink;
 
-  void operator()(const Sphere& s) const { sink(Planes{origin}.point(s.center).number(s.radius).span()); }
-  void operator()(const Plane& p) const { sink(Planes{origin}.point(anchor(p)).vector(p.normal).span()); }
+  void operator()(const Sphere& s) const { sink(Planes{frame}.point(s.center).length(s.radius).span()); }
+  void operator()(const Plane& p) const { sink(Planes{frame}.point(anchor(p)).vector(near_unit(p.normal)).span()); }
   void operator()(const Box& b) const {
-    const Vec3 lo = b.min - origin, hi = b.max - origin;
-    sink(Planes{origin}.number(lo.x).number(hi.x).number(lo.y).number(hi.y).number(lo.z).number(hi.z).span());
+    const Vec3 lo = frame.point(b.min), hi = frame.point(b.max);
+    sink(Planes{frame}.number(lo.x).number(hi.x).number(lo.y).number(hi.y).number(lo.z).number(hi.z).span());
   }
-  void operator()(const Triangle& t) const { sink(Planes{origin}.point(t.p0).point(t.p1).point(t.p2).span()); }
+  void operator()(const Triangle& t) const { sink(Planes{frame}.point(t.p0).point(t.p1).point(t.p2).span()); }
   void operator()(const Rectangle& r) const {
-    parallelogram(origin, r.corner, r.corner + r.edge_u, r.corner + r.edge_u + r.edge_v, r.corner + r.edge_v, sink);
+    parallelogram(frame, r.corner, r.corner + r.edge_u, r.corner + r.edge_u + r.edge_v, r.corner + r.edge_v, sink);
   }
-  void operator()(const Cube& c) const { cube_faces(c, origin, sink); }
+  void operator()(const Cube& c) const { cube_faces(c, frame, sink); }
   void operator()(const Disk& d) const {
-    sink(Planes{origin}.point(d.center).vector(cross(d.axis_u, d.axis_v)).number(dot(d.axis_u, d.axis_u)).span());
+    const Vec3 u = frame.vector(d.axis_u);
+    sink(Planes{frame}.point(d.center).vector(near_unit(cross(d.axis_u, d.axis_v))).number(dot(u, u)).span());
   }
   void operator()(const Cylinder& c) const {
     const Vec3 axis = c.p1 - c.p0;
-    sink(Planes{origin}.point(c.p0).vector(normalized(axis)).number(length(axis)).number(c.radius).span());
+    sink(Planes{frame}.point(c.p0).vector(normalized(axis)).length(strahl::length(axis)).length(c.radius).span());
   }
   void operator()(const Mesh& mesh) const {
     for (const auto& triangle : mesh.triangles) {
-      Planes planes{origin};
+      Planes planes{frame};
       for (const int i : triangle) planes.point(mesh.positions[static_cast<std::size_t>(i)]);
       sink(planes.span());
     }
@@ -81,9 +91,9 @@ struct Packer {
   /// In a shifted frame the plane's point nearest the frame's origin: cancellation happens here, in double. In the
   /// world frame the point as given, which may be exactly representable.
   [[nodiscard]] Vec3 anchor(const Plane& p) const {
-    if (origin == Vec3{}) return p.point;
+    if (frame.origin == Vec3{}) return p.point;
     const Vec3 n = normalized(p.normal);
-    return origin + dot(n, p.point - origin) * n;
+    return frame.origin + dot(n, p.point - frame.origin) * n;
   }
 };
 
@@ -102,21 +112,23 @@ int planes_of(const std::string& kind) {
   return planes.at(kind);
 }
 
-void primitive_planes(const Geometry& geometry, const Vec3& frame_origin, const PrimitiveSink& sink) {
-  std::visit(Packer{frame_origin, sink}, geometry);
+void primitive_planes(const Geometry& geometry, const Frame& frame, const PrimitiveSink& sink) {
+  std::visit(Packer{frame, sink}, geometry);
 }
 
-std::optional<std::array<double, 9>> surface_frame(const Geometry& geometry, const Vec3& frame_origin) {
+std::optional<std::array<double, 9>> surface_frame(const Geometry& geometry, const Frame& frame) {
   if (const auto* s = std::get_if<Sphere>(&geometry)) return nine(s->frame[0], s->frame[1], s->frame[2]);
   if (const auto* p = std::get_if<Plane>(&geometry)) {
     // Duals of u and v within the plane: dot with them gives the coordinates.
-    const double uu = dot(p->u, p->u), uv = dot(p->u, p->v), vv = dot(p->v, p->v);
+    const Vec3 u = frame.vector(p->u), v = frame.vector(p->v);
+    const double uu = dot(u, u), uv = dot(u, v), vv = dot(v, v);
     const double inverse = 1 / (uu * vv - uv * uv);
-    return nine(inverse * (vv * p->u - uv * p->v), inverse * (uu * p->v - uv * p->u), p->point - frame_origin);
+    return nine(inverse * (vv * u - uv * v), inverse * (uu * v - uv * u), frame.point(p->point));
   }
   if (const auto* d = std::get_if<Disk>(&geometry)) {
-    const double inverse = 1 / dot(d->axis_u, d->axis_u);
-    return nine(inverse * d->axis_u, inverse * d->axis_v, {});
+    const Vec3 u = frame.vector(d->axis_u), v = frame.vector(d->axis_v);
+    const double inverse = 1 / dot(u, u);
+    return nine(inverse * u, inverse * v, {});
   }
   if (const auto* c = std::get_if<Cylinder>(&geometry))
     return nine(c->reference, cross(normalized(c->p1 - c->p0), c->reference), {});

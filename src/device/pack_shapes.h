@@ -7,7 +7,7 @@
 #include <span>
 #include <string>
 
-#include "scene/scene.h"
+#include "device/frame.h"
 
 namespace strahl {
 
@@ -18,9 +18,9 @@ namespace strahl {
 using PrimitiveSink = std::function<void(std::span<const double> planes)>;
 
 /// Calls sink once per primitive in the order of the shape's primitives.
-void primitive_planes(const Geometry& geometry, const Vec3& frame_origin, const PrimitiveSink& sink);
+void primitive_planes(const Geometry& geometry, const Frame& frame, const PrimitiveSink& sink);
 
 /// The nine reals that a kind's surface function calls its frame; none for kinds that have no use for one.
-[[nodiscard]] std::optional<std::array<double, 9>> surface_frame(const Geometry& geometry, const Vec3& frame_origin);
+[[nodiscard]] std::optional<std::array<double, 9>> surface_frame(const Geometry& geometry, const Frame& frame);
 
 }  // namespace strahl

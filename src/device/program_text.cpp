@@ -8,10 +8,12 @@ namespace strahl {
 ProgramSource program_source(const std::string& root, const Features& features, Precision precision, int lanes) {
   ProgramSource source;
   source.options = "-cl-std=CL1.2";
+  if (precision == Precision::fast) source.options += " -cl-fast-relaxed-math";
   source.text = fmt::format("// strahl {} · {} · precision {} · lanes {} · {}\n", STRAHL_VERSION, root,
                             precision_name(precision), lanes, source.options);
   source.text += fmt::format("#define REAL_BITS {}\n", precision == Precision::fp64 ? 64 : 32);
   source.text += fmt::format("#define TIER_ROBUST {}\n", precision == Precision::robust ? 1 : 0);
+  source.text += fmt::format("#define TIER_FAST {}\n", precision == Precision::fast ? 1 : 0);
   source.text += fmt::format("#define LANES {}\n", lanes);
   for (const auto& [name, on] : features.flags) source.text += fmt::format("#define HAS_{} {}\n", name, on ? 1 : 0);
   source.text += expand_kernel(root, features.entries);

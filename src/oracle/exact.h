@@ -12,7 +12,7 @@ struct Exact {
   double rest = 0;   ///< t - value, rounded
 };
 
-/// |computed - exact| in ulps of the float at exact; infinity for NaN.
+/// |computed - exact| in ulps of the float at exact; infinity for NaN. computed may be a double that is no float.
 [[nodiscard]] double ulp_error_f32(double computed, const Exact& exact);
 
 /// |computed - exact| in ulps of the double at exact; infinity for NaN.

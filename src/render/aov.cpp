@@ -38,14 +38,14 @@ std::vector<std::string> aov_channels(const std::set<Aov>& aovs) {
 }
 
 Image aov_image(int width, int height, const std::set<Aov>& aovs, const std::vector<double>& reals,
-                const std::vector<std::int32_t>& ints, const Vec3& frame_origin) {
+                const std::vector<std::int32_t>& ints, const Frame& frame) {
   Image image;
   image.width = width;
   image.height = height;
   image.channels = aov_channels(aovs);
   const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
   image.data.reserve(pixels * image.channels.size());
-  const double origin[] = {frame_origin.x, frame_origin.y, frame_origin.z};
+  const double origin[] = {frame.origin.x, frame.origin.y, frame.origin.z};
   for (std::size_t pixel = 0; pixel < pixels; ++pixel) {
     const double* real = &reals[pixel * layout::AOV_REALS];
     const std::int32_t* integer = &ints[pixel * layout::AOV_INTS];
@@ -53,6 +53,7 @@ Image aov_image(int width, int height, const std::set<Aov>& aovs, const std::vec
     for (const Channel& channel : channels) {
       if (!aovs.contains(channel.aov)) continue;
       double value = channel.integer ? integer[channel.at] : real[channel.at];
+      if (channel.aov == Aov::position || channel.aov == Aov::depth) value /= frame.scale;
       if (channel.aov == Aov::position && hit) value += origin[channel.at - layout::AOV_POSITION];
       // -0 becomes 0: some devices' fma (Mesa's software fma) loses the sign of a zero sum.
       image.data.push_back(static_cast<float>(value + 0.0));

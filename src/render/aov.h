@@ -6,17 +6,18 @@
 #include <set>
 #include <vector>
 
+#include "device/frame.h"
 #include "image/image.h"
 #include "render/settings.h"
-#include "scene/vec.h"
 
 namespace strahl {
 
 /// "depth.Z", "normal.X" "normal.Y" "normal.Z", "position.X" ..., "uv.U" "uv.V", "shape_id.I", "primitive_id.I".
 [[nodiscard]] std::vector<std::string> aov_channels(const std::set<Aov>& aovs);
 
-/// Raw values as cl/scene/layout.h orders them (AOV_REALS and AOV_INTS a pixel); positions return to the world frame.
+/// Raw values as cl/scene/layout.h orders them (AOV_REALS and AOV_INTS a pixel); positions and depths return to the
+/// world frame.
 [[nodiscard]] Image aov_image(int width, int height, const std::set<Aov>& aovs, const std::vector<double>& reals,
-                              const std::vector<std::int32_t>& ints, const Vec3& frame_origin);
+                              const std::vector<std::int32_t>& ints, const Frame& frame);
 
 }  // namespace strahl

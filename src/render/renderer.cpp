@@ -37,7 +37,8 @@ struct Renderer::State {
 
   State(const Device& d, const Scene& s, const RenderSettings& r) : device(d), scene(s), settings(r) {}
 
-  [[nodiscard]] Vec3 frame_origin() const { return scene.camera.world_from_camera.translation(); }
+  /// The textbook's renderer keeps the world's coordinates, whatever they cost it.
+  [[nodiscard]] Frame frame() const { return settings.precision == Precision::fast ? Frame{} : camera_frame(scene); }
   [[nodiscard]] bool has_aov() const { return features.flag("AOV"); }
   [[nodiscard]] std::size_t real_bytes() const { return settings.precision == Precision::fp64 ? 8 : 4; }
   [[nodiscard]] std::size_t aov_real_bytes(std::size_t pixels) const {
@@ -81,7 +82,7 @@ void Renderer::State::prepare() {
   stats.seconds.program = start.seconds();
 
   const Stopwatch upload_start;
-  buffers = upload_scene(device, scene, features, settings.precision, {lanes, frame_origin()});
+  buffers = upload_scene(device, scene, features, settings.precision, {lanes, frame()});
   const std::size_t pixels = static_cast<std::size_t>(window.width()) * static_cast<std::size_t>(band_rows());
   film = allocate(device, pixels * film_bytes_per_pixel, "one band of the film");
   aov_reals = allocate(device, aov_real_bytes(pixels), "the auxiliary values");
@@ -239,7 +240,7 @@ RenderResult Renderer::render(const ProgressCallback& progress) {
   const Stopwatch convert;
   result.color = film.mean();
   if (!s.settings.aovs.empty())
-    result.aov = aov_image(width, height, s.settings.aovs, aov_reals, aov_ints, s.frame_origin());
+    result.aov = aov_image(width, height, s.settings.aovs, aov_reals, aov_ints, s.frame());
   else
     result.aov.channels.clear();
   run.seconds.readback += convert.seconds();

@@ -14,7 +14,8 @@
 namespace strahl {
 namespace {
 
-constexpr std::array<std::pair<const char*, Precision>, 3> kPrecisions{{
+constexpr std::array<std::pair<const char*, Precision>, 4> kPrecisions{{
+    {"fast", Precision::fast},
     {"stable", Precision::stable},
     {"robust", Precision::robust},
     {"double", Precision::fp64},

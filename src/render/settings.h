@@ -8,9 +8,10 @@
 
 namespace strahl {
 
-/// Kernel variants of one source. stable: fp32, published stable forms, contraction off. robust: fp32, exact or
-/// compensated. fp64: the forms of stable in double.
-enum class Precision { stable, robust, fp64 };
+/// Kernel variants of one source (docs/numerics.md). fast: the textbook's forms, world frame, relaxed maths. stable:
+/// fp32, published stable forms, contraction off. robust: fp32, exact or compensated. fp64: the forms of stable in
+/// double.
+enum class Precision { fast, stable, robust, fp64 };
 
 [[nodiscard]] Precision precision_from_name(const std::string& name);  ///< "robust", ...; throws UsageError.
 [[nodiscard]] const char* precision_name(Precision precision);
@@ -27,7 +28,7 @@ struct WorkGroup {
 };
 
 struct RenderSettings {
-  Precision precision = Precision::stable;
+  Precision precision = Precision::robust;
   std::set<Aov> aovs;
   bool generic = false;      ///< Every entry and flag in the program; the same picture, slower.
   bool count_rays = false;   ///< Instrumented program (--stats-detail): counts shadow and bounce rays.

@@ -52,7 +52,7 @@ bool meets_edge(int x, int y) {
 }
 
 TEST_CASE("Embree's triangle, near and ten million times as large") {
-  for (const Precision precision : {Precision::stable, Precision::fp64})
+  for (const Precision precision : {Precision::stable, Precision::robust, Precision::fp64})
     for (const auto& [scene, reference] :
          {std::pair("embree-triangle.xml", "triangle"), std::pair("embree-triangle-far.xml", "triangle_far")}) {
       INFO(scene << ", " << precision_name(precision));
@@ -66,7 +66,7 @@ TEST_CASE("Embree's triangle, near and ten million times as large") {
 // Of the rays that meet an edge exactly, 28 slip through in Embree, seven of them between the two triangles; strahl's
 // triangles are closed.
 TEST_CASE("Embree's quad") {
-  for (const Precision precision : {Precision::stable, Precision::fp64}) {
+  for (const Precision precision : {Precision::stable, Precision::robust, Precision::fp64}) {
     INFO(precision_name(precision));
     const Masks masks = compare_masks("embree-quad.xml", "quad", precision);
     CHECK(masks.reference == 14528);

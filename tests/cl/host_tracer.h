@@ -23,7 +23,7 @@ template <class Real>
   if (scene.materials.empty()) scene.materials.emplace_back();
   RenderSettings settings;
   settings.generic = true;
-  return pack_scene<Real>(scene, features_of(scene, settings), {lanes, Vec3{}});
+  return pack_scene<Real>(scene, features_of(scene, settings), {lanes, Frame{}});
 }
 
 template <class Real>

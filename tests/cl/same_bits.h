@@ -93,6 +93,7 @@ inline void hold_kinds(const Device& device, int lanes, std::size_t count) {
     maker.add(name, 20);
     RenderSettings settings;
     settings.lanes = lanes;
+    settings.precision = Precision::stable;
     hold_same<float>(device, name, trace_on_host<float>(maker, count), settings);
   }
 }

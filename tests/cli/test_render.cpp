@@ -145,7 +145,7 @@ TEST_CASE("the picture says how it came to be") {
   has("scene", "scene.xml");
   has("spp", "3");
   has("seed", "11");
-  has("precision", "stable");
+  has("precision", "robust");
   has("Software", "strahl " STRAHL_VERSION);
   CHECK_FALSE(metadata.at("device").empty());
 }

@@ -47,7 +47,7 @@ TEST_CASE("the statistics have every documented key") {
   CHECK(json.at("rays").at("bounce").is_null());
   CHECK(json.at("bytes").at("device") > 0);
   CHECK(json.at("bytes").at("host") > 0);
-  CHECK(json.at("precision") == "stable");
+  CHECK(json.at("precision") == "robust");
   CHECK(json.at("spp") == 2);
   CHECK(json.at("seed") == 5);
   CHECK_FALSE(json.at("device").get<std::string>().empty());

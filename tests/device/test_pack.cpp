@@ -244,7 +244,7 @@ TEST_CASE("In the world frame what the precision holds arrives unrounded") {
   const Read<float> single(scene, {1, {}});
   CHECK(single.plane("plane", 0, 0, 6) == 0.1F);
   CHECK(single.plane("plane", 0, 2, 6) == 16777215.0F);
-  CHECK(single.plane("plane", 0, 3, 6) == 0.3F);
+  CHECK(single.plane("plane", 0, 4, 6) == 1.25F);
   std::get<Plane>(scene.shapes[0].geometry).point = {0.1, 1.0 / 3, 1e300};
   const Read<double> twice(scene, {1, {}});
   CHECK(twice.plane("plane", 0, 0, 6) == 0.1);

@@ -14,8 +14,7 @@ namespace {
 
 class Packed {
  public:
-  Packed(const Camera& camera, const Film& film, const Vec3& frame_origin = {})
-      : reals_(camera_reals(camera, film, frame_origin)) {
+  Packed(const Camera& camera, const Film& film, const Frame& frame = {}) : reals_(camera_reals(camera, film, frame)) {
     REQUIRE(reals_.size() == layout::CAMERA_REALS);
   }
   [[nodiscard]] Vec3 vector(std::size_t at) const { return {reals_[at], reals_[at + 1], reals_[at + 2]}; }

@@ -15,7 +15,7 @@ namespace {
 
 std::vector<Primitive> planes(const Geometry& geometry, const Vec3& origin = {}) {
   std::vector<Primitive> all;
-  primitive_planes(geometry, origin,
+  primitive_planes(geometry, Frame{origin, 1},
                    [&](std::span<const double> values) { all.emplace_back(values.begin(), values.end()); });
   return all;
 }
@@ -32,17 +32,17 @@ std::array<Vec3, 4> corners(const Primitive& p) {
 }
 
 std::array<Vec3, 3> frame_of(const Geometry& geometry, const Vec3& origin = {}) {
-  const auto f = surface_frame(geometry, origin);
+  const auto f = surface_frame(geometry, Frame{origin, 1});
   REQUIRE(f);
   return {Vec3{(*f)[0], (*f)[1], (*f)[2]}, Vec3{(*f)[3], (*f)[4], (*f)[5]}, Vec3{(*f)[6], (*f)[7], (*f)[8]}};
 }
 
 }  // namespace
 
-TEST_CASE("In the world frame every number is packed as given") {
+TEST_CASE("In the world frame every number is packed as given, but for the power of two of normals") {
   CHECK(only(Sphere{{0.1, 0.2, 0.3}, 0.7}) == Primitive{0.1, 0.2, 0.3, 0.7});
   Plane plane = plane_through({0.1, 0.2, 0.3}, {0.3, -7, 0.1});
-  CHECK(only(plane) == Primitive{0.1, 0.2, 0.3, 0.3, -7, 0.1});
+  CHECK(only(plane) == Primitive{0.1, 0.2, 0.3, 0.3 / 4, -7.0 / 4, 0.1 / 4});
   CHECK(only(Box{{0.1, 0.2, 0.3}, {1.1, 1.2, 1.3}}) == Primitive{0.1, 1.1, 0.2, 1.2, 0.3, 1.3});
   CHECK(only(Triangle{{0.1, 0, 0}, {0, 0.2, 0}, {0, 0, 0.3}}) == Primitive{0.1, 0, 0, 0, 0.2, 0, 0, 0, 0.3});
 }
@@ -50,7 +50,7 @@ TEST_CASE("In the world frame every number is packed as given") {
 TEST_CASE("Quadrics and parallelograms") {
   CHECK(only(Rectangle{{1, 2, 3}, {4, 0, 0}, {0, 5, 0}}) == Primitive{1, 2, 3, 5, 2, 3, 5, 7, 3, 1, 7, 3});
   // Centre, normal along axis_u x axis_v, squared radius.
-  CHECK(only(Disk{{1, 2, 3}, {2, 0, 0}, {0, 2, 0}}) == Primitive{1, 2, 3, 0, 0, 4, 4});
+  CHECK(only(Disk{{1, 2, 3}, {2, 0, 0}, {0, 2, 0}}) == Primitive{1, 2, 3, 0, 0, 1, 4});
   // Foot, unit axis, height, radius.
   CHECK(only(Cylinder{{1, 2, 3}, {1, 2, 8}, 0.5, {1, 0, 0}}) == Primitive{1, 2, 3, 0, 0, 1, 5, 0.5});
 }
@@ -69,13 +69,13 @@ TEST_CASE("The frame's origin is subtracted from points, in double, and from not
   CHECK(only(Box{at(0, 0, 0), at(1, 2, 4)}, o) == Primitive{0, 1, 0, 2, 0, 4});
   CHECK(only(Triangle{at(0, 0, 0), at(0.125, 0, 0), at(0, 0.5, 0)}, o) == Primitive{0, 0, 0, 0.125, 0, 0, 0, 0.5, 0});
   CHECK(only(Rectangle{at(1, 1, 1), {2, 0, 0}, {0, 2, 0}}, o) == Primitive{1, 1, 1, 3, 1, 1, 3, 3, 1, 1, 3, 1});
-  CHECK(only(Disk{at(1, 0, 0), {2, 0, 0}, {0, 2, 0}}, o) == Primitive{1, 0, 0, 0, 0, 4, 4});
+  CHECK(only(Disk{at(1, 0, 0), {2, 0, 0}, {0, 2, 0}}, o) == Primitive{1, 0, 0, 0, 0, 1, 4});
   CHECK(only(Cylinder{at(1, 0, 0), at(1, 0, 8), 2, {1, 0, 0}}, o) == Primitive{1, 0, 0, 0, 0, 1, 8, 2});
 }
 
 TEST_CASE("In a shifted frame a plane is held by its point nearest the frame's origin") {
   const Plane floor = plane_through({1e8, -1, 1e8}, {0, 3, 0});
-  CHECK(only(floor, {7, 4, 7}) == Primitive{0, -5, 0, 0, 3, 0});
+  CHECK(only(floor, {7, 4, 7}) == Primitive{0, -5, 0, 0, 1.5, 0});
   const Plane slanted = plane_through({4, 0, 0}, {1, 1, 0});
   const Primitive p = only(slanted, {0, 0, 9});
   CHECK(p[0] == Approx(2));

@@ -53,7 +53,7 @@ int main(int count, char** arguments) {
   if (count != 2) return 2;
   const std::filesystem::path folder = arguments[1];
   for (const std::string kernel : {"render", "intersect", "probe"})
-    for (const Precision precision : {Precision::stable, Precision::robust, Precision::fp64}) {
+    for (const Precision precision : {Precision::fast, Precision::stable, Precision::robust, Precision::fp64}) {
       const int widest = default_lanes(16, precision);
       for (int lanes : {1, 8, 16}) {
         if (lanes > widest) continue;

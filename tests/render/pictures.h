@@ -24,7 +24,7 @@ inline Scene small_scene(const std::filesystem::path& path, int width, int heigh
   return scene;
 }
 
-inline RenderSettings all_aovs(Precision precision = Precision::stable) {
+inline RenderSettings all_aovs(Precision precision = Precision::robust) {
   RenderSettings settings;
   settings.precision = precision;
   settings.aovs = {Aov::depth, Aov::normal, Aov::position, Aov::uv, Aov::shape_id, Aov::primitive_id};

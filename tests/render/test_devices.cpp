@@ -13,7 +13,7 @@ namespace {
 void check_everywhere(const std::string& name, int width, int height, int spp) {
   require_pocl_and_rusticl();
   const Scene scene = small_scene(scene_folder / name, width, height, spp);
-  for (const Precision precision : {Precision::stable, Precision::fp64}) {
+  for (const Precision precision : {Precision::robust, Precision::fp64}) {
     const RenderResult expected = render("pocl", scene, all_aovs(precision));
     CHECK(lit_pixels(expected.color) > 0);
     std::string ran, skipped;

@@ -78,7 +78,7 @@ std::vector<Hit> trace_on_host(Scene scene, const std::vector<Ray>& rays, int la
   scene.materials.emplace_back();
   RenderSettings settings;
   settings.generic = true;
-  const auto packed = pack_scene<float>(scene, features_of(scene, settings), {lanes, Vec3{}});
+  const auto packed = pack_scene<float>(scene, features_of(scene, settings), {lanes, Frame{}});
   const std::vector<std::int64_t> ids = first_ids(scene);
   std::vector<Hit> hits;
   for (const Ray& ray : rays) {
