@@ -68,6 +68,7 @@ class House(unittest.TestCase):
         self.all_red("cl/a.h", [f"bool b = x < R({literal});" for literal in literals], "bare epsilon")
         self.quiet("cl/a.h", SPDX + "// Held by test_angle.\nbool f(real x) { return x < R(1e-4); }\n")
         self.quiet("cl/a.h", SPDX + "real f(real x) { return x * R(-1.9515295891e-4); }\n")
+        self.quiet("cl/a_fast.h", SPDX + "#define FAST_EPSILON R(1e-4)\n")
 
     def test_conditions(self):
         self.red("cl/a.h", SPDX + "#ifdef __cplusplus\n#endif\n", "which language")
