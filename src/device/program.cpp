@@ -16,13 +16,9 @@ namespace strahl {
 
 namespace {
 
-/// Everything that a binary depends on; a driver update changes the version of platform, device or driver.
+/// Everything that a binary depends on.
 std::string cache_key(const Device& device, const ProgramSource& source) {
-  const cl::Platform platform(device.device().getInfo<CL_DEVICE_PLATFORM>());
-  const DeviceInfo& info = device.info();
-  return fmt::format("strahl {}\nplatform {} {}\ndevice {} {} {}\ndriver {}\noptions {}\n{}", STRAHL_VERSION,
-                     platform.getInfo<CL_PLATFORM_NAME>(), platform.getInfo<CL_PLATFORM_VERSION>(), info.name,
-                     info.vendor, info.version, info.driver, source.options, source.text);
+  return fmt::format("{}\noptions {}\n{}", driver_key(device), source.options, source.text);
 }
 
 /// Empty where the driver does not take the binary: it may, whatever the key says.
@@ -71,6 +67,16 @@ ProgramSource completed_for(const Device& device, ProgramSource source) {
 
 }  // namespace
 
+std::string driver_key(const Device& device) {
+  const DeviceInfo& info = device.info();
+  return checked(info.text(), [&] {
+    const cl::Platform platform(device.device().getInfo<CL_DEVICE_PLATFORM>());
+    return fmt::format("strahl {}\nplatform {} {}\ndevice {} {} {}\ndriver {}", STRAHL_VERSION,
+                       platform.getInfo<CL_PLATFORM_NAME>(), platform.getInfo<CL_PLATFORM_VERSION>(), info.name,
+                       info.vendor, info.version, info.driver);
+  });
+}
+
 std::string program_hash(const ProgramSource& source) {
   // The zero keeps "ab" + "c" apart from "a" + "bc".
   return fmt::format("{:016x}", fnv1a(source.options, fnv1a(std::string_view("\0", 1), fnv1a(source.text))));
@@ -79,7 +85,7 @@ std::string program_hash(const ProgramSource& source) {
 cl::Program build_program(const Device& device, const ProgramSource& asked, ProgramReport* report) {
   const ProgramSource source = completed_for(device, asked);
   const auto start = std::chrono::steady_clock::now();
-  const std::string key = checked(device.info().text(), [&] { return cache_key(device, source); });
+  const std::string key = cache_key(device, source);
   const std::string name = program_hash(asked);
 
   std::vector<unsigned char> binary = read_cached_binary(name, key);

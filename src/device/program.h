@@ -24,6 +24,10 @@ struct ProgramReport {
 /// FNV-1a of text and options in hex, 16 digits: names the program in `explain`, dumps and the cache.
 [[nodiscard]] std::string program_hash(const ProgramSource& source);
 
+/// Platform, device, driver and strahl, each with its version: what is cached of a device holds for these alone. A
+/// driver update changes the version of one of them.
+[[nodiscard]] std::string driver_key(const Device& device);
+
 /// Builds, or takes the binary from the cache (key: text, options, platform, device, driver and strahl version; files
 /// written atomically under $XDG_CACHE_HOME/strahl or ~/.cache/strahl; STRAHL_CACHE_DIR overrides; a cache that cannot
 /// be read or written, or a binary that the driver rejects, is never an error: it is built from source).
