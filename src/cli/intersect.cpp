@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "cli/canary.h"
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/kernel_options.h"
@@ -41,7 +42,7 @@ struct IntersectOptions {
 };
 
 ExitCode intersect(const IntersectOptions& options, const Invocation& invocation) {
-  const RenderSettings settings = settings_of(options.kernel);
+  RenderSettings settings = settings_of(options.kernel);
   require_writable(options.output);
   if (!options.stats.empty() && options.stats != "-") require_writable(options.stats);
 
@@ -52,12 +53,14 @@ ExitCode intersect(const IntersectOptions& options, const Invocation& invocation
   load_seconds += invocation.seconds() - rays_start;
 
   const Device device = Device::open(options.device, {settings.precision == Precision::fp64});
+  const Canary canary = ask_canary(device, options.kernel, settings);
   Intersector intersector(device, scene, settings);
   const std::vector<Hit> hits = intersector.trace(rays, options.any_hit, options.repeat);
 
   RunStats stats = intersector.stats();
   const double encode_start = invocation.seconds();
   write_npy(matrix_of(hits), options.output);
+  canary.note_in(stats);
   stats.seconds.load = load_seconds;
   stats.seconds.encode = invocation.seconds() - encode_start;
   stats.seconds.total = invocation.seconds();
@@ -91,6 +94,7 @@ Command add_intersect(CLI::App& app, const Invocation& invocation) {
       ->check(CLI::Range(1, 1000000).description(""));
   app.add_option("--stats", options->stats, "Time and memory as JSON; - for standard output")->type_name("FILE");
   add_kernel_options(app, options->kernel);
+  add_canary_option(app, options->kernel);
   app.footer(kFooter);
   return [options, &invocation] { return intersect(*options, invocation); };
 }

@@ -33,13 +33,19 @@ void add_kernel_options(CLI::App& app, KernelOptions& options) {
                  "single precision, exact or compensated; double")
       ->type_name("NAME")
       ->check(CLI::IsMember({"fast", "stable", "robust", "double"}))
-      ->capture_default_str()
+      ->default_str("robust")
       ->group(kGroup);
   app.add_option("--lanes", options.lanes,
                  "Primitives tested at a time: 1, 8 or 16 (double: 1 or 8); default: what fits the device; the "
                  "results do not change")
       ->type_name("N")
       ->check(CLI::IsMember({1, 8, 16}))
+      ->group(kGroup);
+}
+
+void add_canary_option(CLI::App& app, KernelOptions& options) {
+  app.add_flag("--no-canary", options.no_canary,
+               "Trust the device's arithmetic without asking it; otherwise a precision that it cannot keep is refused")
       ->group(kGroup);
 }
 
@@ -67,7 +73,7 @@ void add_launch_options(CLI::App& app, KernelOptions& options) {
 
 RenderSettings settings_of(const KernelOptions& options) {
   RenderSettings settings;
-  settings.precision = precision_from_name(options.precision);
+  settings.precision = precision_from_name(options.precision.value_or("robust"));
   settings.lanes = options.lanes;
   if (settings.precision == Precision::fp64 && options.lanes && *options.lanes == 16)
     throw UsageError("--precision double has 1 or 8 lanes, not 16");

@@ -12,7 +12,8 @@
 namespace strahl::cli {
 
 struct KernelOptions {
-  std::string precision = "robust";
+  std::optional<std::string> precision;  ///< None: robust, or what the device can do instead.
+  bool no_canary = false;
   std::optional<int> lanes;
   std::string work_group;  ///< "8x8", "64"; empty: the default.
   std::optional<int> passes;
@@ -22,6 +23,8 @@ struct KernelOptions {
 
 /// --precision and --lanes: what every kernel has.
 void add_kernel_options(CLI::App& app, KernelOptions& options);
+/// --no-canary: what everything has that computes.
+void add_canary_option(CLI::App& app, KernelOptions& options);
 /// --aov and --generic: what decides the rendering program beside the scene.
 void add_program_options(CLI::App& app, KernelOptions& options);
 /// --work-group and --passes: how a render is launched.

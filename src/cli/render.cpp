@@ -6,6 +6,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "cli/canary.h"
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/interrupt.h"
@@ -112,7 +113,7 @@ void say_summary(const RenderOptions& options, const std::string& picture, const
 }
 
 ExitCode render(const RenderOptions& options, const Invocation& invocation) {
-  const RenderSettings settings = settings_of(options.kernel);
+  RenderSettings settings = settings_of(options.kernel);
   require_writable_outputs(options);
   double load_seconds = 0;
   Scene scene = load(options.scene, load_seconds);
@@ -127,6 +128,7 @@ ExitCode render(const RenderOptions& options, const Invocation& invocation) {
   }
 
   const Device device = Device::open(options.device, {settings.precision == Precision::fp64});
+  const Canary canary = ask_canary(device, options.kernel, settings);
   Renderer renderer(device, scene, settings);
   if (!options.dump_kernel.empty()) write_text(options.dump_kernel, renderer.program_text());
 
@@ -139,6 +141,7 @@ ExitCode render(const RenderOptions& options, const Invocation& invocation) {
       return !guard.interrupted();
     });
   }
+  canary.note_in(result.stats);
   result.stats.seconds.load = load_seconds;
   const double encode_start = invocation.seconds();
   if (!only_values) write(files, result, metadata_of(options, invocation, result), options.scene.quiet);
@@ -194,6 +197,7 @@ Command add_render(CLI::App& app, const Invocation& invocation) {
   add_output_options(app, *options);
   add_scene_overrides(app, options->overrides);
   add_kernel_options(app, options->kernel);
+  add_canary_option(app, options->kernel);
   add_program_options(app, options->kernel);
   add_launch_options(app, options->kernel);
   app.footer(kFooter);

@@ -47,6 +47,8 @@ constexpr std::array demands{
 
 Verdict demanded(const Demand& demand, Precision precision) {
   switch (precision) {
+    case Precision::fast:
+      return demand.fast;
     case Precision::stable:
       return demand.stable;
     case Precision::robust:

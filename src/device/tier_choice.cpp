@@ -14,7 +14,7 @@ namespace strahl {
 namespace {
 
 /// The default tier, then what stands in for it.
-constexpr std::array defaults{Precision::robust, Precision::stable};
+constexpr std::array defaults{Precision::robust, Precision::stable, Precision::fast};
 
 std::string verdict_key(const Device& device, Precision precision) {
   std::uint64_t sources = fnv1a("");

@@ -12,6 +12,13 @@ using Json = nlohmann::ordered_json;
 
 Json count_or_null(const std::optional<std::uint64_t>& count) { return count ? Json(*count) : Json(nullptr); }
 
+Json text_or_null(const std::string& text) { return text.empty() ? Json(nullptr) : Json(text); }
+
+Json canary_or_null(const std::optional<CanaryStats>& canary) {
+  if (!canary) return nullptr;
+  return {{"verdict", canary->verdict}, {"why", text_or_null(canary->why)}, {"instead", text_or_null(canary->instead)}};
+}
+
 }  // namespace
 
 double RunStats::longest_launch() const {
@@ -34,6 +41,7 @@ std::string RunStats::json() const {
   json["bytes"] = {{"device", device_bytes}, {"host", host_bytes}};
   json["device"] = device;
   json["precision"] = precision;
+  json["canary"] = canary_or_null(canary);
   json["lanes"] = lanes;
   json["spp"] = spp;
   json["seed"] = seed;

@@ -15,6 +15,13 @@ struct PhaseSeconds {
   [[nodiscard]] double other() const { return total - load - bvh - program - upload - kernel - readback - encode; }
 };
 
+/// What the canary (device/canary.h) said about the precision in use.
+struct CanaryStats {
+  std::string verdict;  ///< "holds" or "degraded".
+  std::string why;      ///< Empty where it holds.
+  std::string instead;  ///< Why it stands in for the default; empty where it does not.
+};
+
 struct RunStats {
   PhaseSeconds seconds;
   std::vector<double> kernel_runs;  ///< Seconds of each launch (render) or each repetition (intersect).
@@ -25,6 +32,7 @@ struct RunStats {
   std::uint64_t host_bytes = 0;    ///< Packed scene plus film on the host.
   std::string device;
   std::string precision;
+  std::optional<CanaryStats> canary;  ///< None: it was not asked.
   int spp = 0;
   std::uint32_t seed = 0;
   std::vector<std::string> features;  ///< "shapes/sphere", "AOV", ...: those that are on.

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+#include "cli/canary.h"
+
+#include <fmt/format.h>
+
+#include "cli/console.h"
+#include "device/tier_choice.h"
+#include "render/stopwatch.h"
+
+namespace strahl::cli {
+
+Canary ask_canary(const Device& device, const KernelOptions& options, RenderSettings& settings) {
+  if (options.no_canary) return {};
+  const Stopwatch start;
+  std::optional<Precision> named;
+  if (options.precision) named = settings.precision;
+  const TierChoice choice = choose_tier(device, named);
+  settings.precision = choice.tier.precision;
+  if (!choice.instead.empty())
+    say(fmt::format("strahl: warning: --precision {} on {}: {}", precision_name(settings.precision),
+                    device.info().text(), choice.instead));
+  return {CanaryStats{verdict_name(choice.tier.verdict), choice.tier.why, choice.instead}, start.seconds()};
+}
+
+}  // namespace strahl::cli

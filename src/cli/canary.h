@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// The canary's verdict (device/tier_choice.h) as `render` and `intersect` use it.
+#pragma once
+
+#include "cli/kernel_options.h"
+#include "device/device.h"
+#include "render/stats.h"
+
+namespace strahl::cli {
+
+struct Canary {
+  std::optional<CanaryStats> stats;
+  double seconds = 0;
+
+  void note_in(RunStats& run) const {
+    run.canary = stats;
+    run.seconds.program += seconds;
+  }
+};
+
+/// Settles the precision, unless --no-canary. Warns where another one stands in for the default; throws NoDeviceError
+/// where what was asked for by name is refused.
+[[nodiscard]] Canary ask_canary(const Device& device, const KernelOptions& options, RenderSettings& settings);
+
+}  // namespace strahl::cli
