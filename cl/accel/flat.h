@@ -5,6 +5,7 @@
 #include "shapes/edge_lanes.h"
 #if TIER_ROBUST
 #include "lanes/double_word.h"
+#include "shapes/box_robust_lanes.h"
 #include "shapes/polygon_robust_lanes.h"
 #include "shapes/quadratic_lanes.h"
 #include "shapes/reach_lanes.h"

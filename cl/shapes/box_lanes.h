@@ -2,7 +2,7 @@
 // Ray against LANES axis-aligned boxes: slabs, comparing t values only (the hit point is never tested).
 // After A. Williams et al., "An Efficient and Robust Ray-Box Intersection Algorithm", JGT 10(1), 2005, with compares
 // that drop NaN (a ray in a face plane: 0/0) and a correctly rounded divide, so equal faces give equal t.
-// From inside, and where the entry lies before t_min, the exit counts. A box is convex: the box just left is met again
+// The robust tier decides close calls exactly (box_robust_lanes.h). From inside, and where the entry lies before t_min, the exit counts. A box is convex: the box just left is met again
 // only at its far side, and not at all where the ray leaves through the face that the origin lies on.
 
 #if TIER_FAST
@@ -34,6 +34,9 @@ FN void LANED(box_block)(const Ray* ray, GLOBAL const real* block, GLOBAL const 
   leave = min_w((load_w(block + (y ^ 1) * LANES) - oy) / dy, leave);
   leave = min_w((load_w(block + (z ^ 1) * LANES) - oz) / dz, leave);
   maskw hit = le_w(enter, leave);
+#if TIER_ROBUST
+  hit = LANED(box_exact)(ray, block, enter, leave, hit);
+#endif
   realw t = sel_w(le_w(splat_w(ray->t_min), enter), enter, leave);
   if (ray->left >= 0) {
     maskw left = LANED(is_left)(ids, ray);

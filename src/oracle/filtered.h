@@ -4,8 +4,11 @@
 // Uncertain otherwise; the caller repeats the computation in rationals (number.h). No sign obtained here is a guess.
 #pragma once
 
+#include <array>
 #include <cfloat>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 
 #include "oracle/exact.h"
 
@@ -82,7 +85,23 @@ class Filtered {
     const Filtered result(value, propagated);
     return Filtered(value, propagated + magnitude(result) * 0x1p-111L);
   }
-  static long double magnitude(const Filtered& a) { return std::fabs(static_cast<long double>(a.value_)); }
+  /// To 2^-63. The x87 format has binary128's exponent and the first half of its digits: copying them is several times
+  /// faster than the library's conversion, which the oracle would spend a quarter of its time in.
+  static long double magnitude(const Filtered& a) {
+#if defined(__SIZEOF_FLOAT128__) && LDBL_MANT_DIG == 64 && defined(__x86_64__)
+    std::array<std::uint64_t, 2> quad;
+    std::memcpy(quad.data(), &a.value_, sizeof quad);
+    const std::uint64_t exponent = quad[1] >> 48 & 0x7fff;
+    if (exponent != 0 && exponent != 0x7fff) {
+      const std::uint64_t digits = std::uint64_t{1} << 63 | (quad[1] & 0xffffffffffff) << 15 | quad[0] >> 49;
+      long double copy = 0;
+      std::memcpy(&copy, &digits, sizeof digits);
+      std::memcpy(reinterpret_cast<unsigned char*>(&copy) + sizeof digits, &exponent, 2);
+      return copy;
+    }
+#endif
+    return std::fabs(static_cast<long double>(a.value_));
+  }
   bool is_exact_zero() const { return error_ == 0 && value_ == 0; }
 
   // Above every loss by underflow in value or bound, far below every product of twelve doubles.

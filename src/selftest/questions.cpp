@@ -108,17 +108,17 @@ Question box_question(oracle::Random& random, Law law) {
   Question q = question("box", drawn.ray);
   for (const double x : {s.min.x, s.max.x, s.min.y, s.max.y, s.min.z, s.max.z}) q.planes.push_back(narrow(x));
   const auto answer = oracle::aabb(q.ray, s);
-  settle(q, answer, std::fabs(answer.margin) > 4 * u);
+  settle(q, answer, true);
   return q;
 }
 
-/// Band: 8 u of the edge functions (vertices are sheared in float, consistently, so meshes do not leak). t is promised
+/// Band: 4 u of the edge functions (vertices are sheared in float, consistently, so meshes do not leak). t is promised
 /// where it is not within that of 0.
 void settle_planar(Question& q, const oracle::PlanarAnswer& answer, std::size_t corners, double closes) {
   double scale = 0;
   for (std::size_t i = 0; i < corners; ++i) scale = std::fmax(scale, length(at(q.planes, 3 * i) - q.ray.origin));
   const double away = 16 * u * scale / (answer.cosine * length(q.ray.direction));
-  settle(q, answer, answer.cosine >= 1e-7 && std::fabs(answer.margin) > 8 * u + closes);
+  settle(q, answer, answer.cosine >= 1e-7 && std::fabs(answer.margin) > 4 * u + closes);
   const auto far_from = [&](double bound) { return !(std::fabs(answer.t.value - bound) <= away); };
   if (!far_from(0) || !far_from(q.ray.t_min) || !far_from(q.ray.t_max)) q.expected = Expected::either;
 }
