@@ -2,7 +2,8 @@
 // Ray against LANES axis-aligned boxes: slabs, comparing t values only (the hit point is never tested).
 // After A. Williams et al., "An Efficient and Robust Ray-Box Intersection Algorithm", JGT 10(1), 2005, with compares
 // that drop NaN (a ray in a face plane: 0/0) and a correctly rounded divide, so equal faces give equal t.
-// The robust tier decides close calls exactly (box_robust_lanes.h). From inside, and where the entry lies before t_min, the exit counts. A box is convex: the box just left is met again
+// The robust tier decides close calls exactly (box_robust_lanes.h).
+// From inside, and where the entry lies before t_min, the exit counts. A box is convex: the box just left is met again
 // only at its far side, and not at all where the ray leaves through the face that the origin lies on.
 
 #if TIER_FAST
