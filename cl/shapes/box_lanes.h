@@ -47,6 +47,8 @@ FN void LANED(box_block)(const Ray* ray, GLOBAL const real* block, GLOBAL const 
       hit = (hit & ~left) | (left & lt_w(splat_w(R(0.0)), leave) & ~LANED(box_left_outward)(ray, block));
     }
   }
+  // REAL_MAX stands for an exit beyond the range of real: out of reach.
+  hit = hit & lt_w(t, splat_w(REAL_MAX));
   LANED(take_nearest)(hit & LANED(in_range)(t, ray, best), t, ids, -1, SHAPE_box, slot, best);
 }
 #endif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The files below cl/ as they were when the binary was built (embed_kernels.cmake).
+// The files below cl/ as they were when the binary was built (src/embed_files.cmake).
 #pragma once
 
 #include <string_view>
