@@ -229,6 +229,17 @@ ExactAnswer exact_answer(const Question& q) {
   return nearest;
 }
 
+Question with_unit_axes(Question q) {
+  if (q.kind != "cylinder") return q;
+  for (std::size_t i = 0; i < q.planes.size(); i += 8) {
+    double* planes = q.planes.data() + i;
+    const double norm = length(at(planes + 3));
+    for (int axis = 3; axis < 6; ++axis) planes[axis] /= norm;
+    planes[6] *= norm;
+  }
+  return q;
+}
+
 void answer(Question& q) {
   const ExactAnswer exact = exact_answer(q);
   q.expected = !exact.is_promised ? Expected::either : exact.hit ? Expected::hit : Expected::miss;

@@ -51,13 +51,14 @@ Question parallelogram(Draft& draft) {
   return q;
 }
 
-/// Six parallelograms, seen from inside at what they share: a box with tilted walls on a lattice.
+/// Six parallelograms, seen from inside at what they share: a box with tilted walls.
+/// On a lattice, so that the corners close: `size` is a power of two.
 Question room(Draft& draft) {
   const double size = draft.size("size", 1);
-  const Vec3 center = draft.place();
   const auto lattice = [&](const Vec3& p) {
     return Vec3{std::round(8 * p.x) / 8, std::round(8 * p.y) / 8, std::round(8 * p.z) / 8};
   };
+  const Vec3 center = size * lattice(1 / size * draft.place());
   Vec3 edge[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   for (Vec3& e : edge) e = lattice(e + 0.4 * draft.direction());
   const auto corner = [&](int i, int j, int k) {

@@ -32,7 +32,7 @@ struct Family {
 };
 
 /// Ids run from 01: S01 ... S26.
-constexpr Family numbered[] = {{"S", 26}, {"PL", 11}, {"T", 23}, {"A", 18}};
+constexpr Family numbered[] = {{"S", 26}, {"PL", 11}, {"T", 23}, {"A", 18}, {"R", 8}, {"D", 8}, {"Y", 10}};
 
 }  // namespace
 

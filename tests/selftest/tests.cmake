@@ -11,3 +11,4 @@ target_link_libraries(strahl_answer_rows PRIVATE strahl_selftest fmt::fmt)
 
 strahl_test(selftest/test_catalogue.cpp LABEL unit LIBS strahl_selftest fmt::fmt)
 strahl_test(selftest/test_catalogue_host.cpp LABEL unit LIBS strahl_selftest strahl_nearest)
+strahl_test(selftest/test_catalogue_devices.cpp LABEL device LIBS strahl_selftest)
