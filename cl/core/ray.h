@@ -19,7 +19,9 @@ typedef struct {
 
   real3 inv;                       ///< 1 / d, infinite where d is 0.
   int near_x, near_y, near_z;      ///< Plane of a box (0 lo_x, 1 hi_x, 2 lo_y, ...) that the ray meets first, per axis.
-  int kx, ky, kz;                  ///< Axes of the shear: kz the largest of |d|; x, y, z form a right-handed turn.
+  int kx, ky, kz;                  ///< Axes of the shear: kz the largest of |d|, the others after it in turn. Not
+                                   ///< exchanged where d looks backwards: hits from both sides count, and a mirrored
+                                   ///< scene has the same bits.
   real shear_x, shear_y, shear_z;  ///< Woop, Benthin, Wald, "Watertight Ray/Triangle Intersection", JCGT 2(1), 2013.
 } Ray;
 
@@ -60,11 +62,6 @@ FN Ray ray_make(real3 o, real3 d, real t_min, real t_max, int left) {
   int kx = kz == 2 ? 0 : kz + 1;
   int ky = kx == 2 ? 0 : kx + 1;
   real dz = component(ray.d, kz);
-  if (dz < R(0.0)) {
-    int swap = kx;
-    kx = ky;
-    ky = swap;
-  }
   ray.kx = kx;
   ray.ky = ky;
   ray.kz = kz;

@@ -137,9 +137,10 @@ class Packing {
       }
       for (const MeshPart& look : looks) {
         const int radiance_at = look.radiance ? put_rgb(*look.radiance) : -1;
-        packed_.index.insert(packed_.index.end(),
-                             {static_cast<int>(i), static_cast<int>(first[i]), look.material, radiance_at,
-                              shape.flip_normals ? 1 : 0, frame_at, normals_at, uvs_at});
+        packed_.index.insert(
+            packed_.index.end(),
+            {static_cast<int>(i), static_cast<int>(first[i]), look.material, radiance_at,
+             shape.flip_normals != faces_inward(shape.geometry) ? 1 : 0, frame_at, normals_at, uvs_at});
         ++row;
       }
     }

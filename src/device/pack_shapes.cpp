@@ -35,8 +35,8 @@ void parallelogram(const Frame& frame, const Vec3& a, const Vec3& b, const Vec3&
   sink(Planes{frame}.point(a).point(b).point(c).point(d).span());
 }
 
-/// Faces -x, +x, -y, +y, -z, +z of the cube's own axes, normals outward whatever the handedness. Corners are computed
-/// once, so that faces share them to the bit.
+/// Faces -x, +x, -y, +y, -z, +z of the cube's own axes, normals outward where those are right-handed (faces_inward).
+/// Corners are computed once, so that faces share them to the bit.
 void cube_faces(const Cube& cube, const Frame& frame, const PrimitiveSink& sink) {
   std::array<Vec3, 8> corner;
   for (unsigned i = 0; i < 8; ++i) {
@@ -45,13 +45,11 @@ void cube_faces(const Cube& cube, const Frame& frame, const PrimitiveSink& sink)
       if ((i >> axis) & 1u) p = p + cube.edge[axis];
     corner[i] = p;
   }
-  const bool right_handed = dot(cross(cube.edge[0], cube.edge[1]), cube.edge[2]) >= 0;
   for (unsigned axis = 0; axis < 3; ++axis) {
     const unsigned u = 1u << ((axis + 1) % 3), v = 1u << ((axis + 2) % 3);
     for (unsigned side = 0; side < 2; ++side) {
       const unsigned base = side << axis;
-      const bool u_first = (side == 1) == right_handed;
-      const unsigned first = u_first ? u : v, second = u_first ? v : u;
+      const unsigned first = side == 1 ? u : v, second = side == 1 ? v : u;
       parallelogram(frame, corner[base], corner[base | first], corner[base | u | v], corner[base | second], sink);
     }
   }
@@ -110,6 +108,11 @@ int planes_of(const std::string& kind) {
 #undef SHAPE
   };
   return planes.at(kind);
+}
+
+bool faces_inward(const Geometry& geometry) {
+  const auto* cube = std::get_if<Cube>(&geometry);
+  return cube && dot(cross(cube->edge[0], cube->edge[1]), cube->edge[2]) < 0;
 }
 
 void primitive_planes(const Geometry& geometry, const Frame& frame, const PrimitiveSink& sink) {

@@ -17,6 +17,10 @@ namespace strahl {
 /// Receives the planes of one primitive; positions are relative to the frame, still double.
 using PrimitiveSink = std::function<void(std::span<const double> planes)>;
 
+/// The planes' own order makes normals point inwards: a cube that is mirrored keeps the order of its corners, so that a
+/// mirrored scene has the same bits, and is flipped instead.
+[[nodiscard]] bool faces_inward(const Geometry& geometry);
+
 /// Calls sink once per primitive in the order of the shape's primitives.
 void primitive_planes(const Geometry& geometry, const Frame& frame, const PrimitiveSink& sink);
 

@@ -96,7 +96,7 @@ TEST_CASE("A cube's faces share their corners to the bit and look outwards, what
       for (const Vec3& p : {a, b, c, d}) distinct.insert({p.x, p.y, p.z});
       CHECK(length(a + c - b - d) < 1e-15);  // a parallelogram, corners around it
       const Vec3 normal = cross(b - a, d - a), outward = 0.5 * (a + c) - (middle - origin);
-      CHECK(dot(normal, outward) > 0);
+      CHECK((dot(normal, outward) > 0) != faces_inward(cube));
       // -x, +x, -y, +y, -z, +z of the cube's own axes.
       CHECK((dot(outward, cube.edge[face / 2]) > 0) == (face % 2 == 1));
       CHECK(length(outward) == Approx(0.5 * length(cube.edge[face / 2])));

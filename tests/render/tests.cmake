@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-foreach(name invariance generic launches closed_form terminator)
+foreach(name invariance generic launches closed_form terminator metamorphic)
   strahl_test(render/test_${name}.cpp LABEL render)
 endforeach()
 # rusticl takes its time where nothing is cached yet.
@@ -8,3 +8,7 @@ strahl_test(render/test_devices.cpp LABEL render TIMEOUT 300)
 add_test(NAME render_test_oclgrind COMMAND ${CMAKE_CURRENT_LIST_DIR}/test_oclgrind $<TARGET_FILE:strahl-bin>
                                            ${PROJECT_SOURCE_DIR}/scenes/lecture/lit.xml)
 set_tests_properties(render_test_oclgrind PROPERTIES LABELS oclgrind SKIP_RETURN_CODE 77 TIMEOUT 120)
+
+add_test(NAME render_test_metamorphic_all_scales COMMAND render_test_metamorphic "another unit of length")
+set_tests_properties(render_test_metamorphic_all_scales PROPERTIES LABELS slow TIMEOUT 900 ENVIRONMENT
+                                                                                           STRAHL_ALL_SCALES=1)

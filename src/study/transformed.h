@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// The same scene in other units, elsewhere, as in a mirror, in another order: pictures that must not change.
+#pragma once
+
+#include <functional>
+
+#include "scene/scene.h"
+
+namespace strahl {
+
+using MapVec3 = std::function<Vec3(const Vec3&)>;
+
+/// `place` of every place, the camera's and the lamps' too; `vector` of every edge and axis that has a length.
+[[nodiscard]] Scene with_places(Scene scene, const MapVec3& place, const MapVec3& vector);
+
+/// Every length times factor > 0, camera and clipping included; point lights times factor^2, so that radiance stays.
+[[nodiscard]] Scene scaled(Scene scene, double factor);
+
+/// Every place moved, the camera's too.
+[[nodiscard]] Scene translated(Scene scene, const Vec3& by);
+
+/// x becomes -x, and the camera's right its left: the picture is flipped from left to right.
+[[nodiscard]] Scene mirrored(Scene scene);
+
+/// Shapes in the opposite order of the file; ids follow.
+[[nodiscard]] Scene reordered(Scene scene);
+
+}  // namespace strahl
