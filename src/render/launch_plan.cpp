@@ -49,7 +49,10 @@ void LaunchPlan::measured(double seconds) {
   const double work = seconds - overhead_;
   const double most = 8 * std::max(issued_, 64.0);
   // Work that drowns in the overhead's own noise says only that there may be more of it.
-  budget_ = work > 0.1 * overhead_ ? std::clamp(issued_ * target_seconds / work, 1.0, most) : most;
+  const double fitting = work > 0.1 * overhead_ ? std::clamp(issued_ * target_seconds / work, 1.0, most) : most;
+  // A few pixels left over at the end of a row say little of what a pixel costs.
+  const bool is_remainder = issued_ < 0.5 * budget_;
+  budget_ = is_remainder ? std::min(budget_, fitting) : fitting;
 }
 
 }  // namespace strahl
