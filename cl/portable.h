@@ -84,6 +84,7 @@ FN int first_bit(uint m) { return __builtin_ctz(m); }
 FN real real_fma(real a, real b, real c) { return std::fma(a, b, c); }
 FN real real_sqrt(real a) { return std::sqrt(a); }
 FN real real_abs(real a) { return std::fabs(a); }
+FN real real_floor(real a) { return std::floor(a); }
 #else
 #if REAL_BITS == 64
 FN bitsr real_to_bits(real x) { return as_ulong(x); }
@@ -96,7 +97,13 @@ FN int first_bit(uint m) { return 31 - (int)clz(m & (~m + 1u)); }
 FN real real_fma(real a, real b, real c) { return fma(a, b, c); }
 FN real real_sqrt(real a) { return sqrt(a); }
 FN real real_abs(real a) { return fabs(a); }
+FN real real_floor(real a) { return floor(a); }
 #endif
+
+/// u: half the distance from 1 to the next larger number.
+FN real real_roundoff(void) {
+  return bits_to_real((bitsr)((REAL_EXPONENT_MASK >> 1) - REAL_EXPONENT_SHIFT - 1) << REAL_EXPONENT_SHIFT);
+}
 
 /// Neither NaN nor infinite, decided on the bits so that no compiler can assume it away.
 FN int real_is_finite(real x) {

@@ -6,15 +6,22 @@
 #include "core/ray.h"
 #include "math/vec3.h"
 
+/// What the surface ends at, and so may share with a neighbour (core/departure.h).
+enum { OUTLINE_NONE, OUTLINE_TRIANGLE, OUTLINE_PARALLELOGRAM, OUTLINE_BOX };
+
 typedef struct {
-  real3 position;     ///< On the surface to rounding, not o + t d where the shape knows better.
-  real3 normal;       ///< Unit, geometric, as built.
-  real3 shading;      ///< Unit: interpolated vertex normals where there are any.
-  real u, v;          ///< The shape's own parameters (docs/scene-format.md).
-  real tex_u, tex_v;  ///< Texture coordinates: the mesh's uvs where there are any, else u, v.
-  int shape;          ///< Index in file order.
-  int primitive;      ///< Within the shape.
-  int part;           ///< Row of the part table.
+  real3 position;           ///< On the surface to rounding, not o + t d where the shape knows better.
+  real3 normal;             ///< Unit, geometric, as built.
+  real3 shading;            ///< Unit: interpolated vertex normals where there are any.
+  real u, v;                ///< The shape's own parameters (docs/scene-format.md).
+  real tex_u, tex_v;        ///< Texture coordinates: the mesh's uvs where there are any, else u, v.
+  real footprint;           ///< How wide the pixel is here; set only where there are textures (core/footprint.h).
+  int outline;              ///< OUTLINE_...
+  GLOBAL const real* prim;  ///< Its planes, `stride` apart.
+  int stride;
+  int shape;      ///< Index in file order.
+  int primitive;  ///< Within the shape.
+  int part;       ///< Row of the part table.
 } Surface;
 
 FN real3 ray_at(const Ray* ray, real t) { return fma3(t, ray->d, ray->o); }

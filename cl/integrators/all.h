@@ -4,3 +4,4 @@
 #include "integrators/depth.h"
 #include "integrators/normals.h"
 #include "integrators/direct.h"
+#include "integrators/whitted.h"

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The first hit's own light, no lighting: "ray traced, self-luminous" of the course that strahl grew from.
 
-FN real3 emission_radiance(const Scene* scene, const Ray* ray, int hit, const Surface* s, int id) {
-  (void)id;
-  if (scene->index[HEADER_HIDE_EMITTERS] != 0) return vec3(R(0.0), R(0.0), R(0.0));
-  return hit ? emitted_radiance(scene, s, ray->d) : background_radiance(scene);
+FN int emission_step(const Scene* scene, Path* path, int hit, const Surface* s) {
+  if (scene->index[HEADER_HIDE_EMITTERS] == 0) path_add(path, radiance_along(scene, path, hit, s));
+  return 0;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// One work-item a pixel: camera ray, closest hit, radiance, film. A launch covers a rectangle of the window's pixels
-// (its first column and row, its size) and samples [sample_first, sample_first + sample_count) of each of them.
+// One work-item a pixel: camera ray, closest hit, a step of the integrator, film. A launch covers a rectangle of the
+// window's pixels (its first column and row, its size) and samples [sample_first, sample_first + sample_count) of each
+// of them.
 #include "math/vec3.h"
 #include "math/rng.h"
 #include "lanes/lane_ops.h"
@@ -59,17 +60,20 @@ KERNEL LANE_HINT void render(GLOBAL const real* geometry, GLOBAL const real* sha
         dx = filter_offset(shading + index[HEADER_FILTER], random_unit(bits.x));
         dy = filter_offset(shading + index[HEADER_FILTER], random_unit(bits.y));
       }
-      Ray ray = camera_ray(shading + index[HEADER_CAMERA], width, height, x, y, dx, dy);
-      Nearest nearest = LANED(closest_hit)(&scene, &ray);
-      int hit = nearest.kind >= 0;
-      Surface surface;
-      if (hit) surface = surface_at(&scene, &ray, &nearest, LANES);
-      real3 radiance = radiance_of(&scene, &ray, hit, &surface, nearest.id);
-      r += film_units(&scene, radiance.x, film_scale);
-      g += film_units(&scene, radiance.y, film_scale);
-      b += film_units(&scene, radiance.z, film_scale);
-      if (HAS_AOV && sample == 0)
-        store_first_sample(aov_reals + slot * AOV_REALS, aov_ints + slot * AOV_INTS, &ray, hit, &surface);
+      Path path = path_begin(camera_ray(shading + index[HEADER_CAMERA], width, height, x, y, dx, dy));
+      int more;
+      do {
+        Nearest nearest = LANED(closest_hit)(&scene, &path.ray);
+        int hit = nearest.kind >= 0;
+        Surface surface;
+        if (hit) surface = surface_at(&scene, &path.ray, &nearest, LANES);
+        if (HAS_AOV && sample == 0 && path.depth == 0)
+          store_first_sample(aov_reals + slot * AOV_REALS, aov_ints + slot * AOV_INTS, &path.ray, hit, &surface);
+        more = LANED(path_step)(&scene, &path, hit, &surface, nearest.id);
+      } while (more);
+      r += film_units(&scene, path.radiance.x, film_scale);
+      g += film_units(&scene, path.radiance.y, film_scale);
+      b += film_units(&scene, path.radiance.z, film_scale);
     }
     sums[sub * FILM_CHANNELS] += r;
     sums[sub * FILM_CHANNELS + 1] += g;

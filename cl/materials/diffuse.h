@@ -5,10 +5,14 @@
 
 #include "math/vec3.h"
 
-/// f times the cosine at the light; cos_i, cos_o > 0 are the cosines with the shading normal.
-FN real3 diffuse_eval(GLOBAL const real* params, real cos_i, real cos_o) {
+FN real3 diffuse_eval(real3 reflectance, real cos_i, real cos_o) {
   (void)cos_o;
-  return scale3(cos_i * R(0.318309886183790671538), load3(params));
+  return scale3(cos_i * R(0.318309886183790671538), reflectance);
+}
+
+FN real3 diffuse_mirror(real3 reflectance) {
+  (void)reflectance;
+  return vec3(R(0.0), R(0.0), R(0.0));
 }
 
 #endif

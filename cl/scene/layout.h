@@ -23,6 +23,7 @@ enum {
   HEADER_FILM_SCALE,  // -> shading, 1 real: film units per unit of radiance, a power of two
   HEADER_PARTS,       // -> index, PART_INTS a part
   HEADER_MATERIALS,   // -> index, MATERIAL_INTS a material
+  HEADER_TEXTURES,    // -> index, TEXTURE_INTS a texture
   HEADER_LIGHTS,      // -> index, LIGHT_INTS a light
   HEADER_LIGHT_COUNT,
   HEADER_INTS
@@ -40,10 +41,13 @@ enum {
   PART_FRAME,     // -> shading, 9 reals, meaning by kind; -1: none
   PART_NORMALS,   // -> shading, 9 reals a primitive of the shape; -1: none
   PART_UVS,       // -> shading, 6 reals a primitive of the shape; -1: none
+  PART_UV_RATES,  // -> shading, 2 reals: change of tex_u and tex_v per unit of length; -1: no textures
   PART_INTS
 };
 
-enum { MATERIAL_KIND, MATERIAL_REALS, MATERIAL_TWOSIDED, MATERIAL_INTS };
+// MATERIAL_TEXTURE: row of the texture table that the reflectance comes from; -1: it is the first 3 of its reals.
+enum { MATERIAL_KIND, MATERIAL_REALS, MATERIAL_TEXTURE, MATERIAL_TWOSIDED, MATERIAL_INTS };
+enum { TEXTURE_KIND, TEXTURE_REALS, TEXTURE_INTS };
 enum { LIGHT_KIND, LIGHT_REALS, LIGHT_INTS };
 
 // Camera: origin = O + sx OX + sy OY, direction = D + sx DX + sy DY with sx, sy in [-1, 1] across the picture, y down.

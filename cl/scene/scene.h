@@ -21,6 +21,13 @@ enum {
 };
 
 enum {
+#define TEXTURE(name) TEXTURE_##name,
+#include "textures/textures.def"
+#undef TEXTURE
+  TEXTURE_COUNT
+};
+
+enum {
 #define LIGHT(name) LIGHT_##name,
 #include "lights/lights.def"
 #undef LIGHT

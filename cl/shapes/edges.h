@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Corners and barycentrics of flat polygons, one primitive: the scalar twin of edge_lanes.h, the same operations.
+// Barycentrics of flat polygons, one primitive: the scalar twin of edge_lanes.h, the same operations.
 #ifndef STRAHL_SHAPES_EDGES_H
 #define STRAHL_SHAPES_EDGES_H
 
 #include "core/surface.h"
-
-/// The vertex at planes 3 corner ... 3 corner + 2.
-FN real3 corner_load(GLOBAL const real* prim, int stride, int corner) {
-  return vec3(prim[3 * corner * stride], prim[(3 * corner + 1) * stride], prim[(3 * corner + 2) * stride]);
-}
+#include "shapes/corners.h"
 
 typedef struct {
   real x, y;

@@ -25,16 +25,19 @@ FN Surface surface_at(const Scene* scene, const Ray* ray, const Nearest* hit, in
   s.primitive = hit->id - part[PART_FIRST_ID];
   s.position = s.normal = ray->o;
   s.u = s.v = R(0.0);
+  s.outline = OUTLINE_NONE;
+  s.prim = scene->geometry;
+  s.stride = lanes;
   int frame_at = part[PART_FRAME];
   GLOBAL const real* frame = scene->shading + (frame_at < 0 ? 0 : frame_at);
   (void)frame;
   (void)block;
   (void)lane;
   switch (hit->kind) {
-#define SHAPE(name, planes)                                                                                          \
-  case SHAPE_##name:                                                                                                 \
-    name##_surface(ray, scene->geometry + row[SHAPE_GEOMETRY] + block * (planes)*lanes + lane, lanes, frame, hit->t, \
-                   &s);                                                                                              \
+#define SHAPE(name, planes)                                                         \
+  case SHAPE_##name:                                                                \
+    s.prim = scene->geometry + row[SHAPE_GEOMETRY] + block * (planes)*lanes + lane; \
+    name##_surface(ray, s.prim, lanes, frame, hit->t, &s);                          \
     break;
 #include "shapes/shapes.def"
 #undef SHAPE

@@ -120,8 +120,8 @@ void add_scene_overrides(CLI::App& app, SceneOverrides& overrides) {
 
 void apply(const SceneOverrides& overrides, Scene& scene) {
   if (overrides.integrator == "path" || overrides.integrator == "volpath") {
-    say(fmt::format("warning: integrator {} is not there yet: direct takes its place", *overrides.integrator));
-    scene.integrator.name = "direct";
+    say(fmt::format("warning: integrator {} is not there yet: whitted takes its place", *overrides.integrator));
+    scene.integrator.name = "whitted";
   } else if (overrides.integrator) {
     const std::vector<std::string> known = list_entries("integrators");
     if (std::find(known.begin(), known.end(), *overrides.integrator) == known.end())

@@ -35,6 +35,11 @@ struct ShapeKind {
 
 struct MaterialKind {
   std::string operator()(const Diffuse&) const { return "diffuse"; }
+  std::string operator()(const Conductor&) const { return "conductor"; }
+};
+
+struct TextureKind {
+  std::string operator()(const Checkerboard&) const { return "checkerboard"; }
 };
 
 struct LightKind {
@@ -43,19 +48,31 @@ struct LightKind {
   std::string operator()(const ConstantLight&) const { return "constant"; }
 };
 
-bool shows_light(const std::string& integrator) { return integrator == "emission" || integrator == "direct"; }
+bool is_lit_by_lamps(const std::string& integrator) { return integrator == "direct" || integrator == "whitted"; }
+bool shows_light(const std::string& integrator) { return integrator == "emission" || is_lit_by_lamps(integrator); }
+
+const Material& material_at(const Scene& scene, int index) {
+  return scene.materials.at(static_cast<std::size_t>(index));
+}
 
 void shape_causes(const Scene& scene, const RenderSettings& settings, Causes& causes) {
   const bool lit = shows_light(scene.integrator.name);
-  const bool reflects = scene.integrator.name == "direct";
+  const bool reflects = is_lit_by_lamps(scene.integrator.name);
   // Normals interpolated over a mesh reach the picture through lighting, the normals picture and its AOV.
   const bool shading = reflects || scene.integrator.name == "normals" || settings.aovs.contains(Aov::normal);
   auto use_material = [&](int index, const SourceLocation& where) {
-    const Material& material = scene.materials.at(static_cast<std::size_t>(index));
-    const std::string kind = std::visit(MaterialKind{}, material.bsdf);
+    const Material& material = material_at(scene, index);
+    const std::string kind = material_kind(material);
     const SourceLocation& place = material.where.line > 0 ? material.where : where;
     call_for(causes, "materials/" + kind, "material of type " + kind, place);
     if (material.twosided) call_for(causes, "TWOSIDED", "a twosided material", place);
+    const int texture_index = material_texture(material);
+    if (texture_index < 0) return false;
+    const Texture& texture = scene.textures.at(static_cast<std::size_t>(texture_index));
+    const std::string pattern = texture_kind(texture);
+    call_for(causes, "textures/" + pattern, "a reflectance from a texture of type " + pattern,
+             texture.where.line > 0 ? texture.where : place);
+    return true;
   };
   for (const Shape& shape : scene.shapes) {
     const std::string kind = shape_kind(shape);
@@ -66,12 +83,15 @@ void shape_causes(const Scene& scene, const RenderSettings& settings, Causes& ca
     if (mesh && settings.aovs.contains(Aov::uv) && !mesh->uvs.empty())
       call_for(causes, "MESH_UVS", "a mesh with texture coordinates, for --aov uv", shape.where);
     if (lit && shape.radiance) call_for(causes, "EMISSION", "an area emitter", shape.radiance_where);
-    if (reflects && !(mesh && !mesh->parts.empty())) use_material(shape.material, shape.where);
+    bool textured = false;
+    if (reflects && !(mesh && !mesh->parts.empty())) textured = use_material(shape.material, shape.where);
     if (!mesh) continue;
     for (const MeshPart& part : mesh->parts) {
       if (lit && part.radiance) call_for(causes, "EMISSION", "a mesh material that emits", shape.where);
-      if (reflects) use_material(part.material, shape.where);
+      if (reflects && use_material(part.material, shape.where)) textured = true;
     }
+    if (textured && !mesh->uvs.empty())
+      call_for(causes, "MESH_UVS", "a mesh with texture coordinates, for its texture", shape.where);
   }
 }
 
@@ -80,7 +100,8 @@ Causes causes_of(const Scene& scene, const RenderSettings& settings) {
   shape_causes(scene, settings, causes);
   for (const Light& light : scene.lights) {
     const std::string kind = std::visit(LightKind{}, light.emitter);
-    const bool seen = scene.integrator.name == "direct" || (scene.integrator.name == "emission" && kind == "constant");
+    const bool seen =
+        is_lit_by_lamps(scene.integrator.name) || (scene.integrator.name == "emission" && kind == "constant");
     if (seen) call_for(causes, "lights/" + kind, "an emitter of type " + kind, light.where);
   }
   const std::string& integrator = scene.integrator.name;
@@ -98,6 +119,10 @@ Causes causes_of(const Scene& scene, const RenderSettings& settings) {
 
 std::string shape_kind(const Shape& shape) { return std::visit(ShapeKind{}, shape.geometry); }
 std::string material_kind(const Material& material) { return std::visit(MaterialKind{}, material.bsdf); }
+std::string texture_kind(const Texture& texture) { return std::visit(TextureKind{}, texture.pattern); }
+int material_texture(const Material& material) {
+  return std::visit([](const auto& bsdf) { return bsdf.texture; }, material.bsdf);
+}
 std::string light_kind(const Light& light) { return std::visit(LightKind{}, light.emitter); }
 
 bool Features::has(const std::string& list, const std::string& entry) const {

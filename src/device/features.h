@@ -34,6 +34,9 @@ struct Features {
 [[nodiscard]] std::string shape_kind(const Shape& shape);
 [[nodiscard]] std::string material_kind(const Material& material);
 [[nodiscard]] std::string light_kind(const Light& light);
+[[nodiscard]] std::string texture_kind(const Texture& texture);
+/// Index of the texture that a material's reflectance comes from; -1: none.
+[[nodiscard]] int material_texture(const Material& material);
 
 /// Pure. settings.generic: everything on.
 [[nodiscard]] Features features_of(const Scene& scene, const RenderSettings& settings);

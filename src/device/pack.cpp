@@ -7,6 +7,7 @@
 #include "device/cl_layout.h"
 #include "device/pack_camera.h"
 #include "device/pack_shapes.h"
+#include "device/uv_rates.h"
 #include "render/sampling.h"
 
 namespace strahl {
@@ -31,6 +32,7 @@ class Packing {
   PackedScene<Real> run() {
     header();
     materials();
+    textures();
     lights();
     parts();
     shapes();
@@ -71,10 +73,23 @@ class Packing {
   void materials() {
     index(layout::HEADER_MATERIALS) = index_end();
     for (const Material& material : scene_.materials) {
-      const auto& diffuse = std::get<Diffuse>(material.bsdf);
+      const Rgb& reflectance =
+          std::visit([](const auto& bsdf) -> const Rgb& { return bsdf.reflectance; }, material.bsdf);
       packed_.index.push_back(features_.entry_index("materials", material_kind(material)));
-      packed_.index.push_back(put_rgb(diffuse.reflectance));
+      packed_.index.push_back(put_rgb(reflectance));
+      packed_.index.push_back(material_texture(material));
       packed_.index.push_back(material.twosided ? 1 : 0);
+    }
+  }
+
+  void textures() {
+    index(layout::HEADER_TEXTURES) = index_end();
+    for (const Texture& texture : scene_.textures) {
+      const auto& board = std::get<Checkerboard>(texture.pattern);
+      packed_.index.push_back(features_.entry_index("textures", texture_kind(texture)));
+      packed_.index.push_back(put_rgb(board.color0));
+      put_rgb(board.color1);
+      put_shading({board.to_uv.begin(), board.to_uv.end()});
     }
   }
 
@@ -125,6 +140,11 @@ class Packing {
       int frame_at = -1, normals_at = -1, uvs_at = -1;
       if (const auto frame = surface_frame(shape.geometry, options_.frame))
         frame_at = put_shading({frame->begin(), frame->end()});
+      int rates_at = -1;
+      if (has_textures_) {
+        const Vec2 rates = uv_rates(shape.geometry, options_.frame);
+        rates_at = put_shading({rates.x, rates.y});
+      }
       std::vector<MeshPart> looks = {{shape.material, shape.radiance}};
       if (const auto* mesh = std::get_if<Mesh>(&shape.geometry)) {
         normals_at = put_corners(*mesh, mesh->normals, features_.flag("SMOOTH_NORMALS"), [](const Vec3& n) {
@@ -140,7 +160,7 @@ class Packing {
         packed_.index.insert(
             packed_.index.end(),
             {static_cast<int>(i), static_cast<int>(first[i]), look.material, radiance_at,
-             shape.flip_normals != faces_inward(shape.geometry) ? 1 : 0, frame_at, normals_at, uvs_at});
+             shape.flip_normals != faces_inward(shape.geometry) ? 1 : 0, frame_at, normals_at, uvs_at, rates_at});
         ++row;
       }
     }
@@ -191,6 +211,7 @@ class Packing {
   const Features& features_;
   const PackOptions& options_;
   PackedScene<Real> packed_;
+  bool has_textures_ = !features_.entries.at("textures").empty() && !scene_.textures.empty();
   std::vector<int> first_part_;
 };
 

@@ -50,7 +50,7 @@ int add(Scene& scene, Geometry geometry, int material) {
   return add(scene, std::move(shape));
 }
 
-int add(Scene& scene, const Diffuse& material, bool twosided) {
+int add(Scene& scene, const decltype(Material::bsdf)& material, bool twosided) {
   return append(scene.materials, {{}, material, twosided, {}});
 }
 

@@ -20,7 +20,7 @@ namespace strahl {
 int add(Scene& scene, Shape shape);
 int add(Scene& scene, Geometry geometry, int material = 0);
 /// Indices of materials are what add(scene, geometry, material) takes; 0 is the scene's own grey.
-int add(Scene& scene, const Diffuse& material, bool twosided = false);
+int add(Scene& scene, const decltype(Material::bsdf)& material, bool twosided = false);
 /// A PointLight, a DirectionalLight or a ConstantLight.
 int add(Scene& scene, const decltype(Light::emitter)& emitter);
 

@@ -48,6 +48,11 @@ bool Properties::has(const std::string& name) const {
   return std::any_of(entries_.begin(), entries_.end(), [&](const Entry& entry) { return entry.name == name; });
 }
 
+const XmlElement* Properties::peek(const std::string& name) const {
+  const auto entry = std::find_if(entries_.begin(), entries_.end(), [&](const Entry& e) { return e.name == name; });
+  return entry == entries_.end() ? nullptr : entry->meant;
+}
+
 const XmlElement* Properties::take(const std::string& name, std::initializer_list<const char*> tags) {
   known_.push_back(name);
   const auto entry = std::find_if(entries_.begin(), entries_.end(), [&](const Entry& e) { return e.name == name; });

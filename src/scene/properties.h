@@ -46,6 +46,8 @@ class Properties {
   [[nodiscard]] std::optional<Vec3> required_vector(const std::string& name);  ///< Reports a missing one.
 
   [[nodiscard]] bool has(const std::string& name) const;
+  /// The element that gives a parameter, references resolved; null where it is absent. Does not count as asked for.
+  [[nodiscard]] const XmlElement* peek(const std::string& name) const;
   /// Nested objects of a kind ("bsdf"), references resolved.
   [[nodiscard]] std::vector<const XmlElement*> objects(const std::string& tag);
   /// Parameters that are known and have no effect on what strahl computes.

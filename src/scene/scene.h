@@ -101,14 +101,35 @@ struct Shape {
 
 // ---- appearance ---------------------------------------------------------------------------------------------
 
+/// Squares of 1/2 by 1/2 of u' = m0 u + m1 v + m2, v' = m3 u + m4 v + m5.
+struct Checkerboard {
+  Rgb color0{0.4, 0.4, 0.4};
+  Rgb color1{0.2, 0.2, 0.2};
+  std::array<double, 6> to_uv{1, 0, 0, 0, 1, 0};
+};
+
+/// A colour that varies over a surface.
+struct Texture {
+  std::string id;
+  std::variant<Checkerboard> pattern;
+  SourceLocation where;
+};
+
 /// Lambertian reflectance rho, 0 <= rho <= 1.
 struct Diffuse {
   Rgb reflectance{0.5, 0.5, 0.5};
+  int texture = -1;  ///< Index into Scene::textures, whose colour then takes the reflectance's place; -1: none.
+};
+
+/// Ideal mirror that reflects the same share, within [0, 1], at every angle.
+struct Conductor {
+  Rgb reflectance{1, 1, 1};
+  int texture = -1;  ///< As in Diffuse.
 };
 
 struct Material {
   std::string id;
-  std::variant<Diffuse> bsdf;
+  std::variant<Diffuse, Conductor> bsdf;
   bool twosided = false;  ///< false: black from behind, as in Mitsuba.
   SourceLocation where;
 };
@@ -203,6 +224,7 @@ struct Scene {
   std::string name;  ///< The file's stem; names the picture where no -o is given.
   std::vector<Shape> shapes;
   std::vector<Material> materials{Material{}};  ///< Index 0 is the default: diffuse 0.5, one-sided, as in Mitsuba.
+  std::vector<Texture> textures;
   std::vector<Light> lights;
   Camera camera;
   Film film;

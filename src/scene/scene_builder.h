@@ -24,6 +24,7 @@ struct SceneBuilder {
   std::map<const XmlElement*, Material> materials;
   std::map<const XmlElement*, int> material_indices;
   std::set<const XmlElement*> materials_being_read;
+  std::map<const XmlElement*, int> texture_indices;  ///< read_texture.cpp, likewise.
 };
 
 /// Reads all that a checked <scene> holds into builder.scene.

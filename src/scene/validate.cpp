@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "scene/validate_geometry.h"
@@ -52,11 +53,29 @@ void check_shape(const Shape& shape, const Scene& scene, Checker& check, std::ve
   check.require_light(*shape.radiance, "radiance");
 }
 
-void check_material(const Material& material, Checker& check) {
-  check.at(material.where);
-  const Rgb& rho = std::get<Diffuse>(material.bsdf).reflectance;
+bool is_reflectance(const Rgb& c) {
   const auto inside = [](double x) { return x >= 0 && x <= 1; };
-  check.require(inside(rho.r) && inside(rho.g) && inside(rho.b), "the reflectance must lie in [0, 1]");
+  return inside(c.r) && inside(c.g) && inside(c.b);
+}
+
+void check_material(const Material& material, const Scene& scene, Checker& check) {
+  check.at(material.where);
+  std::visit(
+      [&](const auto& bsdf) {
+        check.require(is_reflectance(bsdf.reflectance), "the reflectance must lie in [0, 1]");
+        check.require(bsdf.texture == -1 || is_index(bsdf.texture, scene.textures.size()),
+                      fmt::format("texture {} does not exist; there are {}", bsdf.texture, scene.textures.size()));
+      },
+      material.bsdf);
+}
+
+void check_texture(const Texture& texture, Checker& check) {
+  check.at(texture.where);
+  const auto& board = std::get<Checkerboard>(texture.pattern);
+  check.require(is_reflectance(board.color0) && is_reflectance(board.color1),
+                "the colours of a texture must lie in [0, 1]");
+  check.require(std::all_of(board.to_uv.begin(), board.to_uv.end(), [](double x) { return std::isfinite(x); }),
+                "to_uv must be finite");
 }
 
 void check_light(const Light& light, Checker& check) {
@@ -107,7 +126,8 @@ std::vector<Diagnostic> validate(const Scene& scene) {
   for (const Shape& shape : scene.shapes) check_shape(shape, scene, check, found);
   check.at({});
   check.require(!scene.materials.empty(), "materials[0], the default, is missing");
-  for (const Material& material : scene.materials) check_material(material, check);
+  for (const Material& material : scene.materials) check_material(material, scene, check);
+  for (const Texture& texture : scene.textures) check_texture(texture, check);
   int constants = 0;
   for (const Light& light : scene.lights) {
     check_light(light, check);

@@ -15,6 +15,8 @@ target_include_directories(strahl_host_kernels PRIVATE ${PROJECT_SOURCE_DIR}/cl 
 # -O2 in every configuration: these bodies are what the tests below spend their time in.
 target_compile_options(strahl_host_kernels PRIVATE -O2 -Wno-psabi $<$<BOOL:${STRAHL_HOST_HAS_FMA}>:-mfma>)
 
+strahl_test(cl/test_departure.cpp LABEL unit)
+target_include_directories(cl_test_departure PRIVATE ${PROJECT_SOURCE_DIR}/cl)
 foreach(name departed math)
   strahl_test(cl/test_${name}.cpp LABEL unit LIBS strahl_host_kernels strahl_oracle)
 endforeach()

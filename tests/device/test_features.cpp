@@ -106,6 +106,28 @@ TEST_CASE("Materials count where something reflects; a material without a place 
   }
 }
 
+TEST_CASE("Mirrors and textures count where a shape has them") {
+  Scene scene = scene_of(Sphere{}, "whitted");
+  scene.textures.push_back({"", Checkerboard{}, line(6)});
+  scene.materials.push_back({"", Conductor{}, false, line(7)});
+  scene.materials.push_back({"", Diffuse{{}, 0}, false, line(8)});
+  for (const char* effect : {"materials/conductor", "textures/checkerboard"}) check_off(scene, {}, effect);
+  scene.shapes[0].material = 1;
+  check_on(scene, {}, "materials/conductor", 7, "material of type conductor");
+  check_off(scene, {}, "textures/checkerboard");
+  scene.shapes[0].material = 2;
+  const std::string why = "a reflectance from a texture of type checkerboard";
+  check_on(scene, {}, "textures/checkerboard", 6, why);
+  check_off(scene, {}, "MESH_UVS");
+
+  Mesh mesh = small_mesh();
+  mesh.uvs = {{0, 0}, {1, 0}, {0, 1}};
+  scene.shapes[0].geometry = mesh;
+  check_on(scene, {}, "MESH_UVS", 10, "a mesh with texture coordinates, for its texture");
+  scene.integrator.name = "normals";
+  for (const char* effect : {"materials/diffuse", "textures/checkerboard", "MESH_UVS"}) check_off(scene, {}, effect);
+}
+
 TEST_CASE("TWOSIDED: a twosided material that a shape or a part of a mesh uses") {
   Scene scene = scene_of(Sphere{});
   scene.materials.push_back({"sheet", Diffuse{}, true, line(7)});

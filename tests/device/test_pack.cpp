@@ -2,6 +2,7 @@
 // The three buffers of a scene, read back by the rules of cl/scene/layout.h.
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <numbers>
 
 #include "device/cl_layout.h"
 #include "device/pack.h"
@@ -149,7 +150,7 @@ TEST_CASE("Every shape has a part: its look and its frame") {
   lamp.flip_normals = true;
   add(scene, lamp);
   const Read<double> read(scene, {8, {}});
-  CHECK(read.part(0) == Ints{0, 0, red, -1, 0, -1, -1, -1});
+  CHECK(read.part(0) == Ints{0, 0, red, -1, 0, -1, -1, -1, -1});
   const Ints part = read.part(1);
   CHECK(part[layout::PART_SHAPE] == 1);
   CHECK(part[layout::PART_FIRST_ID] == 1);
@@ -158,10 +159,32 @@ TEST_CASE("Every shape has a part: its look and its frame") {
   CHECK(part[layout::PART_FLIP] == 1);
   CHECK(read.shading(part[layout::PART_FRAME], 9) == Reals{0, 1, 0, 0, 0, 1, 1, 0, 0});
 
-  const Ints material = read.ints(read.header(layout::HEADER_MATERIALS) + red * layout::MATERIAL_INTS, 3);
+  const Ints material =
+      read.ints(read.header(layout::HEADER_MATERIALS) + red * layout::MATERIAL_INTS, layout::MATERIAL_INTS);
   CHECK(material[layout::MATERIAL_KIND] == 0);
   CHECK(read.shading(material[layout::MATERIAL_REALS], 3) == Reals{0.75, 0.5, 0.25});
+  CHECK(material[layout::MATERIAL_TEXTURE] == -1);
   CHECK(material[layout::MATERIAL_TWOSIDED] == 0);
+}
+
+TEST_CASE("A texture has its row, and shapes then say how fast u and v change") {
+  Scene scene;
+  scene.textures = {{"", Checkerboard{{1, 0.5, 0.25}, {0, 0.125, 0}, {2, 3, 4, 5, 6, 7}}, {}}};
+  const int tiles = add(scene, Conductor{{1, 1, 1}, 0});
+  add(scene, Rectangle{{0, 0, 0}, {4, 0, 0}, {0, 2, 0}}, tiles);
+  add(scene, Sphere{{0, 0, 0}, 2, {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}}, tiles);
+  const Read<double> read(scene, {8, {}});
+  const Ints material =
+      read.ints(read.header(layout::HEADER_MATERIALS) + tiles * layout::MATERIAL_INTS, layout::MATERIAL_INTS);
+  CHECK(material[layout::MATERIAL_KIND] == read.features.entry_index("materials", "conductor"));
+  CHECK(material[layout::MATERIAL_TEXTURE] == 0);
+  const Ints texture = read.ints(read.header(layout::HEADER_TEXTURES), layout::TEXTURE_INTS);
+  CHECK(texture[layout::TEXTURE_KIND] == 0);
+  CHECK(read.shading(texture[layout::TEXTURE_REALS], 12) == Reals{1, 0.5, 0.25, 0, 0.125, 0, 2, 3, 4, 5, 6, 7});
+  CHECK(read.shading(read.part(0)[layout::PART_UV_RATES], 2) == Reals{0.25, 0.5});
+  const Reals sphere = read.shading(read.part(1)[layout::PART_UV_RATES], 2);
+  CHECK(sphere[0] == Approx(0.25 * std::numbers::inv_pi));
+  CHECK(sphere[1] == Approx(0.5 * std::numbers::inv_pi));
 }
 
 TEST_CASE("A mesh has a part for each of its materials, and its triangles know theirs") {
@@ -177,12 +200,12 @@ TEST_CASE("A mesh has a part for each of its materials, and its triangles know t
   const Read<double> read(scene, {8, {}});
   CHECK(read.ids("triangle") == Ints{0, 1, 2, 3, 4, -1, -1, -1});
   CHECK(read.parts_of("triangle") == Ints{0, 2, 1, 2, 3, 0, 0, 0});
-  CHECK(read.part(1) == Ints{1, 1, 0, -1, 0, -1, -1, -1});
+  CHECK(read.part(1) == Ints{1, 1, 0, -1, 0, -1, -1, -1, -1});
   CHECK(read.part(2)[layout::PART_SHAPE] == 1);
   CHECK(read.part(2)[layout::PART_FIRST_ID] == 1);
   CHECK(read.part(2)[layout::PART_MATERIAL] == sheet);
   CHECK(read.shading(read.part(2)[layout::PART_RADIANCE], 3) == Reals{1, 2, 3});
-  CHECK(read.part(3) == Ints{2, 4, 0, -1, 0, -1, -1, -1});
+  CHECK(read.part(3) == Ints{2, 4, 0, -1, 0, -1, -1, -1, -1});
 }
 
 TEST_CASE("Vertex normals and texture coordinates are there for the programs that use them") {

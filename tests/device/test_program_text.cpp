@@ -62,8 +62,11 @@ class KernelCopy {
 
 /// Another entry of a list, registered as CONTRIBUTING.md says, `first` before all others or after them.
 void add_entry(const KernelCopy& kernels, const std::string& list, const std::string& name, bool first) {
-  const std::map<std::string, std::string> macros = {
-      {"shapes", "SHAPE"}, {"materials", "MATERIAL"}, {"lights", "LIGHT"}, {"integrators", "INTEGRATOR"}};
+  const std::map<std::string, std::string> macros = {{"shapes", "SHAPE"},
+                                                     {"materials", "MATERIAL"},
+                                                     {"lights", "LIGHT"},
+                                                     {"integrators", "INTEGRATOR"},
+                                                     {"textures", "TEXTURE"}};
   REQUIRE(macros.contains(list));
   const std::string entry = macros.at(list) + "(" + name + (list == "shapes" ? ", 3)\n" : ")\n");
   const std::string def = list + "/" + list + ".def";

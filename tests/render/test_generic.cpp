@@ -15,14 +15,16 @@ TEST_CASE("every scene of the project") {
     if (entry.path().extension() != ".xml") continue;
     INFO(entry.path());
     ++scenes;
-    const Scene scene = small_scene(entry.path(), 32, 24, 4);
+    Scene scene = small_scene(entry.path(), 32, 24, 4);
+    const bool is_dark = entry.path().stem() == "mirror-box";
+    if (is_dark) scene.integrator.max_depth = 100;
     RenderSettings generic = all_aovs();
     generic.generic = true;
     const RenderResult expected = render("pocl", scene, all_aovs());
-    CHECK(lit_pixels(expected.color) > 0);
+    CHECK((lit_pixels(expected.color) > 0) == !is_dark);
     CHECK(same_bits(expected, render("pocl", scene, generic)));
   }
-  CHECK(scenes >= 14);
+  CHECK(scenes >= 18);
 }
 
 }  // namespace

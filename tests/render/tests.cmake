@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-foreach(name invariance generic launches closed_form terminator metamorphic)
+foreach(name invariance generic launches closed_form terminator metamorphic mirrors checkerboard mirror_box)
   strahl_test(render/test_${name}.cpp LABEL render)
 endforeach()
 # rusticl takes its time where nothing is cached yet.
@@ -12,3 +12,7 @@ set_tests_properties(render_test_oclgrind PROPERTIES LABELS oclgrind SKIP_RETURN
 add_test(NAME render_test_metamorphic_all_scales COMMAND render_test_metamorphic "another unit of length")
 set_tests_properties(render_test_metamorphic_all_scales PROPERTIES LABELS slow TIMEOUT 900 ENVIRONMENT
                                                                                            STRAHL_ALL_SCALES=1)
+
+# 10,000 rays x 10,000 mirrors for every room and tier: about half an hour.
+add_test(NAME render_test_mirror_box_long COMMAND render_test_mirror_box)
+set_tests_properties(render_test_mirror_box_long PROPERTIES LABELS slow TIMEOUT 7200 ENVIRONMENT STRAHL_MIRRORS=10000)

@@ -157,3 +157,36 @@ TEST_CASE("a scene without sensor is framed along -z") {
   CHECK((t.translation().z - 9) * tangent < 2.2);
   CHECK(scene.camera.fov_axis == FovAxis::smaller);
 }
+
+TEST_CASE("a conductor is an ideal mirror") {
+  const Material plain = load_body("<bsdf type=\"conductor\"/>").scene.materials.at(1);
+  CHECK(std::get<Conductor>(plain.bsdf).reflectance == Rgb{1, 1, 1});
+  CHECK_FALSE(plain.twosided);
+  const LoadedScene gold = load_body(
+      "<bsdf type=\"twosided\"><bsdf type=\"conductor\"><string name=\"material\" value=\"none\"/>"
+      "<rgb name=\"specular_reflectance\" value=\"1, .8, .3\"/></bsdf></bsdf>");
+  CHECK(gold.warnings.empty());
+  CHECK(std::get<Conductor>(gold.scene.materials.at(1).bsdf).reflectance == Rgb{1, .8, .3});
+  CHECK(gold.scene.materials.at(1).twosided);
+}
+
+TEST_CASE("a checkerboard in place of a reflectance, nested or by reference, read once") {
+  const LoadedScene loaded = load_body(
+      "<texture type=\"checkerboard\" id=\"board\"><rgb name=\"color0\" value=\"1, .5, .25\"/><transform "
+      "name=\"to_uv\"><scale x=\"2\" y=\"4\"/><rotate z=\"1\" angle=\"90\"/><translate x=\".5\" y=\"-3\" "
+      "z=\"9\"/></transform></texture>"
+      "<bsdf type=\"diffuse\"><ref id=\"board\" name=\"reflectance\"/></bsdf>"
+      "<bsdf type=\"conductor\"><ref id=\"board\" name=\"specular_reflectance\"/></bsdf>"
+      "<bsdf type=\"diffuse\"><texture type=\"checkerboard\" name=\"reflectance\"/></bsdf>");
+  CHECK(loaded.warnings.empty());
+  const Scene& scene = loaded.scene;
+  REQUIRE(scene.textures.size() == 2);
+  CHECK(std::get<Diffuse>(scene.materials.at(1).bsdf).texture == 0);
+  CHECK(std::get<Conductor>(scene.materials.at(2).bsdf).texture == 0);
+  CHECK(std::get<Diffuse>(scene.materials.at(3).bsdf).texture == 1);
+  const auto& board = std::get<Checkerboard>(scene.textures[0].pattern);
+  CHECK(board.color0 == Rgb{1, .5, .25});
+  CHECK(board.color1 == Rgb{.2, .2, .2});
+  CHECK(board.to_uv == std::array<double, 6>{0, -4, .5, 2, 0, -3});
+  CHECK(std::get<Checkerboard>(scene.textures[1].pattern).color0 == Rgb{.4, .4, .4});
+}

@@ -35,11 +35,18 @@ const Unknown unknowns[] = {
     {"<emitter type=\"envmap\"><string name=\"filename\" value=\"a.exr\"/></emitter>", "2:1",
      "unknown emitter \"envmap\""},
     {"<emitter type=\"area\"/>", "2:1", "belongs inside a <shape>"},
-    {"<integrator type=\"path\"/>", "2:1", "\"direct\" takes its place: no indirect light"},
+    {"<integrator type=\"path\"/>", "2:1", "\"whitted\" takes its place: mirrors and lamps, no other indirect light"},
     {"<integrator type=\"pth\"/>", "2:1", "unknown integrator \"pth\""},
     {"<texture type=\"bitmap\"/>", "2:1", "without an id"},
-    {"<bsdf type=\"diffuse\"><texture type=\"checkerboard\" name=\"reflectance\"/></bsdf>", "2:22",
+    {"<bsdf type=\"diffuse\"><texture type=\"bitmap\" name=\"reflectance\"/></bsdf>", "2:22",
      "the constant 0.5 takes its place"},
+    {"<bsdf type=\"conductor\"><string name=\"material\" value=\"Au\"/></bsdf>", "2:24",
+     "the metal \"Au\" is not there yet; an ideal mirror"},
+    {"<bsdf type=\"conductor\"><float name=\"eta\" value=\"1.5\"/></bsdf>", "2:24",
+     "\"eta\" of <bsdf type=\"conductor\"> has no effect yet"},
+    {"<bsdf type=\"diffuse\"><texture type=\"checkerboard\" name=\"reflectance\"><float name=\"colour0\" "
+     "value=\"1\"/></texture></bsdf>",
+     "2:70", "unknown parameter \"colour0\""},
     {"<bsdf type=\"diffuse\"><spectrum name=\"reflectance\" value=\"400:.2, 600:.6\"/></bsdf>", "2:22", "mean 0.4"},
     {"<bsdf type=\"diffuse\"><spectrum name=\"reflectance\" filename=\"a.spd\"/></bsdf>", "2:22", "from a file"},
 };
@@ -65,7 +72,7 @@ TEST_CASE("substitutes keep what they can") {
   const Scene scene = load_body(
                           "<bsdf type=\"plastic\"><rgb name=\"diffuse_reflectance\" value=\".1 .2 .3\"/></bsdf>"
                           "<bsdf type=\"mask\"><bsdf type=\"diffuse\"><rgb name=\"reflectance\" value=\".4\"/></bsdf>"
-                          "</bsdf><bsdf type=\"conductor\"/>")
+                          "</bsdf><bsdf type=\"dielectric\"/>")
                           .scene;
   REQUIRE(scene.materials.size() == 4);
   CHECK(std::get<Diffuse>(scene.materials[1].bsdf).reflectance == Rgb{.1, .2, .3});

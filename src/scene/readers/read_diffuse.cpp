@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 // <bsdf type="diffuse">: Lambert's law.
 #include "scene/readers/read_material.h"
+#include "scene/readers/read_texture.h"
 
 namespace strahl {
 
-Material read_diffuse(Properties& properties, SceneBuilder&) {
+Material read_diffuse(Properties& properties, SceneBuilder& builder) {
   Material material;
-  const Rgb grey{0.5, 0.5, 0.5};
-  material.bsdf = Diffuse{properties.color("reflectance", ColorUse::reflectance, grey).value_or(grey)};
+  const Reflectance reflectance = read_reflectance(properties, builder, "reflectance", {0.5, 0.5, 0.5});
+  material.bsdf = Diffuse{reflectance.color, reflectance.texture};
   return material;
 }
 

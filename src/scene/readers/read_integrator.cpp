@@ -12,7 +12,7 @@
 namespace strahl {
 
 IntegratorSettings read_integrator(const XmlElement& element, SceneBuilder& builder) {
-  static const std::vector<std::string> known{"emission", "depth", "normals", "direct"};
+  static const std::vector<std::string> known{"emission", "depth", "normals", "direct", "whitted"};
   Properties properties(element, builder.ids, builder.diagnostics);
   IntegratorSettings integrator;
   integrator.where = element.where;
@@ -24,9 +24,12 @@ IntegratorSettings read_integrator(const XmlElement& element, SceneBuilder& buil
     integrator.name = type;
     properties.accept({"shading_samples", "emitter_samples", "bsdf_samples", "rr_depth"});
   } else if (type == "path" || type == "volpath") {
+    integrator.name = "whitted";
     builder.diagnostics.unknown(
         element.where,
-        fmt::format("integrator \"{}\" is not there yet; \"direct\" takes its place: no indirect light", type));
+        fmt::format("integrator \"{}\" is not there yet; \"whitted\" takes its place: mirrors and lamps, "
+                    "no other indirect light",
+                    type));
     properties.accept({"rr_depth"});
   } else {
     builder.diagnostics.unknown(element.where, fmt::format("unknown integrator \"{}\"{}; \"direct\" takes its place",

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+// Rays that leave a surface: the one place that decides where they begin.
+//
+// The primitive that is left is excluded by its id and round shapes are met again at their analytic other root, so a
+// ray begins exactly at the point found, with no offset and no epsilon.
+//
+// Flat polygons and boxes have neighbours that touch them: a point within rounding of a shared edge may lie outside of
+// the neighbour, and a ray from there would leave a closed room. So
+//   - polygons: the point moves off the edges that are nearer than b, within the plane, and by b along the normal to
+//     the side that the ray goes to. b = 7/4 u (max |p_i| + size) bounds the rounding of a point interpolated over
+//     corners ("Solving Self-Intersection Artifacts in DirectX Raytracing", NVIDIA, 2023, has u |p0| + 3 u extent along
+//     the normal alone). The whole way is at most 4 u (max |p_i| + size) but for rounding;
+//   - boxes: the coordinate across the face is the face's, exactly; the other two stay strictly between the faces.
+// The fast tier leaves from the point found, by its epsilon (core/epsilon_fast.h).
+// A polygon that is narrower than 4 b keeps its point as far from its edges as fits.
+// Held by tests/render/test_mirror_box.cpp and tests/cl/test_departure.cpp.
+#ifndef STRAHL_CORE_DEPARTURE_H
+#define STRAHL_CORE_DEPARTURE_H
+
+#include "core/ray.h"
+#include "core/surface.h"
+#include "shapes/corners.h"
+
+FN real larger_of(real a, real b) { return a > b ? a : b; }
+
+/// `move` and what the point p + from is short of the distance `bound` from the line a b; `within` is a corner across.
+FN real3 off_edge(real3 move, real3 p, real3 from, real3 a, real3 b, real3 within, real3 normal, real bound) {
+  real3 inward = normalize3(cross3(normal, sub3(b, a)));
+  real height = dot3(inward, sub3(within, a));
+  if (height < R(0.0)) {  // The normal was turned by flip_normals.
+    inward = negate3(inward);
+    height = -height;
+  }
+  real room = R(0.25) * height;
+  real missing = (bound < room ? bound : room) - dot3(inward, add3(sub3(p, a), from));
+  return missing > R(0.0) ? fma3(missing, inward, move) : move;
+}
+
+FN real3 polygon_departure(const Surface* s, real3 d) {
+  int corners = s->outline == OUTLINE_TRIANGLE ? 3 : 4;
+  real3 p = s->position, first = corner_load(s->prim, s->stride, 0);
+  real3 e = sub3(corner_load(s->prim, s->stride, 1), first),
+        f = sub3(corner_load(s->prim, s->stride, corners - 1), first);
+  real size = larger_of(max3(abs3(e)), max3(abs3(f)));
+  real bound = R(1.75) * real_roundoff() * (max3(abs3(p)) + size);
+  real3 move = scale3(dot3(d, s->normal) < R(0.0) ? -bound : bound, s->normal);
+  // Off all edges at once: one after the other, a move off one leads over the other in a sharp corner. Then once more
+  // by what is missing there. The point itself is rounded once, at the end.
+  for (int pass = 0; pass < 2; ++pass) {
+    real3 from = move;
+    for (int k = 0; k < corners; ++k) {
+      real3 a = corner_load(s->prim, s->stride, k), b = corner_load(s->prim, s->stride, (k + 1) % corners);
+      real3 within = corner_load(s->prim, s->stride, (k + 2) % corners);
+      move = off_edge(move, p, from, a, b, within, s->normal, bound);
+    }
+  }
+  return add3(p, move);
+}
+
+/// x, strictly between the faces lo and hi where there is room for it.
+FN real between_faces(real x, real lo, real hi) {
+  real u2 = R(2.0) * real_roundoff(), size = hi - lo;
+  real first = lo + u2 * (real_abs(lo) + size), last = hi - u2 * (real_abs(hi) + size);
+  if (!(first < last)) return x;
+  return x < first ? first : (x > last ? last : x);
+}
+
+FN real3 box_departure(const Surface* s) {
+  real3 p = s->position, n = s->normal, inside;
+  real zero = R(0.0);
+  inside = vec3(between_faces(p.x, s->prim[0], s->prim[s->stride]),
+                between_faces(p.y, s->prim[2 * s->stride], s->prim[3 * s->stride]),
+                between_faces(p.z, s->prim[4 * s->stride], s->prim[5 * s->stride]));
+  return vec3(n.x != zero ? p.x : inside.x, n.y != zero ? p.y : inside.y, n.z != zero ? p.z : inside.z);
+}
+
+/// From the surface towards d, until t_max; id: the primitive's, scene-wide.
+FN Ray ray_leaving(const Surface* s, int id, real3 d, real t_max) {
+  real3 from = s->position;
+  if (!TIER_FAST && s->outline == OUTLINE_BOX) from = box_departure(s);
+  if (!TIER_FAST && (s->outline == OUTLINE_TRIANGLE || s->outline == OUTLINE_PARALLELOGRAM))
+    from = polygon_departure(s, d);
+  return ray_make(from, d, R(0.0), t_max, id);
+}
+
+#endif

@@ -1,0 +1,3 @@
+// SPDX-License-Identifier: MIT
+// Every texture. Only includes: a program holds those that its scene uses.
+#include "textures/checkerboard.h"

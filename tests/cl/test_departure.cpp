@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: MIT
+// Where rays leave a surface (cl/core/departure.h), in float: not far from the point found, off every edge that a
+// neighbour may share, on the side that the ray goes to; where nothing touches, exactly at the point.
+#include <array>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <random>
+
+#define REAL_BITS 32
+namespace f32 {
+#include "core/departure.h"
+}
+
+namespace {
+
+using f32::real3;
+constexpr double u = 0x1p-24;
+
+struct Wide {
+  double x, y, z;
+};
+Wide wide(const real3& a) { return {a.x, a.y, a.z}; }
+Wide operator-(const Wide& a, const Wide& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+double dot(const Wide& a, const Wide& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+Wide cross(const Wide& a, const Wide& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+double length(const Wide& a) { return std::sqrt(dot(a, a)); }
+double largest(const Wide& a) { return std::max({std::fabs(a.x), std::fabs(a.y), std::fabs(a.z)}); }
+double ulp(double x) { return std::ldexp(1.0, std::ilogb(x) - 23); }
+
+class Random {
+ public:
+  float symmetric() { return static_cast<float>(uniform_(engine_) * 2 - 1); }
+  double unit() { return uniform_(engine_); }
+  real3 vector(float size) { return f32::vec3(size * symmetric(), size * symmetric(), size * symmetric()); }
+  /// In [0, 1], every other time within rounding of an end.
+  float weight() {
+    const double near = std::ldexp(unit(), -20 - static_cast<int>(engine_() % 8));
+    const auto kind = engine_() % 4;
+    return static_cast<float>(kind == 0 ? near : kind == 1 ? 1 - near : unit());
+  }
+
+ private:
+  std::mt19937 engine_{11};
+  std::uniform_real_distribution<double> uniform_;
+};
+
+/// A polygon as a block of width 1, and a point of it as its surface function computes it.
+struct Polygon {
+  std::array<float, 12> prim;
+  int corners;
+  f32::Surface s;
+
+  [[nodiscard]] Wide corner(int i) const {
+    const auto at = static_cast<std::size_t>(3 * (i % corners));
+    return {prim[at], prim[at + 1], prim[at + 2]};
+  }
+};
+
+void put(Polygon& polygon, int i, const real3& p) {
+  const auto at = static_cast<std::size_t>(3 * i);
+  polygon.prim[at] = p.x;
+  polygon.prim[at + 1] = p.y;
+  polygon.prim[at + 2] = p.z;
+}
+
+void draw(Polygon& polygon, Random& random, int corners) {
+  const float size = std::ldexp(1.0F, static_cast<int>(random.unit() * 40) - 20);
+  const float offset = random.unit() < 0.5 ? size : size * std::ldexp(1.0F, static_cast<int>(random.unit() * 16));
+  const real3 a = random.vector(offset), e = random.vector(size);
+  real3 f = random.vector(size);
+  if (corners == 4) f = f32::scale3(size, f32::normalize3(f32::cross3(e, f)));
+  polygon.corners = corners;
+  put(polygon, 0, a);
+  put(polygon, 1, f32::add3(a, e));
+  put(polygon, 2, corners == 3 ? f32::add3(a, f) : f32::add3(f32::add3(a, e), f));
+  if (corners == 4) put(polygon, 3, f32::add3(a, f));
+  float v = random.weight(), w = random.weight();
+  if (corners == 3 && v + w > 1) v = 1 - v, w = 1 - w;
+  const real3 b = f32::corner_load(polygon.prim.data(), 1, 1);
+  const real3 c = f32::corner_load(polygon.prim.data(), 1, corners - 1);
+  const real3 e1 = f32::sub3(b, a), e2 = f32::sub3(c, a);
+  polygon.s = {};
+  polygon.s.position = f32::add3(f32::fma3(v, e1, f32::scale3(w, e2)), a);
+  polygon.s.normal = f32::normalize3(f32::cross3(e1, e2));
+  if (random.unit() < 0.5) polygon.s.normal = f32::negate3(polygon.s.normal);
+  polygon.s.outline = corners == 3 ? f32::OUTLINE_TRIANGLE : f32::OUTLINE_PARALLELOGRAM;
+  polygon.s.prim = polygon.prim.data();
+  polygon.s.stride = 1;
+}
+
+TEST_CASE("polygons: near the point, off the edges, on the ray's side") {
+  Random random;
+  Polygon polygon{};
+  int moved_in = 0, behind = 0, cases = 0;
+  double farthest = 0;
+  for (int i = 0; i < 400000; ++i) {
+    draw(polygon, random, 3 + i % 2);
+    const int corners = polygon.corners;
+    const Wide a = polygon.corner(0), n = cross(polygon.corner(1) - a, polygon.corner(corners - 1) - a);
+    const double size = std::max(largest(polygon.corner(1) - a), largest(polygon.corner(corners - 1) - a));
+    const double m = largest(wide(polygon.s.position)), bound = 1.75 * u * (m + size);
+    // Slender ones have no room; sharp corners would take a longer way than is allowed.
+    bool is_plain = true;
+    for (int k = 0; k < corners; ++k) {
+      const Wide e = polygon.corner(k + 1) - polygon.corner(k), f = polygon.corner(k + corners - 1) - polygon.corner(k);
+      is_plain = is_plain && length(e) > 64 * bound && length(cross(e, f)) > 0.6 * length(e) * length(f);
+    }
+    if (!is_plain) continue;
+    const real3 d = random.vector(1);
+    const Wide o = wide(f32::ray_leaving(&polygon.s, -1, d, 1).o), p = wide(polygon.s.position);
+    const double allowed = 4 * ulp(m) + 4 * u * size;
+    farthest = std::max(farthest, largest(o - p) / allowed);
+
+    const double side = dot(n, wide(d)) < 0 ? -1 : 1;
+    // Points found and left are each rounded in three coordinates: of slanted polygons far off, a few stay behind.
+    const double beyond = side * dot(n, o - a) / length(n);
+    REQUIRE(beyond > -bound / 2);
+    ++cases;
+    behind += beyond <= 0 ? 1 : 0;
+    for (int k = 0; k < corners; ++k) {
+      const Wide from = polygon.corner(k), edge = polygon.corner(k + 1) - from;
+      const Wide inward = cross(n, edge);
+      const double before = dot(inward, p - from) / length(inward), after = dot(inward, o - from) / length(inward);
+      moved_in += before < bound / 8 ? 1 : 0;
+      // Where edges meet at an acute angle the way that is allowed does not lead off both by all of the rounding.
+      REQUIRE(after > (corners == 4 ? 0 : -bound / 2));
+    }
+  }
+  CHECK(farthest <= 1);
+  CHECK(farthest > 0.5);
+  CHECK(behind < cases / 1000);
+  CHECK(moved_in > 5000);
+}
+
+TEST_CASE("boxes: the face's coordinate stays, the others lie strictly between the faces") {
+  Random random;
+  for (int i = 0; i < 100000; ++i) {
+    const float size = std::ldexp(1.0F, static_cast<int>(random.unit() * 40) - 20);
+    const real3 lo = random.vector(size * std::ldexp(1.0F, static_cast<int>(random.unit() * 12)));
+    const real3 hi = f32::add3(lo, f32::abs3(random.vector(size)));
+    const std::array<float, 6> prim{lo.x, hi.x, lo.y, hi.y, lo.z, hi.z};
+    f32::Surface s{};
+    s.outline = f32::OUTLINE_BOX;
+    s.prim = prim.data();
+    s.stride = 1;
+    s.normal = f32::vec3(-1, 0, 0);
+    s.position = f32::vec3(lo.x, lo.y + random.weight() * (hi.y - lo.y), lo.z + random.weight() * (hi.z - lo.z));
+    const real3 o = f32::ray_leaving(&s, -1, random.vector(1), 1).o;
+    CHECK(o.x == lo.x);
+    const auto check = [&](float from, float before, float low, float high) {
+      const double m = std::max(std::fabs(low), std::fabs(high));
+      if (high - low > 16 * u * (m + high - low)) REQUIRE((low < from && from < high));
+      REQUIRE(std::fabs(double{from} - before) <= 4 * ulp(m) + 4 * u * (high - low));
+    };
+    check(o.y, s.position.y, lo.y, hi.y);
+    check(o.z, s.position.z, lo.z, hi.z);
+  }
+}
+
+TEST_CASE("where no neighbour touches, rays begin at the point found") {
+  f32::Surface s{};
+  s.position = f32::vec3(1.1F, -2.3F, 1e7F);
+  const real3 o = f32::ray_leaving(&s, 3, f32::vec3(0, 0, 1), 1).o;
+  CHECK(o.x == s.position.x);
+  CHECK(o.y == s.position.y);
+  CHECK(o.z == s.position.z);
+}
+
+}  // namespace

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MIT
+// Closed rooms of perfect mirrors with light outside: a pixel that is not black is a ray that got out. The mirrors are
+// two-sided, so a ray that steps behind a wall flies off instead of ending there. Around the eye in the middle of a
+// room rays through the picture's diagonals run along edges into corners.
+//
+// STRAHL_MIRRORS: 10,000 rays x that many mirrors a room and tier, instead of 1,024 x 1,000.
+#include <catch2/catch.hpp>
+#include <cstdlib>
+
+#include "render/pictures.h"
+#include "scene/build.h"
+#include "scene/xml_transform.h"
+
+namespace strahl::test {
+namespace {
+
+struct Count {
+  int pixels = 32, mirrors = 1000;
+};
+
+Count asked_for() {
+  const char* stated = std::getenv("STRAHL_MIRRORS");
+  return stated != nullptr ? Count{100, std::atoi(stated)} : Count{};
+}
+
+struct Place {
+  const char* name;
+  Transform to_world;  ///< Of the room [-1, 1]^3.
+  Vec3 eye;            ///< Within it.
+};
+
+Transform placed(const Transform& turn, const Vec3& scale, const Vec3& at) {
+  Transform t = turn;
+  for (std::size_t row = 0; row < 3; ++row) {
+    t.m.at(row)[0] *= scale.x;
+    t.m.at(row)[1] *= scale.y;
+    t.m.at(row)[2] *= scale.z;
+  }
+  t.m[0][3] = at.x;
+  t.m[1][3] = at.y;
+  t.m[2][3] = at.z;
+  return t;
+}
+
+std::vector<Place> places() {
+  const Transform turn = rotation({1, 2, 0.5}, 37);
+  return {{"around the eye", {}, {0, 0, 0}},
+          {"turned", turn, {0.1, 0.2, -0.3}},
+          {"turned, large, far off", placed(turn, {3, 3, 3}, {1e6, -1e6, 5e5}), {0.3, 0.1, 0.2}},
+          {"a hall", placed({}, {100, 1, 30}, {0, 0, 0}), {0.9, 0.2, 0.1}}};
+}
+
+const std::array<std::array<int, 4>, 6> faces{
+    {{0, 1, 3, 2}, {4, 6, 7, 5}, {0, 4, 5, 1}, {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 5, 7, 3}}};
+
+Vec3 corner(int i) { return {(i & 1) != 0 ? 1. : -1., (i & 2) != 0 ? 1. : -1., (i & 4) != 0 ? 1. : -1.}; }
+
+Geometry mesh_room(const Transform& t) {
+  Mesh mesh;
+  for (int i = 0; i < 8; ++i) mesh.positions.push_back(t.point(corner(i)));
+  for (const auto& face : faces) {
+    mesh.triangles.push_back({face[0], face[1], face[2]});
+    mesh.triangles.push_back({face[0], face[2], face[3]});
+  }
+  return mesh;
+}
+
+/// walls: 6, or fewer for a room that is open.
+std::vector<Geometry> rectangles_room(const Transform& t, std::size_t walls) {
+  std::vector<Geometry> room;
+  for (std::size_t i = 0; i < walls; ++i) {
+    const Vec3 a = t.point(corner(faces.at(i)[0]));
+    room.emplace_back(Rectangle{a, t.point(corner(faces.at(i)[1])) - a, t.point(corner(faces.at(i)[3])) - a});
+  }
+  return room;
+}
+
+Scene scene_of(const std::vector<Geometry>& room, const Place& place, const Count& count) {
+  Scene scene;
+  const int mirror = add(scene, Conductor{}, true);
+  for (const Geometry& wall : room) add(scene, wall, mirror);
+  add(scene, ConstantLight{});
+  scene.camera = perspective_camera(place.to_world.point(place.eye), place.to_world.point({0, 0, -1}), {0, 1, 0}, 90);
+  scene.film.width = scene.film.height = count.pixels;
+  scene.sampler.kind = SamplerKind::centre;
+  scene.sampler.sample_count = 1;
+  scene.integrator.name = "whitted";
+  scene.integrator.max_depth = count.mirrors + 1;
+  return scene;
+}
+
+/// Pixels that are not black.
+std::size_t escaped(const Scene& scene, Precision precision) {
+  RenderSettings settings;
+  settings.precision = precision;
+  settings.work_group = {4, 1};  // A launch of long paths has few pixels: some for every core.
+  return lit_pixels(render("pocl", scene, settings).color);
+}
+
+void require_closed(const std::vector<Geometry>& room, const Place& place) {
+  for (const Precision precision : {Precision::stable, Precision::robust, Precision::fp64}) {
+    INFO(place.name << ", " << precision_name(precision));
+    CHECK(escaped(scene_of(room, place, asked_for()), precision) == 0);
+  }
+}
+
+TEST_CASE("a cube") {
+  require_pocl_and_rusticl();
+  for (const Place& place : places()) {
+    const Vec3 a = place.to_world.point({-1, -1, -1});
+    const auto edge = [&](const Vec3& to) { return place.to_world.point(to) - a; };
+    require_closed({Cube{a, {edge({1, -1, -1}), edge({-1, 1, -1}), edge({-1, -1, 1})}}}, place);
+  }
+}
+
+TEST_CASE("six rectangles") {
+  require_pocl_and_rusticl();
+  for (const Place& place : places()) require_closed(rectangles_room(place.to_world, 6), place);
+}
+
+TEST_CASE("twelve triangles") {
+  require_pocl_and_rusticl();
+  for (const Place& place : places()) require_closed({mesh_room(place.to_world)}, place);
+}
+
+TEST_CASE("a box") {
+  require_pocl_and_rusticl();
+  require_closed({Box{{-1, -1, -1}, {1, 1, 1}}}, {"around the eye", {}, {0, 0, 0}});
+  const Place off{"large, far off", placed({}, {3, 3, 3}, {1e6, -1e6, 5e5}), {0.3, 0.1, 0.2}};
+  require_closed({Box{off.to_world.point({-1, -1, -1}), off.to_world.point({1, 1, 1})}}, off);
+}
+
+TEST_CASE("rays are reflected as often as is asked for, and an open room is lit") {
+  require_pocl_and_rusticl();
+  const Place place = places()[1];
+  RenderSettings settings;
+  settings.count_rays = true;
+  const Scene closed = scene_of(rectangles_room(place.to_world, 6), place, {8, 100});
+  CHECK(render("pocl", closed, settings).stats.bounce_rays == 8 * 8 * 100);
+  CHECK(escaped(scene_of(rectangles_room(place.to_world, 5), place, {8, 100}), Precision::robust) == 8 * 8);
+}
+
+}  // namespace
+}  // namespace strahl::test
