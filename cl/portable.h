@@ -110,4 +110,10 @@ FN int real_is_finite(real x) {
   return ((int)(real_to_bits(x) >> REAL_EXPONENT_SHIFT) & REAL_EXPONENT_MASK) != REAL_EXPONENT_MASK;
 }
 
+/// Decided on the bits, as above: fast's compiler may take it that there is no NaN.
+FN int real_is_nan(real x) {
+  bitsr magnitude = real_to_bits(x) << 1;
+  return magnitude > ((bitsr)REAL_EXPONENT_MASK << (REAL_EXPONENT_SHIFT + 1));
+}
+
 #endif

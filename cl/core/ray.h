@@ -27,7 +27,7 @@ typedef struct {
 
 FN real component(real3 v, int axis) { return axis == 0 ? v.x : (axis == 1 ? v.y : v.z); }
 
-/// A ray with a NaN or infinite origin or direction, or with direction 0, hits nothing.
+/// A ray with a NaN anywhere, with an infinite origin or direction, or with direction 0, hits nothing.
 FN Ray ray_make(real3 o, real3 d, real t_min, real t_max, int left) {
   Ray ray;
   real3 magnitude = abs3(d);
@@ -47,7 +47,8 @@ FN Ray ray_make(real3 o, real3 d, real t_min, real t_max, int left) {
 #endif
   ray.left = left;
   int usable = real_is_finite(o.x) & real_is_finite(o.y) & real_is_finite(o.z) & real_is_finite(d.x) &
-               real_is_finite(d.y) & real_is_finite(d.z) & (max3(magnitude) > R(0.0));
+               real_is_finite(d.y) & real_is_finite(d.z) & (max3(magnitude) > R(0.0)) & !real_is_nan(t_min) &
+               !real_is_nan(t_max) & (t_min <= t_max);
   if (!usable) {
     ray.t_min = R(1.0);
     ray.t_max = -R(1.0);
@@ -69,6 +70,14 @@ FN Ray ray_make(real3 o, real3 d, real t_min, real t_max, int left) {
   ray.shear_y = component(ray.d, ky) / dz;
   ray.shear_z = R(1.0) / dz;
   return ray;
+}
+
+/// t of a hit in units of the direction as given, held within the range asked for: scaling may round denormal numbers.
+FN real ray_given_t(const Ray* ray, real t, real t_min, real t_max) {
+  t *= ray->t_from_scaled;
+  if (t < t_min) t = t_min;
+  if (t_max < t) t = t_max;
+  return t;
 }
 
 #endif

@@ -26,4 +26,13 @@ typedef struct {
 
 FN real3 ray_at(const Ray* ray, real t) { return fma3(t, ray->d, ray->o); }
 
+/// Where a shape is so large or small that its own numbers leave the range of real, the ray's take their place: nothing
+/// that is reported is infinite or NaN (test_arbitrary_bits).
+FN void surface_keep_finite(const Ray* ray, Surface* s) {
+  if (!is_finite3(s->position)) s->position = ray->o;
+  if (!is_finite3(s->normal)) s->normal = normalize3(negate3(ray->d));
+  if (!real_is_finite(s->u)) s->u = R(0.0);
+  if (!real_is_finite(s->v)) s->v = R(0.0);
+}
+
 #endif

@@ -20,7 +20,7 @@ FN void LANED(trace_one)(const Scene* scene, GLOBAL const real* in, int left, in
   Nearest hit = LANED(closest_hit)(scene, &ray);
   if (hit.kind < 0) return;
   Surface s = surface_at(scene, &ray, &hit, LANES);
-  out[HIT_T] = hit.t * ray.t_from_scaled;
+  out[HIT_T] = ray_given_t(&ray, hit.t, in[RAY_T_MIN], in[RAY_T_MAX]);
   out[HIT_U] = s.u;
   out[HIT_V] = s.v;
   out[HIT_NORMAL] = s.normal.x;

@@ -22,6 +22,6 @@ KERNEL LANE_HINT void probe(GLOBAL const real* blocks, GLOBAL const int* block_i
 #undef SHAPE
   }
   real infinite = bits_to_real((bitsr)REAL_EXPONENT_MASK << REAL_EXPONENT_SHIFT);
-  t[i] = best.kind < 0 ? infinite : best.t * ray.t_from_scaled;
+  t[i] = best.kind < 0 ? infinite : ray_given_t(&ray, best.t, in[RAY_T_MIN], in[RAY_T_MAX]);
   primitive[i] = best.kind < 0 ? -1 : best.id;
 }

@@ -74,6 +74,8 @@ FN PowerOfTwo power_of_two_to_one(real m) {
   return p;
 }
 
+FN int is_finite3(real3 v) { return real_is_finite(v.x) & real_is_finite(v.y) & real_is_finite(v.z); }
+
 /// v / |v|; components up to 2.5 ulp. Scaled first, so neither overflow nor underflow. Zero stays zero.
 FN real3 normalize3(real3 v) {
   PowerOfTwo p = power_of_two_to_one(max3(abs3(v)));

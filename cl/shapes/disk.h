@@ -14,9 +14,6 @@ FN void disk_surface(const Ray* ray, GLOBAL const real* prim, int stride, GLOBAL
   real3 from_center = fma3(t, ray->d, sub3(ray->o, center));
   s->position = add3(from_center, center);
   real x = dot3(from_center, load3(frame)), y = dot3(from_center, load3(frame + 3));
-  // The frame is out of range where the disk is a denormal number wide.
-  if (!real_is_finite(x)) x = R(0.0);
-  if (!real_is_finite(y)) y = R(0.0);
   s->u = real_sqrt(real_fma(x, x, y * y));
   if (s->u > R(1.0)) s->u = R(1.0);
   s->v = atan2_turns(y, x);

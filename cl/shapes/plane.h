@@ -12,9 +12,8 @@ FN void plane_surface(const Ray* ray, GLOBAL const real* prim, int stride, GLOBA
   s->normal = normalize3(vec3(prim[3 * stride], prim[4 * stride], prim[5 * stride]));
   s->position = ray_at(ray, t);
   real3 from_origin = fma3(t, ray->d, sub3(ray->o, load3(frame + 6)));
-  real u = dot3(from_origin, load3(frame)), v = dot3(from_origin, load3(frame + 3));
-  s->u = real_is_finite(u) ? u : R(0.0);
-  s->v = real_is_finite(v) ? v : R(0.0);
+  s->u = dot3(from_origin, load3(frame));
+  s->v = dot3(from_origin, load3(frame + 3));
 }
 
 #endif

@@ -44,6 +44,7 @@ FN Surface surface_at(const Scene* scene, const Ray* ray, const Nearest* hit, in
     default:
       break;
   }
+  surface_keep_finite(ray, &s);
   s.tex_u = s.u;
   s.tex_v = s.v;
   if (part[PART_FLIP] != 0) s.normal = negate3(s.normal);

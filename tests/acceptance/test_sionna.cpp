@@ -2,8 +2,8 @@
 // Nine real scenes of Sionna RT (../shared/data/sionna): materials that strahl does not know, mostly no sensor. Rays
 // through the pixels' middles hit as often as sionna_hits.csv says. sionna_hits.py prints its last column with Mitsuba
 // 3, whose masks agree pixel by pixel but for simple_wedge: edges of it run along the picture's diagonals, exactly
-// through pixels' middles, and there rounding decides; 158 (single precision) and 140 (double) pixels on them differ, none
-// elsewhere. Ten of those are the seam between two triangles, where Mitsuba's rays slip through.
+// through pixels' middles, and there rounding decides; 158 (single precision) and 140 (double) pixels on them differ,
+// none elsewhere. Ten of those are the seam between two triangles, where Mitsuba's rays slip through.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cstdlib>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Rays of random bit patterns (NaN, infinity, denormals, zero directions among them): no NaN comes out, infinity only
-// as t of a miss, a NaN in a ray misses, any hit agrees with closest hit, and it ends.
+// Rays and shapes of random bit patterns (NaN, infinity, denormals, zero directions among the rays'): no NaN comes out,
+// infinity only as t of a miss, a NaN in a ray misses, any hit agrees with closest hit, and it ends.
 #include <bit>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -8,6 +8,7 @@
 
 #include "cl/host_tracer.h"
 #include "cl/mixed_scenes.h"
+#include "scene/validate_geometry.h"
 #include "support/devices.h"
 
 using namespace strahl;
@@ -87,26 +88,65 @@ Scene scene(bool with_planes) {
   return maker.scene();
 }
 
+Geometry any_geometry(const std::string& name, oracle::Random& random) {
+  const auto any = [&] { return Vec3{draw<float>(random), draw<float>(random), draw<float>(random)}; };
+  const Vec3 a = any(), b = any(), c = any();
+  const double size = std::fabs(draw<float>(random));
+  const auto [across, along] = orthonormal_basis(length(b) > 0 && is_finite(b) ? normalized(b) : Vec3{0, 0, 1});
+  if (name == "sphere") return Sphere{a, size};
+  if (name == "plane") return Plane{a, b, across, along};
+  if (name == "box") return Box{{a.x, a.y, a.z}, {a.x + std::fabs(b.x), a.y + std::fabs(b.y), a.z + std::fabs(b.z)}};
+  if (name == "triangle") return Triangle{a, b, c};
+  if (name == "rectangle") return Rectangle{a, b, c};
+  if (name == "cube") return Cube{a, {b, c, any()}};
+  if (name == "disk") return Disk{a, size * across, size * along};
+  if (name == "cylinder") return Cylinder{a, a + size * (length(b) > 0 ? b : c), std::fabs(c.x), across};
+  Mesh mesh;
+  mesh.positions = {a, b, c, any(), a};
+  mesh.triangles = {{0, 1, 2}, {1, 2, 3}, {0, 0, 1}, {0, 4, 2}};
+  return mesh;
+}
+
+/// Ten of every kind, such as the loader accepts.
+Scene any_scene() {
+  oracle::Random random(78);
+  Scene scene;
+  scene.materials.emplace_back();
+  for (const std::string& name : geometry_names())
+    for (int accepted = 0; accepted < 10;) {
+      Shape shape;
+      shape.geometry = any_geometry(name, random);
+      if (!geometry_faults(shape.geometry).empty()) continue;
+      scene.shapes.push_back(shape);
+      ++accepted;
+    }
+  return scene;
+}
+
+std::vector<Scene> all_scenes() { return {scene(false), scene(true), any_scene()}; }
+
 }  // namespace
 
-TEMPLATE_TEST_CASE("rays of arbitrary bits, on the host", "", float, double) {
+TEMPLATE_TEST_CASE("arbitrary bits, on the host", "", float, double) {
   const std::vector<Ray> rays = any_rays<TestType>(100000);
-  for (const bool with_planes : {false, true}) {
-    INFO("planes " << with_planes);
-    const HostTracer<TestType> host(scene(with_planes), 8);
+  for (const Scene& scene : all_scenes()) {
+    INFO(scene.shapes.size() << " shapes");
+    const HostTracer<TestType> host(scene, 8);
     hold(rays, [&](const std::vector<Ray>& r, bool any_hit) { return host.trace(r, any_hit); });
   }
 }
 
-TEST_CASE("rays of arbitrary bits, on PoCL") {
+TEST_CASE("arbitrary bits, on PoCL") {
   require_pocl_and_rusticl();
-  const Device device = Device::open("pocl");
+  const Device device = Device::open("pocl", {true});
   const std::vector<Ray> rays = any_rays<float>(100000);
-  for (const bool with_planes : {false, true}) {
-    INFO("planes " << with_planes);
-    RenderSettings settings;
-    settings.generic = true;
-    Intersector intersector(device, scene(with_planes), settings);
-    hold(rays, [&](const std::vector<Ray>& r, bool any_hit) { return intersector.trace(r, any_hit); });
-  }
+  for (const Precision precision : {Precision::fast, Precision::stable, Precision::robust, Precision::fp64})
+    for (const Scene& scene : all_scenes()) {
+      INFO(scene.shapes.size() << " shapes, " << precision_name(precision));
+      RenderSettings settings;
+      settings.generic = true;
+      settings.precision = precision;
+      Intersector intersector(device, scene, settings);
+      hold(rays, [&](const std::vector<Ray>& r, bool any_hit) { return intersector.trace(r, any_hit); });
+    }
 }

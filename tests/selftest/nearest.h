@@ -13,6 +13,8 @@ struct Nearest {
 };
 
 /// planes: primitive after primitive; ray: RAY_REALS of cl/scene/layout.h; left: index or -1.
+[[nodiscard]] Nearest nearest_stable(std::string_view kind, std::span<const double> planes, std::span<const double> ray,
+                                     int left);
 [[nodiscard]] Nearest nearest_robust(std::string_view kind, std::span<const double> planes, std::span<const double> ray,
                                      int left);
 [[nodiscard]] Nearest nearest_double(std::string_view kind, std::span<const double> planes, std::span<const double> ray,

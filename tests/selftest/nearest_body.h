@@ -20,5 +20,5 @@ inline strahl::test::Nearest nearest_of(std::string_view kind, std::span<const d
 #include "shapes/shapes.def"
 #undef SHAPE
   if (best.kind < 0) return {INFINITY, -1};
-  return {best.t * ray.t_from_scaled, best.id};
+  return {ray_given_t(&ray, best.t, r[RAY_T_MIN], r[RAY_T_MAX]), best.id};
 }

@@ -117,7 +117,7 @@ TEST_CASE("a change of the program reaches the device") {
   require_pocl_and_rusticl();
   ProbeOptions options;
   options.change = [](ProgramSource& source) {
-    const std::string reported = "best.t * ray.t_from_scaled";
+    const std::string reported = "ray_given_t(&ray, best.t, in[RAY_T_MIN], in[RAY_T_MAX])";
     const std::size_t at = source.text.find(reported);
     REQUIRE(at != std::string::npos);
     source.text.replace(at, reported.size(), "R(7.0)");

@@ -2,7 +2,7 @@
 strahl_test(selftest/test_probe.cpp LABEL device LIBS strahl_robust_kernels strahl_selftest)
 # Bodies of the tiers on the host, apart from libstrahl, whose headers have the same names: only cl/ and tests/ on the
 # path. STRAHL_HOST_HAS_FMA: tests/cl/tests.cmake, which comes first.
-add_library(strahl_nearest STATIC selftest/nearest_robust.cpp selftest/nearest_double.cpp)
+add_library(strahl_nearest STATIC selftest/nearest_stable.cpp selftest/nearest_robust.cpp selftest/nearest_double.cpp)
 target_include_directories(strahl_nearest PRIVATE ${PROJECT_SOURCE_DIR}/cl ${CMAKE_CURRENT_SOURCE_DIR})
 target_compile_options(strahl_nearest PRIVATE -O2 -Wno-psabi $<$<BOOL:${STRAHL_HOST_HAS_FMA}>:-mfma>)
 
