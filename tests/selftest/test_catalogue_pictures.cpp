@@ -98,6 +98,36 @@ bool all_hit(const Rendered& picture, const Rendered&) {
   return holds_everywhere(picture.aov, [&](int x, int y) { return picture.is_hit(x, y); });
 }
 
+/// Colours of the checkerboards, in squares of 8 x 8 pixels.
+bool two_tones(const Rendered& picture, const Rendered&) {
+  std::set<float> tones;
+  (void)holds_everywhere(picture.color, [&](int x, int y) { return tones.insert(picture.color.at(x, y, 0)), true; });
+  return tones == std::set<float>{0.25F, 0.75F};
+}
+
+/// Whether the pixels that many further right and down have the same colour.
+bool repeats(const Image& color, int after, bool is_same) {
+  return holds_everywhere(color, [&](int x, int y) {
+    const float here = color.at(x, y, 0);
+    return (x + after >= color.width || (color.at(x + after, y, 0) == here) == is_same) &&
+           (y + after >= color.height || (color.at(x, y + after, 0) == here) == is_same);
+  });
+}
+
+bool squares_alternate(const Rendered& picture, const Rendered& first) {
+  return two_tones(picture, first) && repeats(picture.color, 8, false);
+}
+
+bool squares_repeat(const Rendered& picture, const Rendered& first) {
+  return two_tones(picture, first) && repeats(picture.color, 16, true);
+}
+
+/// The filter's remainder is half a square over its width: some 2^-7 where floats are 8 squares apart.
+bool even_grey(const Rendered& picture, const Rendered&) {
+  return holds_everywhere(picture.color,
+                          [&](int x, int y) { return std::fabs(picture.color.at(x, y, 0) - 0.5F) <= 0x1p-6F; });
+}
+
 const std::map<std::string, bool (*)(const Rendered&, const Rendered&)> checks = {
     {"finite", finite},
     {"uv_in_unit_square", uv_in_unit_square},
@@ -107,6 +137,10 @@ const std::map<std::string, bool (*)(const Rendered&, const Rendered&)> checks =
     {"same_as_first", same_as_first},
     {"all_shapes_seen", all_shapes_seen},
     {"all_hit", all_hit},
+    {"two_tones", two_tones},
+    {"squares_alternate", squares_alternate},
+    {"squares_repeat", squares_repeat},
+    {"even_grey", even_grey},
 };
 
 Rendered rendered(const std::string& text) {
