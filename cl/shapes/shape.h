@@ -44,6 +44,9 @@ FN Surface surface_at(const Scene* scene, const Ray* ray, const Nearest* hit, in
     default:
       break;
   }
+#if TIER_FAST
+  s.position = ray_at(ray, hit->t);  // As textbooks have it: off the surface by what o + t d rounds.
+#endif
   surface_keep_finite(ray, &s);
   s.tex_u = s.u;
   s.tex_v = s.v;

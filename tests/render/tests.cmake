@@ -16,3 +16,4 @@ set_tests_properties(render_test_metamorphic_all_scales PROPERTIES LABELS slow T
 # 10,000 rays x 10,000 mirrors for every room and tier: about half an hour.
 add_test(NAME render_test_mirror_box_long COMMAND render_test_mirror_box)
 set_tests_properties(render_test_mirror_box_long PROPERTIES LABELS slow TIMEOUT 7200 ENVIRONMENT STRAHL_MIRRORS=10000)
+strahl_test(render/test_every_scene.cpp LABEL slow TIMEOUT 3600)
