@@ -23,7 +23,7 @@ inline constexpr double u = 0x1p-24;
 void put(std::vector<double>& planes, const Vec3& v);
 
 /// One primitive of the kind (cl/shapes/shapes.def) and a ray towards it. Expected::either within the bands that
-/// questions.cpp states, and where rounding t moves it across the ends of the ray's range. Throws std::logic_error for
+/// answer.cpp states, and where rounding t moves it across the ends of the ray's range. Throws std::logic_error for
 /// an unknown kind.
 [[nodiscard]] Question draw_question(const std::string& kind, oracle::Law, oracle::Random&);
 
