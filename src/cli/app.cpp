@@ -23,11 +23,12 @@ Examples:
   strahl render mesh.obj --width 512 --spp 64 --aov depth,normal -o mesh.exr
   strahl explain scenes/lecture/lit.xml
   strahl devices
+  strahl selftest
 
 Exit codes:
   0  ok                           5  a kernel does not build
   1  failure                      6  target missed
-  2  wrong usage                  7  comparison failed
+  2  wrong usage                  7  comparison or self test failed
   3  scene or input unusable      130, 143  interrupted (Ctrl-C), terminated;
   4  no suitable OpenCL device              the picture so far is written
 
@@ -88,6 +89,7 @@ ExitCode run(std::vector<std::string> arguments, const Invocation& invocation) {
   add("devices", "List OpenCL platforms and devices", add_devices);
   add("explain", "Say which effects a scene calls for, and where", add_explain);
   add("compare", "Measure how far one picture is from another", add_compare);
+  add("selftest", "Ask a device how far its arithmetic can be trusted", add_selftest);
 
   if (arguments.empty()) throw UsageError("nothing to do: name a scene or a command; `strahl --help` shows which");
   insert_default_command(arguments, names);

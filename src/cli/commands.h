@@ -29,5 +29,6 @@ Command add_intersect(CLI::App& app, const Invocation& invocation);
 Command add_devices(CLI::App& app);
 Command add_explain(CLI::App& app);
 Command add_compare(CLI::App& app);
+Command add_selftest(CLI::App& app);
 
 }  // namespace strahl::cli

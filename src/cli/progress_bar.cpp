@@ -34,4 +34,15 @@ void ProgressBar::show(const Progress& progress) {
   std::fputs(line.c_str(), stderr);
 }
 
+void ProgressBar::show(double share, const std::string& what) {
+  constexpr int kWidth = 30;
+  if (!enabled_) return;
+  shown_at_ = watch_.seconds();
+  const std::string left = share > 0.1 ? fmt::format("{:.0f} s left · ", shown_at_ * (1 - share) / share) : "";
+  const auto filled = static_cast<std::size_t>(kWidth * std::clamp(share, 0.0, 1.0));
+  const std::string line = fmt::format("\r{} {:3.0f} % [{:<{}}] {}{}\033[K", label_, 100 * share,
+                                       std::string(filled, '='), kWidth, left, what);
+  std::fputs(line.c_str(), stderr);
+}
+
 }  // namespace strahl::cli

@@ -41,13 +41,6 @@ std::vector<std::string> Draft::unused() const {
   return names;
 }
 
-double to_float(double x) {
-  const volatile float f = static_cast<float>(x);
-  return static_cast<double>(f);
-}
-
-Vec3 to_float(const Vec3& v) { return {to_float(v.x), to_float(v.y), to_float(v.z)}; }
-
 Question question_about(const char* kind) {
   Question q;
   q.kind = kind;

@@ -10,6 +10,7 @@
 
 #include "oracle/random.h"
 #include "selftest/catalogue.h"
+#include "selftest/to_float.h"
 
 namespace strahl::selftest {
 
@@ -41,10 +42,6 @@ class Draft {
   std::map<std::string, double> sizes_;
   std::set<std::string> used_;
 };
-
-/// Rounded to float. volatile: g++ 12.2 drops the rounding when it vectorises neighbouring components.
-[[nodiscard]] double to_float(double x);
-[[nodiscard]] Vec3 to_float(const Vec3& v);
 
 [[nodiscard]] Question question_about(const char* kind);
 /// Appends the components, rounded to float.

@@ -10,7 +10,7 @@
 namespace strahl::selftest {
 
 void put(std::vector<double>& planes, const Vec3& v) {
-  for (const double x : {v.x, v.y, v.z}) planes.push_back(narrow(x));
+  for (const double x : {v.x, v.y, v.z}) planes.push_back(to_float(x));
 }
 
 void settle(Question& q, const oracle::Answer& answer, bool is_outside_band) {
@@ -35,7 +35,7 @@ Question sphere_question(oracle::Random& random, Law law) {
   const auto drawn = oracle::sphere_case(random, law, oracle::Rounding::to_float);
   Question q = question("sphere", drawn.ray);
   put(q.planes, drawn.shape.center);
-  q.planes.push_back(narrow(drawn.shape.radius));
+  q.planes.push_back(to_float(drawn.shape.radius));
   return q;
 }
 
@@ -45,8 +45,8 @@ Question cylinder_question(oracle::Random& random, Law law) {
   Question q = question("cylinder", drawn.ray);
   put(q.planes, drawn.shape.p0);
   put(q.planes, normalized(drawn.shape.axis));
-  q.planes.push_back(narrow(length(drawn.shape.axis)));
-  q.planes.push_back(narrow(drawn.shape.radius));
+  q.planes.push_back(to_float(length(drawn.shape.axis)));
+  q.planes.push_back(to_float(drawn.shape.radius));
   return q;
 }
 
@@ -63,7 +63,7 @@ Question disk_question(oracle::Random& random, Law law) {
   Question q = question("disk", drawn.ray);
   put(q.planes, drawn.shape.center);
   put(q.planes, cross(drawn.shape.axis_u, drawn.shape.axis_v));
-  q.planes.push_back(narrow(dot(drawn.shape.axis_u, drawn.shape.axis_u)));
+  q.planes.push_back(to_float(dot(drawn.shape.axis_u, drawn.shape.axis_u)));
   return q;
 }
 
@@ -71,7 +71,7 @@ Question box_question(oracle::Random& random, Law law) {
   const auto drawn = oracle::aabb_case(random, law, oracle::Rounding::to_float);
   const oracle::Aabb& s = drawn.shape;
   Question q = question("box", drawn.ray);
-  for (const double x : {s.min.x, s.max.x, s.min.y, s.max.y, s.min.z, s.max.z}) q.planes.push_back(narrow(x));
+  for (const double x : {s.min.x, s.max.x, s.min.y, s.max.y, s.min.z, s.max.z}) q.planes.push_back(to_float(x));
   return q;
 }
 

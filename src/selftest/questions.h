@@ -7,17 +7,12 @@
 
 #include "oracle/generators.h"
 #include "selftest/question.h"
+#include "selftest/to_float.h"
 
 namespace strahl::selftest {
 
 /// Unit roundoff of float.
 inline constexpr double u = 0x1p-24;
-
-/// Rounded to float. volatile: g++ 12.2 drops the rounding when it vectorises neighbouring components.
-[[nodiscard]] inline double narrow(double x) {
-  const volatile float f = static_cast<float>(x);
-  return static_cast<double>(f);
-}
 
 /// Appends the components, rounded to float.
 void put(std::vector<double>& planes, const Vec3& v);

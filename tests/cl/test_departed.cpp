@@ -4,10 +4,11 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "cl/closed_meshes.h"
 #include "cl/host_tracer.h"
+#include "selftest/closed_meshes.h"
 
 using namespace strahl;
+using namespace strahl::selftest;
 using namespace strahl::test;
 
 namespace {

@@ -14,7 +14,7 @@ inline std::array<float, 8> reals_of(const oracle::Ray& ray) {
   std::size_t i = 0;
   for (const double x : {ray.origin.x, ray.origin.y, ray.origin.z, ray.direction.x, ray.direction.y, ray.direction.z,
                          ray.t_min, ray.t_max})
-    reals[i++] = static_cast<float>(selftest::narrow(x));
+    reals[i++] = static_cast<float>(selftest::to_float(x));
   return reals;
 }
 

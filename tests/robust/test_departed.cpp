@@ -18,13 +18,11 @@ Vec3 direction(oracle::Random& random) {
   return normalized(Vec3{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)});
 }
 
-Vec3 rounded(const Vec3& v) { return {narrow(v.x), narrow(v.y), narrow(v.z)}; }
-
 /// From a point with the given normal: into the shape or out of it, now and then as good as tangent.
 Vec3 departing(oracle::Random& random, const Vec3& normal) {
   const Vec3 any = direction(random), tangent = normalized(any - dot(any, normal) * normal);
   const double tilt = random.sign() * std::fabs(random.log_uniform(-6, 0));
-  return rounded(tangent + tilt * normal);
+  return to_float(tangent + tilt * normal);
 }
 
 double ulps_of(float t, long double exact) {
@@ -39,12 +37,12 @@ TEST_CASE("a sphere that was left is met at its other root only") {
   double worst = 0;
   int far_sides = 0;
   for (int i = 0; i < 100000; ++i) {
-    const double radius = narrow(std::fabs(random.log_uniform(-3, 3)));
-    const Vec3 center = rounded(100 * direction(random)), normal = direction(random);
+    const double radius = to_float(std::fabs(random.log_uniform(-3, 3)));
+    const Vec3 center = to_float(100 * direction(random)), normal = direction(random);
     Question q;
     put(q.planes, center);
-    q.planes.push_back(narrow(radius));
-    q.ray.origin = rounded(center + radius * normal);
+    q.planes.push_back(to_float(radius));
+    q.ray.origin = to_float(center + radius * normal);
     q.ray.direction = departing(random, normal);
     const Long f = Long(q.ray.origin) - Long(center), d(q.ray.direction);
     const long double other = -2 * dot(f, d) / dot(d, d);
@@ -65,16 +63,16 @@ TEST_CASE("a cylinder that was left is met at its other root only") {
   double worst = 0;
   int far_sides = 0;
   for (int i = 0; i < 100000; ++i) {
-    const double radius = narrow(std::fabs(random.log_uniform(-2, 2)));
-    const Vec3 p0 = rounded(100 * direction(random)), axis = rounded(direction(random));
+    const double radius = to_float(std::fabs(random.log_uniform(-2, 2)));
+    const Vec3 p0 = to_float(100 * direction(random)), axis = to_float(direction(random));
     const Vec3 any = direction(random), normal = normalized(any - dot(any, axis) * axis);
-    const double extent = narrow(1000 * radius);
+    const double extent = to_float(1000 * radius);
     Question q;
     put(q.planes, p0);
     put(q.planes, axis);
-    q.planes.push_back(narrow(extent));
-    q.planes.push_back(narrow(radius));
-    q.ray.origin = rounded(p0 + 0.5 * extent * axis + radius * normal);
+    q.planes.push_back(to_float(extent));
+    q.planes.push_back(to_float(radius));
+    q.ray.origin = to_float(p0 + 0.5 * extent * axis + radius * normal);
     q.ray.direction = departing(random, normal);
     const Long v(axis), f = Long(q.ray.origin) - Long(p0), d(q.ray.direction), across = cross(d, v);
     const long double other = -2 * dot(cross(f, v), across) / dot(across, across);

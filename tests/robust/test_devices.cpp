@@ -13,7 +13,7 @@
 using namespace strahl;
 using namespace strahl::test;
 using oracle::Law;
-using selftest::narrow;
+using selftest::to_float;
 
 namespace {
 
@@ -33,8 +33,8 @@ void add(Traced& traced, int count, Draw draw, MakeGeometry make) {
       for (int k = 0; k < 40; ++k) {
         Ray ray;
         const double off = k * 0x1p-10;
-        ray.origin = {narrow(drawn.ray.origin.x + off), drawn.ray.origin.y, drawn.ray.origin.z};
-        ray.direction = {drawn.ray.direction.x, narrow(drawn.ray.direction.y + off * 0x1p-6), drawn.ray.direction.z};
+        ray.origin = {to_float(drawn.ray.origin.x + off), drawn.ray.origin.y, drawn.ray.origin.z};
+        ray.direction = {drawn.ray.direction.x, to_float(drawn.ray.direction.y + off * 0x1p-6), drawn.ray.direction.z};
         if (k % 3 == 0) ray.shape = static_cast<int>(traced.scene.shapes.size()) - 1, ray.primitive = 0;
         traced.rays.push_back(ray);
       }

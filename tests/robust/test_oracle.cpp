@@ -82,16 +82,16 @@ TEST_CASE("the settings that break single precision in its usual forms") {
       Question q;
       q.kind = "sphere";
       const Vec3 to_center = direction(), n = normalized(cross(to_center, direction()));
-      const oracle::Sphere sphere{{0, 0, 0}, narrow(radius)};
+      const oracle::Sphere sphere{{0, 0, 0}, to_float(radius)};
       put(q.planes, sphere.center);
-      q.planes.push_back(narrow(radius));
+      q.planes.push_back(to_float(radius));
       const Vec3 origin = -away * to_center;
       // Within the disc that it shows, or within 2^-23 ... 2^-10 of its silhouette.
       const double silhouette = radius * (1 + random.sign() * std::ldexp(1.0, -random.integer(10, 23)));
       const double aside = i % 2 ? radius * random.uniform(0, 1) : std::min(silhouette, away * 0.999999);
       const Vec3 d = std::sqrt(1 - (aside / away) * (aside / away)) * to_center + aside / away * n;
-      q.ray.origin = {narrow(origin.x), narrow(origin.y), narrow(origin.z)};
-      q.ray.direction = {narrow(d.x), narrow(d.y), narrow(d.z)};
+      q.ray.origin = {to_float(origin.x), to_float(origin.y), to_float(origin.z)};
+      q.ray.direction = {to_float(d.x), to_float(d.y), to_float(d.z)};
       const auto answer = oracle::sphere(q.ray, sphere);
       settle(q, answer, std::fabs(answer.margin) > 4 * u);
       const float t = ask_host(q);

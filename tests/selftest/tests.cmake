@@ -13,3 +13,8 @@ strahl_test(selftest/test_catalogue.cpp LABEL unit LIBS strahl_selftest fmt::fmt
 strahl_test(selftest/test_catalogue_host.cpp LABEL unit LIBS strahl_selftest strahl_nearest)
 strahl_test(selftest/test_catalogue_devices.cpp LABEL device LIBS strahl_selftest)
 strahl_test(selftest/test_catalogue_pictures.cpp LABEL render LIBS strahl_selftest)
+
+strahl_test(selftest/test_faults.cpp LABEL device SOURCES cli/program.cpp LIBS strahl_selftest nlohmann_json::nlohmann_json
+            TIMEOUT 300)
+add_dependencies(selftest_test_faults strahl-bin)
+target_compile_definitions(selftest_test_faults PRIVATE STRAHL_PROGRAM="$<TARGET_FILE:strahl-bin>")

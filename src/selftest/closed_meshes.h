@@ -4,21 +4,16 @@
 
 #include <array>
 #include <map>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include "oracle/random.h"
 #include "render/intersector.h"
 #include "scene/scene.h"
+#include "selftest/to_float.h"
 
-namespace strahl::test {
-
-/// A float, kept as such: volatile, because g++ 12.2 drops a vectorised double -> float -> double at -O2.
-inline double to_float(double x) {
-  const volatile float narrow = static_cast<float>(x);
-  return static_cast<double>(narrow);
-}
-inline Vec3 to_float(const Vec3& v) { return {to_float(v.x), to_float(v.y), to_float(v.z)}; }
+namespace strahl::selftest {
 
 struct ClosedSurface {
   Scene scene;
@@ -108,6 +103,23 @@ inline ClosedSurface triangulated(const ClosedSurface& from) {
   return surface;
 }
 
+/// Rooms and icospheres at ordinary and tiny size and far away, each with a name.
+inline std::vector<std::pair<std::string, ClosedSurface>> closed_surfaces() {
+  const Vec3 far_away{1e6, -1e6, 1e6};
+  const ClosedSurface axes = room({{-3, -2, -5}, {{{8, 0, 0}, {0, 4, 0}, {0, 0, 6}}}});
+  const ClosedSurface sheared = room({{0.1, 0.2, 0.3}, {{{1, 0.3, -0.2}, {0.1, 1.3, 0.25}, {-0.3, 0.2, 0.9}}}});
+  const ClosedSurface far_room = room({far_away, {{{100.7, 0.3, 0.2}, {1.1, 60.3, 0.2}, {-0.3, 0.2, 80.1}}}});
+  return {{"icosphere", icosphere({0, 0, 0}, 2, 2)},
+          {"icosphere, 10^6 away", icosphere(far_away, 100, 2)},
+          {"tiny icosphere", icosphere({0, 0, 0}, 1e-6, 1)},
+          {"room along the axes", axes},
+          {"its triangles", triangulated(axes)},
+          {"sheared room", sheared},
+          {"its triangles", triangulated(sheared)},
+          {"room 10^6 away", far_room},
+          {"its triangles", triangulated(far_room)}};
+}
+
 /// A third at vertices, a third at points of edges, a third along an axis through a vertex wherever the start is
 /// inside.
 inline std::vector<Ray> rays_at_seams(const ClosedSurface& surface, std::size_t count, std::uint64_t seed) {
@@ -140,4 +152,4 @@ inline std::vector<Ray> rays_at_seams(const ClosedSurface& surface, std::size_t 
   return rays;
 }
 
-}  // namespace strahl::test
+}  // namespace strahl::selftest
