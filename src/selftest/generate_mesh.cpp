@@ -71,7 +71,10 @@ Question lattice(Draft& draft) {
   while (d == Vec3{}) {
     const auto step = [&] { return draft.random.sign() * 1.0 * draft.random.integer(0, draft.index % 2); };
     d = {step(), step(), step()};
-    if (draft.index % 2 == 0) (&d.x)[draft.random.integer(0, 2)] = draft.random.sign();
+    if (draft.index % 2 == 0) {
+      const int axis = draft.random.integer(0, 2);
+      (axis == 0 ? d.x : axis == 1 ? d.y : d.z) = draft.random.sign();
+    }
   }
   aim(q, origin, draft.scaled(d));
   return q;
