@@ -47,13 +47,13 @@ class Selftest {
     total_ =
         options().tiers.size() + options().kinds.size() * options().tiers.size() * static_cast<std::size_t>(rounds());
     for (const Precision precision : options().tiers) ask_canary(precision);
-    for (const Row& row : catalogue())
-      for (Question& question : questions_of(row, options().cases_per_generator)) {
-        auto& [rows, questions] = catalogue_of_[question.kind];
-        rows.push_back(&row);
-        questions.push_back(std::move(question));
-      }
-    for (const std::string& kind : options().kinds) ask_about(kind);
+    const bool is_any_sound = std::any_of(result_.tiers.begin(), result_.tiers.end(), [](const TierResult& tier) {
+      return tier.canary.tier.verdict != Verdict::refused;
+    });
+    if (is_any_sound) {
+      sort_catalogue();
+      for (const std::string& kind : options().kinds) ask_about(kind);
+    }
     fault_.require_injected();
     for (TierResult& tier : result_.tiers) conclude(tier);
     result_.seconds = watch.seconds();
@@ -78,6 +78,15 @@ class Selftest {
     tier.canary = run_canary(device_, precision, {{}, change()});
     tier.tier = tier.canary.tier;
     result_.tiers.push_back(std::move(tier));
+  }
+
+  void sort_catalogue() {
+    for (const Row& row : catalogue())
+      for (Question& question : questions_of(row, options().cases_per_generator)) {
+        auto& [rows, questions] = catalogue_of_[question.kind];
+        rows.push_back(&row);
+        questions.push_back(std::move(question));
+      }
   }
 
   /// One tier's part of what is asked about a kind.

@@ -132,6 +132,13 @@ TEST_CASE("a fault that finds nothing to change is no fault") {
   CHECK(contains(source.text, "eq_w(a, zero)"));
 }
 
+TEST_CASE("a kind of primitive that there is not is wrong usage") {
+  const Folder folder;
+  const Outcome outcome = folder.run({"selftest", "-d", "pocl", "--kind", "trangle"});
+  CHECK(outcome.code == 2);
+  CHECK(contains(outcome.err, "did you mean \"triangle\""));
+}
+
 TEST_CASE("the table says what the JSON says") {
   const Folder folder;
   const Outcome outcome = folder.run(
