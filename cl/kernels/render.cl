@@ -11,11 +11,21 @@
 #include "core/film.h"
 #include "integrators/integrator.h"
 
-FN void store_first_sample(GLOBAL real* reals, GLOBAL int* ints, const Ray* ray, int hit, const Surface* s) {
+FN void store_first_sample(GLOBAL real* reals, GLOBAL int* ints, const Ray* ray, int hit, real t, const Surface* s) {
   for (int i = 0; i < AOV_REALS; ++i) reals[i] = R(0.0);
   ints[AOV_SHAPE] = -1;
   ints[AOV_PRIMITIVE] = -1;
+  GLOBAL real* traced = reals + AOV_RAY;
+  traced[RAY_O] = ray->o.x;
+  traced[RAY_O + 1] = ray->o.y;
+  traced[RAY_O + 2] = ray->o.z;
+  traced[RAY_D] = ray->d.x;
+  traced[RAY_D + 1] = ray->d.y;
+  traced[RAY_D + 2] = ray->d.z;
+  traced[RAY_T_MIN] = ray->t_min;
+  traced[RAY_T_MAX] = ray->t_max;
   if (!hit) return;
+  reals[AOV_T] = t;
   reals[AOV_DEPTH] = length3(sub3(s->position, ray->o));
   reals[AOV_NORMAL] = s->shading.x;
   reals[AOV_NORMAL + 1] = s->shading.y;
@@ -68,7 +78,8 @@ KERNEL LANE_HINT void render(GLOBAL const real* geometry, GLOBAL const real* sha
         Surface surface;
         if (hit) surface = surface_at(&scene, &path.ray, &nearest, LANES);
         if (HAS_AOV && sample == 0 && path.depth == 0)
-          store_first_sample(aov_reals + slot * AOV_REALS, aov_ints + slot * AOV_INTS, &path.ray, hit, &surface);
+          store_first_sample(aov_reals + slot * AOV_REALS, aov_ints + slot * AOV_INTS, &path.ray, hit, nearest.t,
+                             &surface);
         more = LANED(path_step)(&scene, &path, hit, &surface, nearest.id);
       } while (more);
       r += film_units(&scene, path.radiance.x, film_scale);

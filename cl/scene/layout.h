@@ -68,8 +68,9 @@ enum { FILTER_CELLS = 1024 };
 // Film: FILM_SUBSUMS x 3 sums a pixel (sample index mod FILM_SUBSUMS), docs/decisions/0002-film.md.
 enum { FILM_SUBSUMS = 4, FILM_CHANNELS = 3 };
 
-// First-sample values of a pixel: depth, normal, position, uv; shape, primitive.
-enum { AOV_DEPTH = 0, AOV_NORMAL = 1, AOV_POSITION = 4, AOV_UV = 7, AOV_REALS = 9 };
+// First-sample values of a pixel: depth, normal, position, uv, t and the ray that it belongs to (RAY_O ...); shape,
+// primitive.
+enum { AOV_DEPTH = 0, AOV_NORMAL = 1, AOV_POSITION = 4, AOV_UV = 7, AOV_T = 9, AOV_RAY = 10, AOV_REALS = 18 };
 enum { AOV_SHAPE, AOV_PRIMITIVE, AOV_INTS };
 
 enum { COUNT_SATURATED, COUNT_INVALID, COUNT_SHADOW, COUNT_BOUNCE, COUNTERS };

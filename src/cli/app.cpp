@@ -90,6 +90,8 @@ ExitCode run(std::vector<std::string> arguments, const Invocation& invocation) {
   add("explain", "Say which effects a scene calls for, and where", add_explain);
   add("compare", "Measure how far one picture is from another", add_compare);
   add("selftest", "Ask a device how far its arithmetic can be trusted", add_selftest);
+  add("stress", "Show a scene in other units and elsewhere, in every precision",
+      [&](CLI::App& sub) { return add_stress(sub, invocation); });
 
   if (arguments.empty()) throw UsageError("nothing to do: name a scene or a command; `strahl --help` shows which");
   insert_default_command(arguments, names);

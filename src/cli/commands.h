@@ -30,5 +30,6 @@ Command add_devices(CLI::App& app);
 Command add_explain(CLI::App& app);
 Command add_compare(CLI::App& app);
 Command add_selftest(CLI::App& app);
+Command add_stress(CLI::App& app, const Invocation& invocation);
 
 }  // namespace strahl::cli

@@ -5,9 +5,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
+
+#include "image/inferno.h"
 
 namespace strahl::cli {
 namespace {
@@ -82,6 +85,18 @@ Image ids_as_colors(const Image& layer) {
   return rgb;
 }
 
+/// Black: right to the last place; the map's end: nothing of 24 bits is right; cyan: hit for miss or miss for hit.
+Image errors_as_colors(const Image& layer) {
+  Image rgb = rgb_like(layer);
+  for (std::size_t p = 0; p < pixel_count(layer); ++p) {
+    const double ulps = static_cast<double>(layer.data[p]);
+    const std::array<float, 3> color =
+        std::isfinite(ulps) ? inferno(std::min(std::log2(1 + ulps) / 24, 1.0)) : std::array<float, 3>{0.0F, 1.0F, 1.0F};
+    std::copy(color.begin(), color.end(), rgb.data.begin() + static_cast<std::ptrdiff_t>(p * 3));
+  }
+  return rgb;
+}
+
 }  // namespace
 
 std::vector<std::string> layers(const Image& image) {
@@ -116,6 +131,7 @@ Image display(const Image& layer, const std::string& name) {
   if (name == "position") return scaled_positions(layer, name);
   if (name == "normal") return normals_as_colors(layer);
   if (name == "shape_id" || name == "primitive_id") return ids_as_colors(layer);
+  if (name == "numeric_error") return errors_as_colors(layer);
   return plain(layer);
 }
 

@@ -16,7 +16,8 @@ namespace strahl::cli {
 [[nodiscard]] Image layer(const Image& image, const std::string& name);
 
 /// A layer for a PNG: depth divided by its largest value, position scaled per axis to its range (both stated in the
-/// metadata), normal as 0.5 + 0.5 n, uv as red and green, ids as false colours; where nothing was hit: black.
+/// metadata), normal as 0.5 + 0.5 n, uv as red and green, ids as false colours, numeric_error by its
+/// logarithm; where nothing was hit: black.
 [[nodiscard]] Image display(const Image& layer, const std::string& name);
 
 /// A layer for a PFM: its values as they are, in one channel or three (the third 0 where there are two).

@@ -127,7 +127,8 @@ ExitCode render(const RenderOptions& options, const Invocation& invocation) {
     require_writable(files);
   }
 
-  const Device device = Device::open(options.device, {settings.precision == Precision::fp64});
+  const Device device = Device::open(
+      options.device, {settings.precision == Precision::fp64 || settings.aovs.contains(Aov::numeric_error)});
   const Canary canary = ask_canary(device, options.kernel, settings);
   Renderer renderer(device, scene, settings);
   if (!options.dump_kernel.empty()) write_text(options.dump_kernel, renderer.program_text());

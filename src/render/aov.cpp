@@ -24,6 +24,7 @@ constexpr Channel channels[] = {
     {Aov::position, "position.Z", layout::AOV_POSITION + 2, false},
     {Aov::uv, "uv.U", layout::AOV_UV, false},
     {Aov::uv, "uv.V", layout::AOV_UV + 1, false},
+    {Aov::numeric_error, "numeric_error.ULP", layout::AOV_T, false},
     {Aov::shape_id, "shape_id.I", layout::AOV_SHAPE, true},
     {Aov::primitive_id, "primitive_id.I", layout::AOV_PRIMITIVE, true},
 };

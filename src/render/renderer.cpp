@@ -12,6 +12,7 @@
 #include "render/aov.h"
 #include "render/film.h"
 #include "render/launch_plan.h"
+#include "render/numeric_error.h"
 #include "render/stopwatch.h"
 #include "scene/validate.h"
 
@@ -72,6 +73,9 @@ void Renderer::State::prepare() {
   window = scene.film.window();
   if (sampling.spp > max_spp)
     throw UsageError(fmt::format("--spp {}: the film holds at most {} samples per pixel", sampling.spp, max_spp));
+  if (settings.aovs.contains(Aov::numeric_error) && !device.info().fp64)
+    throw NoDeviceError(fmt::format("the AOV numeric_error holds every hit against double precision, which {} has not",
+                                    device.info().text()));
   const int lanes = settings.lanes.value_or(default_lanes(device.info().native_vector_width, settings.precision));
   const Stopwatch start;
   features = features_of(scene, settings);
@@ -239,6 +243,8 @@ RenderResult Renderer::render(const ProgressCallback& progress) {
   }
   const Stopwatch convert;
   result.color = film.mean();
+  if (s.settings.aovs.contains(Aov::numeric_error))
+    replace_t_by_its_error(s.device, s.scene, s.frame(), aov_reals, aov_ints);
   if (!s.settings.aovs.empty())
     result.aov = aov_image(width, height, s.settings.aovs, aov_reals, aov_ints, s.frame());
   else

@@ -21,13 +21,14 @@ constexpr std::array<std::pair<const char*, Precision>, 4> kPrecisions{{
     {"double", Precision::fp64},
 }};
 
-constexpr std::array<std::pair<const char*, Aov>, 6> kAovs{{
+constexpr std::array<std::pair<const char*, Aov>, 7> kAovs{{
     {"depth", Aov::depth},
     {"normal", Aov::normal},
     {"position", Aov::position},
     {"uv", Aov::uv},
     {"shape_id", Aov::shape_id},
     {"primitive_id", Aov::primitive_id},
+    {"numeric_error", Aov::numeric_error},
 }};
 
 template <typename Table>

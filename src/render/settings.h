@@ -17,7 +17,8 @@ enum class Precision { fast, stable, robust, fp64 };
 [[nodiscard]] const char* precision_name(Precision precision);
 
 /// Values of the first sample of each pixel, beside the picture.
-enum class Aov { depth, normal, position, uv, shape_id, primitive_id };
+/// numeric_error: how far the hit's t is off, in ulps of float (render/numeric_error.h).
+enum class Aov { depth, normal, position, uv, shape_id, primitive_id, numeric_error };
 
 [[nodiscard]] Aov aov_from_name(const std::string& name);  ///< Throws UsageError that lists the names.
 

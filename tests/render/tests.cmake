@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-foreach(name invariance generic launches closed_form terminator metamorphic mirrors checkerboard mirror_box)
+foreach(name invariance generic launches closed_form terminator metamorphic mirrors checkerboard mirror_box
+             numeric_error)
   strahl_test(render/test_${name}.cpp LABEL render)
 endforeach()
 # rusticl takes its time where nothing is cached yet.
@@ -14,6 +15,7 @@ set_tests_properties(render_test_metamorphic_all_scales PROPERTIES LABELS slow T
                                                                                            STRAHL_ALL_SCALES=1)
 
 # 10,000 rays x 10,000 mirrors for every room and tier: about half an hour.
-add_test(NAME render_test_mirror_box_long COMMAND render_test_mirror_box)
+add_test(NAME render_test_mirror_box_long COMMAND render_test_mirror_box
+             numeric_error)
 set_tests_properties(render_test_mirror_box_long PROPERTIES LABELS slow TIMEOUT 7200 ENVIRONMENT STRAHL_MIRRORS=10000)
 strahl_test(render/test_every_scene.cpp LABEL slow TIMEOUT 3600)

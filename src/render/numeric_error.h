@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+// How far off the hits of a picture's first samples are: each ray, exactly as it was traced, meets the scene once more
+// in double precision, in the world's coordinates and with none of its numbers rounded to float.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "device/device.h"
+#include "device/frame.h"
+#include "scene/scene.h"
+
+namespace strahl {
+
+/// reals, ints: as aov_image (aov.h) takes them. Every AOV_T becomes |t - t in double| in ulps of float of the latter:
+/// infinity where one of the two is a hit and the other none, 0 where neither is. The device must have fp64.
+void replace_t_by_its_error(const Device& device, const Scene& scene, const Frame& frame, std::vector<double>& reals,
+                            const std::vector<std::int32_t>& ints);
+
+}  // namespace strahl

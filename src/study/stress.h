@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// The same scene in other units and elsewhere, in every tier: pictures that would all be the same with exact numbers.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "device/device.h"
+#include "image/image.h"
+#include "render/settings.h"
+#include "scene/scene.h"
+
+namespace strahl {
+
+/// Every length times `scale`, then every place moved by `offset` along each axis.
+struct Stress {
+  double scale = 1;
+  double offset = 0;
+
+  [[nodiscard]] std::string text() const;  ///< "scale 1e-06", "offset 1e+07"; "as it is".
+};
+
+/// 10^-6 ... 10^6 about the origin, then size 1 at offsets up to 10^7.
+[[nodiscard]] const std::vector<Stress>& all_stresses();
+
+struct StressCell {
+  Image picture;
+  double rmse = 0;  ///< To the reference.
+};
+
+struct StressStudy {
+  Precision reference = Precision::fp64;       ///< Of the scene as it is; robust where the device has no fp64.
+  std::vector<Precision> tiers;                ///< Every one that the device has, whatever its canary says.
+  std::vector<std::vector<StressCell>> cells;  ///< By tier, then as all_stresses.
+};
+
+/// Called after each of `total` pictures.
+using StressProgress = std::function<void(int done, int total)>;
+
+/// Renders the scene as it samples itself; the same seed everywhere.
+[[nodiscard]] StressStudy study_stress(const Device& device, const Scene& scene, const StressProgress& progress = {});
+
+/// A row a tier, a column a stress, the RMSE below each picture.
+[[nodiscard]] Image stress_sheet(const StressStudy& study);
+
+}  // namespace strahl

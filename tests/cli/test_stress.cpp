@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// `strahl stress` on a device: the sheet, the table, the JSON. 3 s.
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include "cli/program.h"
+#include "image/image_io.h"
+
+using namespace strahl_test;
+
+TEST_CASE("a sheet, a table and JSON") {
+  const Folder folder;
+  folder.file("scene.xml", kGlowingSphere);
+  const Outcome outcome = folder.run({"stress", "scene.xml", "--width", "24", "--spp", "1", "--json", "out.json"});
+  INFO(outcome.err);
+  REQUIRE(outcome.code == 0);
+  CHECK(folder.files() == std::vector<std::string>{"out.json", "scene.stress.png", "scene.xml"});
+  CHECK(contains(outcome.out, "RMSE against double"));
+  CHECK(contains(outcome.out, "offset 1e+07"));
+  CHECK(contains(outcome.err, "scene.stress.png"));
+  const auto json = nlohmann::json::parse(read_text(folder.path("out.json")));
+  CHECK(json["stresses"].size() == 8);
+  REQUIRE(json["tiers"].size() == 4);
+  CHECK(json["tiers"][2]["precision"] == "robust");
+  CHECK(json["tiers"][3]["rmse"][2] == 0.0);
+  CHECK(strahl::read_image(folder.path("scene.stress.png")).width > 8 * 24);
+}
+
+TEST_CASE("JSON in the table's place; a sheet that cannot be written costs no time") {
+  const Folder folder;
+  folder.file("scene.xml", kGlowingSphere);
+  const Outcome outcome =
+      folder.run({"stress", "scene.xml", "--width", "8", "--spp", "1", "-q", "--json", "-", "-o", "sheet.png"});
+  INFO(outcome.err);
+  REQUIRE(outcome.code == 0);
+  CHECK(nlohmann::json::parse(outcome.out)["scene"] == "scene");
+  CHECK(outcome.err.empty());
+  CHECK(folder.run({"stress", "scene.xml", "-o", "nowhere/sheet.png"}).code == 1);
+  CHECK(folder.run({"stress", "scene.xml", "-o", "sheet.jpg"}).code == 2);
+}
