@@ -66,6 +66,9 @@ typedef float real;
 #define REAL_EXPONENT_MASK 0xff
 #endif
 
+/// Sums of planes and disks cancel more than any one precision holds: compensated in robust and in double.
+#define TIER_COMPENSATED (TIER_ROBUST || REAL_BITS == 64)
+
 #define INT_MAX_ID 0x7fffffff
 
 #ifdef __cplusplus

@@ -3,12 +3,14 @@
 #include "core/candidates.h"
 #include "scene/scene.h"
 #include "shapes/edge_lanes.h"
-#if TIER_ROBUST
+#if TIER_COMPENSATED
 #include "lanes/double_word.h"
+#include "shapes/reach_lanes.h"
+#endif
+#if TIER_ROBUST
 #include "shapes/box_robust_lanes.h"
 #include "shapes/polygon_robust_lanes.h"
 #include "shapes/quadratic_lanes.h"
-#include "shapes/reach_lanes.h"
 #elif TIER_FAST
 #include "shapes/moeller_fast_lanes.h"
 #endif

@@ -1,12 +1,21 @@
 // SPDX-License-Identifier: MIT
-// Ray against LANES open cylinders: the sphere's stable form (sphere_lanes.h) across the axis, then each root's place
-// along the axis. A ray parallel to the axis misses. The cylinder just left: the other root, -2 (f.d) / (d.d).
+// Ray against LANES open cylinders: the sphere's stable form (sphere_lanes.h) for f x v and d x v, v the axis, whose
+// products keep the sign of what is parallel to it; then each root's place along the axis. v is a rounded unit vector
+// and taken at its word: the mantle is |f x v| = r |v|. A ray parallel to the axis misses. The cylinder just left: the
+// other root, -2 (f.d) / (d.d).
 
 #if TIER_ROBUST
 #include "shapes/cylinder_robust_lanes.h"
 #elif TIER_FAST
 #include "shapes/cylinder_fast_lanes.h"
 #else
+/// a b - c d, its sign exact (math/vec3.h).
+FN realw LANED(product_difference)(realw a, realw b, realw c, realw d) {
+  realw cd = c * d;
+  realw error = fma_w(-c, d, cd);
+  return fma_w(a, b, -cd) + error;
+}
+
 FN void LANED(cylinder_block)(const Ray* ray, GLOBAL const real* block, GLOBAL const int* ids, int slot,
                               Nearest* best) {
   realw gx = splat_w(ray->o.x) - load_w(block);
@@ -15,15 +24,16 @@ FN void LANED(cylinder_block)(const Ray* ray, GLOBAL const real* block, GLOBAL c
   realw ux = load_w(block + 3 * LANES), uy = load_w(block + 4 * LANES), uz = load_w(block + 5 * LANES);
   realw length = load_w(block + 6 * LANES), r = load_w(block + 7 * LANES);
   realw rx = splat_w(ray->d.x), ry = splat_w(ray->d.y), rz = splat_w(ray->d.z);
-  realw o_along = fma_w(gz, uz, fma_w(gy, uy, gx * ux)), d_along = fma_w(rz, uz, fma_w(ry, uy, rx * ux));
-  realw fx = fma_w(-o_along, ux, gx), fy = fma_w(-o_along, uy, gy), fz = fma_w(-o_along, uz, gz);
-  realw dx = fma_w(-d_along, ux, rx), dy = fma_w(-d_along, uy, ry), dz = fma_w(-d_along, uz, rz);
+  realw uu = fma_w(uz, uz, fma_w(uy, uy, ux * ux));
+  realw fx = LANED(product_difference)(gy, uz, gz, uy), dx = LANED(product_difference)(ry, uz, rz, uy);
+  realw fy = LANED(product_difference)(gz, ux, gx, uz), dy = LANED(product_difference)(rz, ux, rx, uz);
+  realw fz = LANED(product_difference)(gx, uy, gy, ux), dz = LANED(product_difference)(rx, uy, ry, ux);
 
   realw a = fma_w(dz, dz, fma_w(dy, dy, dx * dx));
   realw b = fma_w(fz, dz, fma_w(fy, dy, fx * dx));
   realw k = b / a;
   realw lx = fma_w(-k, dx, fx), ly = fma_w(-k, dy, fy), lz = fma_w(-k, dz, fz);
-  realw r2 = r * r;
+  realw r2 = r * r * uu;
   realw d = r2 - fma_w(lz, lz, fma_w(ly, ly, lx * lx));
   realw zero = splat_w(R(0.0));
   maskw hit = le_w(zero, d);
@@ -31,6 +41,7 @@ FN void LANED(cylinder_block)(const Ray* ray, GLOBAL const real* block, GLOBAL c
   if (ray->left >= 0) left = LANED(is_left)(ids, ray);
   if (!any_w(hit | left)) return;
 
+  realw o_along = fma_w(gz, uz, fma_w(gy, uy, gx * ux)) / uu, d_along = fma_w(rz, uz, fma_w(ry, uy, rx * ux)) / uu;
   realw root = sqrt_w(a * max_w(d, zero));
   realw q = -b - sel_w(lt_w(b, zero), -root, root);
   realw c = fma_w(fz, fz, fma_w(fy, fy, fx * fx)) - r2;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Ray against LANES disks: the anchored plane (plane_lanes.h), then |p - c|^2 <= r^2.
 
-#if TIER_ROBUST
+#if TIER_COMPENSATED
 #include "shapes/disk_robust_lanes.h"
 #elif TIER_FAST
 #include "shapes/disk_fast_lanes.h"

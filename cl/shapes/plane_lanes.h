@@ -3,7 +3,7 @@
 // loses nothing that its input did not lose. Weak (sound in the robust tier): grazing rays far from the anchor.
 // Parallel rays, those in the plane included, miss: n.d = 0 gives an infinite or NaN t.
 
-#if TIER_ROBUST
+#if TIER_COMPENSATED
 #include "shapes/plane_robust_lanes.h"
 #elif TIER_FAST
 #include "shapes/plane_fast_lanes.h"
