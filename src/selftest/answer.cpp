@@ -83,12 +83,11 @@ ExactAnswer cylinder(const Asked& q) {
   const double away = length(q.ray.origin - p0), size = std::fmin(shape.radius, extent);
   const bool is_seen = size >= 1e-6 * away && is_in_scale(size) && is_in_scale(shape.radius + extent + away);
   ExactAnswer answer = from(met, is_seen && std::fabs(met.margin) > 4 * u);
+  answer.t_rounding = 16 * u * u * reach(q.ray, p0, extent + shape.radius) / (sine * std::sqrt(std::fabs(met.margin)));
   // A crossing at the range's end, where t is 0 to rounding.
-  const double seen = reach(q.ray, p0, extent + shape.radius);
   if (met.discriminant_sign >= 0)
     for (const auto& root : met.root)
-      if (std::fabs(root.value - q.ray.t_min) <= 16 * u * u * seen) answer.is_promised = false;
-  answer.t_rounding = 16 * u * u * seen / (sine * std::sqrt(std::fabs(met.margin)));
+      if (std::fabs(root.value - q.ray.t_min) <= answer.t_rounding) answer.is_promised = false;
   return answer;
 }
 
@@ -230,17 +229,6 @@ ExactAnswer exact_answer(const Question& q) {
   const auto rival = [&](const oracle::Exact& t) { return is_close(t, nearest.t); };
   nearest.is_alone = std::count_if(met.begin(), met.end(), rival) <= 1;
   return nearest;
-}
-
-Question with_unit_axes(Question q) {
-  if (q.kind != "cylinder") return q;
-  for (std::size_t i = 0; i < q.planes.size(); i += 8) {
-    double* planes = q.planes.data() + i;
-    const double norm = length(at(planes + 3));
-    for (int axis = 3; axis < 6; ++axis) planes[axis] /= norm;
-    planes[6] *= norm;
-  }
-  return q;
 }
 
 void answer(Question& q) {

@@ -23,10 +23,6 @@ struct ExactAnswer {
 /// other root only, a box at its far side only. A ray that is not finite, or has no direction, meets nothing.
 [[nodiscard]] ExactAnswer exact_answer(const Question&);
 
-/// The same cylinders by an axis that is a unit vector to 2^-53, as a scene in double is packed: the robust tier takes
-/// an axis at its word, the double one takes it for a unit vector. Other kinds as they are.
-[[nodiscard]] Question with_unit_axes(Question);
-
 /// Writes the exact answer into the question: Expected::either where nothing is promised.
 void answer(Question&);
 

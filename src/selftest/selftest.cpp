@@ -146,7 +146,7 @@ class Selftest {
     if (asked.precision() != Precision::fp64 || asked.line.kind != "cylinder") return asked.probe.ask(questions);
     std::vector<Question> held;
     held.reserve(questions.size());
-    for (const Question& question : questions) held.push_back(with_unit_axes(question));
+    for (const Question& question : questions) held.push_back(question);
     return asked.probe.ask(held);
   }
 

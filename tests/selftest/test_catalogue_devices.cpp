@@ -18,7 +18,7 @@ namespace {
 void hold(const Device& device, Precision precision, const std::vector<AskedByRow>& asked) {
   const bool is_double = precision == Precision::fp64;
   std::vector<Question> questions;
-  for (const AskedByRow& one : asked) questions.push_back(is_double ? with_unit_axes(one.question) : one.question);
+  for (const AskedByRow& one : asked) questions.push_back(one.question);
   Probe probe(device, questions.front().kind, precision);
   const std::vector<Answer> answers = probe.ask(questions);
   REQUIRE(answers.size() == asked.size());

@@ -49,7 +49,7 @@ TEST_CASE("the robust and the double tier answer every row") {
   for (const AskedByRow& asked : all) {
     decided += asked.question.expected != Expected::either;
     hold(asked, nearest_robust, robust_bound);
-    hold({asked.row, asked.number, with_unit_axes(asked.question)}, nearest_double, double_bound);
+    hold(asked, nearest_double, double_bound);
   }
   // So that leaving open cannot swallow the test.
   CHECK(10 * decided > 8 * static_cast<int>(all.size()));
