@@ -10,7 +10,7 @@ namespace strahl {
 
 /// Kernel variants of one source (docs/numerics.md). fast: the textbook's forms, world frame, relaxed maths. stable:
 /// fp32, published stable forms, contraction off. robust: fp32, exact or compensated. fp64: the forms of stable in
-/// double.
+/// double, planes and disks compensated.
 enum class Precision { fast, stable, robust, fp64 };
 
 [[nodiscard]] Precision precision_from_name(const std::string& name);  ///< "robust", ...; throws UsageError.

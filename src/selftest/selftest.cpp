@@ -131,7 +131,7 @@ class Selftest {
     const auto& [rows, questions] = catalogue_of_[kind];
     for (Asked& asked : all) {
       const Promise promise = promise_of_catalogue(asked.precision(), kind);
-      const std::vector<Answer> answers = ask(asked, questions);
+      const std::vector<Answer> answers = asked.probe.ask(questions);
       std::map<const Row*, Tally> by_row;
       for (std::size_t i = 0; i < questions.size(); ++i) by_row[rows[i]].add(questions[i], answers[i]);
       for (const auto& [row, tally] : by_row) {
@@ -141,17 +141,8 @@ class Selftest {
     }
   }
 
-  /// As the tier holds the shapes.
-  static std::vector<Answer> ask(Asked& asked, const std::vector<Question>& questions) {
-    if (asked.precision() != Precision::fp64 || asked.line.kind != "cylinder") return asked.probe.ask(questions);
-    std::vector<Question> held;
-    held.reserve(questions.size());
-    for (const Question& question : questions) held.push_back(question);
-    return asked.probe.ask(held);
-  }
-
   void ask_law(Asked& asked, Law law, const std::vector<Question>& questions, oracle::Random& random) {
-    const std::vector<Answer> answers = ask(asked, questions);
+    const std::vector<Answer> answers = asked.probe.ask(questions);
     const Promise promise = promise_of(asked.precision(), asked.line.kind, law);
     Tally tally;
     std::vector<Question> leaving;
@@ -166,7 +157,7 @@ class Selftest {
       if (auto next = respawned(questions[i], answers[i], asked.precision(), random))
         leaving.push_back(std::move(*next));
     }
-    const std::vector<Answer> left = ask(asked, leaving);
+    const std::vector<Answer> left = asked.probe.ask(leaving);
     for (std::size_t i = 0; i < leaving.size(); ++i) asked.line.respawn.add(leaving[i], left[i]);
 
     check(asked, fmt::format("{}, law {}", asked.line.kind, law_name(law)), tally, promise);
