@@ -3,19 +3,14 @@
 // answers have the bits of the same bodies compiled on the host; in robust and double no hit or miss is wrong outside
 // the bands of selftest/questions.cpp, t is within the stated ulps of float, and no ray meets again what it leaves.
 //
-// STRAHL_CASES: cases for each of the eight laws, where the number below is too small (10^8 takes hours).
-// STRAHL_PROGRESS: a file that is told of every finished chunk, and says at the next start what need not be repeated.
-// STRAHL_DEVICE: another device than PoCL.
+// STRAHL_CASES: cases for each of the eight laws, where the number below is too small. More: campaign/progress.h.
 #include <array>
 #include <bit>
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <cstdlib>
-#include <fstream>
 #include <iostream>
-#include <map>
-#include <sstream>
 
+#include "campaign/progress.h"
 #include "selftest/nearest.h"
 #include "selftest/probe.h"
 #include "selftest/questions.h"
@@ -53,41 +48,12 @@ struct Count {
   }
 };
 
-/// Finished chunks by name, in a file or nowhere.
-class Progress {
- public:
-  Progress() : path_(std::getenv("STRAHL_PROGRESS") != nullptr ? std::getenv("STRAHL_PROGRESS") : "") {
-    std::ifstream file(path_);
-    for (std::string line, name; std::getline(file, line);) {
-      std::istringstream words(line);
-      Count count;
-      if (words >> name >> count) done_[name] = count;
-    }
-  }
-  [[nodiscard]] const Count* find(const std::string& name) const {
-    const auto found = done_.find(name);
-    return found == done_.end() ? nullptr : &found->second;
-  }
-  void finished(const std::string& name, const Count& count) const {
-    if (!path_.empty()) std::ofstream(path_, std::ios::app) << name << ' ' << count << std::endl;
-  }
-
- private:
-  std::string path_;
-  std::map<std::string, Count> done_;
-};
-
-std::string device_name() {
-  const char* stated = std::getenv("STRAHL_DEVICE");
-  return stated == nullptr ? "pocl" : stated;
-}
-
 using Host = test::Nearest (*)(std::string_view, std::span<const double>, std::span<const double>, int);
 
 class Campaign {
  public:
   Campaign(const std::string& kind, double robust_ulps)
-      : kind_(kind), robust_ulps_(robust_ulps), device_(Device::open(device_name())) {
+      : kind_(kind), robust_ulps_(robust_ulps), device_(Device::open(test::device_asked_for())) {
     tiers_.push_back({Precision::stable, test::nearest_stable, Probe(device_, kind, Precision::stable)});
     tiers_.push_back({Precision::robust, test::nearest_robust, Probe(device_, kind, Precision::robust)});
     if (device_.info().fp64)
@@ -200,14 +166,13 @@ class Campaign {
   double robust_ulps_;
   Device device_;
   std::vector<Tier> tiers_;
-  Progress progress_;
+  test::Progress<Count> progress_;
 };
 
 /// ulps: what the robust tier promises of t.
 void hold(const std::string& kind, double ulps, int per_law) {
   test::require_pocl_and_rusticl();
-  const char* stated = std::getenv("STRAHL_CASES");
-  Campaign(kind, ulps).run(stated == nullptr ? per_law : std::stoi(stated));
+  Campaign(kind, ulps).run(static_cast<int>(test::count_asked_for("STRAHL_CASES", per_law)));
 }
 
 }  // namespace
