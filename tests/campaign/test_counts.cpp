@@ -8,6 +8,7 @@
 #include <bit>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <cstdlib>
 #include <iostream>
 
 #include "campaign/progress.h"
@@ -60,7 +61,8 @@ class Campaign {
       tiers_.push_back({Precision::fp64, test::nearest_double, Probe(device_, kind, Precision::fp64)});
   }
 
-  /// per_law cases a law, a million of all of them compared with the host.
+  /// per_law cases a law. The first million of all of them in every tier, against the host's bits too, with rays that
+  /// leave what was hit; the others in robust, and double for spheres.
   void run(int per_law) {
     Count total;
     for (const Law law : oracle::all_laws) {
@@ -68,8 +70,7 @@ class Campaign {
       for (int first = 0, number = 0; first < per_law; first += chunk, ++number) {
         const std::string name = kind_ + "/" + std::to_string(static_cast<int>(law)) + "/" + std::to_string(number);
         const Count* known = progress_.find(name);
-        const int compared = total.compared < 3000000 ? chunk : 0;
-        const Count count = known ? *known : ask(law, static_cast<std::uint64_t>(number), compared);
+        const Count count = known ? *known : ask(law, static_cast<std::uint64_t>(number), first < 125000);
         if (!known) progress_.finished(name, count);
         total.add(count);
       }
@@ -86,7 +87,7 @@ class Campaign {
     CHECK(total.robust_ulps <= robust_ulps_);
     CHECK(total.double_ulps <= 1);
     CHECK(4 * total.hits > total.cases);
-    CHECK(4 * total.left > total.cases);
+    CHECK(4 * total.left > std::min<std::uint64_t>(1000000, total.cases));
     CHECK(total.compared >= std::min<std::uint64_t>(1000000, total.cases));
   }
 
@@ -101,7 +102,7 @@ class Campaign {
     return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
   }
 
-  Count ask(Law law, std::uint64_t number, int compared) {
+  Count ask(Law law, std::uint64_t number, bool is_thorough) {
     oracle::Random random(1000 + 16 * number + static_cast<std::uint64_t>(law));
     std::vector<Question> questions;
     for (int i = 0; i < chunk; ++i) questions.push_back(draw_question(kind_, law, random));
@@ -112,19 +113,21 @@ class Campaign {
       count.hits += q.expected == Expected::hit;
     }
     for (Tier& tier : tiers_) {
-      if (tier.precision == Precision::stable && compared == 0) continue;
+      const bool is_needed =
+          tier.precision == Precision::robust || (tier.precision == Precision::fp64 && kind_ == "sphere");
+      if (!is_thorough && !is_needed) continue;
       const std::vector<Answer> answers = tier.probe.ask(questions);
-      compare(tier, questions, answers, compared, count);
+      if (is_thorough) compare(tier, questions, answers, count);
       if (tier.precision == Precision::stable) continue;
       judge_all(tier, questions, answers, count);
-      leave(tier, questions, answers, random, count);
+      if (is_thorough || is_long_) leave(tier, questions, answers, random, count);
     }
     return count;
   }
 
   void compare(const Tier& tier, const std::vector<Question>& questions, const std::vector<Answer>& answers,
-               int compared, Count& count) const {
-    for (std::size_t i = 0; i < static_cast<std::size_t>(compared); ++i) {
+               Count& count) const {
+    for (std::size_t i = 0; i < questions.size(); ++i) {
       const oracle::Ray& r = questions[i].ray;
       const std::array<double, 8> ray{r.origin.x,    r.origin.y,    r.origin.z, r.direction.x,
                                       r.direction.y, r.direction.z, r.t_min,    r.t_max};
@@ -164,6 +167,7 @@ class Campaign {
 
   std::string kind_;
   double robust_ulps_;
+  bool is_long_ = std::getenv("STRAHL_CASES") != nullptr;
   Device device_;
   std::vector<Tier> tiers_;
   test::Progress<Count> progress_;
