@@ -7,3 +7,7 @@ endforeach()
 add_test(NAME acceptance_mitsuba_geometry
          COMMAND python3 -B ${CMAKE_CURRENT_LIST_DIR}/mitsuba_geometry.py $<TARGET_FILE:strahl-bin> 20)
 set_tests_properties(acceptance_mitsuba_geometry PROPERTIES LABELS slow SKIP_RETURN_CODE 77 TIMEOUT 900)
+
+add_test(NAME acceptance_mitsuba_watertight
+         COMMAND python3 -B ${CMAKE_CURRENT_LIST_DIR}/mitsuba_watertight.py $<TARGET_FILE:strahl-bin> 20000)
+set_tests_properties(acceptance_mitsuba_watertight PROPERTIES LABELS slow SKIP_RETURN_CODE 77 TIMEOUT 900)
