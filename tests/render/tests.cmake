@@ -19,3 +19,8 @@ add_test(NAME render_test_mirror_box_long COMMAND render_test_mirror_box
              numeric_error)
 set_tests_properties(render_test_mirror_box_long PROPERTIES LABELS slow TIMEOUT 7200 ENVIRONMENT STRAHL_MIRRORS=10000)
 strahl_test(render/test_every_scene.cpp LABEL slow TIMEOUT 3600)
+
+file(GLOB_RECURSE every_scene CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/scenes/*.xml)
+add_test(NAME render_test_oclgrind_every_scene COMMAND ${CMAKE_CURRENT_LIST_DIR}/test_oclgrind $<TARGET_FILE:strahl-bin>
+                                                       ${every_scene})
+set_tests_properties(render_test_oclgrind_every_scene PROPERTIES LABELS slow SKIP_RETURN_CODE 77 TIMEOUT 3600)
