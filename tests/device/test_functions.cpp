@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+// Functions of cl/ on PoCL in single precision against what they are defined to be: random numbers, the film's units,
+// angles, lengths, the wave of a checkerboard. tests/cl/ asks the same of the host in full. 1 s.
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <numbers>
+
+#include "device/kernel_source.h"
+#include "device/program.h"
+#include "support/devices.h"
+
+using namespace strahl;
+using namespace strahl::test;
+
+namespace {
+
+/// The values of `expression` in the floats x and y and the integer bits, with `files` included.
+template <class Value>
+std::vector<Value> values(const std::string& includes, const std::string& type, const std::string& expression,
+                          const std::vector<float>& x, const std::vector<float>& y,
+                          const std::vector<std::uint32_t>& bits = {}) {
+  KernelFiles files = kernel_files();
+  files["kernels/functions.cl"] = includes +
+                                  "KERNEL void functions(GLOBAL const float* xs, GLOBAL const float* ys, GLOBAL const "
+                                  "uint* all_bits, GLOBAL uint* counters, GLOBAL " +
+                                  type +
+                                  "* out) {\n"
+                                  "  int i = (int)get_global_id(0);\n  float x = xs[i], y = ys[i];\n"
+                                  "  uint bits = all_bits[i];\n  (void)x; (void)y; (void)bits; (void)counters;\n"
+                                  "  out[i] = " +
+                                  expression + ";\n}\n";
+  const std::string text = "#define REAL_BITS 32\n" + expand_kernel(files, "kernels/functions.cl", {});
+  const Device device = Device::open("pocl");
+  cl::Kernel kernel(build_program(device, {text, ""}), "functions");
+  const std::size_t count = std::max(x.size(), bits.size());
+  std::vector<float> all_x = x, all_y = y;
+  std::vector<std::uint32_t> all_bits = bits;
+  all_x.resize(count);
+  all_y.resize(count);
+  all_bits.resize(count);
+  const auto upload = [&](auto& from) {
+    return cl::Buffer(device.context(), CL_MEM_READ_WRITE | CL_MEM_COPY_HOST_PTR, count * sizeof from[0], from.data());
+  };
+  std::vector<std::uint32_t> counters(count, 0);
+  std::vector<Value> result(count);
+  const std::array buffers{upload(all_x), upload(all_y), upload(all_bits), upload(counters), upload(result)};
+  for (std::size_t i = 0; i < buffers.size(); ++i) kernel.setArg(static_cast<cl_uint>(i), buffers.at(i));
+  device.queue().enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange(count), cl::NDRange(1));
+  device.queue().enqueueReadBuffer(buffers.back(), CL_TRUE, 0, count * sizeof(Value), result.data());
+  return result;
+}
+
+double ulps(float value, double truth) {
+  int exponent;
+  std::frexp(truth, &exponent);
+  return std::fabs(static_cast<double>(value) - truth) / std::ldexp(1.0, exponent - 24);
+}
+
+}  // namespace
+
+TEST_CASE("random numbers lie below 1, whatever their bits") {
+  require_pocl_and_rusticl();
+  const std::vector<std::uint32_t> bits = {0,          1,          0xff,       0x100,      0x7fffffff,
+                                           0x80000000, 0xffffff00, 0xffffff7f, 0xffffff80, 0xffffffff};
+  const auto units = values<float>("#include \"math/rng.h\"\n", "float", "random_unit(bits)", {}, {}, bits);
+  for (std::size_t i = 0; i < bits.size(); ++i) CHECK(units[i] == std::ldexp(static_cast<float>(bits[i] >> 8), -24));
+}
+
+TEST_CASE("the film rounds to the nearest unit, halves away from zero") {
+  require_pocl_and_rusticl();
+  const std::vector<float> radiance = {0,        0.25F,  0.5F,       -0.5F,      0.49999997F, -0.49999997F,
+                                       1.5F,     -1.5F,  2.5F,       8388607.5F, 8388609,     -8388609,
+                                       16777215, 12.75F, 4194303.25F};
+  const auto units = values<std::int64_t>(
+      "#include \"core/film.h\"\nFN long units(GLOBAL uint* counters, real value) {\n"
+      "  Scene scene;\n  scene.counters = counters;\n  return film_units(&scene, value, R(1.0));\n}\n",
+      "long", "units(counters, x)", radiance, {});
+  for (std::size_t i = 0; i < radiance.size(); ++i) {
+    INFO(radiance[i]);
+    CHECK(units[i] == std::llround(static_cast<double>(radiance[i])));
+  }
+}
+
+TEST_CASE("angles are right to the last places") {
+  require_pocl_and_rusticl();
+  std::vector<float> x, y;
+  for (int i = 0; i < 60000; ++i) {
+    x.push_back(static_cast<float>(std::sin(i * 0.7)) * std::exp2(static_cast<float>(i % 9 - 4)));
+    y.push_back(static_cast<float>(std::cos(i * 1.3 + 0.1)));
+  }
+  const std::string include = "#include \"portable.h\"\n#include \"math/angle.h\"\n";
+  const auto angles = values<float>(include, "float", "atan2_turns(y, x)", x, y);
+  const auto sines =
+      values<float>(include + "FN real sine(real x) {\n  real s, c;\n  sincos_turns(x, &s, &c);\n  return s;\n}\n",
+                    "float", "sine(x)", x, y);
+  double worst_angle = 0, worst_sine = 0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const double turns = std::atan2(static_cast<double>(y[i]), static_cast<double>(x[i])) / (2 * std::numbers::pi);
+    worst_angle = std::max(worst_angle, ulps(angles[i], turns < 0 ? turns + 1 : turns));
+    const double part = static_cast<double>(x[i]) - std::round(static_cast<double>(x[i]));
+    if (part == 0 || std::fabs(part) == 0.5) continue;
+    worst_sine = std::max(worst_sine, ulps(sines[i], std::sin(2 * std::numbers::pi * part)));
+  }
+  CHECK(worst_angle <= 1.75);
+  CHECK(worst_sine <= 0.8);
+}
+
+TEST_CASE("lengths neither over- nor underflow") {
+  require_pocl_and_rusticl();
+  const std::vector<float> x = {3, 3e-30F, 3e30F, 1e-20F, 1e38F}, y = {4, 4e-30F, -4e30F, 0, 1e38F};
+  const auto lengths = values<float>("#include \"math/vec3.h\"\n", "float", "length3(vec3(x, y, R(0.0)))", x, y);
+  for (std::size_t i = 0; i < x.size(); ++i)
+    CHECK(ulps(lengths[i], std::hypot(static_cast<double>(x[i]), static_cast<double>(y[i]))) < 3);
+}
+
+TEST_CASE("a checkerboard goes on below 0") {
+  require_pocl_and_rusticl();
+  const std::vector<float> x = {0.25F, 0.75F, 1.25F, -0.25F, -0.75F, -1.25F, -7.625F, 100.125F};
+  const auto wave = values<float>("#include \"textures/checkerboard.h\"\n", "float", "checker_wave(x, R(0.0))", x, {});
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    INFO(x[i]);
+    CHECK(wave[i] == (x[i] - std::floor(x[i]) > 0.5F ? -1 : 1));
+  }
+}

@@ -1,0 +1,11 @@
+# SPDX-License-Identifier: MIT
+add_executable(mutants_ask mutants/ask.cpp)
+target_link_libraries(mutants_ask PRIVATE strahl_selftest fmt::fmt)
+
+# Every mutant against the killers that it names: 100 s of one core where nothing is cached.
+set(mutants ${CMAKE_CURRENT_LIST_DIR}/mutants.py)
+add_test(NAME mutants COMMAND python3 -B ${mutants} ${PROJECT_BINARY_DIR})
+set_tests_properties(mutants PROPERTIES LABELS device TIMEOUT 600 PROCESSORS 2)
+# Every mutant against every killer; goes on where it was stopped.
+add_test(NAME mutants_matrix COMMAND python3 -B ${mutants} ${PROJECT_BINARY_DIR} --matrix)
+set_tests_properties(mutants_matrix PROPERTIES LABELS slow TIMEOUT 14400 PROCESSORS 2)
