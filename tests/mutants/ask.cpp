@@ -21,6 +21,7 @@ int main(int count, char** arguments) {
     options.tiers = {precision_from_name(arguments[1])};
     options.kinds = {arguments[2]};
     options.cases_per_law = count == 4 ? std::stoi(arguments[3]) : 300;
+    options.cases_per_generator = 10;
     const Device device = Device::open("pocl", {options.tiers.front() == Precision::fp64});
     const selftest::SelftestResult result = selftest::run_selftest(device, options);
     fmt::print("{}", selftest::text_of(result));

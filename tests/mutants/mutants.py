@@ -6,9 +6,9 @@ mutants.py BUILD [--only ID ...] [--matrix] [--list]
 
 A mutant is one replacement in a copy of cl/, which the built programs read by way of STRAHL_KERNEL_DIR. It is killed
 by a command that fails because a check failed: a program that no longer builds, an exception or a crash proves nothing
-and counts as an error. Mutants stand in *.mutants beside this file, whose language sphere.mutants explains. Without
---matrix a mutant's first killer must kill it; --matrix runs every killer of the list against every mutant, keeps what
-it has found in BUILD/mutants/matrix.json, and goes on from there.
+and counts as an error. Mutants stand in *.mutants beside this file, whose language round.mutants explains. Without
+--matrix a mutant's first killer must kill it; --matrix runs every killer of the list and WHOLE_TESTS against
+every mutant, keeps what it has found in BUILD/mutants/matrix.json, and goes on from there.
 """
 import argparse
 import concurrent.futures
@@ -30,12 +30,17 @@ TABLE = HERE.parents[1] / "docs" / "mutants.md"
 HEAD = """# Mutants
 
 Known mistakes that the tests must find. `tests/mutants/mutants.py BUILD` puts each of them into a copy of `cl/` and
-requires that the named test turns red; `--matrix` runs all these tests against every mutant, which the label `slow`
-does. Written by `mutants.py BUILD --list`.
+requires that the named test turns red; `--matrix`, of the label `slow`, asks all these tests and some more about every
+mutant. Written by `mutants.py BUILD --list`.
 
 | mutant | the mistake | killed by |
 |---|---|---|
 """
+# What the matrix asks as well: whole tests that render or ask PoCL.
+WHOLE_TESTS = ["selftest_test_catalogue_devices", "selftest_test_catalogue_pictures", "render_test_closed_form",
+               "render_test_mirrors", "render_test_checkerboard", "render_test_terminator", "render_test_metamorphic",
+               'cl_test_watertight "exactly one hit from inside\\, on PoCL"',
+               'cl_test_arbitrary_bits "arbitrary bits\\, on PoCL"']
 SECONDS = 300  # A killer that takes longer is an error.
 DOES_NOT_HOLD = 7  # Exit code of mutants_ask.
 PASSED, KILLED, ERROR = "passes", "kills", "error"
@@ -185,7 +190,7 @@ def fingerprint(mutant, killer, laboratory):
 
 
 def run_matrix(laboratory, mutants, workers):
-    killers = sorted({killer for mutant in all_mutants() for killer in mutant.killers})
+    killers = sorted({killer for mutant in all_mutants() for killer in mutant.killers}) + WHOLE_TESTS
     store = laboratory.folder / "matrix.json"
     known = json.loads(store.read_text()) if store.exists() else {}
 
