@@ -3,7 +3,10 @@
 // outside the bands of selftest/questions.cpp, and t within a few units in the last place, at every ratio and grazing
 // angle. docs/decisions/0007-robust-tier.md states the bounds and what was measured. Left out: the law `extreme`, whose
 // products leave the range of float.
+#include <algorithm>
+#include <array>
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <cstdlib>
 #include <string>
 
@@ -104,4 +107,38 @@ TEST_CASE("the settings that break single precision in its usual forms") {
     CHECK(worst <= 1);
     CHECK(hits > 5000);
   }
+}
+
+TEST_CASE("needles: a triangle's t is measured from the corner where least cancels") {
+  oracle::Random random(11);
+  int wrong = 0, hits = 0;
+  double worst = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const auto near = [&] { return Vec3{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)}; };
+    const Vec3 tip = std::pow(10, random.uniform(1, 5)) * normalized(near());
+    std::array<Vec3, 3> corners{tip, near(), near()};
+    std::rotate(corners.begin(), corners.begin() + i % 3, corners.end());
+    Question q;
+    q.kind = "triangle";
+    for (const Vec3& corner : corners) put(q.planes, corner);
+    const auto at = [&q](std::size_t k) { return Vec3{q.planes[k], q.planes[k + 1], q.planes[k + 2]}; };
+    const oracle::Triangle triangle{at(0), at(3), at(6)};
+    // Near the base, where the needle is 1 wide.
+    const double along = random.uniform(0, 1 / length(tip)), beside = random.uniform(0, 1);
+    const Vec3 base = beside * corners[(4 - i % 3) % 3] + (1 - beside) * corners[(5 - i % 3) % 3];
+    const Vec3 origin = near(), target = along * tip + (1 - along) * base;
+    q.ray.origin = {to_float(origin.x), to_float(origin.y), to_float(origin.z)};
+    const Vec3 d = target - q.ray.origin;
+    q.ray.direction = {to_float(d.x), to_float(d.y), to_float(d.z)};
+    const auto answer = oracle::triangle(q.ray, triangle);
+    settle(q, answer, answer.cosine >= 1e-3 && std::fabs(answer.margin) > 8 * u);
+    const float t = ask_host(q);
+    const Judgement judgement = judge(q, t, std::isfinite(t) ? 0 : -1);
+    wrong += judgement.is_wrong;
+    hits += q.expected == Expected::hit;
+    worst = std::max(worst, judgement.ulps);
+  }
+  CHECK(wrong == 0);
+  CHECK(worst <= 4);
+  CHECK(hits > 5000);
 }
