@@ -2,7 +2,8 @@
 // Rays that leave a surface: the one place that decides where they begin.
 //
 // The primitive that is left is excluded by its id and round shapes are met again at their analytic other root, so a
-// ray begins exactly at the point found, with no offset and no epsilon.
+// ray begins exactly at the point found, with no offset and no epsilon. Outwards they are not met again, which the
+// normal knows even where the point was rounded to the other side of the shape.
 //
 // Flat polygons and boxes have neighbours that touch them: a point within rounding of a shared edge may lie outside of
 // the neighbour, and a ray from there would leave a closed room. So
@@ -80,7 +81,12 @@ FN Ray ray_leaving(const Surface* s, int id, real3 d, real t_max) {
   if (!TIER_FAST && s->outline == OUTLINE_BOX) from = box_departure(s);
   if (!TIER_FAST && (s->outline == OUTLINE_TRIANGLE || s->outline == OUTLINE_PARALLELOGRAM))
     from = polygon_departure(s, d);
-  return ray_make(from, d, R(0.0), t_max, id);
+  Ray ray = ray_make(from, d, R(0.0), t_max, id);
+  if (s->outline == OUTLINE_ROUND) {
+    real cosine = dot3(d, s->normal);
+    ray.is_outward = s->is_flipped != 0 ? !(R(0.0) < cosine) : !(cosine < R(0.0));
+  }
+  return ray;
 }
 
 #endif

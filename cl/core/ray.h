@@ -16,6 +16,7 @@ typedef struct {
   real t_min, t_max;   ///< Both inclusive; in units of d.
   real t_from_scaled;  ///< t in units of the direction as given = t * t_from_scaled.
   int left;            ///< Scene-wide id of the primitive just left, -1: none. It is not hit again where it was left.
+  int is_outward;      ///< 1: that primitive is convex and the ray goes away from it, so it is not hit again at all.
 
   real3 inv;                       ///< 1 / d, infinite where d is 0.
   int near_x, near_y, near_z;      ///< Plane of a box (0 lo_x, 1 hi_x, 2 lo_y, ...) that the ray meets first, per axis.
@@ -46,6 +47,7 @@ FN Ray ray_make(real3 o, real3 d, real t_min, real t_max, int left) {
   left = -1;
 #endif
   ray.left = left;
+  ray.is_outward = 0;
   int usable = real_is_finite(o.x) & real_is_finite(o.y) & real_is_finite(o.z) & real_is_finite(d.x) &
                real_is_finite(d.y) & real_is_finite(d.z) & (max3(magnitude) > R(0.0)) & !real_is_nan(t_min) &
                !real_is_nan(t_max) & (t_min <= t_max);

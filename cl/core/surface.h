@@ -6,8 +6,9 @@
 #include "core/ray.h"
 #include "math/vec3.h"
 
-/// What the surface ends at, and so may share with a neighbour (core/departure.h).
-enum { OUTLINE_NONE, OUTLINE_TRIANGLE, OUTLINE_PARALLELOGRAM, OUTLINE_BOX };
+/// What the surface ends at, and so may share with a neighbour; ROUND: at nothing, a sphere's or a cylinder's mantle
+/// (core/departure.h).
+enum { OUTLINE_NONE, OUTLINE_TRIANGLE, OUTLINE_PARALLELOGRAM, OUTLINE_BOX, OUTLINE_ROUND };
 
 typedef struct {
   real3 position;           ///< On the surface to rounding, not o + t d where the shape knows better.
@@ -17,6 +18,7 @@ typedef struct {
   real tex_u, tex_v;        ///< Texture coordinates: the mesh's uvs where there are any, else u, v.
   real footprint;           ///< How wide the pixel is here; set only where there are textures (core/footprint.h).
   int outline;              ///< OUTLINE_...
+  int is_flipped;           ///< 1: the normal points the other way than the shape has it.
   GLOBAL const real* prim;  ///< Its planes, `stride` apart.
   int stride;
   int shape;      ///< Index in file order.

@@ -42,6 +42,12 @@ FN real difference_of_products(real a, real b, real c, real d) {
   return real_fma(a, b, -cd) + error;
 }
 
+/// What s = a - b has lost by rounding. Knuth, The Art of Computer Programming, vol. 2, 1997, section 4.2.2.
+FN real difference_rest(real a, real b, real s) {
+  real minus_b = s - a;
+  return (a - (s - minus_b)) - (b + minus_b);
+}
+
 FN real3 cross3(real3 a, real3 b) {
   return vec3(difference_of_products(a.y, b.z, a.z, b.y), difference_of_products(a.z, b.x, a.x, b.z),
               difference_of_products(a.x, b.y, a.y, b.x));

@@ -14,6 +14,7 @@ FN void cylinder_surface(const Ray* ray, GLOBAL const real* prim, int stride, GL
   real length = prim[6 * stride], radius = prim[7 * stride];
   real3 from_p0 = fma3(t, ray->d, sub3(ray->o, p0));
   real along = dot3(from_p0, axis);
+  s->outline = OUTLINE_ROUND;
   s->normal = normalize3(fma3(-along, axis, from_p0));
   s->position = add3(fma3(radius, s->normal, scale3(along, axis)), p0);
   real v = along / length;

@@ -55,6 +55,7 @@ FN void LANED(cylinder_block)(const Ray* ray, GLOBAL const real* block, GLOBAL c
   t = sel_w(left, other, t);
   realw along = fma_w(t, d_along, o_along);
   hit = ((hit & ~left) | (left & lt_w(zero, other))) & le_w(zero, along) & le_w(along, length);
+  if (ray->is_outward) hit = hit & ~left;
   LANED(take_nearest)(hit & LANED(in_range)(t, ray, best), t, ids, -1, SHAPE_cylinder, slot, best);
 }
 #endif

@@ -59,6 +59,7 @@ FN void LANED(cylinder_block)(const Ray* ray, GLOBAL const real* block, GLOBAL c
   t = dw_sel_w(left, other, t);
   along = dw_add_w(o_along, dw_mul_w(t, d_along));
   hit = (hit & ~left) | (left & lt_w(zero, other.hi));
+  if (ray->is_outward) hit = hit & ~left;
   hit = hit & le_w(zero, along.hi) & le_w(dw_add_w(along, end).hi, zero);
   LANED(take_nearest)(hit & LANED(in_range)(t.hi, ray, best), t.hi, ids, -1, SHAPE_cylinder, slot, best);
 }

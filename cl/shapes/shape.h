@@ -50,7 +50,8 @@ FN Surface surface_at(const Scene* scene, const Ray* ray, const Nearest* hit, in
   surface_keep_finite(ray, &s);
   s.tex_u = s.u;
   s.tex_v = s.v;
-  if (part[PART_FLIP] != 0) s.normal = negate3(s.normal);
+  s.is_flipped = part[PART_FLIP];
+  if (s.is_flipped != 0) s.normal = negate3(s.normal);
   s.shading = s.normal;
   if (HAS_SMOOTH_NORMALS && part[PART_NORMALS] >= 0) {
     real3 smooth = interpolate3(scene->shading + part[PART_NORMALS] + 9 * s.primitive, s.u, s.v);

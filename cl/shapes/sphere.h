@@ -7,12 +7,34 @@
 #include "core/surface.h"
 #include "math/angle.h"
 
+/// From the centre to the hit, of a sphere farther off than some radii: there t, and with it o + t d, has steps as
+/// large as the sphere. The line's point nearest to the centre, l = d x (f x d) / (d.d), keeps its digits, and half the
+/// chord leads from it to the hit.
+FN real3 sphere_outward_from_afar(const Ray* ray, real3 center, real radius, real t) {
+  real3 f = sub3(ray->o, center);
+  real3 rest = vec3(difference_rest(ray->o.x, center.x, f.x), difference_rest(ray->o.y, center.y, f.y),
+                    difference_rest(ray->o.z, center.z, f.z));
+  real dd = dot3(ray->d, ray->d);
+  real3 moment = add3(cross3(f, ray->d), cross3(rest, ray->d));
+  real3 l = scale3(R(1.0) / dd, cross3(ray->d, moment));
+  real distance = real_sqrt(dot3(l, l));
+  real square = (radius - distance) * (radius + distance) / dd;
+  real half_chord = square > R(0.0) ? real_sqrt(square) : R(0.0);
+  // The far root only where t says so beyond its own rounding.
+  real middle = -dot3(f, ray->d) / dd;
+  int is_far = t - middle > R(8.0) * real_roundoff() * real_abs(t);
+  return fma3(is_far ? half_chord : -half_chord, ray->d, l);
+}
+
 FN void sphere_surface(const Ray* ray, GLOBAL const real* prim, int stride, GLOBAL const real* frame, real t,
                        Surface* s) {
   real3 center = vec3(prim[0], prim[stride], prim[2 * stride]);
   real radius = prim[3 * stride];
   // From the centre, so that a far-off frame costs the direction nothing; then back onto the radius.
-  real3 out = fma3(t, ray->d, sub3(ray->o, center));
+  real3 f = sub3(ray->o, center);
+  real3 out = fma3(t, ray->d, f);
+  if (dot3(f, f) > R(16.0) * radius * radius) out = sphere_outward_from_afar(ray, center, radius, t);
+  s->outline = OUTLINE_ROUND;
   s->normal = normalize3(out);
   s->position = fma3(radius, s->normal, center);
   real x = dot3(s->normal, load3(frame));

@@ -39,6 +39,7 @@ FN void LANED(sphere_block)(const Ray* ray, GLOBAL const real* block, GLOBAL con
   realw other = splat_w(-R(2.0)) * k;
   t = sel_w(left, other, t);
   hit = (hit & ~left) | (left & lt_w(splat_w(R(0.0)), other));
+  if (ray->is_outward) hit = hit & ~left;
   LANED(take_nearest)(hit & LANED(in_range)(t, ray, best), t, ids, -1, SHAPE_sphere, slot, best);
 }
 #endif

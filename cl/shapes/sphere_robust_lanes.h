@@ -32,5 +32,6 @@ FN void LANED(sphere_block)(const Ray* ray, GLOBAL const real* block, GLOBAL con
   realw other = splat_w(-R(2.0)) * dw_div_w(b, a).hi;
   t = sel_w(left, other, t);
   hit = (hit & ~left) | (left & lt_w(zero, other));
+  if (ray->is_outward) hit = hit & ~left;
   LANED(take_nearest)(hit & LANED(in_range)(t, ray, best), t, ids, -1, SHAPE_sphere, slot, best);
 }
