@@ -6,7 +6,7 @@
 #include "core/ray.h"
 #include "math/vec3.h"
 
-/// What the surface ends at, and so may share with a neighbour; ROUND: at nothing, a sphere's or a cylinder's mantle
+/// What the surface ends at, and so may share with a neighbour; ROUND: a convex curved surface, which ends at nothing
 /// (core/departure.h).
 enum { OUTLINE_NONE, OUTLINE_TRIANGLE, OUTLINE_PARALLELOGRAM, OUTLINE_BOX, OUTLINE_ROUND };
 
