@@ -95,6 +95,36 @@ TEST_CASE("a point on a sphere lies on the sphere, however long the ray") {
   CHECK(worst < 1e-4);
 }
 
+// 10^6 radii off, where steps of t are a tenth of the radius.
+TEST_CASE("a far pebble is round, and its day side casts no shadow on itself") {
+  require_pocl_and_rusticl();
+  const double radius = 0x1.8p-7;
+  Scene scene = stage({Sphere{{0, 0, 0}, radius}}, diffuse({1, 1, 1}));
+  const double width = scene.camera.world_from_camera.m[1][1] = 0x1p-6;
+  scene.camera.world_from_camera.m[0][0] = -width;
+  scene.camera.world_from_camera.m[2][3] = 10000.0137;
+  add(scene, DirectionalLight{{-1, 0.5, -1}, {1, 1, 1}});
+  const Image lit = small(scene);
+  scene.integrator.name = "normals";
+  const Image normals = small(scene);
+  const Vec3 to_light = normalized(Vec3{1, -0.5, 1});
+  double worst = 0;
+  int dark = 0, day = 0;
+  for (int y = 0; y < stage_size; ++y)
+    for (int x = 0; x < stage_size; ++x) {
+      const double scale = width / half_width / radius, u = stage_x(x) * scale, v = stage_y(y) * scale;
+      if (u * u + v * v > 0.98) continue;
+      const Vec3 n{u, v, std::sqrt(1 - u * u - v * v)};
+      worst = std::max(worst, std::fabs(2 * static_cast<double>(normals.at(x, y, 2)) - 1 - n.z));
+      if (dot(n, to_light) < 0.01) continue;
+      ++day;
+      dark += lit.at(x, y, 0) == 0 ? 1 : 0;
+    }
+  CHECK(worst < 1e-4);
+  CHECK(dark == 0);
+  CHECK(day > 200);
+}
+
 // z = (x + 2 y) / 4 over a lattice, so exactly flat; points on it are rounded to either side of it.
 TEST_CASE("a flat mesh casts no shadow on itself") {
   require_pocl_and_rusticl();
