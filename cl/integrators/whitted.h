@@ -3,8 +3,6 @@
 // Model for Shaded Display", CACM 23(6), 1980, as a loop. Emitters are hidden from the camera only. Depth counts as in
 // Mitsuba: every mirror is one more. Where it has no limit a path ends after WHITTED_LONGEST mirrors.
 
-enum { WHITTED_LONGEST = 1024 };
-
 FN int whitted_step(const Scene* scene, Path* path, int hit, const Surface* s) {
   int max_depth = scene->index[HEADER_MAX_DEPTH];
   if (max_depth < 0) max_depth = WHITTED_LONGEST + 1;

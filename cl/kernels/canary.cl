@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What a device's arithmetic does: every operation that the tiers build on, over cases that come from a buffer so that
 // no compiler folds them. The host, which is IEEE 754, compares (src/device/canary.h). One work-item, LANES cases.
+// And whether loops end where they should.
 #include "math/vec3.h"
 #include "lanes/lane_ops.h"
 #include "lanes/double_word.h"
@@ -54,4 +55,16 @@ KERNEL LANE_HINT void canary(GLOBAL const real* in, GLOBAL real* out, int count)
     out[CANARY_BUILTIN_MIN * count + lane] = fmin(x, y);
     out[CANARY_BUILTIN_MAX * count + lane] = fmax(x, y);
   }
+}
+
+/// Work-item i: turns[2 i] turns around turns[2 i + 1] inner ones. Each takes a generator of full period one step on
+/// (D. Knuth, "The Art of Computer Programming", vol. 2, 1997, 3.3.4), so that its state tells how many were made.
+KERNEL void canary_loops(GLOBAL const uint* turns, GLOBAL uint* state) {
+  int i = (int)get_global_id(0);
+  uint x = 0u;
+  for (uint outer = 0u; outer < turns[2 * i]; ++outer) {
+    x = x * 1664525u + 1013904223u;
+    for (uint inner = 0u; inner < turns[2 * i + 1]; ++inner) x = x * 1664525u + 1013904223u;
+  }
+  state[i] = x;
 }

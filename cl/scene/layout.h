@@ -65,6 +65,9 @@ enum {
 
 enum { FILTER_CELLS = 1024 };
 
+// Mirrors after which a path ends where HEADER_MAX_DEPTH is no limit.
+enum { WHITTED_LONGEST = 1024 };
+
 // Film: FILM_SUBSUMS x 3 sums a pixel (sample index mod FILM_SUBSUMS), docs/decisions/0002-film.md.
 enum { FILM_SUBSUMS = 4, FILM_CHANNELS = 3 };
 

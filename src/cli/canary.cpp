@@ -16,6 +16,7 @@ Canary ask_canary(const Device& device, const KernelOptions& options, RenderSett
   if (options.precision) named = settings.precision;
   const TierChoice choice = choose_tier(device, named);
   settings.precision = choice.tier.precision;
+  settings.loop_turns = choice.tier.loop_turns;
   if (!choice.instead.empty())
     say(fmt::format("strahl: warning: --precision {} on {}: {}", precision_name(settings.precision),
                     device.info().text(), choice.instead));

@@ -18,8 +18,8 @@ struct Canary {
   }
 };
 
-/// Settles the precision, unless --no-canary. Warns where another one stands in for the default; throws NoDeviceError
-/// where what was asked for by name is refused.
+/// Settles the precision and how long loops may be, unless --no-canary. Warns where another one stands in for the
+/// default; throws NoDeviceError where what was asked for by name is refused.
 [[nodiscard]] Canary ask_canary(const Device& device, const KernelOptions& options, RenderSettings& settings);
 
 }  // namespace strahl::cli

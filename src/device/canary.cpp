@@ -10,6 +10,7 @@
 #include <limits>
 
 #include "device/canary_cases.h"
+#include "device/canary_loops.h"
 #include "device/program_text.h"
 #include "device/scene_buffers.h"
 
@@ -43,6 +44,7 @@ constexpr std::array demands{
     Demand{"fma with denormals", holds, degraded, degraded, "fma is wrong near the denormal numbers"},
     Demand{"literal zeros", holds, holds, holds, ""},
     Demand{"fmin, fmax of NaN", holds, holds, holds, ""},
+    Demand{"long loops", degraded, degraded, degraded, "ends loops"},
 };
 
 Verdict demanded(const Demand& demand, Precision precision) {
@@ -108,7 +110,7 @@ std::string scale_of(Real largest_wrong) {
 }
 
 template <typename Real>
-void probe(const Device& device, const ProgramSource& source, int lanes, const std::vector<CanaryGroup<Real>>& groups,
+void probe(const Device& device, const cl::Program& program, int lanes, const std::vector<CanaryGroup<Real>>& groups,
            std::vector<Judged<Real>>& judged) {
   std::vector<CanaryCase<Real>> cases;
   for (const auto& group : groups) cases.insert(cases.end(), group.cases.begin(), group.cases.end());
@@ -118,7 +120,6 @@ void probe(const Device& device, const ProgramSource& source, int lanes, const s
   for (std::size_t i = 0; i < count; ++i)
     for (std::size_t plane = 0; plane < layout::CANARY_INPUTS; ++plane) in[plane * count + i] = cases[i][plane];
 
-  const cl::Program program = build_program(device, source);
   const cl::Buffer in_buffer = allocate(device, in.size() * sizeof(Real), "the canary");
   const cl::Buffer out_buffer = allocate(device, out.size() * sizeof(Real), "the canary");
   write_buffer(device, in_buffer, in.data(), in.size() * sizeof(Real));
@@ -139,6 +140,17 @@ void probe(const Device& device, const ProgramSource& source, int lanes, const s
   }
 }
 
+CanaryFinding finding_of(const LoopTurns& loops) {
+  CanaryFinding finding;
+  finding.cases = static_cast<int>(loop_cases.size());
+  for (std::size_t i = 0; i < loop_cases.size(); ++i) {
+    const auto [outer, inner] = loop_cases[i];
+    if (loops.made[i] == loop_cases[i].turns() || finding.wrong++ > 0) continue;
+    finding.detail = fmt::format("{} times a loop of {} turns ends after {} turns", outer, inner, loops.made[i]);
+  }
+  return finding;
+}
+
 /// The arithmetic alone: nothing of a scene.
 Features no_features() {
   Features features;
@@ -151,30 +163,35 @@ template <typename Real>
 CanaryReport run_as(const Device& device, Precision precision, const CanaryOptions& options) {
   const std::vector<CanaryGroup<Real>> groups = canary_groups<Real>();
   std::vector<Judged<Real>> judged(groups.size());
+  LoopTurns loops;
   std::vector<int> widths{1, default_lanes(device.info().native_vector_width, precision)};
   if (options.lanes) widths = {*options.lanes};
   if (widths.front() == widths.back()) widths.resize(1);
   for (const int lanes : widths) {
     ProgramSource source = program_source("kernels/canary.cl", no_features(), precision, lanes);
     if (options.change) options.change(source);
-    probe(device, source, lanes, groups, judged);
+    const cl::Program program = build_program(device, source);
+    probe(device, program, lanes, groups, judged);
+    loops = turns_made(device, program);
   }
 
-  CanaryReport report{{precision, holds, {}}, {}};
-  for (std::size_t g = 0; g < groups.size(); ++g) {
-    const auto property = groups[g].property;
+  CanaryReport report{{precision, holds, {}, {}}, {}};
+  const auto take = [&](P property, CanaryFinding finding, const std::string& detail) {
     const Demand& demand = demands[static_cast<std::size_t>(property)];
-    CanaryFinding& finding = judged[g].finding;
     finding.property = demand.name;
     if (finding.wrong > 0) {
       finding.verdict = demanded(demand, precision);
-      std::string why = demand.without;
-      if (property == P::fma_denormals) why += scale_of(judged[g].largest_wrong);
-      if (finding.verdict > holds) report.tier.why += (report.tier.why.empty() ? "" : "; ") + why;
+      if (finding.verdict > holds) report.tier.why += (report.tier.why.empty() ? "" : "; ") + (demand.without + detail);
       report.tier.verdict = std::max(report.tier.verdict, finding.verdict);
     }
-    report.findings.push_back(finding);
-  }
+    report.findings.push_back(std::move(finding));
+  };
+  for (std::size_t g = 0; g < groups.size(); ++g)
+    take(groups[g].property, judged[g].finding,
+         groups[g].property == P::fma_denormals ? scale_of(judged[g].largest_wrong) : "");
+  report.tier.loop_turns = loops.limit();
+  take(P::long_loops, finding_of(loops),
+       report.tier.loop_turns ? fmt::format(" after {} turns", *report.tier.loop_turns) : "");
   return report;
 }
 
@@ -186,7 +203,7 @@ const char* verdict_name(Verdict verdict) {
 
 CanaryReport run_canary(const Device& device, Precision precision, const CanaryOptions& options) {
   if (precision != Precision::fp64) return run_as<float>(device, precision, options);
-  if (!device.info().fp64) return {{precision, refused, "the device has no double precision"}, {}};
+  if (!device.info().fp64) return {{precision, refused, "the device has no double precision", {}}, {}};
   return run_as<double>(device, precision, options);
 }
 

@@ -3,6 +3,7 @@
 // operation that is not what IEEE 754 says makes a tier of precision degraded or refused.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
@@ -36,6 +37,8 @@ struct TierVerdict {
   Precision precision = Precision::stable;
   Verdict verdict = Verdict::holds;
   std::string why;  ///< Empty where it holds.
+  /// Turns in sum over all loops of a work-item after which the device ends them; none: more than the canary asks for.
+  std::optional<std::uint64_t> loop_turns;
 };
 
 struct CanaryReport {

@@ -31,6 +31,7 @@ enum class CanaryProperty {
   fma_denormals,
   literal_zeros,
   builtin_min_max,
+  long_loops,
 };
 
 template <typename Real>

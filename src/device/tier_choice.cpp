@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
-// A verdict's file is one of the program cache's: "holds", "degraded" or "refused", a line, and why.
+// A verdict's file is one of the program cache's: "holds", "degraded" or "refused", the turns after which loops end or
+// an empty line, and why.
 #include "device/tier_choice.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
+#include <charconv>
+#include <sstream>
 
 #include "device/kernel_files.h"
 #include "device/program_cache.h"
@@ -19,21 +22,28 @@ constexpr std::array defaults{Precision::robust, Precision::stable, Precision::f
 std::string verdict_key(const Device& device, Precision precision) {
   std::uint64_t sources = fnv1a("");
   for (const auto& [path, text] : kernel_files()) sources = fnv1a(text, sources);
-  return fmt::format("canary of {}\n{}\nfp64 {}\nkernels {:016x}", precision_name(precision), driver_key(device),
+  return fmt::format("canary 2 of {}\n{}\nfp64 {}\nkernels {:016x}", precision_name(precision), driver_key(device),
                      device.info().fp64, sources);
 }
 
 std::vector<unsigned char> written(const TierVerdict& tier) {
-  const std::string text = fmt::format("{}\n{}", verdict_name(tier.verdict), tier.why);
+  const std::string turns = tier.loop_turns ? std::to_string(*tier.loop_turns) : "";
+  const std::string text = fmt::format("{}\n{}\n{}", verdict_name(tier.verdict), turns, tier.why);
   return {text.begin(), text.end()};
 }
 
 std::optional<TierVerdict> read(Precision precision, const std::vector<unsigned char>& bytes) {
-  const std::string text(bytes.begin(), bytes.end());
-  const std::size_t end = text.find('\n');
-  if (end == std::string::npos) return std::nullopt;
+  std::istringstream text({bytes.begin(), bytes.end()});
+  std::string name, turns, why;
+  if (!std::getline(text, name) || !std::getline(text, turns)) return std::nullopt;
+  std::getline(text, why);
+  std::optional<std::uint64_t> loop_turns;
+  if (!turns.empty()) {
+    const auto [end, error] = std::from_chars(turns.data(), turns.data() + turns.size(), loop_turns.emplace());
+    if (error != std::errc() || end != turns.data() + turns.size()) return std::nullopt;
+  }
   for (const Verdict verdict : {Verdict::holds, Verdict::degraded, Verdict::refused})
-    if (text.substr(0, end) == verdict_name(verdict)) return TierVerdict{precision, verdict, text.substr(end + 1)};
+    if (name == verdict_name(verdict)) return TierVerdict{precision, verdict, why, loop_turns};
   return std::nullopt;
 }
 

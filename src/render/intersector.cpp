@@ -8,6 +8,7 @@
 #include "device/cl_layout.h"
 #include "device/program_text.h"
 #include "device/scene_buffers.h"
+#include "render/loop_bound.h"
 #include "render/sampling.h"
 #include "render/stopwatch.h"
 #include "scene/validate.h"
@@ -131,6 +132,7 @@ Intersector::Intersector(const Device& device, const Scene& scene, const RenderS
   if (std::vector<Diagnostic> problems = validate(scene); !problems.empty()) throw SceneError(problems);
   State& s = *state_;
   const int lanes = settings.lanes.value_or(default_lanes(device.info().native_vector_width, settings.precision));
+  static_cast<void>(most_samples(device, intersect_loops(scene, lanes), settings.loop_turns));
   const Stopwatch start;
   const Features features = intersection_features(scene, settings);
   const ProgramSource source = program_source("kernels/intersect.cl", features, settings.precision, lanes);

@@ -35,6 +35,7 @@ struct Hit {
 
 class Intersector {
  public:
+  /// Throws as Renderer does.
   Intersector(const Device& device, const Scene& scene, const RenderSettings& settings = {});
   ~Intersector();
   Intersector(Intersector&&) noexcept;

@@ -6,9 +6,15 @@
 
 namespace strahl {
 
-LaunchPlan::LaunchPlan(int columns, int rows, int samples, std::optional<int> passes, double overhead_seconds)
-    : width_(columns), height_(rows), samples_(samples), passes_(passes), overhead_(overhead_seconds) {
-  if (passes_) passes_ = std::clamp(*passes_, 1, samples);
+LaunchPlan::LaunchPlan(int columns, int rows, int samples, std::optional<int> passes, double overhead_seconds,
+                       int most_samples)
+    : width_(columns),
+      height_(rows),
+      samples_(samples),
+      passes_(passes),
+      overhead_(overhead_seconds),
+      most_samples_(most_samples) {
+  if (passes_) passes_ = std::clamp(std::max(*passes_, (samples - 1) / most_samples + 1), 1, samples);
 }
 
 void LaunchPlan::choose_range() {
@@ -17,7 +23,8 @@ void LaunchPlan::choose_range() {
     range_ = static_cast<int>(end) - sample_;
   } else {
     const double frames = budget_ / (static_cast<double>(width_) * height_);
-    range_ = static_cast<int>(std::clamp(frames, 1.0, static_cast<double>(samples_ - sample_)));
+    range_ =
+        static_cast<int>(std::clamp(frames, 1.0, static_cast<double>(std::min(samples_ - sample_, most_samples_))));
   }
 }
 

@@ -2,6 +2,7 @@
 // Splits a picture into launches that are short on any device, from measured time. The picture does not depend on it.
 #pragma once
 
+#include <limits>
 #include <optional>
 
 namespace strahl {
@@ -25,7 +26,9 @@ class LaunchPlan {
 
   /// passes: split the samples into that many ranges regardless of time. overhead_seconds: what a launch without pixels
   /// takes; it counts neither as work nor into the target, or a slow start would shrink launches to nothing.
-  LaunchPlan(int columns, int rows, int samples, std::optional<int> passes, double overhead_seconds = 0);
+  /// most_samples: in a range.
+  LaunchPlan(int columns, int rows, int samples, std::optional<int> passes, double overhead_seconds = 0,
+             int most_samples = std::numeric_limits<int>::max());
 
   [[nodiscard]] bool finished() const { return sample_ >= samples_; }
   [[nodiscard]] Launch next();
@@ -40,6 +43,7 @@ class LaunchPlan {
   int width_, height_, samples_;
   std::optional<int> passes_;
   double overhead_;
+  int most_samples_;
   int pass_ = 0;
   int column_ = 0, row_ = 0;  ///< The first pixel not yet handed out in this range of samples.
   int sample_ = 0;            ///< First sample of the current range.

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "device/device.h"
@@ -14,7 +15,9 @@ namespace strahl {
 
 /// reals, ints: as aov_image (aov.h) takes them. Every AOV_T becomes |t - t in double| in ulps of float of the latter:
 /// infinity where one of the two is a hit and the other none, 0 where neither is. The device must have fp64.
-void replace_t_by_its_error(const Device& device, const Scene& scene, const Frame& frame, std::vector<double>& reals,
+/// loop_turns: as RenderSettings has it.
+void replace_t_by_its_error(const Device& device, const Scene& scene, const Frame& frame,
+                            std::optional<std::uint64_t> loop_turns, std::vector<double>& reals,
                             const std::vector<std::int32_t>& ints);
 
 }  // namespace strahl

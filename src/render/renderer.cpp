@@ -12,6 +12,7 @@
 #include "render/aov.h"
 #include "render/film.h"
 #include "render/launch_plan.h"
+#include "render/loop_bound.h"
 #include "render/numeric_error.h"
 #include "render/stopwatch.h"
 #include "scene/validate.h"
@@ -64,6 +65,7 @@ struct Renderer::State {
                    LaunchPlan& plan);
 
   double launch_overhead = 0;  ///< Seconds.
+  int samples_a_launch = 0;
   cl::Buffer film, aov_reals, aov_ints, counters;
 };
 
@@ -77,6 +79,7 @@ void Renderer::State::prepare() {
     throw NoDeviceError(fmt::format("the AOV numeric_error holds every hit against double precision, which {} has not",
                                     device.info().text()));
   const int lanes = settings.lanes.value_or(default_lanes(device.info().native_vector_width, settings.precision));
+  samples_a_launch = most_samples(device, render_loops(scene, lanes), settings.loop_turns);
   const Stopwatch start;
   features = features_of(scene, settings);
   source = program_source("kernels/render.cl", features, settings.precision, lanes);
@@ -233,7 +236,7 @@ RenderResult Renderer::render(const ProgressCallback& progress) {
   bool carry_on = true;
   for (int row = 0; row < height && carry_on; row += band) {
     const int rows = std::min(band, height - row);
-    LaunchPlan plan(width, rows, s.sampling.spp, s.settings.passes, s.launch_overhead);
+    LaunchPlan plan(width, rows, s.sampling.spp, s.settings.passes, s.launch_overhead, s.samples_a_launch);
     if (earlier) plan.learn_from(*earlier);
     carry_on = s.render_band(row, rows, film, run, report, plan);
     if (s.has_aov())
@@ -244,7 +247,7 @@ RenderResult Renderer::render(const ProgressCallback& progress) {
   const Stopwatch convert;
   result.color = film.mean();
   if (s.settings.aovs.contains(Aov::numeric_error))
-    replace_t_by_its_error(s.device, s.scene, s.frame(), aov_reals, aov_ints);
+    replace_t_by_its_error(s.device, s.scene, s.frame(), s.settings.loop_turns, aov_reals, aov_ints);
   if (!s.settings.aovs.empty())
     result.aov = aov_image(width, height, s.settings.aovs, aov_reals, aov_ints, s.frame());
   else

@@ -34,7 +34,8 @@ struct RenderResult {
 class Renderer {
  public:
   /// Validates, packs, builds the program and uploads. Throws SceneError, DeviceError, KernelBuildError, or
-  /// NoDeviceError where the device's memory cannot hold the scene and one row of the film.
+  /// NoDeviceError where the device's memory cannot hold the scene and one row of the film, or its loops end too early
+  /// for the scene (RenderSettings::loop_turns).
   Renderer(const Device& device, const Scene& scene, const RenderSettings& settings = {});
   ~Renderer();
   Renderer(Renderer&&) noexcept;

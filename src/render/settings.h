@@ -2,6 +2,7 @@
 // How a scene is computed, apart from what the scene itself says.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <set>
 #include <string>
@@ -36,6 +37,8 @@ struct RenderSettings {
   std::optional<int> lanes;  ///< 1, 8 or 16 (fp64: 1, 8) primitives at a time; none: by the device.
   WorkGroup work_group;
   std::optional<int> passes;  ///< Split the samples into this many launches; none: by measured time.
+  /// The device ends the loops of a work-item after so many turns in sum (TierVerdict::loop_turns); none: it does not.
+  std::optional<std::uint64_t> loop_turns;
 };
 
 }  // namespace strahl

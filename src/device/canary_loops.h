@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// Whether a device lets loops run to their end. Mesa's llvmpipe ends all loops of a work-item after 65,535 turns in
+// sum, without a word.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include "device/device.h"
+
+namespace strahl {
+
+/// `outer` turns, each with a loop of `inner` turns in it.
+struct LoopCase {
+  std::uint32_t outer, inner;
+  [[nodiscard]] constexpr std::uint64_t turns() const { return std::uint64_t{outer} * (std::uint64_t{inner} + 1); }
+};
+
+inline constexpr std::array<LoopCase, 2> loop_cases{{{1, 100000}, {200, 500}}};
+
+struct LoopTurns {
+  std::array<std::uint64_t, loop_cases.size()> made{};
+  /// Turns in sum over all loops of a work-item that are safe; none: all that were asked for have been made.
+  [[nodiscard]] std::optional<std::uint64_t> limit() const;
+};
+
+/// program: of kernels/canary.cl.
+[[nodiscard]] LoopTurns turns_made(const Device& device, const cl::Program& program);
+
+}  // namespace strahl

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+// A loop counts one turn more than it makes: llvmpipe counts the turn that finds its end. Paths of neighbouring
+// work-items run in step there, so that every loop counts its longest, reached by this pixel's own path or not.
+#include "render/loop_bound.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "device/cl_layout.h"
+#include "device/features.h"
+#include "device/kernel_source.h"
+#include "errors.h"
+
+namespace strahl {
+namespace {
+
+/// Loops over the axes and faces of a box, in one test and where its surface is looked up.
+constexpr double box_test = 24, box_surface = 16;
+/// Over a polygon's edges, twice, where a ray leaves it (cl/core/departure.h).
+constexpr double departure = 3 + 2 * 5;
+
+/// One traversal of all lists.
+double walk(const Scene& scene, int lanes) {
+  std::map<std::string, double> primitives;
+  for (const Shape& shape : scene.shapes) primitives[shape_kind(shape)] += primitive_count(shape);
+  double turns = static_cast<double>(list_entries("shapes").size());
+  for (const auto& [kind, count] : primitives) {
+    const double candidates = lanes + 1;
+    turns += std::ceil(count / lanes) * (1 + candidates + (kind == "box" ? box_test : 0));
+  }
+  return turns;
+}
+
+bool is_lamp(const Light& light) { return !std::holds_alternative<ConstantLight>(light.emitter); }
+
+/// Mirrors that a path can follow.
+double mirrors(const Scene& scene) {
+  const bool is_any = std::any_of(scene.materials.begin(), scene.materials.end(), [](const Material& material) {
+    return std::holds_alternative<Conductor>(material.bsdf);
+  });
+  if (scene.integrator.name != "whitted" || !is_any) return 0;
+  const int depth = scene.integrator.max_depth;
+  return depth < 0 ? layout::WHITTED_LONGEST : std::max(depth - 1, 0);
+}
+
+}  // namespace
+
+LoopBound render_loops(const Scene& scene, int lanes) {
+  const bool is_lit = scene.integrator.name == "direct" || scene.integrator.name == "whitted";
+  const double lights = static_cast<double>(scene.lights.size());
+  const double lamps =
+      is_lit ? static_cast<double>(std::count_if(scene.lights.begin(), scene.lights.end(), is_lamp)) : 0;
+  const double ray = walk(scene, lanes);
+  // The loops over the path, the background's lights and the lamps, each with its shadow.
+  const double surface = 1 + ray + box_surface + 2 * (lights + 1) + lamps * (departure + ray) + departure;
+  return {2 * layout::FILM_SUBSUMS + 1, 1 + layout::AOV_REALS + 1 + (1 + mirrors(scene)) * surface};
+}
+
+LoopBound intersect_loops(const Scene& scene, int lanes) {
+  return {layout::HIT_REALS + 1, walk(scene, lanes) + box_surface};
+}
+
+int most_samples(const Device& device, const LoopBound& bound, std::optional<std::uint64_t> loop_turns) {
+  constexpr int all = std::numeric_limits<int>::max();
+  if (!loop_turns) return all;
+  const double limit = static_cast<double>(*loop_turns), samples = std::floor((limit - bound.launch) / bound.sample);
+  if (samples >= 1) return samples < all ? static_cast<int>(samples) : all;
+  throw NoDeviceError(fmt::format(
+      "{} ends the loops of a work-item after {} turns, and the hit or picture would be wrong: a ray of this "
+      "scene may take {:.0f}, with all its mirrors and shadows; choose another device (-d), a smaller "
+      "max_depth (--max-depth) or fewer shapes",
+      device.info().text(), *loop_turns, bound.launch + bound.sample));
+}
+
+}  // namespace strahl
