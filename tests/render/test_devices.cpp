@@ -5,6 +5,8 @@
 #include <catch2/catch.hpp>
 #include <iostream>
 
+#include "device/tier_choice.h"
+#include "errors.h"
 #include "render/pictures.h"
 
 namespace strahl::test {
@@ -36,6 +38,21 @@ TEST_CASE("spheres and planes, 64 samples") { check_everywhere("lecture/lit.xml"
 TEST_CASE("rectangles and cubes") { check_everywhere("cornell/cornell-box.xml", 24, 18, 4); }
 
 TEST_CASE("a mesh") { check_everywhere("shapes/mesh-obj.xml", 16, 12, 2); }
+
+TEST_CASE("paths longer than a device's loops are refused, shorter ones are right") {
+  require_pocl_and_rusticl();
+  Scene scene = small_scene(scene_folder / "accuracy/mirror-box.xml", 8, 6, 1);
+  const Device device = Device::open("llvmpipe");
+  RenderSettings settings;
+  settings.loop_turns = choose_tier(device, Precision::robust).tier.loop_turns;
+  REQUIRE(settings.loop_turns);
+  CHECK_THROWS_AS(Renderer(device, scene, settings), NoDeviceError);
+  scene.integrator.max_depth = 50;
+  CHECK(same_bits(render("pocl", scene, settings), Renderer(device, scene, settings).render()));
+  // As many samples as one launch could not take.
+  scene.sampler.sample_count = 200;
+  CHECK(same_bits(render("pocl", scene, settings), Renderer(device, scene, settings).render()));
+}
 
 }  // namespace
 }  // namespace strahl::test
