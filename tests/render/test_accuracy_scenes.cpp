@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// The hard scenes of scenes/accuracy look in the robust tier as they do in double, and in fast they do not: RMSE of the
+// picture, whose values are of the order of 1. 4 s where nothing is cached.
+#include <catch2/catch.hpp>
+
+#include "image/metrics.h"
+#include "render/pictures.h"
+
+namespace strahl::test {
+namespace {
+
+double rmse_against_double(const Scene& scene, const Image& reference, Precision precision) {
+  RenderSettings settings;
+  settings.precision = precision;
+  return compare_images(render("pocl", scene, settings).color, reference, Metric::rmse);
+}
+
+void hold(const std::string& name) {
+  require_pocl_and_rusticl();
+  const Scene scene = small_scene(scene_folder / ("accuracy/" + name + ".xml"), 64, 64, 4);
+  RenderSettings in_double;
+  in_double.precision = Precision::fp64;
+  const Image reference = render("pocl", scene, in_double).color;
+  CHECK(lit_pixels(reference) > 64 * 64 / 8);
+  CHECK(rmse_against_double(scene, reference, Precision::robust) < 1e-3);
+  CHECK(rmse_against_double(scene, reference, Precision::fast) > 5e-3);
+}
+
+TEST_CASE("a pebble far off") { hold("far-pebble"); }
+TEST_CASE("the horizon of a planet") { hold("planet-horizon"); }
+
+}  // namespace
+}  // namespace strahl::test
