@@ -27,7 +27,7 @@ TEST_CASE("twice in a row") {
 
 TEST_CASE("work-groups, lanes and passes") {
   require_pocl_and_rusticl();
-  for (const Precision precision : {Precision::stable, Precision::robust, Precision::fp64}) {
+  for (const Precision precision : {Precision::robust, Precision::fp64}) {
     const RenderResult expected = render("pocl", reference_scene(), all_aovs(precision));
     const auto check = [&](const std::string& what, const RenderSettings& settings) {
       INFO(what << ", " << precision_name(precision));
