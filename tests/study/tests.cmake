@@ -1,3 +1,6 @@
 # SPDX-License-Identifier: MIT
 strahl_test(study/test_stress.cpp LABEL render)
 strahl_test(study/test_contact_sheet.cpp LABEL unit)
+strahl_test(study/test_generated_scenes.cpp LABEL unit)
+strahl_test(study/test_spd.cpp LABEL device)
+strahl_test(study/test_ray_sets.cpp LABEL device)
