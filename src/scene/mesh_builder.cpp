@@ -15,6 +15,7 @@ int MeshBuilder::append(const MeshCorner& corner) {
     throw InputError("a mesh of more than 2147483647 vertices");
   }
   corner_of_vertex_.push_back(corner);
+  next_vertex_.push_back(-1);
   mesh_.positions.push_back(attributes_.positions[static_cast<std::size_t>(corner.position)]);
   has_uvs_ |= corner.uv >= 0;
   has_normals_ |= corner.normal >= 0;
@@ -22,10 +23,19 @@ int MeshBuilder::append(const MeshCorner& corner) {
 }
 
 int MeshBuilder::vertex_of(const MeshCorner& corner) {
-  int& first = first_vertex_[static_cast<std::size_t>(corner.position)];
-  if (first < 0) return first = append(corner);
-  if (corner_of_vertex_[static_cast<std::size_t>(first)] == corner) return first;
-  const auto [entry, is_new] = split_vertices_.try_emplace(corner, 0);
+  int vertex = first_vertex_[static_cast<std::size_t>(corner.position)], last = -1;
+  for (int length = 0; length < longest_list; ++length) {
+    if (vertex < 0) {
+      vertex = append(corner);
+      (last < 0 ? first_vertex_[static_cast<std::size_t>(corner.position)]
+                : next_vertex_[static_cast<std::size_t>(last)]) = vertex;
+      return vertex;
+    }
+    if (corner_of_vertex_[static_cast<std::size_t>(vertex)] == corner) return vertex;
+    last = vertex;
+    vertex = next_vertex_[static_cast<std::size_t>(vertex)];
+  }
+  const auto [entry, is_new] = further_vertices_.try_emplace(corner, 0);
   if (is_new) entry->second = append(corner);
   return entry->second;
 }

@@ -58,9 +58,13 @@ class MeshBuilder {
 
   const MeshAttributes& attributes_;
   Mesh mesh_;
+  // The vertices of a position are a list, which most corners find at once; those of one where hundreds of faces meet
+  // (a cone's apex) go on in a map.
+  static constexpr int longest_list = 16;
   std::vector<MeshCorner> corner_of_vertex_;
-  std::vector<int> first_vertex_;  // of each position; most have only one, and the map stays small
-  std::unordered_map<MeshCorner, int, CornerHash> split_vertices_;
+  std::vector<int> first_vertex_;  // of each position, -1: none
+  std::vector<int> next_vertex_;   // of each vertex, -1: none
+  std::unordered_map<MeshCorner, int, CornerHash> further_vertices_;
   std::vector<Vec3> polygon_;
   std::vector<std::array<int, 3>> pieces_;
   std::vector<std::string> warnings_;

@@ -18,25 +18,24 @@ MeshSource::MeshSource(const std::string& path) : path_(path) {
   std::ifstream file(path, std::ios::binary);
   const auto size = std::filesystem::file_size(path, code);
   if (!file || code) fail(nullptr, "cannot be opened; check its permissions");
-  bytes_.resize(size);
-  if (!file.read(bytes_.data(), static_cast<std::streamsize>(size))) fail(nullptr, "cannot be read to its end");
+  bytes_ = std::make_unique_for_overwrite<char[]>(size);
+  if (!file.read(bytes_.get(), static_cast<std::streamsize>(size))) fail(nullptr, "cannot be read to its end");
+  size_ = size;
 }
 
 const char* MeshSource::begin_text() {
-  const std::string_view text = bytes_;
+  const std::string_view text(begin(), size_);
   const bool marked = text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF");
   const bool unmarked = text.size() >= 2 && (text[0] == '\0') != (text[1] == '\0');
   if (marked || unmarked) {
     fail(begin(), fmt::format("the text is UTF-16; convert it to UTF-8, for example with iconv -f UTF-16 -t UTF-8 {}",
                               std::filesystem::path(path_).filename().string()));
   }
-  if (text.find('\n') == std::string_view::npos) unify_line_ends(bytes_.size());
+  if (text.find('\n') == std::string_view::npos) unify_line_ends(size_);
   return begin() + (text.starts_with("\xEF\xBB\xBF") ? 3 : 0);
 }
 
-void MeshSource::unify_line_ends(std::size_t size) {
-  std::replace(bytes_.begin(), bytes_.begin() + static_cast<std::ptrdiff_t>(size), '\r', '\n');
-}
+void MeshSource::unify_line_ends(std::size_t size) { std::replace(bytes_.get(), bytes_.get() + size, '\r', '\n'); }
 
 void MeshSource::error(const char* at, std::string message) {
   if (++errors_ <= most_listed) notes_.push_back({at, Severity::error, std::move(message)});

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -24,8 +25,8 @@ class MeshSource {
   MeshSource& operator=(const MeshSource&) = delete;
 
   [[nodiscard]] const std::string& path() const { return path_; }
-  [[nodiscard]] const char* begin() const { return bytes_.data(); }
-  [[nodiscard]] const char* end() const { return bytes_.data() + bytes_.size(); }
+  [[nodiscard]] const char* begin() const { return bytes_.get(); }
+  [[nodiscard]] const char* end() const { return bytes_.get() + size_; }
 
   /// Skips a UTF-8 byte order mark and turns the line ends of old Macs (CR alone) into LF; throws SceneError where
   /// the text is UTF-16. Returns where the text begins.
@@ -62,7 +63,8 @@ class MeshSource {
   [[nodiscard]] Diagnostic diagnostic(const Note& note) const;
 
   std::string path_;
-  std::string bytes_;
+  std::unique_ptr<char[]> bytes_;  // not cleared before it is read into
+  std::size_t size_ = 0;
   const char* binary_ = nullptr;
   std::vector<Note> notes_;
   std::size_t errors_ = 0, warnings_ = 0;

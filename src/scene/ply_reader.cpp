@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // PLY ("The PLY Polygon File Format", G. Turk, Stanford, 1994), text and binary: positions, normals (nx ny nz),
-// texture coordinates (u v, s t, texture_u texture_v) and polygons (vertex_indices or vertex_index). Elements and
-// properties may come in any order; others are passed over. Triangle strips are an error.
+// texture coordinates (u v, s t, texture_u texture_v) and polygons (vertex_indices or vertex_index), or, where there
+// are none, triangle strips (tristrips, a list in which -1 begins a strip anew: Stanford's archives). Elements and
+// properties may come in any order; others are passed over.
 #include <fmt/format.h>
 
 #include <bit>
@@ -41,6 +42,9 @@ class PlyReader {
   void find_elements() {
     vertices_ = find_element(header_, "vertex");
     faces_ = find_element(header_, "face");
+    const PlyElement* strips = find_element(header_, "tristrips");
+    are_strips_ = strips != nullptr && (faces_ == nullptr || faces_->count == 0);
+    if (are_strips_) faces_ = strips;
     if (vertices_ == nullptr) source_.fail(source_.begin(), "the header names no element vertex");
     for (const char* name : {"x", "y", "z"}) {
       const int i = vertices_->find({name});
@@ -51,13 +55,12 @@ class PlyReader {
     if (vertices_->count > static_cast<std::uint64_t>(std::numeric_limits<int>::max())) {
       source_.fail(vertices_->at, "more than 2147483647 vertices");
     }
-    if (faces_ == nullptr) {
-      const PlyElement* strips = find_element(header_, "tristrips");
-      if (strips != nullptr) source_.fail(strips->at, "triangle strips are not read; convert them to faces");
-      source_.fail(source_.begin(), "mesh without triangles: the header names no element face");
-    }
+    if (faces_ == nullptr) source_.fail(source_.begin(), "mesh without triangles: the header names no element face");
     const int list = faces_->find({"vertex_indices", "vertex_index"});
-    if (list < 0) source_.fail(faces_->at, "the faces have no property vertex_indices (or vertex_index)");
+    if (list < 0) {
+      source_.fail(faces_->at, fmt::format("the {} have no property vertex_indices (or vertex_index)",
+                                           are_strips_ ? "tristrips" : "faces"));
+    }
     list_ = static_cast<std::size_t>(list);
     const PlyProperty& indices = faces_->properties[list_];
     if (!indices.count_type || !is_integer(indices.type)) {
@@ -167,7 +170,9 @@ class PlyReader {
       const char* face = data.position();
       for (std::size_t k = 0; k < faces_->properties.size(); ++k) {
         const PlyProperty& property = faces_->properties[k];
-        if (k == list_) {
+        if (k == list_ && are_strips_) {
+          read_strips(data, property, face);
+        } else if (k == list_) {
           read_face(data, property, face);
         } else if (property.count_type) {
           skip_list(data, property);
@@ -179,6 +184,18 @@ class PlyReader {
     }
   }
 
+  /// None, and an error, where the file has no such vertex or it is unusable.
+  std::optional<MeshCorner> corner(std::int64_t index, const char* at, const char* face) {
+    if (index < 0 || static_cast<std::uint64_t>(index) >= attributes_.positions.size()) {
+      source_.error(at, fmt::format("vertex index {} is out of range: there are {}, counted from 0", index,
+                                    attributes_.positions.size()));
+      return std::nullopt;
+    }
+    if (bad_.check(static_cast<std::size_t>(index), face, source_)) return std::nullopt;
+    const int i = static_cast<int>(index);
+    return MeshCorner{i, has_uvs_ ? i : -1, has_normals_ ? i : -1};
+  }
+
   template <class Data>
   void read_face(Data& data, const PlyProperty& list, const char* face) {
     const std::uint64_t size = list_size(data, list);
@@ -186,19 +203,36 @@ class PlyReader {
     bool usable = true;
     for (std::uint64_t k = 0; k < size; ++k) {
       const char* at = data.position();
-      const std::int64_t index = data.integer(list.type);
-      if (index < 0 || static_cast<std::uint64_t>(index) >= attributes_.positions.size()) {
-        source_.error(at, fmt::format("vertex index {} is out of range: there are {}, counted from 0", index,
-                                      attributes_.positions.size()));
-        usable = false;
-        continue;
-      }
-      usable &= !bad_.check(static_cast<std::size_t>(index), face, source_);
-      const int i = static_cast<int>(index);
-      corners_.push_back({i, has_uvs_ ? i : -1, has_normals_ ? i : -1});
+      const std::optional<MeshCorner> read = corner(data.integer(list.type), at, face);
+      usable &= read.has_value();
+      if (read) corners_.push_back(*read);
     }
     if (!usable) return;
     if (corners_.size() < 3 || !builder_->add_polygon(corners_, -1)) skipped_.add(face);
+  }
+
+  /// Every corner after the second makes a triangle with the two before it, every other one the other way round. One
+  /// that names a vertex twice only leads to where the strip goes on.
+  template <class Data>
+  void read_strips(Data& data, const PlyProperty& list, const char* strips) {
+    const std::uint64_t size = list_size(data, list);
+    std::array<MeshCorner, 3> last;
+    std::size_t length = 0;
+    for (std::uint64_t k = 0; k < size; ++k) {
+      const char* at = data.position();
+      const std::int64_t index = data.integer(list.type);
+      const std::optional<MeshCorner> read = index == -1 ? std::nullopt : corner(index, at, strips);
+      if (!read) {
+        length = 0;
+        continue;
+      }
+      last = {last[1], last[2], *read};
+      if (++length < 3) continue;
+      const auto [a, b, c] = last;
+      if (a == b || b == c || c == a) continue;
+      const std::array triangle = length % 2 == 1 ? last : std::array{b, a, c};
+      if (!builder_->add_polygon(triangle, -1)) skipped_.add(at);
+    }
   }
 
   MeshFile finish() {
@@ -225,7 +259,7 @@ class PlyReader {
   const PlyElement* vertices_ = nullptr;
   const PlyElement* faces_ = nullptr;
   std::size_t list_ = 0;  // the index of the faces' property with the vertex indices
-  bool has_normals_ = false, has_uvs_ = false;
+  bool are_strips_ = false, has_normals_ = false, has_uvs_ = false;
   MeshAttributes attributes_;
   BadNumbers bad_{"vertex"};
   std::optional<MeshBuilder> builder_;

@@ -148,12 +148,41 @@ bool triangle_has_area(std::span<const Vec3> p) {
   });
 }
 
+/// The polygon (scaled, of area) in its plane, turning left.
+void flatten_all(std::span<const Vec3> corners, std::span<Vec2> points) {
+  Vec3 normal;
+  for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
+    normal = normal + cross(corners[i] - corners[0], corners[i + 1] - corners[0]);
+  }
+  const double x = std::abs(normal.x), y = std::abs(normal.y), z = std::abs(normal.z);
+  const Drop drop = x >= y && x >= z ? Drop::x : (y >= z ? Drop::y : Drop::z);
+  const bool mirrored = (drop == Drop::x ? normal.x : drop == Drop::y ? normal.y : normal.z) < 0;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Vec2 p = flatten(corners[i], drop);
+    points[i] = mirrored ? Vec2{p.y, p.x} : p;
+  }
+}
+
+/// Four left turns make one round: no ears need be looked for.
+bool is_convex(std::span<const Vec3, 4> quad) {
+  const double scale = exact_scale(quad);
+  const std::array corners{scale * quad[0], scale * quad[1], scale * quad[2], scale * quad[3]};
+  std::array<Vec2, 4> p;
+  flatten_all(corners, p);
+  return turn(p[0], p[1], p[2]) > 0 && turn(p[1], p[2], p[3]) > 0 && turn(p[2], p[3], p[0]) > 0 &&
+         turn(p[3], p[0], p[1]) > 0;
+}
+
 }  // namespace
 
 bool triangulate(std::span<const Vec3> polygon, std::vector<std::array<int, 3>>& triangles) {
   if (polygon.size() == 3) {
     if (!triangle_has_area(polygon)) return false;
     triangles.push_back({0, 1, 2});
+    return true;
+  }
+  if (polygon.size() == 4 && is_convex(polygon.first<4>())) {
+    triangles.insert(triangles.end(), {{0, 1, 2}, {0, 2, 3}});
     return true;
   }
   std::vector<int> names;
@@ -168,18 +197,8 @@ bool triangulate(std::span<const Vec3> polygon, std::vector<std::array<int, 3>>&
   const double scale = exact_scale(polygon);
   std::vector<Vec3> corners;
   for (int i : names) corners.push_back(scale * polygon[static_cast<std::size_t>(i)]);
-  Vec3 normal;
-  for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
-    normal = normal + cross(corners[i] - corners[0], corners[i + 1] - corners[0]);
-  }
-  const double x = std::abs(normal.x), y = std::abs(normal.y), z = std::abs(normal.z);
-  const Drop drop = x >= y && x >= z ? Drop::x : (y >= z ? Drop::y : Drop::z);
-  const bool mirrored = (drop == Drop::x ? normal.x : drop == Drop::y ? normal.y : normal.z) < 0;
-  std::vector<Vec2> points;
-  for (const Vec3& corner : corners) {
-    const Vec2 p = flatten(corner, drop);
-    points.push_back(mirrored ? Vec2{p.y, p.x} : p);
-  }
+  std::vector<Vec2> points(corners.size());
+  flatten_all(corners, points);
   const std::size_t before = triangles.size();
   if (EarClipper(points, names).clip(triangles)) return true;
   triangles.resize(before);

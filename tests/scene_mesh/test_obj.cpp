@@ -95,6 +95,22 @@ TEST_CASE("a vertex is split where normal or texture coordinate differ, and shar
   CHECK(read_mesh(folder.write("a.obj", two + "f 1/1/1 2/1/1 3/1/1\nf 1/1/2 3/1/2 4/1/1")).mesh.positions.size() == 6);
 }
 
+TEST_CASE("a vertex that a hundred faces split is shared as well as any other") {
+  const TempFolder folder;
+  std::string text = "v 0 0 1\n";
+  for (int i = 0; i < 100; ++i) text += "v " + std::to_string(i) + " 1 0\nvn 0 1 " + std::to_string(i) + "\n";
+  for (int round = 0; round < 2; ++round) {
+    for (int i = 1; i < 100; ++i) {
+      const std::string n = "//" + std::to_string(i) + ' ';
+      text += "f 1" + n + std::to_string(i + 1) + n + std::to_string(i + 2) + n + '\n';
+    }
+  }
+  const Mesh mesh = read_mesh(folder.write("a.obj", text)).mesh;
+  CHECK(mesh.positions.size() == 3 * 99);
+  REQUIRE(mesh.triangles.size() == 2 * 99);
+  for (std::size_t i = 0; i < 99; ++i) CHECK(mesh.triangles[i] == mesh.triangles[i + 99]);
+}
+
 TEST_CASE("what no triangle uses is left out") {
   const TempFolder folder;
   const MeshFile file = read_mesh(folder.write("a.obj", "v 9 9 9\n" + square + "v nan 0 0\nf 2 3 4\n"));

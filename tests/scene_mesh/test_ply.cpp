@@ -108,6 +108,21 @@ TEST_CASE("normals become unit vectors; texture coordinates have several names")
   }
 }
 
+TEST_CASE("triangle strips turn every other triangle round and begin anew at -1") {
+  const TempFolder folder;
+  const auto triangles = [&](const std::string& strips) {
+    const std::string header = "ply\nformat ascii 1.0\nelement vertex 5\n" + xyz +
+                               "element tristrips 1\nproperty list int int vertex_indices\nend_header\n";
+    const MeshFile file = read_mesh(folder.write("a.ply", header + "0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 2 1\n" + strips));
+    CHECK(text_of(file.warnings).empty());
+    return file.mesh.triangles;
+  };
+  CHECK(triangles("5 0 1 2 3 4\n") == Triangles{{0, 1, 2}, {2, 1, 3}, {2, 3, 4}});
+  CHECK(triangles("7 0 1 2 -1 1 3 2\n") == Triangles{{0, 1, 2}, {1, 3, 2}});
+  // 2 2 leads on: the triangle after it is the fifth.
+  CHECK(triangles("6 0 1 2 2 3 4\n") == Triangles{{0, 1, 2}, {3, 2, 4}});
+}
+
 TEST_CASE("unused vertices are left out, bad ones with a warning; skipped faces are counted") {
   const TempFolder folder;
   const MeshFile file = read_mesh(folder.write(

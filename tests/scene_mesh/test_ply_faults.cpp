@@ -49,8 +49,8 @@ TEST_CASE("faults of the header") {
         "a.ply:7:1: error: the faces have no property vertex_indices (or vertex_index)\n");
   CHECK(fault(with(header, "element vertex", "element point") + data) ==
         "a.ply:1:1: error: the header names no element vertex\n");
-  CHECK(fault(with(header, "element face", "element tristrips") + data) ==
-        "a.ply:7:1: error: triangle strips are not read; convert them to faces\n");
+  CHECK(fault(with(with(header, "element face", "element tristrips"), "vertex_indices", "corners") + data) ==
+        "a.ply:7:1: error: the tristrips have no property vertex_indices (or vertex_index)\n");
   CHECK(fault(with(header, "element face 1\n" + faces, "") + vertices) ==
         "a.ply:1:1: error: mesh without triangles: the header names no element face\n");
   CHECK(fault(with(header, "vertex 3", "vertex -3") + data) ==
@@ -101,6 +101,16 @@ TEST_CASE("faults of the text") {
             .ends_with("a.ply: error: mesh without triangles; give it at least one face with an area\n"));
   CHECK(fault("0 inf 0\n1 0 0\n0 1 0\n3 0 1 2\n") ==
         "a.ply:10:1: error: vertex 1 is not made of finite numbers, and the face in line 13 uses it\n");
+}
+
+TEST_CASE("faults of triangle strips") {
+  const TempFolder folder;
+  const std::string strips = with(header, "element face", "element tristrips");
+  const auto fault = [&](const std::string& text) { return error_of(folder.write("a.ply", text)); };
+  CHECK(fault(strips + vertices + "5 0 1 2 -1 3\n") ==
+        "a.ply:13:12: error: vertex index 3 is out of range: there are 3, counted from 0\n");
+  CHECK(fault(strips + vertices + "5 0 1 -1 2 1\n") ==
+        "a.ply: error: mesh without triangles; give it at least one face with an area\n");
 }
 
 TEST_CASE("faults of the binary data") {
