@@ -9,6 +9,12 @@
 #include <cstdio>
 
 namespace strahl::cli {
+namespace {
+
+constexpr double kRedrawSeconds = 0.1;
+constexpr int kWidth = 30;
+
+}  // namespace
 
 ProgressBar::ProgressBar(std::string label, bool wanted)
     : label_(std::move(label)), enabled_(wanted && isatty(STDERR_FILENO) == 1) {}
@@ -18,8 +24,6 @@ ProgressBar::~ProgressBar() {
 }
 
 void ProgressBar::show(const Progress& progress) {
-  constexpr double kRedrawSeconds = 0.1;
-  constexpr int kWidth = 30;
   if (!enabled_ || progress.samples_total == 0 || progress.seconds <= 0) return;
   if (shown_at_ >= 0 && progress.seconds < shown_at_ + kRedrawSeconds) return;
   shown_at_ = progress.seconds;
@@ -35,8 +39,8 @@ void ProgressBar::show(const Progress& progress) {
 }
 
 void ProgressBar::show(double share, const std::string& what) {
-  constexpr int kWidth = 30;
   if (!enabled_) return;
+  if (shown_at_ >= 0 && watch_.seconds() < shown_at_ + kRedrawSeconds) return;
   shown_at_ = watch_.seconds();
   const std::string left = share > 0.1 ? fmt::format("{:.0f} s left · ", shown_at_ * (1 - share) / share) : "";
   const auto filled = static_cast<std::size_t>(kWidth * std::clamp(share, 0.0, 1.0));

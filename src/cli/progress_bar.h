@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How far a render or a self test is, with what remains, on one line of a terminal.
+// How far loading, a render or a self test is, with what remains, on one line of a terminal.
 #pragma once
 
 #include <string>

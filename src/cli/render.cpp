@@ -44,7 +44,6 @@ struct RenderOptions {
   std::string stats;
   bool stats_detail = false;
   std::string dump_kernel;
-  bool no_progress = false;
 };
 
 std::map<std::string, std::string> metadata_of(const RenderOptions& options, const Invocation& invocation,
@@ -79,7 +78,7 @@ nlohmann::ordered_json count(const Device& device, const Scene& scene, RenderSet
                              const InterruptGuard& guard, RunStats& stats) {
   settings.count_rays = true;
   Renderer renderer(device, scene, settings);
-  ProgressBar bar("count", !o.scene.quiet && !o.no_progress);
+  ProgressBar bar("count", !o.scene.quiet && !o.scene.no_progress);
   const RenderResult counted = renderer.render([&](const Progress& progress) {
     bar.show(progress);
     return !guard.interrupted();
@@ -136,7 +135,7 @@ ExitCode render(const RenderOptions& options, const Invocation& invocation) {
   const InterruptGuard guard;
   RenderResult result;
   {
-    ProgressBar bar("render", !options.scene.quiet && !options.no_progress);
+    ProgressBar bar("render", !options.scene.quiet && !options.scene.no_progress);
     result = renderer.render([&](const Progress& progress) {
       bar.show(progress);
       return !guard.interrupted();
@@ -186,7 +185,6 @@ void add_output_options(CLI::App& app, RenderOptions& options) {
                  "The exact OpenCL program with its options; - for standard output")
       ->type_name("FILE")
       ->group(group);
-  app.add_flag("--no-progress", options.no_progress, "No progress bar")->group(group);
 }
 
 }  // namespace

@@ -5,8 +5,10 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <filesystem>
 
 #include "cli/console.h"
+#include "cli/progress_bar.h"
 #include "scene/loader.h"
 
 namespace strahl::cli {
@@ -19,6 +21,7 @@ void add_scene_options(CLI::App& app, SceneOptions& options) {
   app.add_flag("--strict", options.strict, "Unknown plugins and parameters of the scene are errors");
   CLI::Option* quiet = app.add_flag("-q", options.quiet, "Say nothing but warnings and errors");
   app.add_flag("-v", options.verbose, "Say more: device, program, cache, launches")->excludes(quiet);
+  app.add_flag("--no-progress", options.no_progress, "No progress bar");
 }
 
 void add_device_option(CLI::App& app, std::string& selector) {
@@ -38,7 +41,13 @@ Scene load(const SceneOptions& options, double& seconds) {
     load_options.defines[define.substr(0, equals)] = define.substr(equals + 1);
   }
   const auto start = std::chrono::steady_clock::now();
-  LoadedScene loaded = load_scene(options.path, load_options);
+  LoadedScene loaded = [&] {
+    ProgressBar bar("load", !options.quiet && !options.no_progress);
+    load_options.progress = [&bar](const std::string& file, double share) {
+      bar.show(share, std::filesystem::path(file).filename().string());
+    };
+    return load_scene(options.path, load_options);
+  }();
   seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   for (const Diagnostic& warning : loaded.warnings) say(warning.text());
   return std::move(loaded.scene);

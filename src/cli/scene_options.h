@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What every subcommand that loads a scene offers: the scene, -D, --strict, -q, -v; and -d where a device is used.
+// What every subcommand that loads a scene offers: the scene, -D, --strict, -q, -v, --no-progress; and -d where a
+// device is used.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -15,13 +16,15 @@ struct SceneOptions {
   std::vector<std::string> defines;  ///< name=value
   bool strict = false;
   bool quiet = false;
+  bool no_progress = false;
   bool verbose = false;
 };
 
 void add_scene_options(CLI::App& app, SceneOptions& options);
 void add_device_option(CLI::App& app, std::string& selector);
 
-/// Loads the scene and says its warnings on standard error; `seconds` takes the time.
+/// Loads the scene, with a progress bar for large meshes, and says its warnings on standard error; `seconds` takes the
+/// time.
 [[nodiscard]] Scene load(const SceneOptions& options, double& seconds);
 
 }  // namespace strahl::cli

@@ -37,7 +37,6 @@ struct StressOptions {
   std::string json;
   int width = 96;
   int spp = 4;
-  bool no_progress = false;
 };
 
 std::string table(const StressStudy& study) {
@@ -84,7 +83,7 @@ ExitCode stress(const StressOptions& options, const Invocation& invocation) {
     const Window window = scene.film.window();
     const auto samples = static_cast<std::uint64_t>(window.width()) * static_cast<std::uint64_t>(window.height()) *
                          static_cast<std::uint64_t>(resolve_sampling(scene).spp);
-    ProgressBar bar("stress", !options.scene.quiet && !options.no_progress);
+    ProgressBar bar("stress", !options.scene.quiet && !options.scene.no_progress);
     study = study_stress(device, scene, [&](int done, int total) {
       bar.show({static_cast<std::uint64_t>(done) * samples, static_cast<std::uint64_t>(total) * samples,
                 invocation.seconds() - start});
@@ -121,7 +120,6 @@ Command add_stress(CLI::App& app, const Invocation& invocation) {
       ->type_name("N")
       ->capture_default_str()
       ->check(CLI::Range(1, 65536).description(""));
-  app.add_flag("--no-progress", options->no_progress, "No progress bar");
   app.footer(kFooter);
   return [options, &invocation] { return stress(*options, invocation); };
 }

@@ -29,7 +29,7 @@ Scene scene_of_xml(const std::string& path, const LoadOptions& options, Diagnost
   std::optional<XmlElement> root = read_expanded_xml(path, options.defines, diagnostics);
   if (!root || !check_vocabulary(*root, diagnostics)) return {};
   const ElementIds ids(*root, diagnostics);
-  SceneBuilder builder{{}, path, ids, diagnostics, {}, {}, {}, {}};
+  SceneBuilder builder{{}, path, ids, diagnostics, options.progress, {}, {}, {}, {}};
   read_scene(*root, builder);
   return std::move(builder.scene);
 }
@@ -37,7 +37,7 @@ Scene scene_of_xml(const std::string& path, const LoadOptions& options, Diagnost
 Scene scene_of_mesh(const std::string& path, const LoadOptions& options, Diagnostics& diagnostics) {
   for (const auto& [name, value] : options.defines)
     diagnostics.unknown({path}, fmt::format("-D {}={}: a mesh has no parameters; it has no effect", name, value));
-  MeshFile file = read_mesh(path);
+  MeshFile file = read_mesh(path, progress_of(path, options.progress));
   diagnostics.append(file.warnings);
   Scene scene;
   scene.integrator.name = "normals";

@@ -2,6 +2,7 @@
 // From a file to a validated Scene: Mitsuba 3 XML (docs/scene-format.md), or a bare .obj / .ply mesh.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -10,9 +11,13 @@
 
 namespace strahl {
 
+/// Gets a mesh file that is being read and the share of it that is (MeshProgress).
+using LoadProgress = std::function<void(const std::string& file, double share)>;
+
 struct LoadOptions {
   std::map<std::string, std::string> defines;  ///< -D name=value; overrides <default>.
   bool strict = false;                         ///< Unknown plugins and parameters are errors.
+  LoadProgress progress;
 };
 
 struct LoadedScene {

@@ -9,12 +9,12 @@
 
 namespace strahl {
 
-MeshFile read_mesh(const std::string& path) {
+MeshFile read_mesh(const std::string& path, const MeshProgress& progress) {
   std::string extension = std::filesystem::path(path).extension().string();
   std::ranges::transform(extension, extension.begin(),
                          [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-  if (extension == ".obj") return read_obj(path);
-  if (extension == ".ply") return read_ply(path);
+  if (extension == ".obj") return read_obj(path, progress);
+  if (extension == ".ply") return read_ply(path, progress);
   throw SceneError({{Severity::error,
                      {path},
                      fmt::format("extension \"{}\" is no mesh format that is read; use .obj "

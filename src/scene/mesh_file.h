@@ -8,6 +8,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -32,10 +33,14 @@ struct MeshFile {
   std::vector<Diagnostic> warnings;  ///< Skipped faces (counted, with the first one's place), missing MTL, ...
 };
 
+/// Gets the share of a file that is read, 0 to 1, rising; files of less than 1 MiB are not reported. May throw, which
+/// ends the reading.
+using MeshProgress = std::function<void(double share)>;
+
 /// Reads by extension (.obj, .ply; case-insensitive). Quads and n-gons are triangulated (convex and concave planar
 /// polygons); vertices that differ in normal or uv index are split. Throws SceneError with file:line.
-[[nodiscard]] MeshFile read_mesh(const std::string& path);
-[[nodiscard]] MeshFile read_obj(const std::string& path);
-[[nodiscard]] MeshFile read_ply(const std::string& path);
+[[nodiscard]] MeshFile read_mesh(const std::string& path, const MeshProgress& progress = {});
+[[nodiscard]] MeshFile read_obj(const std::string& path, const MeshProgress& progress = {});
+[[nodiscard]] MeshFile read_ply(const std::string& path, const MeshProgress& progress = {});
 
 }  // namespace strahl

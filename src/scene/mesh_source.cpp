@@ -10,8 +10,14 @@
 #include <string_view>
 
 namespace strahl {
+namespace {
 
-MeshSource::MeshSource(const std::string& path) : path_(path) {
+constexpr std::ptrdiff_t bytes_between_reports = 1 << 20;
+
+}  // namespace
+
+MeshSource::MeshSource(const std::string& path, std::function<void(double share)> progress)
+    : path_(path), progress_(std::move(progress)) {
   std::error_code code;
   if (!std::filesystem::exists(path, code)) fail(nullptr, "there is no such file");
   if (!std::filesystem::is_regular_file(path, code)) fail(nullptr, "is not a regular file");
@@ -21,6 +27,18 @@ MeshSource::MeshSource(const std::string& path) : path_(path) {
   bytes_ = std::make_unique_for_overwrite<char[]>(size);
   if (!file.read(bytes_.get(), static_cast<std::streamsize>(size))) fail(nullptr, "cannot be read to its end");
   size_ = size;
+  begin_pass(0, 1);
+}
+
+void MeshSource::begin_pass(double from, double to) {
+  pass_from_ = from, pass_to_ = to;
+  next_report_ = begin() + std::min(bytes_between_reports, end() - begin());
+}
+
+void MeshSource::report(const char* at) {
+  if (progress_ && end() - begin() > bytes_between_reports)
+    progress_(pass_from_ + (pass_to_ - pass_from_) * static_cast<double>(at - begin()) / static_cast<double>(size_));
+  next_report_ = at + std::min(bytes_between_reports, end() - at);
 }
 
 const char* MeshSource::begin_text() {

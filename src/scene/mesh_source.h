@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -20,7 +21,7 @@ namespace strahl {
 class MeshSource {
  public:
   /// Throws SceneError where the file cannot be read.
-  explicit MeshSource(const std::string& path);
+  explicit MeshSource(const std::string& path, std::function<void(double share)> progress = {});
   MeshSource(const MeshSource&) = delete;
   MeshSource& operator=(const MeshSource&) = delete;
 
@@ -36,6 +37,13 @@ class MeshSource {
   /// From here on the file is binary: places are named by byte offset.
   void begin_binary(const char* at) { binary_ = at; }
   [[nodiscard]] bool is_binary(const char* at) const { return binary_ != nullptr && at >= binary_; }
+
+  /// What passed() reports from here on lies between these shares.
+  void begin_pass(double from, double to);
+  /// Parsing has come to this place; to be called often.
+  void passed(const char* at) {
+    if (at >= next_report_) report(at);
+  }
 
   /// `at` may be null: the file as a whole. After `most_listed` errors or warnings the rest is only counted.
   void error(const char* at, std::string message);
@@ -61,8 +69,12 @@ class MeshSource {
     std::string message;
   };
   [[nodiscard]] Diagnostic diagnostic(const Note& note) const;
+  void report(const char* at);
 
   std::string path_;
+  std::function<void(double share)> progress_;
+  const char* next_report_ = nullptr;
+  double pass_from_ = 0, pass_to_ = 1;
   std::unique_ptr<char[]> bytes_;  // not cleared before it is read into
   std::size_t size_ = 0;
   const char* binary_ = nullptr;

@@ -45,7 +45,8 @@ bool parse_corner(std::string_view word, WrittenCorner& corner) {
 
 class ObjReader {
  public:
-  explicit ObjReader(const std::string& path) : source_(path), text_(source_.begin_text()) {}
+  ObjReader(const std::string& path, const MeshProgress& progress)
+      : source_(path, progress), text_(source_.begin_text()) {}
 
   MeshFile read() {
     read_numbers();
@@ -61,8 +62,10 @@ class ObjReader {
   // ---- first pass
 
   void read_numbers() {
+    source_.begin_pass(0, 0.5);
     TextCursor cursor(text_, source_.end());
     for (; !cursor.at_end(); cursor.next_line()) {
+      source_.passed(cursor.position());
       const std::string_view keyword = cursor.word();
       if (keyword == "v") {
         const std::array<double, 3> x =
@@ -105,8 +108,10 @@ class ObjReader {
   // ---- second pass
 
   void read_faces() {
+    source_.begin_pass(0.5, 1);
     TextCursor cursor(text_, source_.end());
     for (; !cursor.at_end(); cursor.next_line()) {
+      source_.passed(cursor.position());
       const std::string_view keyword = cursor.word();
       if (keyword.empty() || keyword == "o" || keyword == "g" || keyword == "s" || keyword == "mtllib") continue;
       if (keyword == "v") {
@@ -265,6 +270,6 @@ class ObjReader {
 
 }  // namespace
 
-MeshFile read_obj(const std::string& path) { return ObjReader(path).read(); }
+MeshFile read_obj(const std::string& path, const MeshProgress& progress) { return ObjReader(path, progress).read(); }
 
 }  // namespace strahl

@@ -23,7 +23,8 @@ const PlyElement* find_element(const PlyHeader& header, std::string_view name) {
 
 class PlyReader {
  public:
-  explicit PlyReader(const std::string& path) : source_(path), header_(read_ply_header(source_)) {}
+  PlyReader(const std::string& path, const MeshProgress& progress)
+      : source_(path, progress), header_(read_ply_header(source_)) {}
 
   MeshFile read() {
     find_elements();
@@ -142,6 +143,7 @@ class PlyReader {
       std::array<double, none + 1> x{};
       data.begin_element();
       const char* at = data.position();
+      source_.passed(at);
       for (std::size_t k = 0; k < slots.size(); ++k) {
         const PlyProperty& property = vertices_->properties[k];
         if (property.count_type) {
@@ -168,6 +170,7 @@ class PlyReader {
     for (std::uint64_t i = 0; i < faces_->count; ++i) {
       data.begin_element();
       const char* face = data.position();
+      source_.passed(face);
       for (std::size_t k = 0; k < faces_->properties.size(); ++k) {
         const PlyProperty& property = faces_->properties[k];
         if (k == list_ && are_strips_) {
@@ -269,6 +272,6 @@ class PlyReader {
 
 }  // namespace
 
-MeshFile read_ply(const std::string& path) { return PlyReader(path).read(); }
+MeshFile read_ply(const std::string& path, const MeshProgress& progress) { return PlyReader(path, progress).read(); }
 
 }  // namespace strahl

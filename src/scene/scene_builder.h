@@ -9,6 +9,7 @@
 
 #include "scene/diagnostics.h"
 #include "scene/element_ids.h"
+#include "scene/loader.h"
 #include "scene/scene.h"
 #include "scene/xml_element.h"
 
@@ -19,6 +20,7 @@ struct SceneBuilder {
   std::string file;  ///< The main scene file.
   const ElementIds& ids;
   Diagnostics& diagnostics;
+  const LoadProgress& mesh_progress;
 
   // read_material.cpp: a bsdf that several shapes refer to is read once.
   std::map<const XmlElement*, Material> materials;

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 # The built program, run as a user runs it. unit: no OpenCL device is needed.
-foreach(test usage output_checks compare devices explain rays_file stats_json)
+foreach(test usage output_checks compare devices explain load_progress rays_file stats_json)
   strahl_test(cli/test_${test}.cpp LABEL unit SOURCES cli/program.cpp LIBS nlohmann_json::nlohmann_json)
   list(APPEND STRAHL_CLI_TESTS cli_test_${test})
 endforeach()

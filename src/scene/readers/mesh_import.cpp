@@ -47,6 +47,11 @@ void add_mesh_materials(MeshFile& file, bool has_material, const Shape& shape, S
     if (part < 0) part = static_cast<int>(mesh.parts.size()) - 1;
 }
 
+MeshProgress progress_of(const std::string& path, const LoadProgress& progress) {
+  if (!progress) return {};
+  return [path, &progress](double share) { progress(path, share); };
+}
+
 std::string lower_case_extension(const std::string& path) {
   std::string extension = std::filesystem::path(path).extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),

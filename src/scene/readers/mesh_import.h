@@ -5,6 +5,7 @@
 #include <string>
 
 #include "scene/diagnostics.h"
+#include "scene/loader.h"
 #include "scene/mesh_file.h"
 #include "scene/scene.h"
 
@@ -13,6 +14,9 @@ namespace strahl {
 /// Fills file.mesh.parts from file.materials and appends what is used to scene.materials. A <bsdf> (has_material) and
 /// an <emitter> of the shape win over the file's.
 void add_mesh_materials(MeshFile& file, bool has_material, const Shape& shape, Scene& scene, Diagnostics& diagnostics);
+
+/// Of one file, reported to a loader's.
+[[nodiscard]] MeshProgress progress_of(const std::string& path, const LoadProgress& progress);
 
 /// ".obj" of "A.OBJ".
 [[nodiscard]] std::string lower_case_extension(const std::string& path);

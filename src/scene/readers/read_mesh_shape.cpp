@@ -56,7 +56,7 @@ Geometry read_mesh_shape(ShapeInput& input) {
   if (!path) return Mesh{};
   diagnostics.opened(*path);
   try {
-    MeshFile file = read_mesh(*path);
+    MeshFile file = read_mesh(*path, progress_of(*path, input.builder.mesh_progress));
     diagnostics.append(file.warnings);
     if (file.mesh.triangles.empty())
       diagnostics.error(properties.where("filename"), fmt::format("\"{}\" has no triangles", *path));
