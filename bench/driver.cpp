@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "bench/race.h"
+
 namespace strahl::bench {
 namespace {
 
@@ -18,12 +20,6 @@ void require_right(const Workload& workload, Precision precision, const std::vec
 
 }  // namespace
 
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  const std::size_t middle = values.size() / 2;
-  return values.size() % 2 == 1 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
-}
-
 std::vector<Timing> time_tiers(const Device& device, const Workload& workload, const std::vector<Precision>& tiers,
                                int rounds) {
   std::vector<Intersector> intersectors;
@@ -33,13 +29,13 @@ std::vector<Timing> time_tiers(const Device& device, const Workload& workload, c
     intersectors.emplace_back(device, workload.scene, settings);
     require_right(workload, precision, intersectors.back().trace(workload.rays));
   }
-  std::vector<std::vector<double>> seconds(tiers.size());
-  for (int round = 0; round < rounds; ++round) {
-    for (std::size_t i = 0; i < tiers.size(); ++i) {
-      static_cast<void>(intersectors[i].trace(workload.rays));
-      seconds[i].push_back(intersectors[i].stats().seconds.kernel);
-    }
-  }
+  std::vector<std::function<double()>> runs;
+  for (Intersector& intersector : intersectors)
+    runs.emplace_back([&intersector, &workload] {
+      static_cast<void>(intersector.trace(workload.rays));
+      return intersector.stats().seconds.kernel;
+    });
+  const std::vector<std::vector<double>> seconds = take_turns(runs, rounds);
   const auto rays = static_cast<double>(workload.rays.size());
   std::vector<Timing> timings;
   for (std::size_t i = 0; i < tiers.size(); ++i) {

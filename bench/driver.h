@@ -23,7 +23,4 @@ struct Timing {
 [[nodiscard]] std::vector<Timing> time_tiers(const Device& device, const Workload& workload,
                                              const std::vector<Precision>& tiers, int rounds);
 
-/// Of a list that is not empty.
-[[nodiscard]] double median(std::vector<double> values);
-
 }  // namespace strahl::bench

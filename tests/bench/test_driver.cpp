@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "bench/primitives.h"
+#include "bench/race.h"
 #include "bench/report.h"
 #include "support/devices.h"
 

@@ -27,7 +27,7 @@ Scene stage(const std::string& name, const Vec3& camera, const Vec3& target, con
   scene.sampler.sample_count = 1;
   scene.materials[0].twosided = true;
   const double distance = length(target - lamp);
-  const double intensity = 2 * std::numbers::pi * distance * distance;
+  const double intensity = std::numbers::pi * distance * distance;
   scene.lights.push_back({"", PointLight{lamp, {intensity, intensity, intensity}}, {}});
   return scene;
 }

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#include <nlohmann/json.hpp>
+
+#include "bench/traversal.h"
+
+namespace strahl::bench {
+
+using Json = nlohmann::ordered_json;
+
+std::string json(const Traversal& traversal) {
+  Json races = Json::array();
+  for (const Race& race : traversal.races) {
+    Json entries = Json::array();
+    for (const Entry& entry : race.entries)
+      entries.push_back({{"program", entry.program},
+                         {"variant", entry.variant},
+                         {"seconds", entry.seconds},
+                         {"build_seconds", entry.build_seconds},
+                         {"hits", entry.hits},
+                         {"differing", entry.differing}});
+    races.push_back({{"scene", race.scene},
+                     {"primitives", race.primitives},
+                     {"kind", race.kind},
+                     {"rays", race.rays},
+                     {"entries", entries}});
+  }
+  return Json{{"device", traversal.device},   {"machine", traversal.machine}, {"strahl", traversal.version},
+              {"threads", traversal.threads}, {"rounds", traversal.rounds},   {"races", races}}
+             .dump(1) +
+         "\n";
+}
+
+Traversal traversal_of_json(const std::string& text) try {
+  const Json all = Json::parse(text);
+  Traversal traversal{all.at("device"), all.at("machine"), all.at("strahl"), all.at("threads"), all.at("rounds"), {}};
+  for (const Json& race : all.at("races")) {
+    Race& one = traversal.races.emplace_back(
+        Race{race.at("scene"), race.at("primitives"), race.at("kind"), race.at("rays"), {}});
+    for (const Json& entry : race.at("entries"))
+      one.entries.push_back({entry.at("program"), entry.at("variant"), entry.at("seconds"), entry.at("build_seconds"),
+                             entry.at("hits"), entry.at("differing")});
+  }
+  return traversal;
+} catch (const nlohmann::json::exception& error) {
+  throw InputError(std::string("no measurements of strahl-bench traversal: ") + error.what());
+}
+
+}  // namespace strahl::bench

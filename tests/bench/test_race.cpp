@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+// Races: who answers otherwise has no time, everybody runs as often, and the report says what the rounds said. 2 s.
+#include <catch2/catch.hpp>
+
+#include "bench/race.h"
+#include "bench/strahl_contender.h"
+#include "bench/traversal_report.h"
+#include "study/generated/scenes.h"
+#include "support/devices.h"
+
+namespace strahl::test {
+namespace {
+
+using namespace strahl::bench;
+
+/// Answers what it was told to, in times that it was told.
+class Puppet : public Contender {
+ public:
+  Puppet(std::string variant, std::vector<double> answers, std::vector<double> seconds)
+      : variant_(std::move(variant)), answers_(std::move(answers)), seconds_(std::move(seconds)) {}
+  [[nodiscard]] std::string program() const override { return variant_ == "robust" ? "strahl" : "peer"; }
+  [[nodiscard]] std::string variant() const override { return variant_; }
+  void load(const RaySet&) override {}
+  double trace() override { return seconds_[calls_++ % seconds_.size()]; }
+  [[nodiscard]] std::vector<double> distances() override { return answers_; }
+  [[nodiscard]] double build_seconds() const override { return 0.25; }
+
+ private:
+  std::string variant_;
+  std::vector<double> answers_, seconds_;
+  std::size_t calls_ = 0;
+};
+
+constexpr double miss = std::numeric_limits<double>::infinity();
+
+Race puppet_race(std::vector<double> answers) {
+  std::vector<std::unique_ptr<Contender>> contenders;
+  contenders.push_back(
+      std::make_unique<Puppet>("robust", std::vector<double>(answers.size(), 2.0), std::vector<double>{9, 1, 2, 4}));
+  contenders.push_back(std::make_unique<Puppet>("1 robust", answers, std::vector<double>{9, 2, 6, 2}));
+  return race(contenders, RaySet{RayKind::primary, std::vector<Ray>(answers.size())}, 3);
+}
+
+TEST_CASE("the warm-up does not count, ratios are of the same round") {
+  const Race race = puppet_race(std::vector<double>(1000, 2.0));
+  CHECK(race.entries[0].seconds == std::vector<double>{1, 2, 4});
+  CHECK(race.entries[1].seconds == std::vector<double>{2, 6, 2});
+  CHECK(speed_ratio(race.entries[0], race.entries[1]) == 2);  // Of 2, 3 and 1/2.
+  CHECK(race.entries[1].hits == 1000);
+}
+
+TEST_CASE("other answers than the first's have no time") {
+  for (const double wrong : {miss, 2.01}) {
+    std::vector<double> answers(2000, 2.0);
+    answers[3] = answers[1500] = wrong;
+    CHECK(puppet_race(answers).entries[1].differing == 2);
+    answers[77] = wrong;
+    CHECK_THROWS_WITH(puppet_race(answers), Catch::Contains("3 of 2000 primary rays"));
+  }
+}
+
+TEST_CASE("measurements survive JSON, and the report has them") {
+  Traversal all{"a device", "a machine", "1.2.3", 2, 3, {}};
+  for (const std::size_t primitives : {10000, 1000000}) {
+    Race one = puppet_race(std::vector<double>(1000, 2.0));
+    one.scene = "terrain-" + std::to_string(primitives);
+    one.primitives = primitives;
+    all.races.push_back(one);
+  }
+  const Traversal again = traversal_of_json(json(all));
+  CHECK(json(again) == json(all));
+  CHECK_THROWS_AS(traversal_of_json("{\"device\": 3}"), InputError);
+  const auto plots = traversal_plots(again);
+  REQUIRE(plots.count("terrain-primary.svg") == 1);
+  REQUIRE(plots.count("peers.svg") == 1);
+  CHECK(plots.at("terrain-primary.svg").find(">peer 1 robust</text>") != std::string::npos);
+  const std::string text = markdown(again, plots, "");
+  CHECK(text.find("### terrain-1000000: 1,000,000 primitives") != std::string::npos);
+  CHECK(text.find("| strahl robust | 0.00 | × 2.00 |") != std::string::npos);
+  CHECK(text.find("tree built in 0.250 s") != std::string::npos);
+  CHECK(text.find("(peers.svg)") != std::string::npos);
+}
+
+TEST_CASE("strahl races against itself") {
+  require_pocl_and_rusticl();
+  const Device device = Device::open("pocl");
+  const Traversal all = measure_traversal(device,
+                                          {{"ten", "lattice-2"},
+                                           {RayKind::primary, RayKind::shadow, RayKind::diffuse},
+                                           {Precision::robust, Precision::fast},
+                                           {},
+                                           false,
+                                           32,
+                                           2,
+                                           0},
+                                          [](const std::string&) {});
+  REQUIRE(all.races.size() == 6);
+  CHECK(all.races[0].rays == 1024);
+  CHECK(all.races[3].primitives == 8);
+  for (const Race& race : all.races) {
+    REQUIRE(race.entries.size() == 2);
+    CHECK(race.entries[1].variant == "fast");
+    CHECK(race.entries[1].seconds.size() == 2);
+    CHECK(race.entries[0].hits > 0);
+    CHECK(race.entries[0].hits <= race.rays);
+  }
+}
+
+}  // namespace
+}  // namespace strahl::test
