@@ -7,8 +7,8 @@
 #include <ctime>
 #include <filesystem>
 
-#include "bench/driver.h"
 #include "bench/mesh_files.h"
+#include "bench/race.h"
 #include "scene/mesh_file.h"
 
 using namespace strahl;
