@@ -13,5 +13,7 @@ Command add_primitives(CLI::App& app);
 Command add_traversal(CLI::App& app);
 Command add_report(CLI::App& app);
 Command add_scene(CLI::App& app);
+Command add_loaders(CLI::App& app);
+Command add_mesh(CLI::App& app);
 
 }  // namespace strahl::bench

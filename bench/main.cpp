@@ -21,6 +21,8 @@ int main(int argc, char** argv) {
   add("traversal", "Rays through scenes: scene x rays x tier, against the peers that are there", bench::add_traversal);
   add("report", "Tables and plots of earlier measurements of traversal", bench::add_report);
   add("scene", "Write a generated scene for strahl and for other programs", bench::add_scene);
+  add("loaders", "How fast mesh files are read", bench::add_loaders);
+  add("mesh", "Write a mesh file of any size", bench::add_mesh);
   CLI11_PARSE(app, argc, argv);
   try {
     for (const auto& [sub, command] : commands)

@@ -3,12 +3,15 @@
 #include "bench/mesh_files.h"
 
 #include <fmt/format.h>
+#include <zlib.h>
 
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
 #include <iterator>
+#include <memory>
+#include <new>
 
 #include "errors.h"
 #include "image/atomic_file.h"
@@ -62,14 +65,41 @@ class RowFile {
     row_.append(bytes);
   }
   void end_row() {
-    file_.write(row_.data(), row_.size());
+    if (zlib_) {
+      squeeze(Z_NO_FLUSH);
+    } else {
+      file_.write(row_.data(), row_.size());
+    }
     row_.clear();
+  }
+  /// Rows are compressed from here on.
+  void begin_zlib() {
+    zlib_ = std::make_unique<z_stream>();
+    if (deflateInit(zlib_.get(), Z_DEFAULT_COMPRESSION) != Z_OK) throw std::bad_alloc();
+  }
+  void end_zlib() {
+    squeeze(Z_FINISH);
+    deflateEnd(zlib_.get());
+    zlib_.reset();
   }
   void commit() { file_.commit(); }
 
  private:
+  void squeeze(int flush) {
+    std::array<char, 65536> squeezed;
+    zlib_->next_in = reinterpret_cast<Bytef*>(row_.data());
+    zlib_->avail_in = static_cast<uInt>(row_.size());
+    do {
+      zlib_->next_out = reinterpret_cast<Bytef*>(squeezed.data());
+      zlib_->avail_out = static_cast<uInt>(squeezed.size());
+      deflate(zlib_.get(), flush);
+      file_.write(squeezed.data(), squeezed.size() - zlib_->avail_out);
+    } while (zlib_->avail_out == 0);
+  }
+
   AtomicFile file_;
   fmt::memory_buffer row_;
+  std::unique_ptr<z_stream> zlib_;
 };
 
 template <class Triangle>
@@ -150,11 +180,38 @@ void write_ply(RowFile& file, const Surface& s, const std::string& kind) {
   }
 }
 
+void write_serialized(RowFile& file, const Surface& s) {
+  file.put(std::uint16_t{0x041C}, false);
+  file.put(std::uint16_t{4}, false);
+  file.end_row();
+  file.begin_zlib();
+  file.put(std::uint32_t{0x1000}, false);  // single precision, positions alone
+  file.print("surface");
+  file.put('\0', false);
+  file.put(s.points() * s.points(), false);
+  file.put(2 * s.cells() * s.cells(), false);
+  for (std::uint64_t j = 0; j < s.points(); ++j) {
+    for (std::uint64_t i = 0; i < s.points(); ++i)
+      for (const double x : {s.at(i), s.at(j), s.height(i, j)}) file.put(static_cast<float>(x), false);
+    file.end_row();
+  }
+  for (std::uint64_t j = 0; j < s.cells(); ++j) {
+    each_triangle_of_row(s, j, [&](std::uint64_t, std::uint64_t a, std::uint64_t b, std::uint64_t c) {
+      for (const std::uint64_t v : {a, b, c}) file.put(static_cast<std::uint32_t>(v), false);
+    });
+    file.end_row();
+  }
+  file.end_zlib();
+  file.put(std::uint64_t{0}, false);  // where the only mesh begins
+  file.put(std::uint32_t{1}, false);
+  file.end_row();
+}
+
 }  // namespace
 
 const std::vector<std::string>& mesh_kinds() {
-  static const std::vector<std::string> kinds{"obj",       "obj-normals", "obj-corners", "obj-quads",
-                                              "ply-ascii", "ply",         "ply-normals", "ply-big"};
+  static const std::vector<std::string> kinds{"obj", "obj-normals", "obj-corners", "obj-quads", "ply-ascii",
+                                              "ply", "ply-normals", "ply-big",     "serialized"};
   return kinds;
 }
 
@@ -167,6 +224,8 @@ void write_mesh_file(const std::string& path, const std::string& kind, std::uint
   RowFile file(path);
   if (extension_of(kind) == ".obj") {
     write_obj(file, surface, kind);
+  } else if (kind == "serialized") {
+    write_serialized(file, surface);
   } else {
     write_ply(file, surface, kind);
   }

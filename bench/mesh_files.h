@@ -11,7 +11,8 @@ namespace strahl::bench {
 
 /// What write_mesh_file() knows, in the order in which it is timed:
 /// obj, obj-normals (shared by the corners of a vertex), obj-corners (a normal each face, so that every corner is a
-/// vertex of its own), obj-quads, ply-ascii, ply (binary), ply-normals, ply-big (the other byte order).
+/// vertex of its own), obj-quads, ply-ascii, ply (binary), ply-normals, ply-big (the other byte order), serialized
+/// (Mitsuba's).
 [[nodiscard]] const std::vector<std::string>& mesh_kinds();
 
 /// ".obj" of "obj-corners".

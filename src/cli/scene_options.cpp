@@ -14,7 +14,9 @@
 namespace strahl::cli {
 
 void add_scene_options(CLI::App& app, SceneOptions& options) {
-  app.add_option("scene", options.path, "Mitsuba XML scene, or an .obj or .ply mesh")->required()->type_name("SCENE");
+  app.add_option("scene", options.path, "Mitsuba XML scene, or an .obj, .ply or .serialized mesh")
+      ->required()
+      ->type_name("SCENE");
   app.add_option("-D", options.defines, "Define $NAME of the scene; overrides its <default>; repeatable")
       ->type_name("NAME=VALUE")
       ->allow_extra_args(false);

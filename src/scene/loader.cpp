@@ -22,7 +22,7 @@ namespace {
 
 bool is_mesh_path(const std::string& path) {
   const std::string extension = lower_case_extension(path);
-  return extension == ".obj" || extension == ".ply";
+  return extension == ".obj" || extension == ".ply" || extension == ".serialized";
 }
 
 Scene scene_of_xml(const std::string& path, const LoadOptions& options, Diagnostics& diagnostics) {

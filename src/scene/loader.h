@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From a file to a validated Scene: Mitsuba 3 XML (docs/scene-format.md), or a bare .obj / .ply mesh.
+// From a file to a validated Scene: Mitsuba 3 XML (docs/scene-format.md), or a bare mesh (.obj, .ply, .serialized).
 #pragma once
 
 #include <functional>

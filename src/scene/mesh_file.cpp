@@ -15,10 +15,11 @@ MeshFile read_mesh(const std::string& path, const MeshProgress& progress) {
                          [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
   if (extension == ".obj") return read_obj(path, progress);
   if (extension == ".ply") return read_ply(path, progress);
+  if (extension == ".serialized") return read_serialized(path, 0, progress);
   throw SceneError({{Severity::error,
                      {path},
-                     fmt::format("extension \"{}\" is no mesh format that is read; use .obj "
-                                 "or .ply",
+                     fmt::format("extension \"{}\" is no mesh format that is read; use .obj, "
+                                 ".ply or .serialized",
                                  extension)}});
 }
 

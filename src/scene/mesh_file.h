@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Triangle meshes from OBJ (+ MTL Kd, Ke) and PLY files, read in double.
+// Triangle meshes from OBJ (+ MTL Kd, Ke), PLY and serialized files, read in double.
 //
 // A face that cannot be read, has fewer than 3 corners, no area, or edges that cross is skipped and counted in a
 // warning. An index out of range, a number that is not finite where a face uses it, a truncated file and a mesh
@@ -37,10 +37,13 @@ struct MeshFile {
 /// ends the reading.
 using MeshProgress = std::function<void(double share)>;
 
-/// Reads by extension (.obj, .ply; case-insensitive). Quads and n-gons are triangulated (convex and concave planar
-/// polygons); vertices that differ in normal or uv index are split. Throws SceneError with file:line.
+/// Reads by extension (.obj, .ply, .serialized: the first mesh; case-insensitive). Quads and n-gons are triangulated
+/// (convex and concave planar polygons); vertices that differ in normal or uv index are split. Throws SceneError with
+/// file:line.
 [[nodiscard]] MeshFile read_mesh(const std::string& path, const MeshProgress& progress = {});
 [[nodiscard]] MeshFile read_obj(const std::string& path, const MeshProgress& progress = {});
 [[nodiscard]] MeshFile read_ply(const std::string& path, const MeshProgress& progress = {});
+/// Mitsuba's format, which holds several meshes; `index` counts from 0.
+[[nodiscard]] MeshFile read_serialized(const std::string& path, int index = 0, const MeshProgress& progress = {});
 
 }  // namespace strahl

@@ -16,14 +16,16 @@ constexpr std::ptrdiff_t bytes_between_reports = 1 << 20;
 
 }  // namespace
 
-MeshSource::MeshSource(const std::string& path, std::function<void(double share)> progress)
-    : path_(path), progress_(std::move(progress)) {
+MeshSource::MeshSource(const std::string& path, std::function<void(double share)> progress, FileRange range)
+    : path_(path), progress_(std::move(progress)), from_(range.from) {
   std::error_code code;
   if (!std::filesystem::exists(path, code)) fail(nullptr, "there is no such file");
   if (!std::filesystem::is_regular_file(path, code)) fail(nullptr, "is not a regular file");
   std::ifstream file(path, std::ios::binary);
-  const auto size = std::filesystem::file_size(path, code);
+  const auto file_size = std::filesystem::file_size(path, code);
   if (!file || code) fail(nullptr, "cannot be opened; check its permissions");
+  const auto size = static_cast<std::size_t>(std::min(range.size, file_size - std::min(file_size, from_)));
+  file.seekg(static_cast<std::streamoff>(from_));
   bytes_ = std::make_unique_for_overwrite<char[]>(size);
   if (!file.read(bytes_.get(), static_cast<std::streamsize>(size))) fail(nullptr, "cannot be read to its end");
   size_ = size;
@@ -73,7 +75,9 @@ int MeshSource::line(const char* at) const { return 1 + static_cast<int>(std::co
 Diagnostic MeshSource::diagnostic(const Note& note) const {
   if (note.at == nullptr) return {note.severity, {path_}, note.message};
   if (is_binary(note.at)) {
-    return {note.severity, {path_}, fmt::format("byte {}: {}", note.at - begin(), note.message)};
+    return {note.severity,
+            {path_},
+            fmt::format("byte {}: {}", static_cast<std::uint64_t>(note.at - begin()) + from_, note.message)};
   }
   const char* line_begin = note.at;
   while (line_begin > begin() && line_begin[-1] != '\n') --line_begin;

@@ -6,7 +6,9 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -17,11 +19,16 @@
 
 namespace strahl {
 
+/// So many bytes of a file from one on; all that there are.
+struct FileRange {
+  std::uint64_t from = 0, size = std::numeric_limits<std::uint64_t>::max();
+};
+
 /// Contents of a file and the diagnostics that point into them.
 class MeshSource {
  public:
   /// Throws SceneError where the file cannot be read.
-  explicit MeshSource(const std::string& path, std::function<void(double share)> progress = {});
+  explicit MeshSource(const std::string& path, std::function<void(double share)> progress = {}, FileRange range = {});
   MeshSource(const MeshSource&) = delete;
   MeshSource& operator=(const MeshSource&) = delete;
 
@@ -77,6 +84,7 @@ class MeshSource {
   double pass_from_ = 0, pass_to_ = 1;
   std::unique_ptr<char[]> bytes_;  // not cleared before it is read into
   std::size_t size_ = 0;
+  std::uint64_t from_ = 0;  // where in the file they begin
   const char* binary_ = nullptr;
   std::vector<Note> notes_;
   std::size_t errors_ = 0, warnings_ = 0;

@@ -5,6 +5,7 @@
 #include <random>
 
 #include "scene_mesh/ply_bytes.h"
+#include "scene_mesh/serialized_bytes.h"
 #include "scene_mesh/temp_folder.h"
 
 namespace strahl {
@@ -41,6 +42,18 @@ const std::string ascii_ply =
     "vertex_indices\nproperty uchar r\nend_header\n0 0 0 0 0 1 0\n1 0 0 0 0 1 1 7\n1 1 0 0 0 1 0\n0 1 0 0 0 0 2 1 "
     "2\n.5 .5 0 "
     "0 0 1 0\n5 0 4 1 2 3 1\n3 0 1 2 255\n";
+
+/// Stored, not squeezed, so that damage comes through; the checksum is made good again.
+std::string serialized(const std::string& content) {
+  return test::serialized_header(4) + test::zlib_stream(content, 0);
+}
+
+std::string serialized_content() {
+  test::SerializedMesh mesh;
+  mesh.flags = 0x1003;
+  mesh.numbers.insert(mesh.numbers.end(), {0, 0, 1, 0, 0, 1, 0, 0, 0, 0, 0, 1, 0, 1, 1});
+  return mesh.content(4);
+}
 
 std::string damaged(std::string text, std::mt19937& random) {
   using namespace std::string_literals;
@@ -103,6 +116,16 @@ TEST_CASE("damaged files load or are refused, and never do worse") {
     REQUIRE(load(folder.write(name, seed)) == 1);
     int loaded = 0;
     for (int i = 0; i < variants; ++i) loaded += load(folder.write(name, damaged(seed, random)));
+    CHECK(loaded > 0);
+    CHECK(loaded < variants);
+  }
+  for (const bool inside : {true, false}) {
+    int loaded = 0;
+    for (int i = 0; i < variants; ++i) {
+      const std::string text =
+          inside ? serialized(damaged(serialized_content(), random)) : damaged(test::serialized_file({{}, {}}), random);
+      loaded += load(folder.write("a.serialized", text));
+    }
     CHECK(loaded > 0);
     CHECK(loaded < variants);
   }

@@ -73,7 +73,7 @@ TEST_CASE("files that cannot be read") {
   std::filesystem::create_directory(folder.path() + "/folder.obj");
   CHECK(error_of(folder.path() + "/folder.obj") == "folder.obj: error: is not a regular file\n");
   CHECK(error_of(folder.write("a.stl", "")) ==
-        "a.stl: error: extension \".stl\" is no mesh format that is read; use .obj or .ply\n");
+        "a.stl: error: extension \".stl\" is no mesh format that is read; use .obj, .ply or .serialized\n");
 }
 
 TEST_CASE("what the file says is shown cut and without control characters") {

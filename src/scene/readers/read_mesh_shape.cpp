@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
-// <shape type="obj"> and <shape type="ply">: a mesh file in the world frame, with the materials that it names.
+// <shape type="obj">, <shape type="ply"> and <shape type="serialized">: a mesh file in the world frame, with the
+// materials that it names.
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <limits>
 
 #include "scene/mesh_file.h"
 #include "scene/readers/mesh_import.h"
@@ -37,6 +39,11 @@ std::optional<std::string> mesh_path(ShapeInput& input) {
   return path;
 }
 
+/// Which of the meshes of a file.
+int shape_index(Properties& properties) {
+  return properties.integer_in("shape_index", 0, std::numeric_limits<int>::max()).value_or(0);
+}
+
 void to_world(Mesh& mesh, const Transform& world_from_object) {
   for (Vec3& p : mesh.positions) p = world_from_object.point(p);
   for (Vec3& n : mesh.normals) {
@@ -52,11 +59,14 @@ Geometry read_mesh_shape(ShapeInput& input) {
   Diagnostics& diagnostics = input.builder.diagnostics;
   const bool face_normals = properties.boolean("face_normals").value_or(false);
   const bool flip_v = properties.boolean("flip_tex_coords").value_or(properties.type() == "obj");
+  const int index = properties.type() == "serialized" ? shape_index(properties) : 0;
   const std::optional<std::string> path = mesh_path(input);
   if (!path) return Mesh{};
   diagnostics.opened(*path);
   try {
-    MeshFile file = read_mesh(*path, progress_of(*path, input.builder.mesh_progress));
+    const MeshProgress progress = progress_of(*path, input.builder.mesh_progress);
+    MeshFile file =
+        properties.type() == "serialized" ? read_serialized(*path, index, progress) : read_mesh(*path, progress);
     diagnostics.append(file.warnings);
     if (file.mesh.triangles.empty())
       diagnostics.error(properties.where("filename"), fmt::format("\"{}\" has no triangles", *path));
