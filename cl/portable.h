@@ -84,6 +84,8 @@ FN real bits_to_real(bitsr b) {
 }
 /// Position of the lowest set bit; m must not be 0.
 FN int first_bit(uint m) { return __builtin_ctz(m); }
+/// The upper half of the product.
+FN uint high_product(uint a, uint b) { return (uint)((std::uint64_t)a * b >> 32); }
 FN real real_fma(real a, real b, real c) { return std::fma(a, b, c); }
 FN real real_sqrt(real a) { return std::sqrt(a); }
 FN real real_abs(real a) { return std::fabs(a); }
@@ -97,6 +99,7 @@ FN bitsr real_to_bits(real x) { return as_uint(x); }
 FN real bits_to_real(bitsr b) { return as_float(b); }
 #endif
 FN int first_bit(uint m) { return 31 - (int)clz(m & (~m + 1u)); }
+FN uint high_product(uint a, uint b) { return mul_hi(a, b); }
 FN real real_fma(real a, real b, real c) { return fma(a, b, c); }
 FN real real_sqrt(real a) { return sqrt(a); }
 FN real real_abs(real a) { return fabs(a); }

@@ -37,6 +37,21 @@ FN real3 off_edge(real3 move, real3 p, real3 from, real3 a, real3 b, real3 withi
   return missing > R(0.0) ? fma3(missing, inward, move) : move;
 }
 
+/// 1: certainly farther than the bound from every edge, rounding included, so that there is nothing to move off. The
+/// height over an edge is its weight times twice the area over its length, which is at most 2 sqrt(3) size.
+FN int is_amid(const Surface* s, real3 e, real3 f, real size, real bound) {
+  real least = s->u < s->v ? s->u : s->v;
+  real u_rest = R(1.0) - s->u, v_rest = R(1.0) - s->v, both_rest = u_rest - s->v;
+  if (s->outline == OUTLINE_TRIANGLE) {
+    least = both_rest < least ? both_rest : least;
+  } else {
+    least = u_rest < least ? u_rest : least;
+    least = v_rest < least ? v_rest : least;
+  }
+  real across = real_abs(dot3(s->normal, cross3(e, f)));
+  return least * across > R(16.0) * bound * size;
+}
+
 FN real3 polygon_departure(const Surface* s, real3 d) {
   int corners = s->outline == OUTLINE_TRIANGLE ? 3 : 4;
   real3 p = s->position, first = corner_load(s->prim, s->stride, 0);
@@ -45,6 +60,7 @@ FN real3 polygon_departure(const Surface* s, real3 d) {
   real size = larger_of(max3(abs3(e)), max3(abs3(f)));
   real bound = R(1.75) * real_roundoff() * (max3(abs3(p)) + size);
   real3 move = scale3(dot3(d, s->normal) < R(0.0) ? -bound : bound, s->normal);
+  if (is_amid(s, e, f, size, bound)) return add3(p, move);
   // Off all edges at once: one after the other, a move off one leads over the other in a sharp corner. Then once more
   // by what is missing there. The point itself is rounded once, at the end.
   for (int pass = 0; pass < 2; ++pass) {

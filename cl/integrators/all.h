@@ -5,3 +5,4 @@
 #include "integrators/normals.h"
 #include "integrators/direct.h"
 #include "integrators/whitted.h"
+#include "integrators/path.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One surface of a path: dispatch over the active integrators, then light from lamps and the way on, each in one place
+// One surface of a path: dispatch over the active integrators, then light from lights and the way on, each in one place
 // for all integrators, so that a program holds one traversal for shadows and one for everything else.
 // One width; no guard.
 #include "core/counters.h"
@@ -8,10 +8,13 @@
 #include "core/path.h"
 #include "lights/light.h"
 #include "materials/material.h"
+#include "samplers/sampler.h"
 
 enum {
-  STEP_LAMPS = 1,  ///< Add the light that point and directional lights throw on the surface.
-  STEP_MIRROR = 2  ///< Follow the mirrored ray.
+  STEP_LIGHTS = 1,   ///< Add what the lights throw on the surface.
+  STEP_MIRROR = 2,   ///< Follow the mirrored ray.
+  STEP_SCATTER = 4,  ///< Follow a way that the material draws; drawn lights then share their work with it.
+  STEP_ROULETTE = 8  ///< Perhaps not.
 };
 
 /// What comes along the path's ray by itself: the surface's emission, or the background where nothing is hit.
@@ -19,36 +22,126 @@ FN real3 radiance_along(const Scene* scene, const Path* path, int hit, const Sur
   return hit ? emitted_radiance(scene, s, path->ray.d) : background_radiance(scene);
 }
 
+/// hide_emitters hides from the camera alone.
+FN int is_light_shown(const Scene* scene, const Path* path) {
+  return path->depth > 0 || scene->index[HEADER_HIDE_EMITTERS] == 0;
+}
+
+FN int lights_drawn_from(const Scene* scene) {
+  return scene->index[HEADER_LIGHT_COUNT] - scene->index[HEADER_LIGHTS_TAKEN];
+}
+
+/// Of a direction that was drawn with `density` and could have been with `other`.
+FN real balance(real density, real other) {
+  real ratio = other / density;
+  return R(1.0) / real_fma(ratio, ratio, R(1.0));
+}
+
+/// radiance_along, weighted against its chance to be drawn as a light where the path was.
+FN void path_add_light(const Scene* scene, Path* path, int hit, const Surface* s) {
+  real3 radiance = radiance_along(scene, path, hit, s);
+  if (LIGHT_COUNT > 0 && path->density > R(0.0) && max3(radiance) > R(0.0)) {
+    int light = hit ? scene_part(scene, s->part)[PART_LIGHT] : scene->index[HEADER_BACKGROUND];
+    if (light >= 0) {
+      real density = light_density(scene, light, path->from, s, path->ray.d) / (real)lights_drawn_from(scene);
+      radiance = scale3(balance(path->density, density), radiance);
+    }
+  }
+  path_add(path, radiance);
+}
+
 #include "integrators/all.h"
 
-FN void LANED(add_lamps)(const Scene* scene, Path* path, const Surface* s, int id, real3 wo) {
-  real zero = R(0.0);
-  int lights = LIGHT_COUNT == 0 ? 0 : scene->index[HEADER_LIGHT_COUNT];
-  for (int i = 0; i < lights; ++i) {
-    LightSample light = light_sample(scene, i, s->position);
-    if (!(max3(light.irradiance) > zero)) continue;
-    real3 reflected = mul3(material_eval(scene, s, normalize3(light.towards), wo), light.irradiance);
-    if (!(max3(reflected) > zero)) continue;
+/// One light of those that are taken, or one drawn of the others; is_shared: with ways that the material draws.
+FN real3 light_gain(const Scene* scene, const Path* path, const Surface* s, const Material* m, int i, int is_shared,
+                    LightSample* light) {
+  int taken = scene->index[HEADER_LIGHTS_TAKEN];
+  Random2 numbers;
+  numbers.x = numbers.y = 0u;
+  real share = R(1.0);
+  if (i >= taken) {
+    uint count = (uint)lights_drawn_from(scene);
+    numbers = sample_pair(scene, &path->sample, set_at(path->depth, SET_LIGHT));
+    i = taken + (int)high_product(numbers.x, count);
+    numbers.x *= count;
+    share = (real)count;
+  }
+  *light = light_sample(scene, i, s->position, numbers);
+  if (!(max3(light->irradiance) > R(0.0))) return black3();
+  real density;
+  real3 reflected = mul3(material_eval(m, normalize3(light->towards), &density), light->irradiance);
+  if (light->density > R(0.0)) {
+    if (is_shared) share *= balance(light->density, share * density);
+    reflected = scale3(share, reflected);
+  } else if (share > R(1.0)) {
+    reflected = scale3(share, reflected);
+  }
+  return reflected;
+}
+
+FN void LANED(add_lights)(const Scene* scene, Path* path, const Surface* s, int id, const Material* m, int is_shared) {
+  int count = LIGHT_COUNT == 0 ? 0 : scene->index[HEADER_LIGHT_COUNT];
+  int taken = LIGHT_COUNT == 0 ? 0 : scene->index[HEADER_LIGHTS_TAKEN];
+  int rays = count > taken ? taken + 1 : taken;
+  for (int i = 0; i < rays; ++i) {
+    LightSample light;
+    real3 reflected = light_gain(scene, path, s, m, i, is_shared, &light);
+    if (!(max3(reflected) > R(0.0))) continue;
     Ray shadow = ray_leaving(s, id, light.towards, light.t_max);
     if (HAS_COUNT_RAYS) count_event(scene, COUNT_SHADOW);
     if (!LANED(any_hit)(scene, &shadow)) path_add(path, reflected);
   }
 }
 
+/// The next surface lies along d.
+FN void path_turn(const Scene* scene, Path* path, const Surface* s, int id, real3 d) {
+  if (HAS_COUNT_RAYS) count_event(scene, COUNT_BOUNCE);
+  path->ray = ray_leaving(s, id, d, REAL_MAX);
+  ++path->depth;
+}
+
 /// 0: all light that the way on could bring is lost.
-FN int path_mirror(const Scene* scene, Path* path, const Surface* s, int id, real3 wo) {
-  path->throughput = mul3(path->throughput, material_mirror(scene, s, wo));
+FN int path_mirror(const Scene* scene, Path* path, const Surface* s, int id, const Material* m, real3 wo) {
+  path->throughput = mul3(path->throughput, material_mirror(m));
   if (!(max3(path->throughput) > R(0.0))) return 0;
+  path->density = R(0.0);
   // Normalised anew each time: the length does not drift however many mirrors follow.
   real3 on = normalize3(fma3(R(2.0) * dot3(s->shading, wo), s->shading, negate3(wo)));
-  if (HAS_COUNT_RAYS) count_event(scene, COUNT_BOUNCE);
-  path->ray = ray_leaving(s, id, on, REAL_MAX);
-  ++path->depth;
+  path_turn(scene, path, s, id, on);
   return 1;
 }
 
-/// Takes the path over one surface, with id scene-wide; 1: to be followed along its new ray.
-FN int LANED(path_step)(const Scene* scene, Path* path, int hit, Surface* s, int id) {
+/// 0: the path ends.
+FN int path_scatter(const Scene* scene, Path* path, const Surface* s, int id, const Material* m, int is_roulette) {
+  Random2 numbers = sample_pair(scene, &path->sample, set_at(path->depth, SET_WAY));
+  MaterialSample way = material_sample(m, random_between(numbers.x), random_between(numbers.y));
+  path->throughput = mul3(path->throughput, way.weight);
+  real most = max3(path->throughput);
+  if (!(most > R(0.0))) return 0;
+  if (is_roulette && path->depth + 1 >= scene->index[HEADER_RR_DEPTH]) {
+    real chance = most < R(0.95) ? most : R(0.95);
+    if (random_between(roulette_number(&path->sample, path->depth)) >= chance) return 0;
+    path->throughput = scale3(R(1.0) / chance, path->throughput);
+  }
+  path->from = s->position;
+  path->density = way.density;
+  path_turn(scene, path, s, id, normalize3(way.wi));
+  return 1;
+}
+
+/// On along the same line, for a camera ray that has met an emitter that is to be hidden.
+FN int path_through(Path* path, const Surface* s, int id, real t) {
+  path->ray = ray_leaving(s, id, path->ray.d, path->ray.t_max - t);
+  return 1;
+}
+
+FN int is_hidden(const Scene* scene, const Path* path, const Surface* s) {
+  return HAS_EMISSION && path->depth == 0 && scene->index[HEADER_HIDE_EMITTERS] != 0 &&
+         scene_part(scene, s->part)[PART_RADIANCE] >= 0;
+}
+
+/// Takes the path over one surface, found at t and with id scene-wide; 1: to be followed along its new ray.
+FN int LANED(surface_step)(const Scene* scene, Path* path, int hit, Surface* s, int id, real t) {
   int next = 0;
   if (TEXTURE_COUNT > 0 && hit) {
     path->travelled += length3(sub3(s->position, path->ray.o));
@@ -65,7 +158,10 @@ FN int LANED(path_step)(const Scene* scene, Path* path, int hit, Surface* s, int
       break;
   }
   if (next == 0) return 0;
+  if (is_hidden(scene, path, s)) return path_through(path, s, id, t);
   real3 wo = normalize3(negate3(path->ray.d));
-  if ((next & STEP_LAMPS) != 0) LANED(add_lamps)(scene, path, s, id, wo);
-  return (next & STEP_MIRROR) != 0 ? path_mirror(scene, path, s, id, wo) : 0;
+  Material m = material_at(scene, s, wo);
+  if ((next & STEP_LIGHTS) != 0) LANED(add_lights)(scene, path, s, id, &m, next & STEP_SCATTER);
+  if ((next & STEP_MIRROR) != 0) return path_mirror(scene, path, s, id, &m, wo);
+  return (next & STEP_SCATTER) != 0 ? path_scatter(scene, path, s, id, &m, next & STEP_ROULETTE) : 0;
 }

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // As direct, and on through mirrors until a surface is none or all light is lost: T. Whitted, "An Improved Illumination
-// Model for Shaded Display", CACM 23(6), 1980, as a loop. Emitters are hidden from the camera only. Depth counts as in
-// Mitsuba: every mirror is one more. Where it has no limit a path ends after WHITTED_LONGEST mirrors.
+// Model for Shaded Display", CACM 23(6), 1980, as a loop. No way is drawn by the material, so what emits lights by
+// places drawn on it alone. Emitters are hidden from the camera only. Depth counts as in Mitsuba: every mirror is one
+// more. Where it has no limit a path ends after WHITTED_LONGEST mirrors.
 
 FN int whitted_step(const Scene* scene, Path* path, int hit, const Surface* s) {
   int max_depth = scene->index[HEADER_MAX_DEPTH];
   if (max_depth < 0) max_depth = WHITTED_LONGEST + 1;
-  if (max_depth > 0 && (path->depth > 0 || scene->index[HEADER_HIDE_EMITTERS] == 0))
-    path_add(path, radiance_along(scene, path, hit, s));
-  return hit && path->depth < max_depth - 1 ? STEP_LAMPS | STEP_MIRROR : 0;
+  if (max_depth > 0 && is_light_shown(scene, path)) path_add_light(scene, path, hit, s);
+  return hit && path->depth < max_depth - 1 ? STEP_LIGHTS | STEP_MIRROR : 0;
 }

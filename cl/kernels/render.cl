@@ -9,6 +9,7 @@
 #include "shapes/shape.h"
 #include "core/camera.h"
 #include "core/film.h"
+#include "samplers/sampler.h"
 #include "integrators/integrator.h"
 
 FN void store_first_sample(GLOBAL real* reals, GLOBAL int* ints, const Ray* ray, int hit, real t, const Surface* s) {
@@ -65,22 +66,24 @@ KERNEL LANE_HINT void render(GLOBAL const real* geometry, GLOBAL const real* sha
     int first = sample_first + ((sub - sample_first) & (FILM_SUBSUMS - 1));
     for (int sample = first; sample < sample_first + sample_count; sample += FILM_SUBSUMS) {
       real dx = R(0.0), dy = R(0.0);
+      SampleState state = sample_begin(&scene, pixel, (uint)sample);
       if (HAS_PIXEL_FILTER) {
-        Random4 bits = random4(pixel, (uint)sample, 0u, (uint)index[HEADER_SEED]);
+        Random2 bits = sample_pair(&scene, &state, SET_PIXEL);
         dx = filter_offset(shading + index[HEADER_FILTER], random_unit(bits.x));
         dy = filter_offset(shading + index[HEADER_FILTER], random_unit(bits.y));
       }
-      Path path = path_begin(camera_ray(shading + index[HEADER_CAMERA], width, height, x, y, dx, dy));
-      int more;
+      Path path = path_begin(camera_ray(shading + index[HEADER_CAMERA], width, height, x, y, dx, dy), state);
+      int more, is_first = 1;
       do {
         Nearest nearest = LANED(closest_hit)(&scene, &path.ray);
         int hit = nearest.kind >= 0;
         Surface surface;
         if (hit) surface = surface_at(&scene, &path.ray, &nearest, LANES);
-        if (HAS_AOV && sample == 0 && path.depth == 0)
+        if (HAS_AOV && sample == 0 && is_first)
           store_first_sample(aov_reals + slot * AOV_REALS, aov_ints + slot * AOV_INTS, &path.ray, hit, nearest.t,
                              &surface);
-        more = LANED(path_step)(&scene, &path, hit, &surface, nearest.id);
+        more = LANED(surface_step)(&scene, &path, hit, &surface, nearest.id, nearest.t);
+        is_first = 0;
       } while (more);
       r += film_units(&scene, path.radiance.x, film_scale);
       g += film_units(&scene, path.radiance.y, film_scale);

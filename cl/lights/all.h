@@ -3,3 +3,4 @@
 #include "lights/point.h"
 #include "lights/directional.h"
 #include "lights/constant.h"
+#include "lights/area.h"

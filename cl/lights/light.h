@@ -6,47 +6,65 @@
 #include "core/surface.h"
 #include "lights/light_sample.h"
 #include "lights/all.h"
+#include "samplers/sample_state.h"
 #include "scene/scene.h"
 
-FN LightSample light_sample(const Scene* scene, int light, real3 from) {
-  GLOBAL const int* row = scene->index + scene->index[HEADER_LIGHTS] + light * LIGHT_INTS;
-  GLOBAL const real* params = scene->shading + row[LIGHT_REALS];
+FN GLOBAL const int* light_row(const Scene* scene, int light) {
+  return scene->index + scene->index[HEADER_LIGHTS] + light * LIGHT_INTS;
+}
+
+FN LightSample light_sample(const Scene* scene, int light, real3 from, Random2 numbers) {
+  GLOBAL const int* row = light_row(scene, light);
   LightSample none;
   switch (row[LIGHT_KIND]) {
 #define LIGHT(name)  \
   case LIGHT_##name: \
-    return name##_sample(params, from);
+    return name##_sample(scene, row, from, numbers);
 #include "lights/lights.def"
 #undef LIGHT
     default:
-      (void)params;
+      (void)numbers;
       none.towards = from;
-      none.t_max = R(0.0);
+      none.t_max = none.density = R(0.0);
       none.irradiance = vec3(R(0.0), R(0.0), R(0.0));
       return none;
   }
 }
 
-/// Radiance of a ray that leaves the scene.
-FN real3 background_radiance(const Scene* scene) {
-  real3 sum = vec3(R(0.0), R(0.0), R(0.0));
-  int count = LIGHT_COUNT == 0 ? 0 : scene->index[HEADER_LIGHT_COUNT];
-  for (int i = 0; i < count; ++i) {
-    GLOBAL const int* row = scene->index + scene->index[HEADER_LIGHTS] + i * LIGHT_INTS;
-    GLOBAL const real* params = scene->shading + row[LIGHT_REALS];
-    (void)params;
-    switch (row[LIGHT_KIND]) {
-#define LIGHT(name)                             \
-  case LIGHT_##name:                            \
-    sum = add3(sum, name##_background(params)); \
-    break;
+/// Of direction d, along which a ray has found the light, at s if it is a surface.
+FN real light_density(const Scene* scene, int light, real3 from, const Surface* s, real3 d) {
+  GLOBAL const int* row = light_row(scene, light);
+  switch (row[LIGHT_KIND]) {
+#define LIGHT(name)  \
+  case LIGHT_##name: \
+    return name##_density(scene, row, from, s, d);
 #include "lights/lights.def"
 #undef LIGHT
-      default:
-        break;
-    }
+    default:
+      (void)from;
+      (void)s;
+      (void)d;
+      return R(0.0);
   }
-  return sum;
+}
+
+/// Radiance of a ray that leaves the scene.
+FN real3 background_radiance(const Scene* scene) {
+  real3 none = vec3(R(0.0), R(0.0), R(0.0));
+  int light = LIGHT_COUNT == 0 ? -1 : scene->index[HEADER_BACKGROUND];
+  if (light < 0) return none;
+  GLOBAL const int* row = light_row(scene, light);
+  GLOBAL const real* params = scene->shading + row[LIGHT_REALS];
+  (void)params;
+  switch (row[LIGHT_KIND]) {
+#define LIGHT(name)  \
+  case LIGHT_##name: \
+    return name##_background(params);
+#include "lights/lights.def"
+#undef LIGHT
+    default:
+      return none;
+  }
 }
 
 /// Radiance that the surface emits against the ray's direction: on the side of its normal only.

@@ -8,7 +8,8 @@
 typedef struct {
   real3 towards;     ///< To the light; where it has a place, exactly to it: t = 1 is the light.
   real t_max;        ///< How far along `towards` the way must be free.
-  real3 irradiance;  ///< On a surface perpendicular to `towards`; zero: this light is not sampled.
+  real3 irradiance;  ///< On a surface perpendicular to `towards`; zero: no light from there.
+  real density;      ///< Of that direction, per solid angle; 0: it is the only one.
 } LightSample;
 
 #endif

@@ -78,6 +78,15 @@ FN real angle_atan_tail(real z) {
 }
 #endif
 
+/// Sine and cosine of f turns, |f| <= 1/8.
+FN void sincos_eighth(real f, real* sine, real* cosine) {
+  const real z = f * f;
+  const real z_error = real_fma(f, f, -z);
+  const real cos_tail = real_fma(z_error, ANGLE_COS_QUADRATIC, z * z * angle_cos_tail(z));
+  *sine = real_fma(f, ANGLE_TWO_PI_HIGH, f * real_fma(z, angle_sin_tail(z), ANGLE_TWO_PI_LOW));
+  *cosine = R(1.0) + real_fma(z, ANGLE_COS_QUADRATIC, cos_tail);
+}
+
 /// Sine and cosine of a finite angle in turns; exact at every multiple of a quarter.
 FN void sincos_turns(real turns, real* sine, real* cosine) {
   const real a = real_abs(turns);
@@ -86,13 +95,8 @@ FN void sincos_turns(real turns, real* sine, real* cosine) {
   const real part = a - whole;
   const real shift = R(1.5) * ANGLE_INTEGERS_FROM;
   const real quarters = (R(4.0) * part + shift) - shift;
-  const real f = part - R(0.25) * quarters;  // [-1/8, 1/8], exact as everything before it
-  const real z = f * f;
-  const real z_error = real_fma(f, f, -z);
-
-  const real s = real_fma(f, ANGLE_TWO_PI_HIGH, f * real_fma(z, angle_sin_tail(z), ANGLE_TWO_PI_LOW));
-  const real cos_tail = real_fma(z_error, ANGLE_COS_QUADRATIC, z * z * angle_cos_tail(z));
-  const real c = R(1.0) + real_fma(z, ANGLE_COS_QUADRATIC, cos_tail);
+  real s, c;
+  sincos_eighth(part - R(0.25) * quarters, &s, &c);  // Exact, as everything before it.
 
   const int quadrant = (int)quarters & 3;
   const real sin_a = (quadrant & 1) ? c : s;

@@ -41,4 +41,13 @@ FN real random_unit(uint bits) {
 #endif
 }
 
+/// (0, 1), neither end, symmetrically about the middle.
+FN real random_between(uint bits) {
+#if REAL_BITS == 64
+  return ((real)bits + R(0.5)) * R(0x1p-32);
+#else
+  return ((real)(bits >> 9) + R(0.5)) * R(0x1p-23);
+#endif
+}
+
 #endif

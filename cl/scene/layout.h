@@ -17,7 +17,9 @@ enum {
   HEADER_SEED,
   HEADER_INTEGRATOR,  // INTEGRATOR_direct, ...
   HEADER_MAX_DEPTH,   // -1: no limit
+  HEADER_RR_DEPTH,    // Surfaces after which Russian roulette begins.
   HEADER_HIDE_EMITTERS,
+  HEADER_SAMPLER,     // SAMPLER_independent, ...
   HEADER_CAMERA,      // -> shading
   HEADER_FILTER,      // -> shading, FILTER_CELLS + 1 quantiles
   HEADER_FILM_SCALE,  // -> shading, 1 real: film units per unit of radiance, a power of two
@@ -26,6 +28,10 @@ enum {
   HEADER_TEXTURES,    // -> index, TEXTURE_INTS a texture
   HEADER_LIGHTS,      // -> index, LIGHT_INTS a light
   HEADER_LIGHT_COUNT,
+  HEADER_LIGHTS_TAKEN,  // So many light every surface; of those after them one is drawn.
+  HEADER_BACKGROUND,    // The light that rays see that leave the scene; -1: none.
+  HEADER_GLOWS,         // 1: a ray may find light by itself, from a surface or the background.
+  HEADER_REACH,         // -> shading, 1 real: how far ambient occlusion looks.
   HEADER_INTS
 };
 
@@ -37,6 +43,7 @@ enum {
   PART_FIRST_ID,  // scene-wide id of the shape's primitive 0
   PART_MATERIAL,  // row of the material table
   PART_RADIANCE,  // -> shading, r g b; -1: does not emit
+  PART_LIGHT,     // The light that it is; -1: none that could be drawn.
   PART_FLIP,      // 1: the normal is reversed
   PART_FRAME,     // -> shading, 9 reals, meaning by kind; -1: none
   PART_NORMALS,   // -> shading, 9 reals a primitive of the shape; -1: none
@@ -48,7 +55,13 @@ enum {
 // MATERIAL_TEXTURE: row of the texture table that the reflectance comes from; -1: it is the first 3 of its reals.
 enum { MATERIAL_KIND, MATERIAL_REALS, MATERIAL_TEXTURE, MATERIAL_TWOSIDED, MATERIAL_INTS };
 enum { TEXTURE_KIND, TEXTURE_REALS, TEXTURE_INTS };
-enum { LIGHT_KIND, LIGHT_REALS, LIGHT_INTS };
+// LIGHT_AREA to LIGHT_CHOICE are an area light's: AREA_sphere, ...; number of items; -> index, CHOICE_INTS an item.
+enum { LIGHT_KIND, LIGHT_REALS, LIGHT_AREA, LIGHT_ITEMS, LIGHT_CHOICE, LIGHT_INTS };
+// An item is kept where a number of 32 bits is below the limit, else the other one is taken (A. Walker, "An Efficient
+// Method for Generating Discrete Random Variables with General Distributions", ACM TOMS 3(3), 1977).
+enum { CHOICE_LIMIT, CHOICE_OTHER, CHOICE_INTS };
+// Reals of an area light: radiance r g b, one over its area, +1 or -1 (emits outwards, inwards), then its items.
+enum { AREA_RADIANCE = 0, AREA_INVERSE = 3, AREA_SIDE = 4, AREA_ITEMS = 5 };
 
 // Camera: origin = O + sx OX + sy OY, direction = D + sx DX + sy DY with sx, sy in [-1, 1] across the picture, y down.
 enum {
@@ -67,6 +80,9 @@ enum { FILTER_CELLS = 1024 };
 
 // Mirrors after which a path ends where HEADER_MAX_DEPTH is no limit.
 enum { WHITTED_LONGEST = 1024 };
+// Surfaces after which a path ends that nothing but Russian roulette limits: it goes on with 0.95 at most, so the share
+// of the light that is left out is below 0.95^512 = 4e-12.
+enum { ROULETTE_LONGEST = 512 };
 
 // Film: FILM_SUBSUMS x 3 sums a pixel (sample index mod FILM_SUBSUMS), docs/decisions/0002-film.md.
 enum { FILM_SUBSUMS = 4, FILM_CHANNELS = 3 };

@@ -35,6 +35,20 @@ enum {
 };
 
 enum {
+#define AREA(name, reals) AREA_##name,
+#include "areas/areas.def"
+#undef AREA
+  AREA_COUNT
+};
+
+enum {
+#define SAMPLER(name) SAMPLER_##name,
+#include "samplers/samplers.def"
+#undef SAMPLER
+  SAMPLER_COUNT
+};
+
+enum {
 #define INTEGRATOR(name) INTEGRATOR_##name,
 #include "integrators/integrators.def"
 #undef INTEGRATOR

@@ -96,9 +96,10 @@ void add_scene_overrides(CLI::App& app, SceneOverrides& overrides) {
       ->type_name("N")
       ->check(CLI::Range(0, std::numeric_limits<int>::max()).description(""))
       ->group(group);
-  app.add_option("--sampler", overrides.sampler, "independent (random), or centre: rays through the pixels' middles")
+  app.add_option("--sampler", overrides.sampler,
+                 "sobol (spread evenly), independent (random), or centre: rays through the pixels' middles")
       ->type_name("NAME")
-      ->check(CLI::IsMember({"independent", "centre"}))
+      ->check(CLI::IsMember({"sobol", "independent", "centre"}))
       ->group(group);
   app.add_option("--width", overrides.width, "Pixels; without --height the aspect ratio stays")
       ->type_name("N")
@@ -119,9 +120,9 @@ void add_scene_overrides(CLI::App& app, SceneOverrides& overrides) {
 }
 
 void apply(const SceneOverrides& overrides, Scene& scene) {
-  if (overrides.integrator == "path" || overrides.integrator == "volpath") {
-    say(fmt::format("warning: integrator {} is not there yet: whitted takes its place", *overrides.integrator));
-    scene.integrator.name = "whitted";
+  if (overrides.integrator == "volpath") {
+    say("warning: integrator volpath is not there yet: path takes its place, without media");
+    scene.integrator.name = "path";
   } else if (overrides.integrator) {
     const std::vector<std::string> known = list_entries("integrators");
     if (std::find(known.begin(), known.end(), *overrides.integrator) == known.end())
@@ -133,7 +134,9 @@ void apply(const SceneOverrides& overrides, Scene& scene) {
   if (overrides.spp) scene.sampler.sample_count = *overrides.spp;
   if (overrides.seed) scene.sampler.seed = *overrides.seed;
   if (overrides.sampler)
-    scene.sampler.kind = *overrides.sampler == "centre" ? SamplerKind::centre : SamplerKind::independent;
+    scene.sampler.kind = *overrides.sampler == "centre"  ? SamplerKind::centre
+                         : *overrides.sampler == "sobol" ? SamplerKind::sobol
+                                                         : SamplerKind::independent;
   resize(overrides, scene.film);
   crop(overrides, scene.film);
 }

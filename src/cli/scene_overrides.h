@@ -15,7 +15,7 @@ struct SceneOverrides {
   std::optional<int> max_depth;
   std::optional<int> spp;
   std::optional<int> seed;
-  std::optional<std::string> sampler;  ///< "independent", "centre"
+  std::optional<std::string> sampler;  ///< "sobol", "independent", "centre"
   std::optional<int> width, height;    ///< One alone: the other follows, so that the aspect ratio stays.
   std::optional<std::string> crop;     ///< "x0,y0,x1,y1"
   std::optional<std::string> pixel;    ///< "x,y"

@@ -6,6 +6,9 @@
 #include <map>
 #include <stdexcept>
 
+#include "device/pack_areas.h"
+#include "render/sampling.h"
+
 namespace strahl {
 namespace {
 
@@ -48,8 +51,10 @@ struct LightKind {
   std::string operator()(const ConstantLight&) const { return "constant"; }
 };
 
-bool is_lit_by_lamps(const std::string& integrator) { return integrator == "direct" || integrator == "whitted"; }
-bool shows_light(const std::string& integrator) { return integrator == "emission" || is_lit_by_lamps(integrator); }
+bool is_lit(const std::string& integrator) {
+  return integrator == "direct" || integrator == "whitted" || integrator == "path";
+}
+bool shows_light(const std::string& integrator) { return integrator == "emission" || is_lit(integrator); }
 
 const Material& material_at(const Scene& scene, int index) {
   return scene.materials.at(static_cast<std::size_t>(index));
@@ -57,7 +62,7 @@ const Material& material_at(const Scene& scene, int index) {
 
 void shape_causes(const Scene& scene, const RenderSettings& settings, Causes& causes) {
   const bool lit = shows_light(scene.integrator.name);
-  const bool reflects = is_lit_by_lamps(scene.integrator.name);
+  const bool reflects = is_lit(scene.integrator.name);
   // Normals interpolated over a mesh reach the picture through lighting, the normals picture and its AOV.
   const bool shading = reflects || scene.integrator.name == "normals" || settings.aovs.contains(Aov::normal);
   auto use_material = [&](int index, const SourceLocation& where) {
@@ -82,12 +87,24 @@ void shape_causes(const Scene& scene, const RenderSettings& settings, Causes& ca
       call_for(causes, "SMOOTH_NORMALS", "a mesh with vertex normals", shape.where);
     if (mesh && settings.aovs.contains(Aov::uv) && !mesh->uvs.empty())
       call_for(causes, "MESH_UVS", "a mesh with texture coordinates, for --aov uv", shape.where);
-    if (lit && shape.radiance) call_for(causes, "EMISSION", "an area emitter", shape.radiance_where);
+    auto emit = [&](const SourceLocation& where) {
+      const std::string area = area_kind(shape.geometry);
+      if (!reflects || area.empty()) return;
+      call_for(causes, "areas/" + area, "an area emitter on a " + kind, where);
+      call_for(causes, "lights/area", "an area emitter", where);
+    };
+    if (lit && shape.radiance) {
+      call_for(causes, "EMISSION", "an area emitter", shape.radiance_where);
+      emit(shape.radiance_where);
+    }
     bool textured = false;
     if (reflects && !(mesh && !mesh->parts.empty())) textured = use_material(shape.material, shape.where);
     if (!mesh) continue;
     for (const MeshPart& part : mesh->parts) {
-      if (lit && part.radiance) call_for(causes, "EMISSION", "a mesh material that emits", shape.where);
+      if (lit && part.radiance) {
+        call_for(causes, "EMISSION", "a mesh material that emits", shape.where);
+        emit(shape.where);
+      }
       if (reflects && use_material(part.material, shape.where)) textured = true;
     }
     if (textured && !mesh->uvs.empty())
@@ -95,21 +112,30 @@ void shape_causes(const Scene& scene, const RenderSettings& settings, Causes& ca
   }
 }
 
+/// Does a sample draw more than its place in the pixel?
+bool draws(const std::string& integrator, const Causes& causes) {
+  return integrator == "path" ||
+         (is_lit(integrator) && (causes.contains("lights/constant") || causes.contains("EMISSION")));
+}
+
 Causes causes_of(const Scene& scene, const RenderSettings& settings) {
   Causes causes;
   shape_causes(scene, settings, causes);
   for (const Light& light : scene.lights) {
     const std::string kind = std::visit(LightKind{}, light.emitter);
-    const bool seen =
-        is_lit_by_lamps(scene.integrator.name) || (scene.integrator.name == "emission" && kind == "constant");
+    const bool seen = is_lit(scene.integrator.name) || (scene.integrator.name == "emission" && kind == "constant");
     if (seen) call_for(causes, "lights/" + kind, "an emitter of type " + kind, light.where);
   }
   const std::string& integrator = scene.integrator.name;
   call_for(causes, "integrators/" + integrator, "integrator " + integrator, scene.integrator.where);
   // Whatever the number of samples, which must not change the program; a filter of width 0 serves the centre by
   // default.
-  if (scene.sampler.kind != SamplerKind::centre)
-    call_for(causes, "PIXEL_FILTER", "samples anywhere but at the pixels' centres", scene.sampler.where);
+  const bool is_spread = scene.sampler.kind != SamplerKind::centre;
+  if (is_spread) call_for(causes, "PIXEL_FILTER", "samples anywhere but at the pixels' centres", scene.sampler.where);
+  if (is_spread || draws(integrator, causes)) {
+    const std::string sampler = sampler_entry(resolve_sampling(scene).kind);
+    call_for(causes, "samplers/" + sampler, "numbers that samples draw", scene.sampler.where);
+  }
   if (!settings.aovs.empty()) call_for(causes, "AOV", "--aov", {});
   if (settings.count_rays) call_for(causes, "COUNT_RAYS", "--stats-detail", {});
   return causes;
@@ -124,6 +150,8 @@ int material_texture(const Material& material) {
   return std::visit([](const auto& bsdf) { return bsdf.texture; }, material.bsdf);
 }
 std::string light_kind(const Light& light) { return std::visit(LightKind{}, light.emitter); }
+
+std::string sampler_entry(SamplerKind kind) { return kind == SamplerKind::independent ? "independent" : "sobol"; }
 
 bool Features::has(const std::string& list, const std::string& entry) const {
   const auto found = entries.find(list);

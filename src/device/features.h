@@ -35,6 +35,8 @@ struct Features {
 [[nodiscard]] std::string material_kind(const Material& material);
 [[nodiscard]] std::string light_kind(const Light& light);
 [[nodiscard]] std::string texture_kind(const Texture& texture);
+/// The entry of cl/samplers/samplers.def that a scene's numbers come from.
+[[nodiscard]] std::string sampler_entry(SamplerKind kind);
 /// Index of the texture that a material's reflectance comes from; -1: none.
 [[nodiscard]] int material_texture(const Material& material);
 

@@ -2,9 +2,11 @@
 // Offsets are ints: a buffer holds at most 2^31 elements.
 #include "device/pack.h"
 
+#include <algorithm>
 #include <limits>
 
 #include "device/cl_layout.h"
+#include "device/pack_areas.h"
 #include "device/pack_camera.h"
 #include "device/pack_shapes.h"
 #include "device/uv_rates.h"
@@ -59,7 +61,9 @@ class Packing {
     index(layout::HEADER_CROP_WIDTH) = window.width();
     index(layout::HEADER_SEED) = static_cast<std::int32_t>(sampling.seed);
     index(layout::HEADER_INTEGRATOR) = features_.entry_index("integrators", scene_.integrator.name);
-    index(layout::HEADER_MAX_DEPTH) = scene_.integrator.max_depth;
+    index(layout::HEADER_MAX_DEPTH) = most_surfaces(scene_.integrator);
+    index(layout::HEADER_RR_DEPTH) = scene_.integrator.rr_depth;
+    index(layout::HEADER_SAMPLER) = features_.entry_index("samplers", sampler_entry(sampling.kind));
     index(layout::HEADER_HIDE_EMITTERS) = scene_.integrator.hide_emitters ? 1 : 0;
     index(layout::HEADER_CAMERA) = put_shading(camera_reals(scene_.camera, scene_.film, options_.frame));
     index(layout::HEADER_FILTER) = put_shading(filter_quantiles(scene_.film.filter, sampling.kind));
@@ -93,29 +97,84 @@ class Packing {
     }
   }
 
+  /// Point and directional lights first: direct and whitted take all of those, and draw one of the rest.
   void lights() {
+    std::vector<std::int32_t> rows;
+    index(layout::HEADER_BACKGROUND) = -1;
+    for (const Light& light : scene_.lights)
+      if (!std::holds_alternative<ConstantLight>(light.emitter)) put_light(light, rows);
+    const auto lamps = light_count(rows);
+    for (const Light& light : scene_.lights)
+      if (std::holds_alternative<ConstantLight>(light.emitter) && put_light(light, rows))
+        index(layout::HEADER_BACKGROUND) = light_count(rows) - 1;
+    area_lights(rows);
+    index(layout::HEADER_LIGHT_COUNT) = light_count(rows);
+    index(layout::HEADER_LIGHTS_TAKEN) = scene_.integrator.name == "path" ? 0 : lamps;
     index(layout::HEADER_LIGHTS) = index_end();
-    int count = 0;
-    for (const Light& light : scene_.lights) {
-      const int kind = features_.entry_index("lights", light_kind(light));
-      if (kind < 0) continue;
-      std::vector<double> reals;
-      if (const auto* point = std::get_if<PointLight>(&light.emitter)) {
-        const Vec3 p = options_.frame.point(point->position);
-        const double area = options_.frame.scale * options_.frame.scale;
-        reals = {p.x, p.y, p.z, area * point->intensity.r, area * point->intensity.g, area * point->intensity.b};
-      } else if (const auto* sun = std::get_if<DirectionalLight>(&light.emitter)) {
-        const Vec3 d = normalized(sun->direction);
-        reals = {d.x, d.y, d.z, sun->irradiance.r, sun->irradiance.g, sun->irradiance.b};
-      } else {
-        const Rgb& radiance = std::get<ConstantLight>(light.emitter).radiance;
-        reals = {radiance.r, radiance.g, radiance.b};
-      }
-      packed_.index.push_back(kind);
-      packed_.index.push_back(put_shading(reals));
-      ++count;
+    packed_.index.insert(packed_.index.end(), rows.begin(), rows.end());
+  }
+
+  static int light_count(const std::vector<std::int32_t>& rows) {
+    return static_cast<int>(rows.size()) / layout::LIGHT_INTS;
+  }
+
+  /// False where the program has no use for it.
+  bool put_light(const Light& light, std::vector<std::int32_t>& rows) {
+    const int kind = features_.entry_index("lights", light_kind(light));
+    if (kind < 0) return false;
+    std::vector<double> reals;
+    if (const auto* point = std::get_if<PointLight>(&light.emitter)) {
+      const Vec3 p = options_.frame.point(point->position);
+      const double area = options_.frame.scale * options_.frame.scale;
+      reals = {p.x, p.y, p.z, area * point->intensity.r, area * point->intensity.g, area * point->intensity.b};
+    } else if (const auto* sun = std::get_if<DirectionalLight>(&light.emitter)) {
+      const Vec3 d = normalized(sun->direction);
+      reals = {d.x, d.y, d.z, sun->irradiance.r, sun->irradiance.g, sun->irradiance.b};
+    } else {
+      const Rgb& radiance = std::get<ConstantLight>(light.emitter).radiance;
+      reals = {radiance.r, radiance.g, radiance.b};
+      glow(radiance);
     }
-    index(layout::HEADER_LIGHT_COUNT) = count;
+    rows.insert(rows.end(), {kind, put_shading(reals), 0, 0, 0});
+    return true;
+  }
+
+  void glow(const Rgb& radiance) {
+    if (radiance.r > 0 || radiance.g > 0 || radiance.b > 0) index(layout::HEADER_GLOWS) = 1;
+  }
+
+  static std::vector<MeshPart> looks_of(const Shape& shape) {
+    const auto* mesh = std::get_if<Mesh>(&shape.geometry);
+    if (mesh && !mesh->parts.empty()) return mesh->parts;
+    return {{shape.material, shape.radiance}};
+  }
+
+  /// One for each part that emits and has an area that can be drawn from; light_of_part_ for each part of the scene.
+  void area_lights(std::vector<std::int32_t>& rows) {
+    const int kind = features_.has("lights", "area") ? features_.entry_index("lights", "area") : -1;
+    for (const Shape& shape : scene_.shapes) {
+      const std::vector<MeshPart> looks = looks_of(shape);
+      for (std::size_t part = 0; part < looks.size(); ++part) {
+        light_of_part_.push_back(-1);
+        const std::optional<Rgb>& radiance = looks[part].radiance;
+        if (!radiance) continue;
+        glow(*radiance);
+        if (kind < 0) continue;
+        const std::optional<EmittingArea> area = emitting_area(shape, static_cast<int>(part), options_.frame);
+        if (!area) continue;
+        light_of_part_.back() = light_count(rows);
+        std::vector<double> reals = {radiance->r, radiance->g, radiance->b, 1 / area->size, area->side};
+        reals.insert(reals.end(), area->items.begin(), area->items.end());
+        const int items = checked_offset(area->choices.size());
+        const int choice_at = index_end();
+        for (const Choice& choice : area->choices) {
+          packed_.index.push_back(static_cast<std::int32_t>(choice.limit));
+          packed_.index.push_back(choice.other);
+        }
+        rows.insert(rows.end(), {kind, put_shading(reals), features_.entry_index("areas", area_kind(shape.geometry)),
+                                 items, choice_at});
+      }
+    }
   }
 
   /// Per-corner attributes of a mesh, three corners a triangle; -1 where the program has no use for them.
@@ -145,7 +204,6 @@ class Packing {
         const Vec2 rates = uv_rates(shape.geometry, options_.frame);
         rates_at = put_shading({rates.x, rates.y});
       }
-      std::vector<MeshPart> looks = {{shape.material, shape.radiance}};
       if (const auto* mesh = std::get_if<Mesh>(&shape.geometry)) {
         normals_at = put_corners(*mesh, mesh->normals, features_.flag("SMOOTH_NORMALS"), [](const Vec3& n) {
           return std::array{n.x, n.y, n.z};
@@ -153,13 +211,13 @@ class Packing {
         uvs_at = put_corners(*mesh, mesh->uvs, features_.flag("MESH_UVS"), [](const Vec2& uv) {
           return std::array{uv.x, uv.y};
         });
-        if (!mesh->parts.empty()) looks = mesh->parts;
       }
-      for (const MeshPart& look : looks) {
+      for (const MeshPart& look : looks_of(shape)) {
         const int radiance_at = look.radiance ? put_rgb(*look.radiance) : -1;
+        const int light = light_of_part_[static_cast<std::size_t>(row)];
         packed_.index.insert(
             packed_.index.end(),
-            {static_cast<int>(i), static_cast<int>(first[i]), look.material, radiance_at,
+            {static_cast<int>(i), static_cast<int>(first[i]), look.material, radiance_at, light,
              shape.flip_normals != faces_inward(shape.geometry) ? 1 : 0, frame_at, normals_at, uvs_at, rates_at});
         ++row;
       }
@@ -212,10 +270,16 @@ class Packing {
   const PackOptions& options_;
   PackedScene<Real> packed_;
   bool has_textures_ = !features_.entries.at("textures").empty() && !scene_.textures.empty();
-  std::vector<int> first_part_;
+  std::vector<int> first_part_, light_of_part_;
 };
 
 }  // namespace
+
+int most_surfaces(const IntegratorSettings& integrator) {
+  if (integrator.max_depth >= 0 || integrator.name != "path") return integrator.max_depth;
+  constexpr int most = std::numeric_limits<int>::max();
+  return std::min(integrator.rr_depth, most - layout::ROULETTE_LONGEST) + layout::ROULETTE_LONGEST;
+}
 
 std::vector<std::int64_t> first_ids(const Scene& scene) {
   std::vector<std::int64_t> first = {0};

@@ -36,6 +36,10 @@ template <typename Real>
 /// Scene-wide id of primitive 0 of every shape, and one past the last: shapes.size() + 1 values.
 [[nodiscard]] std::vector<std::int64_t> first_ids(const Scene& scene);
 
+/// max_depth as the kernels take it: where the scene has none, path has one that leaves nothing of note out
+/// (cl/scene/layout.h, ROULETTE_LONGEST).
+[[nodiscard]] int most_surfaces(const IntegratorSettings& integrator);
+
 /// The film's unit: 2^-28 of a typical radiance of the scene, as a power of two (docs/decisions/0002-film.md).
 [[nodiscard]] double film_scale(const Scene& scene);
 

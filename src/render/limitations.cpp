@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "render/limitations.h"
 
-#include <fmt/format.h>
-
+#include "device/pack_areas.h"
 namespace strahl {
 
 namespace {
@@ -19,26 +18,20 @@ bool emits(const Shape& shape) {
 std::vector<Diagnostic> limitations(const Scene& scene) {
   std::vector<Diagnostic> warnings;
   const std::string& integrator = scene.integrator.name;
-  const bool follows_mirrors = integrator == "whitted";
-  const bool is_lit = follows_mirrors || integrator == "direct";
-  if (!is_lit || (scene.integrator.max_depth >= 0 && scene.integrator.max_depth < 2)) return warnings;
+  const bool is_direct = integrator == "direct", is_whitted = integrator == "whitted";
+  if (!(is_direct || is_whitted) || (scene.integrator.max_depth >= 0 && scene.integrator.max_depth < 2))
+    return warnings;
   const auto warn = [&](const SourceLocation& where, std::string message) {
     warnings.push_back({Severity::warning, where, std::move(message)});
   };
   for (const Material& material : scene.materials)
-    if (std::holds_alternative<Conductor>(material.bsdf) && !follows_mirrors)
-      warn(material.where, "this mirror looks black: integrator direct does not follow mirrors, whitted does");
+    if (std::holds_alternative<Conductor>(material.bsdf) && is_direct)
+      warn(material.where, "this mirror shows emitters alone: integrator direct does not follow mirrors, whitted does");
   for (const Shape& shape : scene.shapes)
-    if (emits(shape))
+    if (emits(shape) && is_whitted && area_kind(shape.geometry).empty())
       warn(shape.radiance_where.line > 0 ? shape.radiance_where : shape.where,
-           fmt::format("this area emitter is seen but does not light the scene: integrator {} uses point and "
-                       "directional lights so far",
-                       integrator));
-  for (const Light& light : scene.lights)
-    if (std::holds_alternative<ConstantLight>(light.emitter))
-      warn(light.where, fmt::format("the constant emitter is seen as background but does not light the scene: "
-                                    "integrator {} uses point and directional lights so far",
-                                    integrator));
+           "this area emitter is seen but does not light the scene: its area is infinite, so that integrator whitted "
+           "cannot draw places on it; direct and path find it");
   return warnings;
 }
 

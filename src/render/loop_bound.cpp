@@ -13,6 +13,7 @@
 #include "device/cl_layout.h"
 #include "device/features.h"
 #include "device/kernel_source.h"
+#include "device/pack.h"
 #include "errors.h"
 
 namespace strahl {
@@ -37,27 +38,51 @@ double walk(const Scene& scene, int lanes) {
 
 bool is_lamp(const Light& light) { return !std::holds_alternative<ConstantLight>(light.emitter); }
 
-/// Mirrors that a path can follow.
-double mirrors(const Scene& scene) {
-  const bool is_any = std::any_of(scene.materials.begin(), scene.materials.end(), [](const Material& material) {
-    return std::holds_alternative<Conductor>(material.bsdf);
-  });
-  if (scene.integrator.name != "whitted" || !is_any) return 0;
+double emitting_primitives(const Scene& scene) {
+  double count = 0;
+  for (const Shape& shape : scene.shapes) {
+    const auto* mesh = std::get_if<Mesh>(&shape.geometry);
+    const bool in_part = mesh && std::any_of(mesh->parts.begin(), mesh->parts.end(),
+                                             [](const MeshPart& part) { return part.radiance.has_value(); });
+    if (shape.radiance || in_part) count += primitive_count(shape);
+  }
+  return count;
+}
+
+bool has_mirrors(const Scene& scene) {
+  return std::any_of(scene.materials.begin(), scene.materials.end(),
+                     [](const Material& material) { return std::holds_alternative<Conductor>(material.bsdf); });
+}
+
+/// Surfaces that a path can come to, after hidden emitters.
+double surfaces(const Scene& scene, bool has_glow) {
+  const std::string& integrator = scene.integrator.name;
+  if (integrator == "path") return std::max(most_surfaces(scene.integrator), 1);
+  if (integrator == "direct") return has_glow ? 2 : 1;
+  if (integrator != "whitted" || !has_mirrors(scene)) return 1;
   const int depth = scene.integrator.max_depth;
-  return depth < 0 ? layout::WHITTED_LONGEST : std::max(depth - 1, 0);
+  return 1 + (depth < 0 ? layout::WHITTED_LONGEST : std::max(depth - 1, 0));
+}
+
+/// Shadow rays at a surface.
+double shadows(const Scene& scene, bool has_glow) {
+  const std::string& integrator = scene.integrator.name;
+  if (integrator == "path") return 1;
+  if (integrator != "direct" && integrator != "whitted") return 0;
+  const auto lamps = std::count_if(scene.lights.begin(), scene.lights.end(), is_lamp);
+  return static_cast<double>(lamps) + (has_glow ? 1 : 0);
 }
 
 }  // namespace
 
 LoopBound render_loops(const Scene& scene, int lanes) {
-  const bool is_lit = scene.integrator.name == "direct" || scene.integrator.name == "whitted";
-  const double lights = static_cast<double>(scene.lights.size());
-  const double lamps =
-      is_lit ? static_cast<double>(std::count_if(scene.lights.begin(), scene.lights.end(), is_lamp)) : 0;
+  const double emitters = emitting_primitives(scene);
+  const bool has_glow = emitters > 0 || !std::all_of(scene.lights.begin(), scene.lights.end(), is_lamp);
   const double ray = walk(scene, lanes);
-  // The loops over the path, the background's lights and the lamps, each with its shadow.
-  const double surface = 1 + ray + box_surface + 2 * (lights + 1) + lamps * (departure + ray) + departure;
-  return {2 * layout::FILM_SUBSUMS + 1, 1 + layout::AOV_REALS + 1 + (1 + mirrors(scene)) * surface};
+  // The loops over the path and the lights, each with its shadow.
+  const double surface = 1 + ray + box_surface + 1 + shadows(scene, has_glow) * (1 + departure + ray) + departure;
+  const double hidden = scene.integrator.hide_emitters ? 2 * emitters : 0;
+  return {2 * layout::FILM_SUBSUMS + 1, 1 + layout::AOV_REALS + 1 + (hidden + surfaces(scene, has_glow)) * surface};
 }
 
 LoopBound intersect_loops(const Scene& scene, int lanes) {

@@ -204,7 +204,8 @@ struct Film {
   [[nodiscard]] Window window() const { return crop ? *crop : Window{0, 0, width, height}; }
 };
 
-enum class SamplerKind { independent, centre };
+/// centre: rays through the pixels' middles; what else a sample draws comes from sobol.
+enum class SamplerKind { independent, sobol, centre };
 
 struct SamplerSettings {
   std::optional<SamplerKind> kind;  ///< None: the integrator's default.
@@ -216,6 +217,7 @@ struct SamplerSettings {
 struct IntegratorSettings {
   std::string name = "direct";  ///< An entry of cl/integrators/integrators.def.
   int max_depth = -1;           ///< -1: no limit. Mitsuba's count: 1 = emission only, 2 = one bounce.
+  int rr_depth = 5;             ///< Surfaces after which Russian roulette begins, at least 1; path only.
   bool hide_emitters = false;
   SourceLocation where;
 };

@@ -189,6 +189,7 @@ TEST_CASE("Lights count where the integrator sees them") {
   const std::map<std::string, decltype(Light::emitter)> emitters = {
       {"point", PointLight{}}, {"directional", DirectionalLight{}}, {"constant", ConstantLight{}}};
   for (const std::string& kind : list_entries("lights")) {
+    if (kind == "area") continue;
     Scene scene = scene_of(Sphere{});
     check_off(scene, {}, "lights/" + kind);
     REQUIRE(emitters.contains(kind));
@@ -205,6 +206,46 @@ TEST_CASE("Lights count where the integrator sees them") {
       check_off(scene, {}, "lights/" + kind);
     }
   }
+}
+
+TEST_CASE("An area emitter is a light where something is lit, drawn from by its own shape") {
+  for (const auto& [kind, shapes] : geometries()) {
+    for (const Geometry& geometry : shapes) {
+      Scene scene = scene_of(geometry, "path");
+      check_off(scene, {}, "lights/area");
+      scene.shapes[0].radiance = Rgb{1, 1, 1};
+      const std::string area = kind == "box" ? "parallelogram" : kind;
+      if (kind == "plane") {
+        check_off(scene, {}, "lights/area");
+        continue;
+      }
+      check_on(scene, {}, "lights/area", 11, "an area emitter");
+      check_on(scene, {}, "areas/" + area, 11, "an area emitter on a " + kind);
+      for (const std::string& other : list_entries("areas"))
+        if (other != area) check_off(scene, {}, "areas/" + other);
+      scene.integrator.name = "emission";
+      check_off(scene, {}, "lights/area");
+      check_off(scene, {}, "areas/" + area);
+    }
+  }
+}
+
+TEST_CASE("A sampler is there where samples draw numbers, one of them") {
+  const std::string why = "numbers that samples draw";
+  Scene scene = scene_of(Sphere{});
+  scene.sampler.kind = SamplerKind::independent;
+  check_on(scene, {}, "samplers/independent", 4, why);
+  check_off(scene, {}, "samplers/sobol");
+  scene.sampler.kind = SamplerKind::sobol;
+  check_on(scene, {}, "samplers/sobol", 4, why);
+  check_off(scene, {}, "samplers/independent");
+  scene.sampler.kind = SamplerKind::centre;
+  check_off(scene, {}, "samplers/sobol");
+  scene.integrator.name = "path";
+  check_on(scene, {}, "samplers/sobol", 4, why);
+  scene.integrator.name = "direct";
+  scene.shapes[0].radiance = Rgb{1, 1, 1};
+  check_on(scene, {}, "samplers/sobol", 4, why);
 }
 
 TEST_CASE("One integrator at a time") {

@@ -150,7 +150,7 @@ TEST_CASE("Every shape has a part: its look and its frame") {
   lamp.flip_normals = true;
   add(scene, lamp);
   const Read<double> read(scene, {8, {}});
-  CHECK(read.part(0) == Ints{0, 0, red, -1, 0, -1, -1, -1, -1});
+  CHECK(read.part(0) == Ints{0, 0, red, -1, -1, 0, -1, -1, -1, -1});
   const Ints part = read.part(1);
   CHECK(part[layout::PART_SHAPE] == 1);
   CHECK(part[layout::PART_FIRST_ID] == 1);
@@ -200,12 +200,12 @@ TEST_CASE("A mesh has a part for each of its materials, and its triangles know t
   const Read<double> read(scene, {8, {}});
   CHECK(read.ids("triangle") == Ints{0, 1, 2, 3, 4, -1, -1, -1});
   CHECK(read.parts_of("triangle") == Ints{0, 2, 1, 2, 3, 0, 0, 0});
-  CHECK(read.part(1) == Ints{1, 1, 0, -1, 0, -1, -1, -1, -1});
+  CHECK(read.part(1) == Ints{1, 1, 0, -1, -1, 0, -1, -1, -1, -1});
   CHECK(read.part(2)[layout::PART_SHAPE] == 1);
   CHECK(read.part(2)[layout::PART_FIRST_ID] == 1);
   CHECK(read.part(2)[layout::PART_MATERIAL] == sheet);
   CHECK(read.shading(read.part(2)[layout::PART_RADIANCE], 3) == Reals{1, 2, 3});
-  CHECK(read.part(3) == Ints{2, 4, 0, -1, 0, -1, -1, -1, -1});
+  CHECK(read.part(3) == Ints{2, 4, 0, -1, -1, 0, -1, -1, -1, -1});
 }
 
 TEST_CASE("Vertex normals and texture coordinates are there for the programs that use them") {
@@ -238,17 +238,60 @@ TEST_CASE("Lights: those that the program knows, numbered as it numbers them") {
   const auto light = [&](int i) {
     return read.ints(read.header(layout::HEADER_LIGHTS) + i * layout::LIGHT_INTS, layout::LIGHT_INTS);
   };
-  CHECK(light(0)[layout::LIGHT_KIND] == read.features.entry_index("lights", "constant"));
-  CHECK(read.shading(light(0)[layout::LIGHT_REALS], 3) == Reals{1, 2, 3});
-  CHECK(light(1)[layout::LIGHT_KIND] == read.features.entry_index("lights", "point"));
-  CHECK(read.shading(light(1)[layout::LIGHT_REALS], 6) == Reals{0.5, 2, 3, 4, 5, 6});
-  CHECK(light(2)[layout::LIGHT_KIND] == read.features.entry_index("lights", "directional"));
-  CHECK(read.shading(light(2)[layout::LIGHT_REALS], 6) == Reals{0, 0, -1, 7, 8, 9});
+  CHECK(light(0)[layout::LIGHT_KIND] == read.features.entry_index("lights", "point"));
+  CHECK(read.shading(light(0)[layout::LIGHT_REALS], 6) == Reals{0.5, 2, 3, 4, 5, 6});
+  CHECK(light(1)[layout::LIGHT_KIND] == read.features.entry_index("lights", "directional"));
+  CHECK(read.shading(light(1)[layout::LIGHT_REALS], 6) == Reals{0, 0, -1, 7, 8, 9});
+  CHECK(light(2)[layout::LIGHT_KIND] == read.features.entry_index("lights", "constant"));
+  CHECK(read.shading(light(2)[layout::LIGHT_REALS], 3) == Reals{1, 2, 3});
+  CHECK(read.header(layout::HEADER_BACKGROUND) == 2);
+  CHECK(read.header(layout::HEADER_LIGHTS_TAKEN) == 2);  // One of the others is drawn, here the only one.
 
   scene.integrator.name = "emission";
   const Read<double> seen(scene, {1, {}});
   REQUIRE(seen.header(layout::HEADER_LIGHT_COUNT) == 1);
   CHECK(seen.shading(seen.ints(seen.header(layout::HEADER_LIGHTS), 2)[layout::LIGHT_REALS], 3) == Reals{1, 2, 3});
+}
+
+TEST_CASE("Area lights: one a part that emits, in the frame's units, and the part knows it") {
+  Scene scene;
+  add(scene, PointLight{});
+  add(scene, Sphere{});
+  add(scene, emitting(plane_through({0, 0, 0}, {0, 0, 1}), {9, 9, 9}));
+  add(scene, emitting(Rectangle{{1, 0, 0}, {2, 0, 0}, {0, 3, 0}}, {1, 2, 3}));
+  Shape inward = emitting(Sphere{{0, 0, 5}, 2}, {4, 5, 6});
+  inward.flip_normals = true;
+  add(scene, inward);
+  Mesh mesh;
+  mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 3}};
+  mesh.triangles = {{0, 1, 2}, {0, 1, 3}, {0, 2, 3}};
+  mesh.parts = {{0, {}}, {0, Rgb{7, 8, 9}}};
+  mesh.part_of_triangle = {1, 0, 1};
+  add(scene, mesh);
+  const Read<double> read(scene, {1, {{1, 0, 0}, 2}});
+  REQUIRE(read.header(layout::HEADER_LIGHT_COUNT) == 4);
+  CHECK(read.header(layout::HEADER_LIGHTS_TAKEN) == 1);
+  CHECK(read.header(layout::HEADER_GLOWS) == 1);
+  CHECK(read.header(layout::HEADER_BACKGROUND) == -1);
+  std::vector<int> lights;
+  for (int part = 0; part < 6; ++part) lights.push_back(read.part(part)[layout::PART_LIGHT]);
+  CHECK(lights == std::vector{-1, -1, 1, 2, -1, 3});
+  const auto light = [&](int i) {
+    return read.ints(read.header(layout::HEADER_LIGHTS) + i * layout::LIGHT_INTS, layout::LIGHT_INTS);
+  };
+  const auto area = [&](const std::string& name) { return read.features.entry_index("areas", name); };
+  CHECK(light(1)[layout::LIGHT_AREA] == area("parallelogram"));
+  CHECK(read.shading(light(1)[layout::LIGHT_REALS], 14) == Reals{1, 2, 3, 1.0 / 24, 1, 0, 0, 0, 4, 0, 0, 0, 6, 0});
+  CHECK(light(2)[layout::LIGHT_AREA] == area("sphere"));
+  CHECK(read.shading(light(2)[layout::LIGHT_REALS] + layout::AREA_SIDE, 5) == Reals{-1, -2, 0, 10, 4});
+  CHECK(light(3)[layout::LIGHT_AREA] == area("triangle"));
+  CHECK(light(3)[layout::LIGHT_ITEMS] == 2);
+  // Areas 2 and 6 in the frame: the first is drawn in half of its cases, the rest goes to the second.
+  CHECK(read.shading(light(3)[layout::LIGHT_REALS] + layout::AREA_INVERSE, 1) == Reals{1.0 / 8});
+  CHECK(read.ints(light(3)[layout::LIGHT_CHOICE], layout::CHOICE_INTS)[layout::CHOICE_OTHER] == 1);
+  CHECK(read.ints(light(3)[layout::LIGHT_CHOICE], 1)[0] == static_cast<std::int32_t>(0x80000000U));
+  scene.integrator.name = "path";
+  CHECK(Read<double>(scene, {1, {}}).header(layout::HEADER_LIGHTS_TAKEN) == 0);
 }
 
 TEST_CASE("Numbers are rounded once, after the frame's origin is subtracted in double") {

@@ -60,15 +60,15 @@ class KernelCopy {
   test::TemporaryFolder folder_;
 };
 
+const std::map<std::string, std::string> macros = {
+    {"areas", "AREA"},       {"integrators", "INTEGRATOR"}, {"lights", "LIGHT"},    {"materials", "MATERIAL"},
+    {"samplers", "SAMPLER"}, {"shapes", "SHAPE"},           {"textures", "TEXTURE"}};
+
 /// Another entry of a list, registered as CONTRIBUTING.md says, `first` before all others or after them.
 void add_entry(const KernelCopy& kernels, const std::string& list, const std::string& name, bool first) {
-  const std::map<std::string, std::string> macros = {{"shapes", "SHAPE"},
-                                                     {"materials", "MATERIAL"},
-                                                     {"lights", "LIGHT"},
-                                                     {"integrators", "INTEGRATOR"},
-                                                     {"textures", "TEXTURE"}};
   REQUIRE(macros.contains(list));
-  const std::string entry = macros.at(list) + "(" + name + (list == "shapes" ? ", 3)\n" : ")\n");
+  const bool has_number = list == "shapes" || list == "areas";
+  const std::string entry = macros.at(list) + "(" + name + (has_number ? ", 3)\n" : ")\n");
   const std::string def = list + "/" + list + ".def";
   std::vector<std::pair<std::string, std::string>> edits = {{"all.h", ".h"}};
   if (list == "shapes") edits.emplace_back("all_lanes.h", "_lanes.h");
@@ -211,7 +211,7 @@ TEST_CASE("A shipped scene's programs hold the entries that it uses and no other
         INFO(path << ": " << list << "/" << entry);
         const bool used = features.has(list, entry);
         CHECK((text.find("\"" + list + "/" + entry + ".h\"") != std::string::npos) == used);
-        CHECK(std::regex_search(text, std::regex("[A-Z]\\(" + entry + "[,)]")) == used);
+        CHECK(std::regex_search(text, std::regex(macros.at(list) + "\\(" + entry + "[,)]")) == used);
       }
   }
 }

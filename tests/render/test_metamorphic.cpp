@@ -39,8 +39,8 @@ Scene centred(const std::string& name) {
 }
 
 const std::vector<std::string>& scenes() {
-  static const std::vector<std::string> names = {"lecture/lit.xml", "cornell/cornell-box.xml",
-                                                 "mesh/torus-and-icosphere.xml", "shapes/cylinder.xml"};
+  static const std::vector<std::string> names = {"lecture/lit.xml", "shapes/cube.xml", "mesh/torus-and-icosphere.xml",
+                                                 "shapes/cylinder.xml"};
   return names;
 }
 

@@ -35,7 +35,7 @@ const Unknown unknowns[] = {
     {"<emitter type=\"envmap\"><string name=\"filename\" value=\"a.exr\"/></emitter>", "2:1",
      "unknown emitter \"envmap\""},
     {"<emitter type=\"area\"/>", "2:1", "belongs inside a <shape>"},
-    {"<integrator type=\"path\"/>", "2:1", "\"whitted\" takes its place: mirrors and lamps, no other indirect light"},
+    {"<integrator type=\"volpath\"/>", "2:1", "\"path\" takes its place: no media"},
     {"<integrator type=\"pth\"/>", "2:1", "unknown integrator \"pth\""},
     {"<texture type=\"bitmap\"/>", "2:1", "without an id"},
     {"<bsdf type=\"diffuse\"><texture type=\"bitmap\" name=\"reflectance\"/></bsdf>", "2:22",

@@ -12,25 +12,23 @@
 namespace strahl {
 
 IntegratorSettings read_integrator(const XmlElement& element, SceneBuilder& builder) {
-  static const std::vector<std::string> known{"emission", "depth", "normals", "direct", "whitted"};
+  static const std::vector<std::string> known{"emission", "depth", "normals", "direct", "whitted", "path"};
   Properties properties(element, builder.ids, builder.diagnostics);
   IntegratorSettings integrator;
   integrator.where = element.where;
   integrator.max_depth =
       properties.integer_in("max_depth", -1, std::numeric_limits<int>::max()).value_or(integrator.max_depth);
+  integrator.rr_depth =
+      properties.integer_in("rr_depth", 1, std::numeric_limits<int>::max()).value_or(integrator.rr_depth);
   integrator.hide_emitters = properties.boolean("hide_emitters").value_or(false);
   const std::string type = properties.type();
   if (std::find(known.begin(), known.end(), type) != known.end()) {
     integrator.name = type;
-    properties.accept({"shading_samples", "emitter_samples", "bsdf_samples", "rr_depth"});
-  } else if (type == "path" || type == "volpath") {
-    integrator.name = "whitted";
+    properties.accept({"shading_samples", "emitter_samples", "bsdf_samples"});
+  } else if (type == "volpath" || type == "volpathmis") {
+    integrator.name = "path";
     builder.diagnostics.unknown(
-        element.where,
-        fmt::format("integrator \"{}\" is not there yet; \"whitted\" takes its place: mirrors and lamps, "
-                    "no other indirect light",
-                    type));
-    properties.accept({"rr_depth"});
+        element.where, fmt::format("integrator \"{}\" is not there yet; \"path\" takes its place: no media", type));
   } else {
     builder.diagnostics.unknown(element.where, fmt::format("unknown integrator \"{}\"{}; \"direct\" takes its place",
                                                            type, did_you_mean(type, known)));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// <sampler>: "independent" is obeyed; Mitsuba's other types give strahl's own stratification.
+// <sampler>: "independent" and "sobol" are obeyed; Mitsuba's other types give strahl's default.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -21,6 +21,7 @@ SamplerSettings read_sampler(const XmlElement& element, SceneBuilder& builder) {
   sampler.sample_count = properties.integer_in("sample_count", 1, largest);
   sampler.seed = properties.integer_in("seed", 0, largest);
   if (properties.type() == "independent") sampler.kind = SamplerKind::independent;
+  if (properties.type() == "sobol") sampler.kind = SamplerKind::sobol;
   if (std::find(known.begin(), known.end(), properties.type()) == known.end())
     builder.diagnostics.unknown(element.where, fmt::format("unknown sampler \"{}\"{}; strahl's default takes its place",
                                                            properties.type(), did_you_mean(properties.type(), known)));

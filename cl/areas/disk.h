@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// Disk: centre, two perpendicular radii whose cross product is on the side that emits.
+#ifndef STRAHL_AREAS_DISK_H
+#define STRAHL_AREAS_DISK_H
+
+#include "areas/area_point.h"
+
+FN AreaPoint disk_point(GLOBAL const real* item, GLOBAL const real* area, real3 from, real u, real v) {
+  real2 weights = square_to_disk(u, v);
+  real3 edge_u = load3(item + 3), edge_v = load3(item + 6);
+  real3 position = add3(fma3(weights.x, edge_u, scale3(weights.y, edge_v)), load3(item));
+  return uniform_point(area, from, position, normalize3(cross3(edge_u, edge_v)));
+}
+
+FN real disk_density(GLOBAL const real* item, GLOBAL const real* area, real3 from, real3 towards, real3 normal) {
+  (void)item;
+  (void)from;
+  return uniform_density(area, towards, normal);
+}
+
+#endif

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: MIT
+// All light: at every surface a place drawn on one light and a way drawn by the material, both weighted by the balance
+// of their squared densities, and Russian roulette. J. Kajiya, "The Rendering Equation", SIGGRAPH 1986; E. Veach, L.
+// Guibas, "Optimally Combining Sampling Techniques for Monte Carlo Rendering", SIGGRAPH 1995. max_depth, rr_depth and
+// hide_emitters as in Mitsuba; the host states a max_depth where the scene has none (ROULETTE_LONGEST).
+
+FN int path_step(const Scene* scene, Path* path, int hit, const Surface* s) {
+  int max_depth = scene->index[HEADER_MAX_DEPTH];
+  if (max_depth > 0 && is_light_shown(scene, path)) path_add_light(scene, path, hit, s);
+  return hit && path->depth < max_depth - 1 ? STEP_LIGHTS | STEP_SCATTER | STEP_ROULETTE : 0;
+}
