@@ -79,7 +79,7 @@ void shape_causes(const Scene& scene, const RenderSettings& settings, Causes& ca
              texture.where.line > 0 ? texture.where : place);
     return true;
   };
-  for (const Shape& shape : scene.shapes) {
+  for_each_shape(scene, [&](const Shape& shape) {
     const std::string kind = shape_kind(shape);
     call_for(causes, "shapes/" + kind, "a shape made of " + kind + " primitives", shape.where);
     const auto* mesh = std::get_if<Mesh>(&shape.geometry);
@@ -99,7 +99,7 @@ void shape_causes(const Scene& scene, const RenderSettings& settings, Causes& ca
     }
     bool textured = false;
     if (reflects && !(mesh && !mesh->parts.empty())) textured = use_material(shape.material, shape.where);
-    if (!mesh) continue;
+    if (!mesh) return;
     for (const MeshPart& part : mesh->parts) {
       if (lit && part.radiance) {
         call_for(causes, "EMISSION", "a mesh material that emits", shape.where);
@@ -109,7 +109,7 @@ void shape_causes(const Scene& scene, const RenderSettings& settings, Causes& ca
     }
     if (textured && !mesh->uvs.empty())
       call_for(causes, "MESH_UVS", "a mesh with texture coordinates, for its texture", shape.where);
-  }
+  });
 }
 
 /// Does a sample draw more than its place in the pixel?

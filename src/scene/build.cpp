@@ -43,6 +43,12 @@ Camera perspective_camera(const Vec3& origin, const Vec3& target, const Vec3& up
 
 int add(Scene& scene, Shape shape) { return append(scene.shapes, std::move(shape)); }
 
+int add(Scene& scene, Group group) { return append(scene.groups, std::move(group)); }
+
+int add_instance(Scene& scene, int group, const Transform& world_from_group) {
+  return append(scene.instances, {{}, group, world_from_group, {}});
+}
+
 int add(Scene& scene, Geometry geometry, int material) {
   Shape shape;
   shape.geometry = std::move(geometry);

@@ -19,6 +19,10 @@ namespace strahl {
 // Each puts something into the scene and returns its index there.
 int add(Scene& scene, Shape shape);
 int add(Scene& scene, Geometry geometry, int material = 0);
+/// Shapes for instances to place; seen nowhere by themselves.
+int add(Scene& scene, Group group);
+/// Places the group of that index.
+int add_instance(Scene& scene, int group, const Transform& world_from_group);
 /// Indices of materials are what add(scene, geometry, material) takes; 0 is the scene's own grey.
 int add(Scene& scene, const decltype(Material::bsdf)& material, bool twosided = false);
 /// A PointLight, a DirectionalLight or a ConstantLight.

@@ -17,7 +17,7 @@ using LoadProgress = std::function<void(const std::string& file, double share)>;
 struct LoadOptions {
   std::map<std::string, std::string> defines;  ///< -D name=value; overrides <default>.
   bool strict = false;                         ///< Unknown plugins and parameters are errors.
-  LoadProgress progress;
+  LoadProgress progress = {};
 };
 
 struct LoadedScene {

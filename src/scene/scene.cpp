@@ -39,6 +39,11 @@ class BoundsOf {
   void operator()(const Mesh& mesh) {
     for (const Vec3& p : mesh.positions) add(p);
   }
+  void add_turned(const Box& box, const Transform& transform) {
+    for (unsigned corner = 0; corner < 8; ++corner)
+      add(transform.point({(corner & 1U) != 0 ? box.max.x : box.min.x, (corner & 2U) != 0 ? box.max.y : box.min.y,
+                           (corner & 4U) != 0 ? box.max.z : box.min.z}));
+  }
 
   [[nodiscard]] const std::optional<Box>& box() const { return box_; }
 
@@ -61,9 +66,20 @@ int primitive_count(const Shape& shape) {
   return std::holds_alternative<Cube>(shape.geometry) ? 6 : 1;
 }
 
+std::optional<Box> bounds(const Group& group) {
+  BoundsOf all;
+  for (const Shape& shape : group.shapes) std::visit(all, shape.geometry);
+  return all.box();
+}
+
 std::optional<Box> bounds(const Scene& scene) {
   BoundsOf all;
   for (const Shape& shape : scene.shapes) std::visit(all, shape.geometry);
+  std::vector<std::optional<Box>> of_groups;
+  for (const Group& group : scene.groups) of_groups.push_back(bounds(group));
+  for (const Instance& instance : scene.instances)
+    if (const auto& box = of_groups.at(static_cast<std::size_t>(instance.group)))
+      all.add_turned(*box, instance.world_from_group);
   return all.box();
 }
 

@@ -2,7 +2,8 @@
 // The scene: plain structs, always double, world frame, right-handed. Nothing here knows OpenCL.
 //
 // Readers (loader.h) fill it and validate it; a program that builds one by hand calls validate() (validate.h).
-// Shapes keep the order of the file: their index is the `shape` column of `strahl intersect`.
+// Shapes keep the order of the file: their index is the `shape` column of `strahl intersect`. Groups and instances are
+// no shapes and have indices of their own.
 #pragma once
 
 #include <array>
@@ -94,6 +95,23 @@ struct Shape {
   bool flip_normals = false;      ///< Mitsuba's flip_normals: reverses the normal as built.
   SourceLocation where;           ///< The <shape> element.
   SourceLocation radiance_where;  ///< The <emitter> element inside it.
+};
+
+/// Shapes that instances place, in a frame of their own. They are no part of the scene themselves. Neither planes nor
+/// emitters are among them. `shape` and `primitive` of a hit count within the group.
+struct Group {
+  std::string id;
+  std::vector<Shape> shapes;
+  SourceLocation where;  ///< The <shape type="shapegroup"> element.
+};
+
+/// A group, placed. Its index in Scene::instances is the `instance` column of `strahl intersect`. Normals go through
+/// the inverse transpose, whatever the handedness: what faces outwards in the group does in the world.
+struct Instance {
+  std::string id;
+  int group = 0;  ///< Index into Scene::groups.
+  Transform world_from_group;
+  SourceLocation where;
 };
 
 /// Number of primitives of a shape as `strahl intersect` counts them: cube 6, mesh its triangles, others 1.
@@ -225,6 +243,8 @@ struct IntegratorSettings {
 struct Scene {
   std::string name;  ///< The file's stem; names the picture where no -o is given.
   std::vector<Shape> shapes;
+  std::vector<Group> groups;
+  std::vector<Instance> instances;
   std::vector<Material> materials{Material{}};  ///< Index 0 is the default: diffuse 0.5, one-sided, as in Mitsuba.
   std::vector<Texture> textures;
   std::vector<Light> lights;
@@ -234,7 +254,18 @@ struct Scene {
   IntegratorSettings integrator;
 };
 
-/// Axis-aligned bounds of everything bounded; none where there is nothing bounded.
+/// Axis-aligned bounds of everything bounded; none where there is nothing bounded. Of an instance it is those of its
+/// group's bounds, turned.
 [[nodiscard]] std::optional<Box> bounds(const Scene& scene);
+/// In the group's own frame.
+[[nodiscard]] std::optional<Box> bounds(const Group& group);
+
+/// The scene's own shapes, then those of its groups.
+template <class Visit>
+void for_each_shape(const Scene& scene, Visit visit) {
+  for (const Shape& shape : scene.shapes) visit(shape);
+  for (const Group& group : scene.groups)
+    for (const Shape& shape : group.shapes) visit(shape);
+}
 
 }  // namespace strahl

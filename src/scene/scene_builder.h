@@ -27,6 +27,7 @@ struct SceneBuilder {
   std::map<const XmlElement*, int> material_indices;
   std::set<const XmlElement*> materials_being_read;
   std::map<const XmlElement*, int> texture_indices;  ///< read_texture.cpp, likewise.
+  std::map<const XmlElement*, int> group_indices;    ///< read_group.cpp, likewise.
 };
 
 /// Reads all that a checked <scene> holds into builder.scene.

@@ -33,6 +33,10 @@ class Checker {
   SourceLocation where_;
 };
 
+bool is_finite(const Transform& t) {
+  return is_finite(t.column(0)) && is_finite(t.column(1)) && is_finite(t.column(2)) && is_finite(t.translation());
+}
+
 bool is_index(int index, std::size_t size) { return index >= 0 && static_cast<std::size_t>(index) < size; }
 
 void check_shape(const Shape& shape, const Scene& scene, Checker& check, std::vector<Diagnostic>& found) {
@@ -51,6 +55,31 @@ void check_shape(const Shape& shape, const Scene& scene, Checker& check, std::ve
   if (!shape.radiance) return;
   if (!shape.radiance_where.file.empty()) check.at(shape.radiance_where);
   check.require_light(*shape.radiance, "radiance");
+}
+
+void check_group(const Group& group, const Scene& scene, Checker& check, std::vector<Diagnostic>& found) {
+  check.at(group.where);
+  check.require(!group.shapes.empty(), "the group has no shapes");
+  for (const Shape& shape : group.shapes) {
+    check_shape(shape, scene, check, found);
+    check.at(shape.where);
+    check.require(!std::holds_alternative<Plane>(shape.geometry),
+                  "an infinite plane cannot be part of a shapegroup; use a rectangle, or place it outside");
+    const Mesh* mesh = std::get_if<Mesh>(&shape.geometry);
+    const auto emits = [](const MeshPart& part) { return part.radiance.has_value(); };
+    check.require(mesh == nullptr || std::none_of(mesh->parts.begin(), mesh->parts.end(), emits),
+                  "a mesh whose materials emit (Ke) cannot be part of a shapegroup; place it outside");
+    if (!shape.radiance_where.file.empty()) check.at(shape.radiance_where);
+    check.require(!shape.radiance, "an emitter cannot be part of a shapegroup; place the shape outside");
+  }
+}
+
+void check_instance(const Instance& instance, const Scene& scene, Checker& check) {
+  check.at(instance.where);
+  check.require(is_index(instance.group, scene.groups.size()),
+                fmt::format("group {} does not exist; there are {}", instance.group, scene.groups.size()));
+  check.require(is_finite(instance.world_from_group) && !is_singular(instance.world_from_group),
+                "the instance's transform must be finite and not singular");
 }
 
 bool is_reflectance(const Rgb& c) {
@@ -95,9 +124,7 @@ void check_light(const Light& light, Checker& check) {
 void check_camera(const Camera& camera, Checker& check) {
   check.at(camera.where);
   const Transform& t = camera.world_from_camera;
-  const bool finite =
-      is_finite(t.column(0)) && is_finite(t.column(1)) && is_finite(t.column(2)) && is_finite(t.translation());
-  check.require(finite && !is_singular(t), "the camera's transform must be finite and not singular");
+  check.require(is_finite(t) && !is_singular(t), "the camera's transform must be finite and not singular");
   check.require(camera.fov_degrees > 0 && camera.fov_degrees < 180, "fov must lie between 0 and 180 degrees");
   check.require(std::isfinite(camera.principal_point_offset_x) && std::isfinite(camera.principal_point_offset_y),
                 "the principal point offset must be finite");
@@ -124,6 +151,8 @@ std::vector<Diagnostic> validate(const Scene& scene) {
   std::vector<Diagnostic> found;
   Checker check(found);
   for (const Shape& shape : scene.shapes) check_shape(shape, scene, check, found);
+  for (const Group& group : scene.groups) check_group(group, scene, check, found);
+  for (const Instance& instance : scene.instances) check_instance(instance, scene, check);
   check.at({});
   check.require(!scene.materials.empty(), "materials[0], the default, is missing");
   for (const Material& material : scene.materials) check_material(material, scene, check);

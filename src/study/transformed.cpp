@@ -81,6 +81,12 @@ void mirror_orientation(Shape& shape) {
 
 Scene with_places(Scene scene, const MapVec3& place, const MapVec3& vector) {
   for (Shape& shape : scene.shapes) std::visit(Moved{place, vector}, shape.geometry);
+  for (Instance& instance : scene.instances) {
+    Transform& world = instance.world_from_group;
+    for (const int column : {0, 1, 2})
+      set_column(world, static_cast<std::size_t>(column), vector(world.column(column)));
+    set_column(world, 3, place(world.translation()));
+  }
   for (Light& light : scene.lights)
     if (auto* lamp = std::get_if<PointLight>(&light.emitter)) lamp->position = place(lamp->position);
   set_column(scene.camera.world_from_camera, 3, place(scene.camera.world_from_camera.translation()));
@@ -127,6 +133,7 @@ Scene mirrored(Scene scene) {
 
 Scene reordered(Scene scene) {
   std::reverse(scene.shapes.begin(), scene.shapes.end());
+  std::reverse(scene.instances.begin(), scene.instances.end());
   return scene;
 }
 

@@ -27,6 +27,16 @@ void read_sensors(const std::vector<const XmlElement*>& elements, const XmlEleme
   builder.scene.camera = camera_framing(bounds(builder.scene));
 }
 
+void read_one_shape(const XmlElement& element, SceneBuilder& builder) {
+  if (is_group(element)) {
+    group_index(element, builder);
+  } else if (is_instance(element)) {
+    read_instance(element, builder);
+  } else if (std::optional<Shape> shape = read_shape(element, builder)) {
+    builder.scene.shapes.push_back(std::move(*shape));
+  }
+}
+
 /// Definitions wait for a <ref>; without an id nothing can refer to them.
 void read_definitions(const std::vector<const XmlElement*>& elements, SceneBuilder& builder) {
   for (const XmlElement* element : elements) {
@@ -41,7 +51,7 @@ void read_definitions(const std::vector<const XmlElement*>& elements, SceneBuild
 void read_scene(const XmlElement& root, SceneBuilder& builder) {
   Properties properties(root, builder.ids, builder.diagnostics);
   for (const XmlElement* bsdf : properties.objects("bsdf")) static_cast<void>(material_index(*bsdf, builder));
-  for (const XmlElement* shape : properties.objects("shape")) read_shape(*shape, builder);
+  for (const XmlElement* shape : properties.objects("shape")) read_one_shape(*shape, builder);
   for (const XmlElement* emitter : properties.objects("emitter")) read_light(*emitter, builder);
   read_integrators(properties.objects("integrator"), builder);
   read_sensors(properties.objects("sensor"), root, builder);

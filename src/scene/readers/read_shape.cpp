@@ -19,6 +19,12 @@ const PluginTable<ShapeReader>& shape_readers() {
   return table;
 }
 
+std::vector<std::string> shape_types() {
+  std::vector<std::string> types{"shapegroup", "instance"};
+  for (const auto& [type, reader] : shape_readers()) types.push_back(type);
+  return types;
+}
+
 void read_area_emitter(const XmlElement& element, Shape& shape, SceneBuilder& builder) {
   Properties properties(element, builder.ids, builder.diagnostics);
   if (properties.type() != "area") {
@@ -44,13 +50,13 @@ const XmlElement* only_one(const std::vector<const XmlElement*>& objects, const 
 
 }  // namespace
 
-void read_shape(const XmlElement& element, SceneBuilder& builder) {
+std::optional<Shape> read_shape(const XmlElement& element, SceneBuilder& builder) {
   Properties properties(element, builder.ids, builder.diagnostics);
   const ShapeReader* read_geometry = find_plugin(shape_readers(), properties.type());
   if (read_geometry == nullptr) {
     builder.diagnostics.unknown(element.where, fmt::format("unknown shape \"{}\"{}; it is left out", properties.type(),
-                                                           did_you_mean_plugin(shape_readers(), properties.type())));
-    return;
+                                                           did_you_mean(properties.type(), shape_types())));
+    return std::nullopt;
   }
   Shape shape;
   shape.id = properties.id();
@@ -64,7 +70,7 @@ void read_shape(const XmlElement& element, SceneBuilder& builder) {
   ShapeInput input{properties, to_world, shape, bsdf != nullptr, builder};
   shape.geometry = (*read_geometry)(input);
   properties.report_unknown();
-  builder.scene.shapes.push_back(std::move(shape));
+  return shape;
 }
 
 }  // namespace strahl

@@ -2,6 +2,8 @@
 // What the reader of a shape's geometry gets and gives; one read_<shape>.cpp each, registered in shapes.def.
 #pragma once
 
+#include <optional>
+
 #include "scene/properties.h"
 #include "scene/scene.h"
 #include "scene/scene_builder.h"
@@ -23,8 +25,16 @@ using ShapeReader = Geometry (*)(ShapeInput&);
 #include "scene/readers/shapes.def"
 #undef SHAPE
 
-/// One <shape>: geometry, material, emitter; appended to builder.scene.
-void read_shape(const XmlElement& element, SceneBuilder& builder);
+/// One <shape>: geometry, material, emitter. None where its type is unknown, which is reported.
+[[nodiscard]] std::optional<Shape> read_shape(const XmlElement& element, SceneBuilder& builder);
+
+/// <shape type="shapegroup"> and <shape type="instance">, which are no shapes of the scene themselves.
+[[nodiscard]] bool is_group(const XmlElement& shape);
+[[nodiscard]] bool is_instance(const XmlElement& shape);
+/// Index into Scene::groups; each is read once.
+int group_index(const XmlElement& element, SceneBuilder& builder);
+/// Appended to builder.scene.
+void read_instance(const XmlElement& element, SceneBuilder& builder);
 
 // ---- what a transform may do to shapes that have a radius ------------------------------------------------------
 
