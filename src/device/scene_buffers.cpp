@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "device/memory_estimate.h"
+
 namespace strahl {
 namespace {
 
@@ -54,6 +56,7 @@ SceneBuffers upload_scene(const Device& device, const Scene& scene, const Featur
   if (!scene.instances.empty())
     throw SceneError({{Severity::error, scene.instances.front().where,
                        "instances are read but not rendered yet; give the scene the shapes themselves"}});
+  require_memory(least_memory(scene, features, precision, options.lanes), device.info(), precision);
   return precision == Precision::fp64 ? upload_as<double>(device, scene, features, options)
                                       : upload_as<float>(device, scene, features, options);
 }
