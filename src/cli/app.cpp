@@ -92,6 +92,7 @@ ExitCode run(std::vector<std::string> arguments, const Invocation& invocation) {
   add("selftest", "Ask a device how far its arithmetic can be trusted", add_selftest);
   add("stress", "Show a scene in other units and elsewhere, in every precision",
       [&](CLI::App& sub) { return add_stress(sub, invocation); });
+  add("bench", "Measure how fast a device is", add_bench);
 
   if (arguments.empty()) throw UsageError("nothing to do: name a scene or a command; `strahl --help` shows which");
   insert_default_command(arguments, names);

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: MIT
+// `strahl bench`: what a device is worth, as a table or JSON, beside an earlier one.
+#include <fmt/format.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "cli/commands.h"
+#include "cli/console.h"
+#include "cli/output_file.h"
+#include "cli/progress_bar.h"
+#include "cli/scene_options.h"
+#include "image/file_bytes.h"
+#include "scene/loader.h"
+#include "study/device_bench.h"
+#include "study/generated/scenes.h"
+
+namespace strahl::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* kFooter = R"(
+Rays through one scene in every precision that the device has: camera rays, shadow rays and diffuse bounces, by the code
+that render uses; in turns, medians of five rounds. Memory: reads by a kernel, copies by the driver. Less than a minute.
+
+Examples:
+  strahl bench                                     the fastest GPU, else CPU
+  strahl bench -d pocl --json before.json
+  strahl bench -d pocl --compare before.json       how many times as fast as then, or as another device
+  strahl bench --scene mesh.ply
+
+No canary is asked: times say nothing about answers, strahl selftest does.)";
+
+struct BenchOptions {
+  std::string device;
+  std::string scene = "terrain-100000";
+  std::string json;
+  std::string compare;
+  int pixels = 0;
+  bool quiet = false;
+  bool no_progress = false;
+};
+
+Scene scene_of(const std::string& name) {
+  if (name.find_first_of("./") == std::string::npos) return generated_scene(name);
+  Scene scene = load_scene(name).scene;
+  if (scene.lights.empty()) {  // Shadow rays need one: over the camera's right shoulder.
+    const Transform& camera = scene.camera.world_from_camera;
+    scene.lights.push_back({"", PointLight{camera.point({-1, 1, 0})}, {}});
+  }
+  return scene;
+}
+
+Json json_of(const DeviceBench& bench) {
+  return {{"strahl", STRAHL_VERSION},
+          {"device", bench.device},
+          {"scene", bench.scene},
+          {"primitives", bench.primitives},
+          {"rays", bench.rays},
+          {"mrays", bench.mrays},
+          {"bandwidth", {{"read", bench.bandwidth.read}, {"copy", bench.bandwidth.copy}}},
+          {"tree_seconds", bench.tree_seconds},
+          {"program_seconds", bench.program_seconds}};
+}
+
+/// An earlier --json, or nothing.
+class Base {
+ public:
+  explicit Base(const std::string& path) : path_(path) {
+    if (path.empty()) return;
+    try {
+      json_ = Json::parse(read_file(path));
+      device_ = json_.at("device").get<std::string>();
+      scene_ = json_.at("scene").get<std::string>();
+    } catch (const Json::exception& error) {
+      throw InputError(fmt::format("{}: not what strahl bench --json writes: {}", path, error.what()));
+    }
+  }
+
+  void require_same_scene(const std::string& scene) const {
+    if (!path_.empty() && scene_ != scene)
+      throw InputError(
+          fmt::format("{} is of the scene {}; only the same scene compares (--scene {})", path_, scene_, scene_));
+  }
+  [[nodiscard]] bool is_there() const { return !path_.empty(); }
+  [[nodiscard]] const std::string& device() const { return device_; }
+
+  /// "x1.25": times as fast; empty where the base has no such number.
+  [[nodiscard]] std::string ratio(const std::string& pointer, double value, bool larger_is_better) const {
+    const auto at = Json::json_pointer(pointer);
+    if (path_.empty() || !json_.contains(at) || !json_.at(at).is_number()) return {};
+    const double base = json_.at(at).get<double>();
+    if (!(base > 0 && value > 0)) return {};
+    return fmt::format("x{:.2f}", larger_is_better ? value / base : base / value);
+  }
+
+ private:
+  std::string path_, device_, scene_;
+  Json json_;
+};
+
+std::string row(const std::string& name, const std::vector<std::pair<std::string, std::string>>& cells, bool compared) {
+  std::string text = fmt::format("{:<16}", name);
+  for (const auto& [value, ratio] : cells) {
+    text += fmt::format(" {:>9}", value);
+    if (compared) text += fmt::format(" {:>7}", ratio);
+  }
+  return text + "\n";
+}
+
+std::string table(const DeviceBench& bench, const Base& base) {
+  const bool compared = base.is_there();
+  std::string text = fmt::format("{} · {}, {} primitives\n", bench.device, bench.scene, bench.primitives);
+  if (compared) text += fmt::format("x: times as fast as {}\n", base.device());
+  std::vector<std::pair<std::string, std::string>> cells;
+  for (const std::string& tier : bench.tiers) cells.emplace_back(tier, "");
+  text += row("Mrays/s", cells, compared);
+  for (const RayKind kind : all_ray_kinds) {
+    const std::string name = ray_kind_name(kind);
+    cells.clear();
+    for (const std::string& tier : bench.tiers) {
+      const double value = bench.mrays.at(name).at(tier);
+      cells.emplace_back(fmt::format("{:.2f}", value),
+                         base.ratio(fmt::format("/mrays/{}/{}", name, tier), value, true));
+    }
+    text += row(name, cells, compared);
+  }
+  cells.clear();
+  for (const std::string& tier : bench.tiers) {
+    const double value = bench.program_seconds.at(tier);
+    cells.emplace_back(fmt::format("{:.2f}", value), base.ratio("/program_seconds/" + tier, value, false));
+  }
+  text += row("program, s", cells, compared);
+  text += row("tree, s",
+              {{fmt::format("{:.3f}", bench.tree_seconds), base.ratio("/tree_seconds", bench.tree_seconds, false)}},
+              compared);
+  text += row(
+      "read, GB/s",
+      {{fmt::format("{:.1f}", bench.bandwidth.read / 1e9), base.ratio("/bandwidth/read", bench.bandwidth.read, true)}},
+      compared);
+  text += row(
+      "copy, GB/s",
+      {{fmt::format("{:.1f}", bench.bandwidth.copy / 1e9), base.ratio("/bandwidth/copy", bench.bandwidth.copy, true)}},
+      compared);
+  return text;
+}
+
+ExitCode bench(const BenchOptions& options) {
+  if (!options.json.empty() && options.json != "-") require_writable(options.json);
+  const Base base(options.compare);
+  const Scene scene = scene_of(options.scene);
+  base.require_same_scene(scene.name);
+  const Device device = Device::open(options.device);
+  DeviceBench result;
+  {
+    ProgressBar bar("bench", !options.quiet && !options.no_progress);
+    result = bench_device(device, scene, options.pixels,
+                          [&bar](int done, int total) { bar.show(static_cast<double>(done) / total, "measuring"); });
+  }
+  if (options.json != "-") print(table(result, base));
+  if (!options.json.empty()) write_text(options.json, json_of(result).dump(2) + "\n");
+  return ExitCode::ok;
+}
+
+}  // namespace
+
+Command add_bench(CLI::App& app) {
+  const auto options = std::make_shared<BenchOptions>();
+  add_device_option(app, options->device);
+  app.add_option("--scene", options->scene, "A file, or a generated scene, such as sphereflake-5")
+      ->type_name("SCENE")
+      ->capture_default_str();
+  app.add_option("--json", options->json, "The numbers for programs; - for standard output, in place of the table")
+      ->type_name("FILE");
+  app.add_option("--compare", options->compare, "An earlier --json: how many times as fast")->type_name("FILE");
+  app.add_option("--pixels", options->pixels,
+                 "The picture's side; default: what the device does in an eighth of a second")
+      ->type_name("N")
+      ->check(CLI::Range(16, 8192).description(""));
+  app.add_flag("-q,--quiet", options->quiet, "Say nothing but the table");
+  app.add_flag("--no-progress", options->no_progress, "No progress bar");
+  app.footer(kFooter);
+  return [options] { return bench(*options); };
+}
+
+}  // namespace strahl::cli

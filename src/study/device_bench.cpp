@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#include "study/device_bench.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace strahl {
+namespace {
+
+constexpr int rounds = 5;
+constexpr double seconds_a_round = 1.0 / 8;
+
+std::vector<Precision> tiers_of(const Device& device) {
+  std::vector<Precision> tiers{Precision::fast, Precision::stable, Precision::robust};
+  if (device.info().fp64) tiers.push_back(Precision::fp64);
+  return tiers;
+}
+
+double median(std::vector<double> values) {
+  std::nth_element(values.begin(), values.begin() + rounds / 2, values.end());
+  return values[rounds / 2];
+}
+
+Scene of_side(Scene scene, int side) {
+  scene.film.width = scene.film.height = side;
+  scene.film.crop.reset();
+  return scene;
+}
+
+/// Of a square picture with as many pixels as take about a round.
+int fitting_side(Intersector& intersector, const Scene& scene) {
+  constexpr int probe_side = 128;
+  const RaySet probe = primary_rays(of_side(scene, probe_side));
+  static_cast<void>(intersector.trace(probe.rays, false, 3));
+  const double seconds = intersector.stats().seconds.kernel;
+  const double side = probe_side * std::sqrt(seconds_a_round / std::max(seconds, 1e-6));
+  return std::clamp(static_cast<int>(side) / 16 * 16, 64, 1024);
+}
+
+}  // namespace
+
+DeviceBench bench_device(const Device& device, const Scene& scene, int side, const BenchProgress& progress) {
+  const std::vector<Precision> tiers = tiers_of(device);
+  const int total = static_cast<int>(tiers.size()) + 1 + static_cast<int>(all_ray_kinds.size()) * rounds;
+  int done = 0;
+  const auto step = [&] {
+    if (progress) progress(done, total);
+    ++done;
+  };
+  DeviceBench bench;
+  bench.device = device.info().text();
+  bench.scene = scene.name;
+  for (const Shape& shape : scene.shapes) bench.primitives += static_cast<std::size_t>(primitive_count(shape));
+
+  std::vector<Intersector> intersectors;
+  for (const Precision tier : tiers) {
+    step();
+    RenderSettings settings;
+    settings.precision = tier;
+    const RunStats& stats = intersectors.emplace_back(device, scene, settings).stats();
+    bench.tiers.emplace_back(precision_name(tier));
+    bench.program_seconds[precision_name(tier)] = stats.seconds.program;
+    if (tier == Precision::robust) bench.tree_seconds = stats.seconds.bvh;
+  }
+  step();
+  bench.bandwidth = measure_bandwidth(device);
+
+  Intersector& robust = intersectors[2];
+  const Scene framed = of_side(scene, side > 0 ? side : fitting_side(robust, scene));
+  const RaySet primary = primary_rays(framed);
+  const std::vector<Hit> hits = robust.trace(primary.rays);
+  for (const RayKind kind : all_ray_kinds) {
+    const RaySet set = kind == RayKind::primary  ? primary
+                       : kind == RayKind::shadow ? shadow_rays(framed, primary, hits)
+                                                 : diffuse_rays(primary, hits);
+    if (set.rays.empty()) throw InputError("no camera ray hits the scene; nothing can be measured");
+    bench.rays[ray_kind_name(kind)] = set.rays.size();
+    std::vector<std::vector<double>> seconds(tiers.size());
+    for (Intersector& one : intersectors) static_cast<void>(one.trace(set.rays, set.any_hit()));
+    for (int round = 0; round < rounds; ++round) {
+      step();
+      for (std::size_t i = 0; i < tiers.size(); ++i) {
+        static_cast<void>(intersectors[i].trace(set.rays, set.any_hit()));
+        seconds[i].push_back(intersectors[i].stats().seconds.kernel);
+      }
+    }
+    for (std::size_t i = 0; i < tiers.size(); ++i)
+      bench.mrays[ray_kind_name(kind)][bench.tiers[i]] =
+          static_cast<double>(set.rays.size()) / median(seconds[i]) / 1e6;
+  }
+  return bench;
+}
+
+}  // namespace strahl

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// What a device is worth, in less than a minute: rays a second by kind and tier, memory, build times.
+#pragma once
+
+#include <functional>
+#include <map>
+
+#include "study/bandwidth.h"
+#include "study/ray_sets.h"
+
+namespace strahl {
+
+struct DeviceBench {
+  std::string device;
+  std::string scene;
+  std::size_t primitives = 0;
+  std::map<std::string, std::size_t> rays;                     ///< By kind.
+  std::vector<std::string> tiers;                              ///< Those of the device, as they were measured.
+  std::map<std::string, std::map<std::string, double>> mrays;  ///< By kind, then tier: million rays a second.
+  std::map<std::string, double> program_seconds;               ///< By tier; little where it was cached.
+  double tree_seconds = 0;
+  Bandwidth bandwidth;
+};
+
+/// Called before each of `total` steps.
+using BenchProgress = std::function<void(int done, int total)>;
+
+/// Tiers take turns; medians of five rounds. `side`: of the square picture whose rays are traced; 0: what the device
+/// answers in an eighth of a second. Throws InputError where no camera ray hits.
+[[nodiscard]] DeviceBench bench_device(const Device& device, const Scene& scene, int side = 0,
+                                       const BenchProgress& progress = {});
+
+}  // namespace strahl

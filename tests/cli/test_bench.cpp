@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// `strahl bench` on a device: the table, the JSON, the comparison. 2 s.
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include "cli/program.h"
+
+using namespace strahl_test;
+using nlohmann::json;
+
+TEST_CASE("a table, JSON, and both beside an earlier run") {
+  const Folder folder;
+  const Outcome outcome = folder.run({"bench", "-d", "pocl", "--scene", "ten", "--pixels", "64", "--json", "a.json"});
+  INFO(outcome.err);
+  REQUIRE(outcome.code == 0);
+  CHECK(contains(outcome.out, "ten, 11 primitives"));
+  CHECK(contains(outcome.out, "diffuse"));
+  CHECK(contains(outcome.out, "read, GB/s"));
+  CHECK_FALSE(contains(outcome.out, " x1."));
+  json first = json::parse(read_text(folder.path("a.json")));
+  for (const std::string kind : {"primary", "shadow", "diffuse"}) {
+    CHECK(first["rays"][kind] > 1000);
+    for (const std::string tier : {"fast", "stable", "robust", "double"}) CHECK(first["mrays"][kind][tier] > 0.01);
+  }
+  CHECK(first["bandwidth"]["read"] > 1e8);
+  CHECK(first["bandwidth"]["copy"] > 1e8);
+  CHECK(first["program_seconds"].size() == 4);
+
+  for (auto& [kind, tiers] : first["mrays"].items())
+    for (auto& [tier, value] : tiers.items()) value = value.get<double>() / 1000;
+  folder.file("base.json", first.dump());
+  const Outcome shown = folder.run(
+      {"bench", "-d", "pocl", "--scene", "ten", "--pixels", "64", "--compare", "base.json", "--json", "b.json"});
+  CHECK(contains(shown.out, "times as fast as"));
+  CHECK(contains(shown.out, "x1"));
+}
+
+TEST_CASE("what cannot be compared is said before anything is measured") {
+  const Folder folder;
+  folder.file("text.json", "{\"device\": 1}");
+  CHECK(folder.run({"bench", "--compare", "text.json"}).code == 3);
+  folder.file("other.json", R"({"device": "a", "scene": "sphereflake-5"})");
+  const Outcome other = folder.run({"bench", "--scene", "ten", "--pixels", "64", "--compare", "other.json"});
+  CHECK(other.code == 3);
+  CHECK(contains(other.err, "--scene sphereflake-5"));
+  CHECK(folder.run({"bench", "--scene", "ten", "--json", "-", "--compare", "none.json"}).code == 3);
+  CHECK(folder.run({"bench", "--scene", "teapot"}).code == 2);
+  CHECK(folder.run({"bench", "--scene", "missing.ply"}).code == 3);
+  CHECK(folder.run({"bench", "--json", "nowhere/a.json"}).code == 1);
+}
