@@ -10,6 +10,15 @@
 #include "scene/triangulate.h"
 
 namespace strahl {
+MeshBuilder::MeshBuilder(const MeshAttributes& attributes, std::size_t triangles)
+    : attributes_(attributes), first_vertex_(attributes.positions.size(), -1) {
+  corner_of_vertex_.reserve(attributes.positions.size());
+  next_vertex_.reserve(attributes.positions.size());
+  mesh_.positions.reserve(attributes.positions.size());
+  mesh_.triangles.reserve(triangles);
+  mesh_.part_of_triangle.reserve(triangles);
+}
+
 int MeshBuilder::append(const MeshCorner& corner) {
   if (mesh_.positions.size() == static_cast<std::size_t>(std::numeric_limits<int>::max())) {
     throw InputError("a mesh of more than 2147483647 vertices");
@@ -59,6 +68,8 @@ bool MeshBuilder::add_polygon(std::span<const MeshCorner> corners, int part) {
 void MeshBuilder::set_normals() {
   std::vector<char> missing;
   std::size_t absent = 0, zero = 0;
+  missing.reserve(corner_of_vertex_.size());
+  mesh_.normals.reserve(corner_of_vertex_.size());
   for (const MeshCorner& c : corner_of_vertex_) {
     const Vec3 n = c.normal < 0 ? Vec3{} : attributes_.normals[static_cast<std::size_t>(c.normal)];
     missing.push_back(n == Vec3{});
@@ -86,6 +97,7 @@ void MeshBuilder::set_normals() {
 
 Mesh MeshBuilder::finish() {
   if (has_uvs_) {
+    mesh_.uvs.reserve(corner_of_vertex_.size());
     for (const MeshCorner& c : corner_of_vertex_) {
       mesh_.uvs.push_back(c.uv < 0 ? Vec2{} : attributes_.uvs[static_cast<std::size_t>(c.uv)]);
     }

@@ -32,8 +32,8 @@ struct MeshAttributes {
 class MeshBuilder {
  public:
   /// `attributes` must live as long as the builder.
-  explicit MeshBuilder(const MeshAttributes& attributes)
-      : attributes_(attributes), first_vertex_(attributes.positions.size(), -1) {}
+  /// `triangles`: how many are expected, so that memory is taken once.
+  MeshBuilder(const MeshAttributes& attributes, std::size_t triangles);
 
   /// False where the polygon is degenerate or crosses itself: nothing is added. `part` goes to part_of_triangle.
   [[nodiscard]] bool add_polygon(std::span<const MeshCorner> corners, int part);

@@ -53,7 +53,7 @@ class ObjReader {
     if (attributes_.positions.size() > static_cast<std::size_t>(std::numeric_limits<int>::max())) {
       source_.fail(nullptr, "more than 2147483647 vertices");
     }
-    builder_.emplace(attributes_);
+    builder_.emplace(attributes_, faces_);
     read_faces();
     return finish();
   }
@@ -77,6 +77,8 @@ class ObjReader {
       } else if (keyword == "vt") {
         const std::array<double, 2> x = read_values<2>(cursor, keyword, attributes_.uvs.size(), bad_uvs_, 1);
         attributes_.uvs.push_back({x[0], x[1]});
+      } else if (keyword == "f") {
+        ++faces_;
       } else if (keyword == "mtllib") {
         cursor.find_word();
         const char* at = cursor.position();
@@ -257,6 +259,7 @@ class ObjReader {
   MtlLibraryFinder finder_;
   MtlLibrary library_;
 
+  std::size_t faces_ = 0;
   std::optional<MeshBuilder> builder_;
   std::size_t positions_so_far_ = 0, uvs_so_far_ = 0, normals_so_far_ = 0;
   std::vector<WrittenCorner> written_;

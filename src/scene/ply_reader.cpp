@@ -162,7 +162,7 @@ class PlyReader {
       for (std::size_t k = 0; k < none; ++k) sum += 0 * x[k];
       if (!(sum == 0)) bad_.add(i, at);
     }
-    builder_.emplace(attributes_);
+    builder_.emplace(attributes_, faces_->count);
   }
 
   template <class Data>

@@ -43,7 +43,7 @@ class SerializedReader {
 
   MeshFile read() {
     read_vertices();
-    MeshBuilder builder(attributes_);
+    MeshBuilder builder(attributes_, triangles_);
     read_triangles(builder);
     if (!bytes_.ends()) source_.warn(begin_, "bytes after the last triangle of the mesh are ignored");
     return finish(builder);
