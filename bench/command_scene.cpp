@@ -15,9 +15,12 @@ Command add_scene(CLI::App& app) {
   const auto paths = std::make_shared<std::vector<std::string>>();
   app.add_option("SCENE", *name, fmt::format("{}", fmt::join(generated_scene_forms(), ", ")))->required();
   app.add_option("FILES", *paths, "By suffix: .xml (strahl, Mitsuba), .pov (POV-Ray), .dat (Tachyon)")->required();
-  return [name, paths] {
+  const auto cloud = std::make_shared<bool>(false);
+  app.add_flag("--cloud", *cloud, "In .xml: the spheres in a PLY file beside it");
+  return [name, paths, cloud] {
     const Scene scene = generated_scene(*name);
-    for (const std::string& path : *paths) write_scene(scene, path);
+    for (const std::string& path : *paths)
+      *cloud&& path.ends_with(".xml") ? write_scene_with_cloud(scene, path) : write_scene(scene, path);
   };
 }
 

@@ -26,7 +26,7 @@ import time
 HERE = pathlib.Path(__file__).resolve().parent
 THREADS = str(os.cpu_count())
 # Mean absolute difference of linear values; Tachyon writes them as they are, where sRGB is expected.
-SAME_PICTURE = {"strahl": 0, "POV-Ray": 0.001, "Tachyon": 0.02}
+SAME_PICTURE = {"strahl": 0, "strahl, XML elements": 0, "POV-Ray": 0.001, "Tachyon": 0.02}
 
 
 def quiet(command, **more):
@@ -55,13 +55,15 @@ def programs(options, folder):
     results = []
     for scene in options.scenes.split(","):
         base = str(folder / scene)
-        commands = {"strahl": [str(strahl), base + ".xml", "-q", "-o", base + ".png", "--sampler", "centre"] +
-                              (["-d", options.device] if options.device else [])}
+        more = ["-q", "--sampler", "centre"] + (["-d", options.device] if options.device else [])
+        commands = {"strahl": [str(strahl), base + "-cloud.xml", "-o", base + ".png"] + more,
+                    "strahl, XML elements": [str(strahl), base + ".xml", "-o", base + "-xml.png"] + more}
         if shutil.which("povray"):
             commands["POV-Ray"] = ["povray", f"+I{base}.pov", f"+O{base}-pov.png", "+W1024", "+H1024", "-D", "-A",
                                    "+WT" + THREADS, "-V"]
         if shutil.which("tachyon"):
             commands["Tachyon"] = ["tachyon", base + ".dat", "-numthreads", THREADS, "-format", "PNG", "-o", base + "-tachyon.png"]
+        quiet([bench, "scene", "--cloud", scene, base + "-cloud.xml"])
         quiet([bench, "scene", scene] + [base + suffix for suffix in (".xml", ".pov", ".dat")])
         seconds = {program: [] for program in commands}
         off = {}

@@ -128,6 +128,16 @@ std::string ply_bytes(const Mesh& mesh) {
   return bytes;
 }
 
+std::string sphere_ply_bytes(const std::vector<Sphere>& spheres) {
+  std::string bytes = fmt::format(
+      "ply\nformat binary_little_endian 1.0\nelement vertex {}\nproperty float x\nproperty float y\nproperty float z\n"
+      "property float radius\nend_header\n",
+      spheres.size());
+  for (const Sphere& s : spheres)
+    for (const double x : {s.center.x, s.center.y, s.center.z, s.radius}) append(bytes, static_cast<float>(x));
+  return bytes;
+}
+
 void write_scene(const Scene& scene, const std::string& path) {
   const std::filesystem::path file = path;
   if (file.extension() == ".pov") return write(file, povray_text(scene));
@@ -139,6 +149,24 @@ void write_scene(const Scene& scene, const std::string& path) {
     if (const auto* mesh = std::get_if<Mesh>(&shape.geometry))
       write(file.parent_path() / fmt::format("{}-{}.ply", file.stem().string(), meshes++), ply_bytes(*mesh));
   write(file, xml_text(scene, file.stem().string()));
+}
+
+void write_scene_with_cloud(Scene scene, const std::string& path) {
+  std::vector<Sphere> spheres;
+  std::erase_if(scene.shapes, [&spheres](const Shape& shape) {
+    const auto* sphere = std::get_if<Sphere>(&shape.geometry);
+    if (sphere != nullptr) spheres.push_back(*sphere);
+    return sphere != nullptr;
+  });
+  const std::filesystem::path file = path;
+  const std::string cloud = file.stem().string() + "-spheres.ply";
+  std::string text = xml_text(scene, file.stem().string());
+  text.insert(
+      text.rfind("</scene>"),
+      fmt::format("<shape type=\"spheres\"><string name=\"filename\" value=\"{}\"/><ref id=\"grey\"/></shape>\n",
+                  cloud));
+  write(file.parent_path() / cloud, sphere_ply_bytes(spheres));
+  write(file, text);
 }
 
 }  // namespace strahl::bench

@@ -13,12 +13,16 @@ namespace strahl::bench {
 /// cameras. Throws UsageError for other suffixes, Error for what the language lacks.
 void write_scene(const Scene& scene, const std::string& path);
 
+/// As .xml, all spheres in one binary PLY beside it; a scene without meshes.
+void write_scene_with_cloud(Scene scene, const std::string& path);
+
 [[nodiscard]] std::string xml_text(const Scene& scene, const std::string& mesh_prefix);
 [[nodiscard]] std::string povray_text(const Scene& scene);
 [[nodiscard]] std::string tachyon_text(const Scene& scene);
 
 /// Binary PLY, coordinates as floats.
 [[nodiscard]] std::string ply_bytes(const Mesh& mesh);
+[[nodiscard]] std::string sphere_ply_bytes(const std::vector<Sphere>& spheres);
 
 /// What the writers read of a scene.
 struct Looks {

@@ -59,10 +59,13 @@ std::string unknown_tag(const std::string& name) {
 }
 
 void check_attributes(const XmlElement& element, const Tag& tag, Diagnostics& diagnostics) {
-  std::vector<std::string> known = tag.required;
-  known.insert(known.end(), tag.optional.begin(), tag.optional.end());
+  const auto is_in = [](const std::vector<std::string>& names, const std::string& name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+  };
   for (const auto& [key, value] : element.attributes) {
-    if (std::find(known.begin(), known.end(), key) != known.end()) continue;
+    if (is_in(tag.required, key) || is_in(tag.optional, key)) continue;
+    std::vector<std::string> known = tag.required;
+    known.insert(known.end(), tag.optional.begin(), tag.optional.end());
     diagnostics.unknown(element.where, fmt::format("unknown attribute \"{}\" of <{}>{}; it is ignored", key,
                                                    element.tag, did_you_mean(key, known)));
   }

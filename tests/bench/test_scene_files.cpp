@@ -39,7 +39,7 @@ TEST_CASE("what is written is read back") {
     const Scene scene = generated_scene(name);
     const std::string path = (folder.path / (name + ".xml")).string();
     write_scene(scene, path);
-    const LoadedScene loaded = load_scene(path, {{}, true});
+    const LoadedScene loaded = load_scene(path, {{}, true, {}});
     CHECK(loaded.warnings.empty());
     REQUIRE(loaded.scene.shapes.size() == scene.shapes.size());
     for (std::size_t i = 0; i < scene.shapes.size(); ++i) {
@@ -64,6 +64,24 @@ TEST_CASE("what is written is read back") {
     CHECK(std::get<PointLight>(loaded.scene.lights.at(0).emitter).position ==
           std::get<PointLight>(scene.lights.at(0).emitter).position);
     CHECK(length(loaded.scene.camera.world_from_camera.column(2) - scene.camera.world_from_camera.column(2)) < 0x1p-48);
+  }
+}
+
+TEST_CASE("spheres in a file of their own are the same spheres") {
+  const Folder folder;
+  const Scene scene = sphereflake(2);
+  const std::string path = (folder.path / "cloud.xml").string();
+  write_scene_with_cloud(scene, path);
+  const LoadedScene loaded = load_scene(path, {{}, true, {}});
+  CHECK(loaded.warnings.empty());
+  REQUIRE(loaded.scene.shapes.size() == scene.shapes.size());
+  for (std::size_t i = 1; i < scene.shapes.size(); ++i) {
+    const auto &ours = std::get<Sphere>(scene.shapes[i].geometry),
+               &read = std::get<Sphere>(loaded.scene.shapes[i].geometry);
+    CHECK(read.center == ours.center);
+    CHECK(read.radius == ours.radius);
+    CHECK(read.frame == ours.frame);
+    CHECK(loaded.scene.shapes[i].material == loaded.scene.shapes[0].material);
   }
 }
 

@@ -22,8 +22,8 @@ int group_index(const XmlElement& element, SceneBuilder& builder) {
       builder.diagnostics.error(shape->where,
                                 "groups cannot be nested: a shapegroup holds neither shapegroups nor "
                                 "instances; give it the shapes themselves");
-    } else if (std::optional<Shape> read = read_shape(*shape, builder)) {
-      group.shapes.push_back(std::move(*read));
+    } else {
+      read_shape(*shape, builder, group.shapes);
     }
   }
   if (shapes.empty()) builder.diagnostics.error(element.where, fmt::format("{} holds no <shape>", properties.title()));

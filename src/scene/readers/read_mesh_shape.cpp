@@ -3,41 +3,15 @@
 // materials that it names.
 #include <fmt/format.h>
 
-#include <filesystem>
 #include <limits>
 
 #include "scene/mesh_file.h"
 #include "scene/readers/mesh_import.h"
 #include "scene/readers/shape_reader.h"
-#include "scene/xml_expand.h"
 
 namespace strahl {
 
 namespace {
-
-std::optional<std::string> mesh_path(ShapeInput& input) {
-  Properties& properties = input.properties;
-  Diagnostics& diagnostics = input.builder.diagnostics;
-  const std::optional<std::string> name = properties.string("filename");
-  if (!name) {
-    if (!properties.has("filename"))
-      diagnostics.error(properties.where(), fmt::format("{} needs the string \"filename\"", properties.title()));
-    return std::nullopt;
-  }
-  const SourceLocation& where = properties.where("filename");
-  const std::string path = resolve_path(*name, where.file, input.builder.file);
-  std::error_code ignored;
-  if (!std::filesystem::is_regular_file(path, ignored)) {
-    diagnostics.error(where, fmt::format("cannot read \"{}\"; the path counts from the scene file", path));
-    return std::nullopt;
-  }
-  if (lower_case_extension(path) != "." + properties.type()) {
-    diagnostics.error(
-        where, fmt::format("\"{}\" does not end in .{}, which {} reads", path, properties.type(), properties.title()));
-    return std::nullopt;
-  }
-  return path;
-}
 
 /// Which of the meshes of a file.
 int shape_index(Properties& properties) {
@@ -60,7 +34,7 @@ Geometry read_mesh_shape(ShapeInput& input) {
   const bool face_normals = properties.boolean("face_normals").value_or(false);
   const bool flip_v = properties.boolean("flip_tex_coords").value_or(properties.type() == "obj");
   const int index = properties.type() == "serialized" ? shape_index(properties) : 0;
-  const std::optional<std::string> path = mesh_path(input);
+  const std::optional<std::string> path = data_path(input, properties.type());
   if (!path) return Mesh{};
   diagnostics.opened(*path);
   try {

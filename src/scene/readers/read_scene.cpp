@@ -32,8 +32,8 @@ void read_one_shape(const XmlElement& element, SceneBuilder& builder) {
     group_index(element, builder);
   } else if (is_instance(element)) {
     read_instance(element, builder);
-  } else if (std::optional<Shape> shape = read_shape(element, builder)) {
-    builder.scene.shapes.push_back(std::move(*shape));
+  } else {
+    read_shape(element, builder, builder.scene.shapes);
   }
 }
 

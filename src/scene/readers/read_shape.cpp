@@ -50,13 +50,13 @@ const XmlElement* only_one(const std::vector<const XmlElement*>& objects, const 
 
 }  // namespace
 
-std::optional<Shape> read_shape(const XmlElement& element, SceneBuilder& builder) {
+void read_shape(const XmlElement& element, SceneBuilder& builder, std::vector<Shape>& shapes) {
   Properties properties(element, builder.ids, builder.diagnostics);
   const ShapeReader* read_geometry = find_plugin(shape_readers(), properties.type());
   if (read_geometry == nullptr) {
     builder.diagnostics.unknown(element.where, fmt::format("unknown shape \"{}\"{}; it is left out", properties.type(),
                                                            did_you_mean(properties.type(), shape_types())));
-    return std::nullopt;
+    return;
   }
   Shape shape;
   shape.id = properties.id();
@@ -67,10 +67,15 @@ std::optional<Shape> read_shape(const XmlElement& element, SceneBuilder& builder
   if (bsdf != nullptr) shape.material = material_index(*bsdf, builder);
   if (emitter != nullptr) read_area_emitter(*emitter, shape, builder);
   const Transform to_world = properties.transform("to_world").value_or(Transform{});
-  ShapeInput input{properties, to_world, shape, bsdf != nullptr, builder};
+  std::vector<Sphere> further;
+  ShapeInput input{properties, to_world, shape, bsdf != nullptr, builder, further};
   shape.geometry = (*read_geometry)(input);
   properties.report_unknown();
-  return shape;
+  shapes.push_back(std::move(shape));
+  if (further.empty()) return;
+  shapes.reserve(shapes.size() + further.size());
+  const std::size_t first = shapes.size() - 1;
+  for (const Sphere& sphere : further) shapes.emplace_back(shapes[first]).geometry = sphere;
 }
 
 }  // namespace strahl

@@ -4,17 +4,15 @@
 
 namespace strahl {
 
-Geometry read_sphere(ShapeInput& input) {
-  Sphere sphere;
-  sphere.center = input.world_from_object.point(input.properties.vector("center").value_or(Vec3{}));
-  sphere.radius = input.properties.positive("radius").value_or(1.0);
+std::optional<Sphere> placed_sphere(Sphere sphere, const ShapeInput& input) {
+  sphere.center = input.world_from_object.point(sphere.center);
   const Vec3 x = input.world_from_object.column(0), y = input.world_from_object.column(1),
              z = input.world_from_object.column(2);
   const bool is_round = are_equally_long(x, y) && are_equally_long(x, z) && are_perpendicular(x, y) &&
                         are_perpendicular(y, z) && are_perpendicular(z, x);
   if (!is_round) {
     report_distortion(input, "a sphere can be rotated, moved and scaled uniformly only");
-    return sphere;
+    return std::nullopt;
   }
   sphere.radius *= length(x);
   const Vec3 frame_x = normalized(x);
@@ -22,6 +20,13 @@ Geometry read_sphere(ShapeInput& input) {
   const double handedness = input.world_from_object.determinant() < 0 ? -1 : 1;
   sphere.frame = {frame_x, cross(normal, frame_x), handedness * normal};
   return sphere;
+}
+
+Geometry read_sphere(ShapeInput& input) {
+  Sphere sphere;
+  sphere.center = input.properties.vector("center").value_or(Vec3{});
+  sphere.radius = input.properties.positive("radius").value_or(1.0);
+  return placed_sphere(sphere, input).value_or(sphere);
 }
 
 }  // namespace strahl

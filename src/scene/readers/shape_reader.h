@@ -16,6 +16,7 @@ struct ShapeInput {
   Shape& shape;               ///< Material, radiance and flip_normals are set already; a reader may change them.
   bool has_material = false;  ///< The shape has a <bsdf> of its own.
   SceneBuilder& builder;
+  std::vector<Sphere>& further;  ///< Shapes of their own behind this one, alike but for their geometry.
 };
 
 /// World-frame geometry. After an error (in the diagnostics) any geometry: the scene is not used then.
@@ -25,8 +26,8 @@ using ShapeReader = Geometry (*)(ShapeInput&);
 #include "scene/readers/shapes.def"
 #undef SHAPE
 
-/// One <shape>: geometry, material, emitter. None where its type is unknown, which is reported.
-[[nodiscard]] std::optional<Shape> read_shape(const XmlElement& element, SceneBuilder& builder);
+/// One <shape>: geometry, material, emitter; appended to `shapes`. A type that is unknown is reported and left out.
+void read_shape(const XmlElement& element, SceneBuilder& builder, std::vector<Shape>& shapes);
 
 /// <shape type="shapegroup"> and <shape type="instance">, which are no shapes of the scene themselves.
 [[nodiscard]] bool is_group(const XmlElement& shape);
@@ -35,6 +36,12 @@ using ShapeReader = Geometry (*)(ShapeInput&);
 int group_index(const XmlElement& element, SceneBuilder& builder);
 /// Appended to builder.scene.
 void read_instance(const XmlElement& element, SceneBuilder& builder);
+
+/// Where the parameter "filename" points; it must be a file with that extension. Else none, which is reported.
+[[nodiscard]] std::optional<std::string> data_path(ShapeInput& input, const std::string& extension);
+
+/// In the world frame; none where it would not be round there, which is reported.
+[[nodiscard]] std::optional<Sphere> placed_sphere(Sphere object, const ShapeInput& input);
 
 // ---- what a transform may do to shapes that have a radius ------------------------------------------------------
 
