@@ -52,17 +52,25 @@ FN int is_amid(const Surface* s, real3 e, real3 f, real size, real bound) {
   return least * across > R(16.0) * bound * size;
 }
 
-FN real3 polygon_departure(const Surface* s, real3 d) {
+/// Where rays leave a surface: from `point`, moved by `move` and by `bound` along the normal to the side that the ray
+/// goes to.
+typedef struct {
+  real3 point, move;
+  real bound;
+} Departure;
+
+FN void polygon_departure(const Surface* s, Departure* departure) {
   int corners = s->outline == OUTLINE_TRIANGLE ? 3 : 4;
   real3 p = s->position, first = corner_load(s->prim, s->stride, 0);
   real3 e = sub3(corner_load(s->prim, s->stride, 1), first),
         f = sub3(corner_load(s->prim, s->stride, corners - 1), first);
   real size = larger_of(max3(abs3(e)), max3(abs3(f)));
   real bound = R(1.75) * real_roundoff() * (max3(abs3(p)) + size);
-  real3 move = scale3(dot3(d, s->normal) < R(0.0) ? -bound : bound, s->normal);
-  if (is_amid(s, e, f, size, bound)) return add3(p, move);
+  departure->bound = bound;
+  if (is_amid(s, e, f, size, bound)) return;
   // Off all edges at once: one after the other, a move off one leads over the other in a sharp corner. Then once more
   // by what is missing there. The point itself is rounded once, at the end.
+  real3 move = departure->move;
   for (int pass = 0; pass < 2; ++pass) {
     real3 from = move;
     for (int k = 0; k < corners; ++k) {
@@ -71,7 +79,7 @@ FN real3 polygon_departure(const Surface* s, real3 d) {
       move = off_edge(move, p, from, a, b, within, s->normal, bound);
     }
   }
-  return add3(p, move);
+  departure->move = move;
 }
 
 /// x, strictly between the faces lo and hi where there is room for it.
@@ -91,17 +99,28 @@ FN real3 box_departure(const Surface* s) {
   return vec3(n.x != zero ? p.x : inside.x, n.y != zero ? p.y : inside.y, n.z != zero ? p.z : inside.z);
 }
 
-/// From the surface towards d, until t_max; id: the primitive's, scene-wide.
-FN Ray ray_leaving(const Surface* s, int id, real3 d, real t_max) {
-  real3 from = s->position;
-  if (!TIER_FAST && s->outline == OUTLINE_BOX) from = box_departure(s);
+FN Departure departure_of(const Surface* s) {
+  Departure departure;
+  real zero = R(0.0);
+  departure.point = s->position;
+  departure.move = vec3(zero, zero, zero);
+  departure.bound = zero;
+  if (!TIER_FAST && s->outline == OUTLINE_BOX) departure.point = box_departure(s);
   if (!TIER_FAST && (s->outline == OUTLINE_TRIANGLE || s->outline == OUTLINE_PARALLELOGRAM))
-    from = polygon_departure(s, d);
-  Ray ray = ray_make(from, d, R(0.0), t_max, id);
-  if (s->outline == OUTLINE_ROUND) {
-    real cosine = dot3(d, s->normal);
-    ray.is_outward = s->is_flipped != 0 ? !(R(0.0) < cosine) : !(cosine < R(0.0));
+    polygon_departure(s, &departure);
+  return departure;
+}
+
+/// From the surface towards d, until t_max; id: the primitive's, scene-wide.
+FN Ray ray_leaving(const Surface* s, const Departure* departure, int id, real3 d, real t_max) {
+  real cosine = dot3(d, s->normal);
+  real3 from = departure->point;
+  if (departure->bound > R(0.0)) {
+    real off = cosine < R(0.0) ? -departure->bound : departure->bound;
+    from = add3(from, fma3(off, s->normal, departure->move));
   }
+  Ray ray = ray_make(from, d, R(0.0), t_max, id);
+  if (s->outline == OUTLINE_ROUND) ray.is_outward = s->is_flipped != 0 ? !(R(0.0) < cosine) : !(cosine < R(0.0));
   return ray;
 }
 

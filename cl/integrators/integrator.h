@@ -79,7 +79,8 @@ FN real3 light_gain(const Scene* scene, const Path* path, const Surface* s, cons
   return reflected;
 }
 
-FN void LANED(add_lights)(const Scene* scene, Path* path, const Surface* s, int id, const Material* m, int is_shared) {
+FN void LANED(add_lights)(const Scene* scene, Path* path, const Surface* s, const Departure* departure, int id,
+                          const Material* m, int is_shared) {
   int count = LIGHT_COUNT == 0 ? 0 : scene->index[HEADER_LIGHT_COUNT];
   int taken = LIGHT_COUNT == 0 ? 0 : scene->index[HEADER_LIGHTS_TAKEN];
   int rays = count > taken ? taken + 1 : taken;
@@ -87,32 +88,23 @@ FN void LANED(add_lights)(const Scene* scene, Path* path, const Surface* s, int 
     LightSample light;
     real3 reflected = light_gain(scene, path, s, m, i, is_shared, &light);
     if (!(max3(reflected) > R(0.0))) continue;
-    Ray shadow = ray_leaving(s, id, light.towards, light.t_max);
+    Ray shadow = ray_leaving(s, departure, id, light.towards, light.t_max);
     if (HAS_COUNT_RAYS) count_event(scene, COUNT_SHADOW);
     if (!LANED(any_hit)(scene, &shadow)) path_add(path, reflected);
   }
 }
 
-/// The next surface lies along d.
-FN void path_turn(const Scene* scene, Path* path, const Surface* s, int id, real3 d) {
-  if (HAS_COUNT_RAYS) count_event(scene, COUNT_BOUNCE);
-  path->ray = ray_leaving(s, id, d, REAL_MAX);
-  ++path->depth;
-}
-
-/// 0: all light that the way on could bring is lost.
-FN int path_mirror(const Scene* scene, Path* path, const Surface* s, int id, const Material* m, real3 wo) {
+/// The way on; 0: all light that it could bring is lost.
+FN int path_mirror(Path* path, const Surface* s, const Material* m, real3 wo, real3* on) {
   path->throughput = mul3(path->throughput, material_mirror(m));
-  if (!(max3(path->throughput) > R(0.0))) return 0;
   path->density = R(0.0);
   // Normalised anew each time: the length does not drift however many mirrors follow.
-  real3 on = normalize3(fma3(R(2.0) * dot3(s->shading, wo), s->shading, negate3(wo)));
-  path_turn(scene, path, s, id, on);
-  return 1;
+  *on = normalize3(fma3(R(2.0) * dot3(s->shading, wo), s->shading, negate3(wo)));
+  return max3(path->throughput) > R(0.0);
 }
 
-/// 0: the path ends.
-FN int path_scatter(const Scene* scene, Path* path, const Surface* s, int id, const Material* m, int is_roulette) {
+/// The way on; 0: the path ends.
+FN int path_scatter(const Scene* scene, Path* path, const Surface* s, const Material* m, int is_roulette, real3* on) {
   Random2 numbers = sample_pair(scene, &path->sample, set_at(path->depth, SET_WAY));
   MaterialSample way = material_sample(m, random_between(numbers.x), random_between(numbers.y));
   path->throughput = mul3(path->throughput, way.weight);
@@ -125,16 +117,11 @@ FN int path_scatter(const Scene* scene, Path* path, const Surface* s, int id, co
   }
   path->from = s->position;
   path->density = way.density;
-  path_turn(scene, path, s, id, normalize3(way.wi));
+  *on = normalize3(way.wi);
   return 1;
 }
 
-/// On along the same line, for a camera ray that has met an emitter that is to be hidden.
-FN int path_through(Path* path, const Surface* s, int id, real t) {
-  path->ray = ray_leaving(s, id, path->ray.d, path->ray.t_max - t);
-  return 1;
-}
-
+/// An emitter that the camera looks through.
 FN int is_hidden(const Scene* scene, const Path* path, const Surface* s) {
   return HAS_EMISSION && path->depth == 0 && scene->index[HEADER_HIDE_EMITTERS] != 0 &&
          scene_part(scene, s->part)[PART_RADIANCE] >= 0;
@@ -158,10 +145,21 @@ FN int LANED(surface_step)(const Scene* scene, Path* path, int hit, Surface* s, 
       break;
   }
   if (next == 0) return 0;
-  if (is_hidden(scene, path, s)) return path_through(path, s, id, t);
-  real3 wo = normalize3(negate3(path->ray.d));
-  Material m = material_at(scene, s, wo);
-  if ((next & STEP_LIGHTS) != 0) LANED(add_lights)(scene, path, s, id, &m, next & STEP_SCATTER);
-  if ((next & STEP_MIRROR) != 0) return path_mirror(scene, path, s, id, &m, wo);
-  return (next & STEP_SCATTER) != 0 ? path_scatter(scene, path, s, id, &m, next & STEP_ROULETTE) : 0;
+  Departure departure = departure_of(s);
+  real3 on = path->ray.d;
+  real t_max = path->ray.t_max - t;
+  if (!is_hidden(scene, path, s)) {
+    real3 wo = normalize3(negate3(on));
+    Material m = material_at(scene, s, wo);
+    if ((next & STEP_LIGHTS) != 0) LANED(add_lights)(scene, path, s, &departure, id, &m, next & STEP_SCATTER);
+    int is_on = 0;
+    if ((next & STEP_MIRROR) != 0) is_on = path_mirror(path, s, &m, wo, &on);
+    if ((next & STEP_SCATTER) != 0) is_on = path_scatter(scene, path, s, &m, next & STEP_ROULETTE, &on);
+    if (!is_on) return 0;
+    if (HAS_COUNT_RAYS) count_event(scene, COUNT_BOUNCE);
+    t_max = REAL_MAX;
+    ++path->depth;
+  }
+  path->ray = ray_leaving(s, &departure, id, on, t_max);
+  return 1;
 }

@@ -9,7 +9,7 @@
 namespace strahl {
 
 /// Samples per pixel, sampler and seed that a scene ends up with: what it states, or the integrator's default.
-/// emission, depth, normals: centre, 1 sample; others: independent, 16.
+/// emission, depth, normals: centre, 1 sample; others: sobol, 16.
 struct ResolvedSampling {
   SamplerKind kind;
   int spp;

@@ -31,6 +31,12 @@ double length(const Wide& a) { return std::sqrt(dot(a, a)); }
 double largest(const Wide& a) { return std::max({std::fabs(a.x), std::fabs(a.y), std::fabs(a.z)}); }
 double ulp(double x) { return std::ldexp(1.0, std::ilogb(x) - 23); }
 
+/// The ray that leaves s towards d.
+f32::Ray leaving(const f32::Surface& s, int id, real3 d) {
+  const f32::Departure departure = f32::departure_of(&s);
+  return f32::ray_leaving(&s, &departure, id, d, 1);
+}
+
 class Random {
  public:
   float symmetric() { return static_cast<float>(uniform_(engine_) * 2 - 1); }
@@ -111,7 +117,7 @@ TEST_CASE("polygons: near the point, off the edges, on the ray's side") {
     }
     if (!is_plain) continue;
     const real3 d = random.vector(1);
-    const Wide o = wide(f32::ray_leaving(&polygon.s, -1, d, 1).o), p = wide(polygon.s.position);
+    const Wide o = wide(leaving(polygon.s, -1, d).o), p = wide(polygon.s.position);
     const double allowed = 4 * ulp(m) + 4 * u * size;
     farthest = std::max(farthest, largest(o - p) / allowed);
 
@@ -149,7 +155,7 @@ TEST_CASE("boxes: the face's coordinate stays, the others lie strictly between t
     s.stride = 1;
     s.normal = f32::vec3(-1, 0, 0);
     s.position = f32::vec3(lo.x, lo.y + random.weight() * (hi.y - lo.y), lo.z + random.weight() * (hi.z - lo.z));
-    const real3 o = f32::ray_leaving(&s, -1, random.vector(1), 1).o;
+    const real3 o = leaving(s, -1, random.vector(1)).o;
     CHECK(o.x == lo.x);
     const auto check = [&](float from, float before, float low, float high) {
       const double m = std::max(std::fabs(low), std::fabs(high));
@@ -164,7 +170,7 @@ TEST_CASE("boxes: the face's coordinate stays, the others lie strictly between t
 TEST_CASE("where no neighbour touches, rays begin at the point found") {
   f32::Surface s{};
   s.position = f32::vec3(1.1F, -2.3F, 1e7F);
-  const real3 o = f32::ray_leaving(&s, 3, f32::vec3(0, 0, 1), 1).o;
+  const real3 o = leaving(s, 3, f32::vec3(0, 0, 1)).o;
   CHECK(o.x == s.position.x);
   CHECK(o.y == s.position.y);
   CHECK(o.z == s.position.z);

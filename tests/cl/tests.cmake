@@ -10,14 +10,15 @@ check_cxx_source_runs(
   "#include <cmath>
    int main() { volatile double a = 1; return std::fma(a, a, -a) == 0 ? 0 : 1; }" STRAHL_HOST_HAS_FMA)
 unset(CMAKE_REQUIRED_FLAGS)
-add_library(strahl_host_kernels STATIC cl/host_kernels_f32.cpp cl/host_kernels_f64.cpp cl/math_f32.cpp cl/math_f64.cpp)
+add_library(strahl_host_kernels STATIC cl/host_kernels_f32.cpp cl/host_kernels_f64.cpp cl/math_f32.cpp cl/math_f64.cpp
+            cl/sampling_f32.cpp cl/sampling_f64.cpp)
 target_include_directories(strahl_host_kernels PRIVATE ${PROJECT_SOURCE_DIR}/cl ${CMAKE_CURRENT_SOURCE_DIR})
 # -O2 in every configuration: these bodies are what the tests below spend their time in.
 target_compile_options(strahl_host_kernels PRIVATE -O2 -Wno-psabi $<$<BOOL:${STRAHL_HOST_HAS_FMA}>:-mfma>)
 
 strahl_test(cl/test_departure.cpp LABEL unit)
 target_include_directories(cl_test_departure PRIVATE ${PROJECT_SOURCE_DIR}/cl)
-foreach(name departed math)
+foreach(name departed math samplers sampling)
   strahl_test(cl/test_${name}.cpp LABEL unit LIBS strahl_host_kernels strahl_oracle)
 endforeach()
 foreach(name shapes_oracle watertight ties arbitrary_bits host_equals_device)

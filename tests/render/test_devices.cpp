@@ -7,7 +7,8 @@
 
 #include "device/tier_choice.h"
 #include "errors.h"
-#include "render/pictures.h"
+#include "render/stage.h"
+#include "scene/build.h"
 
 namespace strahl::test {
 namespace {
@@ -34,6 +35,25 @@ void check_everywhere(const std::string& name, int width, int height, int spp) {
 }
 
 TEST_CASE("spheres and planes, 64 samples") { check_everywhere("lecture/lit.xml", 24, 18, 64); }
+
+// In stable, which rusticl compiles in half the time; test_every_scene has the others.
+TEST_CASE("paths between spheres, one of them a lamp, under a sky") {
+  require_pocl_and_rusticl();
+  Scene scene = stage({Sphere{{0, 0, 0}, 1}}, diffuse({0.8, 0.7, 0.6}));
+  add(scene, emitting(Sphere{{0.5, 1, 2}, 0.5}, {4, 3, 2}));
+  add(scene, ConstantLight{{0.2, 0.3, 0.4}});
+  scene.film.width = scene.film.height = 12;
+  scene.integrator.name = "path";
+  scene.integrator.max_depth = 9;
+  scene.sampler.sample_count = 8;
+  const RenderSettings settings = all_aovs(Precision::stable);
+  const RenderResult expected = render("pocl", scene, settings);
+  CHECK(lit_pixels(expected.color) > 140);  // Two just touch the lamp.
+  for (const std::string& device : present_devices()) {
+    INFO(device);
+    CHECK(same_bits(expected, render(device, scene, settings)));
+  }
+}
 
 TEST_CASE("a mesh") { check_everywhere("shapes/mesh-obj.xml", 16, 12, 2); }
 

@@ -2,6 +2,7 @@
 // What must not change a single bit of a picture or its AOVs: a second run, the work-group, lanes, passes, a crop
 // window. The generic program and the device are test_generic's and test_devices'.
 #include <catch2/catch.hpp>
+#include <functional>
 
 #include "render/pictures.h"
 
@@ -50,6 +51,20 @@ TEST_CASE("work-groups, lanes and passes") {
       check("passes " + std::to_string(passes), settings);
     }
   }
+}
+
+TEST_CASE("paths, however they are split") {
+  require_pocl_and_rusticl();
+  const Scene scene = small_scene(scene_folder / "cornell/cornell-box.xml", 31, 23, 8);
+  const RenderResult expected = render("pocl", scene, all_aovs());
+  const auto check = [&](const std::function<void(RenderSettings&)>& change) {
+    RenderSettings settings = all_aovs();
+    change(settings);
+    CHECK(same_bits(expected, render("pocl", scene, settings)));
+  };
+  check([](RenderSettings& settings) { settings.work_group = {7, 3}; });
+  check([](RenderSettings& settings) { settings.passes = 3; });
+  check([](RenderSettings& settings) { settings.lanes = 8; });
 }
 
 TEST_CASE("one pixel, one long row") {
