@@ -129,7 +129,9 @@ ExitCode render(const RenderOptions& options, const Invocation& invocation) {
   const Device device = Device::open(
       options.device, {settings.precision == Precision::fp64 || settings.aovs.contains(Aov::numeric_error)});
   const Canary canary = ask_canary(device, options.kernel, settings);
-  Renderer renderer(device, scene, settings);
+  // A large scene should not be there twice where nothing is counted.
+  const Scene counted = options.stats_detail ? scene : Scene{};
+  Renderer renderer(device, std::move(scene), settings);
   if (!options.dump_kernel.empty()) write_text(options.dump_kernel, renderer.program_text());
 
   const InterruptGuard guard;
@@ -153,7 +155,8 @@ ExitCode render(const RenderOptions& options, const Invocation& invocation) {
 
   if (!options.stats.empty()) {
     nlohmann::ordered_json detail;
-    if (options.stats_detail && result.complete) detail = count(device, scene, settings, options, guard, result.stats);
+    if (options.stats_detail && result.complete)
+      detail = count(device, counted, settings, options, guard, result.stats);
     auto json = nlohmann::ordered_json::parse(result.stats.json());
     if (options.stats_detail) json["detail"] = detail;
     write_text(options.stats, json.dump(2) + "\n");

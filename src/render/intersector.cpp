@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
+#include <string>
 
 #include "device/cl_layout.h"
 #include "device/program_text.h"
@@ -21,13 +23,18 @@ constexpr std::size_t group_size = 64;
 /// Rays a launch: keeps buffers and launches small whatever the number of rays.
 constexpr std::size_t chunk_rays = std::size_t{1} << 18;
 
-/// Only what intersection needs: no lights, no materials, no film.
+/// Only what intersection needs, the first shape of every kind: no vertices, no lights, no materials, no film.
 Features intersection_features(const Scene& scene, const RenderSettings& settings) {
-  Scene bare = scene;
+  Scene bare;
   bare.integrator.name = "emission";
   bare.sampler.kind = SamplerKind::centre;
-  bare.lights.clear();
-  for (Shape& shape : bare.shapes) shape.radiance.reset();
+  std::set<std::string> kinds;
+  for_each_shape(scene, [&](const Shape& shape) {
+    if (!kinds.insert(shape_kind(shape)).second) return;
+    Shape& first = bare.shapes.emplace_back();
+    first.where = shape.where;
+    first.geometry = std::holds_alternative<Mesh>(shape.geometry) ? Geometry{Mesh{}} : shape.geometry;
+  });
   RenderSettings plain = settings;
   plain.aovs.clear();
   return features_of(bare, plain);

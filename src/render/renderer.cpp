@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "device/cl_layout.h"
 #include "device/program_text.h"
@@ -37,7 +38,7 @@ struct Renderer::State {
   cl::Kernel kernel;
   RunStats stats;  ///< What construction took; render() starts from it.
 
-  State(const Device& d, const Scene& s, const RenderSettings& r) : device(d), scene(s), settings(r) {}
+  State(const Device& d, Scene s, const RenderSettings& r) : device(d), scene(std::move(s)), settings(r) {}
 
   /// The textbook's renderer keeps the world's coordinates, whatever they cost it.
   [[nodiscard]] Frame frame() const { return settings.precision == Precision::fast ? Frame{} : camera_frame(scene); }
@@ -207,8 +208,8 @@ bool Renderer::State::render_band(int row, int rows, FilmSums& sums, RunStats& r
   return carry_on;
 }
 
-Renderer::Renderer(const Device& device, const Scene& scene, const RenderSettings& settings)
-    : state_(std::make_unique<State>(device, scene, settings)) {
+Renderer::Renderer(const Device& device, Scene scene, const RenderSettings& settings)
+    : state_(std::make_unique<State>(device, std::move(scene), settings)) {
   state_->prepare();
 }
 Renderer::~Renderer() = default;

@@ -36,7 +36,7 @@ class Renderer {
   /// Validates, packs, builds the program and uploads. Throws SceneError, DeviceError, KernelBuildError, or
   /// NoDeviceError where the device's memory cannot hold the scene and one row of the film, or its loops end too early
   /// for the scene (RenderSettings::loop_turns).
-  Renderer(const Device& device, const Scene& scene, const RenderSettings& settings = {});
+  Renderer(const Device& device, Scene scene, const RenderSettings& settings = {});
   ~Renderer();
   Renderer(Renderer&&) noexcept;
   Renderer& operator=(Renderer&&) noexcept;
