@@ -49,14 +49,33 @@ Vec3 Transform::column(int i) const {
 
 double Transform::determinant() const { return dot(column(0), cross(column(1), column(2))); }
 
-Vec3 Transform::normal(const Vec3& n) const {
+namespace {
+
+/// A power of two that brings the largest number of the linear part near 1.
+double ordinary_scale(const Transform& transform) {
   double largest = 0;
-  for (const auto& row : m)
+  for (const auto& row : transform.m)
     for (std::size_t i = 0; i < 3; ++i) largest = std::max(largest, std::abs(row[i]));
-  const double scale = std::scalbn(1.0, -std::ilogb(largest));
+  return std::scalbn(1.0, -std::ilogb(largest));
+}
+
+}  // namespace
+
+Vec3 Transform::normal(const Vec3& n) const {
+  const double scale = ordinary_scale(*this);
   const Vec3 c0 = scale * column(0), c1 = scale * column(1), c2 = scale * column(2);
   const Vec3 cofactors = n.x * cross(c1, c2) + n.y * cross(c2, c0) + n.z * cross(c0, c1);
   return (scale / dot(c0, cross(c1, c2))) * cofactors;
+}
+
+Transform Transform::inverse() const {
+  const double scale = ordinary_scale(*this);
+  const Vec3 c0 = scale * column(0), c1 = scale * column(1), c2 = scale * column(2);
+  const double factor = scale / dot(c0, cross(c1, c2));
+  const std::array rows{factor * cross(c1, c2), factor * cross(c2, c0), factor * cross(c0, c1)};
+  Transform inverted;
+  for (std::size_t i = 0; i < 3; ++i) inverted.m[i] = {rows[i].x, rows[i].y, rows[i].z, -dot(rows[i], translation())};
+  return inverted;
 }
 
 Transform operator*(const Transform& a, const Transform& b) {

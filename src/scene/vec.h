@@ -44,6 +44,8 @@ struct Transform {
   [[nodiscard]] Vec3 vector(const Vec3& v) const;
   /// The inverse-transpose applied to n (not normalised); the linear part must not be singular.
   [[nodiscard]] Vec3 normal(const Vec3& n) const;
+  /// The linear part must not be singular.
+  [[nodiscard]] Transform inverse() const;
   /// Column i of the linear part.
   [[nodiscard]] Vec3 column(int i) const;
   [[nodiscard]] Vec3 translation() const { return {m[0][3], m[1][3], m[2][3]}; }

@@ -60,3 +60,15 @@ TEST_CASE("composition applies the right factor first") {
   CHECK((scale * move).point({1, 1, 1}) == Vec3{4, 6, 8});
   CHECK((scale * move).vector({1, 1, 1}) == Vec3{2, 2, 2});
 }
+
+TEST_CASE("an inverse leads back, whatever the scale") {
+  const Transform move{{{{1, 0, 0, 1}, {0, 1, 0, 2}, {0, 0, 1, 3}}}};
+  CHECK(move.inverse().point({1, 2, 3}) == Vec3{0, 0, 0});
+  const Transform t{{{{1, 2, 0, 7}, {0, 3, 1, 8}, {-1, 0, 2, 9}}}};
+  for (const double scale : {1.0, 1e-150, 1e150}) {
+    const Transform sized = t * Transform{{{{scale, 0, 0, 0}, {0, scale, 0, 0}, {0, 0, scale, 0}}}};
+    const Vec3 p{0.5, -2, 3};
+    check_close(scale * sized.inverse().vector(t.vector(p)), p, 1e-14);
+    check_close(scale * sized.inverse().point(t.point(p)), p, 1e-14);
+  }
+}
