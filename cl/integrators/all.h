@@ -6,3 +6,4 @@
 #include "integrators/direct.h"
 #include "integrators/whitted.h"
 #include "integrators/path.h"
+#include "integrators/ao.h"

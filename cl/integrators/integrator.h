@@ -5,16 +5,18 @@
 #include "core/counters.h"
 #include "core/departure.h"
 #include "core/footprint.h"
+#include "core/openness.h"
 #include "core/path.h"
 #include "lights/light.h"
 #include "materials/material.h"
 #include "samplers/sampler.h"
 
 enum {
-  STEP_LIGHTS = 1,   ///< Add what the lights throw on the surface.
-  STEP_MIRROR = 2,   ///< Follow the mirrored ray.
-  STEP_SCATTER = 4,  ///< Follow a way that the material draws; drawn lights then share their work with it.
-  STEP_ROULETTE = 8  ///< Perhaps not.
+  STEP_LIGHTS = 1,    ///< Add what the lights throw on the surface.
+  STEP_MIRROR = 2,    ///< Follow the mirrored ray.
+  STEP_SCATTER = 4,   ///< Follow a way that the material draws; drawn lights then share their work with it.
+  STEP_ROULETTE = 8,  ///< Perhaps not.
+  STEP_OPENNESS = 16  ///< Add white if a way into the open meets nothing.
 };
 
 /// What comes along the path's ray by itself: the surface's emission, or the background where nothing is hit.
@@ -79,14 +81,24 @@ FN real3 light_gain(const Scene* scene, const Path* path, const Surface* s, cons
   return reflected;
 }
 
+/// What shadow rays let through: one for each light that is taken and one for those that are drawn from; or one into
+/// the open.
 FN void LANED(add_lights)(const Scene* scene, Path* path, const Surface* s, const Departure* departure, int id,
-                          const Material* m, int is_shared) {
+                          const Material* m, real3 wo, int next) {
+  int is_open = HAS_OPENNESS && (next & STEP_OPENNESS) != 0;
   int count = LIGHT_COUNT == 0 ? 0 : scene->index[HEADER_LIGHT_COUNT];
   int taken = LIGHT_COUNT == 0 ? 0 : scene->index[HEADER_LIGHTS_TAKEN];
   int rays = count > taken ? taken + 1 : taken;
+  if (is_open) rays = 1;
   for (int i = 0; i < rays; ++i) {
     LightSample light;
-    real3 reflected = light_gain(scene, path, s, m, i, is_shared, &light);
+    real3 reflected;
+    if (is_open) {
+      light = sky_sample(scene, path, s, wo);
+      reflected = light.irradiance;
+    } else {
+      reflected = light_gain(scene, path, s, m, i, next & STEP_SCATTER, &light);
+    }
     if (!(max3(reflected) > R(0.0))) continue;
     Ray shadow = ray_leaving(s, departure, id, light.towards, light.t_max);
     if (HAS_COUNT_RAYS) count_event(scene, COUNT_SHADOW);
@@ -151,7 +163,7 @@ FN int LANED(surface_step)(const Scene* scene, Path* path, int hit, Surface* s, 
   if (!is_hidden(scene, path, s)) {
     real3 wo = normalize3(negate3(on));
     Material m = material_at(scene, s, wo);
-    if ((next & STEP_LIGHTS) != 0) LANED(add_lights)(scene, path, s, &departure, id, &m, next & STEP_SCATTER);
+    if ((next & (STEP_LIGHTS | STEP_OPENNESS)) != 0) LANED(add_lights)(scene, path, s, &departure, id, &m, wo, next);
     int is_on = 0;
     if ((next & STEP_MIRROR) != 0) is_on = path_mirror(path, s, &m, wo, &on);
     if ((next & STEP_SCATTER) != 0) is_on = path_scatter(scene, path, s, &m, next & STEP_ROULETTE, &on);

@@ -64,7 +64,8 @@ void shape_causes(const Scene& scene, const RenderSettings& settings, Causes& ca
   const bool lit = shows_light(scene.integrator.name);
   const bool reflects = is_lit(scene.integrator.name);
   // Normals interpolated over a mesh reach the picture through lighting, the normals picture and its AOV.
-  const bool shading = reflects || scene.integrator.name == "normals" || settings.aovs.contains(Aov::normal);
+  const bool shading = reflects || scene.integrator.name == "normals" || scene.integrator.name == "ao" ||
+                       settings.aovs.contains(Aov::normal);
   auto use_material = [&](int index, const SourceLocation& where) {
     const Material& material = material_at(scene, index);
     const std::string kind = material_kind(material);
@@ -114,7 +115,7 @@ void shape_causes(const Scene& scene, const RenderSettings& settings, Causes& ca
 
 /// Does a sample draw more than its place in the pixel?
 bool draws(const std::string& integrator, const Causes& causes) {
-  return integrator == "path" ||
+  return integrator == "path" || integrator == "ao" ||
          (is_lit(integrator) && (causes.contains("lights/constant") || causes.contains("EMISSION")));
 }
 
@@ -136,6 +137,7 @@ Causes causes_of(const Scene& scene, const RenderSettings& settings) {
     const std::string sampler = sampler_entry(resolve_sampling(scene).kind);
     call_for(causes, "samplers/" + sampler, "numbers that samples draw", scene.sampler.where);
   }
+  if (integrator == "ao") call_for(causes, "OPENNESS", "integrator ao", scene.integrator.where);
   if (!settings.aovs.empty()) call_for(causes, "AOV", "--aov", {});
   if (settings.count_rays) call_for(causes, "COUNT_RAYS", "--stats-detail", {});
   return causes;

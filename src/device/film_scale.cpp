@@ -31,7 +31,7 @@ double reflected(const PointLight& light, const Scene& scene, const std::optiona
 double typical_radiance(const Scene& scene) {
   const std::optional<Box> box = bounds(scene);
   const std::string& integrator = scene.integrator.name;
-  if (integrator == "normals") return 1;
+  if (integrator == "normals" || integrator == "ao") return 1;
   if (integrator == "depth")
     return box ? length(box->max - box->min) +
                      length(0.5 * (box->min + box->max) - scene.camera.world_from_camera.translation())

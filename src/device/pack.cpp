@@ -63,6 +63,8 @@ class Packing {
     index(layout::HEADER_INTEGRATOR) = features_.entry_index("integrators", scene_.integrator.name);
     index(layout::HEADER_MAX_DEPTH) = most_surfaces(scene_.integrator);
     index(layout::HEADER_RR_DEPTH) = scene_.integrator.rr_depth;
+    index(layout::HEADER_REACH) = put_shading({std::min(options_.frame.scale * scene_.integrator.max_distance,
+                                                        static_cast<double>(std::numeric_limits<Real>::max()))});
     index(layout::HEADER_SAMPLER) = features_.entry_index("samplers", sampler_entry(sampling.kind));
     index(layout::HEADER_HIDE_EMITTERS) = scene_.integrator.hide_emitters ? 1 : 0;
     index(layout::HEADER_CAMERA) = put_shading(camera_reals(scene_.camera, scene_.film, options_.frame));

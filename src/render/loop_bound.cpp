@@ -67,7 +67,7 @@ double surfaces(const Scene& scene, bool has_glow) {
 /// Shadow rays at a surface.
 double shadows(const Scene& scene, bool has_glow) {
   const std::string& integrator = scene.integrator.name;
-  if (integrator == "path") return 1;
+  if (integrator == "path" || integrator == "ao") return 1;
   if (integrator != "direct" && integrator != "whitted") return 0;
   const auto lamps = std::count_if(scene.lights.begin(), scene.lights.end(), is_lamp);
   return static_cast<double>(lamps) + (has_glow ? 1 : 0);

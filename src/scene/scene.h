@@ -237,6 +237,7 @@ struct IntegratorSettings {
   int max_depth = -1;           ///< -1: no limit. Mitsuba's count: 1 = emission only, 2 = one bounce.
   int rr_depth = 5;             ///< Surfaces after which Russian roulette begins, at least 1; path only.
   bool hide_emitters = false;
+  double max_distance = std::numeric_limits<double>::infinity();  ///< How far ao looks, > 0.
   SourceLocation where;
 };
 

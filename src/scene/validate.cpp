@@ -171,6 +171,7 @@ std::vector<Diagnostic> validate(const Scene& scene) {
   check.at(scene.integrator.where);
   check.require(!scene.integrator.name.empty(), "the integrator has no name");
   check.require(scene.integrator.max_depth >= -1, "max_depth must be -1 (no limit) or more");
+  check.require(scene.integrator.max_distance > 0, "max_distance must be greater than 0");
   check.require(scene.integrator.rr_depth >= 1, "rr_depth must be at least 1");
   return found;
 }

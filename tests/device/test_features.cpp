@@ -248,6 +248,18 @@ TEST_CASE("A sampler is there where samples draw numbers, one of them") {
   check_on(scene, {}, "samplers/sobol", 4, why);
 }
 
+TEST_CASE("OPENNESS: ambient occlusion, which knows neither materials nor lights") {
+  Scene scene = scene_of(Sphere{});
+  scene.shapes[0].radiance = Rgb{1, 1, 1};
+  scene.lights.push_back({"", ConstantLight{}, line(15)});
+  check_off(scene, {}, "OPENNESS");
+  scene.integrator.name = "ao";
+  check_on(scene, {}, "OPENNESS", 2, "integrator ao");
+  check_on(scene, {}, "samplers/sobol", 4, "numbers that samples draw");
+  for (const char* effect : {"EMISSION", "lights/constant", "lights/area", "materials/diffuse"})
+    check_off(scene, {}, effect);
+}
+
 TEST_CASE("One integrator at a time") {
   for (const std::string& integrator : list_entries("integrators")) {
     const Scene scene = scene_of(Sphere{}, integrator);

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 foreach(name first_principles invariance generic launches closed_form terminator metamorphic mirrors checkerboard
-             mirror_box numeric_error accuracy_scenes area_lights path)
+             mirror_box numeric_error accuracy_scenes area_lights path ao)
   strahl_test(render/test_${name}.cpp LABEL render)
 endforeach()
 # rusticl takes its time where nothing is cached yet.

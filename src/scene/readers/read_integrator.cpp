@@ -12,7 +12,7 @@
 namespace strahl {
 
 IntegratorSettings read_integrator(const XmlElement& element, SceneBuilder& builder) {
-  static const std::vector<std::string> known{"emission", "depth", "normals", "direct", "whitted", "path"};
+  static const std::vector<std::string> known{"emission", "depth", "normals", "direct", "whitted", "path", "ao"};
   Properties properties(element, builder.ids, builder.diagnostics);
   IntegratorSettings integrator;
   integrator.where = element.where;
@@ -20,6 +20,7 @@ IntegratorSettings read_integrator(const XmlElement& element, SceneBuilder& buil
       properties.integer_in("max_depth", -1, std::numeric_limits<int>::max()).value_or(integrator.max_depth);
   integrator.rr_depth =
       properties.integer_in("rr_depth", 1, std::numeric_limits<int>::max()).value_or(integrator.rr_depth);
+  integrator.max_distance = properties.positive("max_distance").value_or(integrator.max_distance);
   integrator.hide_emitters = properties.boolean("hide_emitters").value_or(false);
   const std::string type = properties.type();
   if (std::find(known.begin(), known.end(), type) != known.end()) {
