@@ -29,6 +29,16 @@
 /// unused: a program holds only some of the callers.
 #define FN static inline __attribute__((always_inline, unused))
 
+/// A condition that seldom holds, for compilers that can be told: what is behind it shall not cost the rest registers.
+#ifdef __has_builtin
+#if __has_builtin(__builtin_expect)
+#define SELDOM(condition) __builtin_expect((condition) != 0, 0)
+#endif
+#endif
+#ifndef SELDOM
+#define SELDOM(condition) (condition)
+#endif
+
 #ifdef __cplusplus
 #define ON_HOST 1
 #define GLOBAL

@@ -3,7 +3,7 @@
 // [block_first[i], block_first[i + 1]), whose ids count the question's primitives. t as core/trace_one.h reports it.
 #include "math/vec3.h"
 #include "lanes/lane_ops.h"
-#include "accel/flat.h"
+#include "accel/traverse.h"
 
 KERNEL LANE_HINT void probe(GLOBAL const real* blocks, GLOBAL const int* block_ids, GLOBAL const int* block_first,
                             GLOBAL const real* rays, GLOBAL const int* left, GLOBAL real* t, GLOBAL int* primitive,

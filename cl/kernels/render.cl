@@ -5,7 +5,7 @@
 #include "math/vec3.h"
 #include "math/rng.h"
 #include "lanes/lane_ops.h"
-#include "accel/flat.h"
+#include "accel/traverse.h"
 #include "shapes/shape.h"
 #include "core/camera.h"
 #include "core/film.h"

@@ -58,6 +58,7 @@
 #define two_difference3_w LANED(two_difference3_w)
 #define dot_real3_w LANED(dot_real3_w)
 #define real_dot_real3_w LANED(real_dot_real3_w)
+#define difference_of_products_w LANED(difference_of_products_w)
 #define dw_difference_of_products_w LANED(dw_difference_of_products_w)
 #define cross_real3_w LANED(cross_real3_w)
 #define dw_dot3_w LANED(dw_dot3_w)

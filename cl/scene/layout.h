@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Where things stand in the three buffers of a scene. The host packs by this file and the kernels read by it.
 //
-//   geometry  reals: per kind of shape, blocks of planes x LANES
+//   geometry  reals: per kind of shape, blocks of planes x LANES; the tree's boxes
 //   shading   reals: camera, filter table, frames, vertex attributes, radiances, material and light parameters
 //   index     ints:  header, one row a kind of shape, ids, tables. Offsets count elements of the buffer they point
 //   into.
@@ -32,11 +32,27 @@ enum {
   HEADER_BACKGROUND,    // The light that rays see that leave the scene; -1: none.
   HEADER_GLOWS,         // 1: a ray may find light by itself, from a surface or the background.
   HEADER_REACH,         // -> shading, 1 real: how far ambient occlusion looks.
+  HEADER_ROOT,          // reference (below); NO_REFERENCE: no tree
+  HEADER_NODES,         // -> geometry, NODE_PLANES x TREE_WIDTH reals a node
+  HEADER_CHILDREN,      // -> index, TREE_WIDTH references a node
+  HEADER_BOUNDS,        // -> geometry, centre x y z and half the size x y z of a box around everything bounded
   HEADER_INTS
 };
 
 // Row of a kind of shape, at HEADER_INTS + SHAPE_x * SHAPE_INTS. The ids are followed by the part of every slot.
-enum { SHAPE_BLOCKS, SHAPE_GEOMETRY, SHAPE_IDS, SHAPE_INTS };
+// SHAPE_LISTED: blocks that every ray is tested against, all or none; the others are leaves of the tree.
+enum { SHAPE_BLOCKS, SHAPE_GEOMETRY, SHAPE_IDS, SHAPE_LISTED, SHAPE_INTS };
+
+// A reference is a node (>= 0) or ~(block << REFERENCE_BLOCK | count << REFERENCE_COUNT | kind), a leaf of `count`
+// blocks of a kind from `block` on. count 0: all that the kind lists.
+enum { REFERENCE_COUNT = 4, REFERENCE_BLOCK = 7, REFERENCE_MOST_KINDS = 16, REFERENCE_MOST_BLOCKS = 7 };
+#define NO_REFERENCE (-0x7fffffff - 1)
+
+// Planes of a node: lo_x, hi_x, lo_y, hi_y, lo_z, hi_z of its children.
+enum { NODE_PLANES = 6 };
+
+// Entries of the stack that a traversal keeps, per width of the tree; the host builds trees that need no more.
+enum { STACK_2 = 64, STACK_4 = 96, STACK_8 = 128, STACK_16 = 192 };
 
 enum {
   PART_SHAPE,     // index in file order
@@ -98,5 +114,7 @@ enum { COUNT_SATURATED, COUNT_INVALID, COUNT_SHADOW, COUNT_BOUNCE, COUNTERS };
 enum { RAY_O = 0, RAY_D = 3, RAY_T_MIN = 6, RAY_T_MAX = 7, RAY_REALS = 8 };
 enum { HIT_T = 0, HIT_U = 1, HIT_V = 2, HIT_NORMAL = 3, HIT_REALS = 6 };
 enum { HIT_SHAPE, HIT_PRIMITIVE, HIT_INTS };
+// What is known of a hit before it is looked at: Nearest without its t.
+enum { FOUND_ID, FOUND_KIND, FOUND_SLOT, FOUND_INTS };
 
 #endif

@@ -4,6 +4,9 @@
 // and taken at its word: the mantle is |f x v| = r |v|. A ray parallel to the axis misses. The cylinder just left: the
 // other root, -2 (f.d) / (d.d).
 
+#if TIER_COMPENSATED
+#include "shapes/cylinder_slabs_lanes.h"
+#endif
 #if TIER_ROBUST
 #include "shapes/cylinder_robust_lanes.h"
 #elif TIER_FAST
@@ -55,6 +58,9 @@ FN void LANED(cylinder_block)(const Ray* ray, GLOBAL const real* block, GLOBAL c
   t = sel_w(left, other, t);
   realw along = fma_w(t, d_along, o_along);
   hit = ((hit & ~left) | (left & lt_w(zero, other))) & le_w(zero, along) & le_w(along, length);
+#if REAL_BITS == 64
+  if (ray->left >= 0) hit = hit & (~left | LANED(within_cylinder_slabs)(ray, block, t));
+#endif
   if (ray->is_outward) hit = hit & ~left;
   LANED(take_nearest)(hit & LANED(in_range)(t, ray, best), t, ids, -1, SHAPE_cylinder, slot, best);
 }

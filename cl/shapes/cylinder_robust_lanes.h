@@ -5,19 +5,12 @@
 // (f x v) x (d x v) = (f . (d x v)) v, hence the discriminant is v.v times a r^2 - (f . (d x v))^2.
 // A ray parallel to the axis misses. The cylinder just left: the other root, -2 b / a.
 
-/// a b - c d, 1.5 ulp (math/vec3.h).
-FN realw LANED(difference_of_products)(realw a, realw b, realw c, realw d) {
-  realw cd = c * d;
-  realw error = fma_w(-c, d, cd);
-  return fma_w(a, b, -cd) + error;
-}
-
 /// Lanes whose axis the line may pass within r. Distance times |d x v|, all off by less than 16 u; NaN passes.
 FN maskw LANED(near_axis)(const Ray* ray, dw3_w f, realw vx, realw vy, realw vz, realw r) {
   realw dx = splat_w(ray->d.x), dy = splat_w(ray->d.y), dz = splat_w(ray->d.z);
-  realw nx = LANED(difference_of_products)(dy, vz, dz, vy);
-  realw ny = LANED(difference_of_products)(dz, vx, dx, vz);
-  realw nz = LANED(difference_of_products)(dx, vy, dy, vx);
+  realw nx = difference_of_products_w(dy, vz, dz, vy);
+  realw ny = difference_of_products_w(dz, vx, dx, vz);
+  realw nz = difference_of_products_w(dx, vy, dy, vx);
   realw distance = fma_w(f.z.hi, nz, fma_w(f.y.hi, ny, f.x.hi * nx));
   realw limit = fma_w(splat_w(R(0x1p-19)), abs_w(f.x.hi) + abs_w(f.y.hi) + abs_w(f.z.hi), r);
   realw squared = limit * limit * fma_w(nz, nz, fma_w(ny, ny, nx * nx)) + splat_w(R(0x1p-120));
@@ -59,6 +52,7 @@ FN void LANED(cylinder_block)(const Ray* ray, GLOBAL const real* block, GLOBAL c
   t = dw_sel_w(left, other, t);
   along = dw_add_w(o_along, dw_mul_w(t, d_along));
   hit = (hit & ~left) | (left & lt_w(zero, other.hi));
+  if (ray->left >= 0) hit = hit & (~left | LANED(within_cylinder_slabs)(ray, block, t.hi));
   if (ray->is_outward) hit = hit & ~left;
   hit = hit & le_w(zero, along.hi) & le_w(dw_add_w(along, end).hi, zero);
   LANED(take_nearest)(hit & LANED(in_range)(t.hi, ray, best), t.hi, ids, -1, SHAPE_cylinder, slot, best);

@@ -42,3 +42,11 @@ FN maskw LANED(signs_differ)(realw a, realw b, realw c) {
   maskw positive = lt_w(zero, a) | lt_w(zero, b) | lt_w(zero, c);
   return negative & positive;
 }
+
+/// t, held within z_min ... z_max, a polygon's range along the ray's largest axis.
+FN realw LANED(within_range)(const Ray* ray, realw t, realw z_min, realw z_max) {
+  realw one = z_min * splat_w(ray->shear_z), other = z_max * splat_w(ray->shear_z);
+  realw first = min_w(one, other), last = max_w(one, other);
+  t = sel_w(lt_w(t, first), first, t);
+  return sel_w(lt_w(last, t), last, t);
+}

@@ -14,18 +14,32 @@ FN void LANED(parallelogram_block)(const Ray* ray, GLOBAL const real* block, GLO
   realw ab = LANED(edge_function)(a, b), bc = LANED(edge_function)(b, c);
   realw cd = LANED(edge_function)(c, d), da = LANED(edge_function)(d, a);
   maskw hit = ~(LANED(signs_differ)(ab, bc, cd) | LANED(signs_differ)(bc, cd, da));
+  if (ray->left >= 0) hit = hit & ~LANED(is_left)(ids, ray);
   if (!any_w(hit)) return;
 
   realw z_min = min_w(d.z, min_w(c.z, min_w(b.z, a.z))), z_max = max_w(d.z, max_w(c.z, max_w(b.z, a.z)));
-#if TIER_ROBUST
-  realw t = LANED(polygon_t)(ray, block, block + 3 * LANES, block + 9 * LANES, z_min, z_max);
-#else
   realw bd = LANED(edge_function)(b, d);
-  realw t = fma_w(ab, d.z, fma_w(da, b.z, bd * a.z)) / (ab + da + bd);
-  t = sel_w(lt_w(t, z_min), z_min, t);
-  t = sel_w(lt_w(z_max, t), z_max, t) * splat_w(ray->shear_z);
+#if TIER_ROBUST
+  LANED(Polygon) polygon;
+  polygon.at_a = a;
+  polygon.at_b = b;
+  polygon.at_c = d;
+  polygon.of_a = bd;
+  polygon.of_b = da;
+  polygon.of_c = ab;
+  polygon.z_min = z_min;
+  polygon.z_max = z_max;
+  real rough[LANES];
+  hit = hit & LANED(in_range_roughly)(ray, best, &polygon, rough);
+  if (!any_w(hit)) return;
+#else
+  realw t = fma_w(ab, d.z, fma_w(da, b.z, bd * a.z)) / (ab + da + bd) * splat_w(ray->shear_z);
+#if REAL_BITS == 64
+  t = LANED(within_corners)(ray, t, block, block + 3 * LANES, block + 6 * LANES, block + 9 * LANES);
 #endif
+  t = LANED(within_range)(ray, t, z_min, z_max);
   hit = hit & LANED(in_range)(t, ray, best);
+#endif
 
   realw zero = splat_w(R(0.0));
   maskw on_edge = hit & (eq_w(ab, zero) | eq_w(bc, zero) | eq_w(cd, zero) | eq_w(da, zero));
@@ -34,6 +48,17 @@ FN void LANED(parallelogram_block)(const Ray* ray, GLOBAL const real* block, GLO
     realw rcd = LANED(resolved_edge)(cd, c, d), rda = LANED(resolved_edge)(da, d, a);
     hit = hit & ~(on_edge & (LANED(signs_differ)(rab, rbc, rcd) | LANED(signs_differ)(rbc, rcd, rda)));
   }
-  LANED(take_nearest)(hit, t, ids, ray->left, SHAPE_parallelogram, slot, best);
+#if TIER_ROBUST
+  uint candidates = bits_w(hit);
+  while (candidates != 0u) {
+    int lane = first_bit(candidates);
+    candidates &= candidates - 1u;
+    GLOBAL const real* prim = block + lane;
+    real t = polygon_t(ray, rough[lane], prim, prim + 3 * LANES, prim + 9 * LANES, prim + 6 * LANES, LANES);
+    if (ray->t_min <= t) nearest_take(best, t, ids[lane], SHAPE_parallelogram, slot + lane);
+  }
+#else
+  LANED(take_nearest)(hit, t, ids, -1, SHAPE_parallelogram, slot, best);
+#endif
 }
 #endif

@@ -39,6 +39,13 @@ FN void LANED(sphere_block)(const Ray* ray, GLOBAL const real* block, GLOBAL con
   realw other = splat_w(-R(2.0)) * k;
   t = sel_w(left, other, t);
   hit = (hit & ~left) | (left & lt_w(splat_w(R(0.0)), other));
+#if REAL_BITS == 64
+  // Held within the slabs that the tree knows; an origin that is not on the sphere that it left may miss them.
+  realw cx = load_w(block), cy = load_w(block + LANES), cz = load_w(block + 2 * LANES);
+  realw within = LANED(within_slabs)(ray, t, cx - r, cx + r, cy - r, cy + r, cz - r, cz + r);
+  hit = hit & (~left | eq_w(within, t));
+  t = within;
+#endif
   if (ray->is_outward) hit = hit & ~left;
   LANED(take_nearest)(hit & LANED(in_range)(t, ray, best), t, ids, -1, SHAPE_sphere, slot, best);
 }

@@ -12,23 +12,48 @@ FN void LANED(triangle_block)(const Ray* ray, GLOBAL const real* block, GLOBAL c
   LANED(ShearedVertex) c = LANED(shear_vertex)(ray, block + 6 * LANES);
   realw ea = LANED(edge_function)(b, c), eb = LANED(edge_function)(c, a), ec = LANED(edge_function)(a, b);
   maskw hit = ~LANED(signs_differ)(ea, eb, ec);
+  if (ray->left >= 0) hit = hit & ~LANED(is_left)(ids, ray);
   if (!any_w(hit)) return;
 
   realw z_min = min_w(c.z, min_w(b.z, a.z)), z_max = max_w(c.z, max_w(b.z, a.z));
 #if TIER_ROBUST
-  realw t = LANED(polygon_t)(ray, block, block + 3 * LANES, block + 6 * LANES, z_min, z_max);
+  LANED(Polygon) polygon;
+  polygon.at_a = a;
+  polygon.at_b = b;
+  polygon.at_c = c;
+  polygon.of_a = ea;
+  polygon.of_b = eb;
+  polygon.of_c = ec;
+  polygon.z_min = z_min;
+  polygon.z_max = z_max;
+  real rough[LANES];
+  hit = hit & LANED(in_range_roughly)(ray, best, &polygon, rough);
+  if (!any_w(hit)) return;
 #else
-  realw t = fma_w(ec, c.z, fma_w(eb, b.z, ea * a.z)) / (ea + eb + ec);
-  t = sel_w(lt_w(t, z_min), z_min, t);
-  t = sel_w(lt_w(z_max, t), z_max, t) * splat_w(ray->shear_z);
+  realw t = fma_w(ec, c.z, fma_w(eb, b.z, ea * a.z)) / (ea + eb + ec) * splat_w(ray->shear_z);
+#if REAL_BITS == 64
+  t = LANED(within_corners)(ray, t, block, block + 3 * LANES, block + 6 * LANES, block + 6 * LANES);
 #endif
+  t = LANED(within_range)(ray, t, z_min, z_max);
   hit = hit & LANED(in_range)(t, ray, best);
+#endif
 
   realw zero = splat_w(R(0.0));
   maskw on_edge = hit & (eq_w(ea, zero) | eq_w(eb, zero) | eq_w(ec, zero));
   if (any_w(on_edge))
     hit = hit & ~(on_edge & LANED(signs_differ)(LANED(resolved_edge)(ea, b, c), LANED(resolved_edge)(eb, c, a),
                                                 LANED(resolved_edge)(ec, a, b)));
-  LANED(take_nearest)(hit, t, ids, ray->left, SHAPE_triangle, slot, best);
+#if TIER_ROBUST
+  uint candidates = bits_w(hit);
+  while (candidates != 0u) {
+    int lane = first_bit(candidates);
+    candidates &= candidates - 1u;
+    GLOBAL const real* prim = block + lane;
+    real t = triangle_t(ray, rough[lane], prim, prim + 3 * LANES, prim + 6 * LANES, LANES);
+    if (ray->t_min <= t) nearest_take(best, t, ids[lane], SHAPE_triangle, slot + lane);
+  }
+#else
+  LANED(take_nearest)(hit, t, ids, -1, SHAPE_triangle, slot, best);
+#endif
 }
 #endif

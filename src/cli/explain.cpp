@@ -40,17 +40,22 @@ struct ExplainOptions {
 
 struct Lanes {
   int count = 1;
+  int tree = 4;
   std::string why;
 };
 
 Lanes lanes_for(const ExplainOptions& options, const RenderSettings& settings) {
-  if (settings.lanes) return {*settings.lanes, "--lanes"};
+  if (settings.lanes || settings.bvh_width) {
+    const Width width = width_of(settings, 1);
+    return {width.lanes, width.tree, settings.lanes ? "--lanes" : "--bvh-width"};
+  }
   try {
     const Device device = Device::open(options.device, {settings.precision == Precision::fp64});
-    return {default_lanes(device.info().native_vector_width, settings.precision), "for " + device.info().text()};
+    const Width width = width_of(settings, device.info().native_vector_width);
+    return {width.lanes, width.tree, "for " + device.info().text()};
   } catch (const NoDeviceError&) {
     if (!options.device.empty()) throw;  // It was asked for by name.
-    return {1, "no OpenCL device; --lanes states another number"};
+    return {1, 4, "no OpenCL device; --lanes states another number"};
   }
 }
 
@@ -98,7 +103,7 @@ ExitCode explain(const ExplainOptions& options) {
   const Features features = features_of(scene, settings);
   const Lanes lanes = lanes_for(options, settings);
   const std::string program =
-      program_hash(program_source("kernels/render.cl", features, settings.precision, lanes.count));
+      program_hash(program_source("kernels/render.cl", features, settings.precision, lanes.count, lanes.tree));
   print((options.json ? json_of : text_of)(features, program, settings, lanes));
   return ExitCode::ok;
 }

@@ -7,6 +7,7 @@
 #include <charconv>
 #include <limits>
 
+#include "device/program_text.h"
 #include "errors.h"
 
 namespace strahl::cli {
@@ -40,6 +41,20 @@ void add_kernel_options(CLI::App& app, KernelOptions& options) {
                  "results do not change")
       ->type_name("N")
       ->check(CLI::IsMember({1, 8, 16}))
+      ->group(kGroup);
+  app.add_option(
+         "--bvh-width", options.bvh_width,
+         "Children of a tree's node: 16 or 8, tested at a time together with as many primitives, or 4 or 2, one "
+         "after the other (double: up to 8); default: what fits the device; the results do not change")
+      ->type_name("N")
+      ->check(CLI::IsMember({2, 4, 8, 16}))
+      ->group(kGroup);
+  app.add_option("--accel", options.acceleration,
+                 "auto: a tree where there are enough primitives; list: every ray meets every primitive; tree; the "
+                 "results do not change")
+      ->type_name("NAME")
+      ->check(CLI::IsMember({"auto", "list", "tree"}))
+      ->default_str("auto")
       ->group(kGroup);
 }
 
@@ -78,6 +93,14 @@ RenderSettings settings_of(const KernelOptions& options) {
   settings.lanes = options.lanes;
   if (settings.precision == Precision::fp64 && options.lanes && *options.lanes == 16)
     throw UsageError("--precision double has 1 or 8 lanes, not 16");
+  settings.bvh_width = options.bvh_width;
+  if (settings.precision == Precision::fp64 && options.bvh_width && *options.bvh_width == 16)
+    throw UsageError("--precision double has trees of width 2, 4 or 8, not 16");
+  if (options.lanes && options.bvh_width && width_of(settings, 1).lanes != *options.lanes)
+    throw UsageError(fmt::format("--bvh-width {} tests {} at a time, not --lanes {}: state one of them",
+                                 *options.bvh_width, width_of(settings, 1).lanes, *options.lanes));
+  if (options.acceleration == "list") settings.acceleration = Acceleration::list;
+  if (options.acceleration == "tree") settings.acceleration = Acceleration::tree;
   if (!options.work_group.empty()) settings.work_group = work_group_of(options.work_group);
   settings.passes = options.passes;
   settings.generic = options.generic;

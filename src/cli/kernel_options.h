@@ -15,13 +15,15 @@ struct KernelOptions {
   std::optional<std::string> precision;  ///< None: robust, or what the device can do instead.
   bool no_canary = false;
   std::optional<int> lanes;
-  std::string work_group;  ///< "8x8", "64"; empty: the default.
+  std::optional<int> bvh_width;
+  std::string acceleration;  ///< "auto", "list" or "tree"; empty: auto.
+  std::string work_group;    ///< "8x8", "64"; empty: the default.
   std::optional<int> passes;
   bool generic = false;
   std::vector<std::string> aovs;
 };
 
-/// --precision and --lanes: what every kernel has.
+/// --precision, --lanes, --bvh-width and --accel: what every kernel has.
 void add_kernel_options(CLI::App& app, KernelOptions& options);
 /// --no-canary: what everything has that computes.
 void add_canary_option(CLI::App& app, KernelOptions& options);

@@ -26,6 +26,7 @@ class Packing {
  public:
   Packing(const Scene& scene, const Features& features, const PackOptions& options)
       : scene_(scene), features_(features), options_(options) {
+    for (const std::int64_t id : first_ids(scene)) first_ids_.push_back(static_cast<std::int32_t>(id));
     int kinds = 0;
     for (const std::string& kind : list_entries("shapes")) kinds += features.has("shapes", kind) ? 1 : 0;
     packed_.index.resize(static_cast<std::size_t>(layout::HEADER_INTS + kinds * layout::SHAPE_INTS), 0);
@@ -193,7 +194,6 @@ class Packing {
 
   void parts() {
     index(layout::HEADER_PARTS) = index_end();
-    const std::vector<std::int64_t> first = first_ids(scene_);
     int row = 0;
     for (std::size_t i = 0; i < scene_.shapes.size(); ++i) {
       const Shape& shape = scene_.shapes[i];
@@ -217,54 +217,70 @@ class Packing {
       for (const MeshPart& look : looks_of(shape)) {
         const int radiance_at = look.radiance ? put_rgb(*look.radiance) : -1;
         const int light = light_of_part_[static_cast<std::size_t>(row)];
-        packed_.index.insert(
-            packed_.index.end(),
-            {static_cast<int>(i), static_cast<int>(first[i]), look.material, radiance_at, light,
-             shape.flip_normals != faces_inward(shape.geometry) ? 1 : 0, frame_at, normals_at, uvs_at, rates_at});
+        packed_.index.insert(packed_.index.end(), {static_cast<int>(i), first_ids_[i], look.material, radiance_at,
+                                                   light, shape.flip_normals != faces_inward(shape.geometry) ? 1 : 0,
+                                                   frame_at, normals_at, uvs_at, rates_at});
         ++row;
       }
     }
   }
 
-  void shapes() {
-    for (const std::string& kind : list_entries("shapes"))
-      if (features_.has("shapes", kind)) kind_blocks(kind);
-  }
-
-  /// Blocks, ids and parts of every primitive of one kind, in the order of the scene.
-  void kind_blocks(const std::string& kind) {
-    const auto lanes = static_cast<std::size_t>(options_.lanes);
-    const auto planes = static_cast<std::size_t>(planes_of(kind));
-    const std::size_t geometry_at = packed_.geometry.size();
-    std::vector<std::int32_t> ids, part_of;
-    const std::vector<std::int64_t> first = first_ids(scene_);
+  /// Every primitive of one kind, in the order of the scene.
+  KindList<Real> primitives_of(const std::string& kind) {
+    KindList<Real> list;
+    list.kind = kind;
+    list.planes = planes_of(kind);
     for (std::size_t i = 0; i < scene_.shapes.size(); ++i) {
       const Shape& shape = scene_.shapes[i];
       if (shape_kind(shape) != kind) continue;
       const auto* mesh = std::get_if<Mesh>(&shape.geometry);
+      const bool many = mesh && !mesh->parts.empty();
       std::int32_t primitive = 0;
       primitive_planes(shape.geometry, options_.frame, [&](std::span<const double> values) {
-        const std::size_t slot = ids.size(), block = slot / lanes, lane = slot % lanes;
-        if (lane == 0) packed_.geometry.resize(geometry_at + (block + 1) * planes * lanes, Real(0));
-        for (std::size_t plane = 0; plane < planes; ++plane)
-          packed_.geometry[geometry_at + (block * planes + plane) * lanes + lane] = static_cast<Real>(values[plane]);
-        ids.push_back(static_cast<std::int32_t>(first[i]) + primitive);
-        const bool many = mesh && !mesh->parts.empty();
-        part_of.push_back(first_part_[i] + (many ? mesh->part_of_triangle[static_cast<std::size_t>(primitive)] : 0));
+        for (const double value : values) list.values.push_back(static_cast<Real>(value));
+        list.ids.push_back(first_ids_[i] + primitive);
+        list.parts.push_back(first_part_[i] + (many ? mesh->part_of_triangle[static_cast<std::size_t>(primitive)] : 0));
         ++primitive;
       });
     }
-    const std::size_t blocks = (ids.size() + lanes - 1) / lanes;
-    ids.resize(blocks * lanes, -1);
-    part_of.resize(blocks * lanes, 0);
-    const int row = layout::HEADER_INTS + features_.entry_index("shapes", kind) * layout::SHAPE_INTS;
+    return list;
+  }
+
+  int put_geometry(const std::vector<Real>& values) {
+    const int at = checked_offset(packed_.geometry.size());
+    packed_.geometry.insert(packed_.geometry.end(), values.begin(), values.end());
+    return at;
+  }
+  int put_index(const std::vector<std::int32_t>& values) {
+    const int at = index_end();
+    packed_.index.insert(packed_.index.end(), values.begin(), values.end());
+    return at;
+  }
+
+  void shapes() {
+    std::vector<KindList<Real>> lists;
+    for (const std::string& kind : list_entries("shapes"))
+      if (features_.has("shapes", kind)) lists.push_back(primitives_of(kind));
+    const int width = options_.lanes > 1 ? options_.lanes : options_.tree_width == 0 ? 4 : options_.tree_width;
+    const PackedTree<Real> tree = pack_tree<Real>(std::move(lists), width, options_.acceleration);
+    int row = layout::HEADER_INTS;
+    for (const PackedKind<Real>& kind : tree.kinds) {
+      index(row + layout::SHAPE_BLOCKS) = checked_offset(kind.ids.size() / static_cast<std::size_t>(options_.lanes));
+      index(row + layout::SHAPE_GEOMETRY) = put_geometry(kind.blocks);
+      index(row + layout::SHAPE_LISTED) = kind.listed;
+      const int ids_at = put_index(kind.ids);
+      index(row + layout::SHAPE_IDS) = ids_at;
+      put_index(kind.parts);
+      row += layout::SHAPE_INTS;
+    }
+    index(layout::HEADER_ROOT) = tree.root;
+    index(layout::HEADER_NODES) = put_geometry(tree.nodes);
+    index(layout::HEADER_BOUNDS) = put_geometry(tree.reach);
+    const int children_at = put_index(tree.children);
+    index(layout::HEADER_CHILDREN) = children_at;
     checked_offset(packed_.geometry.size());
-    index(row + layout::SHAPE_BLOCKS) = checked_offset(blocks);
-    index(row + layout::SHAPE_GEOMETRY) = checked_offset(geometry_at);
-    index(row + layout::SHAPE_IDS) = index_end();
-    packed_.index.insert(packed_.index.end(), ids.begin(), ids.end());
-    packed_.index.insert(packed_.index.end(), part_of.begin(), part_of.end());
     checked_offset(packed_.index.size());
+    packed_.tree = tree.stats;
   }
 
   const Scene& scene_;
@@ -272,6 +288,7 @@ class Packing {
   const PackOptions& options_;
   PackedScene<Real> packed_;
   bool has_textures_ = !features_.entries.at("textures").empty() && !scene_.textures.empty();
+  std::vector<std::int32_t> first_ids_;
   std::vector<int> first_part_, light_of_part_;
 };
 

@@ -7,6 +7,7 @@
 
 #include "device/features.h"
 #include "device/frame.h"
+#include "device/pack_tree.h"
 #include "scene/scene.h"
 
 namespace strahl {
@@ -14,7 +15,9 @@ namespace strahl {
 /// What packing depends on besides the scene.
 struct PackOptions {
   int lanes = 1;
-  Frame frame;  ///< The camera's for render, the world for intersect and the fast tier.
+  Frame frame;         ///< The camera's for render, the world for intersect and the fast tier.
+  int tree_width = 0;  ///< 2 or 4 where lanes is 1 (0: 4), else lanes.
+  Acceleration acceleration = Acceleration::automatic;
 };
 
 template <typename Real>
@@ -22,6 +25,7 @@ struct PackedScene {
   std::vector<Real> geometry;
   std::vector<Real> shading;
   std::vector<std::int32_t> index;
+  TreeStats tree;
   double film_scale = 1;  ///< Film units per unit of radiance.
 
   [[nodiscard]] std::size_t bytes() const {

@@ -5,7 +5,8 @@
 
 namespace strahl {
 
-ProgramSource program_source(const std::string& root, const Features& features, Precision precision, int lanes) {
+ProgramSource program_source(const std::string& root, const Features& features, Precision precision, int lanes,
+                             int tree_width) {
   ProgramSource source;
   source.options = "-cl-std=CL1.2";
   if (precision == Precision::fast) source.options += " -cl-fast-relaxed-math";
@@ -15,9 +16,16 @@ ProgramSource program_source(const std::string& root, const Features& features, 
   source.text += fmt::format("#define TIER_ROBUST {}\n", precision == Precision::robust ? 1 : 0);
   source.text += fmt::format("#define TIER_FAST {}\n", precision == Precision::fast ? 1 : 0);
   source.text += fmt::format("#define LANES {}\n", lanes);
+  if (lanes == 1 && tree_width == 2) source.text += "#define SCALAR_TREE_WIDTH 2\n";
   for (const auto& [name, on] : features.flags) source.text += fmt::format("#define HAS_{} {}\n", name, on ? 1 : 0);
   source.text += expand_kernel(root, features.entries);
   return source;
+}
+
+Width width_of(const RenderSettings& settings, unsigned native_vector_width) {
+  if (settings.bvh_width) return {*settings.bvh_width >= 8 ? *settings.bvh_width : 1, *settings.bvh_width};
+  const int lanes = settings.lanes.value_or(default_lanes(native_vector_width, settings.precision));
+  return {lanes, lanes == 1 ? 4 : lanes};
 }
 
 int default_lanes(unsigned native_vector_width, Precision precision) {

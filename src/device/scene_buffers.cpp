@@ -29,6 +29,7 @@ SceneBuffers upload_as(const Device& device, const Scene& scene, const Features&
   buffers.shading = upload(device, packed.shading, "the scene's shading data");
   buffers.index = upload(device, packed.index, "the scene's tables");
   buffers.bytes = packed.bytes();
+  buffers.tree = packed.tree;
   buffers.film_scale = packed.film_scale;
   return buffers;
 }

@@ -10,6 +10,7 @@ namespace strahl {
 struct SceneBuffers {
   cl::Buffer geometry, shading, index;
   std::size_t bytes = 0;  ///< Of all three together.
+  TreeStats tree;
   double film_scale = 1;
 };
 

@@ -58,13 +58,15 @@ struct Intersector::State {
   Device device;
   Precision precision;
   SceneBuffers buffers;
-  cl::Kernel kernel;
+  cl::Kernel closest, anything, describe;
   std::vector<std::int64_t> first_ids;
   RunStats stats;
 
   explicit State(const Device& d, Precision p) : device(d), precision(p) {}
 
   [[nodiscard]] std::int32_t left_id(const Ray& ray, std::size_t row) const;
+  void run(cl::Kernel& kernel, const std::vector<cl::Buffer>& arguments, std::size_t count);
+  void take_any(const cl::Buffer& found, std::size_t first, std::size_t count, std::vector<Hit>& hits);
   template <typename Real>
   void trace_chunk(const std::vector<Ray>& rays, std::size_t first, std::size_t count, bool any_hit,
                    std::vector<double>& run_seconds, std::vector<Hit>& hits);
@@ -83,41 +85,51 @@ std::int32_t Intersector::State::left_id(const Ray& ray, std::size_t row) const 
   return static_cast<std::int32_t>(first_ids[shape]) + ray.primitive;
 }
 
+/// Enqueues a kernel over `count` work-items and waits for its end; the buffers come first among its arguments.
+void Intersector::State::run(cl::Kernel& kernel, const std::vector<cl::Buffer>& arguments, std::size_t count) {
+  checked(device.info().text(), [&] {
+    cl_uint arg = 0;
+    for (const cl::Buffer& buffer : {buffers.geometry, buffers.shading, buffers.index}) kernel.setArg(arg++, buffer);
+    for (const cl::Buffer& buffer : arguments) kernel.setArg(arg++, buffer);
+    kernel.setArg(arg++, static_cast<cl_ulong>(count));
+    const std::size_t padded = (count + group_size - 1) / group_size * group_size;
+    device.queue().enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange(padded), cl::NDRange(group_size));
+    return device.queue().finish();
+  });
+}
+
 template <typename Real>
 void Intersector::State::trace_chunk(const std::vector<Ray>& rays, std::size_t first, std::size_t count, bool any_hit,
                                      std::vector<double>& run_seconds, std::vector<Hit>& hits) {
   const std::vector<Real> ray_reals = pack_rays<Real>(rays, first, count);
-  std::vector<std::int32_t> left(count), ids(count * layout::HIT_INTS);
+  std::vector<std::int32_t> left(count);
   for (std::size_t i = 0; i < count; ++i) left[i] = left_id(rays[first + i], first + i);
-  std::vector<Real> out(count * layout::HIT_REALS);
 
   const Stopwatch upload;
   const cl::Buffer ray_buffer = allocate(device, ray_reals.size() * sizeof(Real), "the rays");
   const cl::Buffer left_buffer = allocate(device, left.size() * sizeof(std::int32_t), "the rays");
-  const cl::Buffer hit_buffer = allocate(device, out.size() * sizeof(Real), "the hits");
-  const cl::Buffer id_buffer = allocate(device, ids.size() * sizeof(std::int32_t), "the hits");
+  const cl::Buffer t_buffer = allocate(device, count * sizeof(Real), "the hits");
+  const cl::Buffer found_buffer = allocate(device, count * layout::FOUND_INTS * sizeof(std::int32_t), "the hits");
   write_buffer(device, ray_buffer, ray_reals.data(), ray_reals.size() * sizeof(Real));
   write_buffer(device, left_buffer, left.data(), left.size() * sizeof(std::int32_t));
   stats.seconds.upload += upload.seconds();
 
   for (double& seconds : run_seconds) {
     const Stopwatch start;
-    checked(device.info().text(), [&] {
-      cl_uint arg = 0;
-      for (const cl::Buffer* buffer :
-           {&static_cast<const cl::Buffer&>(buffers.geometry), &static_cast<const cl::Buffer&>(buffers.shading),
-            &static_cast<const cl::Buffer&>(buffers.index), &ray_buffer, &left_buffer, &hit_buffer, &id_buffer})
-        kernel.setArg(arg++, *buffer);
-      kernel.setArg(arg++, static_cast<cl_ulong>(count));
-      kernel.setArg(arg++, static_cast<cl_int>(any_hit));
-      const std::size_t padded = (count + group_size - 1) / group_size * group_size;
-      device.queue().enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange(padded), cl::NDRange(group_size));
-      return device.queue().finish();
-    });
+    run(any_hit ? anything : closest, {ray_buffer, left_buffer, t_buffer, found_buffer}, count);
     seconds += start.seconds();
   }
+  if (any_hit) return take_any(found_buffer, first, count, hits);
+
+  const Stopwatch surface;
+  const cl::Buffer hit_buffer = allocate(device, count * layout::HIT_REALS * sizeof(Real), "the hits");
+  const cl::Buffer id_buffer = allocate(device, count * layout::HIT_INTS * sizeof(std::int32_t), "the hits");
+  run(describe, {ray_buffer, left_buffer, t_buffer, found_buffer, hit_buffer, id_buffer}, count);
+  stats.seconds.surface += surface.seconds();
 
   const Stopwatch readback;
+  std::vector<Real> out(count * layout::HIT_REALS);
+  std::vector<std::int32_t> ids(count * layout::HIT_INTS);
   read_buffer(device, hit_buffer, out.data(), out.size() * sizeof(Real));
   read_buffer(device, id_buffer, ids.data(), ids.size() * sizeof(std::int32_t));
   for (std::size_t i = 0; i < count; ++i) {
@@ -134,27 +146,47 @@ void Intersector::State::trace_chunk(const std::vector<Ray>& rays, std::size_t f
   stats.seconds.readback += readback.seconds();
 }
 
+void Intersector::State::take_any(const cl::Buffer& found, std::size_t first, std::size_t count,
+                                  std::vector<Hit>& hits) {
+  const Stopwatch readback;
+  std::vector<std::int32_t> is_hit(count);
+  read_buffer(device, found, is_hit.data(), count * sizeof(std::int32_t));
+  for (std::size_t i = 0; i < count; ++i)
+    if (is_hit[i] != 0) hits[first + i].t = 0;
+  stats.seconds.readback += readback.seconds();
+}
+
 Intersector::Intersector(const Device& device, const Scene& scene, const RenderSettings& settings)
     : state_(std::make_unique<State>(device, settings.precision)) {
   if (std::vector<Diagnostic> problems = validate(scene); !problems.empty()) throw SceneError(problems);
   State& s = *state_;
-  const int lanes = settings.lanes.value_or(default_lanes(device.info().native_vector_width, settings.precision));
-  static_cast<void>(most_samples(device, intersect_loops(scene, lanes), settings.loop_turns));
+  const Width width = width_of(settings, device.info().native_vector_width);
+  static_cast<void>(most_samples(device, intersect_loops(scene, width.lanes), settings.loop_turns));
   const Stopwatch start;
   const Features features = intersection_features(scene, settings);
-  const ProgramSource source = program_source("kernels/intersect.cl", features, settings.precision, lanes);
+  const ProgramSource source =
+      program_source("kernels/intersect.cl", features, settings.precision, width.lanes, width.tree);
   ProgramReport report;
   const cl::Program program = build_program(device, source, &report);
-  s.kernel = checked(device.info().text(), [&] { return cl::Kernel(program, "intersect"); });
+  checked(device.info().text(), [&] {
+    s.closest = cl::Kernel(program, "closest");
+    s.anything = cl::Kernel(program, "anything");
+    s.describe = cl::Kernel(program, "describe");
+    return CL_SUCCESS;
+  });
   s.stats.seconds.program = start.seconds();
   const Stopwatch upload;
-  s.buffers = upload_scene(device, scene, features, settings.precision, {lanes, Vec3{}});
+  s.buffers = upload_scene(device, scene, features, settings.precision,
+                           {width.lanes, Frame{}, width.tree, settings.acceleration});
   s.first_ids = first_ids(scene);
-  s.stats.seconds.upload = upload.seconds();
+  s.stats.seconds.bvh = s.buffers.tree.seconds;
+  s.stats.seconds.upload = upload.seconds() - s.stats.seconds.bvh;
   s.stats.device_bytes = s.stats.host_bytes = s.buffers.bytes;
   s.stats.device = device.info().text();
   s.stats.precision = precision_name(settings.precision);
-  s.stats.lanes = lanes;
+  s.stats.lanes = width.lanes;
+  s.stats.tree_width = width.tree;
+  s.stats.tree = s.buffers.tree;
   s.stats.program = program_hash(source);
   s.stats.program_from_cache = report.from_cache;
   for (const FeatureReport& row : features.report)

@@ -79,24 +79,26 @@ void Renderer::State::prepare() {
   if (settings.aovs.contains(Aov::numeric_error) && !device.info().fp64)
     throw NoDeviceError(fmt::format("the AOV numeric_error holds every hit against double precision, which {} has not",
                                     device.info().text()));
-  const int lanes = settings.lanes.value_or(default_lanes(device.info().native_vector_width, settings.precision));
-  samples_a_launch = most_samples(device, render_loops(scene, lanes), settings.loop_turns);
+  const Width width = width_of(settings, device.info().native_vector_width);
+  samples_a_launch = most_samples(device, render_loops(scene, width.lanes), settings.loop_turns);
   const Stopwatch start;
   features = features_of(scene, settings);
-  source = program_source("kernels/render.cl", features, settings.precision, lanes);
+  source = program_source("kernels/render.cl", features, settings.precision, width.lanes, width.tree);
   ProgramReport report;
   const cl::Program program = build_program(device, source, &report);
   kernel = checked(device.info().text(), [&] { return cl::Kernel(program, "render"); });
   stats.seconds.program = start.seconds();
 
   const Stopwatch upload_start;
-  buffers = upload_scene(device, scene, features, settings.precision, {lanes, frame()});
+  buffers = upload_scene(device, scene, features, settings.precision,
+                         {width.lanes, frame(), width.tree, settings.acceleration});
   const std::size_t pixels = static_cast<std::size_t>(window.width()) * static_cast<std::size_t>(band_rows());
   film = allocate(device, pixels * film_bytes_per_pixel, "one band of the film");
   aov_reals = allocate(device, aov_real_bytes(pixels), "the auxiliary values");
   aov_ints = allocate(device, aov_int_bytes(pixels), "the auxiliary ids");
   counters = allocate(device, layout::COUNTERS * sizeof(std::uint32_t), "the counters");
-  stats.seconds.upload = upload_start.seconds();
+  stats.seconds.bvh = buffers.tree.seconds;
+  stats.seconds.upload = upload_start.seconds() - stats.seconds.bvh;
   stats.device_bytes = buffers.bytes + pixels * film_bytes_per_pixel + aov_real_bytes(pixels) + aov_int_bytes(pixels);
   stats.host_bytes = buffers.bytes + static_cast<std::size_t>(window.width()) *
                                          static_cast<std::size_t>(window.height()) * film_bytes_per_pixel;
@@ -108,7 +110,9 @@ void Renderer::State::prepare() {
   stats.precision = precision_name(settings.precision);
   stats.spp = sampling.spp;
   stats.seed = sampling.seed;
-  stats.lanes = lanes;
+  stats.lanes = width.lanes;
+  stats.tree_width = width.tree;
+  stats.tree = buffers.tree;
   stats.program = program_hash(source);
   stats.program_from_cache = report.from_cache;
   for (const FeatureReport& row : features.report)

@@ -17,6 +17,10 @@ enum class Precision { fast, stable, robust, fp64 };
 [[nodiscard]] Precision precision_from_name(const std::string& name);  ///< "robust", ...; throws UsageError.
 [[nodiscard]] const char* precision_name(Precision precision);
 
+/// How rays find primitives; automatic: a tree where there are enough of them. The hits do not depend on it in robust
+/// and double.
+enum class Acceleration { automatic, list, tree };
+
 /// Values of the first sample of each pixel, beside the picture.
 /// numeric_error: how far the hit's t is off, in ulps of float (render/numeric_error.h).
 enum class Aov { depth, normal, position, uv, shape_id, primitive_id, numeric_error };
@@ -35,6 +39,10 @@ struct RenderSettings {
   bool generic = false;      ///< Every entry and flag in the program; the same picture, slower.
   bool count_rays = false;   ///< Instrumented program (--stats-detail): counts shadow and bounce rays.
   std::optional<int> lanes;  ///< 1, 8 or 16 (fp64: 1, 8) primitives at a time; none: by the device.
+  /// 2, 4, 8 or 16 children a node (fp64: up to 8); 8 and 16 test as many primitives at a time and so are `lanes`, 2
+  /// and 4 mean one. None: by `lanes`, 4 for 1.
+  std::optional<int> bvh_width;
+  Acceleration acceleration = Acceleration::automatic;
   WorkGroup work_group;
   std::optional<int> passes;  ///< Split the samples into this many launches; none: by measured time.
   /// The device ends the loops of a work-item after so many turns in sum (TierVerdict::loop_turns); none: it does not.

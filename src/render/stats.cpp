@@ -28,10 +28,9 @@ double RunStats::longest_launch() const {
 std::string RunStats::json() const {
   Json json;
   json["seconds"] = {
-      {"load", seconds.load},       {"bvh", seconds.bvh},
-      {"program", seconds.program}, {"upload", seconds.upload},
-      {"kernel", seconds.kernel},   {"readback", seconds.readback},
-      {"encode", seconds.encode},   {"other", std::max(0.0, seconds.other())},
+      {"load", seconds.load},         {"bvh", seconds.bvh},       {"program", seconds.program},
+      {"upload", seconds.upload},     {"kernel", seconds.kernel}, {"surface", seconds.surface},
+      {"readback", seconds.readback}, {"encode", seconds.encode}, {"other", std::max(0.0, seconds.other())},
       {"total", seconds.total},
   };
   json["kernel_runs"] = kernel_runs;
@@ -43,6 +42,15 @@ std::string RunStats::json() const {
   json["precision"] = precision;
   json["canary"] = canary_or_null(canary);
   json["lanes"] = lanes;
+  json["tree"] = {{"width", tree_width},
+                  {"primitives", tree.primitives},
+                  {"nodes", tree.nodes},
+                  {"leaves", tree.leaves},
+                  {"sah_cost", tree.sah_cost},
+                  {"bytes", tree.bytes},
+                  {"bytes_per_primitive",
+                   tree.primitives > 0 ? Json(static_cast<double>(tree.bytes) / static_cast<double>(tree.primitives))
+                                       : Json(nullptr)}};
   json["spp"] = spp;
   json["seed"] = seed;
   json["features"] = features;

@@ -12,7 +12,10 @@ namespace strahl {
 /// Wall seconds per phase. `other` is total minus the rest.
 struct PhaseSeconds {
   double load = 0, bvh = 0, program = 0, upload = 0, kernel = 0, readback = 0, encode = 0, total = 0;
-  [[nodiscard]] double other() const { return total - load - bvh - program - upload - kernel - readback - encode; }
+  double surface = 0;  ///< Of `intersect`: normal, u and v of the hits found, once however often rays were traced.
+  [[nodiscard]] double other() const {
+    return total - load - bvh - program - upload - kernel - surface - readback - encode;
+  }
 };
 
 /// What the canary (device/canary.h) said about the precision in use.
@@ -20,6 +23,15 @@ struct CanaryStats {
   std::string verdict;  ///< "holds" or "degraded".
   std::string why;      ///< Empty where it holds.
   std::string instead;  ///< Why it stands in for the default; empty where it does not.
+};
+
+/// What --stats reports of the tree.
+struct TreeStats {
+  double seconds = 0;            ///< To build it; filling the buffers not counted.
+  double sah_cost = 0;           ///< Of the binary tree, with leaves in blocks of `lanes`; 0: there is no tree.
+  std::uint64_t primitives = 0;  ///< In it.
+  std::uint64_t nodes = 0, leaves = 0;
+  std::uint64_t bytes = 0;  ///< Nodes and blocks, ids and parts.
 };
 
 struct RunStats {
@@ -37,6 +49,8 @@ struct RunStats {
   std::uint32_t seed = 0;
   std::vector<std::string> features;  ///< "shapes/sphere", "AOV", ...: those that are on.
   int lanes = 1;
+  int tree_width = 4;
+  TreeStats tree;
   bool program_from_cache = false;
   std::string program;                  ///< Hash, as `explain` prints it.
   std::uint64_t saturated_samples = 0;  ///< Sample channels that the film clamped (brighter than it can hold).

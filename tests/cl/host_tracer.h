@@ -18,12 +18,13 @@
 namespace strahl::test {
 
 template <class Real>
-[[nodiscard]] PackedScene<Real> pack_for_host(Scene scene, int lanes) {
+[[nodiscard]] PackedScene<Real> pack_for_host(Scene scene, int lanes,
+                                              Acceleration acceleration = Acceleration::automatic) {
   scene.integrator.name = "emission";
   if (scene.materials.empty()) scene.materials.emplace_back();
   RenderSettings settings;
   settings.generic = true;
-  return pack_scene<Real>(scene, features_of(scene, settings), {lanes, Frame{}});
+  return pack_scene<Real>(scene, features_of(scene, settings), {lanes, Frame{}, 0, acceleration});
 }
 
 template <class Real>
@@ -81,16 +82,16 @@ template <class Real>
 class PrimitiveTracer {
  public:
   PrimitiveTracer(const Scene& scene, const std::string& kind)
-      : first_ids_(first_ids(scene)), packed_(pack_for_host<Real>(scene, 1)) {
+      : first_ids_(first_ids(scene)), packed_(pack_for_host<Real>(scene, 1, Acceleration::list)) {
     int at = layout::HEADER_INTS, row = -1;
     std::int32_t* index = packed_.index.data();
-#define SHAPE(name, planes)                                             \
-  if (kind == #name) {                                                  \
-    row = at;                                                           \
-    planes_ = planes;                                                   \
-    size_ = static_cast<std::size_t>(index[at + layout::SHAPE_BLOCKS]); \
-  }                                                                     \
-  index[at + layout::SHAPE_BLOCKS] = 0;                                 \
+#define SHAPE(name, planes)                                                \
+  if (kind == #name) {                                                     \
+    row = at;                                                              \
+    planes_ = planes;                                                      \
+    size_ = static_cast<std::size_t>(index[at + layout::SHAPE_BLOCKS]);    \
+  }                                                                        \
+  index[at + layout::SHAPE_BLOCKS] = index[at + layout::SHAPE_LISTED] = 0; \
   at += layout::SHAPE_INTS;
 #include "../../cl/shapes/shapes.def"
 #undef SHAPE
@@ -102,7 +103,7 @@ class PrimitiveTracer {
     pairs_ = packed_.index.size();
     for (std::size_t i = 0; i < size_; ++i)
       for (const std::size_t from : {ids + i, ids + size_ + i}) packed_.index.push_back(int{packed_.index[from]});
-    packed_.index[row_ + layout::SHAPE_BLOCKS] = 1;
+    packed_.index[row_ + layout::SHAPE_BLOCKS] = packed_.index[row_ + layout::SHAPE_LISTED] = 1;
   }
 
   [[nodiscard]] std::size_t size() const { return size_; }

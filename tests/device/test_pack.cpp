@@ -24,7 +24,12 @@ struct Read {
   Read(const Scene& scene, const PackOptions& options, const RenderSettings& settings = {})
       : features(features_of(scene, settings)),
         lanes(options.lanes),
-        packed(pack_scene<Real>(scene, features, options)) {}
+        packed(pack_scene<Real>(scene, features, in_lists(options))) {}
+
+  static PackOptions in_lists(PackOptions options) {
+    options.acceleration = Acceleration::list;
+    return options;
+  }
 
   [[nodiscard]] int header(int field) const { return packed.index.at(static_cast<std::size_t>(field)); }
   [[nodiscard]] Ints ints(int at, int count) const {
@@ -84,7 +89,7 @@ TEST_CASE("Blocks are plane-major, and what fills the last one up has no id") {
     const Read<double> read(scene, {lanes, {}});
     const int blocks = lanes == 1 ? 10 : lanes == 8 ? 2 : 1;
     REQUIRE(read.row("sphere", layout::SHAPE_BLOCKS) == blocks);
-    CHECK(read.packed.geometry.size() == static_cast<std::size_t>(blocks * lanes * 4));
+    CHECK(read.packed.geometry.size() == static_cast<std::size_t>(blocks * lanes * 4 + 6));  // and their bounds
     const Ints ids = read.ids("sphere"), parts = read.parts_of("sphere");
     for (int slot = 0; slot < blocks * lanes; ++slot) {
       INFO(lanes << " lanes, slot " << slot);
@@ -109,7 +114,7 @@ TEST_CASE("Kinds that alternate in a scene stand apart in the buffers and keep t
   CHECK(read.ids("parallelogram") == Ints{1, 2, 3, 4, 5, 6, 8, -1});
   CHECK(read.parts_of("sphere") == Ints{0, 2, 0, 0, 0, 0, 0, 0});
   CHECK(read.parts_of("parallelogram") == Ints{1, 1, 1, 1, 1, 1, 3, 0});
-  CHECK(read.packed.geometry.size() == 8 * (4 + 12));
+  CHECK(read.packed.geometry.size() == 8 * (4 + 12) + 6);
   CHECK(read.plane("sphere", 1, 0, 4) == 5);
   CHECK(read.plane("parallelogram", 6, 0, 12) == 9);
 }
@@ -320,7 +325,7 @@ TEST_CASE("In the world frame what the precision holds arrives unrounded") {
 
 TEST_CASE("A scene without shapes is a header and its tables") {
   const Read<float> read(Scene{}, {8, {}});
-  CHECK(read.packed.geometry.empty());
+  CHECK(read.packed.geometry.size() == 6);  // the bounds of nothing
   CHECK(read.header(layout::HEADER_LIGHT_COUNT) == 0);
-  CHECK(read.packed.bytes() == 4 * (read.packed.shading.size() + read.packed.index.size()));
+  CHECK(read.packed.bytes() == 4 * (6 + read.packed.shading.size() + read.packed.index.size()));
 }

@@ -54,9 +54,21 @@ float robust_t(std::string_view kind, std::span<const float> planes, std::span<c
 void robust_intersect(int lanes, const float* geometry, const float* shading, const std::int32_t* index,
                       const float* rays, const std::int32_t* left, std::size_t count, float* hits, std::int32_t* ids) {
   const robust::Scene view{geometry, shading, index, nullptr};
-  const auto trace = lanes == 16 ? robust::trace_one_16 : lanes == 8 ? robust::trace_one_8 : robust::trace_one_1;
-  for (std::size_t i = 0; i < count; ++i)
-    trace(&view, rays + i * robust::RAY_REALS, left[i], 0, hits + i * robust::HIT_REALS, ids + i * robust::HIT_INTS);
+  const auto trace = [&](auto find, auto describe) {
+    for (std::size_t i = 0; i < count; ++i) {
+      const float* ray = rays + i * robust::RAY_REALS;
+      float t;
+      std::int32_t found[robust::FOUND_INTS];
+      find(&view, ray, left[i], &t, found);
+      describe(&view, ray, left[i], t, found, hits + i * robust::HIT_REALS, ids + i * robust::HIT_INTS);
+    }
+  };
+  if (lanes == 16)
+    trace(robust::find_one_16, robust::describe_one_16);
+  else if (lanes == 8)
+    trace(robust::find_one_8, robust::describe_one_8);
+  else
+    trace(robust::find_one_1, robust::describe_one_1);
 }
 
 }  // namespace strahl::test

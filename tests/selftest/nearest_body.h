@@ -3,7 +3,7 @@
 #define LANES 1
 #include "lanes/lane_ops.h"
 // Lanes come first: they define what the bodies are written in.
-#include "accel/flat.h"
+#include "accel/traverse.h"
 #undef LANES
 
 inline strahl::test::Nearest nearest_of(std::string_view kind, std::span<const double> planes,

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+// A ray against the children of a node: TREE_WIDTH of them in lanes, or one after the other where there is one lane.
+// One width; no guard.
+
+/// Bit i of the result: child i is met within [t_min, t_max]; t[i]: where it begins.
+FN uint LANED(meet_children)(GLOBAL const real* node, const Ray* ray, real t_max, PRIVATE real* t) {
+  uint met = 0u;
+  for (int i = 0; i < TREE_WIDTH; i += LANES) {
+    LANED(Interval) slabs;
+    slabs.enter = splat_w(ray->t_min);
+    slabs.leave = splat_w(t_max);
+    GLOBAL const real* planes = node + i;
+    int x = ray->near_x, y = ray->near_y, z = ray->near_z;
+    slabs = LANED(clip_slab)(slabs, load_w(planes + x * TREE_WIDTH), load_w(planes + (x ^ 1) * TREE_WIDTH), ray->o.x,
+                             ray->inv.x, ray->slack.x);
+    slabs = LANED(clip_slab)(slabs, load_w(planes + y * TREE_WIDTH), load_w(planes + (y ^ 1) * TREE_WIDTH), ray->o.y,
+                             ray->inv.y, ray->slack.y);
+    slabs = LANED(clip_slab)(slabs, load_w(planes + z * TREE_WIDTH), load_w(planes + (z ^ 1) * TREE_WIDTH), ray->o.z,
+                             ray->inv.z, ray->slack.z);
+    met |= bits_w(le_w(slabs.enter, slabs.leave)) << i;
+    store_w(slabs.enter, t + i);
+  }
+  return met;
+}

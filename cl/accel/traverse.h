@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: MIT
+// Closest hit and any hit over everything: what is listed, then the tree (docs/decisions/0008-tree.md). One width; no
+// guard. Of the children that a ray meets the nearest is entered first, the others wait on a stack, nearest on top:
+// I. Wald, C. Benthin, S. Boulos, "Getting Rid of Packets", IEEE Symposium on Interactive Ray Tracing, 2008.
+// Nothing that begins at the nearest hit so far is dropped: among equal t the smallest id wins.
+#include "core/candidates.h"
+#include "scene/scene.h"
+#include "shapes/edge_lanes.h"
+#if TIER_ROBUST
+#include "shapes/exact_scalar.h"
+#endif
+#if !(TIER_ROBUST && LANES == 1)
+#include "accel/slabs_lanes.h"
+#if TIER_COMPENSATED
+#include "lanes/double_word.h"
+#endif
+#if TIER_ROBUST
+#include "shapes/quadratic_lanes.h"
+#endif
+#endif
+#if TIER_COMPENSATED
+#include "shapes/reach_lanes.h"
+#endif
+#if TIER_ROBUST
+#include "shapes/box_robust_lanes.h"
+#include "shapes/polygon_robust_lanes.h"
+#elif TIER_FAST
+#include "shapes/moeller_fast_lanes.h"
+#endif
+#include "shapes/all_lanes.h"
+
+/// Children of a node. The program's text says which, where there is one lane.
+#ifndef SCALAR_TREE_WIDTH
+#define SCALAR_TREE_WIDTH 4
+#endif
+#if LANES == 1
+#define TREE_WIDTH SCALAR_TREE_WIDTH
+#else
+#define TREE_WIDTH LANES
+#endif
+#include "accel/node_lanes.h"
+
+#if TREE_WIDTH == 2
+#define STACK_ENTRIES STACK_2
+#elif TREE_WIDTH == 4
+#define STACK_ENTRIES STACK_4
+#elif TREE_WIDTH == 8
+#define STACK_ENTRIES STACK_8
+#else
+#define STACK_ENTRIES STACK_16
+#endif
+
+/// The nearest of the children that are met; the others go to the stack, the farthest first. waiting, waiting_t:
+/// references and where they begin, `top` of them. Plain arrays: of a struct PoCL keeps one for each work-item of a
+/// group.
+FN int LANED(nearest_child)(PRIVATE int* waiting, PRIVATE real* waiting_t, PRIVATE int* top, GLOBAL const int* children,
+                            uint met, PRIVATE const real* t) {
+  int lane = first_bit(met);
+  met &= met - 1u;
+  int nearest = children[lane];
+  if (met == 0u) return nearest;
+  real nearest_t = t[lane];
+  int bottom = *top;
+  do {
+    lane = first_bit(met);
+    met &= met - 1u;
+    int child = children[lane];
+    real child_t = t[lane];
+    if (child_t < nearest_t) {
+      int other = nearest;
+      real other_t = nearest_t;
+      nearest = child;
+      nearest_t = child_t;
+      child = other;
+      child_t = other_t;
+    }
+    int at = *top;
+    while (at > bottom && waiting_t[at - 1] < child_t) {
+      waiting[at] = waiting[at - 1];
+      waiting_t[at] = waiting_t[at - 1];
+      --at;
+    }
+    waiting[at] = child;
+    waiting_t[at] = child_t;
+    ++*top;
+  } while (met != 0u);
+  return nearest;
+}
+
+/// The blocks of a leaf, or all that its kind lists.
+FN void LANED(meet_leaf)(const Scene* scene, const Ray* ray, int reference, int stop_at_first, Nearest* best) {
+  uint leaf = (uint)~reference;
+  int kind = (int)(leaf & (REFERENCE_MOST_KINDS - 1)), first = (int)(leaf >> REFERENCE_BLOCK);
+  int count = (int)(leaf >> REFERENCE_COUNT) & REFERENCE_MOST_BLOCKS;
+  GLOBAL const int* row = scene_shape_row(scene, kind);
+  if (count == 0) count = row[SHAPE_LISTED];
+  GLOBAL const int* ids = scene->index + row[SHAPE_IDS] + first * LANES;
+  GLOBAL const real* geometry = scene->geometry + row[SHAPE_GEOMETRY];
+  (void)ray;  // A scene without shapes.
+  (void)geometry;
+  for (int b = first; b < first + count && !(stop_at_first && best->kind >= 0); ++b, ids += LANES) {
+#define SHAPE(name, planes)                                            \
+  if (SHAPE_COUNT == 1 || kind == SHAPE_##name) {                      \
+    GLOBAL const real* block = geometry + (ulong)b * ((planes)*LANES); \
+    LANED(name##_block)(ray, block, ids, b * LANES, best);             \
+  }
+#include "shapes/shapes.def"
+#undef SHAPE
+  }
+}
+
+/// stop_at_first: any hit will do.
+FN Nearest LANED(traverse)(const Scene* scene, const Ray* given, int stop_at_first) {
+  Nearest best = nearest_none(given->t_max);
+  if (SHAPE_COUNT == 0) return best;
+  Ray ray = *given;
+  ray_widen(&ray, scene->geometry + scene->index[HEADER_BOUNDS]);
+  GLOBAL const real* nodes = scene->geometry + scene->index[HEADER_NODES];
+  GLOBAL const int* children = scene->index + scene->index[HEADER_CHILDREN];
+  int waiting[STACK_ENTRIES];
+  real waiting_t[STACK_ENTRIES];
+  int top = 0;
+  if (scene->index[HEADER_ROOT] != NO_REFERENCE) {
+    waiting[top] = scene->index[HEADER_ROOT];
+    waiting_t[top++] = ray.t_min;
+  }
+  // Not a loop: PoCL keeps what is live across loops that all work-items share in memory, once for each of a group.
+#define SHAPE(name, planes)                                     \
+  if (scene_shape_row(scene, SHAPE_##name)[SHAPE_LISTED] > 0) { \
+    waiting[top] = ~SHAPE_##name;                               \
+    waiting_t[top++] = ray.t_min;                               \
+  }
+#include "shapes/shapes.def"
+#undef SHAPE
+
+  while (top > 0) {
+    --top;
+    if (best.t < waiting_t[top]) continue;
+    int reference = waiting[top];
+    while (reference >= 0) {
+      real t[TREE_WIDTH];
+      GLOBAL const real* node = nodes + (ulong)reference * (NODE_PLANES * TREE_WIDTH);
+      uint met = LANED(meet_children)(node, &ray, best.t, t);
+      if (met == 0u) break;
+      reference = LANED(nearest_child)(waiting, waiting_t, &top, children + (ulong)reference * TREE_WIDTH, met, t);
+    }
+    if (reference >= 0) continue;
+    LANED(meet_leaf)(scene, &ray, reference, stop_at_first, &best);
+    if (stop_at_first && best.kind >= 0) break;
+  }
+  return best;
+}
+
+FN Nearest LANED(closest_hit)(const Scene* scene, const Ray* ray) { return LANED(traverse)(scene, ray, 0); }
+
+/// Is anything hit within [t_min, t_max]?
+FN int LANED(any_hit)(const Scene* scene, const Ray* ray) { return LANED(traverse)(scene, ray, 1).kind >= 0; }
+
+#undef STACK_ENTRIES
+#undef TREE_WIDTH

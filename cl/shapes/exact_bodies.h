@@ -1,0 +1,7 @@
+// SPDX-License-Identifier: MIT
+// Only includes, for exact_scalar.h: one lane.
+#include "lanes/double_word.h"
+#include "accel/slabs_lanes.h"
+#include "shapes/quadratic_lanes.h"
+#include "shapes/polygon_exact.h"
+#include "shapes/sphere_exact.h"

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// Boxes around primitives as the device holds them, rounded outwards.
+#pragma once
+
+#include <array>
+#include <string>
+
+namespace strahl {
+
+/// lo x, hi x, lo y, hi y, lo z, hi z.
+template <typename Real>
+using Bounds = std::array<Real, 6>;
+
+/// From the planes of a primitive (cl/shapes/shapes.def). Nullptr: the kind has no bounds.
+template <typename Real>
+using BoundsFunction = Bounds<Real> (*)(const Real* planes);
+
+/// Throws std::out_of_range for a kind that is in no list. Instantiated for float and double.
+template <typename Real>
+[[nodiscard]] BoundsFunction<Real> bounds_function(const std::string& kind);
+
+}  // namespace strahl
