@@ -27,8 +27,7 @@ bool is_edge(const Image& image, int x, int y) {
 
 TEST_CASE("point light over a square: Ignis's picture") {
   LoadedScene loaded = load_scene(shared_data + "ignis/evaluation/point.xml", {{{"spp", "64"}}, false});
-  REQUIRE(loaded.warnings.size() == 1);
-  CHECK(loaded.warnings[0].message.find("\"path\"") != std::string::npos);
+  REQUIRE(loaded.warnings.empty());
   const Image ours = picture(loaded.scene).color;
   const Image reference = read_image(shared_data + "ignis/evaluation/references/ref-point-4096.exr");
   REQUIRE(ours.width == reference.width);
