@@ -35,8 +35,7 @@ struct Question {
 /// Scene `number`: more and more primitives, farther and farther away.
 Question question(int number, std::size_t rays) {
   SceneMaker maker(1000 + static_cast<std::uint64_t>(number));
-  for (const std::string& name : geometry_names())
-    maker.add(name, name == "plane" ? 2 : 2 + number / 4);
+  for (const std::string& name : geometry_names()) maker.add(name, name == "plane" ? 2 : 2 + number / 4);
   Question question{maker.scene(), maker.rays(rays)};
   const double offset = number % 5 == 0 ? 0 : std::pow(10.0, number % 5 + number % 3);
   const Vec3 by{std::nearbyint(offset), -std::nearbyint(offset / 3), 0.5};
