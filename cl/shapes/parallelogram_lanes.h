@@ -13,12 +13,13 @@ FN void LANED(parallelogram_block)(const Ray* ray, GLOBAL const real* block, GLO
   LANED(ShearedVertex) d = LANED(shear_vertex)(ray, block + 9 * LANES);
   realw ab = LANED(edge_function)(a, b), bc = LANED(edge_function)(b, c);
   realw cd = LANED(edge_function)(c, d), da = LANED(edge_function)(d, a);
-  maskw hit = ~(LANED(signs_differ)(ab, bc, cd) | LANED(signs_differ)(bc, cd, da));
+  realw bd = LANED(edge_function)(b, d), sum = ab + da + bd;
+  maskw none = eq_w(sum, splat_w(R(0.0)));  // Without area, as padding is.
+  maskw hit = ~(LANED(signs_differ)(ab, bc, cd) | LANED(signs_differ)(bc, cd, da) | none);
   if (ray->left >= 0) hit = hit & ~LANED(is_left)(ids, ray);
   if (!any_w(hit)) return;
 
   realw z_min = min_w(d.z, min_w(c.z, min_w(b.z, a.z))), z_max = max_w(d.z, max_w(c.z, max_w(b.z, a.z)));
-  realw bd = LANED(edge_function)(b, d);
 #if TIER_ROBUST
   LANED(Polygon) polygon;
   polygon.at_a = a;
@@ -33,7 +34,7 @@ FN void LANED(parallelogram_block)(const Ray* ray, GLOBAL const real* block, GLO
   hit = hit & LANED(in_range_roughly)(ray, best, &polygon, rough);
   if (!any_w(hit)) return;
 #else
-  realw t = fma_w(ab, d.z, fma_w(da, b.z, bd * a.z)) / (ab + da + bd) * splat_w(ray->shear_z);
+  realw t = fma_w(ab, d.z, fma_w(da, b.z, bd * a.z)) / sum * splat_w(ray->shear_z);
 #if REAL_BITS == 64
   t = LANED(within_corners)(ray, t, block, block + 3 * LANES, block + 6 * LANES, block + 9 * LANES);
 #endif

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Ray against LANES triangles, watertight and single-hit (edge_lanes.h). Zeros are looked for only where a lane is
-// hit. t is held within the triangle's own range along the ray. Zero-area triangles give a NaN t and are never hit.
+// hit. t is held within the triangle's own range along the ray. Triangles without area, as padding is, are never
+// hit.
 
 #if TIER_FAST
 #include "shapes/triangle_fast_lanes.h"
@@ -11,7 +12,8 @@ FN void LANED(triangle_block)(const Ray* ray, GLOBAL const real* block, GLOBAL c
   LANED(ShearedVertex) b = LANED(shear_vertex)(ray, block + 3 * LANES);
   LANED(ShearedVertex) c = LANED(shear_vertex)(ray, block + 6 * LANES);
   realw ea = LANED(edge_function)(b, c), eb = LANED(edge_function)(c, a), ec = LANED(edge_function)(a, b);
-  maskw hit = ~LANED(signs_differ)(ea, eb, ec);
+  realw sum = ea + eb + ec;
+  maskw hit = ~(LANED(signs_differ)(ea, eb, ec) | eq_w(sum, splat_w(R(0.0))));
   if (ray->left >= 0) hit = hit & ~LANED(is_left)(ids, ray);
   if (!any_w(hit)) return;
 
@@ -30,7 +32,7 @@ FN void LANED(triangle_block)(const Ray* ray, GLOBAL const real* block, GLOBAL c
   hit = hit & LANED(in_range_roughly)(ray, best, &polygon, rough);
   if (!any_w(hit)) return;
 #else
-  realw t = fma_w(ec, c.z, fma_w(eb, b.z, ea * a.z)) / (ea + eb + ec) * splat_w(ray->shear_z);
+  realw t = fma_w(ec, c.z, fma_w(eb, b.z, ea * a.z)) / sum * splat_w(ray->shear_z);
 #if REAL_BITS == 64
   t = LANED(within_corners)(ray, t, block, block + 3 * LANES, block + 6 * LANES, block + 6 * LANES);
 #endif

@@ -161,7 +161,8 @@ Intersector::Intersector(const Device& device, const Scene& scene, const RenderS
   if (std::vector<Diagnostic> problems = validate(scene); !problems.empty()) throw SceneError(problems);
   State& s = *state_;
   const Width width = width_of(settings, device.info().native_vector_width);
-  static_cast<void>(most_samples(device, intersect_loops(scene, width.lanes), settings.loop_turns));
+  static_cast<void>(
+      most_samples(device, intersect_loops(scene, width.lanes, acceleration_of(settings)), settings.loop_turns));
   const Stopwatch start;
   const Features features = intersection_features(scene, settings);
   const ProgramSource source =
@@ -177,7 +178,7 @@ Intersector::Intersector(const Device& device, const Scene& scene, const RenderS
   s.stats.seconds.program = start.seconds();
   const Stopwatch upload;
   s.buffers = upload_scene(device, scene, features, settings.precision,
-                           {width.lanes, Frame{}, width.tree, settings.acceleration});
+                           {width.lanes, Frame{}, width.tree, acceleration_of(settings)});
   s.first_ids = first_ids(scene);
   s.stats.seconds.bvh = s.buffers.tree.seconds;
   s.stats.seconds.upload = upload.seconds() - s.stats.seconds.bvh;

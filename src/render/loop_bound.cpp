@@ -24,14 +24,21 @@ constexpr double box_test = 24, box_surface = 16;
 /// Over a polygon's edges, twice, where a ray leaves it (cl/core/departure.h).
 constexpr double departure = 3 + 2 * 5;
 
-/// One traversal of all lists.
-double walk(const Scene& scene, int lanes) {
+/// One node of a tree: its children one after the other, and each that is met past all that wait from the same node.
+double node_test(int lanes) {
+  const double children = lanes == 1 ? 4 : lanes;
+  return 2 + (lanes == 1 ? children + 1 : 2) + children * (1 + children / 2);
+}
+
+/// One traversal that meets everything, by lists or in a tree whose nodes have two children each.
+double walk(const Scene& scene, int lanes, Acceleration acceleration) {
   std::map<std::string, double> primitives;
   for (const Shape& shape : scene.shapes) primitives[shape_kind(shape)] += primitive_count(shape);
   double turns = static_cast<double>(list_entries("shapes").size());
   for (const auto& [kind, count] : primitives) {
     const double candidates = lanes + 1;
     turns += std::ceil(count / lanes) * (1 + candidates + (kind == "box" ? box_test : 0));
+    if (acceleration != Acceleration::list && kind != "plane") turns += count / lanes * node_test(lanes);
   }
   return turns;
 }
@@ -75,18 +82,23 @@ double shadows(const Scene& scene, bool has_glow) {
 
 }  // namespace
 
-LoopBound render_loops(const Scene& scene, int lanes) {
+LoopBound render_loops(const Scene& scene, int lanes, Acceleration acceleration) {
   const double emitters = emitting_primitives(scene);
   const bool has_glow = emitters > 0 || !std::all_of(scene.lights.begin(), scene.lights.end(), is_lamp);
-  const double ray = walk(scene, lanes);
+  const double ray = walk(scene, lanes, acceleration);
   // The loops over the path and the lights, each with its shadow.
   const double surface = 1 + ray + box_surface + 1 + shadows(scene, has_glow) * (1 + departure + ray) + departure;
   const double hidden = scene.integrator.hide_emitters ? 2 * emitters : 0;
   return {2 * layout::FILM_SUBSUMS + 1, 1 + layout::AOV_REALS + 1 + (hidden + surfaces(scene, has_glow)) * surface};
 }
 
-LoopBound intersect_loops(const Scene& scene, int lanes) {
-  return {layout::HIT_REALS + 1, walk(scene, lanes) + box_surface};
+LoopBound intersect_loops(const Scene& scene, int lanes, Acceleration acceleration) {
+  return {layout::HIT_REALS + 1, walk(scene, lanes, acceleration) + box_surface};
+}
+
+Acceleration acceleration_of(const RenderSettings& settings) {
+  const bool chooses = settings.acceleration == Acceleration::automatic;
+  return chooses && settings.loop_turns ? Acceleration::list : settings.acceleration;
 }
 
 int most_samples(const Device& device, const LoopBound& bound, std::optional<std::uint64_t> loop_turns) {

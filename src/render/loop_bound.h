@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "device/device.h"
+#include "render/settings.h"
 #include "scene/scene.h"
 
 namespace strahl {
@@ -18,9 +19,13 @@ struct LoopBound {
   double sample = 0;  ///< More for each sample.
 };
 
-[[nodiscard]] LoopBound render_loops(const Scene& scene, int lanes);
+[[nodiscard]] LoopBound render_loops(const Scene& scene, int lanes, Acceleration acceleration);
 /// One ray is the sample.
-[[nodiscard]] LoopBound intersect_loops(const Scene& scene, int lanes);
+[[nodiscard]] LoopBound intersect_loops(const Scene& scene, int lanes, Acceleration acceleration);
+
+/// The settings' own; lists where the device ends loops and the choice is free: what lists take at most is known, and
+/// what trees take at most is far more than they ever do.
+[[nodiscard]] Acceleration acceleration_of(const RenderSettings& settings);
 
 /// Samples that a work-item may take in one launch where the device ends loops after so many turns. Throws
 /// NoDeviceError where that is none.

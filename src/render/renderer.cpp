@@ -80,7 +80,8 @@ void Renderer::State::prepare() {
     throw NoDeviceError(fmt::format("the AOV numeric_error holds every hit against double precision, which {} has not",
                                     device.info().text()));
   const Width width = width_of(settings, device.info().native_vector_width);
-  samples_a_launch = most_samples(device, render_loops(scene, width.lanes), settings.loop_turns);
+  samples_a_launch =
+      most_samples(device, render_loops(scene, width.lanes, acceleration_of(settings)), settings.loop_turns);
   const Stopwatch start;
   features = features_of(scene, settings);
   source = program_source("kernels/render.cl", features, settings.precision, width.lanes, width.tree);
@@ -91,7 +92,7 @@ void Renderer::State::prepare() {
 
   const Stopwatch upload_start;
   buffers = upload_scene(device, scene, features, settings.precision,
-                         {width.lanes, frame(), width.tree, settings.acceleration});
+                         {width.lanes, frame(), width.tree, acceleration_of(settings)});
   const std::size_t pixels = static_cast<std::size_t>(window.width()) * static_cast<std::size_t>(band_rows());
   film = allocate(device, pixels * film_bytes_per_pixel, "one band of the film");
   aov_reals = allocate(device, aov_real_bytes(pixels), "the auxiliary values");
