@@ -51,7 +51,7 @@ std::optional<bool> parse_boolean(const std::string& text) {
 }
 
 std::vector<std::string> split_list(const std::string& text) {
-  const std::string separators = std::string(",") + blanks;
+  constexpr const char* separators = ", \t\r\n";
   std::vector<std::string> words;
   for (std::size_t at = text.find_first_not_of(separators); at != std::string::npos;) {
     const std::size_t end = text.find_first_of(separators, at);

@@ -17,6 +17,8 @@ namespace strahl {
 
 Properties::Properties(const XmlElement& element, const ElementIds& ids, Diagnostics& diagnostics)
     : element_(element), diagnostics_(diagnostics) {
+  entries_.reserve(element.children.size());
+  known_.reserve(8);
   for (const XmlElement& child : element.children) {
     if (child.tag == "alias") continue;
     const XmlElement* meant = child.tag == "ref" ? ids.resolve(child, diagnostics) : &child;

@@ -70,6 +70,7 @@ class Expander {
   void expand_children(XmlElement& element) {
     std::vector<XmlElement> given = std::move(element.children);
     element.children.clear();
+    element.children.reserve(given.size());
     for (XmlElement& child : given) {
       if (!substitute_attributes(child)) continue;  // Reported; what lacks its value is left out.
       if (child.tag == "default") {

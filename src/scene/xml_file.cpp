@@ -11,6 +11,7 @@
 #include <fstream>
 #include <iterator>
 #include <pugixml.hpp>
+#include <sstream>
 
 namespace strahl {
 
@@ -21,8 +22,8 @@ constexpr int deepest_nesting = 64;
 class LineIndex {
  public:
   LineIndex(std::string file, const std::string& text) : file_(std::move(file)), text_(text), starts_{0} {
-    for (std::size_t i = 0; i < text.size(); ++i)
-      if (text[i] == '\n') starts_.push_back(i + 1);
+    for (std::size_t at = text.find('\n'); at != std::string::npos; at = text.find('\n', at + 1))
+      starts_.push_back(at + 1);
   }
 
   [[nodiscard]] SourceLocation at(std::ptrdiff_t offset) const {
@@ -48,6 +49,8 @@ class TreeBuilder {
     XmlElement element;
     element.tag = node.name();
     element.where = lines_.at(node.offset_debug() - 1);
+    element.attributes.reserve(size_of(node.attributes()));
+    element.children.reserve(size_of(node.children()));
     for (const pugi::xml_attribute& attribute : node.attributes()) {
       if (element.attribute(attribute.name()) != nullptr)
         diagnostics_.error(element.where, fmt::format("attribute \"{}\" is given twice", attribute.name()));
@@ -64,6 +67,11 @@ class TreeBuilder {
   }
 
  private:
+  template <typename Range>
+  static std::size_t size_of(const Range& range) {
+    return static_cast<std::size_t>(std::distance(range.begin(), range.end()));
+  }
+
   void add_child(XmlElement& element, const pugi::xml_node& child, int depth) {
     if (depth < deepest_nesting) {
       element.children.push_back(build(child, depth + 1));
@@ -94,7 +102,9 @@ std::optional<std::string> file_text(const std::string& path, const SourceLocati
     diagnostics.error(where, fmt::format("cannot read \"{}\"; is the path right?", path));
     return std::nullopt;
   }
-  std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+  std::ostringstream bytes;  // Pipes have no size to ask for.
+  bytes << stream.rdbuf();
+  std::string text = std::move(bytes).str();
   if (text.rfind("\xFF\xFE", 0) == 0 || text.rfind("\xFE\xFF", 0) == 0) {
     diagnostics.error(SourceLocation{path}, "is encoded as UTF-16; save it as UTF-8");
     return std::nullopt;

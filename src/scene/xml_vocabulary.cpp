@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string_view>
+#include <unordered_map>
 
 #include "scene/did_you_mean.h"
 
@@ -47,9 +49,13 @@ const std::vector<Tag>& vocabulary() {
 }
 
 const Tag* find_tag(const std::string& name) {
-  const auto& tags = vocabulary();
-  const auto found = std::find_if(tags.begin(), tags.end(), [&](const Tag& tag) { return tag.name == name; });
-  return found == tags.end() ? nullptr : &*found;
+  static const std::unordered_map<std::string_view, const Tag*> tags = [] {
+    std::unordered_map<std::string_view, const Tag*> all;
+    for (const Tag& tag : vocabulary()) all.emplace(tag.name, &tag);
+    return all;
+  }();
+  const auto found = tags.find(name);
+  return found == tags.end() ? nullptr : found->second;
 }
 
 std::string unknown_tag(const std::string& name) {
