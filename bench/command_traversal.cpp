@@ -73,7 +73,9 @@ Command add_traversal(CLI::App& app) {
   app.add_option("--precision", options->tiers, "Only these tiers; the first has to be right")
       ->delimiter(',')
       ->type_name("LIST");
-  app.add_option("--lanes", what.lanes, "With each of these; default: the device's")->delimiter(',')->type_name("LIST");
+  app.add_option("--bvh-width", what.widths, "With each of these; default: the device's")
+      ->delimiter(',')
+      ->type_name("LIST");
   app.add_flag("!--no-peers", what.peers, "strahl alone");
   app.add_option("--pixels", what.pixels, "The picture's side; as many rays squared")
       ->capture_default_str()
@@ -95,10 +97,9 @@ Command add_report(CLI::App& app) {
     Traversal all;
     for (const std::string& path : *json_files) {
       Traversal one = traversal_of_json(read_file(path));
-      std::vector<Race> races = std::move(all.races);
-      races.insert(races.end(), one.races.begin(), one.races.end());
+      one.races.insert(one.races.begin(), all.races.begin(), all.races.end());
+      one.trees.insert(one.trees.begin(), all.trees.begin(), all.trees.end());
       all = std::move(one);
-      all.races = std::move(races);
     }
     write_report(all, *folder);
   };

@@ -53,7 +53,7 @@ Race race(std::span<const std::unique_ptr<Contender>> contenders, const RaySet& 
       entry.hits += answers[i] < infinity;
       entry.differing += differ(answers[i], expected[i]);
     }
-    if (entry.differing * 1000 > answers.size())
+    if (entry.differing * 50 > answers.size())
       throw Error(fmt::format("{} {}: {} of {} {} rays are answered otherwise than by {} {}; their time means nothing",
                               entry.program, entry.variant, entry.differing, answers.size(), race.kind,
                               race.entries.front().program, race.entries.front().variant));

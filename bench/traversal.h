@@ -13,11 +13,20 @@ struct TraversalOptions {
   std::vector<std::string> scenes{"ten", "sphereflake-5", "terrain-1000000"};  ///< Generated, or files.
   std::vector<RayKind> kinds{all_ray_kinds.begin(), all_ray_kinds.end()};
   std::vector<Precision> tiers;  ///< Empty: all that the device has.
-  std::vector<int> lanes;        ///< Empty: the device's own.
+  std::vector<int> widths;       ///< Of the tree; empty: the device's own.
   bool peers = true;
   int pixels = 1024;  ///< Of a generated scene's side: as many squared primary rays.
   int rounds = 9;
   unsigned threads = 0;  ///< Of the peers; 0: as many as the machine has.
+};
+
+/// A tree, as built over a scene by one program.
+struct Tree {
+  std::string scene;
+  std::size_t primitives = 0;
+  std::string program;
+  std::vector<double> seconds;  ///< A round each.
+  double sah_cost = 0;
 };
 
 /// Everything that one call measured, for the report and for JSON.
@@ -28,6 +37,7 @@ struct Traversal {
   unsigned threads = 0;
   int rounds = 0;
   std::vector<Race> races;
+  std::vector<Tree> trees;
 };
 
 /// A scene by the name of generated_scene or, where there is a dot or a slash in it, from a file.

@@ -24,15 +24,28 @@ std::string json(const Traversal& traversal) {
                      {"rays", race.rays},
                      {"entries", entries}});
   }
-  return Json{{"device", traversal.device},   {"machine", traversal.machine}, {"strahl", traversal.version},
-              {"threads", traversal.threads}, {"rounds", traversal.rounds},   {"races", races}}
+  Json trees = Json::array();
+  for (const Tree& tree : traversal.trees)
+    trees.push_back({{"scene", tree.scene},
+                     {"primitives", tree.primitives},
+                     {"program", tree.program},
+                     {"seconds", tree.seconds},
+                     {"sah_cost", tree.sah_cost}});
+  return Json{{"device", traversal.device},
+              {"machine", traversal.machine},
+              {"strahl", traversal.version},
+              {"threads", traversal.threads},
+              {"rounds", traversal.rounds},
+              {"races", races},
+              {"trees", trees}}
              .dump(1) +
          "\n";
 }
 
 Traversal traversal_of_json(const std::string& text) try {
   const Json all = Json::parse(text);
-  Traversal traversal{all.at("device"), all.at("machine"), all.at("strahl"), all.at("threads"), all.at("rounds"), {}};
+  Traversal traversal{
+      all.at("device"), all.at("machine"), all.at("strahl"), all.at("threads"), all.at("rounds"), {}, {}};
   for (const Json& race : all.at("races")) {
     Race& one = traversal.races.emplace_back(
         Race{race.at("scene"), race.at("primitives"), race.at("kind"), race.at("rays"), {}});
@@ -40,6 +53,9 @@ Traversal traversal_of_json(const std::string& text) try {
       one.entries.push_back({entry.at("program"), entry.at("variant"), entry.at("seconds"), entry.at("build_seconds"),
                              entry.at("hits"), entry.at("differing")});
   }
+  for (const Json& tree : all.at("trees"))
+    traversal.trees.push_back(
+        {tree.at("scene"), tree.at("primitives"), tree.at("program"), tree.at("seconds"), tree.at("sah_cost")});
   return traversal;
 } catch (const nlohmann::json::exception& error) {
   throw InputError(std::string("no measurements of strahl-bench traversal: ") + error.what());

@@ -44,24 +44,26 @@ std::string grouped(std::size_t n) {
 }
 
 std::string race_table(const Race& race) {
-  std::string header = "| Mrays/s |  |", rule = "|---|--:|", peers = "| |  |", rows;
+  std::string header = "| Mrays/s |  | differ |", rule = "|---|--:|--:|", peers = "| |  |  |", rows,
+              off = "| differ | | |";
   for (const Entry& entry : race.entries) {
     if (is_ours(entry)) continue;
     header += fmt::format(" {} {} |", entry.program, entry.variant);
     rule += "--:|";
     peers += fmt::format(" {:.2f} |", mrays(race, entry));
+    off += fmt::format(" {} |", entry.differing);
   }
   for (const Entry& entry : race.entries) {
     if (!is_ours(entry)) continue;
-    rows += fmt::format("| strahl {} | {:.2f} |", entry.variant, mrays(race, entry));
+    rows += fmt::format("| strahl {} | {:.2f} | {} |", entry.variant, mrays(race, entry), entry.differing);
     for (const Entry& peer : race.entries)
       if (!is_ours(peer)) rows += fmt::format(" × {:.2f} |", speed_ratio(entry, peer));
     rows += "\n";
   }
   const Entry& first = race.entries.front();
-  return fmt::format("#### {} rays: {}, of which {:.0f} % hit\n\n{}\n{}\n{}\n{}\n", race.kind, grouped(race.rays),
+  return fmt::format("#### {} rays: {}, of which {:.0f} % hit\n\n{}\n{}\n{}\n{}{}\n\n", race.kind, grouped(race.rays),
                      100 * static_cast<double>(first.hits) / static_cast<double>(std::max<std::size_t>(race.rays, 1)),
-                     header, rule, peers, rows);
+                     header, rule, peers, rows, off);
 }
 
 /// The tiers that a run has, `fast` first.
@@ -86,6 +88,17 @@ std::string tier_table(const Traversal& traversal, const std::vector<std::string
     for (const std::string& tier : tiers)
       text += fmt::format(" {:.2f} |", ratio(find(race, true, "fast"), find(race, true, tier)));
     text += "\n";
+  }
+  return text + "\n";
+}
+
+/// SAH cost of a binary tree: 1 a node, 1 a block of 16 primitives.
+std::string tree_table(const Traversal& traversal) {
+  std::string text = "| scene | builder | seconds | million primitives/s | SAH cost |\n|---|---|--:|--:|--:|\n";
+  for (const Tree& tree : traversal.trees) {
+    const double seconds = median(tree.seconds);
+    text += fmt::format("| {} | {} | {:.3f} | {:.2f} | {:.2f} |\n", tree.scene, tree.program, seconds,
+                        static_cast<double>(tree.primitives) / seconds / 1e6, tree.sah_cost);
   }
   return text + "\n";
 }
@@ -138,20 +151,17 @@ std::string markdown(const Traversal& traversal, const std::map<std::string, std
                      const std::string& plot_folder) {
   std::string text = fmt::format(
       "strahl {} on {}; {}, {} threads each side; medians of {} rounds in turns. × n: strahl is n times as fast, the "
-      "median of the rounds' ratios.\n\n",
+      "median of the rounds' ratios. differ: rays with another answer than the first tier's.\n\n",
       traversal.version, traversal.device, traversal.machine, traversal.threads, traversal.rounds);
   std::string scene;
   for (const Race& race : traversal.races) {
     if (race.scene != scene) {
       scene = race.scene;
       text += fmt::format("### {}: {} primitives\n\n", scene, grouped(race.primitives));
-      for (const Entry& entry : race.entries)
-        if (entry.variant == "robust" || entry.variant == "1" || entry.variant == "1 robust")
-          text += fmt::format("- {} {}: tree built in {:.3f} s\n", entry.program, entry.variant, entry.build_seconds);
-      text += "\n";
     }
     text += race_table(race);
   }
+  if (!traversal.trees.empty()) text += "### Trees\n\n" + tree_table(traversal);
   text += "### What each tier costs\n\n" + tier_table(traversal, tiers_of(traversal));
   for (const auto& [name, svg] : plots) text += fmt::format("![{}]({}{})\n", name, plot_folder, name);
   return text;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "bench/peers/embree.h"
+#include "bench/peers/embree_tree.h"
 
 namespace strahl::bench {
 
@@ -8,5 +9,7 @@ bool has_embree() { return false; }
 std::unique_ptr<Contender> embree_contender(const Scene&, const EmbreeSettings&) {
   throw Error("built without Embree; apt install libembree-dev, and build again");
 }
+
+PeerTree embree_tree(const Scene&, bool, unsigned) { throw Error("built without Embree; apt install libembree-dev"); }
 
 }  // namespace strahl::bench

@@ -10,10 +10,11 @@
 #include "cli/output_file.h"
 #include "cli/progress_bar.h"
 #include "cli/scene_options.h"
+#include "device/tuned_width.h"
 #include "image/file_bytes.h"
 #include "scene/loader.h"
-#include "study/device_bench.h"
 #include "study/generated/scenes.h"
+#include "study/tune.h"
 
 namespace strahl::cli {
 namespace {
@@ -29,6 +30,7 @@ Examples:
   strahl bench -d pocl --json before.json
   strahl bench -d pocl --compare before.json       how many times as fast as then, or as another device
   strahl bench --scene mesh.ply
+  strahl bench -d pocl --tune                      which width of the tree suits the device; remembered
 
 No canary is asked: times say nothing about answers, strahl selftest does.)";
 
@@ -38,6 +40,7 @@ struct BenchOptions {
   std::string json;
   std::string compare;
   int pixels = 0;
+  bool tune = false;
   bool quiet = false;
   bool no_progress = false;
 };
@@ -146,7 +149,33 @@ std::string table(const DeviceBench& bench, const Base& base) {
   return text;
 }
 
+std::string tuned_table(const Device& device, const std::vector<TunedTier>& tiers) {
+  std::string text = device.info().text() + "\nMrays/s by the tree's width\n";
+  for (const TunedTier& tier : tiers) {
+    text += fmt::format("{:<16}", precision_name(tier.precision));
+    for (const auto& [width, mrays] : tier.mrays)
+      text += fmt::format(" {:>3}: {:.2f}{}", width, mrays, width == tier.best ? "*" : " ");
+    text += "\n";
+  }
+  return text + "* remembered for this device and driver; strahl devices --clear-cache forgets\n";
+}
+
+ExitCode tune_device(const BenchOptions& options) {
+  const Scene scene = scene_of(options.scene);
+  const Device device = Device::open(options.device);
+  std::vector<TunedTier> tiers;
+  {
+    ProgressBar bar("tune", !options.quiet && !options.no_progress);
+    tiers = tune(device, scene, options.pixels,
+                 [&bar](int done, int total) { bar.show(static_cast<double>(done) / total, "measuring"); });
+  }
+  for (const TunedTier& tier : tiers) remember_width(device, tier.precision, tier.best);
+  print(tuned_table(device, tiers));
+  return ExitCode::ok;
+}
+
 ExitCode bench(const BenchOptions& options) {
+  if (options.tune) return tune_device(options);
   if (!options.json.empty() && options.json != "-") require_writable(options.json);
   const Base base(options.compare);
   const Scene scene = scene_of(options.scene);
@@ -178,6 +207,10 @@ Command add_bench(CLI::App& app) {
                  "The picture's side; default: what the device does in an eighth of a second")
       ->type_name("N")
       ->check(CLI::Range(16, 8192).description(""));
+  app.add_flag("--tune", options->tune,
+               "Measure widths of the tree instead, and remember the fastest of each precision")
+      ->excludes("--json")
+      ->excludes("--compare");
   app.add_flag("-q,--quiet", options->quiet, "Say nothing but the table");
   app.add_flag("--no-progress", options->no_progress, "No progress bar");
   app.footer(kFooter);

@@ -15,6 +15,7 @@
 #include "device/device.h"
 #include "device/features.h"
 #include "device/program_text.h"
+#include "device/tuned_width.h"
 
 namespace strahl::cli {
 namespace {
@@ -51,7 +52,7 @@ Lanes lanes_for(const ExplainOptions& options, const RenderSettings& settings) {
   }
   try {
     const Device device = Device::open(options.device, {settings.precision == Precision::fp64});
-    const Width width = width_of(settings, device.info().native_vector_width);
+    const Width width = width_on(device, settings);
     return {width.lanes, width.tree, "for " + device.info().text()};
   } catch (const NoDeviceError&) {
     if (!options.device.empty()) throw;  // It was asked for by name.

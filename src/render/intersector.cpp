@@ -10,6 +10,7 @@
 #include "device/cl_layout.h"
 #include "device/program_text.h"
 #include "device/scene_buffers.h"
+#include "device/tuned_width.h"
 #include "render/loop_bound.h"
 #include "render/sampling.h"
 #include "render/stopwatch.h"
@@ -160,7 +161,7 @@ Intersector::Intersector(const Device& device, const Scene& scene, const RenderS
     : state_(std::make_unique<State>(device, settings.precision)) {
   if (std::vector<Diagnostic> problems = validate(scene); !problems.empty()) throw SceneError(problems);
   State& s = *state_;
-  const Width width = width_of(settings, device.info().native_vector_width);
+  const Width width = width_on(device, settings);
   static_cast<void>(
       most_samples(device, intersect_loops(scene, width.lanes, acceleration_of(settings)), settings.loop_turns));
   const Stopwatch start;

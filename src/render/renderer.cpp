@@ -10,6 +10,7 @@
 #include "device/cl_layout.h"
 #include "device/program_text.h"
 #include "device/scene_buffers.h"
+#include "device/tuned_width.h"
 #include "render/aov.h"
 #include "render/film.h"
 #include "render/launch_plan.h"
@@ -79,7 +80,7 @@ void Renderer::State::prepare() {
   if (settings.aovs.contains(Aov::numeric_error) && !device.info().fp64)
     throw NoDeviceError(fmt::format("the AOV numeric_error holds every hit against double precision, which {} has not",
                                     device.info().text()));
-  const Width width = width_of(settings, device.info().native_vector_width);
+  const Width width = width_on(device, settings);
   samples_a_launch =
       most_samples(device, render_loops(scene, width.lanes, acceleration_of(settings)), settings.loop_turns);
   const Stopwatch start;

@@ -7,18 +7,11 @@
 namespace strahl {
 namespace {
 
-constexpr int rounds = 5;
 constexpr double seconds_a_round = 1.0 / 8;
 
-std::vector<Precision> tiers_of(const Device& device) {
-  std::vector<Precision> tiers{Precision::fast, Precision::stable, Precision::robust};
-  if (device.info().fp64) tiers.push_back(Precision::fp64);
-  return tiers;
-}
-
 double median(std::vector<double> values) {
-  std::nth_element(values.begin(), values.begin() + rounds / 2, values.end());
-  return values[rounds / 2];
+  std::nth_element(values.begin(), values.begin() + bench_rounds / 2, values.end());
+  return values[bench_rounds / 2];
 }
 
 Scene of_side(Scene scene, int side) {
@@ -39,9 +32,40 @@ int fitting_side(Intersector& intersector, const Scene& scene) {
 
 }  // namespace
 
+std::vector<Precision> tiers_of(const Device& device) {
+  std::vector<Precision> tiers{Precision::fast, Precision::stable, Precision::robust};
+  if (device.info().fp64) tiers.push_back(Precision::fp64);
+  return tiers;
+}
+
+BenchRays bench_rays(Intersector& intersector, const Scene& scene, int side) {
+  const Scene framed = of_side(scene, side > 0 ? side : fitting_side(intersector, scene));
+  const RaySet primary = primary_rays(framed);
+  const std::vector<Hit> hits = intersector.trace(primary.rays);
+  BenchRays sets{primary, shadow_rays(framed, primary, hits), diffuse_rays(primary, hits)};
+  if (sets[1].rays.empty()) throw InputError("no camera ray hits the scene; nothing can be measured");
+  return sets;
+}
+
+std::vector<double> median_seconds(std::vector<Intersector>& intersectors, const RaySet& set,
+                                   const std::function<void()>& before_round) {
+  std::vector<std::vector<double>> seconds(intersectors.size());
+  for (Intersector& one : intersectors) static_cast<void>(one.trace(set.rays, set.any_hit()));
+  for (int round = 0; round < bench_rounds; ++round) {
+    before_round();
+    for (std::size_t i = 0; i < intersectors.size(); ++i) {
+      static_cast<void>(intersectors[i].trace(set.rays, set.any_hit()));
+      seconds[i].push_back(intersectors[i].stats().seconds.kernel);
+    }
+  }
+  std::vector<double> medians;
+  for (const std::vector<double>& all : seconds) medians.push_back(median(all));
+  return medians;
+}
+
 DeviceBench bench_device(const Device& device, const Scene& scene, int side, const BenchProgress& progress) {
   const std::vector<Precision> tiers = tiers_of(device);
-  const int total = static_cast<int>(tiers.size()) + 1 + static_cast<int>(all_ray_kinds.size()) * rounds;
+  const int total = static_cast<int>(tiers.size()) + 1 + static_cast<int>(all_ray_kinds.size()) * bench_rounds;
   int done = 0;
   const auto step = [&] {
     if (progress) progress(done, total);
@@ -65,28 +89,12 @@ DeviceBench bench_device(const Device& device, const Scene& scene, int side, con
   step();
   bench.bandwidth = measure_bandwidth(device);
 
-  Intersector& robust = intersectors[2];
-  const Scene framed = of_side(scene, side > 0 ? side : fitting_side(robust, scene));
-  const RaySet primary = primary_rays(framed);
-  const std::vector<Hit> hits = robust.trace(primary.rays);
-  for (const RayKind kind : all_ray_kinds) {
-    const RaySet set = kind == RayKind::primary  ? primary
-                       : kind == RayKind::shadow ? shadow_rays(framed, primary, hits)
-                                                 : diffuse_rays(primary, hits);
-    if (set.rays.empty()) throw InputError("no camera ray hits the scene; nothing can be measured");
-    bench.rays[ray_kind_name(kind)] = set.rays.size();
-    std::vector<std::vector<double>> seconds(tiers.size());
-    for (Intersector& one : intersectors) static_cast<void>(one.trace(set.rays, set.any_hit()));
-    for (int round = 0; round < rounds; ++round) {
-      step();
-      for (std::size_t i = 0; i < tiers.size(); ++i) {
-        static_cast<void>(intersectors[i].trace(set.rays, set.any_hit()));
-        seconds[i].push_back(intersectors[i].stats().seconds.kernel);
-      }
-    }
+  for (const RaySet& set : bench_rays(intersectors[2], scene, side)) {
+    const std::string kind = ray_kind_name(set.kind);
+    bench.rays[kind] = set.rays.size();
+    const std::vector<double> seconds = median_seconds(intersectors, set, step);
     for (std::size_t i = 0; i < tiers.size(); ++i)
-      bench.mrays[ray_kind_name(kind)][bench.tiers[i]] =
-          static_cast<double>(set.rays.size()) / median(seconds[i]) / 1e6;
+      bench.mrays[kind][bench.tiers[i]] = static_cast<double>(set.rays.size()) / seconds[i] / 1e6;
   }
   return bench;
 }

@@ -22,6 +22,17 @@ struct DeviceBench {
   Bandwidth bandwidth;
 };
 
+/// What bench_device and tune (study/tune.h) measure with.
+inline constexpr int bench_rounds = 5;
+using BenchRays = std::array<RaySet, all_ray_kinds.size()>;  ///< In the order of all_ray_kinds.
+
+/// Every precision that the device has; robust is the third.
+[[nodiscard]] std::vector<Precision> tiers_of(const Device& device);
+[[nodiscard]] BenchRays bench_rays(Intersector& intersector, const Scene& scene, int side);
+/// Warmed up, in turns.
+[[nodiscard]] std::vector<double> median_seconds(std::vector<Intersector>& intersectors, const RaySet& set,
+                                                 const std::function<void()>& before_round);
+
 /// Called before each of `total` steps.
 using BenchProgress = std::function<void(int done, int total)>;
 

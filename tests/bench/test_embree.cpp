@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "bench/peers/embree.h"
+#include "bench/peers/embree_tree.h"
 #include "bench/race.h"
 #include "bench/strahl_contender.h"
 #include "study/generated/scenes.h"
@@ -51,6 +52,20 @@ TEST_CASE("Embree answers as strahl does, whatever it is asked") {
       CHECK(entry.differing <= 5);  // Rays at an edge; of 5184.
       CHECK(entry.seconds[0] > 0);
     }
+  }
+}
+
+TEST_CASE("Embree's builder is a yardstick for strahl's") {
+  require_pocl_and_rusticl();
+  const Device device = Device::open("pocl");
+  for (const Scene& scene : {sphereflake(3), terrain(20000), box_lattice(10), tetra(5)}) {
+    INFO(scene.name);
+    const double ours = Intersector(device, scene).stats().tree.sah_cost;
+    const PeerTree peer = embree_tree(scene, false, 2);
+    CHECK(peer.seconds > 0);
+    CHECK(ours > 1);
+    CHECK(ours < 1.05 * peer.sah_cost);
+    CHECK(embree_tree(scene, true, 2).sah_cost < 1.05 * peer.sah_cost);
   }
 }
 

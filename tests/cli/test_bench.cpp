@@ -35,6 +35,28 @@ TEST_CASE("a table, JSON, and both beside an earlier run") {
   CHECK(contains(shown.out, "x1"));
 }
 
+TEST_CASE("the width that was measured best is used from then on") {
+  const Folder folder;
+  const std::map<std::string, std::string> cache{{"STRAHL_CACHE_DIR", folder.path("cache")}};
+  const auto program = [&](std::vector<std::string> more) {
+    folder.file("scene.xml", kGlowingSphere);
+    std::vector<std::string> arguments{"explain", "scene.xml", "--json", "-d", "pocl", "--precision", "stable"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return json::parse(folder.run(arguments, cache).out)["program"];
+  };
+  CHECK(folder.run({"bench", "--tune", "--json", "a.json"}).code == 2);
+  const Outcome tuned = folder.run({"bench", "--tune", "-d", "pocl", "--scene", "tetra-4", "--pixels", "32"}, cache);
+  INFO(tuned.out << tuned.err);
+  REQUIRE(tuned.code == 0);
+  const std::size_t row = tuned.out.find("stable"), star = tuned.out.find('*', row);
+  REQUIRE(star != std::string::npos);
+  const std::size_t colon = tuned.out.rfind(':', star), blank = tuned.out.rfind(' ', colon);
+  const std::string best = tuned.out.substr(blank + 1, colon - blank - 1);
+  CHECK(program({}) == program({"--bvh-width", best}));
+  const std::string other = best == "4" ? "8" : "4";
+  CHECK(program({}) != program({"--bvh-width", other}));
+}
+
 TEST_CASE("what cannot be compared is said before anything is measured") {
   const Folder folder;
   folder.file("text.json", "{\"device\": 1}");
