@@ -1,4 +1,4 @@
-#SPDX - License - Identifier : MIT
+# SPDX-License-Identifier: MIT
 """Mitsuba 3 as a peer: mitsuba_server.py SCENE.xml SPP VARIANT SAMPLER, with Mitsuba's Python (pip install mitsuba).
 
 Loads the scene once and renders one picture, which compiles its kernels. Then, for each line "SEED FILE.exr" on standard
