@@ -88,7 +88,7 @@ FN int sphere_is_left_at(const Ray* ray, GLOBAL const real* prim, int stride, re
   return R(0.0) < t && t == LANED(within_slabs)(ray, t, x - r, x + r, y - r, y + r, z - r, z + r);
 }
 
-/// A root near `t`, to 1 ulp where 2 r^2 <= |t| |q.d|, q.d out: f + t d along d.
+/// A root near `t`, to 1 ulp where 4 r^2 <= |t| |q.d|, q.d out: f + t d along d.
 FN real sphere_root_near(const Ray* ray, dw3_w f, real r, real t, PRIVATE real* q_d) {
   for (int step = 0; step < 2; ++step) {
     real x = fma_w(t, ray->d.x, f.x.hi) + f.x.lo, y = fma_w(t, ray->d.y, f.y.hi) + f.y.lo;
@@ -111,8 +111,8 @@ FN int sphere_is_plain(const Ray* ray, dw3_w f, real r, PRIVATE real* t) {
   if (!(R(0x1p-14) * r * (size + r) <= inside)) return 0;
   real half_chord = real_sqrt(inside * ray->dd_inverse), q_d;
   *t = sphere_root_near(ray, f, r, k - half_chord, &q_d);
-  if (!(R(2.0) * square <= real_abs(*t * q_d))) return 0;
+  if (!(R(4.0) * square <= real_abs(*t * q_d))) return 0;
   if (ray->t_min <= *t) return 1;
   *t = sphere_root_near(ray, f, r, k + half_chord, &q_d);
-  return R(2.0) * square <= real_abs(*t * q_d);
+  return R(4.0) * square <= real_abs(*t * q_d);
 }
