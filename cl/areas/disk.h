@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Disk: centre, two perpendicular radii whose cross product is on the side that emits.
+// Disk: centre, two perpendicular radii, unit normal on the side that emits.
 #ifndef STRAHL_AREAS_DISK_H
 #define STRAHL_AREAS_DISK_H
 
@@ -9,7 +9,7 @@ FN AreaPoint disk_point(GLOBAL const real* item, GLOBAL const real* area, real3 
   real2 weights = square_to_disk(u, v);
   real3 edge_u = load3(item + 3), edge_v = load3(item + 6);
   real3 position = add3(fma3(weights.x, edge_u, scale3(weights.y, edge_v)), load3(item));
-  return uniform_point(area, from, position, normalize3(cross3(edge_u, edge_v)));
+  return uniform_point(area, from, position, load3(item + 9));
 }
 
 FN real disk_density(GLOBAL const real* item, GLOBAL const real* area, real3 from, real3 towards, real3 normal) {

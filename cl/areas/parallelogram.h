@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Parallelogram: corner, edge u, edge v; edge u x edge v on the side that emits.
+// Parallelogram: corner, edge u, edge v, unit normal on the side that emits.
 #ifndef STRAHL_AREAS_PARALLELOGRAM_H
 #define STRAHL_AREAS_PARALLELOGRAM_H
 
@@ -11,7 +11,7 @@ FN AreaPoint parallelogram_point(GLOBAL const real* item, GLOBAL const real* are
   weights.y = v;
   real3 edge_u = load3(item + 3), edge_v = load3(item + 6);
   real3 position = add3(fma3(weights.x, edge_u, scale3(weights.y, edge_v)), load3(item));
-  return uniform_point(area, from, position, normalize3(cross3(edge_u, edge_v)));
+  return uniform_point(area, from, position, load3(item + 9));
 }
 
 FN real parallelogram_density(GLOBAL const real* item, GLOBAL const real* area, real3 from, real3 towards,

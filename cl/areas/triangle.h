@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Triangle: corner, edge u, edge v; edge u x edge v on the side that emits.
+// Triangle: corner, edge u, edge v, unit normal on the side that emits.
 #ifndef STRAHL_AREAS_TRIANGLE_H
 #define STRAHL_AREAS_TRIANGLE_H
 
@@ -9,7 +9,7 @@ FN AreaPoint triangle_point(GLOBAL const real* item, GLOBAL const real* area, re
   real2 weights = square_to_triangle(u, v);
   real3 edge_u = load3(item + 3), edge_v = load3(item + 6);
   real3 position = add3(fma3(weights.x, edge_u, scale3(weights.y, edge_v)), load3(item));
-  return uniform_point(area, from, position, normalize3(cross3(edge_u, edge_v)));
+  return uniform_point(area, from, position, load3(item + 9));
 }
 
 FN real triangle_density(GLOBAL const real* item, GLOBAL const real* area, real3 from, real3 towards, real3 normal) {

@@ -48,7 +48,8 @@ FN int is_amid(const Surface* s, real3 e, real3 f, real size, real bound) {
     least = u_rest < least ? u_rest : least;
     least = v_rest < least ? v_rest : least;
   }
-  real across = real_abs(dot3(s->normal, cross3(e, f)));
+  real3 n = vec3(e.y * f.z - e.z * f.y, e.z * f.x - e.x * f.z, e.x * f.y - e.y * f.x);
+  real across = real_abs(dot3(s->normal, n));
   return least * across > R(16.0) * bound * size;
 }
 

@@ -71,7 +71,7 @@ FN real3 light_gain(const Scene* scene, const Path* path, const Surface* s, cons
   *light = light_sample(scene, i, s->position, numbers);
   if (!(max3(light->irradiance) > R(0.0))) return black3();
   real density;
-  real3 reflected = mul3(material_eval(m, normalize3(light->towards), &density), light->irradiance);
+  real3 reflected = mul3(material_eval(m, unit3(light->towards), &density), light->irradiance);
   if (light->density > R(0.0)) {
     if (is_shared) share *= balance(light->density, share * density);
     reflected = scale3(share, reflected);
@@ -129,7 +129,7 @@ FN int path_scatter(const Scene* scene, Path* path, const Surface* s, const Mate
   }
   path->from = s->position;
   path->density = way.density;
-  *on = normalize3(way.wi);
+  *on = way.wi;
   return 1;
 }
 
@@ -161,7 +161,7 @@ FN int LANED(surface_step)(const Scene* scene, Path* path, int hit, Surface* s, 
   real3 on = path->ray.d;
   real t_max = path->ray.t_max - t;
   if (!is_hidden(scene, path, s)) {
-    real3 wo = normalize3(negate3(on));
+    real3 wo = unit3(negate3(on));
     Material m = material_at(scene, s, wo);
     if ((next & (STEP_LIGHTS | STEP_OPENNESS)) != 0) LANED(add_lights)(scene, path, s, &departure, id, &m, wo, next);
     int is_on = 0;

@@ -47,24 +47,29 @@ FN AreaPoint area_point(const Scene* scene, GLOBAL const int* row, real3 from, R
   }
 }
 
-/// The way ends before the surface, as rays begin off one (core/departure.h): the end is where the place is but for
-/// rounding, of it, of where the ray begins and of the t at which the surface is met.
+/// What rounds, of a place and of where it is seen from, and of the t at which a ray meets it: ways end so far before a
+/// surface, as rays begin off one (core/departure.h). And who is not that far before its plane is not lit by it: else a
+/// flat emitter would light itself, by rounding over the square of a distance that may be as small.
+FN real area_rounding(real3 position, real3 from) {
+  return R(16.0) * real_roundoff() * (max3(abs3(position)) + max3(abs3(from)));
+}
+
 FN LightSample area_sample(const Scene* scene, GLOBAL const int* row, real3 from, Random2 numbers) {
   AreaPoint p = area_point(scene, row, from, numbers);
+  real bound = area_rounding(p.position, from);
   LightSample s;
   s.towards = sub3(p.position, from);
+  int is_lit = p.density > R(0.0) && -dot3(p.normal, s.towards) > bound;
 #if TIER_FAST
   s.t_max = R(1.0) - t_min_past_epsilon(s.towards);
 #else
-  real bound = R(16.0) * real_roundoff() * (max3(abs3(p.position)) + max3(abs3(from)));
   s.towards = fma3(bound, p.normal, s.towards);
   s.t_max = R(1.0);
 #endif
   s.density = p.density;
   real zero = R(0.0);
   s.irradiance = vec3(zero, zero, zero);
-  if (p.density > zero)
-    s.irradiance = scale3(R(1.0) / p.density, load3(scene->shading + row[LIGHT_REALS] + AREA_RADIANCE));
+  if (is_lit) s.irradiance = scale3(R(1.0) / p.density, load3(scene->shading + row[LIGHT_REALS] + AREA_RADIANCE));
   return s;
 }
 
@@ -72,6 +77,7 @@ FN real area_density(const Scene* scene, GLOBAL const int* row, real3 from, cons
   GLOBAL const real* params = scene->shading + row[LIGHT_REALS];
   real3 towards = sub3(s->position, from);
   (void)d;
+  if (!(-dot3(s->normal, towards) > area_rounding(s->position, from))) return R(0.0);
   switch (row[LIGHT_AREA]) {
 #define AREA(name, reals) \
   case AREA_##name:       \
@@ -80,7 +86,6 @@ FN real area_density(const Scene* scene, GLOBAL const int* row, real3 from, cons
 #undef AREA
     default:
       (void)params;
-      (void)towards;
       return R(0.0);
   }
 }

@@ -91,6 +91,13 @@ FN real3 normalize3(real3 v) {
   return vec3(w.x / norm, w.y / norm, w.z / norm);
 }
 
+/// normalize3, the same bits, of a vector whose square neither overflows nor underflows: directions, ways within a
+/// scene.
+FN real3 unit3(real3 v) {
+  real norm = real_sqrt(dot3(v, v));
+  return vec3(v.x / norm, v.y / norm, v.z / norm);
+}
+
 FN real length3(real3 v) {
   PowerOfTwo p = power_of_two_to_one(max3(abs3(v)));
   real3 w = scale3(p.up, v);

@@ -5,7 +5,7 @@
 
 #include "samplers/sample_state.h"
 
-FN void independent_begin(SampleState* state) { state->reversed = 0u; }
+FN void independent_begin(SampleState* state) { state->key = 0u; }
 
 FN Random2 independent_pair(const SampleState* state, uint set) {
   Random4 bits = random4(state->pixel, state->sample, set, state->seed);

@@ -9,7 +9,7 @@
 
 typedef struct {
   uint pixel, sample, seed;
-  uint reversed;  ///< The sampler's own: what it prepares for all sets.
+  uint reversed, key;  ///< The sampler's own: what it prepares for all sets.
 } SampleState;
 
 typedef struct {

@@ -18,7 +18,7 @@ FN SampleState sample_begin(const Scene* scene, uint pixel, uint sample) {
   state.pixel = pixel;
   state.sample = sample;
   state.seed = (uint)scene->index[HEADER_SEED];
-  state.reversed = 0u;
+  state.reversed = state.key = 0u;
   switch (scene->index[HEADER_SAMPLER]) {
 #define SAMPLER(name)     \
   case SAMPLER_##name:    \

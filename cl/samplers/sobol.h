@@ -37,16 +37,25 @@ FN uint sobol_second_reversed(uint index) {
   return index ^ index >> 16;
 }
 
-FN void sobol_begin(SampleState* state) { state->reversed = reversed_bits(state->sample / (uint)FILM_SUBSUMS); }
+FN void sobol_begin(SampleState* state) {
+  state->reversed = reversed_bits(state->sample / (uint)FILM_SUBSUMS);
+  state->key = random4(state->pixel, state->sample % (uint)FILM_SUBSUMS, 0u, state->seed).x;
+}
+
+/// A hash of 32 bits: C. Wellons, "Prospecting for Hash Functions", 2018.
+FN uint mixed_bits(uint x) {
+  x = (x ^ x >> 16) * 0x7feb352du;
+  x = (x ^ x >> 15) * 0x846ca68bu;
+  return x ^ x >> 16;
+}
 
 FN Random2 sobol_pair(const SampleState* state, uint set) {
-  uint sequence = state->sample % (uint)FILM_SUBSUMS;
-  Random4 seeds = random4(state->pixel, sequence, set, state->seed);
+  uint seed = mixed_bits(state->key + set * 0x9e3779b9u);
   // The first dimension is the index in reverse, so the index's bits in reverse are that dimension's in order.
-  uint index = reversed_bits(scrambled_reverse(state->reversed, seeds.x));
+  uint index = reversed_bits(scrambled_reverse(state->reversed, seed));
   Random2 pair;
-  pair.x = reversed_bits(scrambled_reverse(index, seeds.y));
-  pair.y = reversed_bits(scrambled_reverse(sobol_second_reversed(index), seeds.z));
+  pair.x = reversed_bits(scrambled_reverse(index, mixed_bits(seed ^ 0x55555555u)));
+  pair.y = reversed_bits(scrambled_reverse(sobol_second_reversed(index), mixed_bits(seed ^ 0xaaaaaaaau)));
   return pair;
 }
 

@@ -32,8 +32,9 @@ class Items {
   /// Spanned by two edges, of which `share` emits; u x v is the shape's normal.
   void flat(const Vec3& corner, const Vec3& u, const Vec3& v, double share) {
     put(frame_.point(corner));
-    put(frame_.vector(is_flipped_ ? v : u));
-    put(frame_.vector(is_flipped_ ? u : v));
+    put(frame_.vector(u));
+    put(frame_.vector(v));
+    put((is_flipped_ ? -1.0 : 1.0) * normalized(cross(u, v)));
     weights_.push_back(share * length(cross(frame_.vector(u), frame_.vector(v))));
   }
   void round(const std::vector<Vec3>& vectors, double area) {

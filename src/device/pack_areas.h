@@ -30,7 +30,7 @@ struct Choice {
 /// In the frame's units.
 struct EmittingArea {
   double size = 0;            ///< > 0.
-  double side = 1;            ///< 1: emits outwards, -1: inwards (round shapes; flat ones turn their edges).
+  double side = 1;            ///< 1: emits outwards, -1: inwards (round shapes; flat ones turn their normal).
   std::vector<double> items;  ///< As the entry's file says.
   std::vector<Choice> choices;
 };

@@ -29,7 +29,7 @@ Scene scene_of_xml(const std::string& path, const LoadOptions& options, Diagnost
   std::optional<XmlElement> root = read_expanded_xml(path, options.defines, diagnostics);
   if (!root || !check_vocabulary(*root, diagnostics)) return {};
   const ElementIds ids(*root, diagnostics);
-  SceneBuilder builder{{}, path, ids, diagnostics, options.progress, {}, {}, {}, {}, {}};
+  SceneBuilder builder{{}, path, ids, diagnostics, options.progress, {}, {}, {}, {}, {}, {}};
   read_scene(*root, builder);
   return std::move(builder.scene);
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -26,6 +27,7 @@ struct SceneBuilder {
   std::map<const XmlElement*, Material> materials;
   std::map<const XmlElement*, int> material_indices;
   std::set<const XmlElement*> materials_being_read;
+  std::optional<int> black_material;                 ///< read_shape.cpp, once it is needed.
   std::map<const XmlElement*, int> texture_indices;  ///< read_texture.cpp, likewise.
   std::map<const XmlElement*, int> group_indices;    ///< read_group.cpp, likewise.
 };

@@ -11,3 +11,7 @@ set_tests_properties(acceptance_mitsuba_geometry PROPERTIES LABELS slow SKIP_RET
 add_test(NAME acceptance_mitsuba_watertight
          COMMAND python3 -B ${CMAKE_CURRENT_LIST_DIR}/mitsuba_watertight.py $<TARGET_FILE:strahl-bin> 20000)
 set_tests_properties(acceptance_mitsuba_watertight PROPERTIES LABELS slow SKIP_RETURN_CODE 77 TIMEOUT 900)
+
+add_test(NAME acceptance_mitsuba_path
+         COMMAND python3 -B ${CMAKE_CURRENT_LIST_DIR}/mitsuba_path.py $<TARGET_FILE:strahl-bin>)
+set_tests_properties(acceptance_mitsuba_path PROPERTIES LABELS slow SKIP_RETURN_CODE 77 TIMEOUT 1800)

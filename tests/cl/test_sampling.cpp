@@ -158,7 +158,7 @@ TEMPLATE_TEST_CASE("frames are right-handed and orthonormal", "", float, double)
 
 TEMPLATE_TEST_CASE("places on flat emitters are uniform", "", float, double) {
   const Triple<TestType> from{TestType(0.3), TestType(-0.5), TestType(2)};
-  const std::vector<double> item{1, 2, 0, 3, 0, 0, 0, 2, 0};
+  const std::vector<double> item{1, 2, 0, 3, 0, 0, 0, 2, 0, 0, 0, 1};
   hold<TestType>(AreaKind::parallelogram, 1.0 / 6, 1, item, from, [](const auto& p) {
     return std::array{(p[0] - 1.0) / 3, (p[1] - 2.0) / 2};
   });
@@ -167,10 +167,11 @@ TEMPLATE_TEST_CASE("places on flat emitters are uniform", "", float, double) {
     // A strip towards the first corner has an area in proportion to the square of its distance.
     return std::array{(u + v) * (u + v), v / (u + v)};
   });
-  hold<TestType>(AreaKind::disk, 1 / (4 * std::numbers::pi), 1, {1, 2, 0, 2, 0, 0, 0, 2, 0}, from, [](const auto& p) {
-    const double x = (p[0] - 1.0) / 2, y = (p[1] - 2.0) / 2;
-    return std::array{x * x + y * y, turns(y, x)};
-  });
+  hold<TestType>(AreaKind::disk, 1 / (4 * std::numbers::pi), 1, {1, 2, 0, 2, 0, 0, 0, 2, 0, 0, 0, 1}, from,
+                 [](const auto& p) {
+                   const double x = (p[0] - 1.0) / 2, y = (p[1] - 2.0) / 2;
+                   return std::array{x * x + y * y, turns(y, x)};
+                 });
 }
 
 TEMPLATE_TEST_CASE("places on a cylinder are uniform", "", float, double) {

@@ -286,7 +286,8 @@ TEST_CASE("Area lights: one a part that emits, in the frame's units, and the par
   };
   const auto area = [&](const std::string& name) { return read.features.entry_index("areas", name); };
   CHECK(light(1)[layout::LIGHT_AREA] == area("parallelogram"));
-  CHECK(read.shading(light(1)[layout::LIGHT_REALS], 14) == Reals{1, 2, 3, 1.0 / 24, 1, 0, 0, 0, 4, 0, 0, 0, 6, 0});
+  CHECK(read.shading(light(1)[layout::LIGHT_REALS], 17) ==
+        Reals{1, 2, 3, 1.0 / 24, 1, 0, 0, 0, 4, 0, 0, 0, 6, 0, 0, 0, 1});
   CHECK(light(2)[layout::LIGHT_AREA] == area("sphere"));
   CHECK(read.shading(light(2)[layout::LIGHT_REALS] + layout::AREA_SIDE, 5) == Reals{-1, -2, 0, 10, 4});
   CHECK(light(3)[layout::LIGHT_AREA] == area("triangle"));

@@ -138,6 +138,9 @@ TEST_CASE("lights") {
   CHECK(std::get<DirectionalLight>(scene.lights[1].emitter).irradiance == Rgb{1, 1, 1});
   CHECK(std::get<ConstantLight>(scene.lights[2].emitter).radiance == Rgb{1, 2, 3});
   CHECK(scene.shapes[0].radiance == Rgb{5, 5, 5});
+  // As in Mitsuba: what emits and has no bsdf reflects nothing.
+  const Material& black = scene.materials.at(static_cast<std::size_t>(scene.shapes[0].material));
+  CHECK(std::get<Diffuse>(black.bsdf).reflectance == Rgb{0, 0, 0});
   CHECK(scene.shapes[0].radiance_where.line == 3);
   CHECK(scene.shapes[0].radiance_where.column == 22);
 }

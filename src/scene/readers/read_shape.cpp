@@ -48,6 +48,17 @@ const XmlElement* only_one(const std::vector<const XmlElement*>& objects, const 
   return objects.empty() ? nullptr : objects.front();
 }
 
+/// Of what emits and has no bsdf, as in Mitsuba: it reflects nothing.
+int black_material(SceneBuilder& builder) {
+  if (!builder.black_material) {
+    Material black;
+    black.bsdf = Diffuse{{0, 0, 0}};
+    builder.scene.materials.push_back(black);
+    builder.black_material = static_cast<int>(builder.scene.materials.size()) - 1;
+  }
+  return *builder.black_material;
+}
+
 }  // namespace
 
 void read_shape(const XmlElement& element, SceneBuilder& builder, std::vector<Shape>& shapes) {
@@ -66,6 +77,7 @@ void read_shape(const XmlElement& element, SceneBuilder& builder, std::vector<Sh
   const XmlElement* emitter = only_one(properties.objects("emitter"), properties);
   if (bsdf != nullptr) shape.material = material_index(*bsdf, builder);
   if (emitter != nullptr) read_area_emitter(*emitter, shape, builder);
+  if (bsdf == nullptr && shape.radiance) shape.material = black_material(builder);
   const Transform to_world = properties.transform("to_world").value_or(Transform{});
   std::vector<Sphere> further;
   ShapeInput input{properties, to_world, shape, bsdf != nullptr, builder, further};
