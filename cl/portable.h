@@ -108,7 +108,16 @@ FN real bits_to_real(bitsr b) { return as_double(b); }
 FN bitsr real_to_bits(real x) { return as_uint(x); }
 FN real bits_to_real(bitsr b) { return as_float(b); }
 #endif
-FN int first_bit(uint m) { return 31 - (int)clz(m & (~m + 1u)); }
+#if defined(__has_builtin)
+#if __has_builtin(__builtin_ctz)
+#define FIRST_BIT(m) __builtin_ctz(m)
+#endif
+#endif
+#ifndef FIRST_BIT
+#define FIRST_BIT(m) (31 - (int)clz((m) & (~(m) + 1u)))
+#endif
+FN int first_bit(uint m) { return FIRST_BIT(m); }
+#undef FIRST_BIT
 FN uint high_product(uint a, uint b) { return mul_hi(a, b); }
 FN real real_fma(real a, real b, real c) { return fma(a, b, c); }
 FN real real_sqrt(real a) { return sqrt(a); }
@@ -125,6 +134,9 @@ FN real real_roundoff(void) {
 FN int real_is_finite(real x) {
   return ((int)(real_to_bits(x) >> REAL_EXPONENT_SHIFT) & REAL_EXPONENT_MASK) != REAL_EXPONENT_MASK;
 }
+
+/// 1: x is negative or -0.
+FN int sign_bit(real x) { return (int)(real_to_bits(x) >> (REAL_BITS - 1)); }
 
 /// Decided on the bits, as above: fast's compiler may take it that there is no NaN.
 FN int real_is_nan(real x) {

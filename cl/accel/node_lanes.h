@@ -2,8 +2,8 @@
 // A ray against the children of a node: TREE_WIDTH of them in lanes, or one after the other where there is one lane.
 // One width; no guard.
 
-/// Bit i of the result: child i is met within [t_min, t_max]; t[i]: where it begins.
-FN uint LANED(meet_children)(GLOBAL const real* node, const Ray* ray, real t_max, PRIVATE real* t) {
+/// Bit i of the result: child i is met within [t_min, t_max]; t: where they begin, TREE_WIDTH reals.
+FN uint LANED(meet_children)(GLOBAL const real* node, const Ray* ray, real t_max, PRIVATE realw* t) {
   uint met = 0u;
   for (int i = 0; i < TREE_WIDTH; i += LANES) {
     LANED(Interval) slabs;
@@ -18,7 +18,7 @@ FN uint LANED(meet_children)(GLOBAL const real* node, const Ray* ray, real t_max
     slabs = LANED(clip_slab)(slabs, load_w(planes + z * TREE_WIDTH), load_w(planes + (z ^ 1) * TREE_WIDTH), ray->o.z,
                              ray->inv.z, ray->slack.z);
     met |= bits_w(le_w(slabs.enter, slabs.leave)) << i;
-    store_w(slabs.enter, t + i);
+    t[i / LANES] = slabs.enter;
   }
   return met;
 }

@@ -108,51 +108,65 @@ FN void LANED(meet_leaf)(const Scene* scene, const Ray* ray, int reference, int 
   }
 }
 
-/// stop_at_first: any hit will do.
-FN Nearest LANED(traverse)(const Scene* scene, const Ray* given, int stop_at_first) {
-  Nearest best = nearest_none(given->t_max);
+/// ray: widened by ray_widen or widen_rays. stop_at_first: any hit will do.
+FN Nearest LANED(traverse)(const Scene* scene, const Ray* ray, int stop_at_first) {
+  Nearest best = nearest_none(ray->t_max);
   if (SHAPE_COUNT == 0) return best;
-  Ray ray = *given;
-  ray_widen(&ray, scene->geometry + scene->index[HEADER_BOUNDS]);
   GLOBAL const real* nodes = scene->geometry + scene->index[HEADER_NODES];
   GLOBAL const int* children = scene->index + scene->index[HEADER_CHILDREN];
   int waiting[STACK_ENTRIES];
   real waiting_t[STACK_ENTRIES];
-  int top = 0;
-  if (scene->index[HEADER_ROOT] != NO_REFERENCE) {
-    waiting[top] = scene->index[HEADER_ROOT];
-    waiting_t[top++] = ray.t_min;
-  }
+  int top = 0, reference = scene->index[HEADER_ROOT];
 #define SHAPE(name, planes)                                     \
   if (scene_shape_row(scene, SHAPE_##name)[SHAPE_LISTED] > 0) { \
-    waiting[top] = ~SHAPE_##name;                               \
-    waiting_t[top++] = ray.t_min;                               \
+    if (reference != NO_REFERENCE) {                            \
+      waiting[top] = reference;                                 \
+      waiting_t[top++] = ray->t_min;                            \
+    }                                                           \
+    reference = ~SHAPE_##name;                                  \
   }
 #include "shapes/shapes.def"
 #undef SHAPE
+  if (reference == NO_REFERENCE) return best;
 
-  while (top > 0) {
-    --top;
-    if (best.t < waiting_t[top]) continue;
-    int reference = waiting[top];
+  for (;;) {
     while (reference >= 0) {
-      real t[TREE_WIDTH];
+      realw t[TREE_WIDTH / LANES];
       GLOBAL const real* node = nodes + (ulong)reference * (NODE_PLANES * TREE_WIDTH);
-      uint met = LANED(meet_children)(node, &ray, best.t, t);
+      uint met = LANED(meet_children)(node, ray, best.t, t);
       if (met == 0u) break;
-      reference = LANED(nearest_child)(waiting, waiting_t, &top, children + (ulong)reference * TREE_WIDTH, met, t);
+      reference = LANED(nearest_child)(waiting, waiting_t, &top, children + (ulong)reference * TREE_WIDTH, met,
+                                       (PRIVATE const real*)t);
     }
-    if (reference >= 0) continue;
-    LANED(meet_leaf)(scene, &ray, reference, stop_at_first, &best);
-    if (stop_at_first && best.kind >= 0) break;
+    if (reference < 0) {
+      LANED(meet_leaf)(scene, ray, reference, stop_at_first, &best);
+      if (stop_at_first && best.kind >= 0) break;
+    }
+    do {
+      if (top == 0) return best;
+      --top;
+    } while (best.t < waiting_t[top]);
+    reference = waiting[top];
   }
   return best;
 }
 
-FN Nearest LANED(closest_hit)(const Scene* scene, const Ray* ray) { return LANED(traverse)(scene, ray, 0); }
+FN Ray LANED(widened)(const Scene* scene, const Ray* given) {
+  Ray ray = *given;
+  ray_widen(&ray, scene->geometry + scene->index[HEADER_BOUNDS]);
+  return ray;
+}
+
+FN Nearest LANED(closest_hit)(const Scene* scene, const Ray* given) {
+  Ray ray = LANED(widened)(scene, given);
+  return LANED(traverse)(scene, &ray, 0);
+}
 
 /// Is anything hit within [t_min, t_max]?
-FN int LANED(any_hit)(const Scene* scene, const Ray* ray) { return LANED(traverse)(scene, ray, 1).kind >= 0; }
+FN int LANED(any_hit)(const Scene* scene, const Ray* given) {
+  Ray ray = LANED(widened)(scene, given);
+  return LANED(traverse)(scene, &ray, 1).kind >= 0;
+}
 
 #undef STACK_ENTRIES
 #undef TREE_WIDTH

@@ -1,31 +1,46 @@
 // SPDX-License-Identifier: MIT
-// One ray in, one hit out: what `strahl intersect` computes per work-item and what the host repeats bit for bit.
-// One width; no guard.
+// Rays in, hits out: what `strahl intersect` computes per work-item and what the host repeats bit for bit. One width;
+// no guard. Where lanes are wide a work-item takes LANES rays: it prepares them together and follows each by itself.
 #include "accel/traverse.h"
+#if LANES != 1
+#include "core/ray_lanes.h"
+#endif
 #include "shapes/shape.h"
 
-/// in: RAY_REALS reals; left: the id just left, -1: none.
-FN Ray LANED(given_ray)(GLOBAL const real* in, int left) {
-  return ray_make(load3(in + RAY_O), load3(in + RAY_D), in[RAY_T_MIN], in[RAY_T_MAX], left);
+/// Rays are given in blocks of LANES, RAY_REALS planes a block; the ids that were left one after the other. count: rays
+/// of the block, the rest of it is of no meaning. found: FOUND_INTS ints a ray, or with stop_at_first one, 1 or 0; t: a
+/// real a ray, of no meaning where nothing is hit.
+FN void LANED(find_rays)(const Scene* scene, GLOBAL const real* in, GLOBAL const int* left, int count,
+                         int stop_at_first, GLOBAL real* t, GLOBAL int* found) {
+  realw planes[RAY_PLANES];
+  LANED(GivenRays) given;
+  given.ox = load_w(in + RAY_O * LANES);
+  given.oy = load_w(in + (RAY_O + 1) * LANES);
+  given.oz = load_w(in + (RAY_O + 2) * LANES);
+  given.dx = load_w(in + RAY_D * LANES);
+  given.dy = load_w(in + (RAY_D + 1) * LANES);
+  given.dz = load_w(in + (RAY_D + 2) * LANES);
+  given.t_min = load_w(in + RAY_T_MIN * LANES);
+  given.t_max = load_w(in + RAY_T_MAX * LANES);
+  given.has_left = nonzero_w(load_int_w(left) - splat_int_w(-1));
+  LANED(prepare_rays)(&given, planes);
+  LANED(widen_rays)(given.has_left, planes, scene->geometry + scene->index[HEADER_BOUNDS]);
+  for (int i = 0; i < count; ++i) {
+    Ray ray = LANED(prepared_ray)(planes, i, left[i]);
+    Nearest hit = LANED(traverse)(scene, &ray, stop_at_first);
+    if (stop_at_first) {
+      found[i] = hit.kind >= 0;
+    } else {
+      t[i] = hit.t;
+      found[i * FOUND_INTS + FOUND_ID] = hit.id;
+      found[i * FOUND_INTS + FOUND_KIND] = hit.kind;
+      found[i * FOUND_INTS + FOUND_SLOT] = hit.slot;
+    }
+  }
 }
 
-/// found: FOUND_INTS ints, t: one real of no meaning where nothing is hit.
-FN void LANED(find_one)(const Scene* scene, GLOBAL const real* in, int left, GLOBAL real* t, GLOBAL int* found) {
-  Ray ray = LANED(given_ray)(in, left);
-  Nearest hit = LANED(closest_hit)(scene, &ray);
-  *t = hit.t;
-  found[FOUND_ID] = hit.id;
-  found[FOUND_KIND] = hit.kind;
-  found[FOUND_SLOT] = hit.slot;
-}
-
-/// Is anything hit: 1 or 0.
-FN int LANED(is_any_hit)(const Scene* scene, GLOBAL const real* in, int left) {
-  Ray ray = LANED(given_ray)(in, left);
-  return LANED(any_hit)(scene, &ray);
-}
-
-/// out, ids: HIT_REALS reals and HIT_INTS ints of what find_one has found; a miss is infinite, -1, -1 and zeros.
+/// in: a ray, LANES reals apart. out, ids: HIT_REALS reals and HIT_INTS ints of what find_rays has found; a miss is
+/// infinite, -1, -1 and zeros.
 FN void LANED(describe_one)(const Scene* scene, GLOBAL const real* in, int left, real t, GLOBAL const int* found,
                             GLOBAL real* out, GLOBAL int* ids) {
   for (int i = 0; i < HIT_REALS; ++i) out[i] = R(0.0);
@@ -38,9 +53,12 @@ FN void LANED(describe_one)(const Scene* scene, GLOBAL const real* in, int left,
   hit.kind = found[FOUND_KIND];
   hit.slot = found[FOUND_SLOT];
   if (hit.kind < 0) return;
-  Ray ray = LANED(given_ray)(in, left);
+  real3 o = vec3(in[RAY_O * LANES], in[(RAY_O + 1) * LANES], in[(RAY_O + 2) * LANES]);
+  real3 d = vec3(in[RAY_D * LANES], in[(RAY_D + 1) * LANES], in[(RAY_D + 2) * LANES]);
+  real t_min = in[RAY_T_MIN * LANES], t_max = in[RAY_T_MAX * LANES];
+  Ray ray = ray_make(o, d, t_min, t_max, left);
   Surface s = surface_at(scene, &ray, &hit, LANES);
-  out[HIT_T] = ray_given_t(&ray, hit.t, in[RAY_T_MIN], in[RAY_T_MAX]);
+  out[HIT_T] = ray_given_t(&ray, hit.t, t_min, t_max);
   out[HIT_U] = s.u;
   out[HIT_V] = s.v;
   out[HIT_NORMAL] = s.normal.x;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// N rays in, N hits out (core/trace_one.h), one work-item a ray: where they hit, or whether; then what is there.
+// N rays in, N hits out (core/trace_one.h), LANES rays a work-item: where they hit, or whether; then what is there.
 #include "math/vec3.h"
 #include "lanes/lane_ops.h"
 #include "core/trace_one.h"
@@ -12,32 +12,39 @@ FN Scene scene_of(GLOBAL const real* geometry, GLOBAL const real* shading, GLOBA
   return scene;
 }
 
+/// Rays of the block that begins with `first`.
+FN int rays_from(ulong first, ulong count) { return count - first < LANES ? (int)(count - first) : LANES; }
+
 KERNEL LANE_HINT void closest(GLOBAL const real* geometry, GLOBAL const real* shading, GLOBAL const int* index,
                               GLOBAL const real* rays, GLOBAL const int* left, GLOBAL real* t, GLOBAL int* found,
                               ulong count) {
-  ulong i = get_global_id(0);
-  if (i >= count) return;
+  ulong first = get_global_id(0) * LANES;
+  if (first >= count) return;
   Scene scene = scene_of(geometry, shading, index);
-  LANED(find_one)(&scene, rays + i * RAY_REALS, left[i], t + i, found + i * FOUND_INTS);
+  LANED(find_rays)
+  (&scene, rays + first * RAY_REALS, left + first, rays_from(first, count), 0, t + first, found + first * FOUND_INTS);
 }
 
 /// found: 1 or 0 a ray. t is not touched.
 KERNEL LANE_HINT void anything(GLOBAL const real* geometry, GLOBAL const real* shading, GLOBAL const int* index,
                                GLOBAL const real* rays, GLOBAL const int* left, GLOBAL real* t, GLOBAL int* found,
                                ulong count) {
-  ulong i = get_global_id(0);
-  (void)t;
-  if (i >= count) return;
+  ulong first = get_global_id(0) * LANES;
+  if (first >= count) return;
   Scene scene = scene_of(geometry, shading, index);
-  found[i] = LANED(is_any_hit)(&scene, rays + i * RAY_REALS, left[i]);
+  LANED(find_rays)
+  (&scene, rays + first * RAY_REALS, left + first, rays_from(first, count), 1, t + first, found + first);
 }
 
+/// One work-item a ray.
 KERNEL LANE_HINT void describe(GLOBAL const real* geometry, GLOBAL const real* shading, GLOBAL const int* index,
                                GLOBAL const real* rays, GLOBAL const int* left, GLOBAL const real* t,
                                GLOBAL const int* found, GLOBAL real* hits, GLOBAL int* ids, ulong count) {
   ulong i = get_global_id(0);
   if (i >= count) return;
   Scene scene = scene_of(geometry, shading, index);
+  ulong lane = i % LANES;
   LANED(describe_one)
-  (&scene, rays + i * RAY_REALS, left[i], t[i], found + i * FOUND_INTS, hits + i * HIT_REALS, ids + i * HIT_INTS);
+  (&scene, rays + (i - lane) * RAY_REALS + lane, left[i], t[i], found + i * FOUND_INTS, hits + i * HIT_REALS,
+   ids + i * HIT_INTS);
 }

@@ -3,6 +3,9 @@
 typedef real realw __attribute__((vector_size(LANES * sizeof(real))));
 typedef int intw __attribute__((vector_size(LANES * sizeof(int))));
 typedef decltype(realw{} < realw{}) maskw;
+#define LANE_AS_MASK(a) ((maskw)(a))
+#define LANE_AS_REAL(m) ((realw)(m))
+#define LANE_SPLAT_MASK(x) ((decltype(maskw{}[0] + 0))(x)-maskw{})
 
 // x - (+0) keeps -0; x + 0 would not.
 FN realw splat_w(real x) { return x - realw{}; }

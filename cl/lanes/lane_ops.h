@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Lane types and operations for one value of LANES (1, 8 or 16): include once per width, after defining LANES.
-// No include guard on purpose. Bodies use these, + - * / and unary - on realw, & | ~ on maskw, nothing else.
+// No include guard on purpose, but for one lane, which units want beside others. Bodies use these, + - * / and unary - on realw, & | ~ on maskw, nothing else.
 //
 //   splat_w(x)                every lane x
 //   lt_w le_w eq_w            compare, false on NaN
@@ -9,12 +9,17 @@
 //   fma_w sqrt_w              correctly rounded
 //   abs_w(a) flip_w(a, s)     clear the sign; xor it with the sign of s
 //   nonzero_w(i)              mask of i != 0
+//   finite_w(x) nan_w(x)      neither NaN nor infinite; NaN
+//   power_of_two_w(x)         the largest power of two not above |x|, held within the exponents of normal numbers but
+//                             the last; inverse_power_w(p): 1 / p, exact
 //   bits_w(m) any_w(m)        bit i = lane i; is a lane set
 //   load_w load_int_w store_w LANES consecutive values
 #include "lanes/lane_names.h"
 #include "portable.h"
 
+#if !(LANES == 1 && defined(STRAHL_LANE_OPS_1))
 #if LANES == 1
+#define STRAHL_LANE_OPS_1
 
 typedef real realw;
 typedef int intw;
@@ -45,3 +50,6 @@ FN void store_w(realw a, PRIVATE real* p) { *p = a; }
 
 FN realw max_w(realw x, realw a) { return sel_w(lt_w(a, x), x, a); }
 FN realw min_w(realw x, realw a) { return sel_w(lt_w(x, a), x, a); }
+
+#include "lanes/lane_exponent.h"
+#endif

@@ -19,6 +19,7 @@
 namespace strahl {
 namespace {
 
+/// Rays, or hits to be described, a work-group.
 constexpr std::size_t group_size = 64;
 
 /// Rays a launch: keeps buffers and launches small whatever the number of rays.
@@ -41,14 +42,18 @@ Features intersection_features(const Scene& scene, const RenderSettings& setting
   return features_of(bare, plain);
 }
 
+std::size_t blocks_of(std::size_t count, std::size_t lanes) { return (count + lanes - 1) / lanes; }
+
+/// Blocks of `lanes` rays, RAY_REALS planes a block; the last is filled up with zeros.
 template <typename Real>
-std::vector<Real> pack_rays(const std::vector<Ray>& rays, std::size_t first, std::size_t count) {
-  std::vector<Real> reals(count * layout::RAY_REALS);
+std::vector<Real> pack_rays(const std::vector<Ray>& rays, std::size_t first, std::size_t count, std::size_t lanes) {
+  std::vector<Real> reals(blocks_of(count, lanes) * lanes * layout::RAY_REALS, Real(0));
   for (std::size_t i = 0; i < count; ++i) {
     const Ray& ray = rays[first + i];
     const double values[] = {ray.origin.x,    ray.origin.y,    ray.origin.z, ray.direction.x,
                              ray.direction.y, ray.direction.z, ray.t_min,    ray.t_max};
-    for (std::size_t k = 0; k < layout::RAY_REALS; ++k) reals[i * layout::RAY_REALS + k] = static_cast<Real>(values[k]);
+    Real* to = reals.data() + i / lanes * lanes * layout::RAY_REALS + i % lanes;
+    for (std::size_t k = 0; k < layout::RAY_REALS; ++k) to[k * lanes] = static_cast<Real>(values[k]);
   }
   return reals;
 }
@@ -66,7 +71,7 @@ struct Intersector::State {
   explicit State(const Device& d, Precision p) : device(d), precision(p) {}
 
   [[nodiscard]] std::int32_t left_id(const Ray& ray, std::size_t row) const;
-  void run(cl::Kernel& kernel, const std::vector<cl::Buffer>& arguments, std::size_t count);
+  void run(cl::Kernel& kernel, const std::vector<cl::Buffer>& arguments, std::size_t count, std::size_t rays_an_item);
   void take_any(const cl::Buffer& found, std::size_t first, std::size_t count, std::vector<Hit>& hits);
   template <typename Real>
   void trace_chunk(const std::vector<Ray>& rays, std::size_t first, std::size_t count, bool any_hit,
@@ -86,15 +91,17 @@ std::int32_t Intersector::State::left_id(const Ray& ray, std::size_t row) const 
   return static_cast<std::int32_t>(first_ids[shape]) + ray.primitive;
 }
 
-/// Enqueues a kernel over `count` work-items and waits for its end; the buffers come first among its arguments.
-void Intersector::State::run(cl::Kernel& kernel, const std::vector<cl::Buffer>& arguments, std::size_t count) {
+/// Enqueues a kernel over `count` rays and waits for its end; the scene's buffers come first among its arguments.
+void Intersector::State::run(cl::Kernel& kernel, const std::vector<cl::Buffer>& arguments, std::size_t count,
+                             std::size_t rays_an_item) {
   checked(device.info().text(), [&] {
     cl_uint arg = 0;
     for (const cl::Buffer& buffer : {buffers.geometry, buffers.shading, buffers.index}) kernel.setArg(arg++, buffer);
     for (const cl::Buffer& buffer : arguments) kernel.setArg(arg++, buffer);
     kernel.setArg(arg++, static_cast<cl_ulong>(count));
-    const std::size_t padded = (count + group_size - 1) / group_size * group_size;
-    device.queue().enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange(padded), cl::NDRange(group_size));
+    const std::size_t items = group_size / rays_an_item;
+    device.queue().enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange(blocks_of(count, group_size) * items),
+                                        cl::NDRange(items));
     return device.queue().finish();
   });
 }
@@ -102,8 +109,9 @@ void Intersector::State::run(cl::Kernel& kernel, const std::vector<cl::Buffer>& 
 template <typename Real>
 void Intersector::State::trace_chunk(const std::vector<Ray>& rays, std::size_t first, std::size_t count, bool any_hit,
                                      std::vector<double>& run_seconds, std::vector<Hit>& hits) {
-  const std::vector<Real> ray_reals = pack_rays<Real>(rays, first, count);
-  std::vector<std::int32_t> left(count);
+  const auto lanes = static_cast<std::size_t>(stats.lanes);
+  const std::vector<Real> ray_reals = pack_rays<Real>(rays, first, count, lanes);
+  std::vector<std::int32_t> left(blocks_of(count, lanes) * lanes, -1);
   for (std::size_t i = 0; i < count; ++i) left[i] = left_id(rays[first + i], first + i);
 
   const Stopwatch upload;
@@ -117,7 +125,7 @@ void Intersector::State::trace_chunk(const std::vector<Ray>& rays, std::size_t f
 
   for (double& seconds : run_seconds) {
     const Stopwatch start;
-    run(any_hit ? anything : closest, {ray_buffer, left_buffer, t_buffer, found_buffer}, count);
+    run(any_hit ? anything : closest, {ray_buffer, left_buffer, t_buffer, found_buffer}, count, lanes);
     seconds += start.seconds();
   }
   if (any_hit) return take_any(found_buffer, first, count, hits);
@@ -125,7 +133,7 @@ void Intersector::State::trace_chunk(const std::vector<Ray>& rays, std::size_t f
   const Stopwatch surface;
   const cl::Buffer hit_buffer = allocate(device, count * layout::HIT_REALS * sizeof(Real), "the hits");
   const cl::Buffer id_buffer = allocate(device, count * layout::HIT_INTS * sizeof(std::int32_t), "the hits");
-  run(describe, {ray_buffer, left_buffer, t_buffer, found_buffer, hit_buffer, id_buffer}, count);
+  run(describe, {ray_buffer, left_buffer, t_buffer, found_buffer, hit_buffer, id_buffer}, count, 1);
   stats.seconds.surface += surface.seconds();
 
   const Stopwatch readback;

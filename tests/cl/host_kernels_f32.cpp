@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <vector>
 
 #include "cl/host_features.h"
 #include "cl/host_kernels.h"
@@ -24,6 +25,8 @@ namespace f32 {
 // As above.
 #include "core/trace_one.h"
 #undef LANES
+// They need the bodies.
+#include "support/host_rays.h"
 }  // namespace f32
 
 namespace strahl::test {
@@ -31,23 +34,15 @@ namespace strahl::test {
 void host_intersect(int lanes, const HostBuffers<float>& scene, const float* rays, const std::int32_t* left,
                     std::size_t count, bool any_hit, float* hits, std::int32_t* ids) {
   const f32::Scene view{scene.geometry, scene.shading, scene.index, nullptr};
-  const auto trace = [&](auto find, auto any, auto describe) {
-    for (std::size_t i = 0; i < count; ++i) {
-      const float* ray = rays + i * f32::RAY_REALS;
-      float t = 0;
-      std::int32_t found[f32::FOUND_INTS] = {-1, -1, -1};
-      const bool is_any = any_hit && any(&view, ray, left[i]) != 0;
-      if (!any_hit) find(&view, ray, left[i], &t, found);
-      describe(&view, ray, left[i], t, found, hits + i * f32::HIT_REALS, ids + i * f32::HIT_INTS);
-      if (is_any) hits[i * f32::HIT_REALS + f32::HIT_T] = 0;
-    }
+  const auto trace = [&](auto find, auto describe) {
+    f32::host_rays(lanes, view, rays, left, count, any_hit, find, describe, hits, ids);
   };
   if (lanes == 16)
-    trace(f32::find_one_16, f32::is_any_hit_16, f32::describe_one_16);
+    trace(f32::find_rays_16, f32::describe_one_16);
   else if (lanes == 8)
-    trace(f32::find_one_8, f32::is_any_hit_8, f32::describe_one_8);
+    trace(f32::find_rays_8, f32::describe_one_8);
   else
-    trace(f32::find_one_1, f32::is_any_hit_1, f32::describe_one_1);
+    trace(f32::find_rays_1, f32::describe_one_1);
 }
 
 }  // namespace strahl::test

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <vector>
 
 #include "cl/host_features.h"
 #include "cl/host_kernels.h"
@@ -19,6 +20,8 @@ namespace f64 {
 // As above.
 #include "core/trace_one.h"
 #undef LANES
+// They need the bodies.
+#include "support/host_rays.h"
 }  // namespace f64
 
 namespace strahl::test {
@@ -26,21 +29,13 @@ namespace strahl::test {
 void host_intersect(int lanes, const HostBuffers<double>& scene, const double* rays, const std::int32_t* left,
                     std::size_t count, bool any_hit, double* hits, std::int32_t* ids) {
   const f64::Scene view{scene.geometry, scene.shading, scene.index, nullptr};
-  const auto trace = [&](auto find, auto any, auto describe) {
-    for (std::size_t i = 0; i < count; ++i) {
-      const double* ray = rays + i * f64::RAY_REALS;
-      double t = 0;
-      std::int32_t found[f64::FOUND_INTS] = {-1, -1, -1};
-      const bool is_any = any_hit && any(&view, ray, left[i]) != 0;
-      if (!any_hit) find(&view, ray, left[i], &t, found);
-      describe(&view, ray, left[i], t, found, hits + i * f64::HIT_REALS, ids + i * f64::HIT_INTS);
-      if (is_any) hits[i * f64::HIT_REALS + f64::HIT_T] = 0;
-    }
+  const auto trace = [&](auto find, auto describe) {
+    f64::host_rays(lanes, view, rays, left, count, any_hit, find, describe, hits, ids);
   };
   if (lanes == 8)
-    trace(f64::find_one_8, f64::is_any_hit_8, f64::describe_one_8);
+    trace(f64::find_rays_8, f64::describe_one_8);
   else
-    trace(f64::find_one_1, f64::is_any_hit_1, f64::describe_one_1);
+    trace(f64::find_rays_1, f64::describe_one_1);
 }
 
 }  // namespace strahl::test

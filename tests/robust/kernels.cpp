@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
+#include <vector>
 
 #define HAS_PIXEL_FILTER 1
 #define HAS_EMISSION 1
@@ -33,6 +34,8 @@ namespace robust {
 // As above.
 #include "core/trace_one.h"
 #undef LANES
+// They need the bodies.
+#include "support/host_rays.h"
 }  // namespace robust
 
 namespace strahl::test {
@@ -55,20 +58,14 @@ void robust_intersect(int lanes, const float* geometry, const float* shading, co
                       const float* rays, const std::int32_t* left, std::size_t count, float* hits, std::int32_t* ids) {
   const robust::Scene view{geometry, shading, index, nullptr};
   const auto trace = [&](auto find, auto describe) {
-    for (std::size_t i = 0; i < count; ++i) {
-      const float* ray = rays + i * robust::RAY_REALS;
-      float t;
-      std::int32_t found[robust::FOUND_INTS];
-      find(&view, ray, left[i], &t, found);
-      describe(&view, ray, left[i], t, found, hits + i * robust::HIT_REALS, ids + i * robust::HIT_INTS);
-    }
+    robust::host_rays(lanes, view, rays, left, count, false, find, describe, hits, ids);
   };
   if (lanes == 16)
-    trace(robust::find_one_16, robust::describe_one_16);
+    trace(robust::find_rays_16, robust::describe_one_16);
   else if (lanes == 8)
-    trace(robust::find_one_8, robust::describe_one_8);
+    trace(robust::find_rays_8, robust::describe_one_8);
   else
-    trace(robust::find_one_1, robust::describe_one_1);
+    trace(robust::find_rays_1, robust::describe_one_1);
 }
 
 }  // namespace strahl::test

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// Exponents, infinity and NaN of lanes, read off the bits: no compiler can assume them away. Included by lane_ops.h.
+#define EXPONENT_BITS ((bitsr)REAL_EXPONENT_MASK << REAL_EXPONENT_SHIFT)
+#define EXPONENT_LEAST ((bitsr)1 << REAL_EXPONENT_SHIFT)
+#define EXPONENT_MOST ((bitsr)(REAL_EXPONENT_MASK - 2) << REAL_EXPONENT_SHIFT)
+#define EXPONENT_SUM ((bitsr)(REAL_EXPONENT_MASK - 1) << REAL_EXPONENT_SHIFT)
+
+#if LANES == 1
+FN realw power_of_two_w(realw x) {
+  bitsr e = real_to_bits(x) & EXPONENT_BITS;
+  if (e < EXPONENT_LEAST) e = EXPONENT_LEAST;
+  if (EXPONENT_MOST < e) e = EXPONENT_MOST;
+  return bits_to_real(e);
+}
+FN realw inverse_power_w(realw p) { return bits_to_real(EXPONENT_SUM - real_to_bits(p)); }
+FN maskw finite_w(realw x) { return -(int)((real_to_bits(x) << 1) < (EXPONENT_BITS << 1)); }
+FN maskw nan_w(realw x) { return -(int)((EXPONENT_BITS << 1) < (real_to_bits(x) << 1)); }
+#else
+FN maskw LANED(exponent_lanes)(bitsr value) { return LANE_SPLAT_MASK(value); }
+FN realw power_of_two_w(realw x) {
+  maskw e = LANE_AS_MASK(x) & LANED(exponent_lanes)(EXPONENT_BITS);
+  maskw least = LANED(exponent_lanes)(EXPONENT_LEAST), most = LANED(exponent_lanes)(EXPONENT_MOST);
+  maskw is_small = e < least, is_large = most < e;
+  e = (e & ~is_small) | (least & is_small);
+  return LANE_AS_REAL((e & ~is_large) | (most & is_large));
+}
+FN realw inverse_power_w(realw p) { return LANE_AS_REAL(LANED(exponent_lanes)(EXPONENT_SUM) - LANE_AS_MASK(p)); }
+FN maskw finite_w(realw x) { return LANE_AS_MASK(abs_w(x)) < LANED(exponent_lanes)(EXPONENT_BITS); }
+FN maskw nan_w(realw x) { return LANED(exponent_lanes)(EXPONENT_BITS) < LANE_AS_MASK(abs_w(x)); }
+#endif
+
+#undef EXPONENT_BITS
+#undef EXPONENT_LEAST
+#undef EXPONENT_MOST
+#undef EXPONENT_SUM
