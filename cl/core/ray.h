@@ -21,6 +21,7 @@ typedef struct {
   real3 inv;  ///< 1 / d, infinite where d is 0.
 #if TIER_COMPENSATED
   real dd, dd_rest, dd_inverse;  ///< d.d as a double word, and 1 / (d.d).
+  real t_per_length;             ///< 1 / |d|, or up to 2^-20 of it more.
 #endif
   real3 slack;                     ///< By how much slabs are widened, in t, per axis (widen_rays).
   int near_x, near_y, near_z;      ///< Plane of a box (0 lo_x, 1 hi_x, 2 lo_y, ...) that the ray meets first, per axis.
@@ -40,8 +41,8 @@ enum {
   RAY_PLANE_INV = 9,
   RAY_PLANE_SLACK = 12,
   RAY_PLANE_SHEAR = 15,  // kz, shear_x, shear_y, shear_z
-  RAY_PLANE_DD = 19,     // dd, dd_rest, dd_inverse
-  RAY_PLANES = 22
+  RAY_PLANE_DD = 19,     // dd, dd_rest, dd_inverse, t_per_length
+  RAY_PLANES = 23
 };
 
 #if LANES == 16

@@ -54,6 +54,7 @@ FN void LANED(prepare_rays)(const LANED(GivenRays) * given, PRIVATE realw* to) {
   to[RAY_PLANE_DD] = dd;
   to[RAY_PLANE_DD + 1] = rest;
   to[RAY_PLANE_DD + 2] = one / dd;
+  to[RAY_PLANE_DD + 3] = splat_w(R(1.0) + R(0x1p-20)) * sqrt_w(one / dd);
 #endif
   // The axes of the shear: the one with the largest |d|, the others after it in turn.
   realw ax = abs_w(given->dx), ay = abs_w(given->dy), az = abs_w(given->dz);
@@ -103,6 +104,7 @@ FN Ray LANED(prepared_ray)(PRIVATE const realw* from, int lane, int left) {
   ray.dd = planes[RAY_PLANE_DD * LANES];
   ray.dd_rest = planes[(RAY_PLANE_DD + 1) * LANES];
   ray.dd_inverse = planes[(RAY_PLANE_DD + 2) * LANES];
+  ray.t_per_length = planes[(RAY_PLANE_DD + 3) * LANES];
 #endif
   ray.slack = vec3(planes[RAY_PLANE_SLACK * LANES], planes[(RAY_PLANE_SLACK + 1) * LANES],
                    planes[(RAY_PLANE_SLACK + 2) * LANES]);

@@ -13,8 +13,8 @@ FN maskw LANED(within_reach)(const Ray* ray, const Nearest* best, realw fx, real
   realw lx = fma_w(k, dx, fx), ly = fma_w(k, dy, fy), lz = fma_w(k, dz, fz);
   realw off = fma_w(splat_w(R(0x1p-19)), abs_w(fx) + abs_w(fy) + abs_w(fz), tiny), limit = reach + off;
   realw spare = fma_w(limit, limit, tiny) - fma_w(lz, lz, fma_w(ly, ly, lx * lx));
-  // Half the chord, not scaled by 1 / |d| <= 1, and what k and t_min may be off by.
-  realw half_chord = sqrt_w(spare) + off;
+  // Half the chord, and what k and t_min may be off by.
+  realw half_chord = fma_w(sqrt_w(spare), splat_w(ray->t_per_length), off);
   return ~(lt_w(spare, splat_w(R(0.0))) | lt_w(splat_w(best->t), k - half_chord) |
            lt_w(k + half_chord, splat_w(ray->t_min)));
 }

@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Roots of a ray and a sphere, robust tier, one lane. Where the line passes well within the sphere and not all but at
-// the origin, two steps of Newton's method from the textbook's root, on f + t d with f = o - c exact: what that rounds
-// to is small beside t. Else in double words from the exact f = o - c. With k = (f.d) / (d.d) the line's point nearest
-// to the centre is l = f - k d, the discriminant (d.d) (r^2 - l.l), and t = (-(f.d) -+ sqrt(...)) / (d.d) rounded once:
-// E. Haines, J. Guenther, T. Akenine-Moeller, "Precision Improvements for Ray/Sphere Intersection", Ray Tracing Gems,
-// ch. 7, 2019. Where a root is of nearly equal terms or the sphere 2^18 radii off, the discriminant is (d.d) r^2 - |f x
-// d|^2 and the smaller root c over the larger one, c = f.f - r^2, at four times the cost. Bounds:
+// Roots of a ray and a sphere, robust tier, one lane, from the exact f = o - c. Most are found about the line's point
+// nearest to the centre, if need be with one step of Newton's method in double words: E. Haines, J. Guenther,
+// T. Akenine-Moeller, "Precision Improvements for Ray/Sphere Intersection", Ray Tracing Gems, ch. 7, 2019. Where the
+// line all but grazes the sphere, or the root is all but at the origin, the discriminant is (d.d) r^2 - |f x d|^2 and
+// the smaller root c over the larger one, c = f.f - r^2, all of it in double words. Bounds:
 // docs/decisions/0007-robust-tier.md.
 
 typedef struct {
   real near, far;
-  real other;  ///< -2 (f.d) / (d.d): the second root of a ray that begins on the sphere.
   int is_met;
 } SphereRoots;
 
@@ -20,22 +17,9 @@ FN real over_square(const Ray* ray, dw_w x) {
   return fma_w(fma_w(-q, ray->dd, x.hi) + fma_w(-q, ray->dd_rest, x.lo), ray->dd_inverse, q);
 }
 
-/// x - k d; k = k + k_rest.
-FN dw_w less_along(dw_w x, real k, real k_rest, real d) {
-  dw_w along = two_prod_w(k, d), s = two_sum_w(x.hi, -along.hi);
-  return two_sum_w(s.hi, s.lo + fma_w(-k_rest, d, x.lo - along.lo));
-}
-
-/// s - x^2; s.lo grows, nothing is put right.
-FN dw_w less_square(dw_w s, dw_w x) {
-  dw_w square = two_prod_w(x.hi, x.hi), high = two_sum_w(s.hi, -square.hi);
-  high.lo = high.lo + (s.lo - fma_w(x.hi + x.hi, x.lo, square.lo));
-  return high;
-}
-
-FN void sphere_roots_far(const Ray* ray, dw3_w f, real r, SphereRoots* roots) {
+FN SphereRoots sphere_roots(const Ray* ray, dw3_w f, real r) {
   real dx = ray->d.x, dy = ray->d.y, dz = ray->d.z;
-  dw_w a = real_dot_real3_w(dx, dy, dz, dx, dy, dz), b = dot_real3_w(f, dx, dy, dz);
+  dw_w a = quick_two_sum_w(ray->dd, ray->dd_rest), b = dot_real3_w(f, dx, dy, dz);
   dw3_w moment = cross_real3_w(f, dx, dy, dz);
   dw_w discriminant = dw_add_w(dw_mul_w(a, two_prod_w(r, r)), dw_negate_w(dw_dot3_w(moment, moment)));
   sum3_w power = sum3_add_w(sum3_begin_w(f.x.hi, f.x.hi, f.y.hi, f.y.hi), f.z.hi, f.z.hi);
@@ -45,40 +29,17 @@ FN void sphere_roots_far(const Ray* ray, dw3_w f, real r, SphereRoots* roots) {
   power = sum3_add_w(power, f.z.hi + f.z.hi, f.z.lo);
   power.lo = power.lo + fma_w(f.z.lo, f.z.lo, fma_w(f.y.lo, f.y.lo, f.x.lo * f.x.lo));
   LANED(Roots) exact = LANED(quadratic_roots)(a, b, sum3_round_w(power), discriminant);
-  roots->is_met = R(0.0) <= discriminant.hi;
-  roots->near = exact.near.hi;
-  roots->far = exact.far.hi;
-  roots->other = -R(2.0) * dw_div_w(b, a).hi;
+  SphereRoots roots;
+  roots.is_met = R(0.0) <= discriminant.hi;
+  roots.near = exact.near.hi;
+  roots.far = exact.far.hi;
+  return roots;
 }
 
-FN SphereRoots sphere_roots(const Ray* ray, dw3_w f, real r) {
-  SphereRoots roots;
-  real dx = ray->d.x, dy = ray->d.y, dz = ray->d.z;
-  dw_w bx = two_prod_w(f.x.hi, dx), by = two_prod_w(f.y.hi, dy), bz = two_prod_w(f.z.hi, dz);
-  dw_w bxy = two_sum_w(bx.hi, by.hi), bxyz = two_sum_w(bxy.hi, bz.hi);
-  real b_rest = (bxy.lo + bxyz.lo) + (bx.lo + by.lo + bz.lo);
-  dw_w b = two_sum_w(bxyz.hi, b_rest + fma_w(f.z.lo, dz, fma_w(f.y.lo, dy, f.x.lo * dx)));
-
-  real k = b.hi * ray->dd_inverse;
-  real k_rest = (fma_w(-k, ray->dd, b.hi) + fma_w(-k, ray->dd_rest, b.lo)) * ray->dd_inverse;
-  dw_w square = less_square(two_prod_w(r, r), less_along(f.x, k, k_rest, dx));
-  square = less_square(square, less_along(f.y, k, k_rest, dy));
-  square = less_square(square, less_along(f.z, k, k_rest, dz));
-  square = two_sum_w(square.hi, square.lo);
-  dw_w chord = dw_scale_w(square, ray->dd);
-  chord.lo = fma_w(square.hi, ray->dd_rest, chord.lo);
-  dw_w root = dw_sqrt_w(chord), sum = two_sum_w(b.hi, root.hi), difference = two_sum_w(root.hi, -b.hi);
-  sum.lo = sum.lo + (b.lo + root.lo);
-  difference.lo = difference.lo + (root.lo - b.lo);
-  roots.is_met = R(0.0) <= square.hi;
-  roots.near = -over_square(ray, sum);
-  roots.far = over_square(ray, difference);
-  roots.other = -(k + k) - (k_rest + k_rest);
-
-  real least = R(0x1p-18), size = real_abs(f.x.hi) + real_abs(f.y.hi) + real_abs(f.z.hi), least_t = least * real_abs(k);
-  int is_near = least * size <= r, is_sound = least_t <= real_abs(roots.near) && least_t <= real_abs(roots.far);
-  if (!(is_near && (is_sound || !roots.is_met))) sphere_roots_far(ray, f, r, &roots);
-  return roots;
+/// -2 (f.d) / (d.d): the second root of a ray that begins on the sphere.
+FN real sphere_root_across(const Ray* ray, dw3_w f) {
+  dw_w b = dot_real3_w(f, ray->d.x, ray->d.y, ray->d.z);
+  return -R(2.0) * over_square(ray, b);
 }
 
 /// Whether a ray that has left the sphere may meet it again at t: ahead, and within the slabs that the tree knows,
@@ -88,31 +49,53 @@ FN int sphere_is_left_at(const Ray* ray, GLOBAL const real* prim, int stride, re
   return R(0.0) < t && t == LANED(within_slabs)(ray, t, x - r, x + r, y - r, y + r, z - r, z + r);
 }
 
-/// A root near `t`, to 1 ulp where 4 r^2 <= |t| |q.d|, q.d out: f + t d along d.
-FN real sphere_root_near(const Ray* ray, dw3_w f, real r, real t, PRIVATE real* q_d) {
-  for (int step = 0; step < 2; ++step) {
-    real x = fma_w(t, ray->d.x, f.x.hi) + f.x.lo, y = fma_w(t, ray->d.y, f.y.hi) + f.y.lo;
-    real z = fma_w(t, ray->d.z, f.z.hi) + f.z.lo;
-    *q_d = fma_w(z, ray->d.z, fma_w(y, ray->d.y, x * ray->d.x));
-    real excess = fma_w(z, z, fma_w(y, y, fma_w(x, x, -(r * r))));
-    t = fma_w(-R(0.5) * excess, R(1.0) / *q_d, t);
-  }
-  return t;
+/// x + t d.
+FN dw_w plus_along(dw_w x, real t, real d) {
+  dw_w along = two_prod_w(t, d), s = two_sum_w(x.hi, along.hi);
+  s.lo = s.lo + (along.lo + x.lo);
+  return s;
 }
 
-/// t of the first root from t_min on; 0 where it is to be asked of sphere_roots.
-FN int sphere_is_plain(const Ray* ray, dw3_w f, real r, PRIVATE real* t) {
-  real k = -fma_w(f.z.hi, ray->d.z, fma_w(f.y.hi, ray->d.y, f.x.hi * ray->d.x)) * ray->dd_inverse;
-  real x = fma_w(k, ray->d.x, f.x.hi), y = fma_w(k, ray->d.y, f.y.hi), z = fma_w(k, ray->d.z, f.z.hi);
-  real square = r * r, inside = square - fma_w(z, z, fma_w(y, y, x * x));
-  // l is off by less than 8 u |f|, so `inside` by 16 u |f| r and 4 u of the square: with 2^6 times that the line passes
-  // within, and half the chord is known to 2^-7.
-  real size = real_abs(f.x.hi) + real_abs(f.y.hi) + real_abs(f.z.hi);
-  if (!(R(0x1p-14) * r * (size + r) <= inside)) return 0;
-  real half_chord = real_sqrt(inside * ray->dd_inverse), q_d;
-  *t = sphere_root_near(ray, f, r, k - half_chord, &q_d);
-  if (!(R(4.0) * square <= real_abs(*t * q_d))) return 0;
+FN dw_w square_of(dw_w x) {
+  dw_w square = two_prod_w(x.hi, x.hi);
+  square.lo = fma_w(x.hi + x.hi, x.lo, square.lo);
+  return square;
+}
+
+/// One step of Newton's method from a root that is known to some u of the distance and of r, in double words. 0 where
+/// the line all but grazes the sphere, or the root is all but at the origin or 2^19 radii off: there one step does not
+/// make it right to half an ulp and 2^-3.
+FN int sphere_root_near(const Ray* ray, dw3_w f, real r, PRIVATE real* root) {
+  real t = *root;
+  dw_w x = plus_along(f.x, t, ray->d.x), y = plus_along(f.y, t, ray->d.y), z = plus_along(f.z, t, ray->d.z);
+  real q_d = fma_w(z.hi, ray->d.z, fma_w(y.hi, ray->d.y, x.hi * ray->d.x)), inverse = R(1.0) / q_d;
+  dw_w xx = square_of(x), yy = square_of(y), zz = square_of(z), rr = two_prod_w(r, r);
+  dw_w one = two_sum_w(xx.hi, -rr.hi), other = two_sum_w(yy.hi, zz.hi), sum = two_sum_w(one.hi, other.hi);
+  real rest = (one.lo + other.lo) + ((xx.lo + yy.lo) + (zz.lo - rr.lo));
+  *root = fma_w(-R(0.5) * (sum.hi + (sum.lo + rest)), inverse, t);
+  real far_off = t * t * ray->dd;
+  return (R(0x1p-6) * rr.hi * ray->dd <= q_d * q_d) & (R(0x1p-18) * rr.hi <= far_off) & (far_off <= R(0x1p+38) * rr.hi);
+}
+
+/// t of the first root from t_min on; 0 where it is to be asked of sphere_roots. k: about -(f.d) / (d.d). At p = f + k
+/// d, no larger than the sphere and known to 2 u of itself since an fma rounds what is left of k d and f, the
+/// equation's terms are small beside t: t = k - e / (d.d) -+ sqrt((r^2 - p.p + e^2 / (d.d)) / (d.d)) with e = p.d, all
+/// but 0. Where 16 r^2 <= |t| (d.d) times the root it is right to 1 ulp: of that 1/8 comes from r^2 - p.p, which is off
+/// by 8 u r^2, 3/16 from e and the root. Else it is refined.
+FN int sphere_is_plain(const Ray* ray, dw3_w f, real r, real k, PRIVATE real* t) {
+  real x = fma_w(k, ray->d.x, f.x.hi) + f.x.lo, y = fma_w(k, ray->d.y, f.y.hi) + f.y.lo;
+  real z = fma_w(k, ray->d.z, f.z.hi) + f.z.lo, pp = fma_w(z, z, fma_w(y, y, x * x)), rr = r * r;
+  real e = fma_w(z, ray->d.z, fma_w(y, ray->d.y, x * ray->d.x)), inside = fma_w(e * e, ray->dd_inverse, rr - pp);
+  if (!(R(0x1p-6) * rr <= inside)) return 0;
+  real root = real_sqrt(inside * ray->dd_inverse), middle = e * ray->dd_inverse, slope = root * ray->dd;
+  real near = k - (middle + root);
+  int is_near = ray->t_min <= near;
+  *t = is_near ? near : k - (middle - root);
+  int is_sure = R(16.0) * rr <= real_abs(near) * slope && R(16.0) * rr <= real_abs(*t) * slope;
+  if (is_sure && R(0x1p-20) * real_abs(k) <= r) return 1;
+  *t = near;
+  if (!sphere_root_near(ray, f, r, t)) return 0;
   if (ray->t_min <= *t) return 1;
-  *t = sphere_root_near(ray, f, r, k + half_chord, &q_d);
-  return R(4.0) * square <= real_abs(*t * q_d);
+  *t = k - (middle - root);
+  return sphere_root_near(ray, f, r, t);
 }
