@@ -3,6 +3,7 @@
 // guard. Of the children that a ray meets the nearest is entered first, the others wait on a stack, nearest on top:
 // I. Wald, C. Benthin, S. Boulos, "Getting Rid of Packets", IEEE Symposium on Interactive Ray Tracing, 2008.
 // Nothing that begins at the nearest hit so far is dropped: among equal t the smallest id wins.
+#include "accel/instance.h"
 #include "core/candidates.h"
 #include "scene/scene.h"
 #include "shapes/edge_lanes.h"
@@ -86,13 +87,18 @@ FN int LANED(nearest_child)(PRIVATE int* waiting, PRIVATE real* waiting_t, PRIVA
   return nearest;
 }
 
-/// The blocks of a leaf, or all that its kind lists.
-FN void LANED(meet_leaf)(const Scene* scene, const Ray* ray, int reference, int stop_at_first, Nearest* best) {
+/// The blocks of a leaf, or all that its kind lists in that place.
+FN void LANED(meet_leaf)(const Scene* scene, const Ray* ray, const Place* place, int reference, int stop_at_first,
+                         Nearest* best) {
   uint leaf = (uint)~reference;
   int kind = (int)(leaf & (REFERENCE_MOST_KINDS - 1)), first = (int)(leaf >> REFERENCE_BLOCK);
   int count = (int)(leaf >> REFERENCE_COUNT) & REFERENCE_MOST_BLOCKS;
   GLOBAL const int* row = scene_shape_row(scene, kind);
   if (count == 0) count = row[SHAPE_LISTED];
+  if (is_within(place) && leaf_is_list(reference)) {
+    first = place->group[GROUP_LISTED + 2 * kind];
+    count = place->group[GROUP_LISTED + 2 * kind + 1];
+  }
   GLOBAL const int* ids = scene->index + row[SHAPE_IDS] + first * LANES;
   GLOBAL const real* geometry = scene->geometry + row[SHAPE_GEOMETRY];
   (void)ray;  // A scene without shapes.
@@ -108,47 +114,87 @@ FN void LANED(meet_leaf)(const Scene* scene, const Ray* ray, int reference, int 
   }
 }
 
-/// ray: widened by ray_widen or widen_rays. stop_at_first: any hit will do.
-FN Nearest LANED(traverse)(const Scene* scene, const Ray* ray, int stop_at_first) {
-  Nearest best = nearest_none(ray->t_max);
+/// From a reference on, NO_REFERENCE: through everything; `best` is the nearest hit so far. world: widened by ray_widen
+/// or widen_rays. stop_at_first: any hit will do.
+FN Nearest LANED(walk)(const Scene* scene, const Ray* world, int start, Nearest best, int stop_at_first) {
   if (SHAPE_COUNT == 0) return best;
+  Ray ray = ray_of_world(world);
+  Place place;
+  place.instance = -1;
   GLOBAL const real* nodes = scene->geometry + scene->index[HEADER_NODES];
   GLOBAL const int* children = scene->index + scene->index[HEADER_CHILDREN];
   int waiting[STACK_ENTRIES];
   real waiting_t[STACK_ENTRIES];
-  int top = 0, reference = scene->index[HEADER_ROOT];
+  int top = 0, reference = start;
+  if (start == NO_REFERENCE) {
+    reference = scene->index[HEADER_ROOT];
 #define SHAPE(name, planes)                                     \
   if (scene_shape_row(scene, SHAPE_##name)[SHAPE_LISTED] > 0) { \
     if (reference != NO_REFERENCE) {                            \
       waiting[top] = reference;                                 \
-      waiting_t[top++] = ray->t_min;                            \
+      waiting_t[top++] = ray.t_min;                             \
     }                                                           \
     reference = ~SHAPE_##name;                                  \
   }
 #include "shapes/shapes.def"
 #undef SHAPE
-  if (reference == NO_REFERENCE) return best;
+    if (HAS_INSTANCES && scene_shape_row(scene, SHAPE_COUNT)[SHAPE_LISTED] > 0) {
+      if (reference != NO_REFERENCE) {
+        waiting[top] = reference;
+        waiting_t[top++] = ray.t_min;
+      }
+      reference = ~SHAPE_COUNT;
+    }
+    if (reference == NO_REFERENCE) return best;
+  }
 
   for (;;) {
     while (reference >= 0) {
       realw t[TREE_WIDTH / LANES];
       GLOBAL const real* node = nodes + (ulong)reference * (NODE_PLANES * TREE_WIDTH);
-      uint met = LANED(meet_children)(node, ray, best.t, t);
+      uint met = LANED(meet_children)(node, &ray, best.t, t);
       if (met == 0u) break;
       reference = LANED(nearest_child)(waiting, waiting_t, &top, children + (ulong)reference * TREE_WIDTH, met,
                                        (PRIVATE const real*)t);
     }
-    if (reference < 0) {
-      LANED(meet_leaf)(scene, ray, reference, stop_at_first, &best);
+    if (HAS_INSTANCES && reference < 0 && leaf_kind(reference) == SHAPE_COUNT) {
+      int next = next_instance(scene, reference);
+      if (next != NO_REFERENCE) {
+        waiting[top] = next;
+        waiting_t[top++] = ray.t_min;
+      }
+      if (enter_instance(scene, world, reference, top, &place, &ray, &best)) {
+        if (place.group[GROUP_ROOT] != NO_REFERENCE) {
+          waiting[top] = place.group[GROUP_ROOT];
+          waiting_t[top++] = ray.t_min;
+        }
+#define SHAPE(name, planes)                                   \
+  if (place.group[GROUP_LISTED + 2 * SHAPE_##name + 1] > 0) { \
+    waiting[top] = ~SHAPE_##name;                             \
+    waiting_t[top++] = ray.t_min;                             \
+  }
+#include "shapes/shapes.def"
+#undef SHAPE
+      }
+    } else if (reference < 0) {
+      LANED(meet_leaf)(scene, &ray, &place, reference, stop_at_first, &best);
       if (stop_at_first && best.kind >= 0) break;
     }
     do {
+      if (is_within(&place) && top == place.floor) {
+        leave_instance(&place, &ray, &best);
+        ray = ray_of_world(world);
+      }
       if (top == 0) return best;
       --top;
     } while (best.t < waiting_t[top]);
     reference = waiting[top];
   }
   return best;
+}
+
+FN Nearest LANED(traverse)(const Scene* scene, const Ray* ray, int stop_at_first) {
+  return LANED(walk)(scene, ray, NO_REFERENCE, nearest_none(ray->t_max), stop_at_first);
 }
 
 FN Ray LANED(widened)(const Scene* scene, const Ray* given) {

@@ -12,12 +12,15 @@
 //     corners ("Solving Self-Intersection Artifacts in DirectX Raytracing", NVIDIA, 2023, has u |p0| + 3 u extent along
 //     the normal alone). The whole way is at most 4 u (max |p_i| + size) but for rounding;
 //   - boxes: the coordinate across the face is the face's, exactly; the other two stay strictly between the faces.
+// In an instance the world's face of a box is no plane of its own any more: there it is left like a polygon, by a bound
+// that what the instance rounds is added to.
 // The fast tier leaves from the point found, by its epsilon (core/epsilon_fast.h).
 // A polygon that is narrower than 4 b keeps its point as far from its edges as fits.
 // Held by tests/render/test_mirror_box.cpp and tests/cl/test_departure.cpp.
 #ifndef STRAHL_CORE_DEPARTURE_H
 #define STRAHL_CORE_DEPARTURE_H
 
+#include "accel/instance.h"
 #include "core/ray.h"
 #include "core/surface.h"
 #include "shapes/corners.h"
@@ -35,6 +38,19 @@ FN real3 off_edge(real3 move, real3 p, real3 from, real3 a, real3 b, real3 withi
   real room = R(0.25) * height;
   real missing = (bound < room ? bound : room) - dot3(inward, add3(sub3(p, a), from));
   return missing > R(0.0) ? fma3(missing, inward, move) : move;
+}
+
+/// In the world.
+FN real3 outline_corner(const Surface* s, int k) {
+  real3 p = corner_load(s->prim, s->stride, k);
+  if (HAS_INSTANCES && s->instance >= 0) p = point_to_world(s->placed, p);
+  return p;
+}
+
+/// What a point within `reach` of the origin may be off its surface, and a little more.
+FN real departure_bound(const Surface* s, real reach) {
+  if (HAS_INSTANCES && s->instance >= 0) reach += s->placed[INSTANCE_ERROR];
+  return R(1.75) * real_roundoff() * reach;
 }
 
 /// 1: certainly farther than the bound from every edge, rounding included, so that there is nothing to move off. The
@@ -62,11 +78,10 @@ typedef struct {
 
 FN void polygon_departure(const Surface* s, Departure* departure) {
   int corners = s->outline == OUTLINE_TRIANGLE ? 3 : 4;
-  real3 p = s->position, first = corner_load(s->prim, s->stride, 0);
-  real3 e = sub3(corner_load(s->prim, s->stride, 1), first),
-        f = sub3(corner_load(s->prim, s->stride, corners - 1), first);
+  real3 p = s->position, first = outline_corner(s, 0);
+  real3 e = sub3(outline_corner(s, 1), first), f = sub3(outline_corner(s, corners - 1), first);
   real size = larger_of(max3(abs3(e)), max3(abs3(f)));
-  real bound = R(1.75) * real_roundoff() * (max3(abs3(p)) + size);
+  real bound = departure_bound(s, max3(abs3(p)) + size);
   departure->bound = bound;
   if (is_amid(s, e, f, size, bound)) return;
   // Off all edges at once: one after the other, a move off one leads over the other in a sharp corner. Then once more
@@ -75,8 +90,8 @@ FN void polygon_departure(const Surface* s, Departure* departure) {
   for (int pass = 0; pass < 2; ++pass) {
     real3 from = move;
     for (int k = 0; k < corners; ++k) {
-      real3 a = corner_load(s->prim, s->stride, k), b = corner_load(s->prim, s->stride, (k + 1) % corners);
-      real3 within = corner_load(s->prim, s->stride, (k + 2) % corners);
+      real3 a = outline_corner(s, k), b = outline_corner(s, (k + 1) % corners);
+      real3 within = outline_corner(s, (k + 2) % corners);
       move = off_edge(move, p, from, a, b, within, s->normal, bound);
     }
   }
@@ -106,7 +121,12 @@ FN Departure departure_of(const Surface* s) {
   departure.point = s->position;
   departure.move = vec3(zero, zero, zero);
   departure.bound = zero;
-  if (!TIER_FAST && s->outline == OUTLINE_BOX) departure.point = box_departure(s);
+  if (!TIER_FAST && s->outline == OUTLINE_BOX) {
+    if (HAS_INSTANCES && s->instance >= 0)
+      departure.bound = departure_bound(s, max3(abs3(s->position)));
+    else
+      departure.point = box_departure(s);
+  }
   if (!TIER_FAST && (s->outline == OUTLINE_TRIANGLE || s->outline == OUTLINE_PARALLELOGRAM))
     polygon_departure(s, &departure);
   return departure;
@@ -121,6 +141,7 @@ FN Ray ray_leaving(const Surface* s, const Departure* departure, int id, real3 d
     from = add3(from, fma3(off, s->normal, departure->move));
   }
   Ray ray = ray_make(from, d, R(0.0), t_max, id);
+  if (HAS_INSTANCES) ray.left_instance = s->instance;
   if (s->outline == OUTLINE_ROUND) ray.is_outward = s->is_flipped != 0 ? !(R(0.0) < cosine) : !(cosine < R(0.0));
   return ray;
 }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // How wide a pixel is on a surface, for the filters of textures: its width at the camera's axis, grown with the whole
 // way from the camera, over the cosine at the surface. The same in every direction of the surface, so too wide across
-// the slant; curved mirrors are taken for flat ones.
+// the slant; curved mirrors are taken for flat ones. On instances it is counted in the group's lengths, as rates of u
+// and v are.
 #ifndef STRAHL_CORE_FOOTPRINT_H
 #define STRAHL_CORE_FOOTPRINT_H
 
@@ -13,7 +14,9 @@ FN real pixel_footprint(const Scene* scene, real travelled, const Surface* s, re
   real spread = length3(load3(camera + CAMERA_DX)) / length3(load3(camera + CAMERA_D));
   real half_width = real_fma(spread, travelled, length3(load3(camera + CAMERA_OX)));
   real cosine = real_abs(dot3(s->normal, d)) / length3(d);
-  return R(2.0) * half_width / ((real)scene->index[HEADER_WIDTH] * cosine);
+  real width = R(2.0) * half_width / ((real)scene->index[HEADER_WIDTH] * cosine);
+  if (HAS_INSTANCES && s->instance >= 0) width *= s->placed[INSTANCE_SHRINK];
+  return width;
 }
 
 #endif

@@ -21,9 +21,11 @@ typedef struct {
   int is_flipped;           ///< 1: the normal points the other way than the shape has it.
   GLOBAL const real* prim;  ///< Its planes, `stride` apart.
   int stride;
-  int shape;      ///< Index in file order.
-  int primitive;  ///< Within the shape.
-  int part;       ///< Row of the part table.
+  int shape;                  ///< Index in file order.
+  int primitive;              ///< Within the shape.
+  int part;                   ///< Row of the part table.
+  int instance;               ///< That it belongs to; -1: none.
+  GLOBAL const real* placed;  ///< Its INSTANCE_REALS, of meaning where there is one. `prim` is in the group's frame.
 } Surface;
 
 FN real3 ray_at(const Ray* ray, real t) { return fma3(t, ray->d, ray->o); }

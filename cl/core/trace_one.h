@@ -7,7 +7,7 @@
 #endif
 #include "shapes/shape.h"
 
-/// Rays are given in blocks of LANES, RAY_REALS planes a block; the ids that were left one after the other. count: rays
+/// Rays are given in blocks of LANES, RAY_REALS planes a block, and LEFT_INTS planes of what they left. count: rays
 /// of the block, the rest of it is of no meaning. found: FOUND_INTS ints a ray, or with stop_at_first one, 1 or 0; t: a
 /// real a ray, of no meaning where nothing is hit.
 FN void LANED(find_rays)(const Scene* scene, GLOBAL const real* in, GLOBAL const int* left, int count,
@@ -22,11 +22,12 @@ FN void LANED(find_rays)(const Scene* scene, GLOBAL const real* in, GLOBAL const
   given.dz = load_w(in + (RAY_D + 2) * LANES);
   given.t_min = load_w(in + RAY_T_MIN * LANES);
   given.t_max = load_w(in + RAY_T_MAX * LANES);
-  given.has_left = nonzero_w(load_int_w(left) - splat_int_w(-1));
+  given.has_left = nonzero_w(load_int_w(left + LEFT_ID * LANES) - splat_int_w(-1));
   LANED(prepare_rays)(&given, planes);
   LANED(widen_rays)(given.has_left, planes, scene->geometry + scene->index[HEADER_BOUNDS]);
   for (int i = 0; i < count; ++i) {
-    Ray ray = LANED(prepared_ray)(planes, i, left[i]);
+    Ray ray = LANED(prepared_ray)(planes, i, left[LEFT_ID * LANES + i]);
+    if (HAS_INSTANCES) ray.left_instance = left[LEFT_INSTANCE * LANES + i];
     Nearest hit = LANED(traverse)(scene, &ray, stop_at_first);
     if (stop_at_first) {
       found[i] = hit.kind >= 0;
@@ -35,16 +36,18 @@ FN void LANED(find_rays)(const Scene* scene, GLOBAL const real* in, GLOBAL const
       found[i * FOUND_INTS + FOUND_ID] = hit.id;
       found[i * FOUND_INTS + FOUND_KIND] = hit.kind;
       found[i * FOUND_INTS + FOUND_SLOT] = hit.slot;
+      if (HAS_INSTANCES) found[i * FOUND_INTS + FOUND_INSTANCE] = hit.instance;
     }
   }
 }
 
-/// in: a ray, LANES reals apart. out, ids: HIT_REALS reals and HIT_INTS ints of what find_rays has found; a miss is
-/// infinite, -1, -1 and zeros.
-FN void LANED(describe_one)(const Scene* scene, GLOBAL const real* in, int left, real t, GLOBAL const int* found,
-                            GLOBAL real* out, GLOBAL int* ids) {
+/// in, left: of a ray, LANES reals and ints apart. out, ids: HIT_REALS reals and HIT_INTS ints of what find_rays has
+/// found; a miss is infinite, -1, -1, -1 and zeros.
+FN void LANED(describe_one)(const Scene* scene, GLOBAL const real* in, GLOBAL const int* left, real t,
+                            GLOBAL const int* found, GLOBAL real* out, GLOBAL int* ids) {
   for (int i = 0; i < HIT_REALS; ++i) out[i] = R(0.0);
   out[HIT_T] = bits_to_real((bitsr)REAL_EXPONENT_MASK << REAL_EXPONENT_SHIFT);
+  ids[HIT_INSTANCE] = -1;
   ids[HIT_SHAPE] = -1;
   ids[HIT_PRIMITIVE] = -1;
   Nearest hit;
@@ -52,11 +55,12 @@ FN void LANED(describe_one)(const Scene* scene, GLOBAL const real* in, int left,
   hit.id = found[FOUND_ID];
   hit.kind = found[FOUND_KIND];
   hit.slot = found[FOUND_SLOT];
+  hit.instance = HAS_INSTANCES ? found[FOUND_INSTANCE] : -1;
   if (hit.kind < 0) return;
   real3 o = vec3(in[RAY_O * LANES], in[(RAY_O + 1) * LANES], in[(RAY_O + 2) * LANES]);
   real3 d = vec3(in[RAY_D * LANES], in[(RAY_D + 1) * LANES], in[(RAY_D + 2) * LANES]);
   real t_min = in[RAY_T_MIN * LANES], t_max = in[RAY_T_MAX * LANES];
-  Ray ray = ray_make(o, d, t_min, t_max, left);
+  Ray ray = ray_make(o, d, t_min, t_max, left[LEFT_ID * LANES]);
   Surface s = surface_at(scene, &ray, &hit, LANES);
   out[HIT_T] = ray_given_t(&ray, hit.t, t_min, t_max);
   out[HIT_U] = s.u;
@@ -64,6 +68,7 @@ FN void LANED(describe_one)(const Scene* scene, GLOBAL const real* in, int left,
   out[HIT_NORMAL] = s.normal.x;
   out[HIT_NORMAL + 1] = s.normal.y;
   out[HIT_NORMAL + 2] = s.normal.z;
+  ids[HIT_INSTANCE] = s.instance;
   ids[HIT_SHAPE] = s.shape;
   ids[HIT_PRIMITIVE] = s.primitive;
 }

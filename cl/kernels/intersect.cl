@@ -22,7 +22,8 @@ KERNEL LANE_HINT void closest(GLOBAL const real* geometry, GLOBAL const real* sh
   if (first >= count) return;
   Scene scene = scene_of(geometry, shading, index);
   LANED(find_rays)
-  (&scene, rays + first * RAY_REALS, left + first, rays_from(first, count), 0, t + first, found + first * FOUND_INTS);
+  (&scene, rays + first * RAY_REALS, left + first * LEFT_INTS, rays_from(first, count), 0, t + first,
+   found + first * FOUND_INTS);
 }
 
 /// found: 1 or 0 a ray. t is not touched.
@@ -33,7 +34,7 @@ KERNEL LANE_HINT void anything(GLOBAL const real* geometry, GLOBAL const real* s
   if (first >= count) return;
   Scene scene = scene_of(geometry, shading, index);
   LANED(find_rays)
-  (&scene, rays + first * RAY_REALS, left + first, rays_from(first, count), 1, t + first, found + first);
+  (&scene, rays + first * RAY_REALS, left + first * LEFT_INTS, rays_from(first, count), 1, t + first, found + first);
 }
 
 /// One work-item a ray.
@@ -45,6 +46,6 @@ KERNEL LANE_HINT void describe(GLOBAL const real* geometry, GLOBAL const real* s
   Scene scene = scene_of(geometry, shading, index);
   ulong lane = i % LANES;
   LANED(describe_one)
-  (&scene, rays + (i - lane) * RAY_REALS + lane, left[i], t[i], found + i * FOUND_INTS, hits + i * HIT_REALS,
-   ids + i * HIT_INTS);
+  (&scene, rays + (i - lane) * RAY_REALS + lane, left + (i - lane) * LEFT_INTS + lane, t[i], found + i * FOUND_INTS,
+   hits + i * HIT_REALS, ids + i * HIT_INTS);
 }

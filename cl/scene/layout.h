@@ -41,15 +41,36 @@ enum {
 
 // Row of a kind of shape, at HEADER_INTS + SHAPE_x * SHAPE_INTS. The ids are followed by the part of every slot.
 // SHAPE_LISTED: blocks that every ray is tested against, all or none; the others are leaves of the tree.
+// Programs with instances have one row more, at SHAPE_COUNT: a block is an instance of INSTANCE_REALS, in the scene's
+// order; its "ids" -> index, the row of its group.
 enum { SHAPE_BLOCKS, SHAPE_GEOMETRY, SHAPE_IDS, SHAPE_LISTED, SHAPE_INTS };
 
 // A reference is a node (>= 0) or ~(block << REFERENCE_BLOCK | count << REFERENCE_COUNT | kind), a leaf of `count`
-// blocks of a kind from `block` on. count 0: all that the kind lists.
+// blocks of a kind from `block` on. count 0: all that the kind lists, of instances from `block` on. Kind SHAPE_COUNT:
+// an instance.
 enum { REFERENCE_COUNT = 4, REFERENCE_BLOCK = 7, REFERENCE_MOST_KINDS = 16, REFERENCE_MOST_BLOCKS = 7 };
 #define NO_REFERENCE (-0x7fffffff - 1)
 
 // Planes of a node: lo_x, hi_x, lo_y, hi_y, lo_z, hi_z of its children.
 enum { NODE_PLANES = 6 };
+
+// A placed group: the box around it, as a node has its planes; p in the group's frame = TO_GROUP (p - PIVOT) + OFFSET,
+// with TO_WORLD the inverse; what mapping rounds, in units of the roundoff and of the world's length
+// (docs/decisions/0009-instances.md); lengths in the group's frame per length in the world, on the average.
+enum {
+  INSTANCE_BOX = 0,
+  INSTANCE_PIVOT = 6,
+  INSTANCE_TO_GROUP = 9,
+  INSTANCE_OFFSET = 18,
+  INSTANCE_TO_WORLD = 21,
+  INSTANCE_ERROR = 30,
+  INSTANCE_SHRINK = 31,
+  INSTANCE_REALS = 32
+};
+
+// Row of a group: reference or NO_REFERENCE; -> geometry, as HEADER_BOUNDS, in its frame; then for every kind of shape
+// the first of its blocks that the group lists, and how many.
+enum { GROUP_ROOT, GROUP_BOUNDS, GROUP_LISTED };
 
 // Entries of the stack that a traversal keeps, per width of the tree; the host builds trees that need no more.
 enum { STACK_2 = 64, STACK_4 = 96, STACK_8 = 128, STACK_16 = 192 };
@@ -113,8 +134,10 @@ enum { COUNT_SATURATED, COUNT_INVALID, COUNT_SHADOW, COUNT_BOUNCE, COUNTERS };
 // strahl intersect: a ray and a hit.
 enum { RAY_O = 0, RAY_D = 3, RAY_T_MIN = 6, RAY_T_MAX = 7, RAY_REALS = 8 };
 enum { HIT_T = 0, HIT_U = 1, HIT_V = 2, HIT_NORMAL = 3, HIT_REALS = 6 };
-enum { HIT_SHAPE, HIT_PRIMITIVE, HIT_INTS };
+// What the ray has left, -1: nothing, no instance.
+enum { LEFT_ID, LEFT_INSTANCE, LEFT_INTS };
+enum { HIT_INSTANCE, HIT_SHAPE, HIT_PRIMITIVE, HIT_INTS };
 // What is known of a hit before it is looked at: Nearest without its t.
-enum { FOUND_ID, FOUND_KIND, FOUND_SLOT, FOUND_INTS };
+enum { FOUND_ID, FOUND_KIND, FOUND_SLOT, FOUND_INSTANCE, FOUND_INTS };
 
 #endif

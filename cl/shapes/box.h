@@ -6,6 +6,21 @@
 
 #include "core/surface.h"
 
+/// Where t may have been held within what an instance allows (accel/instance.h): the face that it is nearest to, of
+/// those equally near the first.
+FN int box_face_nearest(PRIVATE const int* near, const Ray* ray, GLOBAL const real* prim, int stride, real t) {
+  int best = near[0];
+  real gap = REAL_MAX;
+  for (int i = 0; i < 6; ++i) {
+    int axis = i % 3, face = i < 3 ? near[axis] : near[axis] ^ 1;
+    real other = real_abs((prim[face * stride] - component(ray->o, axis)) / component(ray->d, axis) - t);
+    if (!(other < gap)) continue;
+    gap = other;
+    best = face;
+  }
+  return best;
+}
+
 /// The face (0 lo_x, 1 hi_x, 2 lo_y, ...) whose slab distance is t: the first that matches, entries before exits.
 FN int box_face(const Ray* ray, GLOBAL const real* prim, int stride, real t) {
   int near[3], i;
@@ -24,6 +39,7 @@ FN int box_face(const Ray* ray, GLOBAL const real* prim, int stride, real t) {
   near[0] = ray->near_x;
   near[1] = ray->near_y;
   near[2] = ray->near_z;
+  if (HAS_INSTANCES) return box_face_nearest(near, ray, prim, stride, t);
   for (i = 0; i < 3; ++i)
     if ((prim[near[i] * stride] - component(ray->o, i)) / component(ray->d, i) == t) return near[i];
   for (i = 0; i < 3; ++i)

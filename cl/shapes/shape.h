@@ -3,6 +3,8 @@
 #ifndef STRAHL_SHAPES_SHAPE_H
 #define STRAHL_SHAPES_SHAPE_H
 
+#include "accel/instance.h"
+#include "core/departure.h"
 #include "core/nearest.h"
 #include "core/surface.h"
 #include "scene/scene.h"
@@ -14,16 +16,34 @@ FN real3 interpolate3(GLOBAL const real* abc, real u, real v) {
   return fma3(v, load3(abc + 6), fma3(u, load3(abc + 3), scale3(w, load3(abc))));
 }
 
+/// A box keeps off its edges in its own frame (core/departure.h), where they lie along the axes.
+FN void surface_to_world(Surface* s) {
+  if (!TIER_FAST && s->outline == OUTLINE_BOX) s->position = box_departure(s);
+  s->position = point_to_world(s->placed, s->position);
+  s->normal = normalize3(normal_to_world(s->placed, s->normal));
+}
+
 /// lanes: the width that the scene was packed for.
 FN Surface surface_at(const Scene* scene, const Ray* ray, const Nearest* hit, int lanes) {
   Surface s;
   GLOBAL const int* row = scene_shape_row(scene, hit->kind);
+  int is_instanced = HAS_INSTANCES && hit->instance >= 0;
+  Ray within = *ray;
+  real t = hit->t;
+  s.instance = -1;
+  s.placed = scene->geometry;
+  if (is_instanced) {
+    s.instance = hit->instance;
+    s.placed = instance_reals(scene, hit->instance);
+    within = ray_into_group(ray, s.placed, REAL_MAX, -1);
+    t /= within.t_from_scaled;
+  }
   int block = hit->slot / lanes, lane = hit->slot % lanes;
   s.part = scene->index[row[SHAPE_IDS] + row[SHAPE_BLOCKS] * lanes + hit->slot];
   GLOBAL const int* part = scene_part(scene, s.part);
   s.shape = part[PART_SHAPE];
   s.primitive = hit->id - part[PART_FIRST_ID];
-  s.position = s.normal = ray->o;
+  s.position = s.normal = within.o;
   s.u = s.v = R(0.0);
   s.outline = OUTLINE_NONE;
   s.prim = scene->geometry;
@@ -31,19 +51,21 @@ FN Surface surface_at(const Scene* scene, const Ray* ray, const Nearest* hit, in
   int frame_at = part[PART_FRAME];
   GLOBAL const real* frame = scene->shading + (frame_at < 0 ? 0 : frame_at);
   (void)frame;
+  (void)t;
   (void)block;
   (void)lane;
   switch (hit->kind) {
 #define SHAPE(name, planes)                                                         \
   case SHAPE_##name:                                                                \
     s.prim = scene->geometry + row[SHAPE_GEOMETRY] + block * (planes)*lanes + lane; \
-    name##_surface(ray, s.prim, lanes, frame, hit->t, &s);                          \
+    name##_surface(&within, s.prim, lanes, frame, t, &s);                           \
     break;
 #include "shapes/shapes.def"
 #undef SHAPE
     default:
       break;
   }
+  if (is_instanced) surface_to_world(&s);
 #if TIER_FAST
   s.position = ray_at(ray, hit->t);  // As textbooks have it: off the surface by what o + t d rounds.
 #endif
@@ -55,6 +77,7 @@ FN Surface surface_at(const Scene* scene, const Ray* ray, const Nearest* hit, in
   s.shading = s.normal;
   if (HAS_SMOOTH_NORMALS && part[PART_NORMALS] >= 0) {
     real3 smooth = interpolate3(scene->shading + part[PART_NORMALS] + 9 * s.primitive, s.u, s.v);
+    if (is_instanced) smooth = normal_to_world(s.placed, smooth);
     if (dot3(smooth, smooth) > R(0.0)) s.shading = normalize3(part[PART_FLIP] != 0 ? negate3(smooth) : smooth);
   }
   if (HAS_MESH_UVS && part[PART_UVS] >= 0) {

@@ -31,6 +31,7 @@ struct BinaryNode {
 struct BuildOptions {
   int block = 16;             ///< Primitives that a test takes at a time: costs count blocks.
   int max_leaf = 16;          ///< Primitives in a leaf at most.
+  int single_kind = -1;       ///< Leaves of this kind hold one primitive; -1: there is no such kind.
   int balanced_below = 1000;  ///< Depth from which ranges are halved by number.
   unsigned threads = 0;       ///< 0: as many as the machine has. The tree is the same for any.
 };

@@ -174,7 +174,9 @@ Split split_range(std::span<Primitive> primitives, const BuildOptions& options, 
   const bool pays = plane.axis >= 0 && split.half_area + plane.cost < split.half_area * blocks(count, options.block);
   if (fits && !pays) {
     split.at = by_kind(primitives);
-    if (split.at == count) split.at = 0;
+    const bool is_single =
+        options.single_kind >= 0 && primitives.front().kind() == static_cast<std::uint32_t>(options.single_kind);
+    if (split.at == count) split.at = count > 1 && is_single ? halve(primitives, extent.centers) : 0;
     return split;
   }
   if (plane.axis < 0) {

@@ -16,17 +16,18 @@ struct Children {
   std::size_t count = 0;
 };
 
-Children widest(const BinaryTree& tree, std::uint32_t at, std::size_t width) {
+Children widest(const BinaryTree& tree, std::uint32_t at, std::size_t width, Opening opening) {
   Children children;
   children.node[children.count++] = at + 1;
   children.node[children.count++] = tree.nodes[at].right;
   while (children.count < width) {
     std::size_t largest = children.count;
-    float area = -1;
+    float most = -1;
     for (std::size_t i = 0; i < children.count; ++i) {
       const BinaryNode& node = tree.nodes[children.node[i]];
-      if (node.right == 0 || !(node.half_area > area)) continue;
-      area = node.half_area;
+      const float size = opening == Opening::largest_surface ? node.half_area : static_cast<float>(node.count);
+      if (node.right == 0 || !(size > most)) continue;
+      most = size;
       largest = i;
     }
     if (largest == children.count) break;
@@ -40,7 +41,7 @@ Children widest(const BinaryTree& tree, std::uint32_t at, std::size_t width) {
 
 class Collapse {
  public:
-  Collapse(const BinaryTree& tree, int width) : tree_(tree) { wide_.width = width; }
+  Collapse(const BinaryTree& tree, int width, Opening opening) : tree_(tree), opening_(opening) { wide_.width = width; }
 
   WideTree run() {
     if (tree_.is_empty()) return std::move(wide_);
@@ -56,7 +57,7 @@ class Collapse {
       const auto number = static_cast<std::int32_t>(wide_.nodes());
       const std::size_t first = wide_.children.size();
       wide_.children.resize(first + width, WideTree::none);
-      const Children children = widest(tree_, at, width);
+      const Children children = widest(tree_, at, width, opening_);
       for (std::size_t i = children.count; i-- > 0;) open.push_back({children.node[i], first + i});
       return number;
     };
@@ -92,11 +93,12 @@ class Collapse {
   }
 
   const BinaryTree& tree_;
+  Opening opening_;
   WideTree wide_;
 };
 
 }  // namespace
 
-WideTree collapse(const BinaryTree& tree, int width) { return Collapse(tree, width).run(); }
+WideTree collapse(const BinaryTree& tree, int width, Opening opening) { return Collapse(tree, width, opening).run(); }
 
 }  // namespace strahl::accel

@@ -27,7 +27,9 @@ struct WideTree {
   [[nodiscard]] std::size_t nodes() const { return children.size() / static_cast<std::size_t>(width); }
 };
 
-/// Of a node's descendants those with the largest surface become its children, as long as there is room.
-[[nodiscard]] WideTree collapse(const BinaryTree& tree, int width);
+/// Which of a node's descendants are opened first to become its children, as long as there is room.
+enum class Opening { largest_surface, most_primitives };
+
+[[nodiscard]] WideTree collapse(const BinaryTree& tree, int width, Opening opening = Opening::largest_surface);
 
 }  // namespace strahl::accel

@@ -122,6 +122,7 @@ bool draws(const std::string& integrator, const Causes& causes) {
 Causes causes_of(const Scene& scene, const RenderSettings& settings) {
   Causes causes;
   shape_causes(scene, settings, causes);
+  if (!scene.instances.empty()) call_for(causes, "INSTANCES", "an instance of a group", scene.instances.front().where);
   for (const Light& light : scene.lights) {
     const std::string kind = std::visit(LightKind{}, light.emitter);
     const bool seen = is_lit(scene.integrator.name) || (scene.integrator.name == "emission" && kind == "constant");

@@ -7,6 +7,7 @@
 #include <map>
 #include <string>
 
+#include "device/cl_layout.h"
 #include "device/pack_shapes.h"
 #include "errors.h"
 
@@ -38,6 +39,9 @@ MemoryNeed least_memory(const Scene& scene, const Features& features, Precision 
     need.geometry += slots * static_cast<std::uint64_t>(planes_of(kind)) * real;
     need.index += slots * bytes_of_ids;
   }
+  const std::uint64_t instances = scene.instances.size();
+  need.geometry += instances * layout::INSTANCE_REALS * real;
+  need.index += instances * sizeof(std::int32_t);
   return need;
 }
 

@@ -8,6 +8,7 @@
 #include "device/cl_layout.h"
 #include "device/pack_areas.h"
 #include "device/pack_camera.h"
+#include "device/pack_instances.h"
 #include "device/pack_shapes.h"
 #include "device/uv_rates.h"
 #include "render/sampling.h"
@@ -27,9 +28,11 @@ class Packing {
   Packing(const Scene& scene, const Features& features, const PackOptions& options)
       : scene_(scene), features_(features), options_(options) {
     for (const std::int64_t id : first_ids(scene)) first_ids_.push_back(static_cast<std::int32_t>(id));
-    int kinds = 0;
-    for (const std::string& kind : list_entries("shapes")) kinds += features.has("shapes", kind) ? 1 : 0;
-    packed_.index.resize(static_cast<std::size_t>(layout::HEADER_INTS + kinds * layout::SHAPE_INTS), 0);
+    for_each_shape(scene, [&](const Shape& shape) { shapes_.push_back(&shape); });
+    for (const std::string& kind : list_entries("shapes"))
+      if (features.has("shapes", kind)) kinds_.push_back(kind);
+    const std::size_t rows = kinds_.size() + (features.flag("INSTANCES") ? 1 : 0);
+    packed_.index.resize(layout::HEADER_INTS + rows * layout::SHAPE_INTS, 0);
   }
 
   PackedScene<Real> run() {
@@ -155,7 +158,8 @@ class Packing {
   /// One for each part that emits and has an area that can be drawn from; light_of_part_ for each part of the scene.
   void area_lights(std::vector<std::int32_t>& rows) {
     const int kind = features_.has("lights", "area") ? features_.entry_index("lights", "area") : -1;
-    for (const Shape& shape : scene_.shapes) {
+    for (const Shape* const shape_at : shapes_) {
+      const Shape& shape = *shape_at;
       const std::vector<MeshPart> looks = looks_of(shape);
       for (std::size_t part = 0; part < looks.size(); ++part) {
         light_of_part_.push_back(-1);
@@ -194,16 +198,22 @@ class Packing {
 
   void parts() {
     index(layout::HEADER_PARTS) = index_end();
-    int row = 0;
-    for (std::size_t i = 0; i < scene_.shapes.size(); ++i) {
-      const Shape& shape = scene_.shapes[i];
-      first_part_.push_back(row);
+    put_parts(scene_.shapes, options_.frame);
+    for (const Group& group : scene_.groups) put_parts(group.shapes, group_frame(group, options_.frame));
+  }
+
+  /// Of shapes whose indices begin with 0.
+  void put_parts(const std::vector<Shape>& shapes, const Frame& frame_in_use) {
+    for (std::size_t i = 0; i < shapes.size(); ++i) {
+      const Shape& shape = shapes[i];
+      const std::int32_t first_id = first_ids_[first_part_.size()];
+      first_part_.push_back(part_rows_);
       int frame_at = -1, normals_at = -1, uvs_at = -1;
-      if (const auto frame = surface_frame(shape.geometry, options_.frame))
+      if (const auto frame = surface_frame(shape.geometry, frame_in_use))
         frame_at = put_shading({frame->begin(), frame->end()});
       int rates_at = -1;
       if (has_textures_) {
-        const Vec2 rates = uv_rates(shape.geometry, options_.frame);
+        const Vec2 rates = uv_rates(shape.geometry, frame_in_use);
         rates_at = put_shading({rates.x, rates.y});
       }
       if (const auto* mesh = std::get_if<Mesh>(&shape.geometry)) {
@@ -216,34 +226,42 @@ class Packing {
       }
       for (const MeshPart& look : looks_of(shape)) {
         const int radiance_at = look.radiance ? put_rgb(*look.radiance) : -1;
-        const int light = light_of_part_[static_cast<std::size_t>(row)];
-        packed_.index.insert(packed_.index.end(), {static_cast<int>(i), first_ids_[i], look.material, radiance_at,
-                                                   light, shape.flip_normals != faces_inward(shape.geometry) ? 1 : 0,
-                                                   frame_at, normals_at, uvs_at, rates_at});
-        ++row;
+        const int light = light_of_part_[static_cast<std::size_t>(part_rows_)];
+        packed_.index.insert(packed_.index.end(), {static_cast<int>(i), first_id, look.material, radiance_at, light,
+                                                   shape.flip_normals != faces_inward(shape.geometry) ? 1 : 0, frame_at,
+                                                   normals_at, uvs_at, rates_at});
+        ++part_rows_;
       }
     }
   }
 
-  /// Every primitive of one kind, in the order of the scene.
-  KindList<Real> primitives_of(const std::string& kind) {
+  /// Every primitive of one kind among `shapes`, the first of which is number `first` of all.
+  KindList<Real> primitives_of(const std::string& kind, const std::vector<Shape>& shapes, std::size_t first,
+                               const Frame& frame) {
     KindList<Real> list;
     list.kind = kind;
     list.planes = planes_of(kind);
-    for (std::size_t i = 0; i < scene_.shapes.size(); ++i) {
-      const Shape& shape = scene_.shapes[i];
+    for (std::size_t i = 0; i < shapes.size(); ++i) {
+      const Shape& shape = shapes[i];
       if (shape_kind(shape) != kind) continue;
       const auto* mesh = std::get_if<Mesh>(&shape.geometry);
       const bool many = mesh && !mesh->parts.empty();
       std::int32_t primitive = 0;
-      primitive_planes(shape.geometry, options_.frame, [&](std::span<const double> values) {
+      primitive_planes(shape.geometry, frame, [&](std::span<const double> values) {
         for (const double value : values) list.values.push_back(static_cast<Real>(value));
-        list.ids.push_back(first_ids_[i] + primitive);
-        list.parts.push_back(first_part_[i] + (many ? mesh->part_of_triangle[static_cast<std::size_t>(primitive)] : 0));
+        list.ids.push_back(first_ids_[first + i] + primitive);
+        list.parts.push_back(first_part_[first + i] +
+                             (many ? mesh->part_of_triangle[static_cast<std::size_t>(primitive)] : 0));
         ++primitive;
       });
     }
     return list;
+  }
+
+  std::vector<KindList<Real>> lists_of(const std::vector<Shape>& shapes, std::size_t first, const Frame& frame) {
+    std::vector<KindList<Real>> lists;
+    for (const std::string& kind : kinds_) lists.push_back(primitives_of(kind, shapes, first, frame));
+    return lists;
   }
 
   int put_geometry(const std::vector<Real>& values) {
@@ -257,12 +275,55 @@ class Packing {
     return at;
   }
 
+  /// A tree for every group, and what the kernels know of every instance, in order.
+  void groups(TreeOptions& options) {
+    if (scene_.instances.empty()) return;
+    const int entries = options.stack;
+    options.stack = entries / 2;
+    std::size_t first = scene_.shapes.size();
+    int need = 0;
+    for (const Group& group : scene_.groups) {
+      const Frame frame = group_frame(group, options_.frame);
+      groups_.push_back(pack_tree<Real>(lists_of(group.shapes, first, frame), {}, options));
+      first += group.shapes.size();
+      need = std::max(need, groups_.back().stack_need);
+    }
+    options.stack = entries - need - 1;
+    instances_.reserve(scene_.instances.size() * layout::INSTANCE_REALS);
+    for (const Instance& instance : scene_.instances) {
+      const auto group = static_cast<std::size_t>(instance.group);
+      const Frame frame = group_frame(scene_.groups[group], options_.frame);
+      const auto reals = instance_reals<Real>(frame_from_group(instance, frame, options_.frame), groups_[group].box());
+      instances_.insert(instances_.end(), reals.begin(), reals.end());
+      std::copy_n(reals.begin() + layout::INSTANCE_BOX, 6, instance_boxes_.emplace_back().begin());
+    }
+  }
+
+  void put_instances(PackedTree<Real>& tree, int width) {
+    std::vector<std::int32_t> rows;
+    for (const PackedTree<Real>& group : groups_) {
+      const AppendedTree appended = append_tree(tree, group, width);
+      rows.push_back(index_end());
+      put_index({appended.root, put_geometry(group.reach)});
+      for (const auto& listed : appended.listed) put_index({listed.begin(), listed.end()});
+    }
+    const int row = layout::HEADER_INTS + static_cast<int>(kinds_.size()) * layout::SHAPE_INTS;
+    const int count = checked_offset(scene_.instances.size());
+    const int geometry_at = put_geometry(instances_), groups_at = index_end();
+    for (const Instance& instance : scene_.instances)
+      packed_.index.push_back(std::int32_t{rows[static_cast<std::size_t>(instance.group)]});
+    index(row + layout::SHAPE_BLOCKS) = count;
+    index(row + layout::SHAPE_GEOMETRY) = geometry_at;
+    index(row + layout::SHAPE_IDS) = groups_at;
+    index(row + layout::SHAPE_LISTED) = tree.lists_instances ? count : 0;
+  }
+
   void shapes() {
-    std::vector<KindList<Real>> lists;
-    for (const std::string& kind : list_entries("shapes"))
-      if (features_.has("shapes", kind)) lists.push_back(primitives_of(kind));
     const int width = options_.lanes > 1 ? options_.lanes : options_.tree_width == 0 ? 4 : options_.tree_width;
-    const PackedTree<Real> tree = pack_tree<Real>(std::move(lists), width, options_.acceleration);
+    TreeOptions options{width, options_.acceleration, stack_entries(width)};
+    groups(options);
+    PackedTree<Real> tree = pack_tree<Real>(lists_of(scene_.shapes, 0, options_.frame), instance_boxes_, options);
+    if (!scene_.instances.empty()) put_instances(tree, width);
     int row = layout::HEADER_INTS;
     for (const PackedKind<Real>& kind : tree.kinds) {
       index(row + layout::SHAPE_BLOCKS) = checked_offset(kind.ids.size() / static_cast<std::size_t>(options_.lanes));
@@ -288,8 +349,14 @@ class Packing {
   const PackOptions& options_;
   PackedScene<Real> packed_;
   bool has_textures_ = !features_.entries.at("textures").empty() && !scene_.textures.empty();
+  std::vector<const Shape*> shapes_;  ///< As for_each_shape has them.
+  std::vector<std::string> kinds_;    ///< Active ones.
   std::vector<std::int32_t> first_ids_;
   std::vector<int> first_part_, light_of_part_;
+  int part_rows_ = 0;
+  std::vector<PackedTree<Real>> groups_;
+  std::vector<Real> instances_;  ///< INSTANCE_REALS each.
+  std::vector<Bounds<Real>> instance_boxes_;
 };
 
 }  // namespace
@@ -302,7 +369,7 @@ int most_surfaces(const IntegratorSettings& integrator) {
 
 std::vector<std::int64_t> first_ids(const Scene& scene) {
   std::vector<std::int64_t> first = {0};
-  for (const Shape& shape : scene.shapes) first.push_back(first.back() + primitive_count(shape));
+  for_each_shape(scene, [&](const Shape& shape) { first.push_back(first.back() + primitive_count(shape)); });
   if (first.back() >= std::numeric_limits<std::int32_t>::max())
     throw Error("the scene has more than 2^31 - 1 primitives");
   return first;

@@ -37,7 +37,7 @@ struct PackedScene {
 template <typename Real>
 [[nodiscard]] PackedScene<Real> pack_scene(const Scene& scene, const Features& features, const PackOptions& options);
 
-/// Scene-wide id of primitive 0 of every shape, and one past the last: shapes.size() + 1 values.
+/// Scene-wide id of primitive 0 of every shape, those of groups after the scene's own, and one past the last.
 [[nodiscard]] std::vector<std::int64_t> first_ids(const Scene& scene);
 
 /// max_depth as the kernels take it: where the scene has none, path has one that leaves nothing of note out

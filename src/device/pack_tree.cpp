@@ -25,8 +25,11 @@ int most_in_leaf(int width) { return width >= 8 ? width : 4; }
 /// Up to so many bounded primitives a list is no slower than a tree (docs/performance.md).
 std::size_t list_up_to(int width) { return width >= 8 ? 2 * static_cast<std::size_t>(width) : 4; }
 
-int stack_entries(int width) {
-  return width == 2 ? layout::STACK_2 : width == 4 ? layout::STACK_4 : width == 8 ? layout::STACK_8 : layout::STACK_16;
+std::int32_t leaf_reference(std::size_t block, std::size_t count, std::size_t kind, int width) {
+  if (block >> (31 - layout::REFERENCE_BLOCK) != 0)
+    throw Error(fmt::format("the scene is too large for a tree of {} children a node: more than {} blocks of a kind",
+                            width, 1U << (31 - layout::REFERENCE_BLOCK)));
+  return ~static_cast<std::int32_t>(block << layout::REFERENCE_BLOCK | count << layout::REFERENCE_COUNT | kind);
 }
 
 template <typename Real>
@@ -58,20 +61,23 @@ std::vector<Real> center_and_half(const Bounds<Real>& box) {
 template <typename Real>
 class TreePacking {
  public:
-  TreePacking(std::vector<KindList<Real>> lists, int width) : lists_(std::move(lists)), width_(width) {
+  TreePacking(std::vector<KindList<Real>> lists, const std::vector<Bounds<Real>>& instances, const TreeOptions& options)
+      : lists_(std::move(lists)), instances_(instances), options_(options), width_(options.width) {
     for (const KindList<Real>& list : lists_) bounds_of_.push_back(bounds_function<Real>(list.kind));
     packed_.kinds.resize(lists_.size());
     packed_.root = NO_REFERENCE;
   }
 
-  PackedTree<Real> run(Acceleration acceleration) {
-    std::size_t bounded = 0;
+  PackedTree<Real> run() {
+    const Acceleration acceleration = options_.acceleration;
+    std::size_t bounded = instances_.size();
     Bounds<Real> reach = nothing<Real>();
     for (std::size_t k = 0; k < lists_.size(); ++k) {
       if (bounds_of_[k] == nullptr) continue;
       bounded += lists_[k].ids.size();
       for (std::size_t i = 0; i < lists_[k].ids.size(); ++i) include(reach, bounds(k, i));
     }
+    for (const Bounds<Real>& box : instances_) include(reach, box);
     if (bounded == 0) reach = {};
     packed_.reach = center_and_half(reach);
     const bool wants_tree =
@@ -79,11 +85,16 @@ class TreePacking {
     if (wants_tree && bounded > 0) tree(reach, bounded);
     for (std::size_t k = 0; k < lists_.size(); ++k)
       if (bounds_of_[k] == nullptr || packed_.root == NO_REFERENCE) list(k);
+    packed_.lists_instances = packed_.root == NO_REFERENCE && !instances_.empty();
+    // At first all lists wait, and a list of instances of which one is entered.
+    packed_.stack_need =
+        std::max(packed_.stack_need, static_cast<int>(lists_.size()) + 1) + (instances_.empty() ? 0 : 1);
     return std::move(packed_);
   }
 
  private:
   [[nodiscard]] Bounds<Real> bounds(std::size_t kind, std::size_t i) const {
+    if (kind == lists_.size()) return instances_[i];
     return bounds_of_[kind](lists_[kind].values.data() + i * static_cast<std::size_t>(lists_[kind].planes));
   }
   [[nodiscard]] std::size_t lanes() const { return static_cast<std::size_t>(lanes_of(width_)); }
@@ -118,9 +129,10 @@ class TreePacking {
     primitives.reserve(bounded);
     std::array<Real, 3> middle;
     for (std::size_t axis = 0; axis < 3; ++axis) middle[axis] = reach[2 * axis] / 2 + reach[2 * axis + 1] / 2;
-    for (std::size_t k = 0; k < lists_.size(); ++k) {
-      if (bounds_of_[k] == nullptr) continue;
-      for (std::size_t i = 0; i < lists_[k].ids.size(); ++i) {
+    for (std::size_t k = 0; k <= lists_.size(); ++k) {
+      const bool is_instances = k == lists_.size();
+      if (!is_instances && bounds_of_[k] == nullptr) continue;
+      for (std::size_t i = 0; i < (is_instances ? instances_.size() : lists_[k].ids.size()); ++i) {
         const Bounds<Real> b = bounds(k, i);
         const auto at = [&](std::size_t plane) { return static_cast<float>(b[plane] - middle[plane / 2]); };
         primitives.emplace_back(accel::Float4{at(0), at(2), at(4), 0}, accel::Float4{at(1), at(3), at(5), 0},
@@ -133,19 +145,26 @@ class TreePacking {
   void tree(const Bounds<Real>& reach, std::size_t bounded) {
     const Stopwatch start;
     accel::BuildOptions options;
-    options.block = lanes_of(width_);
-    options.max_leaf = most_in_leaf(width_);
+    // An instance costs as much as many primitives: where they are most of the scene, one is a leaf.
+    const bool is_of_instances = 2 * instances_.size() > bounded;
+    options.block = is_of_instances ? 1 : lanes_of(width_);
+    options.max_leaf = is_of_instances ? 1 : most_in_leaf(width_);
+    options.single_kind = static_cast<int>(lists_.size());
     const std::vector<accel::Primitive> all = primitives(reach, bounded);
     accel::BinaryTree binary;
     accel::WideTree wide;
     // Ever more balanced until the stack suffices: halves by number are never deeper than a few levels a width.
-    for (const int balanced_below : {options.balanced_below, 24, 12, 0}) {
+    constexpr auto surface = accel::Opening::largest_surface, number = accel::Opening::most_primitives;
+    const std::pair<int, accel::Opening> attempts[] = {
+        {options.balanced_below, surface}, {24, surface}, {12, surface}, {0, surface}, {0, number}};
+    for (const auto& [balanced_below, opening] : attempts) {
       options.balanced_below = balanced_below;
       binary = accel::build_binary_tree(all, options);
-      wide = accel::collapse(binary, width_);
-      if (wide.stack_need < stack_entries(width_)) break;
+      wide = accel::collapse(binary, width_, opening);
+      if (wide.stack_need < options_.stack) break;
     }
-    if (wide.stack_need >= stack_entries(width_)) throw std::logic_error("a balanced tree is too deep for its stack");
+    if (wide.stack_need >= options_.stack) throw std::logic_error("a balanced tree is too deep for its stack");
+    packed_.stack_need = wide.stack_need;
     packed_.stats.sah_cost = binary.sah_cost(options.block);
     packed_.stats.seconds = start.seconds();
     packed_.stats.primitives = bounded;
@@ -162,6 +181,12 @@ class TreePacking {
     references_.reserve(wide.leaves.size());
     leaf_bounds_.reserve(wide.leaves.size());
     for (const accel::WideLeaf& leaf : wide.leaves) {
+      if (leaf.kind == lists_.size()) {
+        const std::size_t instance = binary.primitives[leaf.first].number();
+        leaf_bounds_.push_back(instances_[instance]);
+        references_.push_back(leaf_reference(instance, 1, leaf.kind, width_));
+        continue;
+      }
       const std::size_t block = packed_.kinds[leaf.kind].ids.size() / lanes();
       const std::size_t count = (leaf.count + lanes() - 1) / lanes();
       append(leaf.kind, leaf.count, [&](std::size_t i) { return binary.primitives[leaf.first + i].number(); });
@@ -169,12 +194,7 @@ class TreePacking {
       for (std::uint32_t i = 0; i < leaf.count; ++i)
         include(box, bounds(leaf.kind, binary.primitives[leaf.first + i].number()));
       leaf_bounds_.push_back(box);
-      if (block >> (31 - layout::REFERENCE_BLOCK) != 0)
-        throw Error(
-            fmt::format("the scene is too large for a tree of {} children a node: more than {} blocks of kind {}",
-                        width_, 1U << (31 - layout::REFERENCE_BLOCK), lists_[leaf.kind].kind));
-      references_.push_back(
-          ~static_cast<std::int32_t>(block << layout::REFERENCE_BLOCK | count << layout::REFERENCE_COUNT | leaf.kind));
+      references_.push_back(leaf_reference(block, count, leaf.kind, width_));
     }
   }
 
@@ -201,6 +221,8 @@ class TreePacking {
   }
 
   std::vector<KindList<Real>> lists_;
+  const std::vector<Bounds<Real>>& instances_;
+  TreeOptions options_;
   int width_;
   std::vector<BoundsFunction<Real>> bounds_of_;
   std::vector<std::int32_t> references_;  ///< Of every leaf.
@@ -208,14 +230,71 @@ class TreePacking {
   PackedTree<Real> packed_;
 };
 
-}  // namespace
-
-template <typename Real>
-PackedTree<Real> pack_tree(std::vector<KindList<Real>> lists, int width, Acceleration acceleration) {
-  return TreePacking<Real>(std::move(lists), width).run(acceleration);
+/// Of a group's tree, after `nodes` nodes and blocks[kind] blocks of every kind.
+std::int32_t moved(std::int32_t reference, std::size_t nodes, const std::vector<std::size_t>& blocks, int width) {
+  if (reference == NO_REFERENCE) return reference;
+  if (reference >= 0) return reference + static_cast<std::int32_t>(nodes);
+  const auto leaf = ~static_cast<std::uint32_t>(reference);
+  const std::size_t kind = leaf & (layout::REFERENCE_MOST_KINDS - 1);
+  const std::size_t count = leaf >> layout::REFERENCE_COUNT & layout::REFERENCE_MOST_BLOCKS;
+  if (count == 0) return reference;
+  return leaf_reference((leaf >> layout::REFERENCE_BLOCK) + blocks[kind], count, kind, width);
 }
 
-template PackedTree<float> pack_tree(std::vector<KindList<float>>, int, Acceleration);
-template PackedTree<double> pack_tree(std::vector<KindList<double>>, int, Acceleration);
+template <typename T>
+void append(std::vector<T>& to, const std::vector<T>& values) {
+  to.insert(to.end(), values.begin(), values.end());
+}
+
+}  // namespace
+
+int stack_entries(int width) {
+  return width == 2 ? layout::STACK_2 : width == 4 ? layout::STACK_4 : width == 8 ? layout::STACK_8 : layout::STACK_16;
+}
+
+template <typename Real>
+Bounds<Real> PackedTree<Real>::box() const {
+  const auto side = [&](std::size_t axis, double sign) { return double(reach[axis]) + sign * double(reach[3 + axis]); };
+  return rounded_outwards<Real>({side(0, -1), side(1, -1), side(2, -1)}, {side(0, 1), side(1, 1), side(2, 1)});
+}
+
+template <typename Real>
+PackedTree<Real> pack_tree(std::vector<KindList<Real>> lists, const std::vector<Bounds<Real>>& instances,
+                           const TreeOptions& options) {
+  return TreePacking<Real>(std::move(lists), instances, options).run();
+}
+
+template <typename Real>
+AppendedTree append_tree(PackedTree<Real>& all, const PackedTree<Real>& group, int width) {
+  AppendedTree appended;
+  std::vector<std::size_t> blocks;
+  for (std::size_t k = 0; k < all.kinds.size(); ++k) {
+    const auto lanes = static_cast<std::size_t>(lanes_of(width));
+    blocks.push_back(all.kinds[k].ids.size() / lanes);
+    appended.listed.push_back({static_cast<std::int32_t>(blocks[k]), group.kinds[k].listed});
+    append(all.kinds[k].blocks, group.kinds[k].blocks);
+    append(all.kinds[k].ids, group.kinds[k].ids);
+    append(all.kinds[k].parts, group.kinds[k].parts);
+  }
+  const std::size_t nodes = all.children.size() / static_cast<std::size_t>(width);
+  appended.root = moved(group.root, nodes, blocks, width);
+  append(all.nodes, group.nodes);
+  for (const std::int32_t child : group.children) all.children.push_back(moved(child, nodes, blocks, width));
+  all.stats.seconds += group.stats.seconds;
+  all.stats.primitives += group.stats.primitives;
+  all.stats.nodes += group.stats.nodes;
+  all.stats.leaves += group.stats.leaves;
+  all.stats.bytes += group.stats.bytes;
+  return appended;
+}
+
+template struct PackedTree<float>;
+template struct PackedTree<double>;
+template PackedTree<float> pack_tree(std::vector<KindList<float>>, const std::vector<Bounds<float>>&,
+                                     const TreeOptions&);
+template PackedTree<double> pack_tree(std::vector<KindList<double>>, const std::vector<Bounds<double>>&,
+                                      const TreeOptions&);
+template AppendedTree append_tree(PackedTree<float>&, const PackedTree<float>&, int);
+template AppendedTree append_tree(PackedTree<double>&, const PackedTree<double>&, int);
 
 }  // namespace strahl

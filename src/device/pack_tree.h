@@ -2,10 +2,12 @@
 // Primitives as the device holds them, in leaves of a tree or in plain lists (docs/decisions/0008-tree.md).
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
 
+#include "device/primitive_bounds.h"
 #include "render/settings.h"
 #include "render/stats.h"
 
@@ -35,12 +37,37 @@ struct PackedTree {
   std::vector<std::int32_t> children;   ///< width references a node.
   std::int32_t root;                    ///< NO_REFERENCE: none.
   std::vector<Real> reach;              ///< Centre and half the size of a box around everything bounded.
+  int stack_need = 0;                   ///< References that may wait at a time.
+  bool lists_instances = false;         ///< They are not in the tree: all or none.
   TreeStats stats;
+
+  /// `reach`, rounded outwards.
+  [[nodiscard]] Bounds<Real> box() const;
 };
 
-/// width: 2, 4, 8 or 16 children a node; 8 and 16 test as many primitives at a time, 2 and 4 one. The lists are used
-/// up. Throws Error where a kind has more blocks than references can name. Instantiated for float and double.
+struct TreeOptions {
+  int width = 16;  ///< 2, 4, 8 or 16 children a node; 8 and 16 test as many primitives at a time, 2 and 4 one.
+  Acceleration acceleration = Acceleration::automatic;
+  int stack = 0;  ///< References that may wait at a time.
+};
+
+/// What the kernels' stack holds (cl/scene/layout.h).
+[[nodiscard]] int stack_entries(int width);
+
+/// The lists are used up. instances: boxes around them; they count as a kind of their own, after all lists. Throws
+/// Error where a kind has more blocks than references can name. Instantiated for float and double.
 template <typename Real>
-[[nodiscard]] PackedTree<Real> pack_tree(std::vector<KindList<Real>> lists, int width, Acceleration acceleration);
+[[nodiscard]] PackedTree<Real> pack_tree(std::vector<KindList<Real>> lists, const std::vector<Bounds<Real>>& instances,
+                                         const TreeOptions& options);
+
+/// Where a group's tree has gone.
+struct AppendedTree {
+  std::int32_t root = 0;                            ///< As PackedTree has it.
+  std::vector<std::array<std::int32_t, 2>> listed;  ///< For every kind its first block and how many are listed.
+};
+
+/// Nodes and blocks of a tree over the same kinds, behind those that are there.
+template <typename Real>
+[[nodiscard]] AppendedTree append_tree(PackedTree<Real>& all, const PackedTree<Real>& group, int width);
 
 }  // namespace strahl

@@ -105,6 +105,15 @@ constexpr BoundsFunction<Real> bounds_plane = nullptr;
 }  // namespace
 
 template <typename Real>
+Bounds<Real> rounded_outwards(const Vec3& lo, const Vec3& hi) {
+  return {rounded_down<Real>(lo.x), rounded_up<Real>(hi.x),   rounded_down<Real>(lo.y),
+          rounded_up<Real>(hi.y),   rounded_down<Real>(lo.z), rounded_up<Real>(hi.z)};
+}
+
+template Bounds<float> rounded_outwards(const Vec3&, const Vec3&);
+template Bounds<double> rounded_outwards(const Vec3&, const Vec3&);
+
+template <typename Real>
 BoundsFunction<Real> bounds_function(const std::string& kind) {
   static const std::map<std::string, BoundsFunction<Real>> functions = {
 #define SHAPE(name, planes) {#name, bounds_##name<Real>},

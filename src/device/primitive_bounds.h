@@ -5,11 +5,17 @@
 #include <array>
 #include <string>
 
+#include "scene/vec.h"
+
 namespace strahl {
 
 /// lo x, hi x, lo y, hi y, lo z, hi z.
 template <typename Real>
 using Bounds = std::array<Real, 6>;
+
+/// Not smaller than lo ... hi. Instantiated for float and double.
+template <typename Real>
+[[nodiscard]] Bounds<Real> rounded_outwards(const Vec3& lo, const Vec3& hi);
 
 /// From the planes of a primitive (cl/shapes/shapes.def). Nullptr: the kind has no bounds.
 template <typename Real>

@@ -54,9 +54,6 @@ void read_buffer(const Device& device, const cl::Buffer& buffer, void* data, std
 
 SceneBuffers upload_scene(const Device& device, const Scene& scene, const Features& features, Precision precision,
                           const PackOptions& options) {
-  if (!scene.instances.empty())
-    throw SceneError({{Severity::error, scene.instances.front().where,
-                       "instances are read but not rendered yet; give the scene the shapes themselves"}});
   require_memory(least_memory(scene, features, precision, options.lanes), device.info(), precision);
   return precision == Precision::fp64 ? upload_as<double>(device, scene, features, options)
                                       : upload_as<float>(device, scene, features, options);

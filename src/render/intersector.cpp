@@ -37,6 +37,7 @@ Features intersection_features(const Scene& scene, const RenderSettings& setting
     first.where = shape.where;
     first.geometry = std::holds_alternative<Mesh>(shape.geometry) ? Geometry{Mesh{}} : shape.geometry;
   });
+  if (!scene.instances.empty()) bare.instances.push_back(scene.instances.front());
   RenderSettings plain = settings;
   plain.aovs.clear();
   return features_of(bare, plain);
@@ -58,6 +59,22 @@ std::vector<Real> pack_rays(const std::vector<Ray>& rays, std::size_t first, std
   return reals;
 }
 
+/// Shapes that are counted together, among those of for_each_shape.
+struct ShapeRange {
+  std::size_t first, count;
+};
+
+std::vector<ShapeRange> ranges_of(const Scene& scene) {
+  std::vector<ShapeRange> ranges;
+  std::size_t first = scene.shapes.size();
+  for (const Group& group : scene.groups) {
+    ranges.push_back({first, group.shapes.size()});
+    first += group.shapes.size();
+  }
+  ranges.push_back({0, scene.shapes.size()});
+  return ranges;
+}
+
 }  // namespace
 
 struct Intersector::State {
@@ -66,10 +83,13 @@ struct Intersector::State {
   SceneBuffers buffers;
   cl::Kernel closest, anything, describe;
   std::vector<std::int64_t> first_ids;
+  std::vector<ShapeRange> shapes_of_group;  ///< And last the scene's own.
+  std::vector<int> group_of_instance;
   RunStats stats;
 
   explicit State(const Device& d, Precision p) : device(d), precision(p) {}
 
+  [[nodiscard]] const ShapeRange& shapes_beside(const Ray& ray, std::size_t row) const;
   [[nodiscard]] std::int32_t left_id(const Ray& ray, std::size_t row) const;
   void run(cl::Kernel& kernel, const std::vector<cl::Buffer>& arguments, std::size_t count, std::size_t rays_an_item);
   void take_any(const cl::Buffer& found, std::size_t first, std::size_t count, std::vector<Hit>& hits);
@@ -78,14 +98,24 @@ struct Intersector::State {
                    std::vector<double>& run_seconds, std::vector<Hit>& hits);
 };
 
+const ShapeRange& Intersector::State::shapes_beside(const Ray& ray, std::size_t row) const {
+  if (ray.instance == -1) return shapes_of_group.back();
+  const auto instances = static_cast<std::ptrdiff_t>(group_of_instance.size());
+  if (ray.instance < 0 || ray.instance >= instances)
+    throw InputError(
+        fmt::format("ray {}: instance {} does not exist ({})", row, ray.instance,
+                    instances == 0 ? "the scene has none: -1" : fmt::format("0 to {}, or -1", instances - 1)));
+  return shapes_of_group[static_cast<std::size_t>(group_of_instance[static_cast<std::size_t>(ray.instance)])];
+}
+
 std::int32_t Intersector::State::left_id(const Ray& ray, std::size_t row) const {
   if (ray.shape == -1) return -1;
-  const auto shapes = static_cast<std::int64_t>(first_ids.size()) - 1;
-  const auto shape = static_cast<std::size_t>(ray.shape);
-  if (ray.instance != -1)
-    throw InputError(fmt::format("ray {}: instance {} does not exist (the scene has none: -1)", row, ray.instance));
-  if (ray.shape < 0 || ray.shape >= shapes)
-    throw InputError(fmt::format("ray {}: shape {} does not exist (0 to {}, or -1)", row, ray.shape, shapes - 1));
+  const ShapeRange& shapes = shapes_beside(ray, row);
+  const auto shape = shapes.first + static_cast<std::size_t>(ray.shape);
+  if (ray.shape < 0 || static_cast<std::size_t>(ray.shape) >= shapes.count)
+    throw InputError(fmt::format("ray {}: shape {} does not exist{} (0 to {}, or -1)", row, ray.shape,
+                                 ray.instance < 0 ? "" : fmt::format(" in instance {}", ray.instance),
+                                 static_cast<std::ptrdiff_t>(shapes.count) - 1));
   if (ray.primitive < 0 || ray.primitive >= first_ids[shape + 1] - first_ids[shape])
     throw InputError(fmt::format("ray {}: primitive {} of shape {} does not exist", row, ray.primitive, ray.shape));
   return static_cast<std::int32_t>(first_ids[shape]) + ray.primitive;
@@ -111,8 +141,12 @@ void Intersector::State::trace_chunk(const std::vector<Ray>& rays, std::size_t f
                                      std::vector<double>& run_seconds, std::vector<Hit>& hits) {
   const auto lanes = static_cast<std::size_t>(stats.lanes);
   const std::vector<Real> ray_reals = pack_rays<Real>(rays, first, count, lanes);
-  std::vector<std::int32_t> left(blocks_of(count, lanes) * lanes, -1);
-  for (std::size_t i = 0; i < count; ++i) left[i] = left_id(rays[first + i], first + i);
+  std::vector<std::int32_t> left(blocks_of(count, lanes) * lanes * layout::LEFT_INTS, -1);
+  for (std::size_t i = 0; i < count; ++i) {
+    std::int32_t* to = left.data() + i / lanes * lanes * layout::LEFT_INTS + i % lanes;
+    to[layout::LEFT_ID * lanes] = left_id(rays[first + i], first + i);
+    to[layout::LEFT_INSTANCE * lanes] = rays[first + i].instance;
+  }
 
   const Stopwatch upload;
   const cl::Buffer ray_buffer = allocate(device, ray_reals.size() * sizeof(Real), "the rays");
@@ -149,6 +183,7 @@ void Intersector::State::trace_chunk(const std::vector<Ray>& rays, std::size_t f
     hit.v = static_cast<double>(real[layout::HIT_V]);
     hit.normal = {static_cast<double>(real[layout::HIT_NORMAL]), static_cast<double>(real[layout::HIT_NORMAL + 1]),
                   static_cast<double>(real[layout::HIT_NORMAL + 2])};
+    hit.instance = ids[i * layout::HIT_INTS + layout::HIT_INSTANCE];
     hit.shape = ids[i * layout::HIT_INTS + layout::HIT_SHAPE];
     hit.primitive = ids[i * layout::HIT_INTS + layout::HIT_PRIMITIVE];
   }
@@ -189,6 +224,8 @@ Intersector::Intersector(const Device& device, const Scene& scene, const RenderS
   s.buffers = upload_scene(device, scene, features, settings.precision,
                            {width.lanes, Frame{}, width.tree, acceleration_of(settings)});
   s.first_ids = first_ids(scene);
+  s.shapes_of_group = ranges_of(scene);
+  for (const Instance& instance : scene.instances) s.group_of_instance.push_back(instance.group);
   s.stats.seconds.bvh = s.buffers.tree.seconds;
   s.stats.seconds.upload = upload.seconds() - s.stats.seconds.bvh;
   s.stats.device_bytes = s.stats.host_bytes = s.buffers.bytes;

@@ -21,6 +21,8 @@ namespace {
 
 /// Loops over the axes and faces of a box, in one test and where its surface is looked up.
 constexpr double box_test = 24, box_surface = 16;
+/// Of the traversal's loop, in an instance that lists nothing.
+constexpr double enter_and_leave = 4;
 /// Over a polygon's edges, twice, where a ray leaves it (cl/core/departure.h).
 constexpr double departure = 3 + 2 * 5;
 
@@ -30,16 +32,27 @@ double node_test(int lanes) {
   return 2 + (lanes == 1 ? children + 1 : 2) + children * (1 + children / 2);
 }
 
-/// One traversal that meets everything, by lists or in a tree whose nodes have two children each.
-double walk(const Scene& scene, int lanes, Acceleration acceleration) {
+/// Everything that lists or a tree hold together, met.
+double meet(const std::vector<Shape>& shapes, double instances, int lanes, Acceleration acceleration) {
   std::map<std::string, double> primitives;
-  for (const Shape& shape : scene.shapes) primitives[shape_kind(shape)] += primitive_count(shape);
-  double turns = static_cast<double>(list_entries("shapes").size());
+  for (const Shape& shape : shapes) primitives[shape_kind(shape)] += primitive_count(shape);
+  double turns = enter_and_leave * instances;
   for (const auto& [kind, count] : primitives) {
     const double candidates = lanes + 1;
     turns += std::ceil(count / lanes) * (1 + candidates + (kind == "box" ? box_test : 0));
     if (acceleration != Acceleration::list && kind != "plane") turns += count / lanes * node_test(lanes);
   }
+  if (acceleration != Acceleration::list) turns += instances * node_test(lanes);
+  return turns;
+}
+
+/// One traversal that meets everything, by lists or in trees whose nodes have two children each.
+double walk(const Scene& scene, int lanes, Acceleration acceleration) {
+  const auto kinds = static_cast<double>(list_entries("shapes").size());
+  std::vector<double> within;
+  for (const Group& group : scene.groups) within.push_back(2 * kinds + 2 + meet(group.shapes, 0, lanes, acceleration));
+  double turns = kinds + meet(scene.shapes, static_cast<double>(scene.instances.size()), lanes, acceleration);
+  for (const Instance& instance : scene.instances) turns += within.at(static_cast<std::size_t>(instance.group));
   return turns;
 }
 

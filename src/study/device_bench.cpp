@@ -74,7 +74,8 @@ DeviceBench bench_device(const Device& device, const Scene& scene, int side, con
   DeviceBench bench;
   bench.device = device.info().text();
   bench.scene = scene.name;
-  for (const Shape& shape : scene.shapes) bench.primitives += static_cast<std::size_t>(primitive_count(shape));
+  for_each_shape(scene,
+                 [&](const Shape& shape) { bench.primitives += static_cast<std::size_t>(primitive_count(shape)); });
 
   std::vector<Intersector> intersectors;
   for (const Precision tier : tiers) {

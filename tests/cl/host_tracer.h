@@ -28,8 +28,9 @@ template <class Real>
 }
 
 template <class Real>
-[[nodiscard]] Hit trace_on_host(const PackedScene<Real>& scene, int lanes, const Ray& ray, std::int32_t left,
+[[nodiscard]] Hit trace_on_host(const PackedScene<Real>& scene, int lanes, const Ray& ray, std::int32_t left_id,
                                 bool any_hit) {
+  const std::int32_t left[layout::LEFT_INTS] = {left_id, ray.instance};
   const std::array<double, layout::RAY_REALS> values{ray.origin.x,    ray.origin.y,    ray.origin.z, ray.direction.x,
                                                      ray.direction.y, ray.direction.z, ray.t_min,    ray.t_max};
   std::array<Real, layout::RAY_REALS> reals;
@@ -37,32 +38,41 @@ template <class Real>
   std::array<Real, layout::HIT_REALS> out;
   std::array<std::int32_t, layout::HIT_INTS> ids;
   const HostBuffers<Real> buffers{scene.geometry.data(), scene.shading.data(), scene.index.data()};
-  host_intersect(lanes, buffers, reals.data(), &left, 1, any_hit, out.data(), ids.data());
+  host_intersect(lanes, buffers, reals.data(), left, 1, any_hit, out.data(), ids.data());
   const auto real = [&](int i) { return static_cast<double>(out[static_cast<std::size_t>(i)]); };
   Hit hit;
   hit.t = real(layout::HIT_T);
   hit.u = real(layout::HIT_U);
   hit.v = real(layout::HIT_V);
   hit.normal = {real(layout::HIT_NORMAL), real(layout::HIT_NORMAL + 1), real(layout::HIT_NORMAL + 2)};
+  hit.instance = ids[layout::HIT_INSTANCE];
   hit.shape = ids[layout::HIT_SHAPE];
   hit.primitive = ids[layout::HIT_PRIMITIVE];
   return hit;
 }
 
 /// Scene-wide id of the primitive that the ray has left, -1 for none.
-[[nodiscard]] inline std::int32_t left_id(const std::vector<std::int64_t>& first_ids, const Ray& ray) {
+[[nodiscard]] inline std::int32_t left_id(const Scene& scene, const std::vector<std::int64_t>& first_ids,
+                                          const Ray& ray) {
   if (ray.shape < 0) return -1;
-  return static_cast<std::int32_t>(first_ids.at(static_cast<std::size_t>(ray.shape))) + ray.primitive;
+  auto shape = static_cast<std::size_t>(ray.shape);
+  if (ray.instance >= 0) {
+    const int group = scene.instances.at(static_cast<std::size_t>(ray.instance)).group;
+    shape += scene.shapes.size();
+    for (int before = 0; before < group; ++before)
+      shape += scene.groups[static_cast<std::size_t>(before)].shapes.size();
+  }
+  return static_cast<std::int32_t>(first_ids.at(shape)) + ray.primitive;
 }
 
 template <class Real>
 class HostTracer {
  public:
   HostTracer(const Scene& scene, int lanes)
-      : lanes_(lanes), first_ids_(first_ids(scene)), packed_(pack_for_host<Real>(scene, lanes)) {}
+      : scene_(scene), lanes_(lanes), first_ids_(first_ids(scene)), packed_(pack_for_host<Real>(scene, lanes)) {}
 
   [[nodiscard]] Hit trace(const Ray& ray, bool any_hit = false) const {
-    return trace_on_host(packed_, lanes_, ray, left_id(first_ids_, ray), any_hit);
+    return trace_on_host(packed_, lanes_, ray, left_id(scene_, first_ids_, ray), any_hit);
   }
   [[nodiscard]] std::vector<Hit> trace(const std::vector<Ray>& rays, bool any_hit = false) const {
     std::vector<Hit> hits;
@@ -72,6 +82,7 @@ class HostTracer {
   }
 
  private:
+  Scene scene_;
   int lanes_;
   std::vector<std::int64_t> first_ids_;
   PackedScene<Real> packed_;
@@ -82,7 +93,7 @@ template <class Real>
 class PrimitiveTracer {
  public:
   PrimitiveTracer(const Scene& scene, const std::string& kind)
-      : first_ids_(first_ids(scene)), packed_(pack_for_host<Real>(scene, 1, Acceleration::list)) {
+      : scene_(scene), first_ids_(first_ids(scene)), packed_(pack_for_host<Real>(scene, 1, Acceleration::list)) {
     int at = layout::HEADER_INTS, row = -1;
     std::int32_t* index = packed_.index.data();
 #define SHAPE(name, planes)                                                \
@@ -114,10 +125,11 @@ class PrimitiveTracer {
   [[nodiscard]] Hit trace(std::size_t slot, const Ray& ray, bool any_hit = false) {
     packed_.index[row_ + layout::SHAPE_GEOMETRY] = static_cast<std::int32_t>(geometry_ + slot * planes_);
     packed_.index[row_ + layout::SHAPE_IDS] = static_cast<std::int32_t>(pairs_ + 2 * slot);
-    return trace_on_host(packed_, 1, ray, left_id(first_ids_, ray), any_hit);
+    return trace_on_host(packed_, 1, ray, left_id(scene_, first_ids_, ray), any_hit);
   }
 
  private:
+  Scene scene_;
   std::vector<std::int64_t> first_ids_;
   PackedScene<Real> packed_;
   std::size_t planes_ = 0, size_ = 0, row_ = 0, geometry_ = 0, pairs_ = 0;

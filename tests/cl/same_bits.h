@@ -19,7 +19,7 @@ namespace strahl::test {
 [[nodiscard]] inline bool is_same(const Hit& a, const Hit& b, bool with_sign_of_zero) {
   const auto reals = [](const Hit& h) { return std::array{h.t, h.u, h.v, h.normal.x, h.normal.y, h.normal.z}; };
   const auto bits = [&](const Hit& h) { return std::bit_cast<std::array<std::uint64_t, 6>>(reals(h)); };
-  return a.shape == b.shape && a.primitive == b.primitive &&
+  return a.instance == b.instance && a.shape == b.shape && a.primitive == b.primitive &&
          (with_sign_of_zero ? bits(a) == bits(b) : reals(a) == reals(b));
 }
 
@@ -59,6 +59,7 @@ Traced trace_on_host(SceneMaker& maker, std::size_t count) {
     if (first[i].shape >= 0) {
       ++hits;
       ray.origin = traced.rays[i].origin + first[i].t * traced.rays[i].direction;
+      ray.instance = first[i].instance;
       ray.shape = first[i].shape;
       ray.primitive = first[i].primitive;
       if (i % 2) ray.direction = traced.rays[i].direction;

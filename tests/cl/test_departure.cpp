@@ -8,6 +8,8 @@
 #include <cstring>
 #include <random>
 
+#include "cl/host_features.h"
+
 #define REAL_BITS 32
 namespace f32 {
 #include "core/departure.h"
@@ -30,6 +32,12 @@ Wide cross(const Wide& a, const Wide& b) {
 double length(const Wide& a) { return std::sqrt(dot(a, a)); }
 double largest(const Wide& a) { return std::max({std::fabs(a.x), std::fabs(a.y), std::fabs(a.z)}); }
 double ulp(double x) { return std::ldexp(1.0, std::ilogb(x) - 23); }
+
+f32::Surface in_no_instance() {
+  f32::Surface s{};
+  s.instance = -1;
+  return s;
+}
 
 /// The ray that leaves s towards d.
 f32::Ray leaving(const f32::Surface& s, int id, real3 d) {
@@ -58,7 +66,7 @@ class Random {
 struct Polygon {
   std::array<float, 12> prim;
   int corners;
-  f32::Surface s;
+  f32::Surface s = in_no_instance();
 
   [[nodiscard]] Wide corner(int i) const {
     const auto at = static_cast<std::size_t>(3 * (i % corners));
@@ -89,7 +97,7 @@ void draw(Polygon& polygon, Random& random, int corners) {
   const real3 b = f32::corner_load(polygon.prim.data(), 1, 1);
   const real3 c = f32::corner_load(polygon.prim.data(), 1, corners - 1);
   const real3 e1 = f32::sub3(b, a), e2 = f32::sub3(c, a);
-  polygon.s = {};
+  polygon.s = in_no_instance();
   polygon.s.position = f32::add3(f32::fma3(v, e1, f32::scale3(w, e2)), a);
   polygon.s.normal = f32::normalize3(f32::cross3(e1, e2));
   if (random.unit() < 0.5) polygon.s.normal = f32::negate3(polygon.s.normal);
@@ -149,7 +157,7 @@ TEST_CASE("boxes: the face's coordinate stays, the others lie strictly between t
     const real3 lo = random.vector(size * std::ldexp(1.0F, static_cast<int>(random.unit() * 12)));
     const real3 hi = f32::add3(lo, f32::abs3(random.vector(size)));
     const std::array<float, 6> prim{lo.x, hi.x, lo.y, hi.y, lo.z, hi.z};
-    f32::Surface s{};
+    f32::Surface s = in_no_instance();
     s.outline = f32::OUTLINE_BOX;
     s.prim = prim.data();
     s.stride = 1;
@@ -168,7 +176,7 @@ TEST_CASE("boxes: the face's coordinate stays, the others lie strictly between t
 }
 
 TEST_CASE("where no neighbour touches, rays begin at the point found") {
-  f32::Surface s{};
+  f32::Surface s = in_no_instance();
   s.position = f32::vec3(1.1F, -2.3F, 1e7F);
   const real3 o = leaving(s, 3, f32::vec3(0, 0, 1)).o;
   CHECK(o.x == s.position.x);

@@ -83,11 +83,11 @@ std::vector<Hit> trace_on_host(Scene scene, const std::vector<Ray>& rays, int la
   std::vector<Hit> hits;
   for (const Ray& ray : rays) {
     const auto reals = reals_of({ray.origin, ray.direction, ray.t_min, ray.t_max});
-    const std::int32_t left =
-        ray.shape < 0 ? -1 : static_cast<std::int32_t>(ids.at(static_cast<std::size_t>(ray.shape)));
+    const std::int32_t left[layout::LEFT_INTS] = {
+        ray.shape < 0 ? -1 : static_cast<std::int32_t>(ids.at(static_cast<std::size_t>(ray.shape))), -1};
     std::array<float, layout::HIT_REALS> out;
     std::array<std::int32_t, layout::HIT_INTS> found;
-    robust_intersect(lanes, packed.geometry.data(), packed.shading.data(), packed.index.data(), reals.data(), &left, 1,
+    robust_intersect(lanes, packed.geometry.data(), packed.shading.data(), packed.index.data(), reals.data(), left, 1,
                      out.data(), found.data());
     Hit hit;
     hit.t = out[layout::HIT_T];

@@ -3,6 +3,7 @@
 #define LANES 1
 #include "lanes/lane_ops.h"
 // Lanes come first: they define what the bodies are written in.
+#define HAS_INSTANCES 0
 #include "accel/traverse.h"
 #undef LANES
 
