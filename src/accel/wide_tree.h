@@ -27,9 +27,9 @@ struct WideTree {
   [[nodiscard]] std::size_t nodes() const { return children.size() / static_cast<std::size_t>(width); }
 };
 
-/// Which of a node's descendants are opened first to become its children, as long as there is room.
-enum class Opening { largest_surface, most_primitives };
+/// What is looked for among all wide trees that keep the leaves: the fastest, or the one that needs the least stack.
+enum class Aim { least_surface, least_depth };
 
-[[nodiscard]] WideTree collapse(const BinaryTree& tree, int width, Opening opening = Opening::largest_surface);
+[[nodiscard]] WideTree collapse(const BinaryTree& tree, int width, Aim aim = Aim::least_surface);
 
 }  // namespace strahl::accel

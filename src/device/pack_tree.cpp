@@ -153,14 +153,12 @@ class TreePacking {
     const std::vector<accel::Primitive> all = primitives(reach, bounded);
     accel::BinaryTree binary;
     accel::WideTree wide;
-    // Ever more balanced until the stack suffices: halves by number are never deeper than a few levels a width.
-    constexpr auto surface = accel::Opening::largest_surface, number = accel::Opening::most_primitives;
-    const std::pair<int, accel::Opening> attempts[] = {
-        {options.balanced_below, surface}, {24, surface}, {12, surface}, {0, surface}, {0, number}};
-    for (const auto& [balanced_below, opening] : attempts) {
+    // Ever less deep until the stack suffices: halves by number are never deeper than a few levels a width.
+    for (const int balanced_below : {options.balanced_below, 24, 12, 0}) {
       options.balanced_below = balanced_below;
       binary = accel::build_binary_tree(all, options);
-      wide = accel::collapse(binary, width_, opening);
+      wide = accel::collapse(binary, width_);
+      if (wide.stack_need >= options_.stack) wide = accel::collapse(binary, width_, accel::Aim::least_depth);
       if (wide.stack_need < options_.stack) break;
     }
     if (wide.stack_need >= options_.stack) throw std::logic_error("a balanced tree is too deep for its stack");
