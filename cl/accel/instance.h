@@ -135,6 +135,9 @@ FN void leave_instance(Place* place, const Ray* ray, Nearest* best) {
   if (found.kind >= 0 && (t < best->t || (t == best->t && is_before))) {
     *best = found;
     best->t = t;
+#if TIER_ROBUST
+    best->t_least = t;
+#endif
     best->instance = place->instance;
   }
   place->instance = -1;

@@ -88,7 +88,7 @@ FN int LANED(nearest_child)(PRIVATE int* waiting, PRIVATE real* waiting_t, PRIVA
 }
 
 /// The blocks of a leaf, or all that its kind lists in that place.
-FN void LANED(meet_leaf)(const Scene* scene, const Ray* ray, const Place* place, int reference, int stop_at_first,
+FN void LANED(meet_leaf)(const Scene* scene, const Ray* ray, const Place* place, int reference, int want,
                          Nearest* best) {
   uint leaf = (uint)~reference;
   int kind = (int)(leaf & (REFERENCE_MOST_KINDS - 1)), first = (int)(leaf >> REFERENCE_BLOCK);
@@ -103,7 +103,10 @@ FN void LANED(meet_leaf)(const Scene* scene, const Ray* ray, const Place* place,
   GLOBAL const real* geometry = scene->geometry + row[SHAPE_GEOMETRY];
   (void)ray;  // A scene without shapes.
   (void)geometry;
-  for (int b = first; b < first + count && !(stop_at_first && best->kind >= 0); ++b, ids += LANES) {
+#if TIER_ROBUST
+  if (best->kind != kind) nearest_settle(ray, best, LANES);
+#endif
+  for (int b = first; b < first + count && !(want == FIND_ANY && best->kind >= 0); ++b, ids += LANES) {
 #define SHAPE(name, planes)                                            \
   if (SHAPE_COUNT == 1 || kind == SHAPE_##name) {                      \
     GLOBAL const real* block = geometry + (ulong)b * ((planes)*LANES); \
@@ -115,8 +118,8 @@ FN void LANED(meet_leaf)(const Scene* scene, const Ray* ray, const Place* place,
 }
 
 /// From a reference on, NO_REFERENCE: through everything; `best` is the nearest hit so far. world: widened by ray_widen
-/// or widen_rays. stop_at_first: any hit will do.
-FN Nearest LANED(walk)(const Scene* scene, const Ray* world, int start, Nearest best, int stop_at_first) {
+/// or widen_rays. want: FIND_...; t may come out roughly.
+FN Nearest LANED(walk)(const Scene* scene, const Ray* world, int start, Nearest best, int want) {
   if (SHAPE_COUNT == 0) return best;
   Ray ray = ray_of_world(world);
   Place place;
@@ -163,6 +166,9 @@ FN Nearest LANED(walk)(const Scene* scene, const Ray* world, int start, Nearest 
         waiting[top] = next;
         waiting_t[top++] = ray.t_min;
       }
+#if TIER_ROBUST
+      nearest_settle(&ray, &best, LANES);
+#endif
       if (enter_instance(scene, world, reference, top, &place, &ray, &best)) {
         if (place.group[GROUP_ROOT] != NO_REFERENCE) {
           waiting[top] = place.group[GROUP_ROOT];
@@ -177,11 +183,14 @@ FN Nearest LANED(walk)(const Scene* scene, const Ray* world, int start, Nearest 
 #undef SHAPE
       }
     } else if (reference < 0) {
-      LANED(meet_leaf)(scene, &ray, &place, reference, stop_at_first, &best);
-      if (stop_at_first && best.kind >= 0) break;
+      LANED(meet_leaf)(scene, &ray, &place, reference, want, &best);
+      if (want == FIND_ANY && best.kind >= 0) break;
     }
     do {
       if (is_within(&place) && top == place.floor) {
+#if TIER_ROBUST
+        nearest_settle(&ray, &best, LANES);
+#endif
         leave_instance(&place, &ray, &best);
         ray = ray_of_world(world);
       }
@@ -193,8 +202,12 @@ FN Nearest LANED(walk)(const Scene* scene, const Ray* world, int start, Nearest 
   return best;
 }
 
-FN Nearest LANED(traverse)(const Scene* scene, const Ray* ray, int stop_at_first) {
-  return LANED(walk)(scene, ray, NO_REFERENCE, nearest_none(ray->t_max), stop_at_first);
+FN Nearest LANED(traverse)(const Scene* scene, const Ray* ray, int want) {
+  Nearest best = LANED(walk)(scene, ray, NO_REFERENCE, nearest_none(ray->t_max), want);
+#if TIER_ROBUST
+  if (want == FIND_NEAREST) nearest_settle(ray, &best, LANES);
+#endif
+  return best;
 }
 
 FN Ray LANED(widened)(const Scene* scene, const Ray* given) {
@@ -203,15 +216,16 @@ FN Ray LANED(widened)(const Scene* scene, const Ray* given) {
   return ray;
 }
 
-FN Nearest LANED(closest_hit)(const Scene* scene, const Ray* given) {
+/// want: FIND_NEAREST or FIND_NEAREST_ROUGHLY.
+FN Nearest LANED(closest_hit)(const Scene* scene, const Ray* given, int want) {
   Ray ray = LANED(widened)(scene, given);
-  return LANED(traverse)(scene, &ray, 0);
+  return LANED(traverse)(scene, &ray, want);
 }
 
 /// Is anything hit within [t_min, t_max]?
 FN int LANED(any_hit)(const Scene* scene, const Ray* given) {
   Ray ray = LANED(widened)(scene, given);
-  return LANED(traverse)(scene, &ray, 1).kind >= 0;
+  return LANED(traverse)(scene, &ray, FIND_ANY).kind >= 0;
 }
 
 #undef STACK_ENTRIES

@@ -26,3 +26,8 @@ FN maskw LANED(in_range)(realw t, const Ray* ray, const Nearest* best) {
 FN maskw LANED(is_left)(GLOBAL const int* ids, const Ray* ray) {
   return ~nonzero_w(load_int_w(ids) - splat_int_w(ray->left));
 }
+
+/// Of flat primitives: lanes that hold what the ray has just left or ends on.
+FN maskw LANED(is_end)(GLOBAL const int* ids, const Ray* ray) {
+  return ~(nonzero_w(load_int_w(ids) - splat_int_w(ray->left)) & nonzero_w(load_int_w(ids) - splat_int_w(ray->aim)));
+}

@@ -8,12 +8,22 @@
 #include "core/ray.h"
 #include "portable.h"
 
+/// What is looked for. ROUGHLY: t of a polygon may come out a little too large.
+enum { FIND_NEAREST, FIND_ANY, FIND_NEAREST_ROUGHLY };
+
 typedef struct {
   real t;
   int id;        ///< Scene-wide: ordered by shape, then primitive.
   int kind;      ///< SHAPE_sphere, ...; -1: nothing hit yet.
   int slot;      ///< block * LANES + lane in the kind's list.
   int instance;  ///< That it was found in; -1: none.
+#if TIER_ROBUST
+  int corners;              ///< 0: t is exact. 3, 4: it waits to be found out (shapes/polygon_take.h), until when it is
+                            ///< not below, and t_least not above,
+  real t_least;             ///< what it will be.
+  real rough;               ///< What is known of it then,
+  GLOBAL const real* prim;  ///< and where to look.
+#endif
 } Nearest;
 
 FN Nearest nearest_none(real t_max) {
@@ -23,6 +33,12 @@ FN Nearest nearest_none(real t_max) {
   n.kind = -1;
   n.slot = -1;
   n.instance = -1;
+#if TIER_ROBUST
+  n.t_least = t_max;
+  n.rough = t_max;
+  n.prim = 0;
+  n.corners = 0;
+#endif
   return n;
 }
 
@@ -35,6 +51,10 @@ FN void nearest_take(Nearest* best, real t, int id, int kind, int slot) {
     best->kind = kind;
     best->slot = slot;
     if (HAS_INSTANCES) best->instance = -1;
+#if TIER_ROBUST
+    best->corners = 0;
+    best->t_least = t;
+#endif
   }
 }
 

@@ -16,6 +16,7 @@ FN LightSample sky_sample(const Scene* scene, const Path* path, const Surface* s
   real3 z = dot3(wo, s->shading) < R(0.0) ? negate3(s->shading) : s->shading, x, y;
   frame_around(z, &x, &y);
   LightSample sky;
+  sky.aim = -1;
   sky.towards = from_frame(x, y, z, square_to_cosine_hemisphere(random_between(numbers.x), random_between(numbers.y)));
   sky.t_max = scene->shading[scene->index[HEADER_REACH]];
   sky.irradiance = vec3(R(1.0), R(1.0), R(1.0));

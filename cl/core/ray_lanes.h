@@ -98,6 +98,7 @@ FN Ray LANED(prepared_ray)(PRIVATE const realw* from, int lane, int left) {
   ray.t_from_scaled = planes[RAY_PLANE_T_FROM_SCALED * LANES];
   ray.left = TIER_FAST ? -1 : left;
   ray.left_instance = -1;
+  ray.aim = -1;
   ray.is_outward = 0;
   ray.inv =
       vec3(planes[RAY_PLANE_INV * LANES], planes[(RAY_PLANE_INV + 1) * LANES], planes[(RAY_PLANE_INV + 2) * LANES]);

@@ -28,7 +28,7 @@ FN void LANED(find_rays)(const Scene* scene, GLOBAL const real* in, GLOBAL const
   for (int i = 0; i < count; ++i) {
     Ray ray = LANED(prepared_ray)(planes, i, left[LEFT_ID * LANES + i]);
     if (HAS_INSTANCES) ray.left_instance = left[LEFT_INSTANCE * LANES + i];
-    Nearest hit = LANED(traverse)(scene, &ray, stop_at_first);
+    Nearest hit = LANED(traverse)(scene, &ray, stop_at_first ? FIND_ANY : FIND_NEAREST);
     if (stop_at_first) {
       found[i] = hit.kind >= 0;
     } else {

@@ -101,6 +101,7 @@ FN void LANED(add_lights)(const Scene* scene, Path* path, const Surface* s, cons
     }
     if (!(max3(reflected) > R(0.0))) continue;
     Ray shadow = ray_leaving(s, departure, id, light.towards, light.t_max);
+    shadow.aim = light.aim;
     if (HAS_COUNT_RAYS) count_event(scene, COUNT_SHADOW);
     if (!LANED(any_hit)(scene, &shadow)) path_add(path, reflected);
   }

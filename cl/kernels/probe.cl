@@ -21,6 +21,9 @@ KERNEL LANE_HINT void probe(GLOBAL const real* blocks, GLOBAL const int* block_i
 #include "shapes/shapes.def"
 #undef SHAPE
   }
+#if TIER_ROBUST
+  nearest_settle(&ray, &best, LANES);
+#endif
   real infinite = bits_to_real((bitsr)REAL_EXPONENT_MASK << REAL_EXPONENT_SHIFT);
   t[i] = best.kind < 0 ? infinite : ray_given_t(&ray, best.t, in[RAY_T_MIN], in[RAY_T_MAX]);
   primitive[i] = best.kind < 0 ? -1 : best.id;

@@ -75,7 +75,11 @@ KERNEL LANE_HINT void render(GLOBAL const real* geometry, GLOBAL const real* sha
       Path path = path_begin(camera_ray(shading + index[HEADER_CAMERA], width, height, x, y, dx, dy), state);
       int more, is_first = 1;
       do {
-        Nearest nearest = LANED(closest_hit)(&scene, &path.ray);
+        // Only who reports t or goes on behind a hit has need of its last digits.
+        int is_exact = 0;
+        if (HAS_AOV && sample == 0) is_exact = is_first;
+        if (HAS_EMISSION && index[HEADER_HIDE_EMITTERS] != 0) is_exact = is_first;
+        Nearest nearest = LANED(closest_hit)(&scene, &path.ray, is_exact ? FIND_NEAREST : FIND_NEAREST_ROUGHLY);
         int hit = nearest.kind >= 0;
         Surface surface;
         if (hit) surface = surface_at(&scene, &path.ray, &nearest, LANES);

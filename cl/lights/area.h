@@ -25,11 +25,9 @@ FN int area_item(const Scene* scene, GLOBAL const int* row, uint bits, real* u) 
   return is_kept ? (int)item : choice[CHOICE_OTHER];
 }
 
-FN AreaPoint area_point(const Scene* scene, GLOBAL const int* row, real3 from, Random2 numbers) {
+FN AreaPoint area_point(const Scene* scene, GLOBAL const int* row, real3 from, int item, real u, real v) {
   GLOBAL const real* params = scene->shading + row[LIGHT_REALS];
   AreaPoint none;
-  real u, v = random_between(numbers.y);
-  int item = area_item(scene, row, numbers.x, &u);
   switch (row[LIGHT_AREA]) {
 #define AREA(name, reals) \
   case AREA_##name:       \
@@ -55,7 +53,9 @@ FN real area_rounding(real3 position, real3 from) {
 }
 
 FN LightSample area_sample(const Scene* scene, GLOBAL const int* row, real3 from, Random2 numbers) {
-  AreaPoint p = area_point(scene, row, from, numbers);
+  real u;
+  int item = area_item(scene, row, numbers.x, &u);
+  AreaPoint p = area_point(scene, row, from, item, u, random_between(numbers.y));
   real bound = area_rounding(p.position, from);
   LightSample s;
   s.towards = sub3(p.position, from);
@@ -67,6 +67,7 @@ FN LightSample area_sample(const Scene* scene, GLOBAL const int* row, real3 from
   s.t_max = R(1.0);
 #endif
   s.density = p.density;
+  s.aim = row[LIGHT_FIRST_ID] < 0 ? -1 : row[LIGHT_FIRST_ID] + item;
   real zero = R(0.0);
   s.irradiance = vec3(zero, zero, zero);
   if (is_lit) s.irradiance = scale3(R(1.0) / p.density, load3(scene->shading + row[LIGHT_REALS] + AREA_RADIANCE));

@@ -12,6 +12,7 @@
 FN LightSample constant_sample(const Scene* scene, GLOBAL const int* row, real3 from, Random2 numbers) {
   (void)from;
   LightSample s;
+  s.aim = -1;
   s.towards = square_to_sphere(random_between(numbers.x), random_between(numbers.y));
   s.t_max = REAL_MAX;
   s.density = R(0.25) * ONE_OVER_PI;

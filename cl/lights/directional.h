@@ -12,6 +12,7 @@ FN LightSample directional_sample(const Scene* scene, GLOBAL const int* row, rea
   (void)from;
   (void)numbers;
   LightSample s;
+  s.aim = -1;
   s.towards = negate3(load3(params));
   s.t_max = REAL_MAX;
   s.irradiance = load3(params + 3);

@@ -25,6 +25,7 @@ FN LightSample light_sample(const Scene* scene, int light, real3 from, Random2 n
     default:
       (void)numbers;
       none.towards = from;
+      none.aim = -1;
       none.t_max = none.density = R(0.0);
       none.irradiance = vec3(R(0.0), R(0.0), R(0.0));
       return none;

@@ -11,6 +11,7 @@ FN LightSample point_sample(const Scene* scene, GLOBAL const int* row, real3 fro
   GLOBAL const real* params = scene->shading + row[LIGHT_REALS];
   (void)numbers;
   LightSample s;
+  s.aim = -1;
   s.towards = sub3(load3(params), from);
   s.t_max = R(1.0);
   real distance = length3(s.towards);

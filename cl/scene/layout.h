@@ -92,8 +92,9 @@ enum {
 // MATERIAL_TEXTURE: row of the texture table that the reflectance comes from; -1: it is the first 3 of its reals.
 enum { MATERIAL_KIND, MATERIAL_REALS, MATERIAL_TEXTURE, MATERIAL_TWOSIDED, MATERIAL_INTS };
 enum { TEXTURE_KIND, TEXTURE_REALS, TEXTURE_INTS };
-// LIGHT_AREA to LIGHT_CHOICE are an area light's: AREA_sphere, ...; number of items; -> index, CHOICE_INTS an item.
-enum { LIGHT_KIND, LIGHT_REALS, LIGHT_AREA, LIGHT_ITEMS, LIGHT_CHOICE, LIGHT_INTS };
+// LIGHT_AREA to LIGHT_FIRST_ID are an area light's: AREA_sphere, ...; number of items; -> index, CHOICE_INTS an item;
+// scene-wide id of item 0 where the items are flat primitives in order, else -1.
+enum { LIGHT_KIND, LIGHT_REALS, LIGHT_AREA, LIGHT_ITEMS, LIGHT_CHOICE, LIGHT_FIRST_ID, LIGHT_INTS };
 // An item is kept where a number of 32 bits is below the limit, else the other one is taken (A. Walker, "An Efficient
 // Method for Generating Discrete Random Variables with General Distributions", ACM TOMS 3(3), 1977).
 enum { CHOICE_LIMIT, CHOICE_OTHER, CHOICE_INTS };

@@ -4,4 +4,5 @@
 #include "accel/slabs_lanes.h"
 #include "shapes/quadratic_lanes.h"
 #include "shapes/polygon_exact.h"
+#include "shapes/polygon_take.h"
 #include "shapes/sphere_exact.h"

@@ -16,7 +16,7 @@ FN void LANED(parallelogram_block)(const Ray* ray, GLOBAL const real* block, GLO
   realw bd = LANED(edge_function)(b, d), sum = ab + da + bd;
   maskw none = eq_w(sum, splat_w(R(0.0)));  // Without area, as padding is.
   maskw hit = ~(LANED(signs_differ)(ab, bc, cd) | LANED(signs_differ)(bc, cd, da) | none);
-  if (ray->left >= 0) hit = hit & ~LANED(is_left)(ids, ray);
+  if (ray->left >= 0) hit = hit & ~LANED(is_end)(ids, ray);
   if (!any_w(hit)) return;
 
   realw z_min = min_w(d.z, min_w(c.z, min_w(b.z, a.z))), z_max = max_w(d.z, max_w(c.z, max_w(b.z, a.z)));
@@ -30,8 +30,8 @@ FN void LANED(parallelogram_block)(const Ray* ray, GLOBAL const real* block, GLO
   polygon.of_c = ab;
   polygon.z_min = z_min;
   polygon.z_max = z_max;
-  real rough[LANES];
-  hit = hit & LANED(in_range_roughly)(ray, best, &polygon, rough);
+  LANED(RoughT) t;
+  hit = hit & LANED(in_range_roughly)(ray, best, &polygon, &t);
   if (!any_w(hit)) return;
 #else
   realw t = fma_w(ab, d.z, fma_w(da, b.z, bd * a.z)) / sum * splat_w(ray->shear_z);
@@ -54,9 +54,13 @@ FN void LANED(parallelogram_block)(const Ray* ray, GLOBAL const real* block, GLO
   while (candidates != 0u) {
     int lane = first_bit(candidates);
     candidates &= candidates - 1u;
-    GLOBAL const real* prim = block + lane;
-    real t = polygon_t(ray, rough[lane], prim, prim + 3 * LANES, prim + 9 * LANES, prim + 6 * LANES, LANES);
-    if (ray->t_min <= t) nearest_take(best, t, ids[lane], SHAPE_parallelogram, slot + lane);
+    PolygonT at;
+    at.rough = t.rough[lane];
+    at.least = t.least[lane];
+    at.most = t.most[lane];
+    at.prim = block + lane;
+    at.corners = 4;
+    polygon_take(ray, best, &at, LANES, ids[lane], SHAPE_parallelogram, slot + lane);
   }
 #else
   LANED(take_nearest)(hit, t, ids, -1, SHAPE_parallelogram, slot, best);

@@ -77,9 +77,9 @@ FN real polygon_t(const Ray* ray, real rough, GLOBAL const real* a, GLOBAL const
 
 /// The same of a triangle, to 4 ulp and mostly to 1/2: from how far o + rough d is off the plane, where the triangle is
 /// so small beside its distance that the roundings of e, f, n and that point, some u of |e| + |f| over |n^.d|, do not
-/// matter.
-FN real triangle_t(const Ray* ray, real rough, GLOBAL const real* a, GLOBAL const real* b, GLOBAL const real* c,
-                   int stride) {
+/// matter. 0: it is not.
+FN int triangle_t(const Ray* ray, real rough, GLOBAL const real* a, GLOBAL const real* b, GLOBAL const real* c,
+                  int stride, PRIVATE real* found) {
   real3 pa = vec3(a[0], a[stride], a[2 * stride]), pb = vec3(b[0], b[stride], b[2 * stride]);
   real3 pc = vec3(c[0], c[stride], c[2 * stride]), e = sub3(pb, pa), f = sub3(pc, pa), n = cross3(e, f);
   dw3_w g = exact_difference(pa, ray->o);
@@ -87,6 +87,6 @@ FN real triangle_t(const Ray* ray, real rough, GLOBAL const real* a, GLOBAL cons
   real z = fma_w(-rough, ray->d.z, g.z.hi) + g.z.lo;
   real n_d = fma_w(n.z, ray->d.z, fma_w(n.y, ray->d.y, n.x * ray->d.x));
   real t = fma_w(fma_w(n.z, z, fma_w(n.y, y, n.x * x)), R(1.0) / n_d, rough);
-  if (R(4.0) * (size1(e) + size1(f)) * size1(n) <= real_abs(t * n_d)) return t;
-  return polygon_t(ray, rough, a, b, c, c, stride);
+  *found = t;
+  return R(4.0) * (size1(e) + size1(f)) * size1(n) <= real_abs(t * n_d);
 }

@@ -12,15 +12,29 @@ typedef struct {
 /// How far a sheared vertex lies from the ray, sideways.
 FN realw LANED(aside_of)(LANED(ShearedVertex) v) { return abs_w(v.x) + abs_w(v.y); }
 
-/// Lanes whose t may lie within [t_min, best so far], and t roughly: the weighted mean of z, with 2^-20 of it to spare
-/// and, for each vertex off by some u of its distance, what that turns the weights by. NaN passes.
-FN maskw LANED(in_range_roughly)(const Ray* ray, const Nearest* best, const LANED(Polygon) * p, PRIVATE real* rough) {
-  realw scale = splat_w(ray->shear_z) / (p->of_a + p->of_b + p->of_c);
-  realw t = fma_w(p->of_c, p->at_c.z, fma_w(p->of_b, p->at_b.z, p->of_a * p->at_a.z)) * scale;
+/// t of each lane: roughly, and where it certainly lies.
+typedef struct {
+  real rough[LANES], least[LANES], most[LANES];
+} LANED(RoughT);
+
+/// Lanes whose t may lie within [t_min, best so far]. Roughly it is the weighted mean of z, with 2^-20 of it to spare
+/// and, for each vertex off by some u of its distance, what that turns the weights by. It is always within the
+/// polygon's range along the ray's largest axis (polygon_t), and where the ray grazes it or it is all but a line that
+/// is no more than a guess.
+FN maskw LANED(in_range_roughly)(const Ray* ray, const Nearest* best, const LANED(Polygon) * p,
+                                 PRIVATE LANED(RoughT) * t) {
+  realw shear = splat_w(ray->shear_z), scale = shear / (p->of_a + p->of_b + p->of_c);
+  realw rough = fma_w(p->of_c, p->at_c.z, fma_w(p->of_b, p->at_b.z, p->of_a * p->at_a.z)) * scale;
   realw z = max_w(abs_w(p->z_min), abs_w(p->z_max));
   realw l = max_w(LANED(aside_of)(p->at_c), max_w(LANED(aside_of)(p->at_b), LANED(aside_of)(p->at_a)));
-  realw turned = (l + z) * l * (p->z_max - p->z_min) * abs_w(scale);
-  realw spare = fma_w(splat_w(R(0x1p-17)), turned, splat_w(R(0x1p-20)) * z);
-  store_w(t, rough);
-  return ~(lt_w(splat_w(best->t), t - spare) | lt_w(t + spare, splat_w(ray->t_min)));
+  realw turned = l * (p->z_max - p->z_min) * abs_w(scale);
+  realw spare = fma_w(splat_w(R(0x1p-17)) * (l + z), turned, splat_w(R(0x1p-20)) * z);
+  realw one = p->z_min * shear, other = p->z_max * shear, first = min_w(one, other), last = max_w(one, other);
+  maskw is_clear = lt_w(turned, splat_w(R(256.0)));
+  realw least = sel_w(is_clear, max_w(rough - spare, first), first);
+  realw most = sel_w(is_clear, min_w(rough + spare, last), splat_w(REAL_MAX));
+  store_w(rough, t->rough);
+  store_w(least, t->least);
+  store_w(most, t->most);
+  return ~(lt_w(splat_w(best->t), least) | lt_w(most, splat_w(ray->t_min)));
 }

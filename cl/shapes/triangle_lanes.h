@@ -14,7 +14,7 @@ FN void LANED(triangle_block)(const Ray* ray, GLOBAL const real* block, GLOBAL c
   realw ea = LANED(edge_function)(b, c), eb = LANED(edge_function)(c, a), ec = LANED(edge_function)(a, b);
   realw sum = ea + eb + ec;
   maskw hit = ~(LANED(signs_differ)(ea, eb, ec) | eq_w(sum, splat_w(R(0.0))));
-  if (ray->left >= 0) hit = hit & ~LANED(is_left)(ids, ray);
+  if (ray->left >= 0) hit = hit & ~LANED(is_end)(ids, ray);
   if (!any_w(hit)) return;
 
   realw z_min = min_w(c.z, min_w(b.z, a.z)), z_max = max_w(c.z, max_w(b.z, a.z));
@@ -28,8 +28,8 @@ FN void LANED(triangle_block)(const Ray* ray, GLOBAL const real* block, GLOBAL c
   polygon.of_c = ec;
   polygon.z_min = z_min;
   polygon.z_max = z_max;
-  real rough[LANES];
-  hit = hit & LANED(in_range_roughly)(ray, best, &polygon, rough);
+  LANED(RoughT) t;
+  hit = hit & LANED(in_range_roughly)(ray, best, &polygon, &t);
   if (!any_w(hit)) return;
 #else
   realw t = fma_w(ec, c.z, fma_w(eb, b.z, ea * a.z)) / sum * splat_w(ray->shear_z);
@@ -50,9 +50,13 @@ FN void LANED(triangle_block)(const Ray* ray, GLOBAL const real* block, GLOBAL c
   while (candidates != 0u) {
     int lane = first_bit(candidates);
     candidates &= candidates - 1u;
-    GLOBAL const real* prim = block + lane;
-    real t = triangle_t(ray, rough[lane], prim, prim + 3 * LANES, prim + 6 * LANES, LANES);
-    if (ray->t_min <= t) nearest_take(best, t, ids[lane], SHAPE_triangle, slot + lane);
+    PolygonT at;
+    at.rough = t.rough[lane];
+    at.least = t.least[lane];
+    at.most = t.most[lane];
+    at.prim = block + lane;
+    at.corners = 3;
+    polygon_take(ray, best, &at, LANES, ids[lane], SHAPE_triangle, slot + lane);
   }
 #else
   LANED(take_nearest)(hit, t, ids, -1, SHAPE_triangle, slot, best);

@@ -141,7 +141,7 @@ class Packing {
       reals = {radiance.r, radiance.g, radiance.b};
       glow(radiance);
     }
-    rows.insert(rows.end(), {kind, put_shading(reals), 0, 0, 0});
+    rows.insert(rows.end(), {kind, put_shading(reals), 0, 0, 0, -1});
     return true;
   }
 
@@ -155,11 +155,18 @@ class Packing {
     return {{shape.material, shape.radiance}};
   }
 
+  /// Are the items of its area (pack_areas.h) flat primitives, and all of its own in order?
+  static bool is_of_primitives(const Shape& shape) {
+    const auto* mesh = std::get_if<Mesh>(&shape.geometry);
+    return (mesh && mesh->parts.empty()) || std::holds_alternative<Triangle>(shape.geometry) ||
+           std::holds_alternative<Rectangle>(shape.geometry) || std::holds_alternative<Cube>(shape.geometry);
+  }
+
   /// One for each part that emits and has an area that can be drawn from; light_of_part_ for each part of the scene.
   void area_lights(std::vector<std::int32_t>& rows) {
     const int kind = features_.has("lights", "area") ? features_.entry_index("lights", "area") : -1;
-    for (const Shape* const shape_at : shapes_) {
-      const Shape& shape = *shape_at;
+    for (std::size_t i = 0; i < shapes_.size(); ++i) {
+      const Shape& shape = *shapes_[i];
       const std::vector<MeshPart> looks = looks_of(shape);
       for (std::size_t part = 0; part < looks.size(); ++part) {
         light_of_part_.push_back(-1);
@@ -179,7 +186,7 @@ class Packing {
           packed_.index.push_back(choice.other);
         }
         rows.insert(rows.end(), {kind, put_shading(reals), features_.entry_index("areas", area_kind(shape.geometry)),
-                                 items, choice_at});
+                                 items, choice_at, is_of_primitives(shape) ? first_ids_[i] : -1});
       }
     }
   }

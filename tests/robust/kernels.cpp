@@ -51,6 +51,7 @@ float robust_t(std::string_view kind, std::span<const float> planes, std::span<c
   if (kind == #name) name##_block_1(&prepared, planes.data(), &id, 0, &best);
 #include "shapes/shapes.def"
 #undef SHAPE
+  nearest_settle(&prepared, &best, 1);
   return best.kind < 0 ? std::numeric_limits<float>::infinity()
                        : ray_given_t(&prepared, best.t, ray[RAY_T_MIN], ray[RAY_T_MAX]);
 }

@@ -20,6 +20,9 @@ inline strahl::test::Nearest nearest_of(std::string_view kind, std::span<const d
     }
 #include "shapes/shapes.def"
 #undef SHAPE
+#if TIER_ROBUST
+  nearest_settle(&ray, &best, 1);
+#endif
   if (best.kind < 0) return {INFINITY, -1};
   return {ray_given_t(&ray, best.t, r[RAY_T_MIN], r[RAY_T_MAX]), best.id};
 }
