@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "scene/validate_geometry.h"
 #include "scene/xml_transform.h"
@@ -19,18 +20,21 @@ constexpr int largest_size = 65536;
 class Checker {
  public:
   explicit Checker(std::vector<Diagnostic>& found) : found_(found) {}
-  void at(const SourceLocation& where) { where_ = where; }
-  void require(bool holds, const std::string& message) {
-    if (!holds) found_.push_back({Severity::error, where_, message});
+  /// What is checked from here on; it must stay where it is.
+  void at(const SourceLocation& where) { where_ = &where; }
+  /// The message is only made where it is needed: there may be millions of shapes.
+  template <typename... Values>
+  void require(bool holds, fmt::format_string<Values...> message, Values&&... values) {
+    if (!holds) found_.push_back({Severity::error, *where_, fmt::format(message, std::forward<Values>(values)...)});
   }
   void require_light(const Rgb& c, const char* what) {
     require(std::isfinite(c.r) && std::isfinite(c.g) && std::isfinite(c.b) && c.r >= 0 && c.g >= 0 && c.b >= 0,
-            fmt::format("the {} must be finite and not negative", what));
+            "the {} must be finite and not negative", what);
   }
 
  private:
   std::vector<Diagnostic>& found_;
-  SourceLocation where_;
+  const SourceLocation* where_ = nullptr;
 };
 
 bool is_finite(const Transform& t) {
@@ -41,14 +45,14 @@ bool is_index(int index, std::size_t size) { return index >= 0 && static_cast<st
 
 void check_shape(const Shape& shape, const Scene& scene, Checker& check, std::vector<Diagnostic>& found) {
   check.at(shape.where);
-  check.require(is_index(shape.material, scene.materials.size()),
-                fmt::format("material {} does not exist; there are {}", shape.material, scene.materials.size()));
+  check.require(is_index(shape.material, scene.materials.size()), "material {} does not exist; there are {}",
+                shape.material, scene.materials.size());
   for (const std::string& fault : geometry_faults(shape.geometry))
     found.push_back({Severity::error, shape.where, fault});
   if (const Mesh* mesh = std::get_if<Mesh>(&shape.geometry)) {
     for (const MeshPart& part : mesh->parts) {
-      check.require(is_index(part.material, scene.materials.size()),
-                    fmt::format("material {} of a mesh part does not exist", part.material));
+      check.require(is_index(part.material, scene.materials.size()), "material {} of a mesh part does not exist",
+                    part.material);
       if (part.radiance) check.require_light(*part.radiance, "radiance of a mesh part");
     }
   }
@@ -76,8 +80,8 @@ void check_group(const Group& group, const Scene& scene, Checker& check, std::ve
 
 void check_instance(const Instance& instance, const Scene& scene, Checker& check) {
   check.at(instance.where);
-  check.require(is_index(instance.group, scene.groups.size()),
-                fmt::format("group {} does not exist; there are {}", instance.group, scene.groups.size()));
+  check.require(is_index(instance.group, scene.groups.size()), "group {} does not exist; there are {}", instance.group,
+                scene.groups.size());
   check.require(is_finite(instance.world_from_group) && !is_singular(instance.world_from_group),
                 "the instance's transform must be finite and not singular");
 }
@@ -93,7 +97,7 @@ void check_material(const Material& material, const Scene& scene, Checker& check
       [&](const auto& bsdf) {
         check.require(is_reflectance(bsdf.reflectance), "the reflectance must lie in [0, 1]");
         check.require(bsdf.texture == -1 || is_index(bsdf.texture, scene.textures.size()),
-                      fmt::format("texture {} does not exist; there are {}", bsdf.texture, scene.textures.size()));
+                      "texture {} does not exist; there are {}", bsdf.texture, scene.textures.size());
       },
       material.bsdf);
 }
@@ -134,8 +138,8 @@ void check_camera(const Camera& camera, Checker& check) {
 void check_film(const Film& film, Checker& check) {
   check.at(film.where);
   const auto is_size = [](int size) { return size >= 1 && size <= largest_size; };
-  check.require(is_size(film.width) && is_size(film.height),
-                fmt::format("the film is {} x {}; sizes lie in [1, {}]", film.width, film.height, largest_size));
+  check.require(is_size(film.width) && is_size(film.height), "the film is {} x {}; sizes lie in [1, {}]", film.width,
+                film.height, largest_size);
   const Window w = film.window();
   check.require(w.x0 >= 0 && w.y0 >= 0 && w.x0 < w.x1 && w.y0 < w.y1 && w.x1 <= film.width && w.y1 <= film.height,
                 "the crop window must hold a pixel and lie inside the picture");
@@ -153,7 +157,8 @@ std::vector<Diagnostic> validate(const Scene& scene) {
   for (const Shape& shape : scene.shapes) check_shape(shape, scene, check, found);
   for (const Group& group : scene.groups) check_group(group, scene, check, found);
   for (const Instance& instance : scene.instances) check_instance(instance, scene, check);
-  check.at({});
+  const SourceLocation nowhere;
+  check.at(nowhere);
   check.require(!scene.materials.empty(), "materials[0], the default, is missing");
   for (const Material& material : scene.materials) check_material(material, scene, check);
   for (const Texture& texture : scene.textures) check_texture(texture, check);

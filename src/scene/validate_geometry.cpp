@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace strahl {
 
@@ -73,19 +74,20 @@ class Faults {
     const auto is_vertex = [&](int i) { return i >= 0 && static_cast<std::size_t>(i) < vertices; };
     const auto fits = [&](const std::array<int, 3>& t) { return std::all_of(t.begin(), t.end(), is_vertex); };
     const auto outside = std::find_if_not(mesh.triangles.begin(), mesh.triangles.end(), fits);
-    require(outside == mesh.triangles.end(),
-            fmt::format("triangle {} has a vertex index out of range", outside - mesh.triangles.begin()));
+    require(outside == mesh.triangles.end(), "triangle {} has a vertex index out of range",
+            outside - mesh.triangles.begin());
     require_parts(mesh);
   }
 
   [[nodiscard]] std::vector<std::string> take() { return std::move(faults_); }
 
  private:
-  void require(bool holds, std::string fault) {
-    if (!holds) faults_.push_back(std::move(fault));
+  template <typename... Values>
+  void require(bool holds, fmt::format_string<Values...> fault, Values&&... values) {
+    if (!holds) faults_.push_back(fmt::format(fault, std::forward<Values>(values)...));
   }
   void require_radius(double radius) {
-    require(std::isfinite(radius) && radius > 0, fmt::format("the radius is {}; it must be finite and > 0", radius));
+    require(std::isfinite(radius) && radius > 0, "the radius is {}; it must be finite and > 0", radius);
   }
   void require_parts(const Mesh& mesh) {
     if (mesh.parts.empty()) return;
