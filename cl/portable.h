@@ -94,6 +94,8 @@ FN real bits_to_real(bitsr b) {
 }
 /// Position of the lowest set bit; m must not be 0.
 FN int first_bit(uint m) { return __builtin_ctz(m); }
+/// On the host one thread traces.
+FN void add_atomically(GLOBAL uint* sum, uint number) { *sum += number; }
 /// The upper half of the product.
 FN uint high_product(uint a, uint b) { return (uint)((std::uint64_t)a * b >> 32); }
 FN real real_fma(real a, real b, real c) { return std::fma(a, b, c); }
@@ -118,6 +120,7 @@ FN real bits_to_real(bitsr b) { return as_float(b); }
 #endif
 FN int first_bit(uint m) { return FIRST_BIT(m); }
 #undef FIRST_BIT
+FN void add_atomically(GLOBAL uint* sum, uint number) { atomic_add(sum, number); }
 FN uint high_product(uint a, uint b) { return mul_hi(a, b); }
 FN real real_fma(real a, real b, real c) { return fma(a, b, c); }
 FN real real_sqrt(real a) { return sqrt(a); }

@@ -5,6 +5,7 @@
 // Nothing that begins at the nearest hit so far is dropped: among equal t the smallest id wins.
 #include "accel/instance.h"
 #include "core/candidates.h"
+#include "core/counters.h"
 #include "scene/scene.h"
 #include "shapes/edge_lanes.h"
 #if TIER_ROBUST
@@ -101,6 +102,7 @@ FN void LANED(meet_leaf)(const Scene* scene, const Ray* ray, const Place* place,
   }
   GLOBAL const int* ids = scene->index + row[SHAPE_IDS] + first * LANES;
   GLOBAL const real* geometry = scene->geometry + row[SHAPE_GEOMETRY];
+  if (HAS_COUNT_RAYS) count_events(scene, COUNT_PRIMITIVES, primitives_among(ids, count * LANES));
   (void)ray;  // A scene without shapes.
   (void)geometry;
 #if TIER_ROBUST
@@ -154,6 +156,7 @@ FN Nearest LANED(walk)(const Scene* scene, const Ray* world, int start, Nearest 
   for (;;) {
     while (reference >= 0) {
       realw t[TREE_WIDTH / LANES];
+      if (HAS_COUNT_RAYS) count_event(scene, COUNT_NODES);
       GLOBAL const real* node = nodes + (ulong)reference * (NODE_PLANES * TREE_WIDTH);
       uint met = LANED(meet_children)(node, &ray, best.t, t);
       if (met == 0u) break;

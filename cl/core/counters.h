@@ -5,6 +5,17 @@
 
 #include "scene/scene.h"
 
-FN void count_event(const Scene* scene, int counter) { atomic_inc(scene->counters + counter); }
+FN void count_events(const Scene* scene, int counter, uint number) {
+  add_atomically(scene->counters + counter, number);
+}
+
+FN void count_event(const Scene* scene, int counter) { count_events(scene, counter, 1u); }
+
+/// Primitives among the ids of so many slots; the others are padding.
+FN uint primitives_among(GLOBAL const int* ids, int slots) {
+  uint primitives = 0u;
+  for (int i = 0; i < slots; ++i) primitives += ids[i] < 0 ? 0u : 1u;
+  return primitives;
+}
 
 #endif

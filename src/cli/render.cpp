@@ -86,6 +86,8 @@ nlohmann::ordered_json count(const Device& device, const Scene& scene, RenderSet
   if (!counted.complete) return nullptr;
   stats.shadow_rays = counted.stats.shadow_rays;
   stats.bounce_rays = counted.stats.bounce_rays;
+  stats.nodes_visited = counted.stats.nodes_visited;
+  stats.primitives_tested = counted.stats.primitives_tested;
   return {{"program", counted.stats.program}, {"kernel", counted.stats.seconds.kernel}};
 }
 

@@ -200,6 +200,8 @@ bool Renderer::State::render_band(int row, int rows, FilmSums& sums, RunStats& r
     if (settings.count_rays) {
       *run.shadow_rays += counted[layout::COUNT_SHADOW];
       *run.bounce_rays += counted[layout::COUNT_BOUNCE];
+      *run.nodes_visited += counted[layout::COUNT_NODES];
+      *run.primitives_tested += counted[layout::COUNT_PRIMITIVES];
     }
     sums.add_samples(next);
     run.camera_rays += static_cast<std::uint64_t>(next.columns) * static_cast<std::uint64_t>(next.rows) *
@@ -229,7 +231,7 @@ RenderResult Renderer::render(const ProgressCallback& progress) {
   RenderResult result;
   result.stats = s.stats;
   RunStats& run = result.stats;
-  if (s.settings.count_rays) run.shadow_rays = run.bounce_rays = 0;
+  if (s.settings.count_rays) run.shadow_rays = run.bounce_rays = run.nodes_visited = run.primitives_tested = 0;
   const int width = s.window.width(), height = s.window.height(), band = s.band_rows();
   const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
   FilmSums film(width, height, s.buffers.film_scale);

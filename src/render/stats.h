@@ -40,6 +40,8 @@ struct RunStats {
   std::uint64_t camera_rays = 0;
   std::optional<std::uint64_t> shadow_rays;  ///< Only the instrumented program counts these.
   std::optional<std::uint64_t> bounce_rays;
+  std::optional<std::uint64_t> nodes_visited;  ///< By all rays together, as `primitives_tested`.
+  std::optional<std::uint64_t> primitives_tested;
   std::uint64_t device_bytes = 0;  ///< Allocated in device buffers at the most.
   std::uint64_t host_bytes = 0;    ///< Packed scene plus film on the host.
   std::string device;

@@ -66,6 +66,16 @@ TEST_CASE("the timed program is the one that explain names; detail comes from an
   CHECK(json.at("rays").at("bounce") == 0);
 }
 
+TEST_CASE("detail counts what rays visit: all that is listed; of a tree less, and nodes") {
+  const Folder folder;
+  const Json list = stats(folder, {"--stats-detail", "--lanes", "8", "--accel", "list"});
+  CHECK(list.at("visits").at("nodes") == 0);
+  CHECK(list.at("visits").at("primitives") == list.at("rays").at("camera"));
+  const Json tree = stats(folder, {"--stats-detail", "--lanes", "8", "--accel", "tree"});
+  CHECK(tree.at("visits").at("primitives") <= tree.at("rays").at("camera"));
+  CHECK(stats(folder, {}).at("visits").at("nodes").is_null());
+}
+
 TEST_CASE("- is standard output, with nothing else on it") {
   const Folder folder;
   folder.file("scene.xml", kGlowingSphere);
