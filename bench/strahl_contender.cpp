@@ -9,6 +9,7 @@ namespace {
 std::string variant_of(const RenderSettings& settings) {
   std::string text = precision_name(settings.precision);
   if (settings.bvh_width) text += fmt::format(" {} wide", *settings.bvh_width);
+  if (settings.coherent) text += " coherent";
   return text;
 }
 

@@ -41,6 +41,8 @@ void add_strahl(Contenders& contenders, const Device& device, const Scene& scene
       settings.precision = tier;
       settings.bvh_width = width;
       contenders.push_back(std::make_unique<StrahlContender>(device, scene, settings));
+      settings.coherent = true;
+      contenders.push_back(std::make_unique<StrahlContender>(device, scene, settings));
     }
 }
 

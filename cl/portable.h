@@ -29,6 +29,9 @@
 /// unused: a program holds only some of the callers.
 #define FN static inline __attribute__((always_inline, unused))
 
+/// As FN, of what is large and seldom asked: it stands once in a program and costs its callers a call.
+#define SELDOM_FN static __attribute__((noinline, unused))
+
 /// A condition that seldom holds, for compilers that can be told: what is behind it shall not cost the rest registers.
 #ifdef __has_builtin
 #if __has_builtin(__builtin_expect)

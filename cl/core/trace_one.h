@@ -7,12 +7,8 @@
 #endif
 #include "shapes/shape.h"
 
-/// Rays are given in blocks of LANES, RAY_REALS planes a block, and LEFT_INTS planes of what they left. count: rays
-/// of the block, the rest of it is of no meaning. found: FOUND_INTS ints a ray, or with stop_at_first one, 1 or 0; t: a
-/// real a ray, of no meaning where nothing is hit.
-FN void LANED(find_rays)(const Scene* scene, GLOBAL const real* in, GLOBAL const int* left, int count,
-                         int stop_at_first, GLOBAL real* t, GLOBAL int* found) {
-  realw planes[RAY_PLANES];
+/// to: LANES rays, prepared and widened. in: RAY_REALS planes; left: LEFT_INTS planes of what they left.
+FN void LANED(rays_given)(const Scene* scene, GLOBAL const real* in, GLOBAL const int* left, PRIVATE realw* to) {
   LANED(GivenRays) given;
   given.ox = load_w(in + RAY_O * LANES);
   given.oy = load_w(in + (RAY_O + 1) * LANES);
@@ -23,11 +19,26 @@ FN void LANED(find_rays)(const Scene* scene, GLOBAL const real* in, GLOBAL const
   given.t_min = load_w(in + RAY_T_MIN * LANES);
   given.t_max = load_w(in + RAY_T_MAX * LANES);
   given.has_left = nonzero_w(load_int_w(left + LEFT_ID * LANES) - splat_int_w(-1));
-  LANED(prepare_rays)(&given, planes);
-  LANED(widen_rays)(given.has_left, planes, scene->geometry + scene->index[HEADER_BOUNDS]);
+  LANED(prepare_rays)(&given, to);
+  LANED(widen_rays)(given.has_left, to, scene->geometry + scene->index[HEADER_BOUNDS]);
+}
+
+/// A ray of those.
+FN Ray LANED(ray_given)(PRIVATE const realw* rays, GLOBAL const int* left, int lane) {
+  Ray ray = LANED(prepared_ray)(rays, lane, left[LEFT_ID * LANES + lane]);
+  if (HAS_INSTANCES) ray.left_instance = left[LEFT_INSTANCE * LANES + lane];
+  return ray;
+}
+
+/// Rays are given in blocks of LANES, RAY_REALS planes a block, and LEFT_INTS planes of what they left. count: rays
+/// of the block, the rest of it is of no meaning. found: FOUND_INTS ints a ray, or with stop_at_first one, 1 or 0; t: a
+/// real a ray, of no meaning where nothing is hit.
+FN void LANED(find_rays)(const Scene* scene, GLOBAL const real* in, GLOBAL const int* left, int count,
+                         int stop_at_first, GLOBAL real* t, GLOBAL int* found) {
+  realw planes[RAY_PLANES];
+  LANED(rays_given)(scene, in, left, planes);
   for (int i = 0; i < count; ++i) {
-    Ray ray = LANED(prepared_ray)(planes, i, left[LEFT_ID * LANES + i]);
-    if (HAS_INSTANCES) ray.left_instance = left[LEFT_INSTANCE * LANES + i];
+    Ray ray = LANED(ray_given)(planes, left, i);
     Nearest hit = LANED(traverse)(scene, &ray, stop_at_first ? FIND_ANY : FIND_NEAREST);
     if (stop_at_first) {
       found[i] = hit.kind >= 0;

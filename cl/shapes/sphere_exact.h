@@ -99,3 +99,20 @@ FN int sphere_is_plain(const Ray* ray, dw3_w f, real r, real k, PRIVATE real* t)
   *t = k - (middle - root);
   return sphere_root_near(ray, f, r, t);
 }
+
+/// Decides one sphere that may be met; k: as of sphere_is_plain.
+FN void sphere_candidate(const Ray* ray, GLOBAL const real* prim, int stride, real k, int id, int kind, int slot,
+                         Nearest* best) {
+  Exact3 f = exact_difference(ray->o, vec3(prim[0], prim[stride], prim[2 * stride]));
+  real t, r = prim[3 * stride];
+  int hit = 1;
+  if (ray->left >= 0 && id == ray->left) {
+    t = sphere_root_across(ray, f);
+    hit = !ray->is_outward && sphere_is_left_at(ray, prim, stride, t);
+  } else if (!sphere_is_plain(ray, f, r, k, &t)) {
+    SphereRoots roots = sphere_roots(ray, f, r);
+    t = ray->t_min <= roots.near ? roots.near : roots.far;
+    hit = roots.is_met;
+  }
+  if (hit && ray->t_min <= t) nearest_take(best, t, id, kind, slot);
+}

@@ -33,18 +33,7 @@ FN void LANED(sphere_block)(const Ray* ray, GLOBAL const real* block, GLOBAL con
   while (candidates != 0u) {
     int lane = first_bit(candidates);
     candidates &= candidates - 1u;
-    GLOBAL const real* prim = block + lane;
-    Exact3 f = exact_difference(ray->o, vec3(prim[0], prim[LANES], prim[2 * LANES]));
-    real t, r = prim[3 * LANES];
-    int hit = 1;
-    if (ray->left >= 0 && ids[lane] == ray->left) {
-      t = sphere_root_across(ray, f);
-      hit = !ray->is_outward && sphere_is_left_at(ray, prim, LANES, t);
-    } else if (!sphere_is_plain(ray, f, r, ((PRIVATE const real*)&k)[lane], &t)) {
-      SphereRoots roots = sphere_roots(ray, f, r);
-      t = ray->t_min <= roots.near ? roots.near : roots.far;
-      hit = roots.is_met;
-    }
-    if (hit && ray->t_min <= t) nearest_take(best, t, ids[lane], SHAPE_sphere, slot + lane);
+    sphere_candidate(ray, block + lane, LANES, ((PRIVATE const real*)&k)[lane], ids[lane], SHAPE_sphere, slot + lane,
+                     best);
   }
 }

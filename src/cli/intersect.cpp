@@ -36,13 +36,14 @@ struct IntersectOptions {
   std::string rays;
   std::string output;
   bool any_hit = false;
-  bool coherent = false;  ///< A hint; no kernel makes use of it yet, and results never depend on it.
+  bool coherent = false;
   int repeat = 1;
   std::string stats;
 };
 
 ExitCode intersect(const IntersectOptions& options, const Invocation& invocation) {
   RenderSettings settings = settings_of(options.kernel);
+  settings.coherent = options.coherent;
   require_writable(options.output);
   if (!options.stats.empty() && options.stats != "-") require_writable(options.stats);
 

@@ -209,13 +209,15 @@ Intersector::Intersector(const Device& device, const Scene& scene, const RenderS
       most_samples(device, intersect_loops(scene, width.lanes, acceleration_of(settings)), settings.loop_turns));
   const Stopwatch start;
   const Features features = intersection_features(scene, settings);
-  const ProgramSource source =
-      program_source("kernels/intersect.cl", features, settings.precision, width.lanes, width.tree);
+  // Devices that end loops know how long single rays take.
+  const bool packets = settings.coherent && width.lanes > 1 && !settings.loop_turns;
+  const ProgramSource source = program_source(packets ? "kernels/intersect_packets.cl" : "kernels/intersect.cl",
+                                              features, settings.precision, width.lanes, width.tree);
   ProgramReport report;
   const cl::Program program = build_program(device, source, &report);
   checked(device.info().text(), [&] {
-    s.closest = cl::Kernel(program, "closest");
-    s.anything = cl::Kernel(program, "anything");
+    s.closest = cl::Kernel(program, packets ? "closest_packet" : "closest");
+    s.anything = cl::Kernel(program, packets ? "anything_packet" : "anything");
     s.describe = cl::Kernel(program, "describe");
     return CL_SUCCESS;
   });

@@ -43,6 +43,9 @@ struct RenderSettings {
   /// and 4 mean one. None: by `lanes`, 4 for 1.
   std::optional<int> bvh_width;
   Acceleration acceleration = Acceleration::automatic;
+  /// Intersector: neighbouring rays are alike, so `lanes` of them go through the tree together. The hits do not depend
+  /// on it.
+  bool coherent = false;
   WorkGroup work_group;
   std::optional<int> passes;  ///< Split the samples into this many launches; none: by measured time.
   /// The device ends the loops of a work-item after so many turns in sum (TierVerdict::loop_turns); none: it does not.

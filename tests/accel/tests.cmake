@@ -2,3 +2,4 @@
 strahl_test(accel/test_trees_equal_lists.cpp LABEL device LIBS strahl_host_kernels strahl_oracle TIMEOUT 600)
 strahl_test(accel/test_instances.cpp LABEL device LIBS strahl_host_kernels strahl_oracle TIMEOUT 600)
 strahl_test(accel/test_wide_tree.cpp LABEL unit)
+strahl_test(accel/test_packets.cpp LABEL device LIBS strahl_host_kernels strahl_oracle TIMEOUT 300)

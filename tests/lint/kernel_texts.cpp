@@ -52,10 +52,11 @@ void write(const std::filesystem::path& folder, const std::string& kernel, const
 int main(int count, char** arguments) {
   if (count != 2) return 2;
   const std::filesystem::path folder = arguments[1];
-  for (const std::string kernel : {"render", "intersect", "probe", "canary", "bandwidth"})
+  for (const std::string kernel : {"render", "intersect", "intersect_packets", "probe", "canary", "bandwidth"})
     for (const Precision precision : {Precision::fast, Precision::stable, Precision::robust, Precision::fp64}) {
       const int widest = default_lanes(16, precision);
       for (int lanes : {1, 8, 16}) {
+        if (kernel == "intersect_packets" && lanes == 1) continue;
         if (lanes > widest) continue;
         write(folder, kernel, "all", every(true), precision, lanes);
         write(folder, kernel, "none", every(false), precision, lanes);

@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: MIT
+// LANES coherent rays on one way through the tree: children of a node are first held against bounds of all rays, LANES
+// of them at a time, and each that may be met against every ray, in lanes, once its turn comes: S. Boulos, I. Wald,
+// P. Shirley, "Geometric and Arithmetic Culling Methods for Entire Ray Packets", 2006. The bounds come by the monotone
+// operations of slabs_lanes.h, so they lose no child that a ray meets; the second test is those operations themselves.
+// Hits are those of accel/traverse.h (docs/decisions/0010-packets.md). One width; no guard.
+#include "accel/packet_rays.h"
+
+#if LANES == 8
+#define STACK_ENTRIES STACK_8
+#else
+#define STACK_ENTRIES STACK_16
+#endif
+
+/// One axis of LANES boxes, for all rays at once: enter as early as the earliest, leave as late as the latest.
+FN LANED(Interval) LANED(clip_bounds)(LANED(Interval) t, realw near, realw far, LANED(Bounds) b) {
+  realw lo = splat_w(b.inv_lo), hi = splat_w(b.inv_hi), slack = splat_w(b.slack);
+  near = near - splat_w(b.o_near);
+  far = far - splat_w(b.o_far);
+  t.enter = max_w(min_w(fma_w(near, lo, -slack), fma_w(near, hi, -slack)), t.enter);
+  t.leave = min_w(max_w(fma_w(far, lo, slack), fma_w(far, hi, slack)), t.leave);
+  return t;
+}
+
+/// Bit i: some ray may meet box i; t[i]: where it begins, at the earliest.
+FN uint LANED(may_meet)(const LANED(Packet) * p, LANED(Real3) near, LANED(Real3) far, PRIVATE real* t) {
+  LANED(Interval) slabs;
+  slabs.enter = splat_w(p->first);
+  slabs.leave = splat_w(p->last);
+  slabs = LANED(clip_bounds)(slabs, near.x, far.x, p->x);
+  slabs = LANED(clip_bounds)(slabs, near.y, far.y, p->y);
+  slabs = LANED(clip_bounds)(slabs, near.z, far.z, p->z);
+  store_w(slabs.enter, t);
+  return bits_w(le_w(slabs.enter, slabs.leave));
+}
+
+FN uint LANED(may_meet_children)(const LANED(Packet) * p, GLOBAL const real* node, PRIVATE real* t) {
+  int x = p->near_x, y = p->near_y, z = p->near_z;
+  LANED(Real3) near, far;
+  near.x = load_w(node + x * LANES);
+  near.y = load_w(node + y * LANES);
+  near.z = load_w(node + z * LANES);
+  far.x = load_w(node + (x ^ 1) * LANES);
+  far.y = load_w(node + (y ^ 1) * LANES);
+  far.z = load_w(node + (z ^ 1) * LANES);
+  return LANED(may_meet)(p, near, far, t);
+}
+
+/// clip_slab of one box for every ray.
+FN LANED(Interval) LANED(clip_each)(LANED(Interval) t, real near, real far, realw o, realw inv, realw slack) {
+  t.enter = max_w(fma_w(splat_w(near) - o, inv, -slack), t.enter);
+  t.leave = min_w(fma_w(splat_w(far) - o, inv, slack), t.leave);
+  return t;
+}
+
+/// The rays that meet a child; planes: its own, TREE_WIDTH apart.
+FN maskw LANED(meet_child)(const LANED(Packet) * p, GLOBAL const real* planes) {
+  int x = p->near_x, y = p->near_y, z = p->near_z;
+  LANED(Interval) slabs;
+  slabs.enter = p->t_min;
+  slabs.leave = p->bound;
+  slabs = LANED(clip_each)(slabs, planes[x * LANES], planes[(x ^ 1) * LANES], p->o.x, p->inv.x, p->slack.x);
+  slabs = LANED(clip_each)(slabs, planes[y * LANES], planes[(y ^ 1) * LANES], p->o.y, p->inv.y, p->slack.y);
+  slabs = LANED(clip_each)(slabs, planes[z * LANES], planes[(z ^ 1) * LANES], p->o.z, p->inv.z, p->slack.z);
+  return le_w(slabs.enter, slabs.leave);
+}
+
+FN GLOBAL const real* LANED(reach_of)(const Scene* scene) { return scene->geometry + scene->index[HEADER_BOUNDS]; }
+
+#include "shapes/packet_bodies_lanes.h"
+
+FN void LANED(settle_one)(const Ray* ray, Nearest* best) {
+#if TIER_ROBUST
+  nearest_settle(ray, best, LANES);
+#else
+  (void)ray;
+  (void)best;
+#endif
+}
+
+/// One ray from a reference on, NO_REFERENCE: through everything.
+SELDOM_FN void LANED(walk_alone)(const Scene* scene, const Ray* ray, int start, int stop_at_first, Nearest* best) {
+  *best = LANED(walk)(scene, ray, start, *best, stop_at_first ? FIND_ANY : FIND_NEAREST);
+  LANED(settle_one)(ray, best);
+}
+
+/// The instances of a leaf, or all that are listed, ray by ray.
+FN void LANED(packet_instances)(const Scene* scene, LANED(Packet) * p, int reference, maskw active, int stop_at_first) {
+  LANED(packet_settle)(scene, p);
+  LANED(NearestEach) each = LANED(packet_open)(p);
+  for (uint lanes = bits_w(active); lanes != 0u; lanes &= lanes - 1u) {
+    int lane = first_bit(lanes);
+    Ray ray = LANED(packet_ray)(p, lane);
+    Nearest best = LANED(nearest_of)(&each, lane);
+    if (!(stop_at_first && best.kind >= 0)) LANED(walk_alone)(scene, &ray, reference, stop_at_first, &best);
+    LANED(nearest_to)(&each, lane, best);
+  }
+  LANED(packet_close)(p, &each);
+}
+
+/// The blocks of a leaf, or all that its kind lists, for the rays of `active`.
+FN void LANED(packet_leaf)(const Scene* scene, LANED(Packet) * p, int reference, maskw active) {
+  uint leaf = (uint)~reference;
+  int kind = (int)(leaf & (REFERENCE_MOST_KINDS - 1)), first = (int)(leaf >> REFERENCE_BLOCK);
+  int count = (int)(leaf >> REFERENCE_COUNT) & REFERENCE_MOST_BLOCKS;
+  GLOBAL const int* row = scene_shape_row(scene, kind);
+  if (count == 0) count = row[SHAPE_LISTED];
+  GLOBAL const int* ids = scene->index + row[SHAPE_IDS] + first * LANES;
+  GLOBAL const real* geometry = scene->geometry + row[SHAPE_GEOMETRY];
+  (void)geometry;  // A scene without shapes.
+  (void)p;
+  (void)active;
+  for (int b = first; b < first + count; ++b, ids += LANES) {
+#define SHAPE(name, planes)                                                  \
+  if (SHAPE_COUNT == 1 || kind == SHAPE_##name) {                            \
+    GLOBAL const real* block = geometry + (ulong)b * ((planes)*LANES);       \
+    if (PACKET_BODY_##name == PACKET_BODY_TRIANGLE) {                        \
+      LANED(triangle_packet)(scene, p, block, ids, b * LANES, kind, active); \
+    } else if (PACKET_BODY_##name == PACKET_BODY_SPHERE) {                   \
+      LANED(sphere_packet)(scene, p, block, ids, b * LANES, kind, active);   \
+    } else {                                                                 \
+      LANED(NearestEach) each = LANED(packet_open)(p);                       \
+      for (uint lanes = bits_w(active); lanes != 0u; lanes &= lanes - 1u) {  \
+        int lane = first_bit(lanes);                                         \
+        Nearest best = LANED(nearest_of)(&each, lane);                       \
+        Ray world = LANED(packet_ray)(p, lane), ray = ray_of_world(&world);  \
+        LANED(name##_block)(&ray, block, ids, b * LANES, &best);             \
+        LANED(settle_one)(&ray, &best);                                      \
+        LANED(nearest_to)(&each, lane, best);                                \
+      }                                                                      \
+      LANED(packet_close)(p, &each);                                         \
+    }                                                                        \
+  }
+#include "shapes/shapes.def"
+#undef SHAPE
+  }
+}
+
+/// Rays that have hit something want no more.
+FN void LANED(packet_stop)(const Scene* scene, LANED(Packet) * p) {
+  LANED(packet_settle)(scene, p);
+  maskw done = ~lt_int_w(p->kind, splat_int_w(0));
+  p->t = sel_w(done, splat_w(-REAL_MAX), p->t);
+  p->bound = min_w(p->t, p->bound);
+}
+
+/// Onto the stack, the nearest on top.
+FN void LANED(push_children)(PRIVATE int* waiting, PRIVATE real* waiting_t, PRIVATE int* top, int node, uint met,
+                             PRIVATE const real* t) {
+  int bottom = *top;
+  while (met != 0u) {
+    int lane = first_bit(met), at = *top;
+    met &= met - 1u;
+    while (at > bottom && waiting_t[at - 1] < t[lane]) {
+      waiting[at] = waiting[at - 1];
+      waiting_t[at] = waiting_t[at - 1];
+      --at;
+    }
+    waiting[at] = node * LANES + lane;
+    waiting_t[at] = t[lane];
+    ++*top;
+  }
+}
+
+/// What a packet may go through with one or two rays before its rays part.
+enum { LANED(PACKET_PATIENCE) = 24 };
+
+/// All rays of a packet that packet_make has found alike. 0: they part too often, and what is found so far is not all.
+FN int LANED(packet_walk)(const Scene* scene, LANED(Packet) * p, int stop_at_first) {
+  GLOBAL const real* nodes = scene->geometry + scene->index[HEADER_NODES];
+  GLOBAL const int* children = scene->index + scene->index[HEADER_CHILDREN];
+  maskw active = le_w(p->t_min, p->t);
+  int waiting[STACK_ENTRIES];
+  real waiting_t[STACK_ENTRIES];
+  int top = 0, patience = LANED(PACKET_PATIENCE);
+  // First what is listed, kind by kind, then the tree.
+  int kind = 0, kinds = SHAPE_COUNT + HAS_INSTANCES, reference = NO_REFERENCE;
+  for (;;) {
+    if (kind <= kinds) {
+      while (kind < kinds && scene_shape_row(scene, kind)[SHAPE_LISTED] == 0) ++kind;
+      reference = kind < kinds ? ~kind : scene->index[HEADER_ROOT];
+      ++kind;
+      if (reference == NO_REFERENCE) return 1;
+    }
+    if (reference >= 0) {
+      real t[LANES];
+      uint met = LANED(may_meet_children)(p, nodes + (ulong)reference * (NODE_PLANES * LANES), t);
+      LANED(push_children)(waiting, waiting_t, &top, reference, met, t);
+    } else {
+      if (HAS_INSTANCES && leaf_kind(reference) == SHAPE_COUNT)
+        LANED(packet_instances)(scene, p, reference, active, stop_at_first);
+      else
+        LANED(packet_leaf)(scene, p, reference, active);
+      if (stop_at_first) LANED(packet_stop)(scene, p);
+      p->last = largest_w(p->bound);
+      if (p->last < p->first) return 1;
+    }
+    if (kind <= kinds) continue;
+    for (;;) {
+      if (top == 0) return 1;
+      --top;
+      if (p->last < waiting_t[top]) continue;
+      int child = waiting[top];
+      active = LANED(meet_child)(p, nodes + (ulong)(child / LANES) * (NODE_PLANES * LANES) + child % LANES);
+      reference = children[child];
+      uint met = bits_w(active), more = met & (met - 1u);
+      if (met == 0u) continue;
+      if ((more & (more - 1u)) != 0u) {
+        if (patience < LANED(PACKET_PATIENCE)) ++patience;
+      } else if (--patience == 0) {
+        return 0;
+      }
+      break;
+    }
+  }
+}
+
+/// Closest hits of LANES rays that are prepared and widened, or with stop_at_first any.
+FN LANED(NearestEach)
+    LANED(packet_traverse)(const Scene* scene, PRIVATE realw* rays, GLOBAL const int* left, int stop_at_first) {
+  LANED(Packet) p;
+  LANED(NearestEach) each;
+  for (int i = 0; i < LANES; ++i) LANED(nearest_to)(&each, i, nearest_none(R(0.0)));
+  if (SHAPE_COUNT == 0) return each;
+  int found = LANED(packet_make)(&p, rays, left, LANED(reach_of)(scene));
+  if (found == LANED(PACKET_DEAD)) return each;
+  int is_done = 0;
+  if (found == LANED(PACKET_ALIKE)) {
+    is_done = LANED(packet_walk)(scene, &p, stop_at_first);
+    LANED(packet_settle)(scene, &p);
+    each = LANED(packet_open)(&p);
+  }
+  for (int i = 0; i < LANES && !is_done; ++i) {
+    Nearest best = LANED(nearest_of)(&each, i);
+    Ray ray = LANED(ray_given)(rays, left, i);
+    if (best.kind < 0) best = nearest_none(ray.t_max);
+    if (!(stop_at_first && best.kind >= 0)) LANED(walk_alone)(scene, &ray, NO_REFERENCE, stop_at_first, &best);
+    LANED(nearest_to)(&each, i, best);
+  }
+  return each;
+}
+
+#undef STACK_ENTRIES

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+// LANES rays against one sphere at a time of a block: sphere_lanes.h with the roles exchanged, the same operations. One
+// width; no guard.
+
+FN uint LANED(may_meet_spheres)(const LANED(Packet) * p, GLOBAL const real* block, GLOBAL const int* ids) {
+  uint there = bits_w(nonzero_w(load_int_w(ids) - splat_int_w(-1)));
+  realw r = load_w(block + 3 * LANES), cx = load_w(block), cy = load_w(block + LANES), cz = load_w(block + 2 * LANES);
+#if TIER_FAST
+  // The textbook's discriminant may be off by some u of the square of the distance.
+  r = sqrt_w(fma_w(r, r, splat_w(R(0x1p-18) * p->farthest * p->farthest)));
+#endif
+  realw rx = p->near_x == 0 ? -r : r, ry = p->near_y == 2 ? -r : r, rz = p->near_z == 4 ? -r : r;
+  LANED(Real3) near, far;
+  near.x = cx + rx;
+  near.y = cy + ry;
+  near.z = cz + rz;
+  far.x = cx - rx;
+  far.y = cy - ry;
+  far.z = cz - rz;
+  real t[LANES];
+  return there & LANED(may_meet)(p, near, far, t);
+}
+
+FN void LANED(sphere_packet)(const Scene* scene, LANED(Packet) * p, GLOBAL const real* block, GLOBAL const int* ids,
+                             int slot, int kind, maskw active) {
+  (void)scene;
+  realw dx = p->d.x, dy = p->d.y, dz = p->d.z, zero = splat_w(R(0.0));
+#if TIER_FAST
+  realw a = dx * dx + dy * dy + dz * dz, scale = splat_w(R(0.5)) / a;
+#elif !TIER_ROBUST
+  realw a = fma_w(dz, dz, fma_w(dy, dy, dx * dx));
+#endif
+  for (uint prims = LANED(may_meet_spheres)(p, block, ids); prims != 0u; prims &= prims - 1u) {
+    int i = first_bit(prims);
+    GLOBAL const real* prim = block + i;
+    realw r = splat_w(prim[3 * LANES]), fx = p->o.x - splat_w(prim[0]), fy = p->o.y - splat_w(prim[LANES]);
+    realw fz = p->o.z - splat_w(prim[2 * LANES]);
+#if TIER_FAST
+    realw b = splat_w(R(2.0)) * (fx * dx + fy * dy + fz * dz);
+    realw c = fx * fx + fy * fy + fz * fz - r * r;
+    realw discriminant = b * b - splat_w(R(4.0)) * a * c;
+    maskw hit = active & le_w(zero, discriminant);
+    if (!any_w(hit)) continue;
+    realw root = sqrt_w(discriminant), near = (-b - root) * scale, far = (root - b) * scale;
+    realw t = sel_w(le_w(p->t_min, near), near, far);
+    hit = hit & le_w(p->t_min, t) & le_w(t, p->t);
+    if (any_w(hit)) LANED(packet_take)(p, hit, t, splat_int_w(ids[i]), splat_int_w(kind), splat_int_w(slot + i));
+#elif TIER_ROBUST
+    // sphere_in_reach of sphere_robust_lanes.h.
+    realw tiny = splat_w(R(0x1p-120));
+    realw k = -fma_w(fz, dz, fma_w(fy, dy, fx * dx)) * p->dd_inverse;
+    realw lx = fma_w(k, dx, fx), ly = fma_w(k, dy, fy), lz = fma_w(k, dz, fz);
+    realw size = abs_w(fx) + abs_w(fy) + abs_w(fz);
+    realw off = fma_w(splat_w(R(0x1p-19)), size, tiny), limit = r + off;
+    realw apart = fma_w(lz, lz, fma_w(ly, ly, lx * lx)), reach = fma_w(r, p->t_per_length, off);
+    maskw met =
+        active & ~(lt_w(fma_w(limit, limit, tiny), apart) | lt_w(p->bound, k - reach) | lt_w(k + reach, p->t_min));
+    maskw left = lt_w(zero, zero);
+    if (p->has_left) left = active & LANED(packet_left)(p, ids[i]);
+    if (!any_w(met | left)) continue;
+
+    // Those that the line passes through for certain: apart is off by less than 16 u |f| r and 4 u of r^2, or if that
+    // does not do, from f - c as it is, by 8 u of r^2.
+    realw rr = r * r, inside = rr - apart;
+    maskw sure = met & le_w(splat_w(R(0x1p-14)) * r * (size + r), inside);
+    if (any_w(met & ~sure & lt_w(zero, inside))) {
+      dw3_w f =
+          two_difference3_w(p->o.x, p->o.y, p->o.z, splat_w(prim[0]), splat_w(prim[LANES]), splat_w(prim[2 * LANES]));
+      lx = lx + f.x.lo;
+      ly = ly + f.y.lo;
+      lz = lz + f.z.lo;
+      inside = rr - fma_w(lz, lz, fma_w(ly, ly, lx * lx));
+      sure = met & le_w(splat_w(R(0x1p-6)) * rr, inside);
+    }
+    realw half_chord = sqrt_w(inside * p->dd_inverse);
+    realw about = fma_w(splat_w(R(0x1p-6)), half_chord, off + off);
+    realw near = k - half_chord, far = k + half_chord;
+    realw t = sel_w(lt_w(near + about, p->t_min), far, near);
+    sure = sure & ~left & le_w(p->t_min, t - about);
+    met = (met | left) & ~sure;
+    sure = sure & ~lt_w(p->bound, t - about);
+    if (any_w(sure)) LANED(packet_put_off)(scene, p, sure, sure, t, t - about, t + about, ids[i], kind, slot + i);
+    uint others = bits_w(met);
+    if (others != 0u) {
+      LANED(NearestEach) each = LANED(packet_open)(p);
+      real ks[LANES];
+      store_w(k, ks);
+      for (; others != 0u; others &= others - 1u) {
+        int lane = first_bit(others);
+        Nearest best = LANED(nearest_of)(&each, lane);
+        Ray world = LANED(packet_ray)(p, lane), ray = ray_of_world(&world);
+        sphere_candidate(&ray, prim, LANES, ks[lane], ids[i], kind, slot + i, &best);
+        LANED(nearest_to)(&each, lane, best);
+      }
+      LANED(packet_close)(p, &each);
+    }
+#else
+    realw b = fma_w(fz, dz, fma_w(fy, dy, fx * dx));
+    realw k = b / a;
+    realw lx = fma_w(-k, dx, fx), ly = fma_w(-k, dy, fy), lz = fma_w(-k, dz, fz);
+    realw r2 = r * r;
+    realw d = r2 - fma_w(lz, lz, fma_w(ly, ly, lx * lx));
+    maskw hit = le_w(zero, d), left = lt_w(zero, zero);
+    if (p->has_left) left = LANED(packet_left)(p, ids[i]);
+    if (!any_w(active & (hit | left))) continue;
+    realw root = sqrt_w(a * max_w(d, zero));
+    realw q = -b - sel_w(lt_w(b, zero), -root, root);
+    realw c = fma_w(fz, fz, fma_w(fy, fy, fx * fx)) - r2;
+    realw t0 = q / a, t1 = c / q;
+    realw near = sel_w(lt_w(t1, t0), t1, t0), far = sel_w(lt_w(t1, t0), t0, t1);
+    realw t = sel_w(le_w(p->t_min, near), near, far);
+    realw other = splat_w(-R(2.0)) * k;
+    t = sel_w(left, other, t);
+    hit = (hit & ~left) | (left & lt_w(zero, other));
+#if REAL_BITS == 64
+    real sx = prim[0], sy = prim[LANES], sz = prim[2 * LANES], sr = prim[3 * LANES];
+    LANED(Interval) slabs;
+    slabs.enter = splat_w(-REAL_MAX);
+    slabs.leave = splat_w(REAL_MAX);
+    int x = p->near_x == 0, y = p->near_y == 2, z = p->near_z == 4;
+    slabs = LANED(clip_each)(slabs, x ? sx - sr : sx + sr, x ? sx + sr : sx - sr, p->o.x, p->inv.x, p->slack.x);
+    slabs = LANED(clip_each)(slabs, y ? sy - sr : sy + sr, y ? sy + sr : sy - sr, p->o.y, p->inv.y, p->slack.y);
+    slabs = LANED(clip_each)(slabs, z ? sz - sr : sz + sr, z ? sz + sr : sz - sr, p->o.z, p->inv.z, p->slack.z);
+    realw within = sel_w(lt_w(t, slabs.enter), slabs.enter, t);
+    within = sel_w(lt_w(slabs.leave, within), slabs.leave, within);
+    hit = hit & (~left | eq_w(within, t));
+    t = within;
+#endif
+    hit = hit & active & le_w(p->t_min, t) & le_w(t, p->t);
+    if (any_w(hit)) LANED(packet_take)(p, hit, t, splat_int_w(ids[i]), splat_int_w(kind), splat_int_w(slot + i));
+#endif
+  }
+}

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: MIT
+// Packets find what rays find alone, bit for bit: random scenes, by lists and by trees, near and
+// far off; bundles of rays that are alike, that part, that are mixed with unlike and with unusable ones; rays that have
+// left something; closest hit and any hit; counts that fill no packet. In fast, where a compiler may take sums as it
+// likes and infinities for what it likes, usable rays that differ are counted.
+// STRAHL_RAYS: how many a tier and width; STRAHL_DEVICE: where.
+#include <cstdlib>
+#include <limits>
+
+#include "cl/same_bits.h"
+#include "study/transformed.h"
+#include "support/devices.h"
+
+using namespace strahl;
+using namespace strahl::test;
+
+namespace {
+
+constexpr int scenes = 12;
+constexpr std::size_t bundle = 32;
+
+std::size_t rays_asked() {
+  const char* asked = std::getenv("STRAHL_RAYS");
+  return asked != nullptr ? static_cast<std::size_t>(std::atoll(asked)) : 240'000;
+}
+
+Device device() {
+  const char* asked = std::getenv("STRAHL_DEVICE");
+  return Device::open(asked != nullptr ? asked : "pocl");
+}
+
+/// What a packet must not be led astray by.
+void spoil(Ray& ray, int how) {
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  switch (how) {
+    case 0:
+      ray.direction = {0, 0, 0};
+      break;
+    case 1:
+      ray.direction.y = nan;
+      break;
+    case 2:
+      ray.origin.x = infinite;
+      break;
+    case 3:
+      ray.t_max = nan;
+      break;
+    case 4:
+      ray.t_min = 2;
+      ray.t_max = 1;
+      break;
+    case 5:
+      ray.direction = -ray.direction;
+      break;
+    case 6:
+      ray.direction.z = 0;
+      break;
+    case 7:
+      ray.t_min = -infinite;
+      break;
+    default:
+      ray.direction = 1e-30 * ray.direction;
+  }
+}
+
+/// Bundles about the rays of `maker`: ever wider, now and then from one point, with a spoilt one in some.
+std::vector<Ray> bundles(SceneMaker& maker, std::size_t count, bool with_spoilt) {
+  const std::vector<Ray> leaders = maker.rays(count / bundle + 1);
+  oracle::Random random(7);
+  std::vector<Ray> rays;
+  for (std::size_t i = 0; i < leaders.size(); ++i) {
+    const double width = std::pow(10.0, -1.0 * static_cast<double>(i % 6)), size = length(leaders[i].direction);
+    const auto by = [&] { return width * Vec3{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)}; };
+    for (std::size_t k = 0; k < bundle; ++k) {
+      Ray ray = leaders[i];
+      if (i % 3 != 0) ray.origin = ray.origin + by();
+      if (i % 8 != 0) ray.direction = ray.direction + size * by();
+      if (with_spoilt && i % 4 == 0 && k % 5 == 0) spoil(ray, static_cast<int>((i / 4 + k) % 9));
+      rays.push_back(ray);
+    }
+  }
+  rays.resize(count - 5);
+  return rays;
+}
+
+/// As many again that go on from where the first ones ended, neighbours still alike.
+void add_departing(std::vector<Ray>& rays, const std::vector<Hit>& hits) {
+  for (std::size_t i = 0; i < hits.size(); ++i) {
+    Ray ray = rays[i];
+    if (hits[i].shape >= 0) {
+      ray.origin = ray.origin + hits[i].t * ray.direction;
+      ray.shape = hits[i].shape;
+      ray.primitive = hits[i].primitive;
+      ray.t_min = 0;
+      if (i / bundle % 2 == 0)
+        ray.direction = ray.direction - (2 * dot(hits[i].normal, ray.direction)) * hits[i].normal;
+    }
+    rays.push_back(ray);
+  }
+}
+
+struct Tally {
+  std::size_t rays = 0, hits = 0, differing = 0, any_differing = 0;
+};
+
+Tally compare(Precision precision, int lanes) {
+  Tally tally;
+  const Device on = device();
+  for (int number = 0; number < scenes; ++number) {
+    SceneMaker maker(2000 + static_cast<std::uint64_t>(number));
+    // Kinds that packets have a body for, and one that they have none for: programs of all kinds take minutes to
+    // compile.
+    for (const std::string name : {"sphere", "triangle", "mesh", "box"}) maker.add(name, 2 + 5 * number);
+    std::vector<Ray> rays = bundles(maker, rays_asked() / scenes / 2, precision != Precision::fast);
+    const Vec3 by = number % 4 == 3 ? Vec3{100'000, -30'000, 0.5} : Vec3{};
+    const Scene scene = translated(maker.scene(), by);
+    for (Ray& ray : rays) ray.origin = ray.origin + by;
+    RenderSettings settings;
+    settings.precision = precision;
+    settings.lanes = lanes;
+    settings.acceleration = number % 3 == 0 ? Acceleration::list : Acceleration::tree;
+    Intersector alone(on, scene, settings);
+    settings.coherent = true;
+    Intersector together(on, scene, settings);
+    add_departing(rays, alone.trace(rays));
+    const std::vector<Hit> expected = alone.trace(rays), hits = together.trace(rays);
+    const std::vector<Hit> any_expected = alone.trace(rays, true), any = together.trace(rays, true);
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+      const bool same = is_same(hits[i], expected[i], true);
+      if (!same && tally.differing == 0) {
+        const Hit &a = hits[i], &b = expected[i];
+        const Ray& r = rays[i];
+        UNSCOPED_INFO("scene " << number << ", ray " << i << ": o " << r.origin.x << " " << r.origin.y << " "
+                               << r.origin.z << " d " << r.direction.x << " " << r.direction.y << " " << r.direction.z
+                               << ": " << a.shape << "/" << a.primitive << " t " << a.t << ", alone " << b.shape << "/"
+                               << b.primitive << " t " << b.t);
+      }
+      ++tally.rays;
+      tally.hits += expected[i].shape >= 0;
+      tally.differing += !same;
+      tally.any_differing += any[i].t != any_expected[i].t;
+    }
+  }
+  return tally;
+}
+
+void hold_same(Precision precision, int lanes) {
+  INFO(precision_name(precision) << ", " << lanes << " lanes");
+  const Tally tally = compare(precision, lanes);
+  CHECK(tally.hits > tally.rays / 4);
+  CHECK(tally.differing == 0);
+  CHECK(tally.any_differing == 0);
+}
+
+}  // namespace
+
+TEST_CASE("Packets find the bits that single rays find") {
+  hold_same(Precision::robust, 16);
+  hold_same(Precision::fp64, 8);
+}
+
+// Programs take seconds to compile.
+TEST_CASE("Packets of every tier and width, where more rays are asked for") {
+  if (std::getenv("STRAHL_RAYS") == nullptr) return;
+  hold_same(Precision::robust, 8);
+  hold_same(Precision::stable, 16);
+  hold_same(Precision::stable, 8);
+  const Tally tally = compare(Precision::fast, 16);
+  WARN(tally.differing << " of " << tally.rays << " rays differ in fast, " << tally.any_differing
+                       << " of any-hit rays");
+  CHECK(tally.differing < tally.rays / 1000);
+  CHECK(tally.any_differing < tally.rays / 1000);
+}
