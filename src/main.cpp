@@ -2,12 +2,17 @@
 // strahl's command line: parse, run, and the only place that turns an exception into a message and an exit code.
 #include <chrono>
 #include <exception>
+#include <limits>
 #include <new>
 #include <string>
 #include <vector>
 
 #include "cli/app.h"
 #include "cli/console.h"
+
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 namespace {
 
@@ -51,10 +56,21 @@ ExitCode run(const std::vector<std::string>& arguments, const strahl::cli::Invoc
   return ExitCode::failure;
 }
 
+/// What one step of a run gives back the next one asks for: kept by the process, it need not be mapped and cleared
+/// again, which took a quarter of the time of a large scene.
+void keep_freed_memory() {
+#ifdef __GLIBC__
+  mallopt(M_MMAP_THRESHOLD, 1 << 30);
+  mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());
+  mallopt(M_TOP_PAD, 1 << 26);
+#endif
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   const auto start = std::chrono::steady_clock::now();
+  keep_freed_memory();
   strahl::cli::reserve_standard_streams();
   const std::vector<std::string> arguments(argv + (argc > 0 ? 1 : 0), argv + argc);
   std::string command_line = "strahl";

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <stdexcept>
+#include <tuple>
 
 #include "device/pack_areas.h"
 #include "render/sampling.h"
@@ -80,10 +82,13 @@ void shape_causes(const Scene& scene, const RenderSettings& settings, Causes& ca
              texture.where.line > 0 ? texture.where : place);
     return true;
   };
+  // Only the first cause of each is told: of a million spheres one is looked at.
+  std::set<std::tuple<std::size_t, int, bool>> seen;
   for_each_shape(scene, [&](const Shape& shape) {
+    const auto* mesh = std::get_if<Mesh>(&shape.geometry);
+    if (!mesh && !seen.emplace(shape.geometry.index(), shape.material, shape.radiance.has_value()).second) return;
     const std::string kind = shape_kind(shape);
     call_for(causes, "shapes/" + kind, "a shape made of " + kind + " primitives", shape.where);
-    const auto* mesh = std::get_if<Mesh>(&shape.geometry);
     if (mesh && shading && !mesh->normals.empty())
       call_for(causes, "SMOOTH_NORMALS", "a mesh with vertex normals", shape.where);
     if (mesh && settings.aovs.contains(Aov::uv) && !mesh->uvs.empty())

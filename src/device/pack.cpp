@@ -3,7 +3,9 @@
 #include "device/pack.h"
 
 #include <algorithm>
+#include <initializer_list>
 #include <limits>
+#include <span>
 
 #include "device/cl_layout.h"
 #include "device/pack_areas.h"
@@ -46,7 +48,8 @@ class Packing {
   }
 
  private:
-  int put_shading(const std::vector<double>& values) {
+  int put_shading(std::initializer_list<double> values) { return put_shading(std::span(values)); }
+  int put_shading(std::span<const double> values) {
     const int at = checked_offset(packed_.shading.size());
     for (const double value : values) packed_.shading.push_back(static_cast<Real>(value));
     return at;
@@ -99,7 +102,7 @@ class Packing {
       packed_.index.push_back(features_.entry_index("textures", texture_kind(texture)));
       packed_.index.push_back(put_rgb(board.color0));
       put_rgb(board.color1);
-      put_shading({board.to_uv.begin(), board.to_uv.end()});
+      put_shading(board.to_uv);
     }
   }
 
@@ -149,17 +152,12 @@ class Packing {
     if (radiance.r > 0 || radiance.g > 0 || radiance.b > 0) index(layout::HEADER_GLOWS) = 1;
   }
 
-  static std::vector<MeshPart> looks_of(const Shape& shape) {
+  /// visit(look, number) for each part; a shape without parts is one.
+  template <typename Visit>
+  static void for_each_look(const Shape& shape, Visit visit) {
     const auto* mesh = std::get_if<Mesh>(&shape.geometry);
-    if (mesh && !mesh->parts.empty()) return mesh->parts;
-    return {{shape.material, shape.radiance}};
-  }
-
-  /// Are the items of its area (pack_areas.h) flat primitives, and all of its own in order?
-  static bool is_of_primitives(const Shape& shape) {
-    const auto* mesh = std::get_if<Mesh>(&shape.geometry);
-    return (mesh && mesh->parts.empty()) || std::holds_alternative<Triangle>(shape.geometry) ||
-           std::holds_alternative<Rectangle>(shape.geometry) || std::holds_alternative<Cube>(shape.geometry);
+    if (mesh == nullptr || mesh->parts.empty()) return visit(MeshPart{shape.material, shape.radiance}, 0);
+    for (std::size_t part = 0; part < mesh->parts.size(); ++part) visit(mesh->parts[part], static_cast<int>(part));
   }
 
   /// One for each part that emits and has an area that can be drawn from; light_of_part_ for each part of the scene.
@@ -167,15 +165,14 @@ class Packing {
     const int kind = features_.has("lights", "area") ? features_.entry_index("lights", "area") : -1;
     for (std::size_t i = 0; i < shapes_.size(); ++i) {
       const Shape& shape = *shapes_[i];
-      const std::vector<MeshPart> looks = looks_of(shape);
-      for (std::size_t part = 0; part < looks.size(); ++part) {
+      for_each_look(shape, [&](const MeshPart& look, int part) {
         light_of_part_.push_back(-1);
-        const std::optional<Rgb>& radiance = looks[part].radiance;
-        if (!radiance) continue;
+        const std::optional<Rgb>& radiance = look.radiance;
+        if (!radiance) return;
         glow(*radiance);
-        if (kind < 0) continue;
-        const std::optional<EmittingArea> area = emitting_area(shape, static_cast<int>(part), options_.frame);
-        if (!area) continue;
+        if (kind < 0) return;
+        const std::optional<EmittingArea> area = emitting_area(shape, part, options_.frame);
+        if (!area) return;
         light_of_part_.back() = light_count(rows);
         std::vector<double> reals = {radiance->r, radiance->g, radiance->b, 1 / area->size, area->side};
         reals.insert(reals.end(), area->items.begin(), area->items.end());
@@ -186,8 +183,8 @@ class Packing {
           packed_.index.push_back(choice.other);
         }
         rows.insert(rows.end(), {kind, put_shading(reals), features_.entry_index("areas", area_kind(shape.geometry)),
-                                 items, choice_at, is_of_primitives(shape) ? first_ids_[i] : -1});
-      }
+                                 items, choice_at, is_area_of_primitives(shape.geometry) ? first_ids_[i] : -1});
+      });
     }
   }
 
@@ -216,8 +213,7 @@ class Packing {
       const std::int32_t first_id = first_ids_[first_part_.size()];
       first_part_.push_back(part_rows_);
       int frame_at = -1, normals_at = -1, uvs_at = -1;
-      if (const auto frame = surface_frame(shape.geometry, frame_in_use))
-        frame_at = put_shading({frame->begin(), frame->end()});
+      if (const auto frame = surface_frame(shape.geometry, frame_in_use)) frame_at = put_shading(*frame);
       int rates_at = -1;
       if (has_textures_) {
         const Vec2 rates = uv_rates(shape.geometry, frame_in_use);
@@ -231,14 +227,14 @@ class Packing {
           return std::array{uv.x, uv.y};
         });
       }
-      for (const MeshPart& look : looks_of(shape)) {
+      for_each_look(shape, [&](const MeshPart& look, int) {
         const int radiance_at = look.radiance ? put_rgb(*look.radiance) : -1;
         const int light = light_of_part_[static_cast<std::size_t>(part_rows_)];
         packed_.index.insert(packed_.index.end(), {static_cast<int>(i), first_id, look.material, radiance_at, light,
                                                    shape.flip_normals != faces_inward(shape.geometry) ? 1 : 0, frame_at,
                                                    normals_at, uvs_at, rates_at});
         ++part_rows_;
-      }
+      });
     }
   }
 
@@ -248,6 +244,12 @@ class Packing {
     KindList<Real> list;
     list.kind = kind;
     list.planes = planes_of(kind);
+    std::size_t count = 0;
+    for (const Shape& shape : shapes)
+      if (shape_kind(shape) == kind) count += static_cast<std::size_t>(primitive_count(shape));
+    list.values.reserve(count * static_cast<std::size_t>(list.planes));
+    list.ids.reserve(count);
+    list.parts.reserve(count);
     for (std::size_t i = 0; i < shapes.size(); ++i) {
       const Shape& shape = shapes[i];
       if (shape_kind(shape) != kind) continue;

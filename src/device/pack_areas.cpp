@@ -131,6 +131,12 @@ std::vector<Choice> alias_table(const std::vector<double>& weights) {
 
 std::string area_kind(const Geometry& geometry) { return std::visit(Kind{}, geometry); }
 
+bool is_area_of_primitives(const Geometry& geometry) {
+  const auto* mesh = std::get_if<Mesh>(&geometry);
+  return (mesh && mesh->parts.empty()) || std::holds_alternative<Triangle>(geometry) ||
+         std::holds_alternative<Rectangle>(geometry) || std::holds_alternative<Cube>(geometry);
+}
+
 std::optional<EmittingArea> emitting_area(const Shape& shape, int part, const Frame& frame) {
   Items items(frame, shape.flip_normals != faces_inward(shape.geometry));
   std::visit(Collector{frame, part, items}, shape.geometry);

@@ -35,6 +35,9 @@ struct EmittingArea {
   std::vector<Choice> choices;
 };
 
+/// Whether the items are flat primitives, all that the shape has, in its order.
+[[nodiscard]] bool is_area_of_primitives(const Geometry& geometry);
+
 /// Of one part of a shape (0 for shapes without parts); none where there is no area to draw from.
 [[nodiscard]] std::optional<EmittingArea> emitting_area(const Shape& shape, int part, const Frame& frame);
 

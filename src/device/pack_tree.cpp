@@ -64,6 +64,7 @@ class TreePacking {
   TreePacking(std::vector<KindList<Real>> lists, const std::vector<Bounds<Real>>& instances, const TreeOptions& options)
       : lists_(std::move(lists)), instances_(instances), options_(options), width_(options.width) {
     for (const KindList<Real>& list : lists_) bounds_of_.push_back(bounds_function<Real>(list.kind));
+    boxes_.resize(lists_.size());
     packed_.kinds.resize(lists_.size());
     packed_.root = NO_REFERENCE;
   }
@@ -75,7 +76,12 @@ class TreePacking {
     for (std::size_t k = 0; k < lists_.size(); ++k) {
       if (bounds_of_[k] == nullptr) continue;
       bounded += lists_[k].ids.size();
-      for (std::size_t i = 0; i < lists_[k].ids.size(); ++i) include(reach, bounds(k, i));
+      boxes_[k].reserve(lists_[k].ids.size());
+      const Real* values = lists_[k].values.data();
+      for (std::size_t i = 0; i < lists_[k].ids.size(); ++i, values += lists_[k].planes) {
+        boxes_[k].push_back(bounds_of_[k](values));
+        include(reach, boxes_[k].back());
+      }
     }
     for (const Bounds<Real>& box : instances_) include(reach, box);
     if (bounded == 0) reach = {};
@@ -95,7 +101,7 @@ class TreePacking {
  private:
   [[nodiscard]] Bounds<Real> bounds(std::size_t kind, std::size_t i) const {
     if (kind == lists_.size()) return instances_[i];
-    return bounds_of_[kind](lists_[kind].values.data() + i * static_cast<std::size_t>(lists_[kind].planes));
+    return boxes_[kind][i];
   }
   [[nodiscard]] std::size_t lanes() const { return static_cast<std::size_t>(lanes_of(width_)); }
 
@@ -223,7 +229,8 @@ class TreePacking {
   TreeOptions options_;
   int width_;
   std::vector<BoundsFunction<Real>> bounds_of_;
-  std::vector<std::int32_t> references_;  ///< Of every leaf.
+  std::vector<std::vector<Bounds<Real>>> boxes_;  ///< Of every primitive that is bounded.
+  std::vector<std::int32_t> references_;          ///< Of every leaf.
   std::vector<Bounds<Real>> leaf_bounds_;
   PackedTree<Real> packed_;
 };
