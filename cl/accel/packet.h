@@ -65,8 +65,6 @@ FN maskw LANED(meet_child)(const LANED(Packet) * p, GLOBAL const real* planes) {
   return le_w(slabs.enter, slabs.leave);
 }
 
-FN GLOBAL const real* LANED(reach_of)(const Scene* scene) { return scene->geometry + scene->index[HEADER_BOUNDS]; }
-
 #include "shapes/packet_bodies_lanes.h"
 
 FN void LANED(settle_one)(const Ray* ray, Nearest* best) {
@@ -222,7 +220,7 @@ FN LANED(NearestEach)
   LANED(NearestEach) each;
   for (int i = 0; i < LANES; ++i) LANED(nearest_to)(&each, i, nearest_none(R(0.0)));
   if (SHAPE_COUNT == 0) return each;
-  int found = LANED(packet_make)(&p, rays, left, LANED(reach_of)(scene));
+  int found = LANED(packet_make)(&p, rays, left);
   if (found == LANED(PACKET_DEAD)) return each;
   int is_done = 0;
   if (found == LANED(PACKET_ALIKE)) {

@@ -39,9 +39,6 @@ typedef struct {
 
   // In common. Each ray lies within first ... last.
   real first, last;
-#if TIER_FAST
-  real farthest;  ///< Nothing is farther from any ray's origin, along any axis.
-#endif
   int near_x, near_y, near_z, kx, ky, kz;
   LANED(Bounds) x, y, z;
 } LANED(Packet);
@@ -79,7 +76,7 @@ FN LANED(Bounds) LANED(axis_bounds)(realw o, realw inv, realw slack, int is_back
 enum { LANED(PACKET_DEAD), LANED(PACKET_ALIKE), LANED(PACKET_MIXED) };
 
 /// rays: prepared and widened; those that can hit nothing become others with an empty range.
-FN int LANED(packet_make)(LANED(Packet) * p, PRIVATE realw* rays, GLOBAL const int* left, GLOBAL const real* reach) {
+FN int LANED(packet_make)(LANED(Packet) * p, PRIVATE realw* rays, GLOBAL const int* left) {
   maskw dead = lt_w(rays[RAY_PLANE_T_MAX], rays[RAY_PLANE_T_MIN]);
   uint alive = bits_w(~dead);
   if (alive == 0u) return LANED(PACKET_DEAD);
@@ -126,15 +123,6 @@ FN int LANED(packet_make)(LANED(Packet) * p, PRIVATE realw* rays, GLOBAL const i
   p->x = LANED(axis_bounds)(p->o.x, inv.x, p->slack.x, p->near_x & 1);
   p->y = LANED(axis_bounds)(p->o.y, inv.y, p->slack.y, p->near_y & 1);
   p->z = LANED(axis_bounds)(p->o.z, inv.z, p->slack.z, p->near_z & 1);
-#if TIER_FAST
-  realw far_x = abs_w(splat_w(reach[0]) - p->o.x) + splat_w(reach[3]);
-  realw far_y = abs_w(splat_w(reach[1]) - p->o.y) + splat_w(reach[4]);
-  realw far_z = abs_w(splat_w(reach[2]) - p->o.z) + splat_w(reach[5]);
-  p->farthest = largest_w(max_w(far_z, max_w(far_y, far_x)));
-#else
-  (void)reach;
-#endif
-
   p->t = p->bound = rays[RAY_PLANE_T_MAX];
   p->first = least_w(p->t_min);
   p->last = largest_w(p->t);

@@ -2,12 +2,22 @@
 // LANES rays against one sphere at a time of a block: sphere_lanes.h with the roles exchanged, the same operations. One
 // width; no guard.
 
+#if TIER_FAST
+/// Of x from any ray's origin, along one axis.
+FN realw LANED(farthest_square)(realw x, LANED(Bounds) b) {
+  realw far = max_w(abs_w(x - splat_w(b.o_near)), abs_w(x - splat_w(b.o_far)));
+  return far * far;
+}
+#endif
+
+/// Spheres of a block that some ray may meet.
 FN uint LANED(may_meet_spheres)(const LANED(Packet) * p, GLOBAL const real* block, GLOBAL const int* ids) {
   uint there = bits_w(nonzero_w(load_int_w(ids) - splat_int_w(-1)));
   realw r = load_w(block + 3 * LANES), cx = load_w(block), cy = load_w(block + LANES), cz = load_w(block + 2 * LANES);
 #if TIER_FAST
-  // The textbook's discriminant may be off by some u of the square of the distance.
-  r = sqrt_w(fma_w(r, r, splat_w(R(0x1p-18) * p->farthest * p->farthest)));
+  // The textbook's discriminant may be off by some 12 u of the square of the distance.
+  realw ff = LANED(farthest_square)(cx, p->x) + LANED(farthest_square)(cy, p->y) + LANED(farthest_square)(cz, p->z);
+  r = sqrt_w(fma_w(r, r, splat_w(R(0x1p-20)) * ff));
 #endif
   realw rx = p->near_x == 0 ? -r : r, ry = p->near_y == 2 ? -r : r, rz = p->near_z == 4 ? -r : r;
   LANED(Real3) near, far;

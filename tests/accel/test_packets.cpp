@@ -7,8 +7,8 @@
 #include <cstdlib>
 #include <limits>
 
+#include "cl/instanced_scenes.h"
 #include "cl/same_bits.h"
-#include "study/transformed.h"
 #include "support/devices.h"
 
 using namespace strahl;
@@ -64,8 +64,9 @@ void spoil(Ray& ray, int how) {
   }
 }
 
-/// Bundles about the rays of `maker`: ever wider, now and then from one point, with a spoilt one in some.
-std::vector<Ray> bundles(SceneMaker& maker, std::size_t count, bool with_spoilt) {
+/// Bundles about the rays of a maker: ever wider, now and then from one point, with a spoilt one in some.
+template <class Maker>
+std::vector<Ray> bundles(Maker& maker, std::size_t count, bool with_spoilt) {
   const std::vector<Ray> leaders = maker.rays(count / bundle + 1);
   oracle::Random random(7);
   std::vector<Ray> rays;
@@ -90,6 +91,7 @@ void add_departing(std::vector<Ray>& rays, const std::vector<Hit>& hits) {
     Ray ray = rays[i];
     if (hits[i].shape >= 0) {
       ray.origin = ray.origin + hits[i].t * ray.direction;
+      ray.instance = hits[i].instance;
       ray.shape = hits[i].shape;
       ray.primitive = hits[i].primitive;
       ray.t_min = 0;
@@ -101,46 +103,49 @@ void add_departing(std::vector<Ray>& rays, const std::vector<Hit>& hits) {
 }
 
 struct Tally {
-  std::size_t rays = 0, hits = 0, differing = 0, any_differing = 0;
+  std::size_t rays = 0, hits = 0, instanced = 0, differing = 0, any_differing = 0;
 };
+
+/// The rays, and as many that depart, alone and in packets.
+void compare(const Device& on, const Scene& scene, std::vector<Ray> rays, RenderSettings settings, Tally& tally) {
+  Intersector alone(on, scene, settings);
+  settings.coherent = true;
+  Intersector together(on, scene, settings);
+  add_departing(rays, alone.trace(rays));
+  const std::vector<Hit> expected = alone.trace(rays), hits = together.trace(rays);
+  const std::vector<Hit> any_expected = alone.trace(rays, true), any = together.trace(rays, true);
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    const Hit &a = hits[i], &b = expected[i];
+    const bool same = is_same(a, b, true) && a.instance == b.instance;
+    const Ray& r = rays[i];
+    if (!same && tally.differing == 0)
+      UNSCOPED_INFO("ray " << i << ": o " << r.origin.x << " " << r.origin.y << " " << r.origin.z << " d "
+                           << r.direction.x << " " << r.direction.y << " " << r.direction.z << ": " << a.instance << "/"
+                           << a.shape << "/" << a.primitive << " t " << a.t << ", alone " << b.instance << "/"
+                           << b.shape << "/" << b.primitive << " t " << b.t);
+    ++tally.rays;
+    tally.hits += b.shape >= 0;
+    tally.instanced += b.instance >= 0;
+    tally.differing += !same;
+    tally.any_differing += any[i].t != any_expected[i].t;
+  }
+}
 
 Tally compare(Precision precision, int lanes) {
   Tally tally;
   const Device on = device();
   for (int number = 0; number < scenes; ++number) {
     SceneMaker maker(2000 + static_cast<std::uint64_t>(number));
-    // Kinds that packets have a body for, and one that they have none for: programs of all kinds take minutes to
-    // compile.
+    // Kinds that packets have a body for, and one that they have none for: programs of all kinds take long to compile.
     for (const std::string name : {"sphere", "triangle", "mesh", "box"}) maker.add(name, 2 + 5 * number);
     std::vector<Ray> rays = bundles(maker, rays_asked() / scenes / 2, precision != Precision::fast);
     const Vec3 by = number % 4 == 3 ? Vec3{100'000, -30'000, 0.5} : Vec3{};
-    const Scene scene = translated(maker.scene(), by);
     for (Ray& ray : rays) ray.origin = ray.origin + by;
     RenderSettings settings;
     settings.precision = precision;
     settings.lanes = lanes;
     settings.acceleration = number % 3 == 0 ? Acceleration::list : Acceleration::tree;
-    Intersector alone(on, scene, settings);
-    settings.coherent = true;
-    Intersector together(on, scene, settings);
-    add_departing(rays, alone.trace(rays));
-    const std::vector<Hit> expected = alone.trace(rays), hits = together.trace(rays);
-    const std::vector<Hit> any_expected = alone.trace(rays, true), any = together.trace(rays, true);
-    for (std::size_t i = 0; i < rays.size(); ++i) {
-      const bool same = is_same(hits[i], expected[i], true);
-      if (!same && tally.differing == 0) {
-        const Hit &a = hits[i], &b = expected[i];
-        const Ray& r = rays[i];
-        UNSCOPED_INFO("scene " << number << ", ray " << i << ": o " << r.origin.x << " " << r.origin.y << " "
-                               << r.origin.z << " d " << r.direction.x << " " << r.direction.y << " " << r.direction.z
-                               << ": " << a.shape << "/" << a.primitive << " t " << a.t << ", alone " << b.shape << "/"
-                               << b.primitive << " t " << b.t);
-      }
-      ++tally.rays;
-      tally.hits += expected[i].shape >= 0;
-      tally.differing += !same;
-      tally.any_differing += any[i].t != any_expected[i].t;
-    }
+    compare(on, translated(maker.scene(), by), rays, settings, tally);
   }
   return tally;
 }
@@ -155,15 +160,29 @@ void hold_same(Precision precision, int lanes) {
 
 }  // namespace
 
-TEST_CASE("Packets find the bits that single rays find") {
-  hold_same(Precision::robust, 16);
-  hold_same(Precision::fp64, 8);
+TEST_CASE("Packets find the bits that single rays find") { hold_same(Precision::robust, 16); }
+
+TEST_CASE("Packets find the bits that single rays find in instances") {
+  Tally tally;
+  for (const Acceleration acceleration : {Acceleration::list, Acceleration::tree}) {
+    InstancedMaker maker(3);
+    const Scene scene =
+        maker.scene(20, [&](int number) { return distorted(maker.random(), number); }, {"sphere", "triangle"});
+    RenderSettings settings;
+    settings.lanes = 16;
+    settings.acceleration = acceleration;
+    compare(device(), scene, bundles(maker, 20'000, true), settings, tally);
+  }
+  CHECK(tally.instanced > tally.rays / 8);
+  CHECK(tally.differing == 0);
+  CHECK(tally.any_differing == 0);
 }
 
 // Programs take seconds to compile.
 TEST_CASE("Packets of every tier and width, where more rays are asked for") {
   if (std::getenv("STRAHL_RAYS") == nullptr) return;
   hold_same(Precision::robust, 8);
+  hold_same(Precision::fp64, 8);
   hold_same(Precision::stable, 16);
   hold_same(Precision::stable, 8);
   const Tally tally = compare(Precision::fast, 16);
