@@ -10,6 +10,7 @@
 #include "bench/peers/embree.h"
 #include "bench/peers/embree_tree.h"
 #include "bench/strahl_contender.h"
+#include "errors.h"
 #include "scene/loader.h"
 #include "study/generated/scenes.h"
 
@@ -96,6 +97,10 @@ RaySet rays_of(RayKind kind, const Scene& scene, const RaySet& primary, const st
 Scene bench_scene(const std::string& name) {
   if (name.find_first_of("./") == std::string::npos) return generated_scene(name);
   Scene scene = load_scene(name).scene;
+  if (!scene.instances.empty())
+    throw SceneError(
+        {{Severity::error, scene.instances.front().where,
+          "the programs that strahl is compared with are given shapes, not instances; choose a scene without"}});
   scene.film.width = scene.film.height = 1024;
   if (scene.lights.empty()) {  // Over the camera's right shoulder.
     const Transform& camera = scene.camera.world_from_camera;
