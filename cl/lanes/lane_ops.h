@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Lane types and operations for one value of LANES (1, 8 or 16): include once per width, after defining LANES.
-// No include guard on purpose, but for one lane, which units want beside others. Bodies use these, + - * / and unary - on realw, & | ~ on maskw, nothing else.
+// No include guard on purpose, but for one lane, which units want beside others. Bodies use these, + - * / and unary -
+// on realw, & | ~ on maskw, nothing else.
 //
 //   splat_w(x)                every lane x
 //   lt_w le_w eq_w            compare, false on NaN
