@@ -124,7 +124,7 @@ class Strahl:
         self.name = f"strahl {sampler}"
         self.command = [str(options.build / "strahl"), scene, "-q", "--spp", str(options.spp)]
         self.command += ["-d", options.device] if options.device else []
-        self.command += ["--sampler", sampler] if sampler != "independent" else []
+        self.command += ["--sampler", sampler]
 
     def render(self, seed, path):
         stats = path + ".json"
@@ -144,15 +144,16 @@ def paths(options, folder):
     scene = str(folder / "cornell.xml")
     text = (HERE.parent / "scenes" / "cornell" / "cornell-box.xml").read_text(encoding="utf-8")
     text = text.replace('name="res" value="512"', 'name="res" value="256"').replace(
-        '<film type="hdrfilm">', '<film type="hdrfilm"><rfilter type="box"/>')
+        '<film type="hdrfilm">', '<film type="hdrfilm"><rfilter type="box"/>').replace(
+            '<sampler type="multijitter">', '<sampler type="independent">')
     pathlib.Path(scene).write_text(text, encoding="utf-8")
-    if 'value="256"' not in text or "rfilter" not in text:
+    if not all(change in text for change in ('value="256"', "rfilter", '<sampler type="independent">')):
         sys.exit("pictures: the Cornell box is no longer what this script changes")
 
     reference = options.reference or str(folder / "reference.exr")
     if not pathlib.Path(reference).exists():
         say(f"reference, {options.reference_spp} samples")
-        peer = Mitsuba(options.mitsuba, scene, options.reference_spp, options.variant, "independent")
+        peer = Mitsuba(options.mitsuba, scene, options.reference_spp, options.variant, "multijitter")
         peer.render(999983, reference)
         peer.close()
 
@@ -170,12 +171,12 @@ def paths(options, folder):
                 picture = str(folder / "picture.exr")
                 result["seconds"].append(contender.render(number, picture))
                 result["mse"].append(difference(strahl, picture, reference, "mse"))
-    # The reference's own error is in everybody's: as much as 1 / longer of an independent picture's.
+    # The reference's own error is in everybody's: of the least that there is, at most as much as it is longer.
     own = {r["program"]: statistics.fmean(r["mse"]) for r in results}
-    worst = max(own.values())
+    least = min(own.values())
     rows = []
     for result in results:
-        mse = own[result["program"]] - worst * options.spp / options.reference_spp
+        mse = own[result["program"]] - least * options.spp / options.reference_spp
         seconds = statistics.median(result["seconds"])
         result.update({"efficiency": 1 / (mse * seconds), "paths_per_second": 256 * 256 * options.spp / seconds})
     first = results[0]
