@@ -106,7 +106,7 @@ FN void LANED(meet_leaf)(const Scene* scene, const Ray* ray, const Place* place,
   (void)ray;  // A scene without shapes.
   (void)geometry;
 #if TIER_ROBUST
-  if (best->kind != kind) nearest_settle(ray, best, LANES);
+  if (SHAPE_COUNT > 1 && best->kind != kind) nearest_settle(ray, best, LANES);
 #endif
   for (int b = first; b < first + count && !(want == FIND_ANY && best->kind >= 0); ++b, ids += LANES) {
 #define SHAPE(name, planes)                                            \
