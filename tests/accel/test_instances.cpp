@@ -37,6 +37,9 @@ std::vector<Ray> on_grid(std::vector<Ray> rays) {
   return rays;
 }
 
+/// One of every way to find a hit; programs for all kinds take long to compile.
+const std::vector<std::string> kinds = {"sphere", "plane", "box", "triangle"};
+
 int widest(Precision precision) { return precision == Precision::fp64 ? 8 : 16; }
 
 double distance(const Vec3& a, const Vec3& b) { return length(a - b); }
@@ -71,9 +74,9 @@ struct Question {
 Question question(int number, std::size_t rays) {
   InstancedMaker maker(100 + static_cast<std::uint64_t>(number));
   Question q;
-  q.scene = maker.scene(2 + 2 * number, [&](int i) {
-    return i % 4 == 0 ? moved_by(whole(maker.random())) : distorted(maker.random(), i);
-  });
+  q.scene = maker.scene(
+      2 + 2 * number,
+      [&](int i) { return i % 4 == 0 ? moved_by(whole(maker.random())) : distorted(maker.random(), i); }, kinds);
   q.rays = maker.rays(rays);
   if (number % 5 == 4) {
     const Vec3 by{100003, -7001, 0.5};
@@ -111,7 +114,8 @@ void on_host(const Scene& scene, const Check& check) {
 
 TEST_CASE("Instances that are only moved are hit as their shapes would be, bit for bit") {
   InstancedMaker maker(7);
-  const Scene scene = maker.scene(40, [&](int) { return moved_by(whole(maker.random())); });
+  const Scene scene = maker.scene(
+      40, [&](int) { return moved_by(whole(maker.random())); }, kinds);
   const Scene flat = flattened(scene);
   const std::vector<Ray> rays = on_grid(maker.rays(40000));
   for (const Precision precision : {Precision::robust, Precision::fp64}) {
@@ -141,6 +145,20 @@ TEST_CASE("Instances that are only moved are hit as their shapes would be, bit f
     CHECK(others > 1000);
     CHECK(off < (precision == Precision::fp64 ? 0x1p-50 : 0x1p-21));
   }
+}
+
+TEST_CASE("On the host that holds for every kind of shape") {
+  InstancedMaker maker(8);
+  const Scene scene = maker.scene(30, [&](int) { return moved_by(whole(maker.random())); });
+  const Scene flat = flattened(scene);
+  const std::vector<Ray> rays = on_grid(maker.rays(4000));
+  const auto hits = HostTracer<double>(scene, 8).trace(rays), expected = HostTracer<double>(flat, 8).trace(rays);
+  std::size_t wrong = 0;
+  for (std::size_t i = 0; i < rays.size(); ++i)
+    wrong += hits[i].t != expected[i].t || hits[i].primitive != expected[i].primitive ||
+             flat_shape(scene, hits[i]) != expected[i].shape || hits[i].u != expected[i].u ||
+             hits[i].v != expected[i].v;
+  CHECK(wrong == 0);
 }
 
 TEST_CASE("With instances trees of every width find what lists find, and the host the same") {
@@ -251,12 +269,15 @@ TEST_CASE("Of equal hits that of the scene itself counts, then that of the first
 
 TEST_CASE("A hundred thousand instances of a group take its memory once") {
   InstancedMaker maker(3);
-  const Scene scene = maker.scene(100000, [&](int i) {
-    const Vec3 by{40.0 * (i % 50), 40.0 * (i / 50 % 50), 40.0 * (i / 2500)};
-    Transform transform = distorted(maker.random(), i);
-    for (std::size_t row = 0; row < 3; ++row) transform.m[row][3] += row == 0 ? by.x : row == 1 ? by.y : by.z;
-    return transform;
-  });
+  const Scene scene = maker.scene(
+      100000,
+      [&](int i) {
+        const Vec3 by{40.0 * (i % 50), 40.0 * (i / 50 % 50), 40.0 * (i / 2500)};
+        Transform transform = distorted(maker.random(), i);
+        for (std::size_t row = 0; row < 3; ++row) transform.m[row][3] += row == 0 ? by.x : row == 1 ? by.y : by.z;
+        return transform;
+      },
+      kinds);
   const std::vector<Ray> rays = maker.rays(2000);
   const Device on = device();
   Intersector trees(on, scene, settings_of(Precision::robust, 16, Acceleration::tree));
@@ -272,7 +293,12 @@ TEST_CASE("A hundred thousand instances of a group take its memory once") {
 
 TEST_CASE("Rays name what they left in an instance that is there, and a shape of its group") {
   InstancedMaker maker(3);
-  const Scene scene = maker.scene(2, [](int i) { return moved_by({200.0 * i, 0, 0}); });
+  const Scene scene = maker.scene(
+      2,
+      [](int i) {
+        return moved_by({200.0 * i, 0, 0});
+      },
+      kinds);
   const int shapes = static_cast<int>(scene.groups[0].shapes.size());
   Intersector intersector(device(), scene, settings_of(Precision::robust, 16, Acceleration::list));
   const auto left = [](int instance, int shape) {

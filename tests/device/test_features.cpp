@@ -338,3 +338,13 @@ TEST_CASE("--generic has everything on but the instrumented program's counters")
   settings.count_rays = true;
   check_on(scene, settings, "COUNT_RAYS", 0, "--stats-detail");
 }
+
+TEST_CASE("instances are called for where a group stands, not where there is a group") {
+  Scene scene = scene_of(Sphere{});
+  scene.groups.emplace_back().shapes = scene.shapes;
+  check_off(scene, {}, "INSTANCES");
+  Instance instance;
+  instance.where = line(12);
+  scene.instances.push_back(instance);
+  check_on(scene, {}, "INSTANCES", 12, "an instance of a group");
+}
