@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The nearest hit so far. House law: t < best, or t == best and the smaller scene-wide id. So the answer depends
-// neither on the order of blocks nor on the width of lanes nor on the tree. What is in no instance comes before what
-// is.
+// neither on the order of blocks nor on the width of lanes nor on the tree. Groups have the larger ids: what is in no
+// instance comes before what is in one.
 #ifndef STRAHL_CORE_NEAREST_H
 #define STRAHL_CORE_NEAREST_H
 
@@ -43,9 +43,7 @@ FN Nearest nearest_none(real t_max) {
 }
 
 FN void nearest_take(Nearest* best, real t, int id, int kind, int slot) {
-  int is_before = id < best->id;
-  if (HAS_INSTANCES) is_before = is_before | (best->instance >= 0);
-  if (id >= 0 && (t < best->t || (t == best->t && is_before))) {
+  if (id >= 0 && (t < best->t || (t == best->t && id < best->id))) {
     best->t = t;
     best->id = id;
     best->kind = kind;
