@@ -113,16 +113,7 @@ FN real bits_to_real(bitsr b) { return as_double(b); }
 FN bitsr real_to_bits(real x) { return as_uint(x); }
 FN real bits_to_real(bitsr b) { return as_float(b); }
 #endif
-#if defined(__has_builtin)
-#if __has_builtin(__builtin_ctz)
-#define FIRST_BIT(m) __builtin_ctz(m)
-#endif
-#endif
-#ifndef FIRST_BIT
-#define FIRST_BIT(m) (31 - (int)clz((m) & (~(m) + 1u)))
-#endif
-FN int first_bit(uint m) { return FIRST_BIT(m); }
-#undef FIRST_BIT
+FN int first_bit(uint m) { return 31 - (int)clz(m & (~m + 1u)); }
 FN void add_atomically(GLOBAL uint* sum, uint number) { atomic_add(sum, number); }
 FN uint high_product(uint a, uint b) { return mul_hi(a, b); }
 FN real real_fma(real a, real b, real c) { return fma(a, b, c); }

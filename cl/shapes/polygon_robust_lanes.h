@@ -23,14 +23,16 @@ typedef struct {
 /// is no more than a guess.
 FN maskw LANED(in_range_roughly)(const Ray* ray, const Nearest* best, const LANED(Polygon) * p,
                                  PRIVATE LANED(RoughT) * t) {
-  realw shear = splat_w(ray->shear_z), scale = shear / (p->of_a + p->of_b + p->of_c);
+  realw shear = splat_w(ray->shear_z), sum = p->of_a + p->of_b + p->of_c, scale = shear / sum, area = abs_w(sum);
   realw rough = fma_w(p->of_c, p->at_c.z, fma_w(p->of_b, p->at_b.z, p->of_a * p->at_a.z)) * scale;
   realw z = max_w(abs_w(p->z_min), abs_w(p->z_max));
   realw l = max_w(LANED(aside_of)(p->at_c), max_w(LANED(aside_of)(p->at_b), LANED(aside_of)(p->at_a)));
   realw turned = l * (p->z_max - p->z_min) * abs_w(scale);
   realw spare = fma_w(splat_w(R(0x1p-17)) * (l + z), turned, splat_w(R(0x1p-20)) * z);
   realw one = p->z_min * shear, other = p->z_max * shear, first = min_w(one, other), last = max_w(one, other);
-  maskw is_clear = lt_w(turned, splat_w(R(256.0)));
+  // A polygon whose area is rounding alone, or all but leaves the range of numbers, may turn out to have no t.
+  maskw is_clear = lt_w(turned, splat_w(R(256.0))) & lt_w(splat_w(R(0x1p-18)) * l * l, area) &
+                   lt_w(splat_w(R(0x1p-100)), area) & lt_w(area * (l + z), splat_w(R(0x1p+120)));
   realw least = sel_w(is_clear, max_w(rough - spare, first), first);
   realw most = sel_w(is_clear, min_w(rough + spare, last), splat_w(REAL_MAX));
   store_w(rough, t->rough);
