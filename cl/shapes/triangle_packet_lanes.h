@@ -84,7 +84,10 @@ FN void LANED(triangle_packet)(const Scene* scene, LANED(Packet) * p, GLOBAL con
     realw turned = l * (z_max - z_min) * abs_w(scale);
     realw spare = fma_w(splat_w(R(0x1p-17)) * (l + z), turned, splat_w(R(0x1p-20)) * z);
     realw one = z_min * p->shear.z, other = z_max * p->shear.z, first = min_w(one, other), last = max_w(one, other);
-    maskw is_clear = lt_w(turned, splat_w(R(256.0)));
+    // As in_range_roughly has it.
+    realw area = abs_w(sum);
+    maskw is_clear = lt_w(turned, splat_w(R(256.0))) & lt_w(splat_w(R(0x1p-18)) * l * l, area) &
+                     lt_w(splat_w(R(0x1p-100)), area) & lt_w(area * (l + z), splat_w(R(0x1p+120)));
     realw least = sel_w(is_clear, max_w(t - spare, first), first);
     realw most = sel_w(is_clear, min_w(t + spare, last), splat_w(REAL_MAX));
     hit = hit & ~(lt_w(p->bound, least) | lt_w(most, p->t_min));
