@@ -135,10 +135,4 @@ FN int real_is_finite(real x) {
 /// 1: x is negative or -0.
 FN int sign_bit(real x) { return (int)(real_to_bits(x) >> (REAL_BITS - 1)); }
 
-/// Decided on the bits, as above: fast's compiler may take it that there is no NaN.
-FN int real_is_nan(real x) {
-  bitsr magnitude = real_to_bits(x) << 1;
-  return magnitude > ((bitsr)REAL_EXPONENT_MASK << (REAL_EXPONENT_SHIFT + 1));
-}
-
 #endif

@@ -16,17 +16,16 @@ FN realw inverse_power_w(realw p) { return bits_to_real(EXPONENT_SUM - real_to_b
 FN maskw finite_w(realw x) { return -(int)((real_to_bits(x) << 1) < (EXPONENT_BITS << 1)); }
 FN maskw nan_w(realw x) { return -(int)((EXPONENT_BITS << 1) < (real_to_bits(x) << 1)); }
 #else
-FN maskw LANED(exponent_lanes)(bitsr value) { return LANE_SPLAT_MASK(value); }
 FN realw power_of_two_w(realw x) {
-  maskw e = LANE_AS_MASK(x) & LANED(exponent_lanes)(EXPONENT_BITS);
-  maskw least = LANED(exponent_lanes)(EXPONENT_LEAST), most = LANED(exponent_lanes)(EXPONENT_MOST);
+  maskw e = LANE_AS_MASK(x) & LANE_SPLAT_MASK(EXPONENT_BITS);
+  maskw least = LANE_SPLAT_MASK(EXPONENT_LEAST), most = LANE_SPLAT_MASK(EXPONENT_MOST);
   maskw is_small = e < least, is_large = most < e;
   e = (e & ~is_small) | (least & is_small);
   return LANE_AS_REAL((e & ~is_large) | (most & is_large));
 }
-FN realw inverse_power_w(realw p) { return LANE_AS_REAL(LANED(exponent_lanes)(EXPONENT_SUM) - LANE_AS_MASK(p)); }
-FN maskw finite_w(realw x) { return LANE_AS_MASK(abs_w(x)) < LANED(exponent_lanes)(EXPONENT_BITS); }
-FN maskw nan_w(realw x) { return LANED(exponent_lanes)(EXPONENT_BITS) < LANE_AS_MASK(abs_w(x)); }
+FN realw inverse_power_w(realw p) { return LANE_AS_REAL(LANE_SPLAT_MASK(EXPONENT_SUM) - LANE_AS_MASK(p)); }
+FN maskw finite_w(realw x) { return LANE_AS_MASK(abs_w(x)) < LANE_SPLAT_MASK(EXPONENT_BITS); }
+FN maskw nan_w(realw x) { return LANE_SPLAT_MASK(EXPONENT_BITS) < LANE_AS_MASK(abs_w(x)); }
 #endif
 
 #undef EXPONENT_BITS

@@ -50,18 +50,7 @@ FN void LANED(parallelogram_block)(const Ray* ray, GLOBAL const real* block, GLO
     hit = hit & ~(on_edge & (LANED(signs_differ)(rab, rbc, rcd) | LANED(signs_differ)(rbc, rcd, rda)));
   }
 #if TIER_ROBUST
-  uint candidates = bits_w(hit);
-  while (candidates != 0u) {
-    int lane = first_bit(candidates);
-    candidates &= candidates - 1u;
-    PolygonT at;
-    at.rough = t.rough[lane];
-    at.least = t.least[lane];
-    at.most = t.most[lane];
-    at.prim = block + lane;
-    at.corners = 4;
-    polygon_take(ray, best, &at, LANES, ids[lane], SHAPE_parallelogram, slot + lane);
-  }
+  LANED(take_polygons)(ray, best, hit, &t, block, ids, 4, SHAPE_parallelogram, slot);
 #else
   LANED(take_nearest)(hit, t, ids, -1, SHAPE_parallelogram, slot, best);
 #endif

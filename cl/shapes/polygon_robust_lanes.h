@@ -40,3 +40,20 @@ FN maskw LANED(in_range_roughly)(const Ray* ray, const Nearest* best, const LANE
   store_w(most, t->most);
   return ~(lt_w(splat_w(best->t), least) | lt_w(most, splat_w(ray->t_min)));
 }
+
+/// Takes the lanes that are hit, one by one. block: the polygons' own, of so many corners.
+FN void LANED(take_polygons)(const Ray* ray, Nearest* best, maskw hit, const LANED(RoughT) * t,
+                             GLOBAL const real* block, GLOBAL const int* ids, int corners, int kind, int slot) {
+  uint candidates = bits_w(hit);
+  while (candidates != 0u) {
+    int lane = first_bit(candidates);
+    candidates &= candidates - 1u;
+    PolygonT at;
+    at.rough = t->rough[lane];
+    at.least = t->least[lane];
+    at.most = t->most[lane];
+    at.prim = block + lane;
+    at.corners = corners;
+    polygon_take(ray, best, &at, LANES, ids[lane], kind, slot + lane);
+  }
+}

@@ -46,18 +46,7 @@ FN void LANED(triangle_block)(const Ray* ray, GLOBAL const real* block, GLOBAL c
     hit = hit & ~(on_edge & LANED(signs_differ)(LANED(resolved_edge)(ea, b, c), LANED(resolved_edge)(eb, c, a),
                                                 LANED(resolved_edge)(ec, a, b)));
 #if TIER_ROBUST
-  uint candidates = bits_w(hit);
-  while (candidates != 0u) {
-    int lane = first_bit(candidates);
-    candidates &= candidates - 1u;
-    PolygonT at;
-    at.rough = t.rough[lane];
-    at.least = t.least[lane];
-    at.most = t.most[lane];
-    at.prim = block + lane;
-    at.corners = 3;
-    polygon_take(ray, best, &at, LANES, ids[lane], SHAPE_triangle, slot + lane);
-  }
+  LANED(take_polygons)(ray, best, hit, &t, block, ids, 3, SHAPE_triangle, slot);
 #else
   LANED(take_nearest)(hit, t, ids, -1, SHAPE_triangle, slot, best);
 #endif
