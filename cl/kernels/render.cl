@@ -61,10 +61,12 @@ KERNEL LANE_HINT void render(GLOBAL const real* geometry, GLOBAL const real* sha
   real film_scale = shading[index[HEADER_FILM_SCALE]];
   GLOBAL long* sums = film + slot * (FILM_SUBSUMS * FILM_CHANNELS);
 
-  for (int sub = 0; sub < FILM_SUBSUMS; ++sub) {
+  // Without them all samples go into the first: integers, so the mean is the same.
+  int subsums = HAS_ERROR_SUMS ? FILM_SUBSUMS : 1;
+  for (int sub = 0; sub < subsums; ++sub) {
     long r = 0, g = 0, b = 0;
-    int first = sample_first + ((sub - sample_first) & (FILM_SUBSUMS - 1));
-    for (int sample = first; sample < sample_first + sample_count; sample += FILM_SUBSUMS) {
+    int first = sample_first + ((sub - sample_first) & (subsums - 1));
+    for (int sample = first; sample < sample_first + sample_count; sample += subsums) {
       real dx = R(0.0), dy = R(0.0);
       SampleState state = sample_begin(&scene, pixel, (uint)sample);
       if (HAS_PIXEL_FILTER) {

@@ -145,6 +145,7 @@ Causes causes_of(const Scene& scene, const RenderSettings& settings) {
   }
   if (integrator == "ao") call_for(causes, "OPENNESS", "integrator ao", scene.integrator.where);
   if (!settings.aovs.empty()) call_for(causes, "AOV", "--aov", {});
+  if (settings.estimate_error) call_for(causes, "ERROR_SUMS", "the estimate of the picture's error", {});
   if (settings.count_rays) call_for(causes, "COUNT_RAYS", "--stats-detail", {});
   return causes;
 }

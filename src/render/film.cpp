@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "render/film.h"
 
+#include <cmath>
+
 #include "device/cl_layout.h"
 
 namespace strahl {
@@ -28,9 +30,14 @@ Image FilmSums::mean() const {
   for (const int count : samples) {
     const double unit = count > 0 ? 1.0 / (scale * count) : 0.0;
     for (int channel = 0; channel < layout::FILM_CHANNELS; ++channel) {
-      double total = 0;
-      for (int sub = 0; sub < layout::FILM_SUBSUMS; ++sub)
-        total += static_cast<double>(pixel[sub * layout::FILM_CHANNELS + channel]);
+      // In halves: exact, so that it does not matter which sub-sum a sample is in.
+      std::int64_t high = 0, low = 0;
+      for (int sub = 0; sub < layout::FILM_SUBSUMS; ++sub) {
+        const std::int64_t sum = pixel[sub * layout::FILM_CHANNELS + channel];
+        high += sum >> 32;
+        low += sum & 0xffffffff;
+      }
+      const double total = std::ldexp(static_cast<double>(high), 32) + static_cast<double>(low);
       *out++ = static_cast<float>(total * unit);
     }
     pixel += layout::FILM_SUBSUMS * layout::FILM_CHANNELS;

@@ -40,6 +40,7 @@ Features intersection_features(const Scene& scene, const RenderSettings& setting
   if (!scene.instances.empty()) bare.instances.push_back(scene.instances.front());
   RenderSettings plain = settings;
   plain.aovs.clear();
+  plain.estimate_error = false;
   return features_of(bare, plain);
 }
 

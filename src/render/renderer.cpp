@@ -77,6 +77,9 @@ void Renderer::State::prepare() {
   window = scene.film.window();
   if (sampling.spp > max_spp)
     throw UsageError(fmt::format("--spp {}: the film holds at most {} samples per pixel", sampling.spp, max_spp));
+  if (!settings.estimate_error && sampling.spp > max_spp_in_one_sum)
+    throw UsageError(fmt::format("--spp {}: without the error's estimate the film holds at most {} samples per pixel",
+                                 sampling.spp, max_spp_in_one_sum));
   if (settings.aovs.contains(Aov::numeric_error) && !device.info().fp64)
     throw NoDeviceError(fmt::format("the AOV numeric_error holds every hit against double precision, which {} has not",
                                     device.info().text()));

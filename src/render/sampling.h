@@ -20,5 +20,7 @@ struct ResolvedSampling {
 
 /// What the film's 63-bit sums hold: 2^19 samples in each of its 4 sub-sums.
 inline constexpr int max_spp = 1 << 21;
+/// Where all samples go into one of them.
+inline constexpr int max_spp_in_one_sum = 1 << 19;
 
 }  // namespace strahl

@@ -36,9 +36,10 @@ struct WorkGroup {
 struct RenderSettings {
   Precision precision = Precision::robust;
   std::set<Aov> aovs;
-  bool generic = false;      ///< Every entry and flag in the program; the same picture, slower.
-  bool count_rays = false;   ///< Instrumented program (--stats-detail): counts shadow and bounce rays.
-  std::optional<int> lanes;  ///< 1, 8 or 16 (fp64: 1, 8) primitives at a time; none: by the device.
+  bool generic = false;        ///< Every entry and flag in the program; the same picture, slower.
+  bool estimate_error = true;  ///< Keeps four sums a pixel apart, whose spread estimates its error.
+  bool count_rays = false;     ///< Instrumented program (--stats-detail): counts shadow and bounce rays.
+  std::optional<int> lanes;    ///< 1, 8 or 16 (fp64: 1, 8) primitives at a time; none: by the device.
   /// 2, 4, 8 or 16 children a node (fp64: up to 8); 8 and 16 test as many primitives at a time and so are `lanes`, 2
   /// and 4 mean one. None: by `lanes`, 4 for 1.
   std::optional<int> bvh_width;

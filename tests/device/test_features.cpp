@@ -293,6 +293,14 @@ TEST_CASE("AOV and COUNT_RAYS are called for by options") {
   check_on(scene, counting, "COUNT_RAYS", 0, "--stats-detail");
 }
 
+TEST_CASE("ERROR_SUMS: wherever the error is to be estimated") {
+  const Scene scene = scene_of(Sphere{});
+  check_on(scene, {}, "ERROR_SUMS", 0, "the estimate of the picture's error");
+  RenderSettings settings;
+  settings.estimate_error = false;
+  check_off(scene, settings, "ERROR_SUMS");
+}
+
 TEST_CASE("The report lists every entry and every flag, lists first, each in its file's order") {
   const Features features = features_of(scene_of(Sphere{}), {});
   std::vector<std::string> expected, reported;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What must not change a single bit of a picture or its AOVs: a second run, the work-group, lanes, passes, a crop
-// window. The generic program and the device are test_generic's and test_devices'.
+// What must not change a single bit of a picture or its AOVs: a second run, the work-group, lanes, passes, one
+// sum a pixel, a crop window. The generic program and the device are test_generic's and test_devices'.
 #include <catch2/catch.hpp>
 #include <functional>
 
@@ -51,6 +51,20 @@ TEST_CASE("work-groups, lanes and passes") {
       check("passes " + std::to_string(passes), settings);
     }
   }
+}
+
+TEST_CASE("one sum or four") {
+  require_pocl_and_rusticl();
+  const RenderResult expected = render("pocl", reference_scene(), all_aovs());
+  for (const int passes : {1, 7}) {
+    RenderSettings settings = all_aovs();
+    settings.estimate_error = false;
+    settings.passes = passes;
+    CHECK(same_bits(expected, render("pocl", reference_scene(), settings)));
+  }
+  RenderSettings one_sum;
+  one_sum.estimate_error = false;
+  CHECK_THROWS_AS(render("pocl", small_scene(lit, 1, 1, max_spp_in_one_sum + 1), one_sum), UsageError);
 }
 
 TEST_CASE("paths, however they are split") {
