@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Options that say how a scene is computed. None but --precision changes a picture.
+// Options that say how a scene is computed. None but --precision and --disable changes a picture.
 #include "cli/kernel_options.h"
 
 #include <fmt/format.h>
@@ -7,6 +7,7 @@
 #include <charconv>
 #include <limits>
 
+#include "device/left_out.h"
 #include "device/program_text.h"
 #include "errors.h"
 
@@ -56,6 +57,11 @@ void add_kernel_options(CLI::App& app, KernelOptions& options) {
       ->check(CLI::IsMember({"auto", "list", "tree"}))
       ->default_str("auto")
       ->group(kGroup);
+  app.add_option("--disable", options.disabled,
+                 "Without this effect, as `strahl explain` names it, though the scene calls for it; repeatable")
+      ->type_name("NAME")
+      ->allow_extra_args(false)
+      ->group(kGroup);
 }
 
 void add_canary_option(CLI::App& app, KernelOptions& options) {
@@ -104,6 +110,8 @@ RenderSettings settings_of(const KernelOptions& options) {
   if (!options.work_group.empty()) settings.work_group = work_group_of(options.work_group);
   settings.passes = options.passes;
   settings.generic = options.generic;
+  settings.disabled.insert(options.disabled.begin(), options.disabled.end());
+  static_cast<void>(left_out(settings.disabled));  // Says what is wrong with it before a scene is loaded.
   for (const std::string& name : options.aovs) settings.aovs.insert(aov_from_name(name));
   return settings;
 }

@@ -19,6 +19,7 @@ struct KernelOptions {
   std::string acceleration;  ///< "auto", "list" or "tree"; empty: auto.
   std::string work_group;    ///< "8x8", "64"; empty: the default.
   std::optional<int> passes;
+  std::vector<std::string> disabled;
   bool generic = false;
   std::vector<std::string> aovs;
 };

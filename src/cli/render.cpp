@@ -57,6 +57,7 @@ std::map<std::string, std::string> metadata_of(const RenderOptions& options, con
       {"spp", std::to_string(result.stats.spp)},
       {"seed", std::to_string(result.stats.seed)},
   };
+  if (!result.stats.disabled.empty()) metadata["disabled"] = fmt::format("{}", fmt::join(result.stats.disabled, ", "));
   if (!result.complete) metadata["incomplete"] = "interrupted";
   return metadata;
 }

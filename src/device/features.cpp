@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <tuple>
 
+#include "device/left_out.h"
 #include "device/pack_areas.h"
 #include "render/sampling.h"
 
@@ -19,11 +20,16 @@ struct Cause {
   SourceLocation where;
 };
 
-/// name -> the first cause found.
-using Causes = std::map<std::string, Cause>;
+struct Causes {
+  std::set<std::string> left_out;
+  std::map<std::string, Cause> first;  ///< That was found of each name.
+
+  [[nodiscard]] bool allow(const std::string& name) const { return !left_out.contains(name); }
+  [[nodiscard]] bool contains(const std::string& name) const { return first.contains(name); }
+};
 
 void call_for(Causes& causes, const std::string& name, const std::string& why, const SourceLocation& where) {
-  causes.try_emplace(name, Cause{why, where});
+  if (causes.allow(name)) causes.first.try_emplace(name, Cause{why, where});
 }
 
 struct ShapeKind {
@@ -78,14 +84,16 @@ void shape_causes(const Scene& scene, const RenderSettings& settings, Causes& ca
     if (texture_index < 0) return false;
     const Texture& texture = scene.textures.at(static_cast<std::size_t>(texture_index));
     const std::string pattern = texture_kind(texture);
+    if (!causes.allow("textures/" + pattern)) return false;
     call_for(causes, "textures/" + pattern, "a reflectance from a texture of type " + pattern,
              texture.where.line > 0 ? texture.where : place);
     return true;
   };
   // Only the first cause of each is told: of a million spheres one is looked at.
   std::set<std::tuple<std::size_t, int, bool>> seen;
-  for_each_shape(scene, [&](const Shape& shape) {
+  const auto look_at = [&](const Shape& shape) {
     const auto* mesh = std::get_if<Mesh>(&shape.geometry);
+    if (!causes.allow("shapes/" + shape_kind(shape))) return;
     if (!mesh && !seen.emplace(shape.geometry.index(), shape.material, shape.radiance.has_value()).second) return;
     const std::string kind = shape_kind(shape);
     call_for(causes, "shapes/" + kind, "a shape made of " + kind + " primitives", shape.where);
@@ -95,7 +103,7 @@ void shape_causes(const Scene& scene, const RenderSettings& settings, Causes& ca
       call_for(causes, "MESH_UVS", "a mesh with texture coordinates, for --aov uv", shape.where);
     auto emit = [&](const SourceLocation& where) {
       const std::string area = area_kind(shape.geometry);
-      if (!reflects || area.empty()) return;
+      if (!reflects || area.empty() || !causes.allow("areas/" + area)) return;
       call_for(causes, "areas/" + area, "an area emitter on a " + kind, where);
       call_for(causes, "lights/area", "an area emitter", where);
     };
@@ -115,7 +123,11 @@ void shape_causes(const Scene& scene, const RenderSettings& settings, Causes& ca
     }
     if (textured && !mesh->uvs.empty())
       call_for(causes, "MESH_UVS", "a mesh with texture coordinates, for its texture", shape.where);
-  });
+  };
+  for (const Shape& shape : scene.shapes) look_at(shape);
+  if (!causes.allow("INSTANCES")) return;
+  for (const Group& group : scene.groups)
+    for (const Shape& shape : group.shapes) look_at(shape);
 }
 
 /// Does a sample draw more than its place in the pixel?
@@ -125,7 +137,7 @@ bool draws(const std::string& integrator, const Causes& causes) {
 }
 
 Causes causes_of(const Scene& scene, const RenderSettings& settings) {
-  Causes causes;
+  Causes causes{left_out(settings.disabled), {}};
   shape_causes(scene, settings, causes);
   if (!scene.instances.empty()) call_for(causes, "INSTANCES", "an instance of a group", scene.instances.front().where);
   for (const Light& light : scene.lights) {
@@ -186,9 +198,11 @@ Features features_of(const Scene& scene, const RenderSettings& settings) {
   const Causes causes = causes_of(scene, settings);
   Features features;
   auto report = [&](const std::string& name, const std::string& purpose) {
-    const auto cause = causes.find(name);
-    FeatureReport row{name, cause != causes.end(), purpose, {}};
-    if (row.on) {
+    const auto cause = causes.first.find(name);
+    FeatureReport row{name, cause != causes.first.end(), purpose, {}};
+    if (!causes.allow(name)) {
+      row.why = "--disable";
+    } else if (row.on) {
       row.why = cause->second.why;
       row.where = cause->second.where;
     } else if (settings.generic && name != "COUNT_RAYS") {

@@ -40,7 +40,7 @@ struct Features {
 /// Index of the texture that a material's reflectance comes from; -1: none.
 [[nodiscard]] int material_texture(const Material& material);
 
-/// Pure. settings.generic: everything on.
+/// Pure. settings.generic: everything on; settings.disabled: off all the same. Throws UsageError for what cannot be.
 [[nodiscard]] Features features_of(const Scene& scene, const RenderSettings& settings);
 
 }  // namespace strahl

@@ -11,6 +11,7 @@
 #include "device/pack_areas.h"
 #include "device/pack_camera.h"
 #include "device/pack_instances.h"
+#include "device/pack_materials.h"
 #include "device/pack_shapes.h"
 #include "device/uv_rates.h"
 #include "render/sampling.h"
@@ -86,12 +87,9 @@ class Packing {
   void materials() {
     index(layout::HEADER_MATERIALS) = index_end();
     for (const Material& material : scene_.materials) {
-      const Rgb& reflectance =
-          std::visit([](const auto& bsdf) -> const Rgb& { return bsdf.reflectance; }, material.bsdf);
-      packed_.index.push_back(features_.entry_index("materials", material_kind(material)));
-      packed_.index.push_back(put_rgb(reflectance));
-      packed_.index.push_back(material_texture(material));
-      packed_.index.push_back(material.twosided ? 1 : 0);
+      const PackedMaterial packed = packed_material(material, scene_, features_);
+      const int reflectance_at = put_rgb(packed.reflectance);
+      packed_.index.insert(packed_.index.end(), {packed.kind, reflectance_at, packed.texture, material.twosided});
     }
   }
 
@@ -165,12 +163,14 @@ class Packing {
     const int kind = features_.has("lights", "area") ? features_.entry_index("lights", "area") : -1;
     for (std::size_t i = 0; i < shapes_.size(); ++i) {
       const Shape& shape = *shapes_[i];
+      const bool glows = features_.flag("EMISSION") && features_.has("shapes", shape_kind(shape));
+      const bool is_drawn = kind >= 0 && features_.has("areas", area_kind(shape.geometry));
       for_each_look(shape, [&](const MeshPart& look, int part) {
         light_of_part_.push_back(-1);
         const std::optional<Rgb>& radiance = look.radiance;
-        if (!radiance) return;
+        if (!radiance || !glows) return;
         glow(*radiance);
-        if (kind < 0) return;
+        if (!is_drawn) return;
         const std::optional<EmittingArea> area = emitting_area(shape, part, options_.frame);
         if (!area) return;
         light_of_part_.back() = light_count(rows);
@@ -286,7 +286,7 @@ class Packing {
 
   /// A tree for every group, and what the kernels know of every instance, in order.
   void groups(TreeOptions& options) {
-    if (scene_.instances.empty()) return;
+    if (!has_instances_) return;
     const int entries = options.stack;
     options.stack = entries / 2;
     std::size_t first = scene_.shapes.size();
@@ -332,7 +332,7 @@ class Packing {
     TreeOptions options{width, options_.acceleration, stack_entries(width)};
     groups(options);
     PackedTree<Real> tree = pack_tree<Real>(lists_of(scene_.shapes, 0, options_.frame), instance_boxes_, options);
-    if (!scene_.instances.empty()) put_instances(tree, width);
+    if (has_instances_) put_instances(tree, width);
     int row = layout::HEADER_INTS;
     for (const PackedKind<Real>& kind : tree.kinds) {
       index(row + layout::SHAPE_BLOCKS) = checked_offset(kind.ids.size() / static_cast<std::size_t>(options_.lanes));
@@ -358,6 +358,7 @@ class Packing {
   const PackOptions& options_;
   PackedScene<Real> packed_;
   bool has_textures_ = !features_.entries.at("textures").empty() && !scene_.textures.empty();
+  bool has_instances_ = features_.flag("INSTANCES") && !scene_.instances.empty();
   std::vector<const Shape*> shapes_;  ///< As for_each_shape has them.
   std::vector<std::string> kinds_;    ///< Active ones.
   std::vector<std::int32_t> first_ids_;

@@ -239,6 +239,7 @@ Intersector::Intersector(const Device& device, const Scene& scene, const RenderS
   s.stats.tree = s.buffers.tree;
   s.stats.program = program_hash(source);
   s.stats.program_from_cache = report.from_cache;
+  s.stats.disabled.assign(settings.disabled.begin(), settings.disabled.end());
   for (const FeatureReport& row : features.report)
     if (row.on) s.stats.features.push_back(row.name);
 }

@@ -34,11 +34,12 @@ double error(bool is_hit, double t, const Hit& exact) {
 }  // namespace
 
 void replace_t_by_its_error(const Device& device, const Scene& scene, const Frame& frame,
-                            std::optional<std::uint64_t> loop_turns, std::vector<double>& reals,
+                            const RenderSettings& of_picture, std::vector<double>& reals,
                             const std::vector<std::int32_t>& ints) {
   RenderSettings settings;
   settings.precision = Precision::fp64;
-  settings.loop_turns = loop_turns;
+  settings.disabled = of_picture.disabled;
+  settings.loop_turns = of_picture.loop_turns;
   Intersector exact(device, scene, settings);
   const std::size_t pixels = ints.size() / layout::AOV_INTS;
   for (std::size_t first = 0; first < pixels; first += chunk_pixels) {

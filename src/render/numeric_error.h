@@ -4,20 +4,20 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 #include "device/device.h"
 #include "device/frame.h"
+#include "render/settings.h"
 #include "scene/scene.h"
 
 namespace strahl {
 
 /// reals, ints: as aov_image (aov.h) takes them. Every AOV_T becomes |t - t in double| in ulps of float of the latter:
 /// infinity where one of the two is a hit and the other none, 0 where neither is. The device must have fp64.
-/// loop_turns: as RenderSettings has it.
+/// of_picture: how it was rendered, of which what is disabled and the loops' end hold here too.
 void replace_t_by_its_error(const Device& device, const Scene& scene, const Frame& frame,
-                            std::optional<std::uint64_t> loop_turns, std::vector<double>& reals,
+                            const RenderSettings& of_picture, std::vector<double>& reals,
                             const std::vector<std::int32_t>& ints);
 
 }  // namespace strahl

@@ -120,6 +120,7 @@ void Renderer::State::prepare() {
   stats.tree = buffers.tree;
   stats.program = program_hash(source);
   stats.program_from_cache = report.from_cache;
+  stats.disabled.assign(settings.disabled.begin(), settings.disabled.end());
   for (const FeatureReport& row : features.report)
     if (row.on) stats.features.push_back(row.name);
 }
@@ -259,7 +260,7 @@ RenderResult Renderer::render(const ProgressCallback& progress) {
   const Stopwatch convert;
   result.color = film.mean();
   if (s.settings.aovs.contains(Aov::numeric_error))
-    replace_t_by_its_error(s.device, s.scene, s.frame(), s.settings.loop_turns, aov_reals, aov_ints);
+    replace_t_by_its_error(s.device, s.scene, s.frame(), s.settings, aov_reals, aov_ints);
   if (!s.settings.aovs.empty())
     result.aov = aov_image(width, height, s.settings.aovs, aov_reals, aov_ints, s.frame());
   else

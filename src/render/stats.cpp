@@ -55,6 +55,7 @@ std::string RunStats::json() const {
   json["spp"] = spp;
   json["seed"] = seed;
   json["features"] = features;
+  json["disabled"] = disabled;
   json["program"] = program;
   json["program_from_cache"] = program_from_cache;
   json["saturated_samples"] = saturated_samples;

@@ -50,6 +50,7 @@ struct RunStats {
   int spp = 0;
   std::uint32_t seed = 0;
   std::vector<std::string> features;  ///< "shapes/sphere", "AOV", ...: those that are on.
+  std::vector<std::string> disabled;  ///< As asked for: RenderSettings::disabled.
   int lanes = 1;
   int tree_width = 4;
   TreeStats tree;

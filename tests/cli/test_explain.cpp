@@ -48,6 +48,9 @@ TEST_CASE("options decide with the scene") {
   const Folder folder;
   CHECK(feature(explain(folder, {"--aov", "depth"}), "AOV").at("on") == true);
   CHECK(feature(explain(folder, {"--integrator", "normals"}), "integrators/normals").at("on") == true);
+  const Json disabled = feature(explain(folder, {"--disable", "EMISSION"}), "EMISSION");
+  CHECK(disabled.at("on") == false);
+  CHECK(disabled.at("why") == "--disable");
   CHECK(feature(explain(folder, {"--generic"}), "shapes/disk").at("on") == true);
 }
 

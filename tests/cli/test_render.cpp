@@ -151,6 +151,15 @@ TEST_CASE("the picture says how it came to be") {
   CHECK_FALSE(metadata.at("device").empty());
 }
 
+TEST_CASE("what is disabled is missing, and the picture and its statistics say so") {
+  const Folder folder;
+  render(folder, {"-o", "out.exr", "--disable", "EMISSION", "--disable", "TWOSIDED", "--stats", "stats.json"});
+  const Image image = strahl::read_image(folder.path("out.exr"));
+  CHECK(*std::max_element(image.data.begin(), image.data.end()) == 0);
+  CHECK(image.metadata.at("disabled") == "EMISSION, TWOSIDED");
+  CHECK(contains(read_text(folder.path("stats.json")), "\"disabled\": [\n    \"EMISSION\",\n    \"TWOSIDED\"\n  ]"));
+}
+
 TEST_CASE("how it is computed does not change the picture") {
   const Folder folder;
   const std::vector<std::string> picture{"--integrator", "normals", "--spp", "6", "--sampler", "independent", "-o"};

@@ -35,10 +35,10 @@ TEST_CASE("render's help names every option that the documentation has") {
   const Folder folder;
   const std::string help = folder.run({"render", "--help"}).out;
   for (const char* option :
-       {"-o,--output",   "-d,--device", "-D",           "-q",           "-v",       "--strict",     "--precision",
-        "--spp",         "--seed",      "--integrator", "--max-depth",  "--width",  "--height",     "--crop",
-        "--pixel",       "--sampler",   "--exposure",   "--png-bits",   "--aov",    "--stats",      "--stats-detail",
-        "--dump-kernel", "--generic",   "--lanes",      "--work-group", "--passes", "--no-progress"}) {
+       {"-o,--output",   "-d,--device", "-D",           "-q",           "-v",       "--strict",      "--precision",
+        "--spp",         "--seed",      "--integrator", "--max-depth",  "--width",  "--height",      "--crop",
+        "--pixel",       "--sampler",   "--exposure",   "--png-bits",   "--aov",    "--stats",       "--stats-detail",
+        "--dump-kernel", "--generic",   "--lanes",      "--work-group", "--passes", "--no-progress", "--disable"}) {
     INFO(option);
     CHECK(contains(help, std::string("  ") + option));
     const std::string name = option;
@@ -74,6 +74,8 @@ TEST_CASE("what cannot be parsed is exit code 2, with the remedy") {
       {{scene, "--lanes", "16", "--precision", "double"}, "1 or 8 lanes"},
       {{scene, "--work-group", "8by8"}, "--work-group takes"},
       {{scene, "--aov", "albedo"}, "depth, normal, position"},
+      {{scene, "--disable", "EMISION"}, "did you mean \"EMISSION\"?"},
+      {{scene, "--disable", "integrators/path"}, "--integrator takes another one"},
       {{scene, "--precision", "half"}, "--precision"},
       {{scene, "--integrator", "normls"}, "did you mean \"normals\"?"},
       {{scene, "-o", "out.jpg"}, "png"},

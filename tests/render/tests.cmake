@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 foreach(name first_principles invariance launches closed_form terminator metamorphic mirrors checkerboard
-             mirror_box numeric_error accuracy_scenes area_lights path ao)
+             mirror_box numeric_error accuracy_scenes area_lights path ao disabled)
   strahl_test(render/test_${name}.cpp LABEL render)
 endforeach()
 # A program for every scene, compiled where nothing is cached yet.

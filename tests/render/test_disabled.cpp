@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+// A program without an effect that the scene calls for renders what a scene without it is, with that scene's program.
+// About 6 s where nothing is cached yet.
+#include <catch2/catch.hpp>
+
+#include "device/program_text.h"
+#include "render/stage.h"
+#include "scene/build.h"
+
+namespace strahl::test {
+namespace {
+
+constexpr Precision precision = Precision::stable;
+
+Mesh sheet() {
+  Mesh mesh;
+  mesh.positions = {{-2, -2, 0.1}, {0, -2, 0.1}, {-2, 0, 0.3}};
+  mesh.normals = {{0.6, 0, 0.8}, {0, 0, 1}, {0, 0.6, 0.8}};
+  mesh.uvs = {{0, 0}, {3, 0}, {0, 3}};
+  mesh.triangles = {{0, 1, 2}};
+  return mesh;
+}
+
+/// Something of everything that can be left out. The sky is the brightest, so that the film's unit stays what it is.
+Scene everything() {
+  Scene scene = stage({floor_plane()}, diffuse({0.7, 0.6, 0.5}));
+  scene.integrator.name = "path";
+  scene.integrator.max_depth = 3;
+  scene.film.width = scene.film.height = 24;
+  scene.sampler.sample_count = 8;
+  scene.sampler.kind = SamplerKind::sobol;
+  scene.textures.push_back({"", Checkerboard{{1, 0.5, 0}, {0, 0.5, 0.25}, {4, 0, 0, 0, 4, 0}}, {}});
+  const int board = add(scene, Diffuse{{0.1, 0.1, 0.1}, 0});
+  const int mirror = add(scene, Conductor{{0.9, 0.8, 0.7}});
+  const int both_sides = add(scene, Diffuse{{0.2, 0.9, 0.4}}, true);
+  add(scene, Sphere{{0.9, 0.9, 0.6}, 0.5}, board);
+  add(scene, sheet(), board);
+  add(scene, Rectangle{{0.2, -1.5, 0.2}, {0, 1, 0.4}, {1, 0, 0.4}}, both_sides);  // Seen from behind.
+  add(scene, Rectangle{{-1.5, 0.5, 0.4}, {1, 0, 0}, {0, 1, 0.3}}, mirror);
+  add(scene, emitting(Disk{{0, 0, 1}, {0.4, 0, 0}, {0, 0.4, 0}}, {1, 2, 3}));
+  Group group;
+  group.shapes.push_back(scene.shapes[1]);
+  Transform to;
+  to.m = {{{0.5, 0, 0, -1.2}, {0, 0.5, 0, -1.2}, {0, 0, 0.5, 0.4}}};
+  add_instance(scene, add(scene, group), to);
+  add(scene, DirectionalLight{{0.3, 0.2, -1}, {1, 1, 1}});
+  add(scene, ConstantLight{{4, 4, 4}});
+  return scene;
+}
+
+std::string program(const Scene& scene, const RenderSettings& settings) {
+  return program_source("kernels/render.cl", features_of(scene, settings), precision, 8).text;
+}
+
+Image picture(const Scene& scene, const std::set<std::string>& disabled = {}) {
+  RenderSettings settings;
+  settings.precision = precision;
+  settings.disabled = disabled;
+  const RenderResult result = render("pocl", scene, settings);
+  CHECK(result.stats.disabled == std::vector<std::string>(disabled.begin(), disabled.end()));
+  return result.color;
+}
+
+TEST_CASE("a program without effects renders the scene without them") {
+  require_pocl_and_rusticl();
+  Scene without = everything();
+  without.instances.clear();
+  without.lights.erase(without.lights.begin());
+  without.materials[1].bsdf = Diffuse{{0.5, 0.5, 0.125}};
+  without.materials[3].twosided = false;
+  auto& mesh = std::get<Mesh>(without.shapes[2].geometry);
+  mesh.normals.clear();
+  mesh.uvs.clear();
+  without.shapes[5].radiance.reset();
+  without.shapes.erase(without.shapes.begin() + 1);
+  without.groups.clear();
+  RenderSettings settings;
+  settings.disabled = {"EMISSION", "INSTANCES",          "MESH_UVS",      "SMOOTH_NORMALS",
+                       "TWOSIDED", "lights/directional", "shapes/sphere", "textures/checkerboard"};
+  REQUIRE((program(everything(), settings) == program(without, {})));  // too long to be printed
+  const Image expected = picture(without);
+  CHECK(lit_pixels(expected) > 0);
+  CHECK(same_bits(expected, picture(everything(), settings.disabled)));
+}
+
+TEST_CASE("a material that is left out reflects nothing") {
+  require_pocl_and_rusticl();
+  Scene scene = stage({floor_plane()});
+  scene.materials[0].bsdf = Conductor{};
+  scene.integrator.name = "whitted";
+  scene.lights.push_back(light(ConstantLight{}));
+  scene.film.width = scene.film.height = 4;
+  CHECK(lit_pixels(picture(scene)) == 16);
+  CHECK(lit_pixels(picture(scene, {"materials/conductor"})) == 0);
+}
+
+TEST_CASE("paths find an area light by themselves where none is drawn from, and gather as much") {
+  require_pocl_and_rusticl();
+  Scene scene = stage({floor_plane()});
+  add(scene, emitting(Disk{{0, 0, 1}, {0, 1, 0}, {1, 0, 0}}, {1, 2, 3}));
+  scene.integrator.name = "path";
+  scene.integrator.max_depth = 2;
+  scene.film.width = scene.film.height = 8;
+  scene.sampler.kind = SamplerKind::sobol;
+  scene.sampler.sample_count = 4096;
+  const auto mean = [](const Image& image) {
+    double sum = 0;
+    for (const float value : image.data) sum += value;
+    return sum / static_cast<double>(image.data.size());
+  };
+  CHECK(mean(picture(scene, {"lights/area"})) == Approx(mean(picture(scene))).epsilon(0.01));
+}
+
+}  // namespace
+}  // namespace strahl::test
