@@ -2,6 +2,7 @@
 // `strahl compare`: how far picture A is from reference B.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -16,49 +17,82 @@ namespace strahl::cli {
 namespace {
 
 constexpr const char* kFooter = R"(
-B is the reference. mse, rmse, mae and relmse compare linear values, psnr (dB, inf: equal) sRGB values from 0 to 1.
+B is the reference. mse, rmse, mae and relmse compare linear values; psnr (dB, inf: equal) and ssim (1: equal) sRGB
+values from 0 to 1; flip is the error that an eye sees at --ppd when it flips between the pictures, from 0 to 1, of
+values up to 1; hdrflip is the same over all exposures that suit the reference.
 
 Examples:
   strahl compare out.exr reference.exr
   strahl compare out.png reference.png --metric rmse --fail-above 0.01
   strahl compare out.exr reference.exr --heatmap difference.png
+  strahl compare out.exr reference.exr --heatmap seen.png --heatmap-of flip
 
-Exit code 7 where --fail-above fails; for psnr, where more is better, that is a value below the bound.)";
+Exit code 7 where --fail-above fails; for psnr and ssim, where more is better, that is a value below the bound.)";
 
 struct CompareOptions {
   std::string a, b;
   std::vector<std::string> metrics;
-  std::string heatmap;
-  std::optional<double> bound;
+  std::string heatmap, heatmap_of;
+  std::optional<double> bound, pixels_per_degree;
   bool json = false;
 };
 
 /// Worse than the bound; a value that is not a number always is.
 bool fails(Metric metric, double value, double bound) {
-  return metric == Metric::psnr ? !(value >= bound) : !(value <= bound);
+  return more_is_better(metric) ? !(value >= bound) : !(value <= bound);
+}
+
+/// What the command line asks for.
+struct Request {
+  std::vector<Metric> metrics;
+  Metric map = Metric::mae;
+  double pixels_per_degree = kPixelsPerDegree;
+};
+
+Request requested(const CompareOptions& options) {
+  Request request;
+  for (const std::string& name : options.metrics) request.metrics.push_back(metric_from_name(name));
+  if (options.bound && request.metrics.size() != 1)
+    throw UsageError("--fail-above needs exactly one --metric to hold its value against");
+  if (request.metrics.empty()) request.metrics = all_metrics();
+  if (!options.heatmap_of.empty()) request.map = metric_from_name(options.heatmap_of);
+  if (!has_map(request.map)) {
+    throw UsageError(
+        fmt::format("--heatmap-of {}: it has no value a pixel; mae, ssim, flip and hdrflip have", options.heatmap_of));
+  }
+  if (options.pixels_per_degree) {
+    if (!is_seen(request.map) && std::none_of(request.metrics.begin(), request.metrics.end(), is_seen))
+      throw UsageError("--ppd is for flip and hdrflip alone");
+    request.pixels_per_degree = *options.pixels_per_degree;
+  }
+  return request;
 }
 
 ExitCode compare(const CompareOptions& options) {
-  std::vector<Metric> metrics;
-  for (const std::string& name : options.metrics) metrics.push_back(metric_from_name(name));
-  if (options.bound && metrics.size() != 1)
-    throw UsageError("--fail-above needs exactly one --metric to hold its value against");
-  if (metrics.empty()) metrics = all_metrics();
-  const PictureFiles heatmap{options.heatmap, {}, false};
-  if (!options.heatmap.empty()) require_writable(heatmap);
+  const Request request = requested(options);
+  if (!options.heatmap.empty()) require_writable({options.heatmap, {}, false});
 
   const Image a = read_image(options.a);
   const Image b = read_image(options.b);
   nlohmann::ordered_json json = nlohmann::ordered_json::object();
   std::string text;
   bool failed = false;
-  for (const Metric metric : metrics) {
-    const double value = compare_images(a, b, metric);
-    json[metric_name(metric)] = std::isfinite(value) ? nlohmann::ordered_json(value) : nullptr;
-    text += fmt::format("{:<6} {}\n", metric_name(metric), value);
+  for (const Metric metric : request.metrics) {
+    const char* name = metric_name(metric);
+    const std::string obstacle = metric_obstacle(a, metric);
+    if (options.metrics.empty() && !obstacle.empty()) {
+      json[name] = nullptr;
+      text += fmt::format("{:<7} not measured: {}\n", name, obstacle);
+      continue;
+    }
+    const double value = compare_images(a, b, metric, request.pixels_per_degree);
+    json[name] = std::isfinite(value) ? nlohmann::ordered_json(value) : nullptr;
+    text += fmt::format("{:<7} {}\n", name, value);
     failed = failed || (options.bound && fails(metric, value, *options.bound));
   }
-  if (!options.heatmap.empty()) static_cast<void>(write_image(difference_heatmap(a, b), options.heatmap));
+  if (!options.heatmap.empty()) {
+    static_cast<void>(write_image(metric_heatmap(a, b, request.map, request.pixels_per_degree), options.heatmap));
+  }
   print(options.json ? json.dump(2) + "\n" : text);
   return failed ? ExitCode::check_failed : ExitCode::ok;
 }
@@ -69,11 +103,21 @@ Command add_compare(CLI::App& app) {
   const auto options = std::make_shared<CompareOptions>();
   app.add_option("A", options->a, "Picture: .png, .exr or .pfm")->required()->type_name("FILE");
   app.add_option("B", options->b, "The reference")->required()->type_name("FILE");
-  app.add_option("--metric", options->metrics, "mse, rmse, mae, relmse or psnr; repeatable; default: all")
+  app.add_option("--metric", options->metrics,
+                 "mse, rmse, mae, relmse, psnr, ssim, flip or hdrflip; repeatable; default: all")
       ->type_name("NAME")
       ->delimiter(',')
       ->allow_extra_args(false);
-  app.add_option("--heatmap", options->heatmap, "Write |A - B| of each pixel in false colours")->type_name("FILE");
+  CLI::Option* heatmap =
+      app.add_option("--heatmap", options->heatmap, "Write |A - B| of each pixel in false colours")->type_name("FILE");
+  app.add_option("--heatmap-of", options->heatmap_of, "What instead: ssim, flip or hdrflip")
+      ->type_name("NAME")
+      ->needs(heatmap);
+  app.add_option(
+         "--ppd", options->pixels_per_degree,
+         "Pixels per degree of sight, for flip and hdrflip; default: 67.02, 0.7 m before a display that is 0.7 m "
+         "and 3840 pixels wide")
+      ->type_name("X");
   app.add_option("--fail-above", options->bound, "Exit with 7 where the metric is worse than X")->type_name("X");
   app.add_flag("--json", options->json, "For programs");
   app.footer(kFooter);

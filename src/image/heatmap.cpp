@@ -1,40 +1,36 @@
 // SPDX-License-Identifier: MIT
-// Differences in false colour.
+// Maps of metrics in false colour.
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
-#include "image/comparable.h"
 #include "image/inferno.h"
+#include "image/magma.h"
 #include "image/metrics.h"
 
 namespace strahl {
 
-Image difference_heatmap(const Image& a, const Image& reference) {
-  const ComparedChannels channels = comparable_channels(a, reference);
-  std::vector<double> differences;
-  differences.reserve(a.index(0, a.height, 0) / a.channels.size());
-  for (int y = 0; y < a.height; ++y) {
-    for (int x = 0; x < a.width; ++x) {
-      double sum = 0;
-      for (std::size_t c = 0; c < channels.a.size(); ++c) {
-        sum += std::fabs(static_cast<double>(a.at(x, y, channels.a[c])) -
-                         static_cast<double>(reference.at(x, y, channels.reference[c])));
-      }
-      differences.push_back(sum / static_cast<double>(channels.a.size()));
-    }
+Image metric_heatmap(const Image& a, const Image& reference, Metric metric, double pixels_per_degree) {
+  Channel map = metric_map(a, reference, metric, pixels_per_degree);
+  if (metric == Metric::ssim) {
+    for (double& similarity : map.values) similarity = 1 - similarity;
   }
-  const double largest = differences.empty() ? 0 : *std::max_element(differences.begin(), differences.end());
+  const double largest = map.values.empty() ? 0 : *std::max_element(map.values.begin(), map.values.end());
+  const double scale = metric == Metric::mae && largest > 0 ? 1 / largest : 1;
+  const auto colours = is_seen(metric) ? magma : inferno;
 
-  Image map;
-  map.width = a.width;
-  map.height = a.height;
-  for (const double difference : differences) {
-    for (const float value : inferno(largest > 0 ? difference / largest : 0)) map.data.push_back(value);
+  Image image;
+  image.width = a.width;
+  image.height = a.height;
+  image.data.reserve(3 * map.values.size());
+  for (const double value : map.values) {
+    for (const float channel : colours(std::clamp(value * scale, 0.0, 1.0))) image.data.push_back(channel);
   }
-  map.metadata["largest difference"] = fmt::format("{}", largest);
-  return map;
+  image.metadata["metric"] = metric_name(metric);
+  image.metadata["largest difference"] = fmt::format("{}", largest);
+  return image;
 }
+
+Image difference_heatmap(const Image& a, const Image& reference) { return metric_heatmap(a, reference, Metric::mae); }
 
 }  // namespace strahl

@@ -13,6 +13,7 @@
 #include "errors.h"
 #include "image/comparable.h"
 #include "image/srgb.h"
+#include "image/ssim.h"
 
 namespace strahl {
 namespace {
@@ -21,11 +22,14 @@ struct Entry {
   Metric metric;
   const char* name;
 };
-constexpr std::array<Entry, 5> entries{{{Metric::mse, "mse"},
+constexpr std::array<Entry, 8> entries{{{Metric::mse, "mse"},
                                         {Metric::rmse, "rmse"},
                                         {Metric::mae, "mae"},
                                         {Metric::relmse, "relmse"},
-                                        {Metric::psnr, "psnr"}}};
+                                        {Metric::psnr, "psnr"},
+                                        {Metric::ssim, "ssim"},
+                                        {Metric::flip, "flip"},
+                                        {Metric::hdrflip, "hdrflip"}}};
 
 /// Mean of f(a, reference) over all pixels and colour channels; a sum a row keeps the rounding error small.
 template <class F>
@@ -46,8 +50,6 @@ double mean(const Image& a, const Image& reference, F f) {
 }
 
 double squared_difference(double a, double b) { return (a - b) * (a - b); }
-
-double encoded(double linear) { return srgb_from_linear(std::clamp(linear, 0.0, 1.0)); }
 
 }  // namespace
 
@@ -74,7 +76,11 @@ const std::vector<Metric>& all_metrics() {
   return metrics;
 }
 
-double compare_images(const Image& a, const Image& reference, Metric metric) {
+bool more_is_better(Metric metric) { return metric == Metric::psnr || metric == Metric::ssim; }
+
+bool is_seen(Metric metric) { return metric == Metric::flip || metric == Metric::hdrflip; }
+
+double compare_images(const Image& a, const Image& reference, Metric metric, double pixels_per_degree) {
   switch (metric) {
     case Metric::mse:
       return mean(a, reference, squared_difference);
@@ -84,10 +90,16 @@ double compare_images(const Image& a, const Image& reference, Metric metric) {
       return mean(a, reference, [](double x, double y) { return std::fabs(x - y); });
     case Metric::relmse:
       return mean(a, reference, [](double x, double y) { return squared_difference(x, y) / (y * y + 1e-2); });
+    case Metric::ssim:
+      return mean_ssim(metric_map(a, reference, metric, pixels_per_degree));
+    case Metric::flip:
+    case Metric::hdrflip:
+      return metric_map(a, reference, metric, pixels_per_degree).mean();
     case Metric::psnr:
       break;
   }
-  const double mse = mean(a, reference, [](double x, double y) { return squared_difference(encoded(x), encoded(y)); });
+  const double mse =
+      mean(a, reference, [](double x, double y) { return squared_difference(display_value(x), display_value(y)); });
   return mse == 0 ? std::numeric_limits<double>::infinity() : -10 * std::log10(mse);
 }
 
