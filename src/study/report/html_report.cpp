@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// report.html names what goes into it, {{report.css}} or {{study}}, and is read through once: nothing that was put in
+// report.html names what goes into it, {{page.css}} or {{study}}, and is read through once: nothing that was put in
 // is looked at again. Data stand in blocks that are not run, where the only danger is an end tag or a comment in a
 // string: JSON spells every < there \u003c. The page's content security policy keeps it from asking for anything.
 #include "study/report/html_report.h"

@@ -1,15 +1,35 @@
 // SPDX-License-Identifier: MIT
-// Lists the settings with their pictures.
-const study = JSON.parse(document.getElementById("study").textContent);
-const pictures = JSON.parse(document.getElementById("pictures").textContent);
-const table = document.getElementById("table");
-for (const point of study.points) {
-  const row = table.insertRow();
-  row.insertCell().textContent = point.id;
-  row.insertCell().textContent = point.seconds.kernel;
-  row.insertCell().textContent = point.rmse;
-  const picture = new Image();
-  picture.src = pictures[point.picture];
-  picture.alt = point.id;
-  row.insertCell().append(picture);
+// Everything put in its place once; from then on the state tells what to draw again.
+
+function describe() {
+  const subject = study.name || study.scene;
+  document.title = `${subject}: error against time`;
+  byId("subject").textContent =
+    `${subject}, ${study.width} × ${study.height} pixels, ${study.points.length} settings, on ${study.device}`;
+  const reference = study.reference;
+  const depth = reference.max_depth === null ? "no depth limit" : `depth ${reference.max_depth}`;
+  const own = isNumber(reference.rmse)
+    ? `its own RMSE is ${number(reference.rmse)} (95 %: ${range(reference.rmse_low, reference.rmse_high)})`
+    : "its own error was not measured";
+  const facts = [["Scene", study.scene], ["Device", study.device], ["Command", element("code", {}, study.command)],
+    ["Version", `strahl ${study.strahl}`],
+    ["Reference", `${reference.precision} · ${reference.sampler} · ${depth} · ${reference.spp} spp, ` +
+      `rendered in ${seconds(reference.seconds)}; ${own}`]];
+  for (const [term, fact] of facts) byId("made").append(element("dt", {}, term), element("dd", {}, fact));
 }
+
+startTheme();
+describe();
+startFilters();
+startPlot();
+startPointing();
+startSetting();
+startPair();
+startSheet();
+startSlopes();
+startSettings();
+writeFindings();
+
+const front = frontNow();
+state.looked = (front[front.length >> 1] ?? study.points[0]).id;
+for (const topic of Object.keys(listeners)) tell(topic);
