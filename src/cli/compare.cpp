@@ -46,7 +46,7 @@ bool fails(Metric metric, double value, double bound) {
 struct Request {
   std::vector<Metric> metrics;
   Metric map = Metric::mae;
-  double pixels_per_degree = kPixelsPerDegree;
+  double pixels_per_degree = default_pixels_per_degree;
 };
 
 Request requested(const CompareOptions& options) {

@@ -14,7 +14,7 @@ namespace strahl {
 using RgbChannels = std::array<Channel, 3>;
 
 /// How near the eye is: the authors' 0.7 m before a display that is 0.7 m and 3840 pixels wide, about 67.
-inline constexpr double kPixelsPerDegree = 3840 * 3.14159265358979323846 / 180;
+inline constexpr double default_pixels_per_degree = 3840 * 3.14159265358979323846 / 180;
 
 /// Each pixel's error from 0 to 1. Values must lie in [0, 1].
 [[nodiscard]] Channel flip_map(const RgbChannels& a, const RgbChannels& reference, double pixels_per_degree);

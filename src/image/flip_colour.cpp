@@ -9,9 +9,9 @@ namespace {
 using Matrix = std::array<Colour, 3>;
 
 /// CIE XYZ of linear RGB: the chromaticities of IEC 61966-2-1 and its white D65 (0.3127, 0.329), without rounding.
-constexpr Matrix kXyzFromRgb{{{10135552.0 / 24577794, 8788810.0 / 24577794, 4435075.0 / 24577794},
-                              {2613072.0 / 12288897, 8788810.0 / 12288897, 887015.0 / 12288897},
-                              {1425312.0 / 73733382, 8788810.0 / 73733382, 70074185.0 / 73733382}}};
+constexpr Matrix xyz_from_rgb{{{10135552.0 / 24577794, 8788810.0 / 24577794, 4435075.0 / 24577794},
+                               {2613072.0 / 12288897, 8788810.0 / 12288897, 887015.0 / 12288897},
+                               {1425312.0 / 73733382, 8788810.0 / 73733382, 70074185.0 / 73733382}}};
 
 constexpr Colour product(const Matrix& m, const Colour& v) {
   Colour result{};
@@ -34,18 +34,18 @@ constexpr Matrix inverse(const Matrix& m) {
   return result;
 }
 
-constexpr Colour kWhite = product(kXyzFromRgb, {1, 1, 1});
+constexpr Colour white = product(xyz_from_rgb, {1, 1, 1});
 
 /// Each row divided by the white's: XYZ relative to white.
 constexpr Matrix relative(Matrix m) {
   for (std::size_t i = 0; i < 3; ++i) {
-    for (double& entry : m[i]) entry /= kWhite[i];
+    for (double& entry : m[i]) entry /= white[i];
   }
   return m;
 }
 
-constexpr Matrix kRelativeFromRgb = relative(kXyzFromRgb);
-constexpr Matrix kRgbFromRelative = inverse(kRelativeFromRgb);
+constexpr Matrix relative_from_rgb = relative(xyz_from_rgb);
+constexpr Matrix rgb_from_relative = inverse(relative_from_rgb);
 
 /// CIELAB's cube root with its line near black.
 double lab_root(double t) {
@@ -56,17 +56,17 @@ double lab_root(double t) {
 }  // namespace
 
 Colour ycxcz_from_linear(const Colour& rgb) {
-  const Colour xyz = product(kRelativeFromRgb, rgb);
+  const Colour xyz = product(relative_from_rgb, rgb);
   return {116 * xyz[1] - 16, 500 * (xyz[0] - xyz[1]), 200 * (xyz[1] - xyz[2])};
 }
 
 Colour linear_from_ycxcz(const Colour& ycxcz) {
   const double y = (ycxcz[0] + 16) / 116;
-  return product(kRgbFromRelative, {y + ycxcz[1] / 500, y, y - ycxcz[2] / 200});
+  return product(rgb_from_relative, {y + ycxcz[1] / 500, y, y - ycxcz[2] / 200});
 }
 
 Colour hunt_lab_from_linear(const Colour& rgb) {
-  const Colour xyz = product(kRelativeFromRgb, rgb);
+  const Colour xyz = product(relative_from_rgb, rgb);
   const double x = lab_root(xyz[0]), y = lab_root(xyz[1]), z = lab_root(xyz[2]);
   const double lightness = 116 * y - 16;
   return {lightness, 0.01 * lightness * 500 * (x - y), 0.01 * lightness * 200 * (y - z)};

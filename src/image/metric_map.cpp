@@ -82,8 +82,8 @@ Channel seen_map(const Image& a, const Image& reference, Metric metric, double p
 bool has_map(Metric metric) { return metric == Metric::mae || metric == Metric::ssim || is_seen(metric); }
 
 std::string metric_obstacle(const Image& image, Metric metric) {
-  if (metric == Metric::ssim && (image.width < kSsimWindow || image.height < kSsimWindow)) {
-    return fmt::format("ssim's window needs {0} x {0} pixels, there are {1} x {2}", kSsimWindow, image.width,
+  if (metric == Metric::ssim && (image.width < ssim_window || image.height < ssim_window)) {
+    return fmt::format("ssim's window needs {0} x {0} pixels, there are {1} x {2}", ssim_window, image.width,
                        image.height);
   }
   const std::size_t channels = colour_channels(image).size();

@@ -31,17 +31,17 @@ enum class Metric { mse, rmse, mae, relmse, psnr, ssim, flip, hdrflip };
 /// Throws InputError where sizes or colour channels differ, either holds NaN or infinities (says where), or the metric
 /// has an obstacle; UsageError for pixels per degree outside of 1 ... 1000.
 [[nodiscard]] double compare_images(const Image& a, const Image& reference, Metric metric,
-                                    double pixels_per_degree = kPixelsPerDegree);
+                                    double pixels_per_degree = default_pixels_per_degree);
 
 /// Each pixel's mae, ssim (mean over channels), flip or hdrflip. Throws as compare_images does, and UsageError for the
 /// other metrics.
 [[nodiscard]] Channel metric_map(const Image& a, const Image& reference, Metric metric,
-                                 double pixels_per_degree = kPixelsPerDegree);
+                                 double pixels_per_degree = default_pixels_per_degree);
 
 /// The map in false colours: mae in inferno, scaled to the largest difference; 1 - ssim in inferno and flip in magma,
 /// both from 0 to 1. The metadata says which, and the largest difference.
 [[nodiscard]] Image metric_heatmap(const Image& a, const Image& reference, Metric metric,
-                                   double pixels_per_degree = kPixelsPerDegree);
+                                   double pixels_per_degree = default_pixels_per_degree);
 
 /// The heat map of mae: per-pixel mean |a - b| over channels.
 [[nodiscard]] Image difference_heatmap(const Image& a, const Image& reference);

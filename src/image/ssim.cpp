@@ -8,16 +8,16 @@
 namespace strahl {
 namespace {
 
-constexpr double kSigma = 1.5;
-constexpr int kRadius = kSsimWindow / 2;
-constexpr double kC1 = 0.01 * 0.01;  // K1 and K2 squared: the range of values is 1.
-constexpr double kC2 = 0.03 * 0.03;
+constexpr double sigma = 1.5;
+constexpr int radius = ssim_window / 2;
+constexpr double c1 = 0.01 * 0.01;  // K1 and K2 squared: the range of values is 1.
+constexpr double c2 = 0.03 * 0.03;
 
 std::vector<double> window() {
   std::vector<double> weights;
   double sum = 0;
-  for (int i = -kRadius; i <= kRadius; ++i) {
-    weights.push_back(std::exp(-0.5 * (i / kSigma) * (i / kSigma)));
+  for (int i = -radius; i <= radius; ++i) {
+    weights.push_back(std::exp(-0.5 * (i / sigma) * (i / sigma)));
     sum += weights.back();
   }
   for (double& weight : weights) weight /= sum;
@@ -48,15 +48,15 @@ Channel ssim_map(const Channel& a, const Channel& b) {
     const double mb = mean_b.values[i];
     const double variances = (mean_aa.values[i] - ma * ma) + (mean_bb.values[i] - mb * mb);
     const double covariance = map.values[i] - ma * mb;
-    map.values[i] = (2 * ma * mb + kC1) * (2 * covariance + kC2) / ((ma * ma + mb * mb + kC1) * (variances + kC2));
+    map.values[i] = (2 * ma * mb + c1) * (2 * covariance + c2) / ((ma * ma + mb * mb + c1) * (variances + c2));
   }
   return map;
 }
 
 double mean_ssim(const Channel& map) {
-  Channel whole(map.width - 2 * kRadius, map.height - 2 * kRadius);
+  Channel whole(map.width - 2 * radius, map.height - 2 * radius);
   for (int y = 0; y < whole.height; ++y) {
-    const double* source = map.row(y + kRadius) + kRadius;
+    const double* source = map.row(y + radius) + radius;
     std::copy(source, source + whole.width, whole.row(y));
   }
   return whole.mean();

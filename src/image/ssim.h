@@ -9,7 +9,7 @@
 namespace strahl {
 
 /// Width and height that a picture needs at least.
-inline constexpr int kSsimWindow = 11;
+inline constexpr int ssim_window = 11;
 
 /// Each pixel's similarity from -1 to 1, 1 where equal; beyond the border the pictures are mirrored.
 [[nodiscard]] Channel ssim_map(const Channel& a, const Channel& b);
