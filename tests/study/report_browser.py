@@ -74,6 +74,7 @@ class Report(unittest.TestCase):
         cls.browser.quit()
 
     def setUp(self):
+        self.opened = set()
         self.show(1280, "light")
 
     def tearDown(self):
@@ -82,7 +83,7 @@ class Report(unittest.TestCase):
         events = [json.loads(entry["message"])["message"] for entry in self.browser.get_log("performance")]
         urls = [event["params"]["request"]["url"] for event in events if event["method"] == "Network.requestWillBeSent"]
         self.assertIn(self.page.as_uri(), urls)
-        self.assertEqual([url[:80] for url in urls if url != self.page.as_uri() and not url.startswith("data:")], [])
+        self.assertEqual([url[:80] for url in urls if url not in self.opened and not url.startswith("data:")], [])
         self.run_script("localStorage.clear()")
 
     def show(self, width, scheme, height=900):
@@ -90,7 +91,11 @@ class Report(unittest.TestCase):
             "width": width, "height": height, "deviceScaleFactor": 1, "mobile": False})
         self.browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {
             "features": [{"name": "prefers-color-scheme", "value": scheme}]})
-        self.browser.get(self.page.as_uri())
+        self.open_page(self.page)
+
+    def open_page(self, page):
+        self.opened.add(page.as_uri())
+        self.browser.get(page.as_uri())
 
     def run_script(self, script, *arguments):
         return self.browser.execute_script(script, *arguments)
@@ -262,15 +267,15 @@ class Report(unittest.TestCase):
         self.assertNotEqual(light, dark)
         self.find("#theme").click()
         self.assertEqual(self.run_script(background), light)
-        self.browser.get(self.page.as_uri())
+        self.open_page(self.page)
         self.assertEqual(self.run_script(background), light)
 
     def test_fits_every_width(self):
         for scheme in ("light", "dark"):
-            for width in (400, 1280, 1600):
+            for width in (400, 760, 1280, 1600):
                 self.show(width, scheme)
                 self.look_at(self.lonely_points()[0])
-                if width != 1600:
+                if width not in (760, 1600):
                     ActionChains(self.browser).click().perform()
                 wide = self.run_script("return [document.documentElement.scrollWidth, innerWidth]")
                 self.assertLessEqual(wide[0], wide[1], f"{width} pixels, {scheme}")
@@ -294,14 +299,41 @@ class Report(unittest.TestCase):
         self.assertEqual([role for role in nameless if role not in {"image", "group"}], [])
         self.assertEqual(self.run_script("return [...document.images].filter((i) => !i.hasAttribute('alt')).length"), 0)
 
+    def test_study_without_much(self):
+        """One tier, one curve, no fits, no depth, a reference from a file, figures that could not be had."""
+        study = self.study()
+        study["fits"] = []
+        study["points"] = [point for point in study["points"] if point["id"].startswith("robust-sobol-d8-")
+                           and not point["generic"]]
+        for point in study["points"]:
+            point.update({"max_depth": None, "ssim": None, "flip": None, "psnr": None, "bias2": 0})
+        study["points"][0].update({"rmse": 0, "rmse_low": 0, "rmse_high": 0, "mse": 0})
+        study["reference"] = {key: None for key in study["reference"]} | {
+            "file": "reference.exr", "picture": study["reference"]["picture"]}
+        text = self.page.read_text()
+        start = text.index(">", text.index('<script type="application/json" id="study"')) + 1
+        whole = self.page
+        with tempfile.NamedTemporaryFile("w", suffix=".html") as part:
+            part.write(text[:start] + json.dumps(study) + text[text.index("</script>", start):])
+            part.flush()
+            self.page = pathlib.Path(part.name)
+            self.show(1280, "light")
+            self.assertEqual(len(self.find_all("#drawing [data-id]")), len(study["points"]) - 1)
+            self.assertIn("1 of the settings", self.texts("#plot-note")[0])
+            self.assertIn("reference.exr", self.texts("#made")[0])
+            Select(self.find("#measure")).select_by_value("flip")
+            self.assertIn("No setting is left to draw", self.texts("#plot-note")[0])
+            self.find('#settings th[data-key="flip"] button').click()
+            self.assertEqual(len(self.find_all("#settings tbody tr")), len(study["points"]))
+            self.assertNotIn("NaN", self.find("body").text)
+        self.page = whole
+
     def test_leaves_no_globals(self):
         names = "return Object.keys(window).sort()"
         ours = self.run_script(names)
         with tempfile.NamedTemporaryFile("w", suffix=".html") as blank:
-            self.browser.get(pathlib.Path(blank.name).as_uri())
+            self.open_page(pathlib.Path(blank.name))
             self.assertEqual(ours, self.run_script(names))
-        self.browser.get_log("performance")
-        self.show(1280, "light")
 
 
 def main():

@@ -149,7 +149,7 @@ int main(int count, char** arguments) {
                     {{"precision", "double"},
                      {"sampler", "sobol"},
                      {"spp", 4096},
-                     {"max_depth", nullptr},
+                     {"max_depth", -1},
                      {"seconds", 41.2},
                      {"rmse", 0.0012},
                      {"rmse_low", 0.0011},

@@ -80,6 +80,12 @@ TEST_CASE("a page without one of its pictures is not made") {
   CHECK_THROWS_AS(html_report("{", pictures), strahl::InputError);
 }
 
+TEST_CASE("a page without points is not made") {
+  json given = study();
+  given["points"] = json::array();
+  CHECK_THROWS_AS(html_report(given.dump(), pictures), strahl::InputError);
+}
+
 TEST_CASE("the page names nothing that a browser would fetch") {
   const std::string page = html_report(study().dump(), pictures);
   for (const char* word : {"http:", "https:", "//cdn", "@import", "url(", "fetch(", "XMLHttpRequest", "import("})

@@ -35,11 +35,11 @@ function aboutSlopes() {
 /// Where most of the error that is left at the most samples is bias, no more samples help.
 function aboutDepth() {
   const stuck = curvesOf(study.points).map((curve) => curve.points.at(-1))
-    .filter((point) => point.bias2 > 0.5 * point.mse && point.max_depth !== axisOf("max_depth").values.at(-1));
+    .filter((point) => biasOf(point) ** 2 > 0.5 * point.mse && point.max_depth !== axisOf("max_depth").values.at(-1));
   return axisOf("max_depth").values.flatMap((depth) => {
     const some = stuck.filter((point) => point.max_depth === depth);
     if (some.length === 0) return [];
-    return [`With depth ${depth} the error stops near ${number(median(some.map(biasOf)), 2)}: at the most samples ` +
+    return [`With ${depthName(depth)} the error stops near ${number(median(some.map(biasOf)), 2)}: at the most samples ` +
       `${percent(median(some.map((point) => point.bias2 / point.mse)))} of the squared error is bias. That light takes more ` +
       "bounces than were followed, and no number of samples brings it back."];
   });
@@ -60,7 +60,7 @@ function aboutTiers() {
 function aboutPrograms() {
   if (!axisOf("generic").varies) return [];
   const kernel = ratioAlong("generic", true, false, clocks.kernel.of);
-  const program = ratioAlong("generic", true, false, (point) => point.seconds.program);
+  const program = ratioAlong("generic", true, false, (point) => (point.program_from_cache ? NaN : point.seconds.program));
   if (kernel === null) return [];
   return [`The generic program, which holds every effect whether the scene calls for it or not, takes ${times(kernel)} the ` +
     `kernel time of the specialised one${isNumber(program) ? `, and ${times(program)} the time to get ready` : ""}.`];

@@ -57,6 +57,12 @@ void take_picture(const Json& object, const char* member, const std::map<std::st
   uris[picture->first] = "data:image/png;base64," + base64(picture->second);
 }
 
+/// Throws InputError where there is nothing to show.
+Json with_points(Json study) {
+  if (study.at("points").empty()) throw InputError("the study of a trade-off has no points");
+  return study;
+}
+
 Json picture_uris(const Json& study, const std::map<std::string, std::string>& pictures) {
   Json uris = Json::object();
   take_picture(study.at("reference"), "picture", pictures, uris);
@@ -103,7 +109,7 @@ std::string html_report(const std::string& tradeoff_json, const std::map<std::st
   Insertions insertions;
   for (const EmbeddedReportFile& file : embedded_report_files()) insertions.emplace(file.name, file.text);
   insertions.emplace("study", inside_script(tradeoff_json));
-  insertions.emplace("pictures", inside_script(picture_uris(parsed(tradeoff_json), pictures).dump()));
+  insertions.emplace("pictures", inside_script(picture_uris(with_points(parsed(tradeoff_json)), pictures).dump()));
   return filled(insertions.at("report.html"), insertions);
 }
 

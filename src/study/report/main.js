@@ -7,14 +7,14 @@ function describe() {
   byId("subject").textContent =
     `${subject}, ${study.width} × ${study.height} pixels, ${study.points.length} settings, on ${study.device}`;
   const reference = study.reference;
-  const depth = reference.max_depth === null ? "no depth limit" : `depth ${reference.max_depth}`;
+  const origin = reference.precision
+    ? `${reference.precision} · ${reference.sampler} · ${depthName(reference.max_depth)} · ${reference.spp} spp, rendered in ${seconds(reference.seconds)}` : `the file ${reference.file}`;
   const own = isNumber(reference.rmse)
     ? `its own RMSE is ${number(reference.rmse)} (95 %: ${range(reference.rmse_low, reference.rmse_high)})`
     : "its own error was not measured";
   const facts = [["Scene", study.scene], ["Device", study.device], ["Command", element("code", {}, study.command)],
     ["Version", `strahl ${study.strahl}`],
-    ["Reference", `${reference.precision} · ${reference.sampler} · ${depth} · ${reference.spp} spp, ` +
-      `rendered in ${seconds(reference.seconds)}; ${own}`]];
+    ["Reference", `${origin}; ${own}`]];
   for (const [term, fact] of facts) byId("made").append(element("dt", {}, term), element("dd", {}, fact));
 }
 

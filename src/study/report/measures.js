@@ -14,9 +14,9 @@ const clocks = {
   wall: { title: "wall time", of: (point) => point.seconds.wall },
 };
 
-/// The estimate of bias² has the noise of the seeds, which was subtracted and may have been larger.
+/// Only where the estimate of bias² is more than its own noise, which comes from few seeds.
 function biasOf(point) {
-  return point.bias2 > 0 ? Math.sqrt(point.bias2) : null;
+  return point.bias2 > 2 * (point.bias2_error ?? 0) ? Math.sqrt(point.bias2) : null;
 }
 
 /// Logarithmic axes have no place for nothing.

@@ -41,7 +41,7 @@ function moveDivider() {
 function showDifferences() {
   const figures = [["Left", pair.left], ["Right", pair.right]].filter(([, id]) => sideOf(id).difference).map(([side, id]) =>
     element("figure", {}, pictureOf(sideOf(id).difference, `Difference of ${sideName(id)} from the reference`),
-      element("figcaption", {}, `${side}: difference of ${sideName(id)} from the reference`)));
+      element("figcaption", {}, `${side}: where ${sideName(id)} differs from the reference, in false colours up to its largest difference`)));
   byId("differences").replaceChildren(...figures);
 }
 

@@ -13,21 +13,22 @@ function slopeRow(curve) {
     element("th", { scope: "row" }, sampleOf(curve.settings), ` ${curve.name}`),
     element("td", {}, fit ? number(fit.slope, 2) : missing),
     element("td", {}, fit && isNumber(fit.slope_low) ? `${number(fit.slope_low, 2)} … ${number(fit.slope_high, 2)}` : missing),
-    element("td", {}, cost === null ? "never" : cost < 100 ? `${times(cost)} the time` : "more than 100 × the time"),
-    element("td", {}, String(fit?.points ?? 0)));
+    element("td", {}, !fit ? missing : cost === null ? "never" : cost < 100 ? `${times(cost)} the time` : "more than 100 × the time"),
+    element("td", {}, number(fit?.samples_slope, 2)),
+    element("td", {}, String(fit?.points ?? missing)));
 }
 
 function drawSlopes() {
   byId("slopes").replaceChildren(
-    element("thead", {}, element("tr", {}, ...["curve", "slope", "95 %", "half the error takes", "points"]
+    element("thead", {}, element("tr", {}, ...["curve", "slope", "95 %", "half the error takes", "slope over samples", "points"]
       .map((title) => element("th", { scope: "col" }, title)))),
     element("tbody", {}, ...curvesOf(shownPoints()).map(slopeRow)));
 }
 
 function startSlopes() {
   byId("slopes-note").textContent = "Slopes of RMSE against kernel time, fitted on logarithmic axes. Independent samples " +
-    "without bias have −½: half the error takes four times the time. Where a curve bends towards its bias no one slope " +
-    "describes it.";
+    "without bias have −½: half the error takes four times the time; over samples it is free of what a launch costs " +
+    "before its first sample. Where a curve bends towards its bias no one slope describes it.";
   on(["view"], drawSlopes);
   byId("slopes").addEventListener("pointerover", (event) => {
     const key = event.target.closest("tr")?.dataset.curve;

@@ -8,11 +8,17 @@ const points = new Map(study.points.map((point) => [point.id, point]));
 // Known tiers keep their place, so that colours are the same in every report.
 const tiers = [...new Set(["fast", "stable", "robust", "double", ...study.points.map((point) => point.precision)])];
 
+/// -1 is no limit; null stands where an integrator has no depth at all.
+function depthName(depth) {
+  if (depth === null) return "no depth";
+  return depth < 0 ? "no depth limit" : `depth\u00a0${depth}`;
+}
+
 const axes = [
   { key: "precision", title: "precision", text: (value) => value, rank: (value) => tiers.indexOf(value) },
   { key: "sampler", title: "sampler", text: (value) => value, rank: null },
-  { key: "max_depth", title: "depth", text: (value) => (value === null ? "no limit" : String(value)),
-    rank: (value) => value ?? Infinity },
+  { key: "max_depth", title: "depth", text: (value) => (value === null ? missing : value < 0 ? "no limit" : String(value)),
+    rank: (value) => (value === null || value < 0 ? Infinity : value) },
   { key: "generic", title: "program", text: (value) => (value ? "generic" : "specialised"), rank: Number },
   { key: "spp", title: "spp", text: String, rank: Number },
 ];
@@ -29,9 +35,7 @@ const curveKey = (settings) => JSON.stringify(curveAxes.map((axis) => settings[a
 
 function curveName(settings) {
   const words = [settings.precision, settings.sampler];
-  if (axisOf("max_depth").varies) {
-    words.push(settings.max_depth === null ? "no depth limit" : `depth\u00a0${settings.max_depth}`);
-  }
+  if (axisOf("max_depth").varies) words.push(depthName(settings.max_depth));
   if (settings.generic) words.push("generic");
   return words.join(" · ");
 }
