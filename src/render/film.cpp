@@ -20,6 +20,12 @@ void FilmSums::add_samples(const Launch& launch) {
   }
 }
 
+void FilmSums::add_sums(int row, const std::vector<std::int64_t>& band) {
+  std::int64_t* out = &sums[static_cast<std::size_t>(row) * static_cast<std::size_t>(width) * layout::FILM_SUBSUMS *
+                            layout::FILM_CHANNELS];
+  for (const std::int64_t sum : band) *out++ += sum;
+}
+
 Image FilmSums::mean() const {
   Image image;
   image.width = width;

@@ -21,6 +21,8 @@ struct FilmSums {
   FilmSums(int width, int height, double scale);
   /// Counts what a launch has added to its pixels; rows count within the window.
   void add_samples(const Launch& launch);
+  /// Adds another film's sums of rows [row, row + its height), for the samples that are counted already.
+  void add_sums(int row, const std::vector<std::int64_t>& band);
   /// Mean over all samples; a pixel without samples is black.
   [[nodiscard]] Image mean() const;
 };

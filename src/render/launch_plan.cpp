@@ -28,10 +28,11 @@ void LaunchPlan::choose_range() {
   }
 }
 
-Launch LaunchPlan::next() {
+Launch LaunchPlan::next(double most_seconds) {
   if (range_ == 0) choose_range();
   Launch launch{column_, row_, width_ - column_, 1, sample_, range_};
-  const double pixels = std::max(budget_ / range_, 1.0);
+  const double budget = budget_ * std::min(1.0, most_seconds / target_seconds);
+  const double pixels = std::max(budget / range_, 1.0);
   if (pixels < launch.columns)
     launch.columns = static_cast<int>(pixels);
   else if (column_ == 0)

@@ -31,7 +31,8 @@ class LaunchPlan {
              int most_samples = std::numeric_limits<int>::max());
 
   [[nodiscard]] bool finished() const { return sample_ >= samples_; }
-  [[nodiscard]] Launch next();
+  /// most_seconds: what it may take at the most, as far as can be told.
+  [[nodiscard]] Launch next(double most_seconds = std::numeric_limits<double>::infinity());
   /// Seconds that the launch handed out last took.
   void measured(double seconds);
   /// Carries the measured rate to the next band.

@@ -7,6 +7,8 @@
 
 #include "device/device.h"
 #include "image/image.h"
+#include "render/error_estimate.h"
+#include "render/goal.h"
 #include "render/sampling.h"
 #include "render/settings.h"
 #include "render/stats.h"
@@ -17,8 +19,8 @@ namespace strahl {
 /// After each launch. samples_done / samples_total count pixel samples.
 struct Progress {
   std::uint64_t samples_done = 0;
-  std::uint64_t samples_total = 0;
-  double seconds = 0;  ///< Since the first launch.
+  std::uint64_t samples_total = 0;  ///< Expected, where a deadline or an error is the goal.
+  double seconds = 0;               ///< Since the first launch.
 };
 
 /// Called between launches; returning false finishes the render with what there is.
@@ -27,9 +29,16 @@ using ProgressCallback = std::function<bool(const Progress&)>;
 struct RenderResult {
   Image color;  ///< R, G, B, linear, size of the crop window. A pixel without samples (interrupted) is black.
   Image aov;    ///< Layered channels ("depth.Z", "normal.X", ...); no channels where no AOV was asked for.
+  /// R, G, B of each pixel's standard error, NaN where it is not known; no channels unless asked for.
+  Image standard_error;
+  /// Of `color`; none where a pixel has too few samples, or nobody wants it (RenderSettings::estimate_error).
+  std::optional<ErrorEstimate> error;
   RunStats stats;
+  Ending ending = Ending::samples;
   bool complete = true;  ///< false: the callback stopped it.
 };
+
+class FilmRun;
 
 class Renderer {
  public:
@@ -41,14 +50,15 @@ class Renderer {
   Renderer(Renderer&&) noexcept;
   Renderer& operator=(Renderer&&) noexcept;
 
-  /// Each call renders the same picture anew.
-  [[nodiscard]] RenderResult render(const ProgressCallback& progress = {});
+  /// Each call renders the picture anew. Throws UsageError for more samples than the film holds.
+  [[nodiscard]] RenderResult render(const ProgressCallback& progress = {}, const RenderGoal& goal = {});
 
   /// The exact program: text with includes expanded, options in its first comment line.
   [[nodiscard]] std::string program_text() const;
 
  private:
   struct State;
+  friend class FilmRun;
   std::unique_ptr<State> state_;
 };
 

@@ -50,6 +50,7 @@ struct RenderSettings {
   /// on it.
   bool coherent = false;
   WorkGroup work_group;
+  bool error_map = false;     ///< The estimate of each pixel too.
   std::optional<int> passes;  ///< Split the samples into this many launches; none: by measured time.
   /// The device ends the loops of a work-item after so many turns in sum (TierVerdict::loop_turns); none: it does not.
   std::optional<std::uint64_t> loop_turns;

@@ -13,8 +13,9 @@ namespace strahl {
 struct PhaseSeconds {
   double load = 0, bvh = 0, program = 0, upload = 0, kernel = 0, readback = 0, encode = 0, total = 0;
   double surface = 0;  ///< Of `intersect`: normal, u and v of the hits found, once however often rays were traced.
+  double error = 0;    ///< Estimating it from the film.
   [[nodiscard]] double other() const {
-    return total - load - bvh - program - upload - kernel - surface - readback - encode;
+    return total - load - bvh - program - upload - kernel - surface - readback - error - encode;
   }
 };
 
@@ -47,7 +48,8 @@ struct RunStats {
   std::string device;
   std::string precision;
   std::optional<CanaryStats> canary;  ///< None: it was not asked.
-  int spp = 0;
+  int spp = 0;  ///< Asked for; where a deadline or an error was the goal, the most that a pixel got.
+  int least_spp = 0, most_spp = 0;  ///< Of all pixels.
   std::uint32_t seed = 0;
   std::vector<std::string> features;  ///< "shapes/sphere", "AOV", ...: those that are on.
   std::vector<std::string> disabled;  ///< As asked for: RenderSettings::disabled.

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// How far a picture is from what infinitely many samples would show, told from the spread of the film's sub-sums alone.
+//
+// A pixel's four sub-sums are independent estimates of it, for every sampler (samplers/sobol.h). Their variance
+// estimates the squared error of their mean. What the *realised* error differs from that estimate by is, for each
+// pixel, a sum of products of two different sub-sums' deviations: its variance needs second moments only, whatever the
+// samples' distribution, and products over disjoint pairs of sub-sums estimate it without bias
+// (docs/decisions/0011-error.md).
+#pragma once
+
+#include <optional>
+
+#include "image/image.h"
+#include "render/film.h"
+
+namespace strahl {
+
+/// Of linear RGB, all pixels and channels, unclamped.
+struct ErrorEstimate {
+  double rmse = 0;
+  double rmse_low = 0, rmse_high = 0;  ///< Holds this picture's true RMSE in 95 of 100 cases.
+  double relmse = 0;                   ///< mean(squared error / (mean^2 + 0.01)).
+};
+
+/// None where a pixel has fewer samples than there are sub-sums.
+[[nodiscard]] std::optional<ErrorEstimate> estimate_error(const FilmSums& film);
+
+/// Standard error of each pixel and channel; NaN where a pixel has too few samples.
+[[nodiscard]] Image standard_error(const FilmSums& film);
+
+}  // namespace strahl

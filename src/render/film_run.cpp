@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: MIT
+#include "render/film_run.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "render/aov.h"
+#include "render/numeric_error.h"
+
+namespace strahl {
+namespace {
+
+/// Shorter launches cost more than they bring.
+constexpr double least_launch_seconds = 0.0005;
+
+}  // namespace
+
+FilmRun::FilmRun(Renderer::State& state, const RenderGoal& goal, const ProgressCallback& progress)
+    : state_(state),
+      goal_(goal),
+      progress_(progress),
+      width_(state.window.width()),
+      height_(state.window.height()),
+      band_rows_(state.band_rows()),
+      spp_(state.samples_of(goal)),
+      passes_(goal, spp_),
+      film_(width_, height_, state.buffers.film_scale) {
+  const std::size_t pixels = film_.samples.size();
+  aov_reals_.resize(state.has_aov() ? pixels * layout::AOV_REALS : 0, 0.0);
+  aov_ints_.resize(state.has_aov() ? pixels * layout::AOV_INTS : 0, -1);
+  result_.stats = state.stats;
+  result_.stats.seed = goal.seed.value_or(state.sampling.seed);
+  if (state.settings.count_rays)
+    result_.stats.shadow_rays = result_.stats.bounce_rays = result_.stats.nodes_visited =
+        result_.stats.primitives_tested = 0;
+}
+
+double FilmRun::seconds_left() const {
+  if (!goal_.deadline) return std::numeric_limits<double>::infinity();
+  return std::chrono::duration<double>(*goal_.deadline - Clock::now()).count() - state_.finish_seconds.value_or(0);
+}
+
+bool FilmRun::report() {
+  if (!progress_) return true;
+  const std::uint64_t done = result_.stats.camera_rays;
+  const double pixels = static_cast<double>(film_.samples.size());
+  double total = pixels * (goal_.max_error ? passes_.expected() : spp_);
+  const double seconds = watch_.seconds();
+  if (goal_.deadline)
+    total = std::min(total, static_cast<double>(done) * (seconds + std::max(0.0, seconds_left())) / seconds);
+  return progress_({done, std::max(done, static_cast<std::uint64_t>(total)), seconds});
+}
+
+void FilmRun::clear(int rows, bool aovs_too) {
+  const std::size_t pixels = static_cast<std::size_t>(width_) * static_cast<std::size_t>(rows);
+  checked(state_.device.info().text(), [&] {
+    const cl::CommandQueue& queue = state_.device.queue();
+    queue.enqueueFillBuffer(state_.film, cl_long{0}, 0, pixels * film_bytes_per_pixel);
+    if (aovs_too && state_.has_aov()) {  // Pixels without a sample (interrupted) count as missed.
+      queue.enqueueFillBuffer(state_.aov_reals, cl_uint{0}, 0, state_.aov_real_bytes(pixels));
+      queue.enqueueFillBuffer(state_.aov_ints, cl_int{-1}, 0, state_.aov_int_bytes(pixels));
+    }
+    return queue.finish();
+  });
+}
+
+void FilmRun::launch_and_count(const Launch& launch, int band_row) {
+  RunStats& run = result_.stats;
+  const std::vector<std::uint32_t> zero(layout::COUNTERS, 0);
+  write_buffer(state_.device, state_.counters, zero.data(), zero.size() * sizeof(std::uint32_t));
+  const Stopwatch start;
+  state_.launch(launch, band_row);
+  run.kernel_runs.push_back(start.seconds());
+  run.seconds.kernel += run.kernel_runs.back();
+  std::vector<std::uint32_t> counted(layout::COUNTERS);
+  read_buffer(state_.device, state_.counters, counted.data(), counted.size() * sizeof(std::uint32_t));
+  run.saturated_samples += counted[layout::COUNT_SATURATED];
+  run.invalid_samples += counted[layout::COUNT_INVALID];
+  if (state_.settings.count_rays) {
+    *run.shadow_rays += counted[layout::COUNT_SHADOW];
+    *run.bounce_rays += counted[layout::COUNT_BOUNCE];
+    *run.nodes_visited += counted[layout::COUNT_NODES];
+    *run.primitives_tested += counted[layout::COUNT_PRIMITIVES];
+  }
+  film_.add_samples(launch);
+  run.camera_rays += static_cast<std::uint64_t>(launch.columns) * static_cast<std::uint64_t>(launch.rows) *
+                     static_cast<std::uint64_t>(launch.samples);
+}
+
+/// false: stopped by the callback or, in a pass of single samples, by the deadline.
+bool FilmRun::render_band(const Pass& pass, int row, int rows) {
+  LaunchPlan plan(width_, rows, pass.count, state_.settings.passes, state_.launch_overhead, state_.samples_a_launch);
+  if (plan_) plan.learn_from(*plan_);
+  const double least = least_launch_seconds + state_.launch_overhead;
+  bool carry_on = true;
+  while (carry_on && !plan.finished()) {
+    const double left = seconds_left();
+    if (pass.count == 1 && left < least) {
+      is_cut_ = true;
+      return false;
+    }
+    // Half of what is left: how long a launch takes is known only roughly.
+    Launch next = plan.next(std::max(least, left / 2));
+    next.row_first += row;
+    next.sample_first += pass.first;
+    launch_and_count(next, row);
+    plan.measured(result_.stats.kernel_runs.back());
+    carry_on = report();
+  }
+  plan_ = plan;
+  return carry_on;
+}
+
+void FilmRun::read_band(int row, int rows) {
+  const std::size_t pixels = static_cast<std::size_t>(width_) * static_cast<std::size_t>(rows);
+  std::vector<std::int64_t> sums(pixels * layout::FILM_SUBSUMS * layout::FILM_CHANNELS);
+  read_buffer(state_.device, state_.film, sums.data(), pixels * film_bytes_per_pixel);
+  film_.add_sums(row, sums);
+}
+
+void FilmRun::read_aovs(int row, int rows) {
+  const std::size_t first = static_cast<std::size_t>(row) * static_cast<std::size_t>(width_);
+  const std::size_t pixels = static_cast<std::size_t>(rows) * static_cast<std::size_t>(width_);
+  read_buffer(state_.device, state_.aov_ints, &aov_ints_[first * layout::AOV_INTS], state_.aov_int_bytes(pixels));
+  double* out = &aov_reals_[first * layout::AOV_REALS];
+  if (state_.settings.precision == Precision::fp64) {
+    read_buffer(state_.device, state_.aov_reals, out, state_.aov_real_bytes(pixels));
+  } else {
+    std::vector<float> band(pixels * layout::AOV_REALS);
+    read_buffer(state_.device, state_.aov_reals, band.data(), state_.aov_real_bytes(pixels));
+    std::copy(band.begin(), band.end(), out);
+  }
+}
+
+/// One band stays on the device from pass to pass; several share a buffer, so each is fetched before the next begins.
+bool FilmRun::render_pass(const Pass& pass) {
+  const bool is_only_band = band_rows_ >= height_;
+  bool carry_on = true;
+  for (int row = 0; row < height_ && carry_on; row += band_rows_) {
+    const int rows = std::min(band_rows_, height_ - row);
+    if (!is_only_band || pass.first == 0) clear(rows, pass.first == 0);
+    carry_on = render_band(pass, row, rows);
+    const Stopwatch start;
+    if (!is_only_band) read_band(row, rows);
+    if (pass.first == 0 && state_.has_aov()) read_aovs(row, rows);
+    result_.stats.seconds.readback += start.seconds();
+  }
+  return carry_on;
+}
+
+void FilmRun::read_film() {
+  if (band_rows_ < height_) return;
+  const Stopwatch start;
+  read_buffer(state_.device, state_.film, film_.sums.data(), film_.samples.size() * film_bytes_per_pixel);
+  result_.stats.seconds.readback += start.seconds();
+}
+
+void FilmRun::finish() {
+  read_film();
+  const Stopwatch start;
+  result_.color = film_.mean();
+  result_.stats.seconds.readback += start.seconds();
+  const Stopwatch estimating;
+  if (state_.settings.estimate_error) result_.error = estimate_error(film_);
+  result_.standard_error.channels.clear();
+  if (state_.settings.error_map) result_.standard_error = standard_error(film_);
+  result_.stats.seconds.error += estimating.seconds();
+}
+
+/// The time that is to be kept for the end is known only by doing it, on the film as it is.
+void FilmRun::measure_finish() {
+  const Stopwatch start;
+  const PhaseSeconds before = result_.stats.seconds;
+  clear(std::min(band_rows_, height_), false);
+  finish();
+  result_.error.reset();
+  result_.stats.seconds = before;
+  state_.finish_seconds = start.seconds();
+}
+
+RenderResult FilmRun::run() {
+  const cl_int seed = static_cast<cl_int>(result_.stats.seed);
+  checked(state_.device.info().text(), [&] {
+    return state_.device.queue().enqueueWriteBuffer(state_.buffers.index, CL_TRUE, layout::HEADER_SEED * sizeof(cl_int),
+                                                    sizeof seed, &seed);
+  });
+  if (goal_.deadline && !state_.finish_seconds) measure_finish();
+  bool carry_on = true;
+  while (carry_on) {
+    const std::optional<Pass> pass = passes_.next(sample_seconds_, seconds_left());
+    if (!pass) break;
+    const Stopwatch start;
+    carry_on = render_pass(*pass);
+    sample_seconds_ = start.seconds() / pass->count;
+    if (!carry_on || !passes_.wants_error()) continue;
+    read_film();
+    const Stopwatch estimating;
+    passes_.estimated(estimate_error(film_));
+    result_.stats.seconds.error += estimating.seconds();
+  }
+  const Stopwatch finishing;
+  finish();
+  state_.finish_seconds = finishing.seconds();
+
+  RunStats& run = result_.stats;
+  const auto [least, most] = std::minmax_element(film_.samples.begin(), film_.samples.end());
+  run.least_spp = *least;
+  run.most_spp = *most;
+  run.spp = goal_.is_open() ? *most : spp_;
+  result_.ending = is_cut_ ? Ending::deadline : carry_on ? passes_.ending() : Ending::stopped;
+  // Stopping after the last sample stops nothing.
+  if (result_.ending == Ending::stopped && !goal_.is_open() && *least == spp_) result_.ending = Ending::samples;
+  result_.complete = result_.ending != Ending::stopped;
+
+  const Stopwatch convert;
+  if (state_.settings.aovs.contains(Aov::numeric_error))
+    replace_t_by_its_error(state_.device, state_.scene, state_.frame(), state_.settings, aov_reals_, aov_ints_);
+  if (!state_.settings.aovs.empty())
+    result_.aov = aov_image(width_, height_, state_.settings.aovs, aov_reals_, aov_ints_, state_.frame());
+  else
+    result_.aov.channels.clear();
+  run.seconds.readback += convert.seconds();
+  return std::move(result_);
+}
+
+RenderResult Renderer::render(const ProgressCallback& progress, const RenderGoal& goal) {
+  return FilmRun(*state_, goal, progress).run();
+}
+
+}  // namespace strahl

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// One picture: passes of samples over bands of rows that fit a device buffer, each in launches that LaunchPlan keeps
+// short, until the goal holds.
+#pragma once
+
+#include "render/renderer_state.h"
+#include "render/stopwatch.h"
+
+namespace strahl {
+
+class FilmRun {
+ public:
+  FilmRun(Renderer::State& state, const RenderGoal& goal, const ProgressCallback& progress);
+  [[nodiscard]] RenderResult run();
+
+ private:
+  [[nodiscard]] double seconds_left() const;
+  [[nodiscard]] bool report();
+  void clear(int rows, bool aovs_too);
+  bool render_pass(const Pass& pass);
+  bool render_band(const Pass& pass, int row, int rows);
+  void launch_and_count(const Launch& launch, int band_row);
+  void read_band(int row, int rows);
+  void read_aovs(int row, int rows);
+  void read_film();
+  void finish();
+  void measure_finish();
+
+  Renderer::State& state_;
+  RenderGoal goal_;
+  const ProgressCallback& progress_;
+  int width_, height_, band_rows_, spp_;
+  PassPlan passes_;
+  FilmSums film_;
+  std::vector<double> aov_reals_;
+  std::vector<std::int32_t> aov_ints_;
+  std::optional<LaunchPlan> plan_;  ///< The last one, which knows the device's rate.
+  double sample_seconds_ = 0;       ///< What one sample of every pixel took in the last pass.
+  bool is_cut_ = false;             ///< The deadline ended a pass part-way.
+  Stopwatch watch_;
+  RenderResult result_;
+};
+
+}  // namespace strahl

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// When a picture is done.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <optional>
+
+namespace strahl {
+
+using Clock = std::chrono::steady_clock;
+
+/// Whatever holds first ends the render.
+struct RenderGoal {
+  /// Samples a pixel; none: what the scene states, or with one of the two below as many as it takes.
+  std::optional<int> spp;
+  /// When render() is to have returned. Pixels then differ by one sample at the most.
+  std::optional<Clock::time_point> deadline;
+  /// RMSE over linear RGB, all pixels and channels, as the film's sub-sums tell it (error_estimate.h).
+  std::optional<double> max_error;
+  std::optional<std::uint32_t> seed;  ///< None: the scene's.
+
+  [[nodiscard]] bool is_open() const { return deadline || max_error; }
+};
+
+/// What ended a render.
+enum class Ending { samples, deadline, error, stopped };
+
+[[nodiscard]] constexpr const char* ending_name(Ending ending) {
+  switch (ending) {
+    case Ending::samples:
+      return "samples";
+    case Ending::deadline:
+      return "deadline";
+    case Ending::error:
+      return "error";
+    case Ending::stopped:
+      break;
+  }
+  return "stopped";
+}
+
+}  // namespace strahl

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#include "render/pass_plan.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "device/cl_layout.h"
+
+namespace strahl {
+namespace {
+
+constexpr int sub_sums = layout::FILM_SUBSUMS;
+
+/// A pass of several samples is not ended part-way, so it has to be short beside what a deadline may be missed by.
+constexpr double uncut_seconds = 0.004;
+
+/// How far the interval's upper end may be above the wanted error: a picture of few pixels must not be done by luck.
+constexpr double tolerated = 1.1;
+
+}  // namespace
+
+PassPlan::PassPlan(const RenderGoal& goal, int spp) : goal_(goal), spp_(spp), check_at_(2 * sub_sums) {}
+
+std::optional<Pass> PassPlan::next(double sample_seconds, double seconds_left) {
+  if (ending_ == Ending::error) return std::nullopt;
+  if (done_ >= spp_) return std::nullopt;
+  if (goal_.deadline && seconds_left <= 0) {
+    ending_ = Ending::deadline;
+    return std::nullopt;
+  }
+  int count = spp_ - done_;
+  if (goal_.max_error) count = std::min(count, check_at_ - done_);
+  if (goal_.deadline) {
+    const double fitting = sample_seconds > 0 ? std::min(uncut_seconds, seconds_left / 4) / sample_seconds : 1;
+    count = static_cast<int>(std::clamp(fitting, 1.0, static_cast<double>(count)));
+  }
+  const Pass pass{done_, count};
+  done_ += count;
+  return pass;
+}
+
+void PassPlan::estimated(const std::optional<ErrorEstimate>& error) {
+  const double wanted = *goal_.max_error;
+  double factor = 2;
+  if (error) {
+    if (error->rmse <= wanted && error->rmse_high <= tolerated * wanted) {
+      ending_ = Ending::error;
+      return;
+    }
+    // Independent samples need the square of the ratio; scrambled sequences need less, so the last step is not taken
+    // whole.
+    const double ratio = std::max(error->rmse / wanted, error->rmse_high / (tolerated * wanted));
+    factor = std::clamp(0.8 * ratio * ratio, 1.15, 4.0);
+  }
+  const double next = std::ceil(done_ * factor / sub_sums) * sub_sums;
+  check_at_ = static_cast<int>(std::min(next, static_cast<double>(spp_)));
+}
+
+}  // namespace strahl

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// How many samples all pixels get before anybody looks at the clock or the error again.
+#pragma once
+
+#include <optional>
+
+#include "render/error_estimate.h"
+#include "render/goal.h"
+
+namespace strahl {
+
+/// Samples [first, first + count) of every pixel.
+struct Pass {
+  int first = 0;
+  int count = 0;
+};
+
+/// Without a deadline or an error to reach: one pass. With a deadline: passes so short that leaving one out, or ending
+/// one of a single sample part-way, wastes nothing and leaves pixels one sample apart at the most. With an error: up to
+/// where the error so far says that it may be reached.
+class PassPlan {
+ public:
+  /// spp: samples at which the render is over whatever else holds.
+  PassPlan(const RenderGoal& goal, int spp);
+
+  /// The next pass; none where one of the goals holds. sample_seconds: what one sample of every pixel takes (0: not
+  /// known yet); seconds_left: until the deadline.
+  [[nodiscard]] std::optional<Pass> next(double sample_seconds, double seconds_left);
+  /// A pass is over: does somebody have to tell the error?
+  [[nodiscard]] bool wants_error() const { return goal_.max_error && done_ >= check_at_ && ending_ != Ending::error; }
+  void estimated(const std::optional<ErrorEstimate>& error);
+  /// Samples of a pixel after which the error may be reached, as far as is known.
+  [[nodiscard]] int expected() const { return check_at_; }
+  /// What made next() return none.
+  [[nodiscard]] Ending ending() const { return ending_; }
+
+ private:
+  RenderGoal goal_;
+  int spp_;
+  int done_ = 0;      ///< Samples of every pixel.
+  int check_at_ = 0;  ///< Samples at which to look at the error.
+  Ending ending_ = Ending::samples;
+};
+
+}  // namespace strahl

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+// What a Renderer holds; only its own files see it.
+#pragma once
+
+#include <algorithm>
+#include <functional>
+#include <vector>
+
+#include "device/cl_layout.h"
+#include "device/program_text.h"
+#include "device/scene_buffers.h"
+#include "render/film.h"
+#include "render/launch_plan.h"
+#include "render/pass_plan.h"
+#include "render/renderer.h"
+
+namespace strahl {
+
+inline constexpr std::size_t film_buffer_bytes = std::size_t{256} << 20;
+inline constexpr std::size_t film_bytes_per_pixel = sizeof(std::int64_t) * layout::FILM_SUBSUMS * layout::FILM_CHANNELS;
+
+struct Renderer::State {
+  Device device;
+  Scene scene;
+  RenderSettings settings;
+  Features features;
+  ProgramSource source;
+  ResolvedSampling sampling{};
+  Window window;
+  SceneBuffers buffers;
+  cl::Kernel kernel;
+  RunStats stats;  ///< What construction took; render() starts from it.
+
+  State(const Device& d, Scene s, const RenderSettings& r) : device(d), scene(std::move(s)), settings(r) {}
+
+  /// The textbook's renderer keeps the world's coordinates, whatever they cost it.
+  [[nodiscard]] Frame frame() const { return settings.precision == Precision::fast ? Frame{} : camera_frame(scene); }
+  [[nodiscard]] bool has_aov() const { return features.flag("AOV"); }
+  [[nodiscard]] std::size_t real_bytes() const { return settings.precision == Precision::fp64 ? 8 : 4; }
+  [[nodiscard]] std::size_t aov_real_bytes(std::size_t pixels) const {
+    return has_aov() ? pixels * layout::AOV_REALS * real_bytes() : 0;
+  }
+  [[nodiscard]] std::size_t aov_int_bytes(std::size_t pixels) const {
+    return has_aov() ? pixels * layout::AOV_INTS * sizeof(std::int32_t) : 0;
+  }
+
+  /// Rows whose film fits into one buffer.
+  [[nodiscard]] int band_rows() const {
+    const std::size_t row = static_cast<std::size_t>(window.width()) * film_bytes_per_pixel;
+    const std::size_t limit = std::min<std::size_t>(film_buffer_bytes, device.info().max_allocation);
+    return static_cast<int>(std::clamp<std::size_t>(limit / row, 1, static_cast<std::size_t>(window.height())));
+  }
+
+  /// What the goal, the scene and the film make of it. Throws UsageError.
+  [[nodiscard]] int samples_of(const RenderGoal& goal) const;
+  void prepare();
+  void launch(const Launch& launch, int film_row);
+  void warm_up();
+
+  double launch_overhead = 0;            ///< Seconds.
+  std::optional<double> finish_seconds;  ///< From the last launch to the picture, as measured last.
+  int samples_a_launch = 0;
+  cl::Buffer film, aov_reals, aov_ints, counters;
+};
+
+}  // namespace strahl
