@@ -27,7 +27,8 @@ function showEverything() {
 
 function startFilters() {
   for (const [select, choices, key] of [["measure", measures, "measure"], ["time", clocks, "clock"]]) {
-    for (const [name, choice] of Object.entries(choices)) byId(select).append(option(name, choice.title, name === state[key]));
+    const offered = Object.entries(choices).filter(([, choice]) => study.points.some((point) => choice.of(point) > 0));
+    for (const [name, choice] of offered) byId(select).append(option(name, choice.title, name === state[key]));
     byId(select).addEventListener("change", (event) => {
       state[key] = event.target.value;
       tell("view");

@@ -23,7 +23,7 @@ function aboutFront() {
 function aboutSlopes() {
   const deepest = axisOf("max_depth").values.at(-1);
   const parts = axisOf("sampler").values.flatMap((sampler) => {
-    const slope = median(study.fits.filter((fit) => fit.sampler === sampler && fit.max_depth === deepest)
+    const slope = median(study.fits.filter((fit) => fit.sampler === sampler && fit.max_depth === deepest && fit.slope_high < 0)
       .map((fit) => fit.slope));
     return slope < 0 ? [`${number(slope, 2)} with ${sampler} samples (half of it takes ${times(halvingCost(slope))} the time)`] : [];
   });

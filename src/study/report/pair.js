@@ -79,7 +79,7 @@ function startPair() {
   byId("slider").addEventListener("input", moveDivider);
   byId("pair").addEventListener("pointerdown", dragDivider);
   byId("pair").addEventListener("pointermove", dragDivider);
-  byId("pair").style.setProperty("aspect-ratio", `${study.width} / ${study.height}`);
+  for (const id of ["pair", "slider"]) byId(id).style.setProperty("--ratio", study.width / study.height);
   let known = new Set();
   on(["pins"], () => {
     const fresh = [...state.pins.keys()].find((id) => !known.has(id));

@@ -7,7 +7,8 @@ function pictureOf(name, text) {
 
 function factsOf(point) {
   const rows = [
-    ["RMSE", `${number(point.rmse)} (${range(point.rmse_low, point.rmse_high)})`],
+    ["RMSE", number(point.rmse)],
+    ["95 %", range(point.rmse_low, point.rmse_high)],
     ["of it bias", number(biasOf(point))],
     ["relMSE", number(point.relmse)],
     ["PSNR", isNumber(point.psnr) ? `${number(point.psnr)} dB` : "equal"],

@@ -73,7 +73,7 @@ function settingRow(point, front) {
     column.text ? column.text(point) : number(column.of(point)),
     ...(column.isRanged ? [element("small", {}, halfWidth(point))] : [])));
   return element("tr", { "data-id": point.id }, pinBox(point),
-    element("td", { class: "text" }, front.has(point) ? "●" : ""), ...cells);
+    element("td", { class: "text" }, ...(front.has(point) ? [element("span", { role: "img", "aria-label": "on the front" }, "●")] : [])), ...cells);
 }
 
 function drawSettings() {
