@@ -207,6 +207,7 @@ class Report(unittest.TestCase):
         self.assertEqual(self.mark(point).get_attribute("aria-pressed"), "false")
 
     def test_keyboard_walks_and_pins(self):
+        self.look_at(self.lonely_points()[0])  # a pointer that rests on the plot does not take the look away
         self.run_script("[...document.querySelectorAll('#choices input')].at(-1).focus()")
         ActionChains(self.browser).send_keys(Keys.TAB).perform()
         here = "return document.activeElement.dataset.id"
@@ -216,6 +217,9 @@ class Report(unittest.TestCase):
         for key in (Keys.HOME, Keys.ARROW_RIGHT, Keys.ARROW_RIGHT, Keys.ARROW_DOWN, Keys.END):
             ActionChains(self.browser).send_keys(key).perform()
             places.append(self.run_script(here))
+        self.assertEqual(len(self.find_all("#drawing .label")), 1)
+        self.assertEqual(self.texts("#setting h3"),
+                         [self.run_script("return document.activeElement.ariaLabel").split(":")[0].replace("\u00a0", " ")])
         points = {point["id"]: point for point in self.study()["points"]}
         self.assertLess(points[places[1]]["spp"], points[places[3]]["spp"])
         self.assertEqual(points[places[3]]["spp"], points[places[4]]["spp"])

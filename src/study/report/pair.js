@@ -41,8 +41,9 @@ function moveDivider() {
 function showDifferences() {
   const figures = [["Left", pair.left], ["Right", pair.right]].filter(([, id]) => sideOf(id).difference).map(([side, id]) =>
     element("figure", {}, pictureOf(sideOf(id).difference, `Difference of ${sideName(id)} from the reference`),
-      element("figcaption", {}, `${side}: where ${sideName(id)} differs from the reference, in false colours up to its largest difference`)));
-  byId("differences").replaceChildren(...figures);
+      element("figcaption", {}, `${side}: difference from the reference`)));
+  const note = element("p", { class: "note" }, "In false colours, each from none to its own largest.");
+  byId("differences").replaceChildren(...figures, ...(figures.length > 0 ? [note] : []));
 }
 
 function showPair() {

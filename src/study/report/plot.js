@@ -71,7 +71,7 @@ function layOut(drawable) {
   const errors = drawable.flatMap((point) => [measureNow().of(point), ...(measureNow().bar?.(point) ?? [])])
     .filter((value) => value > 0);
   if (referenceIsNear(errors)) errors.push(study.reference.rmse_low || study.reference.rmse);
-  plot.x = logScale(drawable.map(clockNow().of), 54, plot.width - 10);
+  plot.x = logScale(drawable.map(clockNow().of), 64, plot.width - 10);
   plot.y = logScale(errors, plot.height - 52, 30);
   plot.places = new Map(drawable.map((point) => [point.id, { point,
     x: Number(plot.x.at(clockNow().of(point)).toFixed(1)), y: Number(plot.y.at(measureNow().of(point)).toFixed(1)) }]));

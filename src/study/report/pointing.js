@@ -91,10 +91,15 @@ function pressed(event) {
   event.preventDefault();
 }
 
+/// Where the pointer is at nothing, the mark that the keys have reached is looked at.
+function lookBack(id) {
+  look(id ?? byId("drawing").querySelector("[data-id]:focus-visible")?.dataset.id ?? null);
+}
+
 function startPointing() {
   const svg = byId("drawing");
-  svg.addEventListener("pointermove", (event) => look(nearestTo(event)));
-  svg.addEventListener("pointerleave", () => look(null));
+  svg.addEventListener("pointermove", (event) => lookBack(nearestTo(event)));
+  svg.addEventListener("pointerleave", () => lookBack(null));
   svg.addEventListener("click", (event) => {
     const id = nearestTo(event);
     if (!id) return;
