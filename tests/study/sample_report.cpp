@@ -18,7 +18,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr int width = 128, height = 96;
+constexpr int width = 96, height = 72;
 
 /// Uniform in [-1, 1): the last bits of a multiplicative hash.
 double noise(std::uint32_t seed, std::uint32_t index) {
@@ -28,7 +28,8 @@ double noise(std::uint32_t seed, std::uint32_t index) {
 }
 
 double ball(int x, int y) {
-  const double u = (x - 0.45 * width) / 34, v = (y - 0.55 * height) / 34, inside = 1 - u * u - v * v;
+  const double u = (x - 0.45 * width) / (0.36 * height), v = (y - 0.55 * height) / (0.36 * height),
+               inside = 1 - u * u - v * v;
   if (inside > 0) return 0.04 + 0.8 * std::max(0.0, 0.5 * std::sqrt(inside) - 0.6 * v - 0.4 * u);
   return 0.25 + 0.2 * v * v * (v > 0 ? 0.3 : 0.1);
 }

@@ -11,4 +11,4 @@ target_link_libraries(study_sample_report PRIVATE strahl nlohmann_json::nlohmann
 find_program(DEBIAN_PYTHON python3 HINTS /usr/bin)
 add_test(NAME study_report_browser COMMAND ${DEBIAN_PYTHON} -B ${CMAKE_CURRENT_LIST_DIR}/report_browser.py
                                            $<TARGET_FILE:study_sample_report>)
-set_tests_properties(study_report_browser PROPERTIES LABELS slow SKIP_RETURN_CODE 77 TIMEOUT 300)
+set_tests_properties(study_report_browser PROPERTIES LABELS slow SKIP_RETURN_CODE 77 TIMEOUT 900)

@@ -14,7 +14,7 @@ function checkboxOf(axis, value) {
 
 function showCount() {
   const shown = shownPoints().length, all = study.points.length;
-  byId("shown").textContent = shown === all ? `All ${all} settings are shown.` : `${shown} of ${all} settings are shown.`;
+  byId("shown").textContent = `${shown === all ? "All" : `${shown} of`} ${all} settings are shown.`;
   byId("show-all").hidden = shown === all;
 }
 

@@ -23,9 +23,11 @@ function aboutFront() {
 function aboutSlopes() {
   const deepest = axisOf("max_depth").values.at(-1);
   const parts = axisOf("sampler").values.flatMap((sampler) => {
-    const slope = median(study.fits.filter((fit) => fit.sampler === sampler && fit.max_depth === deepest && fit.slope_high < 0)
-      .map((fit) => fit.slope));
-    return slope < 0 ? [`${number(slope, 2)} with ${sampler} samples (half of it takes ${times(halvingCost(slope))} the time)`] : [];
+    const falling = study.fits.filter((fit) =>
+      fit.sampler === sampler && fit.max_depth === deepest && fit.slope_high < 0);
+    if (falling.length === 0) return [];
+    const slope = median(falling.map((fit) => fit.slope));
+    return [`${number(slope, 2)} with ${sampler} samples (half of it takes ${times(halvingCost(slope))} the time)`];
   });
   if (parts.length === 0) return [];
   return [`The error falls with a slope of ${parts.join(", ")}. Samples that know nothing of each other must have −½, ` +
@@ -39,9 +41,9 @@ function aboutDepth() {
   return axisOf("max_depth").values.flatMap((depth) => {
     const some = stuck.filter((point) => point.max_depth === depth);
     if (some.length === 0) return [];
-    return [`With ${depthName(depth)} the error stops near ${number(median(some.map(biasOf)), 2)}: at the most samples ` +
-      `${percent(median(some.map((point) => point.bias2 / point.mse)))} of the squared error is bias. That light takes more ` +
-      "bounces than were followed, and no number of samples brings it back."];
+    const floor = median(some.map(biasOf)), share = median(some.map((point) => point.bias2 / point.mse));
+    return [`With ${depthName(depth)} the error stops near ${number(floor, 2)}: at the most samples ${percent(share)} of the ` +
+      "squared error is bias. That light takes more bounces than were followed, and no number of samples brings it back."];
   });
 }
 
@@ -49,7 +51,8 @@ function aboutTiers() {
   const base = "robust";
   if (!axisOf("precision").values.includes(base)) return [];
   const parts = axisOf("precision").values.filter((tier) => tier !== base).flatMap((tier) => {
-    const time = ratioAlong("precision", tier, base, clocks.kernel.of), error = ratioAlong("precision", tier, base, measures.rmse.of);
+    const time = ratioAlong("precision", tier, base, clocks.kernel.of);
+    const error = ratioAlong("precision", tier, base, measures.rmse.of);
     if (time === null) return [];
     const same = Math.abs(error - 1) < 0.01 ? "the same error" : `${times(error)} the error`;
     return [`${tier} takes ${times(time)} the kernel time at ${same}`];
@@ -60,10 +63,12 @@ function aboutTiers() {
 function aboutPrograms() {
   if (!axisOf("generic").varies) return [];
   const kernel = ratioAlong("generic", true, false, clocks.kernel.of);
-  const program = ratioAlong("generic", true, false, (point) => (point.program_from_cache ? NaN : point.seconds.program));
+  const building = (point) => (point.program_from_cache ? NaN : point.seconds.program);
+  const program = ratioAlong("generic", true, false, building);
   if (kernel === null) return [];
-  return [`The generic program, which holds every effect whether the scene calls for it or not, takes ${times(kernel)} the ` +
-    `kernel time of the specialised one${isNumber(program) ? `, and ${times(program)} the time to get ready` : ""}.`];
+  return ["The generic program, which holds every effect whether the scene calls for it or not, takes " +
+    `${times(kernel)} the kernel time of the specialised one` +
+    (isNumber(program) ? `, and ${times(program)} the time to get ready.` : ".")];
 }
 
 function aboutReference() {
@@ -73,6 +78,7 @@ function aboutReference() {
 }
 
 function writeFindings() {
-  const sentences = [aboutFront, aboutSlopes, aboutDepth, aboutTiers, aboutPrograms, aboutReference].flatMap((about) => about());
-  byId("findings").append(...sentences.map((sentence) => element("li", {}, sentence)));
+  for (const about of [aboutFront, aboutSlopes, aboutDepth, aboutTiers, aboutPrograms, aboutReference]) {
+    byId("findings").append(...about().map((sentence) => element("li", {}, sentence)));
+  }
 }

@@ -29,8 +29,8 @@ function shortNumber(value) {
   return text.includes(".") ? text.replace(/\.?0+$/, "") : text;
 }
 
-function range(low, high) {
-  return isNumber(low) && isNumber(high) ? `${number(low)} … ${number(high)}` : missing;
+function range(low, high, digits = 3) {
+  return isNumber(low) && isNumber(high) ? `${number(low, digits)} … ${number(high, digits)}` : missing;
 }
 
 const units = [[1e-6, "µs"], [1e-3, "ms"], [1, "s"], [60, "min"], [3600, "h"]];

@@ -8,7 +8,8 @@ function drawAxes(svg, x, y, width, titles) {
     if (tick.isPower) lines.append(drawn("path", { d: `M${at},${y.start}V${y.end}` }));
     labels.append(drawn("path", { class: "tick", d: `M${at},${y.start}v${tick.isPower ? 7 : 4}` }));
     if (tick.isLabelled) {
-      labels.append(drawn("text", { x: at, y: y.start + 22, "text-anchor": "middle" }, seconds(tick.value, shortNumber)));
+      const label = seconds(tick.value, shortNumber);
+      labels.append(drawn("text", { x: at, y: y.start + 22, "text-anchor": "middle" }, label));
     }
   }
   for (const tick of ticksOf(y, 24)) {
@@ -16,7 +17,8 @@ function drawAxes(svg, x, y, width, titles) {
     if (tick.isPower) lines.append(drawn("path", { d: `M${x.start},${at}H${x.end}` }));
     labels.append(drawn("path", { class: "tick", d: `M${x.start},${at}h${tick.isPower ? -7 : -4}` }));
     if (tick.isLabelled) {
-      labels.append(drawn("text", { x: x.start - 11, y: at, dy: "0.35em", "text-anchor": "end" }, shortNumber(tick.value)));
+      const label = shortNumber(tick.value);
+      labels.append(drawn("text", { x: x.start - 11, y: at, dy: "0.35em", "text-anchor": "end" }, label));
     }
   }
   labels.append(

@@ -7,8 +7,9 @@ function describe() {
   byId("subject").textContent =
     `${subject}, ${study.width} × ${study.height} pixels, ${study.points.length} settings, on ${study.device}`;
   const reference = study.reference;
-  const origin = reference.precision
-    ? `${reference.precision} · ${reference.sampler} · ${depthName(reference.max_depth)} · ${reference.spp} spp, rendered in ${seconds(reference.seconds)}` : `the file ${reference.file}`;
+  const origin = reference.precision === null ? `the file ${reference.file}`
+    : [reference.precision, reference.sampler, depthName(reference.max_depth), `${reference.spp} spp`].join(" · ") +
+      `, rendered in ${seconds(reference.seconds)}`;
   const own = isNumber(reference.rmse)
     ? `its own RMSE is ${number(reference.rmse)} (95 %: ${range(reference.rmse_low, reference.rmse_high)})`
     : "its own error was not measured";

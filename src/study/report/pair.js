@@ -9,7 +9,7 @@ const sideName = (id) => (id === "" ? "the reference" : pointName(points.get(id)
 
 function optionsFor(id) {
   const named = (point) => option(point.id, pointName(point), point.id === id);
-  const pinned = [...state.pins].map(([pin, letter]) => option(pin, `${letter}  ${pointName(points.get(pin))}`, pin === id));
+  const pinned = [...state.pins].map(([pin, letter]) => option(pin, `${letter}  ${sideName(pin)}`, pin === id));
   const rest = study.points.filter((point) => !state.pins.has(point.id));
   return [option("", "the reference", id === ""),
     ...(pinned.length > 0 ? [element("optgroup", { label: "pinned" }, ...pinned)] : []),
@@ -39,7 +39,8 @@ function moveDivider() {
 }
 
 function showDifferences() {
-  const figures = [["Left", pair.left], ["Right", pair.right]].filter(([, id]) => sideOf(id).difference).map(([side, id]) =>
+  const sides = [["Left", pair.left], ["Right", pair.right]].filter(([, id]) => sideOf(id).difference);
+  const figures = sides.map(([side, id]) =>
     element("figure", {}, pictureOf(sideOf(id).difference, `Difference of ${sideName(id)} from the reference`),
       element("figcaption", {}, `${side}: difference from the reference`)));
   const note = element("p", { class: "note" }, "In false colours, each from none to its own largest.");

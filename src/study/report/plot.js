@@ -20,7 +20,8 @@ function fitLine(curve) {
   if (!fit || !isNumber(fit.slope) || curve.points.length < 2) return [];
   const ends = curve.points.map(clocks.kernel.of).sort((a, b) => a - b);
   const corner = (time) => `${plot.x.at(time)},${plot.y.at(fit.factor * time ** fit.slope)}`;
-  return [drawn("path", { class: `fit ${tierClass(curve.settings)}`, d: `M${corner(ends[0])}L${corner(ends.at(-1))}` })];
+  const line = `M${corner(ends[0])}L${corner(ends.at(-1))}`;
+  return [drawn("path", { class: `fit ${tierClass(curve.settings)}`, d: line })];
 }
 
 function errorBar(point, at) {
@@ -58,10 +59,11 @@ function drawFront(front) {
   const places = front.map((point) => plot.places.get(point.id));
   const steps = places.map((at, i) => (i === 0 ? `M${at.x},${plot.y.end}V${at.y}` : `H${at.x}V${at.y}`));
   const line = `${steps.join("")}H${plot.x.end}`;
+  const nameAt = { x: plot.x.end - 4, y: places.at(-1).y + 19, "text-anchor": "end" };
   return drawn("g", { "aria-hidden": "true" },
     drawn("path", { class: "beyond", d: `${line}V${plot.y.start}H${plot.x.start}V${plot.y.end}Z` }),
     drawn("path", { class: "front", d: line }),
-    drawn("text", { class: "front-name", x: plot.x.end - 4, y: places.at(-1).y + 19, "text-anchor": "end" }, "Pareto front"));
+    drawn("text", { class: "front-name", ...nameAt }, "Pareto front"));
 }
 
 function layOut(drawable) {
@@ -107,12 +109,12 @@ function drawPlot() {
 }
 
 function writeNote(left, drawnCount) {
+  const bars = measureNow().bar ? "upright lines are 95 % intervals; " : "";
   const sentences = drawnCount === 0 ? ["No setting is left to draw."]
-    : [`Each mark is the median time of one seed; ${state.measure === "rmse" ? "upright lines are 95 % intervals; " : ""}` +
-      "both axes are logarithmic."];
+    : [`Each mark is the median time of one seed; ${bars}both axes are logarithmic.`];
   if (left > 0) {
-    sentences.push(`${left} of the settings shown cannot stand on a logarithmic axis: their ${measureNow().title} is zero, ` +
-      "or lost in noise.");
+    sentences.push(`${left} of the settings shown cannot stand on a logarithmic axis: their ${measureNow().title} ` +
+      "is zero, or lost in noise.");
   }
   if (byId("draw-fits").checked && !fitsApply()) sentences.push("Slopes are fitted to RMSE against kernel time only.");
   byId("plot-note").textContent = sentences.join(" ");

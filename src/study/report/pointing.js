@@ -30,7 +30,8 @@ function labelOf(point, at) {
   const left = at.x + 16 + width < plot.width ? at.x + 16 : Math.max(2, at.x - 16 - width);
   const isBeside = left > at.x || left + width < at.x;
   const above = at.y - 14 - height;
-  const top = isBeside ? Math.max(2, Math.min(at.y - height / 2, plot.height - height - 2)) : above > 2 ? above : at.y + 16;
+  const beside = Math.max(2, Math.min(at.y - height / 2, plot.height - height - 2));
+  const top = isBeside ? beside : above > 2 ? above : at.y + 16;
   group.setAttribute("transform", `translate(${left - box.x + 7},${top - box.y + 5})`);
 }
 

@@ -2,10 +2,12 @@
 // The setting looked at, beside Figure 1: its pictures and figures; and the row of pinned settings.
 
 function pictureOf(name, text) {
-  return element("img", { src: pictures[name] ?? null, alt: text, width: study.width, height: study.height, decoding: "async" });
+  const { width, height } = study;
+  return element("img", { src: pictures[name] ?? null, alt: text, width, height, decoding: "async" });
 }
 
 function factsOf(point) {
+  const { program, bvh, upload, kernel, wall } = point.seconds;
   const rows = [
     ["RMSE", number(point.rmse)],
     ["95 %", range(point.rmse_low, point.rmse_high)],
@@ -14,9 +16,9 @@ function factsOf(point) {
     ["PSNR", isNumber(point.psnr) ? `${number(point.psnr)} dB` : "equal"],
     ["SSIM", number(point.ssim, 4)],
     ["FLIP", number(point.flip)],
-    ["kernel", seconds(point.seconds.kernel)],
-    ["wall", seconds(point.seconds.wall)],
-    ["program, tree, upload", [point.seconds.program, point.seconds.bvh, point.seconds.upload].map((s) => seconds(s)).join(", ")],
+    ["kernel", seconds(kernel)],
+    ["wall", seconds(wall)],
+    ["program, tree, upload", `${seconds(program)}, ${seconds(bvh)}, ${seconds(upload)}`],
     ["seeds", String(point.seeds)],
   ];
   return element("dl", {}, ...rows.flatMap(([term, fact]) => [element("dt", {}, term), element("dd", {}, fact)]));

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Table 2: every setting shown with its figures; headings sort, the choices below them filter.
 
+function axisColumn(axis) {
+  return { key: axis.key, title: axis.title, axis, isText: axis.key !== "spp",
+    of: (point) => axis.values.indexOf(point[axis.key]), text: (point) => axis.text(point[axis.key]) };
+}
+
 const columns = [
-  ...axes.filter((axis) => axis.varies || axis.key === "precision").map((axis) => ({ key: axis.key, title: axis.title, axis, text: (point) => axis.text(point[axis.key]),
-    of: (point) => axis.values.indexOf(point[axis.key]), isText: axis.key !== "spp" })),
+  ...axes.filter((axis) => axis.varies || axis.key === "precision").map(axisColumn),
   { key: "kernel", title: "kernel, s", of: (point) => point.seconds.kernel },
   { key: "wall", title: "wall, s", of: (point) => point.seconds.wall },
   { key: "rmse", title: "RMSE", of: (point) => point.rmse, isRanged: true },
@@ -44,8 +48,10 @@ function heading(column) {
 /// All values of an axis, or one; checkboxes above Figure 1 may have left several.
 function filterOf(axis) {
   const visible = axis.values.filter((value) => !state.hidden[axis.key].has(value));
-  const choice = visible.length === axis.values.length ? "all" : visible.length === 1 ? axis.values.indexOf(visible[0]) : "some";
-  const select = element("select", { "aria-label": `Show ${axis.title}`, "data-axis": axis.key }, option("all", "all", choice === "all"),
+  const isAll = visible.length === axis.values.length;
+  const choice = isAll ? "all" : visible.length === 1 ? axis.values.indexOf(visible[0]) : "some";
+  const select = element("select", { "aria-label": `Show ${axis.title}`, "data-axis": axis.key },
+    option("all", "all", isAll),
     ...(choice === "some" ? [option("some", "some", true)] : []),
     ...axis.values.map((value, i) => option(i, axis.text(value), choice === i)));
   select.addEventListener("change", () => {
@@ -58,7 +64,8 @@ function filterOf(axis) {
 }
 
 function pinBox(point) {
-  const box = element("input", { type: "checkbox", checked: state.pins.has(point.id), "aria-label": `Pin ${pointName(point)}` });
+  const name = `Pin ${pointName(point)}`;
+  const box = element("input", { type: "checkbox", checked: state.pins.has(point.id), "aria-label": name });
   box.addEventListener("change", () => togglePin(point.id));
   return element("td", {}, box, element("b", {}, state.pins.get(point.id) ?? ""));
 }
@@ -72,16 +79,17 @@ function settingRow(point, front) {
   const cells = columns.map((column) => element("td", { class: column.isText ? "text" : "" },
     column.text ? column.text(point) : number(column.of(point)),
     ...(column.isRanged ? [element("small", {}, halfWidth(point))] : [])));
-  return element("tr", { "data-id": point.id }, pinBox(point),
-    element("td", { class: "text" }, ...(front.has(point) ? [element("span", { role: "img", "aria-label": "on the front" }, "●")] : [])), ...cells);
+  const dot = front.has(point) ? [element("span", { role: "img", "aria-label": "on the front" }, "●")] : [];
+  return element("tr", { "data-id": point.id }, pinBox(point), element("td", { class: "text" }, ...dot), ...cells);
 }
 
 function drawSettings() {
   const front = new Set(frontNow());
   const filters = columns.map((column) => element("td", {}, ...(column.axis?.varies ? [filterOf(column.axis)] : [])));
+  const plain = ["pin", "front"].map((title) => element("th", { scope: "col" }, title));
   byId("settings").replaceChildren(
     element("thead", {},
-      element("tr", {}, element("th", { scope: "col" }, "pin"), element("th", { scope: "col" }, "front"), ...columns.map(heading)),
+      element("tr", {}, ...plain, ...columns.map(heading)),
       element("tr", { class: "filters" }, element("td"), element("td"), ...filters)),
     element("tbody", {}, ...sorted(shownPoints()).map((point) => settingRow(point, front))));
 }
@@ -96,6 +104,8 @@ function startSettings() {
     drawSettings();
   });
   on(["pins"], () => {
-    for (const row of byId("settings").tBodies[0]?.rows ?? []) row.cells[0].replaceWith(pinBox(points.get(row.dataset.id)));
+    for (const row of byId("settings").tBodies[0]?.rows ?? []) {
+      row.cells[0].replaceWith(pinBox(points.get(row.dataset.id)));
+    }
   });
 }

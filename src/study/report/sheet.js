@@ -22,8 +22,9 @@ function drawSheet() {
       const point = curve.points.find((candidate) => candidate.spp === spp);
       return point ? thumbnailOf(point) : element("td");
     })));
+  const headings = counts.map((spp) => element("th", { scope: "col" }, `${spp} spp`));
   byId("sheet").replaceChildren(
-    element("thead", {}, element("tr", {}, element("td"), ...counts.map((spp) => element("th", { scope: "col" }, `${spp} spp`)))),
+    element("thead", {}, element("tr", {}, element("td"), ...headings)),
     element("tbody", {}, ...rows));
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Table 1, the legend of curves: how fast the error falls along each of them, and what half of it costs.
 
-/// error ∝ time^slope, so half the error takes 2^(−1/slope) times the time; a curve that does not fall never gets there.
+/// error ∝ time^slope, so half the error takes 2^(−1/slope) times the time; what does not fall never gets there.
 function halvingCost(slope) {
   return slope < 0 ? 2 ** (-1 / slope) : null;
 }
@@ -9,19 +9,20 @@ function halvingCost(slope) {
 function slopeRow(curve) {
   const fit = fits.get(curve.key);
   const cost = fit ? halvingCost(fit.slope) : null;
+  const half = cost === null ? "never" : cost < 100 ? `${times(cost)} the time` : "more than 100 × the time";
   return element("tr", { "data-curve": curve.key },
     element("th", { scope: "row" }, sampleOf(curve.settings), ` ${curve.name}`),
     element("td", {}, fit ? number(fit.slope, 2) : missing),
-    element("td", {}, fit && isNumber(fit.slope_low) ? `${number(fit.slope_low, 2)} … ${number(fit.slope_high, 2)}` : missing),
-    element("td", {}, !fit ? missing : cost === null ? "never" : cost < 100 ? `${times(cost)} the time` : "more than 100 × the time"),
+    element("td", {}, range(fit?.slope_low, fit?.slope_high, 2)),
+    element("td", {}, fit ? half : missing),
     element("td", {}, number(fit?.samples_slope, 2)),
     element("td", {}, String(fit?.points ?? missing)));
 }
 
 function drawSlopes() {
+  const titles = ["curve", "slope", "95 %", "half the error takes", "slope over samples", "points"];
   byId("slopes").replaceChildren(
-    element("thead", {}, element("tr", {}, ...["curve", "slope", "95 %", "half the error takes", "slope over samples", "points"]
-      .map((title) => element("th", { scope: "col" }, title)))),
+    element("thead", {}, element("tr", {}, ...titles.map((title) => element("th", { scope: "col" }, title)))),
     element("tbody", {}, ...curvesOf(shownPoints()).map(slopeRow)));
 }
 

@@ -17,7 +17,8 @@ function depthName(depth) {
 const axes = [
   { key: "precision", title: "precision", text: (value) => value, rank: (value) => tiers.indexOf(value) },
   { key: "sampler", title: "sampler", text: (value) => value, rank: null },
-  { key: "max_depth", title: "depth", text: (value) => (value === null ? missing : value < 0 ? "no limit" : String(value)),
+  { key: "max_depth", title: "depth",
+    text: (value) => (value === null ? missing : value < 0 ? "no limit" : String(value)),
     rank: (value) => (value === null || value < 0 ? Infinity : value) },
   { key: "generic", title: "program", text: (value) => (value ? "generic" : "specialised"), rank: Number },
   { key: "spp", title: "spp", text: String, rank: Number },
