@@ -92,6 +92,8 @@ ExitCode run(std::vector<std::string> arguments, const Invocation& invocation) {
   add("selftest", "Ask a device how far its arithmetic can be trusted", add_selftest);
   add("stress", "Show a scene in other units and elsewhere, in every precision",
       [&](CLI::App& sub) { return add_stress(sub, invocation); });
+  add("tradeoff", "Measure what error costs in time: precision, samples, depth, sampler",
+      [&](CLI::App& sub) { return add_tradeoff(sub, invocation); });
   add("bench", "Measure how fast a device is", add_bench);
 
   if (arguments.empty()) throw UsageError("nothing to do: name a scene or a command; `strahl --help` shows which");

@@ -31,6 +31,7 @@ Command add_explain(CLI::App& app);
 Command add_compare(CLI::App& app);
 Command add_selftest(CLI::App& app);
 Command add_stress(CLI::App& app, const Invocation& invocation);
+Command add_tradeoff(CLI::App& app, const Invocation& invocation);
 Command add_bench(CLI::App& app);
 
 }  // namespace strahl::cli

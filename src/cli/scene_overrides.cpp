@@ -12,6 +12,7 @@
 
 #include "cli/console.h"
 #include "device/kernel_source.h"
+#include "render/sampler_name.h"
 #include "render/sampling.h"
 #include "scene/did_you_mean.h"
 
@@ -133,10 +134,7 @@ void apply(const SceneOverrides& overrides, Scene& scene) {
   if (overrides.max_depth) scene.integrator.max_depth = *overrides.max_depth;
   if (overrides.spp) scene.sampler.sample_count = *overrides.spp;
   if (overrides.seed) scene.sampler.seed = *overrides.seed;
-  if (overrides.sampler)
-    scene.sampler.kind = *overrides.sampler == "centre"  ? SamplerKind::centre
-                         : *overrides.sampler == "sobol" ? SamplerKind::sobol
-                                                         : SamplerKind::independent;
+  if (overrides.sampler) scene.sampler.kind = sampler_from_name(*overrides.sampler);
   resize(overrides, scene.film);
   crop(overrides, scene.film);
 }

@@ -57,7 +57,6 @@ struct RunStats {
   int tree_width = 4;
   TreeStats tree;
   bool program_from_cache = false;
-  std::uint64_t program_bytes = 0;      ///< Of its binary.
   std::string program;                  ///< Hash, as `explain` prints it.
   std::uint64_t saturated_samples = 0;  ///< Sample channels that the film clamped (brighter than it can hold).
   std::uint64_t invalid_samples = 0;    ///< NaN sample channels, counted as black.

@@ -5,8 +5,6 @@ foreach(name first_principles invariance launches closed_form terminator metamor
 endforeach()
 # A program for every scene, compiled where nothing is cached yet.
 strahl_test(render/test_generic.cpp LABEL render TIMEOUT 400)
-add_test(NAME render_test_generic_all_tiers COMMAND render_test_generic)
-set_tests_properties(render_test_generic_all_tiers PROPERTIES LABELS slow TIMEOUT 3600 ENVIRONMENT STRAHL_ALL_TIERS=1)
 # rusticl takes its time where nothing is cached yet.
 strahl_test(render/test_devices.cpp LABEL render TIMEOUT 300)
 

@@ -12,3 +12,7 @@ find_program(DEBIAN_PYTHON python3 HINTS /usr/bin)
 add_test(NAME study_report_browser COMMAND ${DEBIAN_PYTHON} -B ${CMAKE_CURRENT_LIST_DIR}/report_browser.py
                                            $<TARGET_FILE:study_sample_report>)
 set_tests_properties(study_report_browser PROPERTIES LABELS slow SKIP_RETURN_CODE 77 TIMEOUT 900)
+foreach(name tradeoff_numbers tradeoff_plan)
+  strahl_test(study/test_${name}.cpp LABEL unit)
+endforeach()
+strahl_test(study/test_tradeoff.cpp LABEL render LIBS nlohmann_json::nlohmann_json)
