@@ -129,7 +129,8 @@ int main(int count, char** arguments) {
                           {"factor", depth == 2           ? 0.03
                                      : sampler == "sobol" ? 0.007
                                                           : 0.015},
-                          {"points", 5}});
+                          {"points", 5},
+                          {"samples_slope", slope}});
         }
       }
     }
