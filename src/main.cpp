@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // strahl's command line: parse, run, and the only place that turns an exception into a message and an exit code.
-#include <chrono>
 #include <exception>
 #include <limits>
 #include <new>
@@ -9,6 +8,7 @@
 
 #include "cli/app.h"
 #include "cli/console.h"
+#include "cli/process_clock.h"
 
 #ifdef __GLIBC__
 #include <malloc.h>
@@ -69,7 +69,7 @@ void keep_freed_memory() {
 }  // namespace
 
 int main(int argc, char** argv) {
-  const auto start = std::chrono::steady_clock::now();
+  const auto start = strahl::cli::process_start();
   keep_freed_memory();
   strahl::cli::reserve_standard_streams();
   const std::vector<std::string> arguments(argv + (argc > 0 ? 1 : 0), argv + argc);

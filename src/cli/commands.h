@@ -13,7 +13,7 @@ namespace strahl::cli {
 
 /// One call of the program.
 struct Invocation {
-  std::chrono::steady_clock::time_point start;  ///< As early in main as can be.
+  std::chrono::steady_clock::time_point start;  ///< Of the process, as the operating system has it.
   std::string command_line;                     ///< As typed, quoted for a shell.
 
   [[nodiscard]] double seconds() const {

@@ -80,6 +80,9 @@ void add_program_options(CLI::App& app, KernelOptions& options) {
       ->group("Output");
   app.add_flag("--generic", options.generic, "Every effect in the program, used or not; the picture does not change")
       ->group(kGroup);
+  app.add_flag("--no-error", options.no_error,
+               "Keep one sum a pixel instead of four, and do not tell the error; the picture does not change")
+      ->group(kGroup);
 }
 
 void add_launch_options(CLI::App& app, KernelOptions& options) {
@@ -110,6 +113,7 @@ RenderSettings settings_of(const KernelOptions& options) {
   if (!options.work_group.empty()) settings.work_group = work_group_of(options.work_group);
   settings.passes = options.passes;
   settings.generic = options.generic;
+  settings.estimate_error = !options.no_error;
   settings.disabled.insert(options.disabled.begin(), options.disabled.end());
   static_cast<void>(left_out(settings.disabled));  // Says what is wrong with it before a scene is loaded.
   for (const std::string& name : options.aovs) settings.aovs.insert(aov_from_name(name));

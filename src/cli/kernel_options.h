@@ -21,6 +21,7 @@ struct KernelOptions {
   std::optional<int> passes;
   std::vector<std::string> disabled;
   bool generic = false;
+  bool no_error = false;
   std::vector<std::string> aovs;
 };
 

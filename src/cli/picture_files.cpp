@@ -5,12 +5,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <filesystem>
 
 #include "cli/console.h"
 #include "cli/display.h"
 #include "cli/output_file.h"
+#include "image/metrics.h"
+#include "render/stopwatch.h"
 
 namespace strahl::cli {
 namespace {
@@ -58,7 +61,7 @@ Image merged(const Image& color, const Image& aov) {
   return all;
 }
 
-void write_color(const PictureFiles& files, Image color, bool is_png, bool quiet) {
+WriteReport write_color(const PictureFiles& files, Image color, bool is_png, bool quiet) {
   if (is_png && files.scale_color) {
     const double largest = scale_to_largest(color, "depth.white");
     if (!quiet && largest > 0)
@@ -66,6 +69,7 @@ void write_color(const PictureFiles& files, Image color, bool is_png, bool quiet
   }
   const WriteReport report = write_image(color, files.path, files.png);
   if (!quiet) say_losses(files.path, color, report, files.png.exposure);
+  return is_png && files.scale_color ? WriteReport{} : report;
 }
 
 }  // namespace
@@ -75,14 +79,14 @@ void require_writable(const PictureFiles& files) {
   require_writable(files.path);
 }
 
-void write(const PictureFiles& files, const RenderResult& result, const std::map<std::string, std::string>& metadata,
-           bool quiet) {
+WriteReport write(const PictureFiles& files, const RenderResult& result,
+                  const std::map<std::string, std::string>& metadata, bool quiet) {
   const ImageFormat format = image_format(files.path);
   Image color = result.color;
   color.metadata = metadata;
   if (format == ImageFormat::exr) return write_color(files, merged(color, result.aov), false, quiet);
-  write_color(files, std::move(color), format == ImageFormat::png, quiet);
-  if (result.aov.data.empty()) return;
+  const WriteReport report = write_color(files, std::move(color), format == ImageFormat::png, quiet);
+  if (result.aov.data.empty()) return report;
   for (const std::string& name : layers(result.aov)) {
     Image values = layer(result.aov, name);
     values.metadata = metadata;
@@ -91,6 +95,43 @@ void write(const PictureFiles& files, const RenderResult& result, const std::map
     static_cast<void>(write_image(format == ImageFormat::png ? display(values, name) : plain(values),
                                   layer_path(files.path, name), as_they_are));
   }
+  return report;
+}
+
+void write_error_map(const std::string& path, const Image& standard_error,
+                     const std::map<std::string, std::string>& metadata) {
+  Image map = standard_error;
+  if (image_format(path) == ImageFormat::png) {
+    Image none = standard_error;
+    std::fill(none.data.begin(), none.data.end(), 0.0F);
+    map = difference_heatmap(standard_error, none);
+  }
+  map.metadata.insert(metadata.begin(), metadata.end());
+  static_cast<void>(write_image(map, path, PngOptions{}));
+}
+
+double expected_write_seconds(const std::string& path, const PngOptions& png, double pixels, std::size_t channels) {
+  Image sample;
+  sample.width = 256;
+  sample.height = 32;
+  sample.channels.resize(std::max<std::size_t>(channels, 3));
+  for (std::size_t c = 3; c < channels; ++c) sample.channels[c] = "sample." + std::to_string(c);
+  // Noise: what compresses worst.
+  std::uint32_t bits = 1;
+  for (std::size_t i = 0; i < sample.index(0, sample.height, 0); ++i) {
+    bits = bits * 1664525U + 1013904223U;
+    sample.data.push_back(static_cast<float>(bits >> 8) * 0x1p-24F);
+  }
+  const std::filesystem::path target(path);
+  const std::filesystem::path temporary =
+      std::filesystem::temp_directory_path() / fmt::format("strahl-{}{}",
+                                                           std::chrono::steady_clock::now().time_since_epoch().count(),
+                                                           target.extension().string());
+  const Stopwatch start;
+  static_cast<void>(write_image(sample, temporary.string(), png));
+  const double seconds = start.seconds();
+  std::filesystem::remove(temporary);
+  return seconds * std::max(1.0, pixels / (sample.width * sample.height));
 }
 
 }  // namespace strahl::cli

@@ -19,7 +19,16 @@ struct PictureFiles {
 void require_writable(const PictureFiles& files);
 
 /// Writes the picture and its AOVs with `metadata`, and says on standard error what was clipped or scaled unless quiet.
-void write(const PictureFiles& files, const RenderResult& result, const std::map<std::string, std::string>& metadata,
-           bool quiet);
+/// Returns what the picture has lost.
+WriteReport write(const PictureFiles& files, const RenderResult& result,
+                  const std::map<std::string, std::string>& metadata, bool quiet);
+
+/// --error-map: the standard error itself (.exr, .pfm), or in false colours (.png).
+void write_error_map(const std::string& path, const Image& standard_error,
+                     const std::map<std::string, std::string>& metadata);
+
+/// Seconds that writing such pictures may take, told from a small one in the same format.
+[[nodiscard]] double expected_write_seconds(const std::string& path, const PngOptions& png, double pixels,
+                                            std::size_t channels);
 
 }  // namespace strahl::cli

@@ -9,13 +9,12 @@
 #include "cli/canary.h"
 #include "cli/commands.h"
 #include "cli/console.h"
+#include "cli/dry_run.h"
 #include "cli/interrupt.h"
-#include "cli/kernel_options.h"
 #include "cli/output_file.h"
-#include "cli/picture_files.h"
 #include "cli/progress_bar.h"
-#include "cli/scene_options.h"
-#include "cli/scene_overrides.h"
+#include "cli/render_frames.h"
+#include "cli/render_goal.h"
 #include "cli/summary.h"
 #include "render/limitations.h"
 #include "render/renderer.h"
@@ -30,21 +29,12 @@ Examples:
   strahl render scene.xml --width 320 -D colour=0.2 -d gpu
   strahl render scene.xml --pixel 100,50             prints linear R G B
   strahl render scene.xml -o out.png --stats -       where the time went, as JSON
+  strahl render scene.xml --time 10s                 the best picture in ten seconds
+  strahl render scene.xml --max-error 0.01           until the RMSE is 0.01
+  strahl render scene.xml --max-error 0.01 --dry-run what that would take
 
 Ctrl-C finishes the launch under way and writes the picture so far; a second one ends at once.
 docs/cli.md describes every option.)";
-
-struct RenderOptions {
-  SceneOptions scene;
-  SceneOverrides overrides;
-  KernelOptions kernel;
-  std::string device;
-  std::string output;
-  PngOptions png;
-  std::string stats;
-  bool stats_detail = false;
-  std::string dump_kernel;
-};
 
 std::map<std::string, std::string> metadata_of(const RenderOptions& options, const Invocation& invocation,
                                                const RenderResult& result) {
@@ -58,13 +48,18 @@ std::map<std::string, std::string> metadata_of(const RenderOptions& options, con
       {"seed", std::to_string(result.stats.seed)},
   };
   if (!result.stats.disabled.empty()) metadata["disabled"] = fmt::format("{}", fmt::join(result.stats.disabled, ", "));
+  if (const std::optional<ErrorBudget>& error = result.stats.error)
+    metadata["rmse"] =
+        fmt::format("{:.4g} ({:.4g} to {:.4g})", error->noise.rmse, error->noise.rmse_low, error->noise.rmse_high);
   if (!result.complete) metadata["incomplete"] = "interrupted";
   return metadata;
 }
 
 /// What costs nothing to find out before the scene is loaded.
 void require_writable_outputs(const RenderOptions& options) {
-  if (!options.output.empty()) static_cast<void>(image_format(options.output));
+  for (const std::string& path : {options.output, options.error_map})
+    if (!path.empty()) static_cast<void>(image_format(path));
+  if (!options.error_map.empty()) require_writable(options.error_map);
   for (const std::string& path : {options.stats, options.dump_kernel})
     if (!path.empty() && path != "-") require_writable(path);
 }
@@ -110,12 +105,50 @@ void say_summary(const RenderOptions& options, const std::string& picture, const
   const std::string interrupted = result.complete ? ""
                                                   : fmt::format(" · interrupted after {:.0f} % of the samples",
                                                                 100 * static_cast<double>(stats.camera_rays) / samples);
-  say(fmt::format("{} · {}{}×{} · {} spp · {}{}", time_summary(stats.seconds), picture.empty() ? "" : picture + " ",
-                  result.color.width, result.color.height, stats.spp, stats.device, interrupted));
+  const std::string spp = stats.least_spp == stats.most_spp || !result.complete
+                              ? std::to_string(stats.spp)
+                              : fmt::format("{} to {}", stats.least_spp, stats.most_spp);
+  say(fmt::format("{}{}×{} · {} spp · {}{}", picture.empty() ? "" : picture + " ", result.color.width,
+                  result.color.height, spp, stats.device, interrupted));
+  const int bits = !picture.empty() && image_format(picture) == ImageFormat::png ? options.png.bits : 0;
+  say(time_summary(stats.seconds) + " · " + error_summary(stats, bits));
+}
+
+/// What writing the pictures may take; 0 where no deadline wants to know.
+double end_seconds(const RenderOptions& options, const PictureFiles& files, const Window& window) {
+  if (!options.goal.time || files.path.empty()) return 0;
+  const double pixels = static_cast<double>(window.width()) * window.height();
+  double seconds = expected_write_seconds(files.path, files.png, pixels, 3 * (1 + options.kernel.aovs.size()));
+  if (!options.error_map.empty()) seconds += expected_write_seconds(options.error_map, {}, pixels, 3);
+  return seconds;
+}
+
+/// The files, and what is known of them afterwards.
+void write_outputs(const RenderOptions& options, const PictureFiles& files, const Invocation& invocation,
+                   RenderResult& result) {
+  const double start = invocation.seconds();
+  const std::map<std::string, std::string> metadata = metadata_of(options, invocation, result);
+  if (!files.path.empty()) {
+    const WriteReport report = write(files, result, metadata, options.scene.quiet);
+    if (result.stats.error) {
+      result.stats.error->output = report.rounding_rmse;
+      result.stats.error->clipping = report.clipping_rmse;
+    }
+  }
+  if (!options.error_map.empty()) {
+    if (!result.error)
+      say(fmt::format("strahl: warning: {} not written: a pixel has fewer than 4 samples", options.error_map));
+    else
+      write_error_map(options.error_map, result.standard_error, metadata);
+  }
+  if (options.overrides.pixel) print_pixel(result.color);
+  result.stats.seconds.encode = invocation.seconds() - start;
 }
 
 ExitCode render(const RenderOptions& options, const Invocation& invocation) {
   RenderSettings settings = settings_of(options.kernel);
+  settings.error_map = !options.error_map.empty();
+  check_goal(options);
   require_writable_outputs(options);
   double load_seconds = 0;
   Scene scene = load(options.scene, load_seconds);
@@ -132,26 +165,30 @@ ExitCode render(const RenderOptions& options, const Invocation& invocation) {
   const Device device = Device::open(
       options.device, {settings.precision == Precision::fp64 || settings.aovs.contains(Aov::numeric_error)});
   const Canary canary = ask_canary(device, options.kernel, settings);
+  const Window window = scene.film.window();
+  const ResolvedSampling sampling = resolve_sampling(scene);
   // A large scene should not be there twice where nothing is counted.
   const Scene counted = options.stats_detail ? scene : Scene{};
   Renderer renderer(device, std::move(scene), settings);
   if (!options.dump_kernel.empty()) write_text(options.dump_kernel, renderer.program_text());
 
   const InterruptGuard guard;
+  if (options.goal.frames) return render_frames(renderer, options, files, sampling.seed, guard);
+  const double end = end_seconds(options, files, window);
+  if (options.goal.dry_run) return dry_run(renderer, options, invocation, sampling.spp, end);
   RenderResult result;
   {
     ProgressBar bar("render", !options.scene.quiet && !options.scene.no_progress);
-    result = renderer.render([&](const Progress& progress) {
-      bar.show(progress);
-      return !guard.interrupted();
-    });
+    result = renderer.render(
+        [&](const Progress& progress) {
+          bar.show(progress);
+          return !guard.interrupted();
+        },
+        goal_of(options, invocation, end));
   }
   canary.note_in(result.stats);
   result.stats.seconds.load = load_seconds;
-  const double encode_start = invocation.seconds();
-  if (!only_values) write(files, result, metadata_of(options, invocation, result), options.scene.quiet);
-  if (options.overrides.pixel) print_pixel(result.color);
-  result.stats.seconds.encode = invocation.seconds() - encode_start;
+  write_outputs(options, files, invocation, result);
   result.stats.seconds.total = invocation.seconds();
   warn_of_samples(result.stats);
   say_summary(options, files.path, result);
@@ -164,7 +201,10 @@ ExitCode render(const RenderOptions& options, const Invocation& invocation) {
     if (options.stats_detail) json["detail"] = detail;
     write_text(options.stats, json.dump(2) + "\n");
   }
-  return guard.exit_code();
+  if (guard.interrupted()) return guard.exit_code();
+  const std::optional<std::string> missed = missed_goal(options, result);
+  if (missed) say("strahl: " + *missed);
+  return missed ? ExitCode::target_missed : ExitCode::ok;
 }
 
 void add_output_options(CLI::App& app, RenderOptions& options) {
@@ -180,6 +220,9 @@ void add_output_options(CLI::App& app, RenderOptions& options) {
       ->type_name("N")
       ->check(CLI::IsMember({8, 16}))
       ->capture_default_str()
+      ->group(group);
+  app.add_option("--error-map", options.error_map, "Standard error of each pixel: .exr, .pfm, or .png in false colours")
+      ->type_name("FILE")
       ->group(group);
   CLI::Option* stats = app.add_option("--stats", options.stats, "Time, rays and memory as JSON; - for standard output")
                            ->type_name("FILE")
@@ -200,6 +243,7 @@ Command add_render(CLI::App& app, const Invocation& invocation) {
   add_scene_options(app, options->scene);
   add_device_option(app, options->device);
   add_output_options(app, *options);
+  add_goal_options(app, options->goal);
   add_scene_overrides(app, options->overrides);
   add_kernel_options(app, options->kernel);
   add_canary_option(app, options->kernel);

@@ -22,8 +22,10 @@ struct PngOptions {
 
 /// What writing did to the values.
 struct WriteReport {
-  std::size_t clipped = 0;  ///< PNG: channel values above 1 (after exposure) or below 0.
-  std::size_t invalid = 0;  ///< NaN or infinite values (PNG: written as 0 / 1).
+  std::size_t clipped = 0;   ///< PNG: channel values above 1 (after exposure) or below 0.
+  std::size_t invalid = 0;   ///< NaN or infinite values (PNG: written as 0 / 1).
+  double rounding_rmse = 0;  ///< What the file's codes are off by, in the picture's linear values: within [0, 1] ...
+  double clipping_rmse = 0;  ///< ... and outside of it, both over all finite values.
 };
 
 /// PNG: the first three channels (or one: grey) in sRGB with the metadata as text chunks. EXR: all channels as

@@ -59,14 +59,31 @@ void set_metadata(const Writer& writer, std::map<std::string, std::string> metad
   }
 }
 
-unsigned encode(float value, double scale, unsigned largest_code, WriteReport& report) {
+/// Squared differences between the values and what the file says, summed up.
+struct Losses {
+  double rounding = 0, clipping = 0;
+};
+
+std::vector<double> decoded(unsigned largest_code) {
+  std::vector<double> values;
+  for (unsigned code = 0; code <= largest_code; ++code)
+    values.push_back(linear_from_srgb(static_cast<double>(code) / largest_code));
+  return values;
+}
+
+unsigned encode(float value, double scale, const std::vector<double>& linear, WriteReport& report, Losses& losses) {
+  const auto largest_code = static_cast<unsigned>(linear.size() - 1);
   if (!std::isfinite(value)) {
     ++report.invalid;
     return value > 0 ? largest_code : 0;
   }
   const double exposed = value * scale;
-  if (exposed < 0 || exposed > 1) ++report.clipped;
-  return static_cast<unsigned>(srgb_from_linear(std::clamp(exposed, 0.0, 1.0)) * largest_code + 0.5);
+  const bool clipped = exposed < 0 || exposed > 1;
+  if (clipped) ++report.clipped;
+  const auto code = static_cast<unsigned>(srgb_from_linear(std::clamp(exposed, 0.0, 1.0)) * largest_code + 0.5);
+  const double difference = linear[code] - exposed;
+  (clipped ? losses.clipping : losses.rounding) += difference * difference;
+  return code;
 }
 
 }  // namespace
@@ -80,7 +97,9 @@ WriteReport write_png(const Image& image, const std::string& path, const PngOpti
   const bool grey = colours.size() == 1;
   const std::size_t samples = grey ? 1 : 3;
   const double scale = std::exp2(options.exposure);
+  const std::vector<double> linear = decoded(options.bits == 8 ? 255 : 65535);
   WriteReport report;
+  Losses losses;
 
   AtomicFile file(path);
   try {
@@ -102,7 +121,7 @@ WriteReport write_png(const Image& image, const std::string& path, const PngOpti
       for (int x = 0; x < image.width; ++x) {
         for (std::size_t c = 0; c < samples; ++c) {
           const float value = c < colours.size() ? image.at(x, y, colours[c]) : 0.0F;
-          const unsigned code = encode(value, scale, options.bits == 8 ? 255 : 65535, report);
+          const unsigned code = encode(value, scale, linear, report, losses);
           if (options.bits == 16) row.push_back(static_cast<png_byte>(code >> 8));
           row.push_back(static_cast<png_byte>(code & 255));
         }
@@ -116,6 +135,9 @@ WriteReport write_png(const Image& image, const std::string& path, const PngOpti
     throw Error(fmt::format("cannot write \"{}\": {}", path, e.what()));
   }
   file.commit();
+  const double values = static_cast<double>(image.width) * image.height * static_cast<double>(samples);
+  report.rounding_rmse = std::sqrt(losses.rounding / values) / scale;
+  report.clipping_rmse = std::sqrt(losses.clipping / values) / scale;
   return report;
 }
 

@@ -212,6 +212,8 @@ RenderResult FilmRun::run() {
   if (result_.ending == Ending::stopped && !goal_.is_open() && *least == spp_) result_.ending = Ending::samples;
   result_.complete = result_.ending != Ending::stopped;
 
+  run.ending = ending_name(result_.ending);
+  if (result_.error) run.error = ErrorBudget{*result_.error, 0, 0, std::nullopt};
   const Stopwatch convert;
   if (state_.settings.aovs.contains(Aov::numeric_error))
     replace_t_by_its_error(state_.device, state_.scene, state_.frame(), state_.settings, aov_reals_, aov_ints_);

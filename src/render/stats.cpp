@@ -19,6 +19,20 @@ Json canary_or_null(const std::optional<CanaryStats>& canary) {
   return {{"verdict", canary->verdict}, {"why", text_or_null(canary->why)}, {"instead", text_or_null(canary->instead)}};
 }
 
+/// error_budget.h
+Json error_or_null(const std::optional<ErrorBudget>& error) {
+  if (!error) return nullptr;
+  return {{"rmse", error->rmse()},
+          {"rmse_low", error->rmse_low()},
+          {"rmse_high", error->rmse_high()},
+          {"relmse", error->noise.relmse},
+          {"budget",
+           {{"noise", error->noise.rmse},
+            {"output", error->output},
+            {"clipping", error->clipping},
+            {"float_rounding", error->rounding ? Json(*error->rounding) : Json(nullptr)}}}};
+}
+
 }  // namespace
 
 double RunStats::longest_launch() const {
@@ -28,9 +42,11 @@ double RunStats::longest_launch() const {
 std::string RunStats::json() const {
   Json json;
   json["seconds"] = {
-      {"load", seconds.load},         {"bvh", seconds.bvh},       {"program", seconds.program},
-      {"upload", seconds.upload},     {"kernel", seconds.kernel}, {"surface", seconds.surface},
-      {"readback", seconds.readback}, {"encode", seconds.encode}, {"other", std::max(0.0, seconds.other())},
+      {"load", seconds.load},         {"bvh", seconds.bvh},
+      {"program", seconds.program},   {"upload", seconds.upload},
+      {"kernel", seconds.kernel},     {"surface", seconds.surface},
+      {"readback", seconds.readback}, {"error", seconds.error},
+      {"encode", seconds.encode},     {"other", std::max(0.0, seconds.other())},
       {"total", seconds.total},
   };
   json["kernel_runs"] = kernel_runs;
@@ -53,6 +69,10 @@ std::string RunStats::json() const {
                    tree.primitives > 0 ? Json(static_cast<double>(tree.bytes) / static_cast<double>(tree.primitives))
                                        : Json(nullptr)}};
   json["spp"] = spp;
+  json["least_spp"] = least_spp;
+  json["most_spp"] = most_spp;
+  json["ending"] = text_or_null(ending);
+  json["error"] = error_or_null(error);
   json["seed"] = seed;
   json["features"] = features;
   json["disabled"] = disabled;

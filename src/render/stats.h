@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "render/error_budget.h"
+
 namespace strahl {
 
 /// Wall seconds per phase. `other` is total minus the rest.
@@ -58,6 +60,8 @@ struct RunStats {
   TreeStats tree;
   bool program_from_cache = false;
   std::string program;                  ///< Hash, as `explain` prints it.
+  std::optional<ErrorBudget> error;     ///< None: not measured.
+  std::string ending;                   ///< ending_name of what ended the render.
   std::uint64_t saturated_samples = 0;  ///< Sample channels that the film clamped (brighter than it can hold).
   std::uint64_t invalid_samples = 0;    ///< NaN sample channels, counted as black.
 

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#include "cli/process_clock.h"
+
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <ctime>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+namespace strahl::cli {
+namespace {
+
+double seconds_of(const timeval& time) {
+  return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+}
+
+/// Processor time of this process and of the children it has waited for, which a launcher runs one after the other.
+double processor_seconds() {
+  double seconds = 0;
+  for (const int who : {RUSAGE_SELF, RUSAGE_CHILDREN}) {
+    rusage used{};
+    if (getrusage(who, &used) == 0) seconds += seconds_of(used.ru_utime) + seconds_of(used.ru_stime);
+  }
+  return seconds;
+}
+
+/// Field 22 of /proc/self/stat, ticks since boot; 0 where there is no such thing. The second field, the program's name,
+/// may hold anything but ends with the last parenthesis.
+double start_ticks() {
+  std::ifstream file("/proc/self/stat");
+  std::string line;
+  std::getline(file, line);
+  const std::size_t name_end = line.rfind(')');
+  if (name_end == std::string::npos) return 0;
+  std::istringstream fields(line.substr(name_end + 1));
+  std::string skipped;
+  for (int field = 3; field < 22; ++field) fields >> skipped;
+  double ticks = 0;
+  return fields >> ticks ? ticks : 0;
+}
+
+}  // namespace
+
+Clock::time_point process_start() {
+  const Clock::time_point now = Clock::now();
+  const double ticks = start_ticks();
+  timespec since_boot{};
+  if (ticks <= 0 || clock_gettime(CLOCK_BOOTTIME, &since_boot) != 0) return now;
+  const double tick = 1.0 / static_cast<double>(sysconf(_SC_CLK_TCK));
+  const double boot = static_cast<double>(since_boot.tv_sec) + 1e-9 * static_cast<double>(since_boot.tv_nsec);
+  const double oldest = boot - ticks * tick;
+  const double age = std::clamp(processor_seconds(), std::max(0.0, oldest - tick), std::max(0.0, oldest));
+  return now - std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(age));
+}
+
+}  // namespace strahl::cli

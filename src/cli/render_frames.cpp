@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#include "cli/render_frames.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "cli/console.h"
+#include "cli/output_file.h"
+#include "cli/progress_bar.h"
+
+namespace strahl::cli {
+namespace {
+
+/// "out.0001.png" for "out.png".
+std::string frame_path(const std::string& path, int frame) {
+  std::filesystem::path beside(path);
+  const std::string extension = beside.extension().string();
+  beside.replace_extension(fmt::format("{:04}{}", frame, extension));
+  return beside.string();
+}
+
+double late_seconds(double time) { return 1.02 * time + 0.0005; }
+
+}  // namespace
+
+ExitCode render_frames(Renderer& renderer, const RenderOptions& options, const PictureFiles& files,
+                       std::uint32_t first_seed, const InterruptGuard& guard) {
+  const double time = duration_seconds(*options.goal.time);
+  auto frames = nlohmann::ordered_json::array();
+  std::vector<double> seconds;
+  int late = 0;
+  ProgressBar bar("frames", !options.scene.quiet && !options.scene.no_progress);
+  for (int frame = 0; frame < *options.goal.frames && !guard.interrupted(); ++frame) {
+    RenderGoal goal;
+    goal.spp = options.overrides.spp;
+    goal.max_error = options.goal.max_error;
+    goal.seed = first_seed + static_cast<std::uint32_t>(frame);
+    const Clock::time_point start = Clock::now();
+    goal.deadline = start + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(time));
+    const RenderResult result = renderer.render({}, goal);
+    seconds.push_back(std::chrono::duration<double>(Clock::now() - start).count());
+    if (seconds.back() > late_seconds(time)) ++late;
+    frames.push_back({{"seconds", seconds.back()},
+                      {"least_spp", result.stats.least_spp},
+                      {"most_spp", result.stats.most_spp},
+                      {"rmse", result.error ? nlohmann::ordered_json(result.error->rmse) : nullptr}});
+    PictureFiles one = files;
+    one.path = frame_path(files.path, frame + 1);
+    static_cast<void>(
+        write(one, result, {{"Software", "strahl " STRAHL_VERSION}, {"scene", options.scene.path}}, true));
+    bar.show(static_cast<double>(frame + 1) / *options.goal.frames, one.path);
+  }
+  if (seconds.empty()) return guard.exit_code();
+  const int count = static_cast<int>(seconds.size());
+  if (!options.stats.empty())
+    write_text(options.stats,
+               nlohmann::ordered_json{{"time", time}, {"in_time", count - late}, {"frames", frames}}.dump(2) + "\n");
+  std::vector<double> sorted = seconds;
+  std::sort(sorted.begin(), sorted.end());
+  if (!options.scene.quiet)
+    say(fmt::format("{} of {} frames within {}: median {:.1f} ms, longest {:.1f} ms · {} …", count - late, count,
+                    *options.goal.time, 1e3 * sorted[sorted.size() / 2], 1e3 * sorted.back(),
+                    frame_path(files.path, 1)));
+  if (guard.interrupted()) return guard.exit_code();
+  return late * 20 > count ? ExitCode::target_missed : ExitCode::ok;
+}
+
+}  // namespace strahl::cli

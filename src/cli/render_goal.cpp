@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#include "cli/render_goal.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace strahl::cli {
+namespace {
+
+/// From the last line to the end of the process.
+constexpr double exit_seconds = 0.004;
+
+}  // namespace
+
+double latest_seconds(double time) { return time + std::max(0.02 * time, 0.02); }
+
+void check_goal(const RenderOptions& options) {
+  const GoalOptions& goal = options.goal;
+  if (options.kernel.no_error && (goal.max_error || !options.error_map.empty() || goal.dry_run))
+    throw UsageError("--no-error: then there is no error for --max-error, --error-map or --dry-run to tell");
+  if ((goal.time || goal.max_error) && options.kernel.passes)
+    throw UsageError("--passes splits a number of samples that is known; with --time or --max-error it is not");
+  if (goal.frames && options.overrides.pixel) throw UsageError("--frames writes pictures, --pixel prints one value");
+  if (goal.time) static_cast<void>(duration_seconds(*goal.time));
+}
+
+RenderGoal goal_of(const RenderOptions& options, const Invocation& invocation, double end_seconds) {
+  RenderGoal goal;
+  goal.spp = options.overrides.spp;
+  goal.max_error = options.goal.max_error;
+  if (options.goal.time) {
+    const double seconds = duration_seconds(*options.goal.time) - end_seconds - exit_seconds;
+    goal.deadline =
+        invocation.start + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
+  }
+  return goal;
+}
+
+std::optional<std::string> missed_goal(const RenderOptions& options, const RenderResult& result) {
+  const RunStats& stats = result.stats;
+  const PhaseSeconds& s = stats.seconds;
+  if (options.goal.time) {
+    const double pixels = static_cast<double>(result.color.width) * result.color.height;
+    const double sample = stats.camera_rays > 0 ? s.kernel / static_cast<double>(stats.camera_rays) * pixels : 0;
+    if (stats.least_spp == 0)
+      return fmt::format("--time {}: some pixels have no sample and are black; at least {:.2f} s would be needed",
+                         *options.goal.time, s.total - s.kernel + 1.1 * sample);
+    if (s.total > latest_seconds(duration_seconds(*options.goal.time)))
+      return fmt::format("--time {}: finished after {:.3f} s; at least {:.2f} s are needed", *options.goal.time,
+                         s.total, s.total - s.kernel + 1.1 * sample);
+  }
+  if (options.goal.max_error && result.ending != Ending::error) {
+    if (!stats.error) return std::string("--max-error: not known with fewer than 4 samples in a pixel");
+    return fmt::format("--max-error {}: {:.2g} when the {} ended it", *options.goal.max_error, stats.error->noise.rmse,
+                       result.ending == Ending::deadline  ? "time"
+                       : result.ending == Ending::samples ? "number of samples"
+                                                          : "interrupt");
+  }
+  return std::nullopt;
+}
+
+}  // namespace strahl::cli

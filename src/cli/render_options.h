@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// Everything that `strahl render` was told.
+#pragma once
+
+#include <string>
+
+#include "cli/goal_options.h"
+#include "cli/kernel_options.h"
+#include "cli/picture_files.h"
+#include "cli/scene_options.h"
+#include "cli/scene_overrides.h"
+
+namespace strahl::cli {
+
+struct RenderOptions {
+  SceneOptions scene;
+  SceneOverrides overrides;
+  KernelOptions kernel;
+  GoalOptions goal;
+  std::string device;
+  std::string output;
+  std::string error_map;
+  PngOptions png;
+  std::string stats;
+  bool stats_detail = false;
+  std::string dump_kernel;
+};
+
+}  // namespace strahl::cli
