@@ -16,8 +16,12 @@ constexpr int channels = layout::FILM_CHANNELS;
 static_assert(sub_sums == 4, "disjoint_pairs are those of four");
 constexpr int disjoint_pairs[3][4] = {{0, 1, 2, 3}, {0, 2, 1, 3}, {0, 3, 1, 2}};
 
-/// Two-sided 95 % of the normal distribution.
-constexpr double quantile = 1.959964;
+/// Two-sided 95 % of Student's distribution: expansion about the normal's, Abramowitz and Stegun 1964, 26.7.5.
+double quantile(double degrees_of_freedom) {
+  constexpr double z = 1.959964;
+  const double per = 1 / std::max(degrees_of_freedom, 2.0);
+  return z + (z * z * z + z) / 4 * per + (5 * std::pow(z, 5) + 16 * z * z * z + 3 * z) / 96 * per * per;
+}
 
 using Colour = std::array<double, channels>;
 
@@ -62,7 +66,7 @@ PixelError pixel_error(const std::int64_t* sums, int samples, double scale) {
 }  // namespace
 
 std::optional<ErrorEstimate> estimate_error(const FilmSums& film) {
-  double squared = 0, relative = 0, variance = 0;
+  double squared = 0, relative = 0, variance = 0, variance_squared = 0;
   const std::int64_t* sums = film.sums.data();
   for (const int samples : film.samples) {
     if (samples < sub_sums) return std::nullopt;
@@ -72,11 +76,14 @@ std::optional<ErrorEstimate> estimate_error(const FilmSums& film) {
       relative += pixel.squared[c] / (pixel.mean[c] * pixel.mean[c] + 0.01);
     }
     variance += pixel.difference_variance;
+    variance_squared += pixel.difference_variance * pixel.difference_variance;
     sums += sub_sums * channels;
   }
   const double values = static_cast<double>(film.samples.size()) * channels;
   const double mse = squared / values;
-  const double half_width = quantile * std::sqrt(variance) / values;
+  // Where few pixels are most of the noise, the variance is itself known from few: Satterthwaite 1946.
+  const double freedom = variance_squared > 0 ? 2 * variance * variance / variance_squared : 1;
+  const double half_width = quantile(freedom) * std::sqrt(variance) / values;
   return ErrorEstimate{std::sqrt(mse), std::sqrt(std::max(0.0, mse - half_width)), std::sqrt(mse + half_width),
                        relative / values};
 }

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 foreach(name first_principles invariance launches closed_form terminator metamorphic mirrors checkerboard
-             mirror_box numeric_error accuracy_scenes area_lights path ao disabled)
+             mirror_box numeric_error accuracy_scenes area_lights path ao disabled error_coverage)
   strahl_test(render/test_${name}.cpp LABEL render)
 endforeach()
 # A program for every scene, compiled where nothing is cached yet.
@@ -26,3 +26,7 @@ file(GLOB_RECURSE every_scene CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/scenes/*.x
 add_test(NAME render_test_oclgrind_every_scene COMMAND ${CMAKE_CURRENT_LIST_DIR}/test_oclgrind $<TARGET_FILE:strahl-bin>
                                                        ${every_scene})
 set_tests_properties(render_test_oclgrind_every_scene PROPERTIES LABELS slow SKIP_RETURN_CODE 77 TIMEOUT 3600)
+
+add_test(NAME render_test_error_coverage_long COMMAND render_test_error_coverage)
+set_tests_properties(render_test_error_coverage_long PROPERTIES LABELS slow TIMEOUT 3600 ENVIRONMENT
+                                                                                         STRAHL_COVERAGE_SEEDS=200)
