@@ -23,7 +23,7 @@ std::string error_summary(const RunStats& stats, int png_bits) {
   if (png_bits > 0) text += fmt::format(" · {}-bit output {:.2g}", png_bits, error.output);
   if (error.clipping > 0) text += fmt::format(" · clipped highlights {:.2g}", error.clipping);
   if (!error.rounding)
-    text += " · float rounding not measured";
+    text += " · float rounding not measured (-v)";
   else if (*error.rounding < 1e-6)
     text += " · float rounding < 1e-6";
   else

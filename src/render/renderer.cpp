@@ -114,6 +114,8 @@ Renderer::~Renderer() = default;
 Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
+const Scene& Renderer::scene() const { return state_->scene; }
+
 std::string Renderer::program_text() const { return state_->source.text; }
 
 }  // namespace strahl

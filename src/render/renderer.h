@@ -53,6 +53,8 @@ class Renderer {
   /// Each call renders the picture anew. Throws UsageError for more samples than the film holds.
   [[nodiscard]] RenderResult render(const ProgressCallback& progress = {}, const RenderGoal& goal = {});
 
+  [[nodiscard]] const Scene& scene() const;
+
   /// The exact program: text with includes expanded, options in its first comment line.
   [[nodiscard]] std::string program_text() const;
 

@@ -67,8 +67,8 @@ TEST_CASE("the interval holds the true error as often as it says") {
   for (const Case& what : cases) {
     for (const SamplerKind sampler : {SamplerKind::independent, SamplerKind::sobol}) {
       const Tally found = tally(what, sampler, seeds);
-      const std::string name = std::string(what.integrator) +
-                               (sampler == SamplerKind::sobol ? ", sobol" : ", independent");
+      const std::string name =
+          std::string(what.integrator) + (sampler == SamplerKind::sobol ? ", sobol" : ", independent");
       std::cout << name << ": " << found.inside << " of " << seeds << " inside, ±" << 100 * found.half_width << " %"
                 << std::endl;
       INFO(name);

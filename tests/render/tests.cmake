@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: MIT
 foreach(name first_principles invariance launches closed_form terminator metamorphic mirrors checkerboard
-             mirror_box numeric_error accuracy_scenes area_lights path ao disabled error_coverage)
+             mirror_box numeric_error accuracy_scenes area_lights path ao disabled error_coverage goals)
   strahl_test(render/test_${name}.cpp LABEL render)
 endforeach()
+strahl_test(render/test_pass_plan.cpp LABEL unit)
 # A program for every scene, compiled where nothing is cached yet.
 strahl_test(render/test_generic.cpp LABEL render TIMEOUT 400)
 # rusticl takes its time where nothing is cached yet.

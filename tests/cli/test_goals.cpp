@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+// --time, --max-error, --frames, --dry-run and --error-map as a user meets them: exit codes, files, what is said.
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include "cli/program.h"
+#include "image/image_io.h"
+
+using namespace strahl_test;
+using Json = nlohmann::json;
+
+namespace {
+
+const std::string room = STRAHL_SOURCE_DIR "/scenes/cornell/cornell-box.xml";
+
+Json json_of(const Folder& folder, const std::string& name) { return Json::parse(read_text(folder.path(name))); }
+
+}  // namespace
+
+TEST_CASE("times that are none") {
+  const Folder folder;
+  for (const char* wrong : {"", "s", "-1s", "0", "1 s", "1day", "nan", "1e999"}) {
+    const Outcome outcome = folder.run({"render", room, std::string("--time=") + wrong});
+    INFO(wrong << ": " << outcome.err);
+    CHECK(outcome.code == 2);
+  }
+  CHECK(folder.run({"render", room, "--frames", "2"}).code == 2);
+  CHECK(folder.run({"render", room, "--time", "1s", "--passes", "3"}).code == 2);
+  CHECK(folder.run({"render", room, "--max-error", "0"}).code == 2);
+  CHECK(folder.run({"render", room, "--max-error", "0.1", "--no-error"}).code == 2);
+}
+
+TEST_CASE("the bill: an error with its interval and its causes") {
+  const Folder folder;
+  const Outcome outcome = folder.run(
+      {"render", room, "--width", "32", "--spp", "8", "-o", "a.png", "--stats", "a.json", "--error-map", "e.exr"});
+  INFO(outcome.err);
+  REQUIRE(outcome.code == 0);
+  for (const char* part : {"RMSE ", "95 %", "noise ", "8-bit output ", "float rounding ", "half the noise: "})
+    CHECK(contains(outcome.err, part));
+  const Json error = json_of(folder, "a.json").at("error");
+  CHECK(error.at("rmse_low") < error.at("rmse"));
+  CHECK(error.at("rmse") < error.at("rmse_high"));
+  CHECK(error.at("rmse") > error.at("budget").at("noise"));
+  CHECK(error.at("budget").at("output") > 1e-4);
+  CHECK(error.at("budget").at("clipping") > 0.1);  // The lamp is in sight.
+  CHECK(error.at("budget").at("float_rounding") < 1e-4);
+  CHECK(strahl::read_image(folder.path("e.exr")).width == 32);
+  const Json seconds = json_of(folder, "a.json").at("seconds");
+  double sum = 0;
+  for (const auto& [phase, value] : seconds.items())
+    if (phase != "total") sum += value.get<double>();
+  CHECK(sum == Approx(seconds.at("total").get<double>()));
+}
+
+TEST_CASE("an error that is reached, one that is not, and one that nothing tells") {
+  const Folder folder;
+  const auto run = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> arguments{"render", room, "--width", "32", "-o", "a.exr", "--stats", "a.json"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return folder.run(arguments);
+  };
+  CHECK(run({"--max-error", "0.5"}).code == 0);
+  CHECK(json_of(folder, "a.json").at("ending") == "error");
+  const Outcome missed = run({"--max-error", "1e-4", "--spp", "8"});
+  CHECK(missed.code == 6);
+  CHECK(contains(missed.err, "--max-error"));
+  CHECK(strahl::read_image(folder.path("a.exr")).width == 32);
+  const Outcome unknown = run({"--max-error", "0.5", "--spp", "2"});
+  CHECK(unknown.code == 6);
+  CHECK(json_of(folder, "a.json").at("error").is_null());
+}
+
+TEST_CASE("less time than the start takes") {
+  const Folder folder;
+  const Outcome outcome = folder.run({"render", room, "--width", "32", "--time", "1ms", "-o", "a.exr"});
+  CHECK(outcome.code == 6);
+  CHECK(contains(outcome.err, "at least "));
+  CHECK(strahl::read_image(folder.path("a.exr")).width == 32);
+}
+
+TEST_CASE("frames against the clock") {
+  const Folder folder;
+  const Outcome outcome = folder.run({"render", room, "--width", "16", "--frames", "3", "--time", "2s", "--spp", "4",
+                                      "-o", "f.exr", "--stats", "f.json"});
+  INFO(outcome.err);
+  CHECK(outcome.code == 0);
+  CHECK(folder.files() == std::vector<std::string>{"f.0001.exr", "f.0002.exr", "f.0003.exr", "f.json"});
+  CHECK(json_of(folder, "f.json").at("in_time") == 3);
+  const strahl::Image first = strahl::read_image(folder.path("f.0001.exr"));
+  CHECK_FALSE(first.data == strahl::read_image(folder.path("f.0002.exr")).data);
+}
+
+TEST_CASE("a prediction writes no picture") {
+  const Folder folder;
+  const Outcome outcome =
+      folder.run({"render", room, "--width", "32", "--spp", "64", "--dry-run", "--stats", "d.json"});
+  INFO(outcome.err);
+  CHECK(outcome.code == 0);
+  CHECK(contains(outcome.out, "64 samples a pixel"));
+  CHECK(folder.files() == std::vector<std::string>{"d.json"});
+  const Json predicted = json_of(folder, "d.json").at("predicted");
+  CHECK(predicted.at("rmse") > 0);
+  CHECK(predicted.at("seconds") > 0);
+}

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+// Renders that end at a deadline or an error are the same pictures that the same samples make, no pixel is two samples
+// ahead of another, and the error that they stop at is true.
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "render/pictures.h"
+
+namespace strahl::test {
+namespace {
+
+Scene cornell() { return small_scene(scene_folder / "cornell/cornell-box.xml", 96, 96, 16); }
+
+RenderGoal within(double seconds) {
+  RenderGoal goal;
+  goal.deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
+  return goal;
+}
+
+TEST_CASE("a deadline ends it, pixels at most one sample apart") {
+  require_pocl_and_rusticl();
+  Renderer renderer(Device::open("pocl"), cornell());
+  const RenderResult result = renderer.render({}, within(0.4));
+  CHECK(result.ending == Ending::deadline);
+  CHECK(result.complete);
+  CHECK(result.stats.least_spp >= 1);
+  CHECK(result.stats.most_spp - result.stats.least_spp <= 1);
+  // Later frames know what the end takes; one that has no time at all is black, and says so.
+  const RenderResult nothing = renderer.render({}, within(-1));
+  CHECK(nothing.stats.least_spp == 0);
+  CHECK(lit_pixels(nothing.color) == 0);
+  CHECK_FALSE(nothing.error);
+}
+
+TEST_CASE("what a deadline ended after n samples is the picture of n samples") {
+  require_pocl_and_rusticl();
+  Renderer renderer(Device::open("pocl"), cornell());
+  RenderGoal goal = within(20);
+  goal.spp = 6;
+  const RenderResult ended = renderer.render({}, goal);
+  CHECK(ended.ending == Ending::samples);
+  RenderGoal plain;
+  plain.spp = 6;
+  const RenderResult expected = renderer.render({}, plain);
+  CHECK(same_bits(expected.color, ended.color));
+  plain.seed = 5;
+  CHECK_FALSE(same_bits(expected.color, renderer.render({}, plain).color));
+  plain.seed.reset();
+  CHECK(same_bits(expected.color, renderer.render({}, plain).color));
+}
+
+TEST_CASE("an error is reached, and is the true one") {
+  require_pocl_and_rusticl();
+  Scene scene = small_scene(scene_folder / "mesh/torus-and-icosphere.xml", 64, 48, 16);
+  scene.integrator.name = "ao";
+  for (const SamplerKind sampler : {SamplerKind::independent, SamplerKind::sobol}) {
+    scene.sampler.kind = sampler;
+    Renderer renderer(Device::open("pocl"), scene);
+    RenderGoal much;
+    much.spp = 1024;
+    much.seed = 99;
+    const RenderResult truth = renderer.render({}, much);
+    RenderGoal goal;
+    goal.max_error = 0.02;
+    const RenderResult result = renderer.render({}, goal);
+    REQUIRE(result.error);
+    CHECK(result.ending == Ending::error);
+    CHECK(result.error->rmse <= 0.02);
+    double squared = 0;
+    for (std::size_t i = 0; i < result.color.data.size(); ++i)
+      squared += std::pow(static_cast<double>(result.color.data[i]) - static_cast<double>(truth.color.data[i]), 2);
+    CHECK(std::sqrt(squared / static_cast<double>(result.color.data.size())) <= 1.1 * 0.02);
+    // Not by doing far more than was asked for.
+    CHECK(result.error->rmse > 0.6 * 0.02);
+  }
+}
+
+TEST_CASE("without its sums no error is told, and the picture is the same") {
+  require_pocl_and_rusticl();
+  RenderSettings settings;
+  settings.estimate_error = false;
+  const RenderResult plain = render("pocl", cornell(), settings);
+  CHECK_FALSE(plain.error);
+  settings.estimate_error = true;
+  settings.error_map = true;
+  const RenderResult told = render("pocl", cornell(), settings);
+  REQUIRE(told.error);
+  CHECK(same_bits(plain.color, told.color));
+  double squared = 0;
+  for (const float value : told.standard_error.data) squared += static_cast<double>(value) * static_cast<double>(value);
+  CHECK(std::sqrt(squared / static_cast<double>(told.standard_error.data.size())) == Approx(told.error->rmse));
+}
+
+TEST_CASE("fewer samples than sums tell nothing") {
+  require_pocl_and_rusticl();
+  RenderGoal goal;
+  goal.spp = 3;
+  CHECK_FALSE(Renderer(Device::open("pocl"), cornell()).render({}, goal).error);
+}
+
+}  // namespace
+}  // namespace strahl::test

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+// How many samples come next: towards a number, a deadline, an error.
+#include <catch2/catch.hpp>
+
+#include "render/pass_plan.h"
+
+namespace strahl {
+namespace {
+
+ErrorEstimate error_of(double rmse) { return {rmse, 0.9 * rmse, 1.05 * rmse, 0}; }
+
+TEST_CASE("a number of samples is one pass") {
+  PassPlan plan({}, 64);
+  const std::optional<Pass> pass = plan.next(0, 1);
+  REQUIRE(pass);
+  CHECK(pass->first == 0);
+  CHECK(pass->count == 64);
+  CHECK_FALSE(plan.wants_error());
+  CHECK_FALSE(plan.next(0.1, 1));
+  CHECK(plan.ending() == Ending::samples);
+}
+
+TEST_CASE("with a deadline, passes of several samples are short") {
+  RenderGoal goal;
+  goal.deadline = Clock::now();
+  PassPlan plan(goal, 1000);
+  CHECK(plan.next(0, 10)->count == 1);      // Nothing is known yet.
+  CHECK(plan.next(0.001, 10)->count == 4);  // 4 ms.
+  CHECK(plan.next(0.1, 10)->count == 1);    // Long ones are single, and may end part-way.
+  CHECK(plan.next(0.001, 0.004)->count == 1);
+  CHECK(plan.next(0.001, 10)->first == 7);
+  CHECK_FALSE(plan.next(0.001, 0));
+  CHECK(plan.ending() == Ending::deadline);
+}
+
+TEST_CASE("an error is looked at where it may be reached") {
+  RenderGoal goal;
+  goal.max_error = 0.1;
+  PassPlan plan(goal, 100000);
+  CHECK(plan.next(0, 1)->count == 8);
+  REQUIRE(plan.wants_error());
+  plan.estimated(error_of(0.3));  // Nine times as many, but by no more than four at a time.
+  CHECK(plan.next(0, 1)->count == 24);
+  REQUIRE(plan.wants_error());
+  plan.estimated(error_of(0.12));
+  const int count = plan.next(0, 1)->count;
+  CHECK(count >= 4);
+  CHECK(count <= 16);
+  plan.estimated(error_of(0.099));
+  CHECK_FALSE(plan.next(0, 1));
+  CHECK(plan.ending() == Ending::error);
+}
+
+TEST_CASE("few pixels do not end it by luck") {
+  RenderGoal goal;
+  goal.max_error = 0.1;
+  PassPlan plan(goal, 1000);
+  REQUIRE(plan.next(0, 1));
+  plan.estimated(ErrorEstimate{0.09, 0.04, 0.14, 0});
+  CHECK(plan.next(0, 1));
+  plan.estimated(std::nullopt);
+  CHECK(plan.next(0, 1));
+}
+
+}  // namespace
+}  // namespace strahl
