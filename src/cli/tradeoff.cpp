@@ -36,7 +36,7 @@ Examples:
 
 docs/tradeoff.md defines every number.)";
 
-constexpr int default_width = 160;
+constexpr int default_width = 128;
 /// So that its variance is below a tenth of that of the best point, with a sampler whose error falls as 1/sqrt.
 constexpr int reference_samples_a_sample = 16;
 
@@ -187,7 +187,7 @@ Command add_tradeoff(CLI::App& app, const Invocation& invocation) {
   app.add_option("-o,--output", command->folder, "Folder of the study; default: the scene's name with .tradeoff")
       ->type_name("DIR");
   app.add_option("--width", command->width,
-                 "Of each picture, in pixels; default: the reference's, or the scene's up to 160")
+                 "Of each picture, in pixels; default: the reference's, or the scene's up to 128")
       ->type_name("N")
       ->check(CLI::Range(16, 65536).description(""));
   app.add_option("--seeds", command->seeds, "Pictures of each setting: what their spread is measured by")

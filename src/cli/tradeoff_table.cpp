@@ -15,8 +15,8 @@ std::string words(const TradeoffSetting& setting) {
   const std::string depth = !setting.max_depth       ? ""
                             : *setting.max_depth < 0 ? "no limit"
                                                      : fmt::format("depth {}", *setting.max_depth);
-  return fmt::format("{:<7} {:<12} {:<9} {:<8}", precision_name(setting.precision), sampler_name(setting.sampler),
-                     depth, setting.generic ? "generic" : "");
+  return fmt::format("{:<7} {:<12} {:<9}{}", precision_name(setting.precision), sampler_name(setting.sampler), depth,
+                     setting.generic ? " generic" : "");
 }
 
 std::string reference_line(const TradeoffReference& reference) {
