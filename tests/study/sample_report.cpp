@@ -130,7 +130,8 @@ int main(int count, char** arguments) {
                                      : sampler == "sobol" ? 0.007
                                                           : 0.015},
                           {"points", 5},
-                          {"samples_slope", slope}});
+                          {"samples_slope", slope},
+                          {"samples_slope_high", slope + 0.02}});
         }
       }
     }

@@ -20,18 +20,19 @@ function aboutFront() {
     `(${seconds(last.seconds.kernel)}, RMSE ${number(last.rmse)}).`];
 }
 
+/// Over samples, which no clock disturbs; only where a fit is sure that the error falls.
 function aboutSlopes() {
   const deepest = axisOf("max_depth").values.at(-1);
   const parts = axisOf("sampler").values.flatMap((sampler) => {
     const falling = study.fits.filter((fit) =>
-      fit.sampler === sampler && fit.max_depth === deepest && fit.slope_high < 0);
+      fit.sampler === sampler && fit.max_depth === deepest && fit.samples_slope < 0 && fit.samples_slope_high < 0);
     if (falling.length === 0) return [];
-    const slope = median(falling.map((fit) => fit.slope));
-    return [`${number(slope, 2)} with ${sampler} samples (half of it takes ${times(halvingCost(slope))} the time)`];
+    const slope = median(falling.map((fit) => fit.samples_slope));
+    return [`${number(slope, 2)} for ${sampler} (half of it takes ${times(halvingCost(slope))} as many)`];
   });
   if (parts.length === 0) return [];
-  return [`The error falls with a slope of ${parts.join(", ")}. Samples that know nothing of each other must have −½, ` +
-    `that is ${times(4)}; whatever falls more steeply places its samples better.`];
+  return [`With more samples the error falls with a slope of ${parts.join(", ")}. Samples that know nothing of each other ` +
+    `must have −½, that is ${times(4)}; whatever falls more steeply places its samples better.`];
 }
 
 /// Where most of the error that is left at the most samples is bias, no more samples help.
