@@ -14,6 +14,7 @@ namespace strahl::cli {
 /// One call of the program.
 struct Invocation {
   std::chrono::steady_clock::time_point start;  ///< Of the process, as the operating system has it.
+  double main_seconds = 0;                      ///< From there to main.
   std::string command_line;                     ///< As typed, quoted for a shell.
 
   [[nodiscard]] double seconds() const {

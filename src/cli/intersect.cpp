@@ -53,7 +53,9 @@ ExitCode intersect(const IntersectOptions& options, const Invocation& invocation
   const std::vector<Ray> rays = rays_of(read_npy(options.rays), options.rays);
   load_seconds += invocation.seconds() - rays_start;
 
+  const double opening = invocation.seconds();
   const Device device = Device::open(options.device, {settings.precision == Precision::fp64});
+  const double device_seconds = invocation.seconds() - opening;
   const Canary canary = ask_canary(device, options.kernel, settings);
   Intersector intersector(device, scene, settings);
   const std::vector<Hit> hits = intersector.trace(rays, options.any_hit, options.repeat);
@@ -62,6 +64,8 @@ ExitCode intersect(const IntersectOptions& options, const Invocation& invocation
   const double encode_start = invocation.seconds();
   write_npy(matrix_of(hits), options.output);
   canary.note_in(stats);
+  stats.seconds.start = invocation.main_seconds;
+  stats.seconds.device = device_seconds;
   stats.seconds.load = load_seconds;
   stats.seconds.encode = invocation.seconds() - encode_start;
   stats.seconds.total = invocation.seconds();

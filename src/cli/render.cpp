@@ -175,8 +175,10 @@ ExitCode render(const RenderOptions& options, const Invocation& invocation) {
     require_writable(files);
   }
 
+  const double opening = invocation.seconds();
   const Device device = Device::open(
       options.device, {settings.precision == Precision::fp64 || settings.aovs.contains(Aov::numeric_error)});
+  const double device_seconds = invocation.seconds() - opening;
   const Canary canary = ask_canary(device, options.kernel, settings);
   const Window window = scene.film.window();
   const ResolvedSampling sampling = resolve_sampling(scene);
@@ -200,6 +202,8 @@ ExitCode render(const RenderOptions& options, const Invocation& invocation) {
         goal_of(options, invocation, end));
   }
   canary.note_in(result.stats);
+  result.stats.seconds.start = invocation.main_seconds;
+  result.stats.seconds.device = device_seconds;
   result.stats.seconds.load = load_seconds;
   if (result.complete) add_rounding(options, device, renderer.scene(), settings, result.stats);
   write_outputs(options, files, invocation, result);

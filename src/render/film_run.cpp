@@ -33,6 +33,7 @@ FilmRun::FilmRun(Renderer::State& state, const RenderGoal& goal, const ProgressC
   if (state.settings.count_rays)
     result_.stats.shadow_rays = result_.stats.bounce_rays = result_.stats.nodes_visited =
         result_.stats.primitives_tested = 0;
+  result_.stats.seconds.readback += construction_.seconds();
 }
 
 double FilmRun::seconds_left() const {

@@ -14,6 +14,8 @@ class FilmRun {
   [[nodiscard]] RenderResult run();
 
  private:
+  Stopwatch construction_;
+
   [[nodiscard]] double seconds_left() const;
   [[nodiscard]] bool report();
   void clear(int rows, bool aovs_too);

@@ -30,7 +30,7 @@ TEST_CASE("without -o the scene's name gets .png") {
   const Outcome outcome = render(folder, {});
   CHECK(folder.files() == std::vector<std::string>{"scene.png", "scene.xml"});
   CHECK(outcome.out.empty());
-  CHECK(contains(outcome.err, "(load "));
+  CHECK(contains(outcome.err, "(start "));
   CHECK(contains(outcome.err, "scene.png 32×24 · 1 spp"));
 }
 
