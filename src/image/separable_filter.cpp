@@ -26,7 +26,7 @@ void add_scaled(double* sum, const double* values, double weight, int count) {
 Channel filter_rows(const Channel& channel, const std::vector<double>& weights, Border border) {
   const int radius = radius_of(weights);
   Channel result(channel.width, channel.height);
-  std::vector<double> padded(static_cast<std::size_t>(channel.width + 2 * radius));
+  std::vector<double> padded(static_cast<std::size_t>(channel.width) + weights.size() - 1);
   for (int y = 0; y < channel.height; ++y) {
     const double* row = channel.row(y);
     std::copy(row, row + channel.width, padded.data() + radius);
