@@ -66,6 +66,7 @@ KERNEL LANE_HINT void render(GLOBAL const real* geometry, GLOBAL const real* sha
   for (int sub = 0; sub < subsums; ++sub) {
     long r = 0, g = 0, b = 0;
     int first = sample_first + ((sub - sample_first) & (subsums - 1));
+    if (first >= sample_first + sample_count) continue;
     for (int sample = first; sample < sample_first + sample_count; sample += subsums) {
       real dx = R(0.0), dy = R(0.0);
       SampleState state = sample_begin(&scene, pixel, (uint)sample);

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// `strahl explain`: which effects a scene calls for, where, and which program that makes.
+// `strahl explain`: which effects a scene calls for, where, which program that makes, and what each effect costs.
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -10,12 +11,14 @@
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/kernel_options.h"
+#include "cli/progress_bar.h"
 #include "cli/scene_options.h"
 #include "cli/scene_overrides.h"
 #include "device/device.h"
 #include "device/features.h"
 #include "device/program_text.h"
 #include "device/tuned_width.h"
+#include "study/effect_costs.h"
 
 namespace strahl::cli {
 namespace {
@@ -26,9 +29,13 @@ constexpr const char* kFooter = R"(
 Lists every effect, on or off, with the scene element that called for it, and the hash of the rendering program. The
 program depends on the number of lanes: that of --lanes, else what fits the device, else (no device at all) 1.
 
+--cost builds the program once more without each effect, and renders without it: bytes of the program's binary, time to
+build it with nothing cached, time of a frame's kernels. Programs take turns; medians are told. It takes a minute or so.
+
 Examples:
   strahl explain scene.xml
   strahl explain scene.xml --integrator normals --aov depth
+  strahl explain scene.xml --cost
   strahl explain scene.xml --json --lanes 8)";
 
 struct ExplainOptions {
@@ -36,6 +43,8 @@ struct ExplainOptions {
   SceneOverrides overrides;
   KernelOptions kernel;
   std::string device;
+  bool cost = false;
+  int rounds = 3;
   bool json = false;
 };
 
@@ -60,52 +69,119 @@ Lanes lanes_for(const ExplainOptions& options, const RenderSettings& settings) {
   }
 }
 
-std::string text_of(const Features& features, const std::string& program, const RenderSettings& settings,
-                    const Lanes& lanes) {
-  std::size_t name_width = 0;
-  std::size_t why_width = 0;
-  for (const FeatureReport& feature : features.report) {
-    name_width = std::max(name_width, feature.name.size());
-    why_width = std::max(why_width, feature.why.size());
+/// What there is to tell.
+struct Explained {
+  RenderSettings settings;
+  Features features;
+  std::string program;
+  Lanes lanes;
+  std::optional<EffectCosts> costs;
+};
+
+std::string frame_text(const VariantStudy& study) {
+  return fmt::format("{} x {}, {} of {} samples a pixel", study.width, study.height, study.spp, study.scene_spp);
+}
+
+std::string cost_text(const EffectCost& cost) {
+  if (!cost.needed.empty()) return "needed";
+  const std::string frame = cost.frame_needed.empty() ? fmt::format("{:+9.2f} ms {:+6.1f} %", 1e3 * cost.kernel_seconds,
+                                                                    100 * cost.kernel_share)
+                                                      : cost.frame_needed;
+  return fmt::format("{:+8.1f} KiB {:+7.0f} ms {}", cost.program_bytes / 1024, 1e3 * cost.build_seconds, frame);
+}
+
+std::string text_of(const Explained& all) {
+  std::string text =
+      fmt::format("program {} · {} · {} lane{} ({})\n", all.program, precision_name(all.settings.precision),
+                  all.lanes.count, all.lanes.count == 1 ? "" : "s", all.lanes.why);
+  if (all.costs) {
+    const VariantTimes& own = all.costs->study.variants.front();
+    text += fmt::format(
+        "binary {:.1f} KiB · built in {:.0f} ms with nothing cached · kernels of a frame {:.2f} ms ({})\n"
+        "costs: what an effect adds to binary, building and a frame; medians of {} builds and {} frames in turns\n",
+        static_cast<double>(own.bytes) / 1024, 1e3 * own.build(), 1e3 * own.kernel(), frame_text(all.costs->study),
+        own.build_seconds.size(), own.kernel_seconds.size());
   }
-  std::string text = fmt::format("program {} · {} · {} lane{} ({})\n", program, precision_name(settings.precision),
-                                 lanes.count, lanes.count == 1 ? "" : "s", lanes.why);
-  for (const FeatureReport& feature : features.report) {
-    std::string line = fmt::format("{:<3}  {:<{}}  {:<{}}  {}", feature.on ? "on" : "off", feature.name, name_width,
-                                   feature.why, why_width, feature.where.text());
+  std::vector<std::array<std::string, 4>> rows;
+  std::array<std::size_t, 4> widths{};
+  for (const FeatureReport& feature : all.features.report) {
+    std::string cost;
+    if (all.costs && feature.on) cost = cost_text(all.costs->effects.at(feature.name));
+    rows.push_back({feature.name, cost, feature.why, feature.where.text()});
+    for (std::size_t i = 0; i < widths.size(); ++i) widths[i] = std::max(widths[i], rows.back()[i].size());
+  }
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    std::string line = all.features.report[i].on ? "on " : "off";
+    for (std::size_t column = 0; column < widths.size(); ++column)
+      if (widths[column] > 0) line += fmt::format("  {:<{}}", rows[i][column], widths[column]);
     line.erase(line.find_last_not_of(' ') + 1);
     text += line + "\n";
   }
   return text;
 }
 
-std::string json_of(const Features& features, const std::string& program, const RenderSettings& settings,
-                    const Lanes& lanes) {
+Json text_or_null(const std::string& text) { return text.empty() ? Json(nullptr) : Json(text); }
+
+Json cost_json(const EffectCost& cost) {
+  if (!cost.needed.empty()) return {{"needed", cost.needed}};
+  const bool timed = cost.frame_needed.empty();
+  return {{"needed", nullptr},
+          {"program_bytes", cost.program_bytes},
+          {"build_seconds", cost.build_seconds},
+          {"frame_needed", text_or_null(cost.frame_needed)},
+          {"kernel_seconds", timed ? Json(cost.kernel_seconds) : Json(nullptr)},
+          {"kernel_share", timed ? Json(cost.kernel_share) : Json(nullptr)}};
+}
+
+Json costs_json(const EffectCosts& costs) {
+  const VariantTimes& own = costs.study.variants.front();
+  return {{"program_bytes", own.bytes},         {"build_seconds", own.build()},
+          {"kernel_seconds", own.kernel()},     {"width", costs.study.width},
+          {"height", costs.study.height},       {"spp", costs.study.spp},
+          {"scene_spp", costs.study.scene_spp}, {"builds", own.build_seconds.size()},
+          {"frames", own.kernel_seconds.size()}};
+}
+
+std::string json_of(const Explained& all) {
   Json list = Json::array();
-  for (const FeatureReport& feature : features.report) {
-    const std::string where = feature.where.text();
-    list.push_back({{"name", feature.name},
-                    {"on", feature.on},
-                    {"why", feature.why},
-                    {"where", where.empty() ? Json(nullptr) : Json(where)}});
+  for (const FeatureReport& feature : all.features.report) {
+    Json row = {{"name", feature.name},
+                {"on", feature.on},
+                {"why", feature.why},
+                {"where", text_or_null(feature.where.text())}};
+    if (all.costs) row["cost"] = feature.on ? cost_json(all.costs->effects.at(feature.name)) : Json(nullptr);
+    list.push_back(row);
   }
-  const Json json = {{"program", program},
-                     {"features", list},
-                     {"precision", precision_name(settings.precision)},
-                     {"lanes", lanes.count}};
+  Json json = {{"program", all.program},
+               {"features", list},
+               {"precision", precision_name(all.settings.precision)},
+               {"lanes", all.lanes.count}};
+  if (all.costs) json["cost"] = costs_json(*all.costs);
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
+EffectCosts costs_of(const ExplainOptions& options, const Scene& scene, const RenderSettings& settings) {
+  const Device device = Device::open(options.device, {settings.precision == Precision::fp64});
+  ProgressBar bar("cost", !options.scene.quiet && !options.scene.no_progress);
+  VariantRounds rounds;
+  rounds.builds = options.rounds;
+  rounds.frames = 3 * options.rounds;
+  return measure_effects(device, scene, settings, rounds, [&](double share) { bar.show(share, "building"); });
+}
+
 ExitCode explain(const ExplainOptions& options) {
-  const RenderSettings settings = settings_of(options.kernel);
+  if (options.cost) keep_drivers_from_caching();
+  Explained all;
+  all.settings = settings_of(options.kernel);
   double load_seconds = 0;
   Scene scene = load(options.scene, load_seconds);
   apply(options.overrides, scene);
-  const Features features = features_of(scene, settings);
-  const Lanes lanes = lanes_for(options, settings);
-  const std::string program =
-      program_hash(program_source("kernels/render.cl", features, settings.precision, lanes.count, lanes.tree));
-  print((options.json ? json_of : text_of)(features, program, settings, lanes));
+  all.features = features_of(scene, all.settings);
+  all.lanes = lanes_for(options, all.settings);
+  all.program = program_hash(
+      program_source("kernels/render.cl", all.features, all.settings.precision, all.lanes.count, all.lanes.tree));
+  if (options.cost) all.costs = costs_of(options, scene, all.settings);
+  print((options.json ? json_of : text_of)(all));
   return ExitCode::ok;
 }
 
@@ -116,6 +192,13 @@ Command add_explain(CLI::App& app) {
   add_scene_options(app, options->scene);
   add_device_option(app, options->device);
   app.add_flag("--json", options->json, "For programs");
+  CLI::Option* cost =
+      app.add_flag("--cost", options->cost, "Measure what each effect adds to the program and to a frame");
+  app.add_option("--rounds", options->rounds, "Builds of every program, and a third of the frames")
+      ->needs(cost)
+      ->type_name("N")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 100).description(""));
   add_scene_overrides(app, options->overrides);
   add_kernel_options(app, options->kernel);
   add_program_options(app, options->kernel);

@@ -82,13 +82,14 @@ std::string program_hash(const ProgramSource& source) {
   return fmt::format("{:016x}", fnv1a(source.options, fnv1a(std::string_view("\0", 1), fnv1a(source.text))));
 }
 
-cl::Program build_program(const Device& device, const ProgramSource& asked, ProgramReport* report) {
+cl::Program build_program(const Device& device, const ProgramSource& asked, ProgramReport* report, bool is_cached) {
   const ProgramSource source = completed_for(device, asked);
   const auto start = std::chrono::steady_clock::now();
   const std::string key = cache_key(device, source);
   const std::string name = program_hash(asked);
 
-  std::vector<unsigned char> binary = read_cached_binary(name, key);
+  std::vector<unsigned char> binary;
+  if (is_cached) binary = read_cached_binary(name, key);
   std::optional<cl::Program> program;
   if (!binary.empty()) program = build_binary(device, source, binary);
   const bool from_cache = program.has_value();
@@ -96,7 +97,7 @@ cl::Program build_program(const Device& device, const ProgramSource& asked, Prog
     program = build_text(device, source, name);
     const auto binaries = checked(device.info().text(), [&] { return program->getInfo<CL_PROGRAM_BINARIES>(); });
     binary = binaries.at(0);
-    write_cached_binary(name, key, binary);
+    if (is_cached) write_cached_binary(name, key, binary);
   }
   if (report != nullptr) {
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;

@@ -32,9 +32,10 @@ struct ProgramReport {
 /// written atomically under $XDG_CACHE_HOME/strahl or ~/.cache/strahl; STRAHL_CACHE_DIR overrides; a cache that cannot
 /// be read or written, or a binary that the driver rejects, is never an error: it is built from source).
 /// Asks for correctly rounded fp32 division and square root where the device knows the option.
+/// is_cached: false: neither looks into the cache nor leaves anything there.
 /// Throws KernelBuildError with options, build log and the path where the source was dumped.
 [[nodiscard]] cl::Program build_program(const Device& device, const ProgramSource& source,
-                                        ProgramReport* report = nullptr);
+                                        ProgramReport* report = nullptr, bool is_cached = true);
 
 /// Removes every cached binary and every dumped source; returns how many binaries there were. Throws Error.
 std::size_t clear_program_cache();

@@ -7,6 +7,11 @@ namespace strahl {
 
 ProgramSource program_source(const std::string& root, const Features& features, Precision precision, int lanes,
                              int tree_width) {
+  return program_source(kernel_files(), root, features, precision, lanes, tree_width);
+}
+
+ProgramSource program_source(const KernelFiles& files, const std::string& root, const Features& features,
+                             Precision precision, int lanes, int tree_width) {
   ProgramSource source;
   source.options = "-cl-std=CL1.2";
   if (precision == Precision::fast) source.options += " -cl-fast-relaxed-math";
@@ -18,7 +23,7 @@ ProgramSource program_source(const std::string& root, const Features& features, 
   source.text += fmt::format("#define LANES {}\n", lanes);
   if (lanes == 1 && tree_width == 2) source.text += "#define SCALAR_TREE_WIDTH 2\n";
   for (const auto& [name, on] : features.flags) source.text += fmt::format("#define HAS_{} {}\n", name, on ? 1 : 0);
-  source.text += expand_kernel(root, features.entries);
+  source.text += expand_kernel(files, root, features.entries);
   return source;
 }
 

@@ -12,6 +12,10 @@ namespace strahl {
 [[nodiscard]] ProgramSource program_source(const std::string& root, const Features& features, Precision precision,
                                            int lanes, int tree_width = 0);
 
+/// The same on files of one's own.
+[[nodiscard]] ProgramSource program_source(const KernelFiles& files, const std::string& root, const Features& features,
+                                           Precision precision, int lanes, int tree_width = 0);
+
 /// Primitives tested at a time, and children of a node.
 struct Width {
   int lanes;  ///< 1, 8 or 16.

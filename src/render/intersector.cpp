@@ -215,7 +215,7 @@ Intersector::Intersector(const Device& device, const Scene& scene, const RenderS
   const ProgramSource source = program_source(packets ? "kernels/intersect_packets.cl" : "kernels/intersect.cl",
                                               features, settings.precision, width.lanes, width.tree);
   ProgramReport report;
-  const cl::Program program = build_program(device, source, &report);
+  const cl::Program program = build_program(device, source, &report, settings.cached_program);
   checked(device.info().text(), [&] {
     s.closest = cl::Kernel(program, packets ? "closest_packet" : "closest");
     s.anything = cl::Kernel(program, packets ? "anything_packet" : "anything");
@@ -239,6 +239,7 @@ Intersector::Intersector(const Device& device, const Scene& scene, const RenderS
   s.stats.tree = s.buffers.tree;
   s.stats.program = program_hash(source);
   s.stats.program_from_cache = report.from_cache;
+  s.stats.program_bytes = report.binary_bytes;
   s.stats.disabled.assign(settings.disabled.begin(), settings.disabled.end());
   for (const FeatureReport& row : features.report)
     if (row.on) s.stats.features.push_back(row.name);

@@ -30,7 +30,7 @@ void Renderer::State::prepare() {
   features = features_of(scene, settings);
   source = program_source("kernels/render.cl", features, settings.precision, width.lanes, width.tree);
   ProgramReport report;
-  const cl::Program program = build_program(device, source, &report);
+  const cl::Program program = build_program(device, source, &report, settings.cached_program);
   kernel = checked(device.info().text(), [&] { return cl::Kernel(program, "render"); });
   stats.seconds.program = start.seconds();
 
@@ -60,6 +60,7 @@ void Renderer::State::prepare() {
   stats.tree = buffers.tree;
   stats.program = program_hash(source);
   stats.program_from_cache = report.from_cache;
+  stats.program_bytes = report.binary_bytes;
   stats.disabled.assign(settings.disabled.begin(), settings.disabled.end());
   for (const FeatureReport& row : features.report)
     if (row.on) stats.features.push_back(row.name);

@@ -40,6 +40,7 @@ struct RenderSettings {
   /// Effects to leave out, as FeatureReport names them, though the scene calls for them (device/left_out.h).
   std::set<std::string> disabled;
   bool estimate_error = true;  ///< Keeps four sums a pixel apart, whose spread estimates its error.
+  bool cached_program = true;  ///< false: builds it whatever strahl's cache holds, to see how long that takes.
   bool count_rays = false;     ///< Instrumented program (--stats-detail): counts shadow and bounce rays.
   std::optional<int> lanes;    ///< 1, 8 or 16 (fp64: 1, 8) primitives at a time; none: by the device.
   /// 2, 4, 8 or 16 children a node (fp64: up to 8); 8 and 16 test as many primitives at a time and so are `lanes`, 2

@@ -76,6 +76,7 @@ std::string RunStats::json() const {
   json["features"] = features;
   json["disabled"] = disabled;
   json["program"] = program;
+  json["program_bytes"] = program_bytes;
   json["program_from_cache"] = program_from_cache;
   json["saturated_samples"] = saturated_samples;
   json["invalid_samples"] = invalid_samples;

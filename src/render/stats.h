@@ -61,6 +61,7 @@ struct RunStats {
   int tree_width = 4;
   TreeStats tree;
   bool program_from_cache = false;
+  std::uint64_t program_bytes = 0;      ///< Of its binary.
   std::string program;                  ///< Hash, as `explain` prints it.
   std::optional<ErrorBudget> error;     ///< None: not measured.
   std::string ending;                   ///< ending_name of what ended the render.

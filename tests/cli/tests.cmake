@@ -4,7 +4,7 @@ foreach(test usage output_checks compare devices explain load_progress rays_file
   strahl_test(cli/test_${test}.cpp LABEL unit SOURCES cli/program.cpp LIBS nlohmann_json::nlohmann_json)
   list(APPEND STRAHL_CLI_TESTS cli_test_${test})
 endforeach()
-foreach(test render goals interrupt stats intersect canary stress tradeoff bench)
+foreach(test render goals interrupt stats intersect canary stress tradeoff bench explain_cost)
   strahl_test(cli/test_${test}.cpp LABEL device SOURCES cli/program.cpp LIBS nlohmann_json::nlohmann_json)
   list(APPEND STRAHL_CLI_TESTS cli_test_${test})
 endforeach()

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+#include "study/effect_costs.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "device/features.h"
+#include "device/left_out.h"
+
+namespace strahl {
+namespace {
+
+bool is_black(const Image& image) {
+  return std::all_of(image.data.begin(), image.data.end(), [](float value) { return value == 0; });
+}
+
+/// Settings without the effect; none where nothing could be rendered, with the reason.
+std::optional<RenderSettings> without(const std::string& name, RenderSettings settings, std::string& why) {
+  if (name == "AOV") {
+    settings.aovs.clear();
+    return settings;
+  }
+  if (name == "ERROR_SUMS") {
+    settings.estimate_error = false;
+    return settings;
+  }
+  why = needed_because(name);
+  if (!why.empty()) return std::nullopt;
+  settings.disabled.insert(name);
+  return settings;
+}
+
+bool has_shapes(const Features& features) { return !features.entries.at("shapes").empty(); }
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return values.at(values.size() / 2);
+}
+
+EffectCost cost_of(const VariantTimes& all, const VariantTimes& less) {
+  EffectCost cost;
+  cost.program_bytes = static_cast<double>(all.bytes) - static_cast<double>(less.bytes);
+  cost.build_seconds = all.build() - less.build();
+  if (is_black(less.color) && !is_black(all.color)) {
+    cost.frame_needed = "the picture would be black";
+    return cost;
+  }
+  std::vector<double> differences;
+  for (std::size_t i = 0; i < less.kernel_seconds.size(); ++i)
+    differences.push_back(less.first_seconds[i] - less.kernel_seconds[i]);
+  cost.kernel_seconds = median(differences);
+  cost.kernel_share = 1 - less.ratio();
+  return cost;
+}
+
+}  // namespace
+
+EffectCosts measure_effects(const Device& device, const Scene& scene, const RenderSettings& settings,
+                            const VariantRounds& rounds, const StudyProgress& progress) {
+  EffectCosts costs;
+  std::vector<RenderSettings> variants{settings};
+  variants[0].cached_program = false;
+  std::vector<std::string> names{""};
+  for (const FeatureReport& row : features_of(scene, settings).report) {
+    if (!row.on) continue;
+    EffectCost& cost = costs.effects[row.name];
+    const std::optional<RenderSettings> less = without(row.name, variants[0], cost.needed);
+    if (!less) continue;
+    if (!has_shapes(features_of(scene, *less))) {
+      cost.needed = "no shapes would be left";
+      continue;
+    }
+    variants.push_back(*less);
+    names.push_back(row.name);
+  }
+  costs.study = time_variants(device, scene, variants, rounds, progress);
+  for (std::size_t i = 1; i < names.size(); ++i)
+    costs.effects[names[i]] = cost_of(costs.study.variants[0], costs.study.variants[i]);
+  return costs;
+}
+
+}  // namespace strahl

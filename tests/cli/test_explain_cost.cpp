@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+// `strahl explain --cost`: every effect that is on has its bill, or the reason why there is none. About 6 s.
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include "cli/program.h"
+
+using namespace strahl_test;
+using Json = nlohmann::json;
+
+TEST_CASE("what an effect adds to the program and to a frame") {
+  const Folder folder;
+  folder.file("scene.xml", kGlowingSphere);
+  const Outcome outcome = folder.run({"explain", "scene.xml", "--cost", "--rounds", "1", "--json", "-d", "pocl",
+                                      "--lanes", "1", "--precision", "stable", "--aov", "depth"});
+  INFO(outcome.err);
+  REQUIRE(outcome.code == 0);
+  const Json report = Json::parse(outcome.out);
+  const Json& all = report.at("cost");
+  const double bytes = all.at("program_bytes"), build = all.at("build_seconds"), kernel = all.at("kernel_seconds");
+  CHECK(bytes > 1000);
+  CHECK(build > 0.05);  // Nothing comes from a cache.
+  CHECK(kernel > 0);
+  CHECK(all.at("width") == 32);
+  CHECK(all.at("spp") == 1);
+  CHECK(all.at("builds") == 1);
+  CHECK(all.at("frames") == 3);
+  int needed = 0, black = 0, timed = 0;
+  for (const Json& feature : report.at("features")) {
+    INFO(feature.dump());
+    const Json& cost = feature.at("cost");
+    REQUIRE(cost.is_null() != feature.at("on").get<bool>());
+    if (cost.is_null()) continue;
+    if (!cost.at("needed").is_null()) {
+      ++needed;
+      continue;
+    }
+    CHECK(cost.at("program_bytes") < bytes);
+    CHECK(cost.at("build_seconds") < build);
+    if (cost.at("frame_needed").is_null()) {
+      ++timed;
+      CHECK(cost.at("kernel_seconds") < 2 * kernel);
+    } else {
+      ++black;
+      CHECK(cost.at("kernel_seconds").is_null());
+    }
+    if (feature.at("name") == "EMISSION") CHECK(cost.at("frame_needed") == "the picture would be black");
+    if (feature.at("name") == "AOV") CHECK(cost.at("program_bytes") > 0);
+  }
+  CHECK(needed == 3);  // The integrator, the sampler, the only shape.
+  CHECK(black == 1);
+  CHECK(timed == 3);  // PIXEL_FILTER, AOV, ERROR_SUMS.
+}
+
+TEST_CASE("without --cost nothing is measured") {
+  const Folder folder;
+  folder.file("scene.xml", kGlowingSphere);
+  const Outcome outcome = folder.run({"explain", "scene.xml", "--json", "--lanes", "8"});
+  REQUIRE(outcome.code == 0);
+  CHECK_FALSE(Json::parse(outcome.out).contains("cost"));
+  CHECK(folder.run({"explain", "scene.xml", "--rounds", "2"}).code == 2);
+}
