@@ -12,6 +12,7 @@ using Command = std::function<void()>;
 Command add_primitives(CLI::App& app);
 Command add_traversal(CLI::App& app);
 Command add_report(CLI::App& app);
+Command add_effects(CLI::App& app);
 Command add_scene(CLI::App& app);
 Command add_loaders(CLI::App& app);
 Command add_mesh(CLI::App& app);

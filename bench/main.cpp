@@ -20,6 +20,8 @@ int main(int argc, char** argv) {
   add("primitives", "What each tier costs a primitive: brute force", bench::add_primitives);
   add("traversal", "Rays through scenes: scene x rays x tier, against the peers that are there", bench::add_traversal);
   add("report", "Tables and plots of earlier measurements of traversal", bench::add_report);
+  add("effects", "Specialised programs beside the generic one, and beside a kernel written by hand",
+      bench::add_effects);
   add("scene", "Write a generated scene for strahl and for other programs", bench::add_scene);
   add("loaders", "How fast mesh files are read", bench::add_loaders);
   add("mesh", "Write a mesh file of any size", bench::add_mesh);

@@ -23,6 +23,11 @@ std::string text_of(const Scene& scene, const RenderSettings& settings = {}, con
   return program_source(root, features_of(scene, settings), settings.precision, 8).text;
 }
 
+/// What programs are cached and named by: text and options.
+std::string hash_of(const Scene& scene) {
+  return program_hash(program_source(roots[0], features_of(scene, {}), Precision::robust, 8));
+}
+
 Scene lecture_scene(const std::string& name) {
   return load_scene(STRAHL_SOURCE_DIR "/scenes/lecture/" + name + ".xml").scene;
 }
@@ -85,7 +90,7 @@ void add_entry(const KernelCopy& kernels, const std::string& list, const std::st
 TEST_CASE("Scenes that differ only in values share their program") {
   const Scene original = lecture_scene("lit");
   REQUIRE(std::holds_alternative<PointLight>(original.lights.at(0).emitter));
-  const std::string text = text_of(original);
+  const std::string text = text_of(original), hash = hash_of(original);
   const std::vector<std::pair<std::string, std::function<void(Scene&)>>> edits = {
       {"colour of a material",
        [](Scene& s) {
@@ -131,6 +136,7 @@ TEST_CASE("Scenes that differ only in values share their program") {
     Scene edited = original;
     edit(edited);
     CHECK((text_of(edited) == text));  // too long to be printed
+    CHECK(hash_of(edited) == hash);
   }
 }
 

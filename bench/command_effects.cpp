@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+
+#include "bench/commands.h"
+#include "bench/effects.h"
+#include "image/atomic_file.h"
+#include "image/file_bytes.h"
+
+namespace strahl::bench {
+namespace {
+
+constexpr const char* kScenes = STRAHL_BENCH_FOLDER "/../scenes/";
+constexpr const char *kBegin = "<!-- measured: bench/run effects -->\n", *kEnd = "<!-- end -->";
+
+struct Options {
+  EffectsOptions what;
+  std::string device;
+  std::string report;
+};
+
+void write(const std::string& path, const std::string& text) {
+  AtomicFile file(path);
+  file.write(text);
+  file.commit();
+}
+
+/// Between the marks; the JSON stands beside.
+void write_report(const Effects& effects, const std::string& path) {
+  std::string page = read_file(path);
+  const std::size_t begin = page.find(kBegin), end = page.find(kEnd);
+  if (begin == std::string::npos || end == std::string::npos || end < begin)
+    throw UsageError(fmt::format("{}: there are no marks `{}` and `{}` around what is measured", path,
+                                 std::string(kBegin).substr(0, std::string(kBegin).size() - 1), kEnd));
+  const std::size_t from = begin + std::string(kBegin).size();
+  page.replace(from, end - from, markdown(effects));
+  write(path, page);
+  write(std::filesystem::path(path).replace_extension(".json").string(), json(effects));
+}
+
+void run(Options options) {
+  keep_drivers_from_caching();
+  options.what.folder = kScenes;
+  if (options.what.scenes.empty())
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(kScenes))
+      if (entry.path().extension() == ".xml" && entry.path().stem() != "stage")
+        options.what.scenes.push_back(entry.path().string());
+  std::sort(options.what.scenes.begin(), options.what.scenes.end());
+  const Device device = Device::open(options.device);
+  const Effects effects = measure_effects(
+      device, options.what, [](const std::string& line) { fmt::print(stderr, "strahl-bench: {}\n", line); });
+  fmt::print("{}", markdown(effects));
+  if (!options.report.empty()) write_report(effects, options.report);
+}
+
+}  // namespace
+
+Command add_effects(CLI::App& app) {
+  const auto options = std::make_shared<Options>();
+  app.add_option("-d,--device", options->device, "As in strahl -d; default: the fastest GPU, else CPU");
+  app.add_option("--scenes", options->what.scenes, "Comma-separated files; default: all that are shipped")
+      ->delimiter(',')
+      ->type_name("LIST");
+  CLI::Option* spheres = app.add_flag("--spheres", options->what.only_spheres, "The ten spheres alone");
+  app.add_option("--rounds", options->what.rounds, "Timed rounds")->capture_default_str()->check(CLI::Range(1, 1000));
+  app.add_option("--frame", options->what.frame_seconds, "Seconds that a timed frame takes, about")
+      ->capture_default_str()
+      ->check(CLI::Range(0.001, 60.0));
+  app.add_option("--report", options->report,
+                 "A page with marks around what is measured (docs/effects.md); JSON beside")
+      ->excludes(spheres)
+      ->type_name("FILE");
+  return [options] { run(*options); };
+}
+
+}  // namespace strahl::bench

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+// What a specialised program is held against: spheres that glow, seen through the pixels' middles, and nothing else. One
+// work-item a pixel; no tree, no lists of kinds, no parts, no dispatch. `lanes` tests blocks of spheres by strahl's own
+// body, so that its picture is strahl's bit for bit in every tier; `scalar` is the textbook's loop, one sphere after the
+// other, which a compiler may run over work-items in lanes.
+#include "math/vec3.h"
+#include "core/camera.h"
+#include "lanes/lane_ops.h"
+#include "core/candidates.h"
+#include "scene/scene.h"
+#include "shapes/edge_lanes.h"
+#if TIER_ROBUST
+#include "shapes/exact_scalar.h"
+#endif
+#if !(TIER_ROBUST && LANES == 1)
+#include "accel/slabs_lanes.h"
+#endif
+#include "shapes/sphere_lanes.h"
+
+/// What film_units of core/film.h does with a value that is neither NaN nor too large.
+FN long units(real value, real scale) {
+  real scaled = value * scale;
+  long whole = (long)scaled;
+  real rest = scaled - (real)whole;
+  return whole + (rest >= R(0.5) ? 1 : 0);
+}
+
+/// radiance: three reals a sphere, in the order of their ids.
+FN void expose(GLOBAL long* sums, GLOBAL const real* radiance, int id, real scale) {
+  sums[0] += units(radiance[3 * id], scale);
+  sums[1] += units(radiance[3 * id + 1], scale);
+  sums[2] += units(radiance[3 * id + 2], scale);
+}
+
+KERNEL LANE_HINT void lanes(GLOBAL const real* camera, GLOBAL const real* spheres, GLOBAL const int* ids,
+                            GLOBAL const real* radiance, GLOBAL long* film, int width, int height, int blocks,
+                            real scale) {
+  int x = (int)get_global_id(0), y = (int)get_global_id(1);
+  if (x >= width || y >= height) return;
+  Ray ray = camera_ray(camera, width, height, x, y, R(0.0), R(0.0));
+  Nearest best = nearest_none(ray.t_max);
+  for (int b = 0; b < blocks; ++b)
+    LANED(sphere_block)(&ray, spheres + b * 4 * LANES, ids + b * LANES, b * LANES, &best);
+  if (best.kind < 0) return;
+  GLOBAL const real* sphere = spheres + best.slot / LANES * 4 * LANES + best.slot % LANES;
+  real3 out = sub3(fma3(best.t, ray.d, ray.o), vec3(sphere[0], sphere[LANES], sphere[2 * LANES]));
+  if (dot3(out, ray.d) < R(0.0))
+    expose(film + ((ulong)y * (ulong)width + (ulong)x) * (FILM_SUBSUMS * FILM_CHANNELS), radiance, best.id, scale);
+}
+
+KERNEL void scalar(GLOBAL const real* camera, GLOBAL const real* spheres, GLOBAL const int* ids,
+                   GLOBAL const real* radiance, GLOBAL long* film, int width, int height, int blocks, real scale) {
+  int x = (int)get_global_id(0), y = (int)get_global_id(1);
+  if (x >= width || y >= height) return;
+  Ray ray = camera_ray(camera, width, height, x, y, R(0.0), R(0.0));
+  real a = dot3(ray.d, ray.d), nearest = ray.t_max;
+  int hit = -1;
+  for (int i = 0; i < blocks * LANES; ++i) {
+    GLOBAL const real* sphere = spheres + i / LANES * 4 * LANES + i % LANES;
+    real3 f = sub3(ray.o, vec3(sphere[0], sphere[LANES], sphere[2 * LANES]));
+    real radius = sphere[3 * LANES], b = dot3(f, ray.d);
+    real discriminant = b * b - a * (dot3(f, f) - radius * radius);
+    real t = (-b - real_sqrt(discriminant)) / a;
+    if (ids[i] >= 0 && discriminant >= R(0.0) && t >= ray.t_min && t < nearest) {
+      nearest = t;
+      hit = ids[i];
+    }
+  }
+  if (hit >= 0)
+    expose(film + ((ulong)y * (ulong)width + (ulong)x) * (FILM_SUBSUMS * FILM_CHANNELS), radiance, hit, scale);
+}
