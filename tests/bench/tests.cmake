@@ -6,6 +6,7 @@ strahl_test(bench/test_scene_files.cpp LABEL unit LIBS strahl_bench)
 if(EMBREE_INCLUDE AND EMBREE_LIBRARY)
   strahl_test(bench/test_embree.cpp LABEL device LIBS strahl_bench)
 endif()
+strahl_test(bench/test_ten_spheres.cpp LABEL slow LIBS strahl_bench TIMEOUT 600)
 # A minute and a half.
 strahl_test(bench/test_ten_million.cpp LABEL slow LIBS strahl_bench SOURCES cli/program.cpp TIMEOUT 1800)
 add_dependencies(bench_test_ten_million strahl-bin)
