@@ -146,7 +146,9 @@ TenSpheres race(const Device& device, const RenderSettings& settings, int side, 
 
 }  // namespace
 
-bool TenSpheres::is_scalar_faster() const { return median(minimal_scalar) < median(minimal_lanes); }
+bool TenSpheres::is_scalar_faster() const {
+  return precision == Precision::fast && median(minimal_scalar) < median(minimal_lanes);
+}
 
 Scene ten_glowing_spheres(int side) {
   Scene scene = ten_spheres();

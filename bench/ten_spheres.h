@@ -16,6 +16,7 @@ struct TenSpheres {
   std::vector<double> minimal_lanes, minimal_scalar;
   std::size_t pixels = 0, scalar_differs = 0;  ///< Where the scalar loop has another colour than strahl.
 
+  /// Of those with the tier's arithmetic: the scalar loop has that of fast.
   [[nodiscard]] bool is_scalar_faster() const;
   [[nodiscard]] const std::vector<double>& minimal() const {
     return is_scalar_faster() ? minimal_scalar : minimal_lanes;
