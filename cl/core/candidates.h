@@ -27,6 +27,9 @@ FN maskw LANED(is_left)(GLOBAL const int* ids, const Ray* ray) {
   return ~nonzero_w(load_int_w(ids) - splat_int_w(ray->left));
 }
 
+/// Lanes that hold a primitive at all.
+FN maskw LANED(is_there)(GLOBAL const int* ids) { return nonzero_w(load_int_w(ids) - splat_int_w(-1)); }
+
 /// Of flat primitives: lanes that hold what the ray has just left or ends on.
 FN maskw LANED(is_end)(GLOBAL const int* ids, const Ray* ray) {
   return ~(nonzero_w(load_int_w(ids) - splat_int_w(ray->left)) & nonzero_w(load_int_w(ids) - splat_int_w(ray->aim)));

@@ -30,6 +30,8 @@ FN void LANED(sphere_block)(const Ray* ray, GLOBAL const real* block, GLOBAL con
   realw k, begins;
   uint candidates = bits_w(LANED(sphere_in_reach)(ray, best, block, &k, &begins));
   if (ray->left >= 0) candidates |= bits_w(LANED(is_left)(ids, ray));
+  // Padding is a point at the origin, where every camera ray begins.
+  if (candidates != 0u) candidates &= bits_w(LANED(is_there)(ids));
   while (candidates != 0u) {
     int lane = first_bit(candidates);
     candidates &= candidates - 1u;
