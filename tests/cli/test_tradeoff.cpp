@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `strahl tradeoff` on a device: files, table, JSON, what it refuses, and Ctrl-C. 6 s.
+// `strahl tradeoff` on a device: files, table, JSON, what it refuses, and Ctrl-C. 3 s.
 #include <catch2/catch.hpp>
 #include <chrono>
 #include <csignal>

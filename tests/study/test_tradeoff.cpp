@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A trade-off study on a device, in small: what it writes, that stopping and going on changes nothing, and the laws
-// that errors keep. 8 s.
+// that errors keep. 4 s.
 #include <unistd.h>
 
 #include <catch2/catch.hpp>
