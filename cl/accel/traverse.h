@@ -215,7 +215,9 @@ FN Nearest LANED(traverse)(const Scene* scene, const Ray* ray, int want) {
 
 FN Ray LANED(widened)(const Scene* scene, const Ray* given) {
   Ray ray = *given;
-  ray_widen(&ray, scene->geometry + scene->index[HEADER_BOUNDS]);
+  // Only boxes of nodes and of instances are met with it.
+  if (HAS_INSTANCES || scene->index[HEADER_ROOT] != NO_REFERENCE)
+    ray_widen(&ray, scene->geometry + scene->index[HEADER_BOUNDS]);
   return ray;
 }
 

@@ -168,12 +168,14 @@ void FilmRun::finish() {
   result_.stats.seconds.error += estimating.seconds();
 }
 
-/// The time that is to be kept for the end is known only by doing it, on the film as it is.
+/// The time that is to be kept for the end is known only by doing it: on a black film, as if it had its samples.
 void FilmRun::measure_finish() {
   const Stopwatch start;
   const PhaseSeconds before = result_.stats.seconds;
   clear(std::min(band_rows_, height_), false);
+  std::fill(film_.samples.begin(), film_.samples.end(), layout::FILM_SUBSUMS);
   finish();
+  std::fill(film_.samples.begin(), film_.samples.end(), 0);
   result_.error.reset();
   result_.stats.seconds = before;
   state_.finish_seconds = start.seconds();

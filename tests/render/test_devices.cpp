@@ -34,9 +34,10 @@ void check_everywhere(const std::string& name, Precision single, int width, int 
   }
 }
 
-TEST_CASE("spheres and planes, 64 samples") { check_everywhere("lecture/lit.xml", Precision::robust, 24, 18, 64); }
+// In stable, for rusticl takes minutes to compile a robust picture's program: test_every_scene has those, and
+// robust_test_devices the tier's intersections.
+TEST_CASE("spheres and planes, 64 samples") { check_everywhere("lecture/lit.xml", Precision::stable, 24, 18, 64); }
 
-// From here on in stable, which rusticl compiles in half the time; test_every_scene has the others.
 TEST_CASE("paths between spheres, one of them a lamp, under a sky") {
   require_pocl_and_rusticl();
   Scene scene = stage({Sphere{{0, 0, 0}, 1}}, diffuse({0.8, 0.7, 0.6}));
