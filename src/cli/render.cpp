@@ -205,8 +205,8 @@ ExitCode render(const RenderOptions& options, const Invocation& invocation) {
   result.stats.seconds.start = invocation.main_seconds;
   result.stats.seconds.device = device_seconds;
   result.stats.seconds.load = load_seconds;
-  if (result.complete) add_rounding(options, device, renderer.scene(), settings, result.stats);
   write_outputs(options, files, invocation, result);
+  if (result.complete) add_rounding(options, device, renderer.scene(), settings, result.stats);
   result.stats.seconds.total = invocation.seconds();
   warn_of_samples(result.stats);
   say_summary(options, files.path, result);
