@@ -19,6 +19,9 @@ target_sources(
          src/image/image_io.h
          src/image/metrics.h
          src/image/npy.h
+         src/render/error_budget.h
+         src/render/error_estimate.h
+         src/render/goal.h
          src/render/intersector.h
          src/render/renderer.h
          src/render/sampling.h

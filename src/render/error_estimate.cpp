@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "device/cl_layout.h"
+#include "render/film.h"
 
 namespace strahl {
 namespace {

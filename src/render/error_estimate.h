@@ -11,9 +11,10 @@
 #include <optional>
 
 #include "image/image.h"
-#include "render/film.h"
 
 namespace strahl {
+
+struct FilmSums;
 
 /// Of linear RGB, all pixels and channels, unclamped.
 struct ErrorEstimate {
