@@ -10,6 +10,7 @@
 #include "cli/console.h"
 #include "cli/kernel_options.h"
 #include "cli/output_file.h"
+#include "cli/process_clock.h"
 #include "cli/ray_matrix.h"
 #include "cli/scene_options.h"
 #include "cli/summary.h"
@@ -68,7 +69,8 @@ ExitCode intersect(const IntersectOptions& options, const Invocation& invocation
   stats.seconds.device = device_seconds;
   stats.seconds.load = load_seconds;
   stats.seconds.encode = invocation.seconds() - encode_start;
-  stats.seconds.total = invocation.seconds();
+  stats.seconds.exit = expected_exit_seconds();
+  stats.seconds.total = invocation.seconds() + stats.seconds.exit;
 
   if (options.scene.verbose) say(kernel_summary(stats));
   if (!options.scene.quiet) {

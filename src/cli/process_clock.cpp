@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "cli/process_clock.h"
 
+#include <sys/mman.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -42,6 +43,14 @@ double start_ticks() {
   return fields >> ticks ? ticks : 0;
 }
 
+/// Second field of /proc/self/statm, in pages; 0 where there is no such thing.
+double resident_bytes() {
+  std::ifstream file("/proc/self/statm");
+  double total = 0, resident = 0;
+  file >> total >> resident;
+  return file ? resident * static_cast<double>(sysconf(_SC_PAGESIZE)) : 0;
+}
+
 }  // namespace
 
 Clock::time_point process_start() {
@@ -54,6 +63,18 @@ Clock::time_point process_start() {
   const double oldest = boot - ticks * tick;
   const double age = std::clamp(processor_seconds(), std::max(0.0, oldest - tick), std::max(0.0, oldest));
   return now - std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(age));
+}
+
+double expected_exit_seconds(double more_bytes) {
+  constexpr std::size_t piece = std::size_t{8} << 20;
+  void* memory = mmap(nullptr, piece, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  if (memory == MAP_FAILED) return 0;
+  madvise(memory, piece, MADV_NOHUGEPAGE);  // As most of a heap is.
+  for (std::size_t at = 0; at < piece; at += 4096) static_cast<volatile char*>(memory)[at] = 1;
+  const Clock::time_point start = Clock::now();
+  munmap(memory, piece);
+  const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  return (resident_bytes() + more_bytes) / static_cast<double>(piece) * seconds;
 }
 
 }  // namespace strahl::cli

@@ -10,4 +10,8 @@ namespace strahl::cli {
 /// time spent so far tells the rest. Elsewhere: now. Call early.
 [[nodiscard]] Clock::time_point process_start();
 
+/// What the operating system will take to end the process: it gives back the memory that is resident by then, and
+/// `more_bytes`, at the rate at which it takes back a piece of it now. 0 where that cannot be told.
+[[nodiscard]] double expected_exit_seconds(double more_bytes = 0);
+
 }  // namespace strahl::cli

@@ -12,6 +12,7 @@
 #include "cli/dry_run.h"
 #include "cli/interrupt.h"
 #include "cli/output_file.h"
+#include "cli/process_clock.h"
 #include "cli/progress_bar.h"
 #include "cli/render_frames.h"
 #include "cli/render_goal.h"
@@ -118,9 +119,12 @@ void say_summary(const RenderOptions& options, const std::string& picture, const
 
 /// What writing the pictures may take; 0 where no deadline wants to know.
 double end_seconds(const RenderOptions& options, const PictureFiles& files, const Window& window) {
-  if (!options.goal.time || files.path.empty()) return 0;
+  if (!options.goal.time) return 0;
   const double pixels = static_cast<double>(window.width()) * window.height();
-  double seconds = expected_write_seconds(files.path, files.png, pixels, 3 * (1 + options.kernel.aovs.size()));
+  // The film, and three pictures of floats.
+  double seconds = expected_exit_seconds(pixels * (96 + 36));
+  if (!files.path.empty())
+    seconds += expected_write_seconds(files.path, files.png, pixels, 3 * (1 + options.kernel.aovs.size()));
   if (!options.error_map.empty()) seconds += expected_write_seconds(options.error_map, {}, pixels, 3);
   return seconds;
 }
@@ -207,7 +211,8 @@ ExitCode render(const RenderOptions& options, const Invocation& invocation) {
   result.stats.seconds.load = load_seconds;
   write_outputs(options, files, invocation, result);
   if (result.complete) add_rounding(options, device, renderer.scene(), settings, result.stats);
-  result.stats.seconds.total = invocation.seconds();
+  result.stats.seconds.exit = expected_exit_seconds();
+  result.stats.seconds.total = invocation.seconds() + result.stats.seconds.exit;
   warn_of_samples(result.stats);
   say_summary(options, files.path, result);
 

@@ -6,13 +6,6 @@
 #include <algorithm>
 
 namespace strahl::cli {
-namespace {
-
-/// From the last line to the end of the process.
-constexpr double exit_seconds = 0.004;
-
-}  // namespace
-
 double latest_seconds(double time) { return time + std::max(0.02 * time, 0.02); }
 
 void check_goal(const RenderOptions& options) {
@@ -30,7 +23,7 @@ RenderGoal goal_of(const RenderOptions& options, const Invocation& invocation, d
   goal.spp = options.overrides.spp;
   goal.max_error = options.goal.max_error;
   if (options.goal.time) {
-    const double seconds = duration_seconds(*options.goal.time) - end_seconds - exit_seconds;
+    const double seconds = duration_seconds(*options.goal.time) - end_seconds;
     goal.deadline =
         invocation.start + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
   }

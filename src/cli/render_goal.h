@@ -14,7 +14,8 @@ namespace strahl::cli {
 /// Throws UsageError for options that contradict each other.
 void check_goal(const RenderOptions& options);
 
-/// end_seconds: what writing the picture will take. The deadline counts from the start of the process.
+/// end_seconds: what writing the picture and ending the process will take. The deadline counts from the start of the
+/// process.
 [[nodiscard]] RenderGoal goal_of(const RenderOptions& options, const Invocation& invocation, double end_seconds);
 
 /// Why a goal was missed, with the remedy; none where it was reached.

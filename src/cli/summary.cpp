@@ -12,8 +12,8 @@ std::string time_summary(const PhaseSeconds& s) {
   return fmt::format(
       "{:.2f} s (start {:.2f} · device {:.2f} · load {:.2f} · bvh {:.2f} · program {:.2f} · upload {:.2f} · kernel "
       "{:.2f} · readback {:.2f} · error "
-      "{:.2f} · encode {:.2f} · other {:.2f})",
-      s.total, s.start, s.device, s.load, s.bvh, s.program, s.upload, s.kernel, s.readback, s.error, s.encode,
+      "{:.2f} · encode {:.2f} · exit {:.2f} · other {:.2f})",
+      s.total, s.start, s.device, s.load, s.bvh, s.program, s.upload, s.kernel, s.readback, s.error, s.encode, s.exit,
       std::max(0.0, s.other()));
 }
 

@@ -53,6 +53,7 @@ bool FilmRun::report() {
 }
 
 void FilmRun::clear(int rows, bool aovs_too) {
+  const Stopwatch start;
   const std::size_t pixels = static_cast<std::size_t>(width_) * static_cast<std::size_t>(rows);
   checked(state_.device.info().text(), [&] {
     const cl::CommandQueue& queue = state_.device.queue();
@@ -63,6 +64,7 @@ void FilmRun::clear(int rows, bool aovs_too) {
     }
     return queue.finish();
   });
+  result_.stats.seconds.readback += start.seconds();
 }
 
 void FilmRun::launch_and_count(const Launch& launch, int band_row) {

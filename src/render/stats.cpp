@@ -42,10 +42,19 @@ double RunStats::longest_launch() const {
 std::string RunStats::json() const {
   Json json;
   json["seconds"] = {
-      {"start", seconds.start},   {"device", seconds.device},   {"load", seconds.load},
-      {"bvh", seconds.bvh},       {"program", seconds.program}, {"upload", seconds.upload},
-      {"kernel", seconds.kernel}, {"surface", seconds.surface}, {"readback", seconds.readback},
-      {"error", seconds.error},   {"encode", seconds.encode},   {"other", std::max(0.0, seconds.other())},
+      {"start", seconds.start},
+      {"exit", seconds.exit},
+      {"device", seconds.device},
+      {"load", seconds.load},
+      {"bvh", seconds.bvh},
+      {"program", seconds.program},
+      {"upload", seconds.upload},
+      {"kernel", seconds.kernel},
+      {"surface", seconds.surface},
+      {"readback", seconds.readback},
+      {"error", seconds.error},
+      {"encode", seconds.encode},
+      {"other", std::max(0.0, seconds.other())},
       {"total", seconds.total},
   };
   json["kernel_runs"] = kernel_runs;

@@ -16,10 +16,11 @@ struct PhaseSeconds {
   double load = 0, bvh = 0, program = 0, upload = 0, kernel = 0, readback = 0, encode = 0, total = 0;
   double surface = 0;  ///< Of `intersect`: normal, u and v of the hits found, once however often rays were traced.
   double start = 0;    ///< From the process's start to main.
+  double exit = 0;     ///< Expected, from the last line to the end of the process.
   double device = 0;   ///< Finding and opening it.
   double error = 0;    ///< Estimating it from the film.
   [[nodiscard]] double other() const {
-    return total - start - device - load - bvh - program - upload - kernel - surface - readback - error - encode;
+    return total - start - exit - device - load - bvh - program - upload - kernel - surface - readback - error - encode;
   }
 };
 

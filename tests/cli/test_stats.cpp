@@ -32,8 +32,8 @@ TEST_CASE("the statistics have every documented key") {
     CHECK(contains(documentation, "`" + key + "`"));
   }
   double sum = 0;
-  for (const char* phase :
-       {"start", "device", "load", "bvh", "program", "upload", "kernel", "readback", "error", "encode", "other"}) {
+  for (const char* phase : {"start", "device", "load", "bvh", "program", "upload", "kernel", "readback", "error",
+                            "encode", "exit", "other"}) {
     const double seconds = json.at("seconds").at(phase);
     CHECK(seconds >= 0);
     sum += seconds;
