@@ -15,6 +15,8 @@ target_sources(
          src/errors.h
          src/device/device.h
          src/device/opencl.h
+         src/image/channel.h
+         src/image/flip.h
          src/image/image.h
          src/image/image_io.h
          src/image/metrics.h
