@@ -18,12 +18,6 @@ bool differ(double a, double b) {
 
 }  // namespace
 
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  const std::size_t middle = values.size() / 2;
-  return values.size() % 2 == 1 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
-}
-
 double speed_ratio(const Entry& a, const Entry& b) {
   std::vector<double> ratios;
   for (std::size_t i = 0; i < std::min(a.seconds.size(), b.seconds.size()); ++i)

@@ -8,6 +8,7 @@
 #include <span>
 
 #include "bench/contender.h"
+#include "render/median.h"
 
 namespace strahl::bench {
 
@@ -35,9 +36,6 @@ struct Race {
 /// than the first contender's: hit or miss, or t off by more than a thousandth. That is room for the textbook's
 /// spheres, which lose one ray in two hundred to spheres of a thousandth of their distance; the report counts them.
 [[nodiscard]] Race race(std::span<const std::unique_ptr<Contender>> contenders, const RaySet& set, int rounds);
-
-/// Of a list that is not empty.
-[[nodiscard]] double median(std::vector<double> values);
 
 /// How many times as fast as `b` `a` is: the median of the rounds' ratios.
 [[nodiscard]] double speed_ratio(const Entry& a, const Entry& b);

@@ -18,14 +18,6 @@
 namespace strahl::cli {
 namespace {
 
-/// "out.depth.png" for "out.png".
-std::string layer_path(const std::string& path, const std::string& layer_name) {
-  std::filesystem::path beside(path);
-  const std::string extension = beside.extension().string();
-  beside.replace_extension(layer_name + extension);
-  return beside.string();
-}
-
 float largest_finite(const Image& image) {
   float largest = 0;
   for (const float value : image.data)
@@ -74,6 +66,13 @@ WriteReport write_color(const PictureFiles& files, Image color, bool is_png, boo
 
 }  // namespace
 
+std::string path_beside(const std::string& path, const std::string& name) {
+  std::filesystem::path beside(path);
+  const std::string extension = beside.extension().string();
+  beside.replace_extension(name + extension);
+  return beside.string();
+}
+
 void require_writable(const PictureFiles& files) {
   static_cast<void>(image_format(files.path));
   require_writable(files.path);
@@ -93,7 +92,7 @@ WriteReport write(const PictureFiles& files, const RenderResult& result,
     PngOptions as_they_are = files.png;
     as_they_are.exposure = 0;  // These are no light.
     static_cast<void>(write_image(format == ImageFormat::png ? display(values, name) : plain(values),
-                                  layer_path(files.path, name), as_they_are));
+                                  path_beside(files.path, name), as_they_are));
   }
   return report;
 }

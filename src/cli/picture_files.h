@@ -15,6 +15,9 @@ struct PictureFiles {
   bool scale_color = false;  ///< The picture's values are distances: a PNG shows them divided by the largest.
 };
 
+/// "out.depth.png" for "out.png" and "depth".
+[[nodiscard]] std::string path_beside(const std::string& path, const std::string& name);
+
 /// Throws UsageError (extension) or Error (folder) where the picture could not be written.
 void require_writable(const PictureFiles& files);
 

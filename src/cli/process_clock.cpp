@@ -62,7 +62,7 @@ Clock::time_point process_start() {
   const double boot = static_cast<double>(since_boot.tv_sec) + 1e-9 * static_cast<double>(since_boot.tv_nsec);
   const double oldest = boot - ticks * tick;
   const double age = std::clamp(processor_seconds(), std::max(0.0, oldest - tick), std::max(0.0, oldest));
-  return now - std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(age));
+  return later(now, -age);
 }
 
 double expected_exit_seconds(double more_bytes) {

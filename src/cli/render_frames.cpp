@@ -4,24 +4,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <vector>
 
 #include "cli/console.h"
 #include "cli/output_file.h"
 #include "cli/progress_bar.h"
+#include "render/median.h"
 
 namespace strahl::cli {
 namespace {
 
-/// "out.0001.png" for "out.png".
-std::string frame_path(const std::string& path, int frame) {
-  std::filesystem::path beside(path);
-  const std::string extension = beside.extension().string();
-  beside.replace_extension(fmt::format("{:04}{}", frame, extension));
-  return beside.string();
-}
+std::string frame_path(const std::string& path, int frame) { return path_beside(path, fmt::format("{:04}", frame)); }
 
 double late_seconds(double time) { return 1.02 * time + 0.0005; }
 
@@ -40,7 +34,7 @@ ExitCode render_frames(Renderer& renderer, const RenderOptions& options, const P
     goal.max_error = options.goal.max_error;
     goal.seed = first_seed + static_cast<std::uint32_t>(frame);
     const Clock::time_point start = Clock::now();
-    goal.deadline = start + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(time));
+    goal.deadline = later(start, time);
     const RenderResult result = renderer.render({}, goal);
     seconds.push_back(std::chrono::duration<double>(Clock::now() - start).count());
     if (seconds.back() > late_seconds(time)) ++late;
@@ -59,11 +53,9 @@ ExitCode render_frames(Renderer& renderer, const RenderOptions& options, const P
   if (!options.stats.empty())
     write_text(options.stats,
                nlohmann::ordered_json{{"time", time}, {"in_time", count - late}, {"frames", frames}}.dump(2) + "\n");
-  std::vector<double> sorted = seconds;
-  std::sort(sorted.begin(), sorted.end());
   if (!options.scene.quiet)
     say(fmt::format("{} of {} frames within {}: median {:.1f} ms, longest {:.1f} ms · {} …", count - late, count,
-                    *options.goal.time, 1e3 * sorted[sorted.size() / 2], 1e3 * sorted.back(),
+                    *options.goal.time, 1e3 * median(seconds), 1e3 * *std::max_element(seconds.begin(), seconds.end()),
                     frame_path(files.path, 1)));
   if (guard.interrupted()) return guard.exit_code();
   return late * 20 > count ? ExitCode::target_missed : ExitCode::ok;

@@ -24,8 +24,7 @@ RenderGoal goal_of(const RenderOptions& options, const Invocation& invocation, d
   goal.max_error = options.goal.max_error;
   if (options.goal.time) {
     const double seconds = duration_seconds(*options.goal.time) - end_seconds;
-    goal.deadline =
-        invocation.start + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
+    goal.deadline = later(invocation.start, seconds);
   }
   return goal;
 }

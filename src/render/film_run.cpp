@@ -137,14 +137,13 @@ void FilmRun::read_aovs(int row, int rows) {
 
 /// One band stays on the device from pass to pass; several share a buffer, so each is fetched before the next begins.
 bool FilmRun::render_pass(const Pass& pass) {
-  const bool is_only_band = band_rows_ >= height_;
   bool carry_on = true;
   for (int row = 0; row < height_ && carry_on; row += band_rows_) {
     const int rows = std::min(band_rows_, height_ - row);
-    if (!is_only_band || pass.first == 0) clear(rows, pass.first == 0);
+    if (!is_one_band() || pass.first == 0) clear(rows, pass.first == 0);
     carry_on = render_band(pass, row, rows);
     const Stopwatch start;
-    if (!is_only_band) read_band(row, rows);
+    if (!is_one_band()) read_band(row, rows);
     if (pass.first == 0 && state_.has_aov()) read_aovs(row, rows);
     result_.stats.seconds.readback += start.seconds();
   }
@@ -152,7 +151,7 @@ bool FilmRun::render_pass(const Pass& pass) {
 }
 
 void FilmRun::read_film() {
-  if (band_rows_ < height_) return;
+  if (!is_one_band()) return;
   const Stopwatch start;
   read_buffer(state_.device, state_.film, film_.sums.data(), film_.samples.size() * film_bytes_per_pixel);
   result_.stats.seconds.readback += start.seconds();

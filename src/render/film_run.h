@@ -14,8 +14,7 @@ class FilmRun {
   [[nodiscard]] RenderResult run();
 
  private:
-  Stopwatch construction_;
-
+  [[nodiscard]] bool is_one_band() const { return band_rows_ >= height_; }
   [[nodiscard]] double seconds_left() const;
   [[nodiscard]] bool report();
   void clear(int rows, bool aovs_too);
@@ -28,6 +27,7 @@ class FilmRun {
   void finish();
   void measure_finish();
 
+  Stopwatch construction_;
   Renderer::State& state_;
   RenderGoal goal_;
   const ProgressCallback& progress_;

@@ -10,6 +10,10 @@ namespace strahl {
 
 using Clock = std::chrono::steady_clock;
 
+[[nodiscard]] inline Clock::time_point later(Clock::time_point time, double seconds) {
+  return time + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
+}
+
 /// Whatever holds first ends the render.
 struct RenderGoal {
   /// Samples a pixel; none: what the scene states, or with one of the two below as many as it takes.

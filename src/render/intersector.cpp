@@ -12,6 +12,7 @@
 #include "device/scene_buffers.h"
 #include "device/tuned_width.h"
 #include "render/loop_bound.h"
+#include "render/median.h"
 #include "render/sampling.h"
 #include "render/stopwatch.h"
 #include "scene/validate.h"
@@ -261,11 +262,8 @@ std::vector<Hit> Intersector::trace(const std::vector<Ray>& rays, bool any_hit, 
     else
       s.trace_chunk<float>(rays, first, count, any_hit, run_seconds, hits);
   }
-  s.stats.kernel_runs = run_seconds;
-  std::sort(run_seconds.begin(), run_seconds.end());
-  const std::size_t middle = run_seconds.size() / 2;
-  s.stats.seconds.kernel =
-      run_seconds.size() % 2 == 1 ? run_seconds[middle] : 0.5 * (run_seconds[middle - 1] + run_seconds[middle]);
+  s.stats.seconds.kernel = median(run_seconds);
+  s.stats.kernel_runs = std::move(run_seconds);
   s.stats.camera_rays = rays.size();
   return hits;
 }

@@ -4,15 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render/median.h"
+
 namespace strahl {
 namespace {
 
 constexpr double seconds_a_round = 1.0 / 8;
-
-double median(std::vector<double> values) {
-  std::nth_element(values.begin(), values.begin() + bench_rounds / 2, values.end());
-  return values[bench_rounds / 2];
-}
 
 Scene of_side(Scene scene, int side) {
   scene.film.width = scene.film.height = side;

@@ -6,6 +6,7 @@
 
 #include "device/features.h"
 #include "device/left_out.h"
+#include "render/median.h"
 
 namespace strahl {
 namespace {
@@ -31,11 +32,6 @@ std::optional<RenderSettings> without(const std::string& name, RenderSettings se
 }
 
 bool has_shapes(const Features& features) { return !features.entries.at("shapes").empty(); }
-
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  return values.at(values.size() / 2);
-}
 
 EffectCost cost_of(const VariantTimes& all, const VariantTimes& less) {
   EffectCost cost;

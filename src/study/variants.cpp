@@ -6,17 +6,11 @@
 #include <algorithm>
 #include <optional>
 
+#include "render/median.h"
 #include "render/renderer.h"
 
 namespace strahl {
 namespace {
-
-double median(std::vector<double> values) {
-  if (values.empty()) return 0;
-  std::sort(values.begin(), values.end());
-  const std::size_t middle = values.size() / 2;
-  return values.size() % 2 == 1 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
-}
 
 double frame(Renderer& renderer) { return renderer.render().stats.seconds.kernel; }
 

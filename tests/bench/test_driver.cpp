@@ -53,6 +53,6 @@ TEST_CASE("an unknown primitive is named with those that there are") {
 }
 
 TEST_CASE("the median is the middle") {
-  CHECK(bench::median({3, 1, 2}) == 2);
-  CHECK(bench::median({4, 1, 2, 3}) == 2.5);
+  CHECK(median({3, 1, 2}) == 2);
+  CHECK(median({4, 1, 2, 3}) == 2.5);
 }

@@ -4,20 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render/median.h"
 #include "render/stopwatch.h"
 
 namespace strahl {
-namespace {
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  if (values.size() % 2 == 1) return *middle;
-  return (*middle + *std::max_element(values.begin(), middle)) / 2;
-}
-
-}  // namespace
-
 std::optional<MeasuredPoint> measure_point(Renderer& renderer, const TradeoffSetting& setting, int seeds,
                                            const TradeoffReference& reference, const ProgressCallback& progress) {
   std::vector<Image> pictures;
