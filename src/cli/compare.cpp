@@ -57,8 +57,8 @@ Request requested(const CompareOptions& options) {
   if (request.metrics.empty()) request.metrics = all_metrics();
   if (!options.heatmap_of.empty()) request.map = metric_from_name(options.heatmap_of);
   if (!has_map(request.map)) {
-    throw UsageError(
-        fmt::format("--heatmap-of {}: it has no value a pixel; mae, ssim, flip and hdrflip have", options.heatmap_of));
+    throw UsageError(fmt::format("--heatmap-of {}: it has no value a pixel; mae, relmse, ssim, flip and hdrflip have",
+                                 options.heatmap_of));
   }
   if (options.pixels_per_degree) {
     if (!is_seen(request.map) && std::none_of(request.metrics.begin(), request.metrics.end(), is_seen))
@@ -110,7 +110,7 @@ Command add_compare(CLI::App& app) {
       ->allow_extra_args(false);
   CLI::Option* heatmap =
       app.add_option("--heatmap", options->heatmap, "Write |A - B| of each pixel in false colours")->type_name("FILE");
-  app.add_option("--heatmap-of", options->heatmap_of, "What instead: ssim, flip or hdrflip")
+  app.add_option("--heatmap-of", options->heatmap_of, "What instead: relmse, ssim, flip or hdrflip")
       ->type_name("NAME")
       ->needs(heatmap);
   app.add_option(

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "image/inferno.h"
 #include "image/magma.h"
@@ -10,13 +11,26 @@
 
 namespace strahl {
 
+namespace {
+
+/// Decades of relative difference that have a colour.
+constexpr double decades = 3;
+
+/// From 0 to 1; `largest` of the map.
+double shade(Metric metric, double value, double largest) {
+  if (metric == Metric::mae) return largest > 0 ? value / largest : 0;
+  if (metric == Metric::relmse) return value > 0 ? std::clamp(1 + std::log10(value) / (2 * decades), 0.0, 1.0) : 0;
+  return std::clamp(value, 0.0, 1.0);
+}
+
+}  // namespace
+
 Image metric_heatmap(const Image& a, const Image& reference, Metric metric, double pixels_per_degree) {
   Channel map = metric_map(a, reference, metric, pixels_per_degree);
   if (metric == Metric::ssim) {
     for (double& similarity : map.values) similarity = 1 - similarity;
   }
   const double largest = map.values.empty() ? 0 : *std::max_element(map.values.begin(), map.values.end());
-  const double scale = metric == Metric::mae && largest > 0 ? 1 / largest : 1;
   const auto colours = is_seen(metric) ? magma : inferno;
 
   Image image;
@@ -24,7 +38,7 @@ Image metric_heatmap(const Image& a, const Image& reference, Metric metric, doub
   image.height = a.height;
   image.data.reserve(3 * map.values.size());
   for (const double value : map.values) {
-    for (const float channel : colours(std::clamp(value * scale, 0.0, 1.0))) image.data.push_back(channel);
+    for (const float channel : colours(shade(metric, value, largest))) image.data.push_back(channel);
   }
   image.metadata["metric"] = metric_name(metric);
   image.metadata["largest difference"] = fmt::format("{}", largest);

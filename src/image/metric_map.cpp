@@ -46,11 +46,13 @@ Channel mean_map(std::vector<Channel> maps) {
   return mean;
 }
 
-Channel mae_map(const Image& a, const Image& reference) {
+/// Mean over channels of f(a, reference).
+template <class F>
+Channel linear_map(const Image& a, const Image& reference, F f) {
   ChannelPairs channels = channel_pairs(a, reference, [](double value) { return value; });
   for (std::size_t c = 0; c < channels.a.size(); ++c) {
     std::vector<double>& values = channels.a[c].values;
-    for (std::size_t i = 0; i < values.size(); ++i) values[i] = std::fabs(values[i] - channels.reference[c].values[i]);
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] = f(values[i], channels.reference[c].values[i]);
   }
   return mean_map(std::move(channels.a));
 }
@@ -79,7 +81,13 @@ Channel seen_map(const Image& a, const Image& reference, Metric metric, double p
 
 }  // namespace
 
-bool has_map(Metric metric) { return metric == Metric::mae || metric == Metric::ssim || is_seen(metric); }
+bool has_map(Metric metric) {
+  return metric == Metric::mae || metric == Metric::relmse || metric == Metric::ssim || is_seen(metric);
+}
+
+double relative_square(double a, double reference) {
+  return (a - reference) * (a - reference) / (reference * reference + 1e-2);
+}
 
 std::string metric_obstacle(const Image& image, Metric metric) {
   if (metric == Metric::ssim && (image.width < ssim_window || image.height < ssim_window)) {
@@ -97,10 +105,12 @@ std::string metric_obstacle(const Image& image, Metric metric) {
 Channel metric_map(const Image& a, const Image& reference, Metric metric, double pixels_per_degree) {
   const std::string obstacle = metric_obstacle(a, metric);
   if (!obstacle.empty()) throw InputError(obstacle);
-  if (metric == Metric::mae) return mae_map(a, reference);
+  if (metric == Metric::mae) return linear_map(a, reference, [](double x, double y) { return std::fabs(x - y); });
+  if (metric == Metric::relmse) return linear_map(a, reference, relative_square);
   if (metric == Metric::ssim) return similarity_map(a, reference);
   if (is_seen(metric)) return seen_map(a, reference, metric, pixels_per_degree);
-  throw UsageError(fmt::format("{} has no value a pixel; mae, ssim, flip and hdrflip have", metric_name(metric)));
+  throw UsageError(
+      fmt::format("{} has no value a pixel; mae, relmse, ssim, flip and hdrflip have", metric_name(metric)));
 }
 
 }  // namespace strahl

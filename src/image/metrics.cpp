@@ -89,7 +89,7 @@ double compare_images(const Image& a, const Image& reference, Metric metric, dou
     case Metric::mae:
       return mean(a, reference, [](double x, double y) { return std::fabs(x - y); });
     case Metric::relmse:
-      return mean(a, reference, [](double x, double y) { return squared_difference(x, y) / (y * y + 1e-2); });
+      return mean(a, reference, relative_square);
     case Metric::ssim:
       return mean_ssim(metric_map(a, reference, metric, pixels_per_degree));
     case Metric::flip:

@@ -33,13 +33,17 @@ enum class Metric { mse, rmse, mae, relmse, psnr, ssim, flip, hdrflip };
 [[nodiscard]] double compare_images(const Image& a, const Image& reference, Metric metric,
                                     double pixels_per_degree = default_pixels_per_degree);
 
-/// Each pixel's mae, ssim (mean over channels), flip or hdrflip. Throws as compare_images does, and UsageError for the
-/// other metrics.
+/// A term of relmse.
+[[nodiscard]] double relative_square(double a, double reference);
+
+/// Each pixel's mae, relmse, ssim (means over channels), flip or hdrflip. Throws as compare_images does, and UsageError
+/// for the other metrics.
 [[nodiscard]] Channel metric_map(const Image& a, const Image& reference, Metric metric,
                                  double pixels_per_degree = default_pixels_per_degree);
 
-/// The map in false colours: mae in inferno, scaled to the largest difference; 1 - ssim in inferno and flip in magma,
-/// both from 0 to 1. The metadata says which, and the largest difference.
+/// The map in false colours: mae in inferno, scaled to the largest difference; the root of relmse in inferno, from
+/// 10^-3 to 1 on a logarithmic scale; 1 - ssim in inferno and flip in magma, both from 0 to 1. The metadata says which,
+/// and the largest difference.
 [[nodiscard]] Image metric_heatmap(const Image& a, const Image& reference, Metric metric,
                                    double pixels_per_degree = default_pixels_per_degree);
 

@@ -113,7 +113,7 @@ TEST_CASE("the heatmap may be of a metric that has a value a pixel") {
   const Folder folder;
   const std::string a = large(folder, "a.exr", 0.75F);
   const std::string b = large(folder, "b.exr", 0.25F);
-  for (const char* metric : {"mae", "ssim", "flip", "hdrflip"}) {
+  for (const char* metric : {"mae", "relmse", "ssim", "flip", "hdrflip"}) {
     REQUIRE(folder.run({"compare", a, b, "--heatmap", "heat.png", "--heatmap-of", metric}).code == 0);
     CHECK(strahl::read_image(folder.path("heat.png")).metadata.at("metric") == metric);
   }

@@ -62,6 +62,24 @@ TEST_CASE("the heat map of equal pictures is dark") {
   for (const float value : map.data) CHECK(value < 0.01F);
 }
 
+TEST_CASE("relative differences have one scale in all pictures") {
+  Image a = picture(5, 1, rgb, {0});
+  Image b = picture(5, 1, rgb, {100});
+  const std::vector<double> relative{0, 1e-4, 1e-3, 0.03162278, 1};
+  for (int x = 0; x < 5; ++x) {
+    for (int c = 0; c < 3; ++c) a.at(x, 0, c) = static_cast<float>(100 * (1 + relative[static_cast<std::size_t>(x)]));
+  }
+  const Channel map = metric_map(a, b, Metric::relmse);
+  for (std::size_t x = 0; x < 5; ++x) CHECK(std::sqrt(map.values[x]) == Approx(relative[x]).epsilon(0.02));
+  CHECK(compare_images(a, b, Metric::relmse) == Approx(map.mean()));
+  const Image shown = metric_heatmap(a, b, Metric::relmse);
+  const auto red = [&shown](int x) { return shown.at(x, 0, 0); };
+  CHECK(red(1) == red(0));
+  CHECK(red(2) == Approx(red(0)).margin(0.01));
+  CHECK(red(3) > red(2) + 0.1F);
+  CHECK(red(4) > red(3) + 0.1F);
+}
+
 TEST_CASE("equal pictures are alike everywhere") {
   const Image a = picture(13, 12, rgb, {0.25F, 4, 0.5F, 0, 0.75F});
   CHECK(largest(metric_map(a, a, Metric::flip)) == 0);

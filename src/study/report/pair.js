@@ -43,7 +43,7 @@ function showDifferences() {
   const figures = sides.map(([side, id]) =>
     element("figure", {}, pictureOf(sideOf(id).difference, `Difference of ${sideName(id)} from the reference`),
       element("figcaption", {}, `${side}: difference from the reference`)));
-  const note = element("p", { class: "note" }, "In false colours, each from none to its own largest.");
+  const note = element("p", { class: "note" }, "Relative to the reference, in false colours on a logarithmic scale: black up to 0.1 %, white from 100 %.");
   byId("differences").replaceChildren(...figures, ...(figures.length > 0 ? [note] : []));
 }
 

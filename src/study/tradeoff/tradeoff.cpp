@@ -174,7 +174,7 @@ bool Sweep::measure(const TradeoffSetting& setting, TradeoffStudy& study) {
   point.seconds.wall += build->second.seconds - point.seconds.program;
   point.seconds.program = build->second.seconds;
   point.program_from_cache = build->second.from_cache;
-  store_.keep(point, measured->picture, difference_heatmap(measured->picture, study.reference.picture),
+  store_.keep(point, measured->picture, metric_heatmap(measured->picture, study.reference.picture, Metric::relmse),
               exposure_of(scene_, study.reference.picture));
   study.points.push_back(std::move(point));
   return true;
