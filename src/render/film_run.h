@@ -36,9 +36,8 @@ class FilmRun {
   FilmSums film_;
   std::vector<double> aov_reals_;
   std::vector<std::int32_t> aov_ints_;
-  std::optional<LaunchPlan> plan_;  ///< The last one, which knows the device's rate.
-  double sample_seconds_ = 0;       ///< What one sample of every pixel took in the last pass.
-  bool is_cut_ = false;             ///< The deadline ended a pass part-way.
+  double sample_seconds_ = 0;  ///< What one sample of every pixel took in the last pass.
+  bool is_cut_ = false;        ///< The deadline ended a pass part-way.
   Stopwatch watch_;
   RenderResult result_;
 };

@@ -59,6 +59,7 @@ struct Renderer::State {
 
   double launch_overhead = 0;            ///< Seconds.
   std::optional<double> finish_seconds;  ///< From the last launch to the picture, as measured last.
+  std::optional<LaunchPlan> last_plan;   ///< Of this picture or an earlier one: it knows the device's rate.
   int samples_a_launch = 0;
   cl::Buffer film, aov_reals, aov_ints, counters;
 };
