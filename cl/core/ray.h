@@ -91,7 +91,8 @@ FN Ray ray_make(real3 o, real3 d, real t_min, real t_max, int left) {
   real planes[RAY_PLANES];
   GivenRays_1 given = given_ray(o, d, t_min, t_max, left);
   prepare_rays_1(&given, planes);
-  for (int axis = 0; axis < 3; ++axis) planes[RAY_PLANE_SLACK + axis] = REAL_MAX;
+  // One by one: PoCL 3.1 keeps an array that a loop runs over in memory, for good.
+  planes[RAY_PLANE_SLACK] = planes[RAY_PLANE_SLACK + 1] = planes[RAY_PLANE_SLACK + 2] = REAL_MAX;
   return prepared_ray_1(planes, 0, left);
 }
 

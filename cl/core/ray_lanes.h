@@ -82,10 +82,10 @@ FN void LANED(widen_rays)(maskw has_left, PRIVATE realw* to, GLOBAL const real* 
   realw off = splat_w(R(0x1p-20)) * LANED(largest_of)(ox, oy, oz);
   aside = sel_w(has_left & lt_w(aside, off), off, aside);
 #endif
-  for (int axis = 0; axis < 3; ++axis) {
-    realw zero = splat_w(R(0.0)), inv = to[RAY_PLANE_INV + axis];
-    to[RAY_PLANE_SLACK + axis] = sel_w(eq_w(to[RAY_PLANE_D + axis], zero), zero, aside * abs_w(inv));
-  }
+  realw zero = splat_w(R(0.0));
+  to[RAY_PLANE_SLACK] = sel_w(eq_w(to[RAY_PLANE_D], zero), zero, aside * abs_w(to[RAY_PLANE_INV]));
+  to[RAY_PLANE_SLACK + 1] = sel_w(eq_w(to[RAY_PLANE_D + 1], zero), zero, aside * abs_w(to[RAY_PLANE_INV + 1]));
+  to[RAY_PLANE_SLACK + 2] = sel_w(eq_w(to[RAY_PLANE_D + 2], zero), zero, aside * abs_w(to[RAY_PLANE_INV + 2]));
 }
 
 FN Ray LANED(prepared_ray)(PRIVATE const realw* from, int lane, int left) {

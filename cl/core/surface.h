@@ -18,6 +18,7 @@ typedef struct {
   real tex_u, tex_v;        ///< Texture coordinates: the mesh's uvs where there are any, else u, v.
   real footprint;           ///< How wide the pixel is here; set only where there are textures (core/footprint.h).
   int outline;              ///< OUTLINE_...
+  real facing;              ///< Below 0: the ray comes from the normal's side. Known before the normal is.
   int is_flipped;           ///< 1: the normal points the other way than the shape has it.
   GLOBAL const real* prim;  ///< Its planes, `stride` apart.
   int stride;
@@ -35,6 +36,7 @@ FN real3 ray_at(const Ray* ray, real t) { return fma3(t, ray->d, ray->o); }
 FN void surface_keep_finite(const Ray* ray, Surface* s) {
   if (!is_finite3(s->position)) s->position = ray->o;
   if (!is_finite3(s->normal)) s->normal = normalize3(negate3(ray->d));
+  if (!(s->facing < R(0.0) || R(0.0) <= s->facing)) s->facing = -R(1.0);
   if (!real_is_finite(s->u)) s->u = R(0.0);
   if (!real_is_finite(s->v)) s->v = R(0.0);
 }

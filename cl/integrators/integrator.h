@@ -20,8 +20,8 @@ enum {
 };
 
 /// What comes along the path's ray by itself: the surface's emission, or the background where nothing is hit.
-FN real3 radiance_along(const Scene* scene, const Path* path, int hit, const Surface* s) {
-  return hit ? emitted_radiance(scene, s, path->ray.d) : background_radiance(scene);
+FN real3 radiance_along(const Scene* scene, int hit, const Surface* s) {
+  return hit ? emitted_radiance(scene, s) : background_radiance(scene);
 }
 
 /// hide_emitters hides from the camera alone.
@@ -41,7 +41,7 @@ FN real balance(real density, real other) {
 
 /// radiance_along, weighted against its chance to be drawn as a light where the path was.
 FN void path_add_light(const Scene* scene, Path* path, int hit, const Surface* s) {
-  real3 radiance = radiance_along(scene, path, hit, s);
+  real3 radiance = radiance_along(scene, hit, s);
   if (LIGHT_COUNT > 0 && path->density > R(0.0) && max3(radiance) > R(0.0)) {
     int light = hit ? scene_part(scene, s->part)[PART_LIGHT] : scene->index[HEADER_BACKGROUND];
     if (light >= 0) {

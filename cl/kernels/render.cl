@@ -59,45 +59,39 @@ KERNEL LANE_HINT void render(GLOBAL const real* geometry, GLOBAL const real* sha
   // film_row: the window's row that the film buffer begins with.
   ulong slot = (ulong)(row - film_row) * (ulong)index[HEADER_CROP_WIDTH] + (ulong)column;
   real film_scale = shading[index[HEADER_FILM_SCALE]];
-  GLOBAL long* sums = film + slot * (FILM_SUBSUMS * FILM_CHANNELS);
+  GLOBAL long* pixel_sums = film + slot * (FILM_SUBSUMS * FILM_CHANNELS);
 
-  // Without them all samples go into the first: integers, so the mean is the same.
-  int subsums = HAS_ERROR_SUMS ? FILM_SUBSUMS : 1;
-  for (int sub = 0; sub < subsums; ++sub) {
-    long r = 0, g = 0, b = 0;
-    int first = sample_first + ((sub - sample_first) & (subsums - 1));
-    if (first >= sample_first + sample_count) continue;
-    for (int sample = first; sample < sample_first + sample_count; sample += subsums) {
-      real dx = R(0.0), dy = R(0.0);
-      SampleState state = sample_begin(&scene, pixel, (uint)sample);
-      if (HAS_PIXEL_FILTER) {
-        Random2 bits = sample_pair(&scene, &state, SET_PIXEL);
-        dx = filter_offset(shading + index[HEADER_FILTER], random_unit(bits.x));
-        dy = filter_offset(shading + index[HEADER_FILTER], random_unit(bits.y));
-      }
-      Path path = path_begin(camera_ray(shading + index[HEADER_CAMERA], width, height, x, y, dx, dy), state);
-      int more, is_first = 1;
-      do {
-        // Only who reports t or goes on behind a hit has need of its last digits.
-        int is_exact = 0;
-        if (HAS_AOV && sample == 0) is_exact = is_first;
-        if (HAS_EMISSION && index[HEADER_HIDE_EMITTERS] != 0) is_exact = is_first;
-        Nearest nearest = LANED(closest_hit)(&scene, &path.ray, is_exact ? FIND_NEAREST : FIND_NEAREST_ROUGHLY);
-        int hit = nearest.kind >= 0;
-        Surface surface;
-        if (hit) surface = surface_at(&scene, &path.ray, &nearest, LANES);
-        if (HAS_AOV && sample == 0 && is_first)
-          store_first_sample(aov_reals + slot * AOV_REALS, aov_ints + slot * AOV_INTS, &path.ray, hit, nearest.t,
-                             &surface);
-        more = LANED(surface_step)(&scene, &path, hit, &surface, nearest.id, nearest.t);
-        is_first = 0;
-      } while (more);
-      r += film_units(&scene, path.radiance.x, film_scale);
-      g += film_units(&scene, path.radiance.y, film_scale);
-      b += film_units(&scene, path.radiance.z, film_scale);
+  for (int sample = sample_first; sample < sample_first + sample_count; ++sample) {
+    real dx = R(0.0), dy = R(0.0);
+    SampleState state = sample_begin(&scene, pixel, (uint)sample);
+    if (HAS_PIXEL_FILTER) {
+      Random2 bits = sample_pair(&scene, &state, SET_PIXEL);
+      dx = filter_offset(shading + index[HEADER_FILTER], random_unit(bits.x));
+      dy = filter_offset(shading + index[HEADER_FILTER], random_unit(bits.y));
     }
-    sums[sub * FILM_CHANNELS] += r;
-    sums[sub * FILM_CHANNELS + 1] += g;
-    sums[sub * FILM_CHANNELS + 2] += b;
+    Path path = path_begin(camera_ray(shading + index[HEADER_CAMERA], width, height, x, y, dx, dy), state);
+    int more, is_first = 1;
+    do {
+      // Only who reports t or goes on behind a hit has need of its last digits.
+      int is_exact = 0;
+      if (HAS_AOV && sample == 0) is_exact = is_first;
+      if (HAS_EMISSION && index[HEADER_HIDE_EMITTERS] != 0) is_exact = is_first;
+      Nearest nearest = LANED(closest_hit)(&scene, &path.ray, is_exact ? FIND_NEAREST : FIND_NEAREST_ROUGHLY);
+      int hit = nearest.kind >= 0;
+      Surface surface;
+      if (hit) surface = surface_at(&scene, &path.ray, &nearest, LANES);
+      if (HAS_AOV && sample == 0 && is_first)
+        store_first_sample(aov_reals + slot * AOV_REALS, aov_ints + slot * AOV_INTS, &path.ray, hit, nearest.t,
+                           &surface);
+      more = LANED(surface_step)(&scene, &path, hit, &surface, nearest.id, nearest.t);
+      is_first = 0;
+    } while (more);
+    // The background's share of a picture need not touch the film.
+    if (path.radiance.x == R(0.0) && path.radiance.y == R(0.0) && path.radiance.z == R(0.0)) continue;
+    // Without sub-sums all samples go into the first: integers, so the mean is the same.
+    GLOBAL long* sums = pixel_sums + (HAS_ERROR_SUMS ? sample & (FILM_SUBSUMS - 1) : 0) * FILM_CHANNELS;
+    sums[0] += film_units(&scene, path.radiance.x, film_scale);
+    sums[1] += film_units(&scene, path.radiance.y, film_scale);
+    sums[2] += film_units(&scene, path.radiance.z, film_scale);
   }
 }

@@ -69,11 +69,11 @@ FN real3 background_radiance(const Scene* scene) {
 }
 
 /// Radiance that the surface emits against the ray's direction: on the side of its normal only.
-FN real3 emitted_radiance(const Scene* scene, const Surface* s, real3 ray_direction) {
+FN real3 emitted_radiance(const Scene* scene, const Surface* s) {
   real zero = R(0.0);
   if (HAS_EMISSION) {
     int at = scene_part(scene, s->part)[PART_RADIANCE];
-    if (at >= 0 && dot3(s->normal, ray_direction) < zero) return load3(scene->shading + at);
+    if (at >= 0 && s->facing < zero) return load3(scene->shading + at);
   }
   return vec3(zero, zero, zero);
 }

@@ -64,6 +64,7 @@ FN void box_surface(const Ray* ray, GLOBAL const real* prim, int stride, GLOBAL 
     s->normal.z = outward;
     s->position.z = prim[face * stride];
   }
+  s->facing = outward * component(ray->d, face / 2);
   s->outline = OUTLINE_BOX;
   s->u = zero;
   s->v = zero;

@@ -16,6 +16,7 @@ FN void cylinder_surface(const Ray* ray, GLOBAL const real* prim, int stride, GL
   real along = dot3(from_p0, axis);
   s->outline = OUTLINE_ROUND;
   s->normal = normalize3(fma3(-along, axis, from_p0));
+  s->facing = dot3(s->normal, ray->d);
   s->position = add3(fma3(radius, s->normal, scale3(along, axis)), p0);
   real v = along / length;
   s->u = atan2_turns(dot3(s->normal, load3(frame + 3)), dot3(s->normal, load3(frame)));

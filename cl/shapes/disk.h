@@ -11,6 +11,7 @@ FN void disk_surface(const Ray* ray, GLOBAL const real* prim, int stride, GLOBAL
                      Surface* s) {
   real3 center = vec3(prim[0], prim[stride], prim[2 * stride]);
   s->normal = normalize3(vec3(prim[3 * stride], prim[4 * stride], prim[5 * stride]));
+  s->facing = dot3(s->normal, ray->d);
   real3 from_center = fma3(t, ray->d, sub3(ray->o, center));
   s->position = add3(from_center, center);
   real x = dot3(from_center, load3(frame)), y = dot3(from_center, load3(frame + 3));

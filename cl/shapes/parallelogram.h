@@ -15,6 +15,7 @@ FN void parallelogram_surface(const Ray* ray, GLOBAL const real* prim, int strid
   barycentrics(ray, a, b, d, &s->u, &s->v);
   s->position = add3(fma3(s->u, edge_u, scale3(s->v, edge_v)), a);
   s->normal = normalize3(cross3(edge_u, edge_v));
+  s->facing = dot3(s->normal, ray->d);
   s->outline = OUTLINE_PARALLELOGRAM;
 }
 

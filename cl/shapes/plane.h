@@ -10,6 +10,7 @@
 FN void plane_surface(const Ray* ray, GLOBAL const real* prim, int stride, GLOBAL const real* frame, real t,
                       Surface* s) {
   s->normal = normalize3(vec3(prim[3 * stride], prim[4 * stride], prim[5 * stride]));
+  s->facing = dot3(s->normal, ray->d);
   s->position = ray_at(ray, t);
   real3 from_origin = fma3(t, ray->d, sub3(ray->o, load3(frame + 6)));
   s->u = dot3(from_origin, load3(frame));

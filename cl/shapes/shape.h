@@ -44,7 +44,7 @@ FN Surface surface_at(const Scene* scene, const Ray* ray, const Nearest* hit, in
   s.shape = part[PART_SHAPE];
   s.primitive = hit->id - part[PART_FIRST_ID];
   s.position = s.normal = within.o;
-  s.u = s.v = R(0.0);
+  s.facing = s.u = s.v = R(0.0);
   s.outline = OUTLINE_NONE;
   s.prim = scene->geometry;
   s.stride = lanes;
@@ -73,7 +73,10 @@ FN Surface surface_at(const Scene* scene, const Ray* ray, const Nearest* hit, in
   s.tex_u = s.u;
   s.tex_v = s.v;
   s.is_flipped = part[PART_FLIP];
-  if (s.is_flipped != 0) s.normal = negate3(s.normal);
+  if (s.is_flipped != 0) {
+    s.normal = negate3(s.normal);
+    s.facing = -s.facing;
+  }
   s.shading = s.normal;
   if (HAS_SMOOTH_NORMALS && part[PART_NORMALS] >= 0) {
     real3 smooth = interpolate3(scene->shading + part[PART_NORMALS] + 9 * s.primitive, s.u, s.v);

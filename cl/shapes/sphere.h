@@ -9,8 +9,8 @@
 
 /// From the centre to the hit, of a sphere farther off than some radii: there t, and with it o + t d, has steps as
 /// large as the sphere. The line's point nearest to the centre, l = d x (f x d) / (d.d), keeps its digits, and half the
-/// chord leads from it to the hit.
-FN real3 sphere_outward_from_afar(const Ray* ray, real3 center, real radius, real t) {
+/// chord leads from it to the hit. is_far: the farther of the two.
+FN real3 sphere_outward_from_afar(const Ray* ray, real3 center, real radius, int is_far) {
   real3 f = sub3(ray->o, center);
   real3 rest = vec3(difference_rest(ray->o.x, center.x, f.x), difference_rest(ray->o.y, center.y, f.y),
                     difference_rest(ray->o.z, center.z, f.z));
@@ -20,9 +20,6 @@ FN real3 sphere_outward_from_afar(const Ray* ray, real3 center, real radius, rea
   real distance = real_sqrt(dot3(l, l));
   real square = (radius - distance) * (radius + distance) / dd;
   real half_chord = square > R(0.0) ? real_sqrt(square) : R(0.0);
-  // The far root only where t says so beyond its own rounding.
-  real middle = -dot3(f, ray->d) / dd;
-  int is_far = t - middle > R(8.0) * real_roundoff() * real_abs(t);
   return fma3(is_far ? half_chord : -half_chord, ray->d, l);
 }
 
@@ -33,7 +30,15 @@ FN void sphere_surface(const Ray* ray, GLOBAL const real* prim, int stride, GLOB
   // From the centre, so that a far-off frame costs the direction nothing; then back onto the radius.
   real3 f = sub3(ray->o, center);
   real3 out = fma3(t, ray->d, f);
-  if (dot3(f, f) > R(16.0) * radius * radius) out = sphere_outward_from_afar(ray, center, radius, t);
+  s->facing = dot3(out, ray->d);
+#if !TIER_FAST
+  if (dot3(f, f) > R(16.0) * radius * radius) {
+    // The far root only where t says so beyond its own rounding.
+    int is_far = t + dot3(f, ray->d) / dot3(ray->d, ray->d) > R(8.0) * real_roundoff() * real_abs(t);
+    out = sphere_outward_from_afar(ray, center, radius, is_far);
+    s->facing = is_far ? R(1.0) : -R(1.0);
+  }
+#endif
   s->outline = OUTLINE_ROUND;
   s->normal = normalize3(out);
   s->position = fma3(radius, s->normal, center);

@@ -16,6 +16,7 @@ FN void triangle_surface(const Ray* ray, GLOBAL const real* prim, int stride, GL
   // The base vertex last: the sum is then good to the ulp of the vertex.
   s->position = add3(fma3(s->u, e1, scale3(s->v, e2)), p0);
   s->normal = normalize3(cross3(e1, e2));
+  s->facing = dot3(s->normal, ray->d);
   s->outline = OUTLINE_TRIANGLE;
 }
 
