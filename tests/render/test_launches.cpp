@@ -117,6 +117,14 @@ TEST_CASE("the next band begins at the measured rate") {
   CHECK(samples_of(second.next()) > 1000);
 }
 
+TEST_CASE("a renderer's second picture begins at the first one's rate") {
+  require_pocl_and_rusticl();
+  Renderer renderer(Device::open("pocl"), small_scene(scene_folder / "cornell/cornell-box.xml", 64, 64, 16));
+  const RenderResult first = renderer.render(), second = renderer.render();
+  CHECK(second.stats.kernel_runs.size() < first.stats.kernel_runs.size());
+  CHECK(second.color.data == first.color.data);
+}
+
 // Not a test of time: what a real render's launches take is only shown.
 TEST_CASE("a real render reports its launches") {
   require_pocl_and_rusticl();

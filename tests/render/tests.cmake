@@ -32,5 +32,6 @@ add_test(NAME render_test_oclgrind_every_scene COMMAND ${CMAKE_CURRENT_LIST_DIR}
 set_tests_properties(render_test_oclgrind_every_scene PROPERTIES LABELS slow SKIP_RETURN_CODE 77 TIMEOUT 3600)
 
 add_test(NAME render_test_error_coverage_long COMMAND render_test_error_coverage)
-set_tests_properties(render_test_error_coverage_long PROPERTIES LABELS slow TIMEOUT 3600 ENVIRONMENT
-                                                                                         STRAHL_COVERAGE_SEEDS=200)
+set_tests_properties(
+  render_test_error_coverage_long PROPERTIES LABELS slow TIMEOUT 3600
+                                             ENVIRONMENT "STRAHL_COVERAGE_SEEDS=200;STRAHL_COVERAGE_SPP=100000")
