@@ -32,16 +32,6 @@
 /// As FN, of what is large and seldom asked: it stands once in a program and costs its callers a call.
 #define SELDOM_FN static __attribute__((noinline, unused))
 
-/// A condition that seldom holds, for compilers that can be told: what is behind it shall not cost the rest registers.
-#ifdef __has_builtin
-#if __has_builtin(__builtin_expect)
-#define SELDOM(condition) __builtin_expect((condition) != 0, 0)
-#endif
-#endif
-#ifndef SELDOM
-#define SELDOM(condition) (condition)
-#endif
-
 #ifdef __cplusplus
 #define ON_HOST 1
 #define GLOBAL

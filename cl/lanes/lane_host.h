@@ -24,7 +24,6 @@ FN realw sqrt_w(realw a) {
   return a;
 }
 FN realw abs_w(realw a) { return (realw)((maskw)a & ~(maskw)splat_w(-R(0.0))); }
-FN realw flip_w(realw a, realw s) { return (realw)((maskw)a ^ ((maskw)s & (maskw)splat_w(-R(0.0)))); }
 FN uint bits_w(maskw m) {
   uint bits = 0u;
   for (int i = 0; i < LANES; ++i) bits |= (uint)(m[i] & 1) << i;

@@ -35,7 +35,6 @@
 #define fma_w LANED(fma_w)
 #define sqrt_w LANED(sqrt_w)
 #define abs_w LANED(abs_w)
-#define flip_w LANED(flip_w)
 #define bits_w LANED(bits_w)
 #define any_w LANED(any_w)
 #define load_w LANED(load_w)

@@ -8,7 +8,7 @@
 //   sel_w(m, a, b)            m ? a : b, no arithmetic
 //   max_w(x, a) min_w(x, a)   the larger, smaller; a NaN x is dropped
 //   fma_w sqrt_w              correctly rounded
-//   abs_w(a) flip_w(a, s)     clear the sign; xor it with the sign of s
+//   abs_w(a)                  clears the sign
 //   nonzero_w(i)              mask of i != 0
 //   finite_w(x) nan_w(x)      neither NaN nor infinite; NaN
 //   power_of_two_w(x)         the largest power of two not above |x|, held within the exponents of normal numbers but
@@ -36,7 +36,6 @@ FN maskw nonzero_w(intw i) { return -(int)(i != 0); }
 FN realw fma_w(realw a, realw b, realw c) { return real_fma(a, b, c); }
 FN realw sqrt_w(realw a) { return real_sqrt(a); }
 FN realw abs_w(realw a) { return real_abs(a); }
-FN realw flip_w(realw a, realw s) { return bits_to_real(real_to_bits(a) ^ (real_to_bits(s) & real_to_bits(-R(0.0)))); }
 FN uint bits_w(maskw m) { return (uint)(m & 1); }
 FN int any_w(maskw m) { return m != 0; }
 FN realw load_w(GLOBAL const real* p) { return *p; }
