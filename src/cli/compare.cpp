@@ -56,10 +56,7 @@ Request requested(const CompareOptions& options) {
     throw UsageError("--fail-above needs exactly one --metric to hold its value against");
   if (request.metrics.empty()) request.metrics = all_metrics();
   if (!options.heatmap_of.empty()) request.map = metric_from_name(options.heatmap_of);
-  if (!has_map(request.map)) {
-    throw UsageError(fmt::format("--heatmap-of {}: it has no value a pixel; mae, relmse, ssim, flip and hdrflip have",
-                                 options.heatmap_of));
-  }
+  require_map(request.map);
   if (options.pixels_per_degree) {
     if (!is_seen(request.map) && std::none_of(request.metrics.begin(), request.metrics.end(), is_seen))
       throw UsageError("--ppd is for flip and hdrflip alone");

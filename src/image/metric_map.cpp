@@ -85,6 +85,14 @@ bool has_map(Metric metric) {
   return metric == Metric::mae || metric == Metric::relmse || metric == Metric::ssim || is_seen(metric);
 }
 
+void require_map(Metric metric) {
+  if (has_map(metric)) return;
+  std::string mapped;
+  for (const Metric other : all_metrics())
+    if (has_map(other)) mapped += fmt::format("{}{}", mapped.empty() ? "" : ", ", metric_name(other));
+  throw UsageError(fmt::format("{} has no value a pixel; these have: {}", metric_name(metric), mapped));
+}
+
 double relative_square(double a, double reference) {
   return (a - reference) * (a - reference) / (reference * reference + 1e-2);
 }
@@ -103,14 +111,13 @@ std::string metric_obstacle(const Image& image, Metric metric) {
 }
 
 Channel metric_map(const Image& a, const Image& reference, Metric metric, double pixels_per_degree) {
+  require_map(metric);
   const std::string obstacle = metric_obstacle(a, metric);
   if (!obstacle.empty()) throw InputError(obstacle);
   if (metric == Metric::mae) return linear_map(a, reference, [](double x, double y) { return std::fabs(x - y); });
   if (metric == Metric::relmse) return linear_map(a, reference, relative_square);
   if (metric == Metric::ssim) return similarity_map(a, reference);
-  if (is_seen(metric)) return seen_map(a, reference, metric, pixels_per_degree);
-  throw UsageError(
-      fmt::format("{} has no value a pixel; mae, relmse, ssim, flip and hdrflip have", metric_name(metric)));
+  return seen_map(a, reference, metric, pixels_per_degree);
 }
 
 }  // namespace strahl

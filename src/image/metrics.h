@@ -22,6 +22,7 @@ enum class Metric { mse, rmse, mae, relmse, psnr, ssim, flip, hdrflip };
 [[nodiscard]] const std::vector<Metric>& all_metrics();
 [[nodiscard]] bool more_is_better(Metric metric);  ///< psnr and ssim.
 [[nodiscard]] bool has_map(Metric metric);         ///< Whether metric_map and metric_heatmap know it.
+void require_map(Metric metric);                   ///< Throws UsageError that lists those that have one.
 [[nodiscard]] bool is_seen(Metric metric);         ///< Whether it depends on pixels per degree: flip and hdrflip.
 
 /// Why no picture like this one can be measured so, as one sentence; empty where it can be. ssim needs 11 x 11 pixels;
