@@ -10,7 +10,6 @@
 #include "image/metrics.h"
 
 namespace strahl {
-
 namespace {
 
 /// Decades of relative difference that have a colour.

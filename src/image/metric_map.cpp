@@ -79,11 +79,11 @@ Channel seen_map(const Image& a, const Image& reference, Metric metric, double p
   return map(rgb(std::move(channels.a)), rgb(std::move(channels.reference)), pixels_per_degree);
 }
 
-}  // namespace
-
 bool has_map(Metric metric) {
   return metric == Metric::mae || metric == Metric::relmse || metric == Metric::ssim || is_seen(metric);
 }
+
+}  // namespace
 
 void require_map(Metric metric) {
   if (has_map(metric)) return;

@@ -21,9 +21,8 @@ enum class Metric { mse, rmse, mae, relmse, psnr, ssim, flip, hdrflip };
 [[nodiscard]] const char* metric_name(Metric metric);
 [[nodiscard]] const std::vector<Metric>& all_metrics();
 [[nodiscard]] bool more_is_better(Metric metric);  ///< psnr and ssim.
-[[nodiscard]] bool has_map(Metric metric);         ///< Whether metric_map and metric_heatmap know it.
-void require_map(Metric metric);                   ///< Throws UsageError that lists those that have one.
-[[nodiscard]] bool is_seen(Metric metric);         ///< Whether it depends on pixels per degree: flip and hdrflip.
+void require_map(Metric metric);            ///< Of metric_map and metric_heatmap; a UsageError lists who has one.
+[[nodiscard]] bool is_seen(Metric metric);  ///< Whether it depends on pixels per degree: flip and hdrflip.
 
 /// Why no picture like this one can be measured so, as one sentence; empty where it can be. ssim needs 11 x 11 pixels;
 /// flip and hdrflip need R, G and B, or one channel of grey.

@@ -35,7 +35,7 @@ class LaunchPlan {
   [[nodiscard]] Launch next(double most_seconds = std::numeric_limits<double>::infinity());
   /// Seconds that the launch handed out last took.
   void measured(double seconds);
-  /// Carries the measured rate to the next band.
+  /// Carries the measured rate to the next band or picture.
   void learn_from(const LaunchPlan& earlier) { budget_ = earlier.budget_; }
 
  private:
