@@ -29,6 +29,18 @@ typedef struct {
   GLOBAL const real* placed;  ///< Its INSTANCE_REALS, of meaning where there is one. `prim` is in the group's frame.
 } Surface;
 
+/// Where nothing is hit. Left undefined, PoCL would carry it from work-item to work-item in memory.
+FN Surface surface_none(void) {
+  Surface s;
+  s.position = s.normal = s.shading = vec3(R(0.0), R(0.0), R(0.0));
+  s.u = s.v = s.tex_u = s.tex_v = s.footprint = s.facing = R(0.0);
+  s.outline = OUTLINE_NONE;
+  s.is_flipped = s.stride = s.shape = s.primitive = s.part = 0;
+  s.instance = -1;
+  s.prim = s.placed = 0;
+  return s;
+}
+
 FN real3 ray_at(const Ray* ray, real t) { return fma3(t, ray->d, ray->o); }
 
 /// Where a shape is so large or small that its own numbers leave the range of real, the ray's take their place: nothing

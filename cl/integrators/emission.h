@@ -2,6 +2,6 @@
 // The first hit's own light, no lighting: "ray traced, self-luminous" of the course that strahl grew from.
 
 FN int emission_step(const Scene* scene, Path* path, int hit, const Surface* s) {
-  if (scene->index[HEADER_HIDE_EMITTERS] == 0) path_add(path, radiance_along(scene, hit, s));
+  if (is_light_shown(scene, path)) path_add(path, radiance_along(scene, hit, s));
   return 0;
 }

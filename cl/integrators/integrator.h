@@ -26,7 +26,7 @@ FN real3 radiance_along(const Scene* scene, int hit, const Surface* s) {
 
 /// hide_emitters hides from the camera alone.
 FN int is_light_shown(const Scene* scene, const Path* path) {
-  return path->depth > 0 || scene->index[HEADER_HIDE_EMITTERS] == 0;
+  return !HAS_HIDE_EMITTERS || path->depth > 0 || scene->index[HEADER_HIDE_EMITTERS] == 0;
 }
 
 FN int lights_drawn_from(const Scene* scene) {
@@ -136,7 +136,7 @@ FN int path_scatter(const Scene* scene, Path* path, const Surface* s, const Mate
 
 /// An emitter that the camera looks through.
 FN int is_hidden(const Scene* scene, const Path* path, const Surface* s) {
-  return HAS_EMISSION && path->depth == 0 && scene->index[HEADER_HIDE_EMITTERS] != 0 &&
+  return HAS_EMISSION && HAS_HIDE_EMITTERS && path->depth == 0 && scene->index[HEADER_HIDE_EMITTERS] != 0 &&
          scene_part(scene, s->part)[PART_RADIANCE] >= 0;
 }
 

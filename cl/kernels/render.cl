@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // One work-item a pixel: camera ray, closest hit, a step of the integrator, film. A launch covers a rectangle of the
-// window's pixels (its first column and row, its size) and samples [sample_first, sample_first + sample_count) of each
-// of them.
+// picture's pixels, columns x rows from (x_first, y_first) on, and samples [sample_first, sample_first + sample_count)
+// of each of them. What is the same for all pixels comes as an argument where every pixel needs it: PoCL computes with
+// arguments once for a row of work-items, while what is read from a buffer is read again.
 #include "math/vec3.h"
 #include "math/rng.h"
 #include "lanes/lane_ops.h"
@@ -42,26 +43,27 @@ FN void store_first_sample(GLOBAL real* reals, GLOBAL int* ints, const Ray* ray,
 
 KERNEL LANE_HINT void render(GLOBAL const real* geometry, GLOBAL const real* shading, GLOBAL const int* index,
                              GLOBAL long* film, GLOBAL real* aov_reals, GLOBAL int* aov_ints, GLOBAL uint* counters,
-                             int film_row, int column_first, int row_first, int columns, int rows, int sample_first,
-                             int sample_count) {
+                             int width, int height, int x_first, int y_first, int columns, int rows, int film_first,
+                             int film_columns, int sample_first, int sample_count) {
   int column = (int)get_global_id(0), row = (int)get_global_id(1);
   if (column >= columns || row >= rows) return;
-  column += column_first;
-  row += row_first;
   Scene scene;
   scene.geometry = geometry;
   scene.shading = shading;
   scene.index = index;
   scene.counters = counters;
-  int width = index[HEADER_WIDTH], height = index[HEADER_HEIGHT];
-  int x = index[HEADER_CROP_X] + column, y = index[HEADER_CROP_Y] + row;
+  int x = x_first + column, y = y_first + row;
   uint pixel = (uint)y * (uint)width + (uint)x;
-  // film_row: the window's row that the film buffer begins with.
-  ulong slot = (ulong)(row - film_row) * (ulong)index[HEADER_CROP_WIDTH] + (ulong)column;
+  // film_first: the first of those pixels in the film buffer, whose rows are film_columns long.
+  ulong slot = (ulong)film_first + (ulong)row * (ulong)film_columns + (ulong)column;
   real film_scale = shading[index[HEADER_FILM_SCALE]];
   GLOBAL long* pixel_sums = film + slot * (FILM_SUBSUMS * FILM_CHANNELS);
 
-  for (int sample = sample_first; sample < sample_first + sample_count; ++sample) {
+  // Where nothing is drawn all samples of a pixel are the same one.
+  int do_differ = SAMPLER_COUNT > 0;
+  if (HAS_PIXEL_FILTER || HAS_COUNT_RAYS) do_differ = 1;
+  int sample_end = sample_first + (do_differ ? sample_count : 1), times = do_differ ? 1 : sample_count;
+  for (int sample = sample_first; sample < sample_end; ++sample) {
     real dx = R(0.0), dy = R(0.0);
     SampleState state = sample_begin(&scene, pixel, (uint)sample);
     if (HAS_PIXEL_FILTER) {
@@ -75,10 +77,10 @@ KERNEL LANE_HINT void render(GLOBAL const real* geometry, GLOBAL const real* sha
       // Only who reports t or goes on behind a hit has need of its last digits.
       int is_exact = 0;
       if (HAS_AOV && sample == 0) is_exact = is_first;
-      if (HAS_EMISSION && index[HEADER_HIDE_EMITTERS] != 0) is_exact = is_first;
+      if (HAS_EMISSION && HAS_HIDE_EMITTERS && index[HEADER_HIDE_EMITTERS] != 0) is_exact = is_first;
       Nearest nearest = LANED(closest_hit)(&scene, &path.ray, is_exact ? FIND_NEAREST : FIND_NEAREST_ROUGHLY);
       int hit = nearest.kind >= 0;
-      Surface surface;
+      Surface surface = surface_none();
       if (hit) surface = surface_at(&scene, &path.ray, &nearest, LANES);
       if (HAS_AOV && sample == 0 && is_first)
         store_first_sample(aov_reals + slot * AOV_REALS, aov_ints + slot * AOV_INTS, &path.ray, hit, nearest.t,
@@ -88,10 +90,12 @@ KERNEL LANE_HINT void render(GLOBAL const real* geometry, GLOBAL const real* sha
     } while (more);
     // The background's share of a picture need not touch the film.
     if (path.radiance.x == R(0.0) && path.radiance.y == R(0.0) && path.radiance.z == R(0.0)) continue;
-    // Without sub-sums all samples go into the first: integers, so the mean is the same.
-    GLOBAL long* sums = pixel_sums + (HAS_ERROR_SUMS ? sample & (FILM_SUBSUMS - 1) : 0) * FILM_CHANNELS;
-    sums[0] += film_units(&scene, path.radiance.x, film_scale);
-    sums[1] += film_units(&scene, path.radiance.y, film_scale);
-    sums[2] += film_units(&scene, path.radiance.z, film_scale);
+    for (int i = sample; i < sample + times; ++i) {
+      // Without sub-sums all samples go into the first: integers, so the mean is the same.
+      GLOBAL long* sums = pixel_sums + (HAS_ERROR_SUMS ? i & (FILM_SUBSUMS - 1) : 0) * FILM_CHANNELS;
+      sums[0] += film_units(&scene, path.radiance.x, film_scale);
+      sums[1] += film_units(&scene, path.radiance.y, film_scale);
+      sums[2] += film_units(&scene, path.radiance.z, film_scale);
+    }
   }
 }

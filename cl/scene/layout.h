@@ -9,11 +9,7 @@
 #define STRAHL_SCENE_LAYOUT_H
 
 enum {
-  HEADER_WIDTH,  // pixels of the whole picture
-  HEADER_HEIGHT,
-  HEADER_CROP_X,  // first pixel of the window, and its width
-  HEADER_CROP_Y,
-  HEADER_CROP_WIDTH,
+  HEADER_WIDTH,  // pixels of a row of the whole picture
   HEADER_SEED,
   HEADER_INTEGRATOR,  // INTEGRATOR_direct, ...
   HEADER_MAX_DEPTH,   // -1: no limit

@@ -146,6 +146,8 @@ Causes causes_of(const Scene& scene, const RenderSettings& settings) {
     if (seen) call_for(causes, "lights/" + kind, "an emitter of type " + kind, light.where);
   }
   const std::string& integrator = scene.integrator.name;
+  if (scene.integrator.hide_emitters && (causes.contains("EMISSION") || causes.contains("lights/constant")))
+    call_for(causes, "HIDE_EMITTERS", "the integrator's hide_emitters", scene.integrator.where);
   call_for(causes, "integrators/" + integrator, "integrator " + integrator, scene.integrator.where);
   // Whatever the number of samples, which must not change the program; a filter of width 0 serves the centre by
   // default.

@@ -61,12 +61,7 @@ class Packing {
 
   void header() {
     const ResolvedSampling sampling = resolve_sampling(scene_);
-    const Window window = scene_.film.window();
     index(layout::HEADER_WIDTH) = scene_.film.width;
-    index(layout::HEADER_HEIGHT) = scene_.film.height;
-    index(layout::HEADER_CROP_X) = window.x0;
-    index(layout::HEADER_CROP_Y) = window.y0;
-    index(layout::HEADER_CROP_WIDTH) = window.width();
     index(layout::HEADER_SEED) = static_cast<std::int32_t>(sampling.seed);
     index(layout::HEADER_INTEGRATOR) = features_.entry_index("integrators", scene_.integrator.name);
     index(layout::HEADER_MAX_DEPTH) = most_surfaces(scene_.integrator);

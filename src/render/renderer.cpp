@@ -83,7 +83,9 @@ void Renderer::State::launch(const Launch& l, int film_row) {
     for (const cl::Buffer* buffer :
          {&buffers.geometry, &buffers.shading, &buffers.index, &film, &aov_reals, &aov_ints, &counters})
       kernel.setArg(arg++, *buffer);
-    for (const int value : {film_row, l.column_first, l.row_first, l.columns, l.rows, l.sample_first, l.samples})
+    const int film_first = (l.row_first - film_row) * window.width() + l.column_first;
+    for (const int value : {scene.film.width, scene.film.height, window.x0 + l.column_first, window.y0 + l.row_first,
+                            l.columns, l.rows, film_first, window.width(), l.sample_first, l.samples})
       kernel.setArg(arg++, value);
     device.queue().enqueueNDRangeKernel(
         kernel, cl::NullRange,

@@ -283,6 +283,25 @@ TEST_CASE("PIXEL_FILTER: unless every sample is asked to be in its pixel's middl
   check_off(scene, {}, "PIXEL_FILTER");
 }
 
+TEST_CASE("HIDE_EMITTERS: where there is an emitter that the integrator would show") {
+  Scene scene = scene_of(Sphere{});
+  scene.integrator.hide_emitters = true;
+  check_off(scene, {}, "HIDE_EMITTERS");
+  scene.shapes[0].radiance = Rgb{1, 1, 1};
+  check_on(scene, {}, "HIDE_EMITTERS", 2, "the integrator's hide_emitters");
+  scene.integrator.name = "emission";
+  check_on(scene, {}, "HIDE_EMITTERS", 2, "the integrator's hide_emitters");
+  scene.integrator.name = "normals";
+  check_off(scene, {}, "HIDE_EMITTERS");
+  scene.integrator.name = "direct";
+  scene.integrator.hide_emitters = false;
+  check_off(scene, {}, "HIDE_EMITTERS");
+  Scene sky = scene_of(Sphere{});
+  sky.integrator.hide_emitters = true;
+  sky.lights.push_back({{}, ConstantLight{{1, 1, 1}}, {}});
+  check_on(sky, {}, "HIDE_EMITTERS", 2, "the integrator's hide_emitters");
+}
+
 TEST_CASE("AOV and COUNT_RAYS are called for by options") {
   const Scene scene = scene_of(Sphere{});
   check_off(scene, {}, "AOV");
