@@ -17,7 +17,7 @@ struct EffectsOptions {
   std::string folder;               ///< That they are in.
   bool only_spheres = false;
   int rounds = 7;
-  double frame_seconds = 0.1;
+  double frame_seconds = 0.4;
 };
 
 struct SceneEffects {

@@ -5,11 +5,14 @@
 #include <cstdio>
 
 #include "bench/commands.h"
+#include "device/process_memory.h"
 #include "errors.h"
 
 using namespace strahl;
 
 int main(int argc, char** argv) {
+  begin_with_huge_pages(argv);
+  keep_freed_memory();
   CLI::App app{"Times that are believed only where the answers are right", "strahl-bench"};
   app.require_subcommand(1);
   std::vector<std::pair<const CLI::App*, bench::Command>> commands;

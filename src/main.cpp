@@ -4,7 +4,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
-#include <limits>
 #include <new>
 #include <string>
 #include <vector>
@@ -12,10 +11,7 @@
 #include "cli/app.h"
 #include "cli/console.h"
 #include "cli/process_clock.h"
-
-#ifdef __GLIBC__
-#include <malloc.h>
-#endif
+#include "device/process_memory.h"
 
 namespace {
 
@@ -59,16 +55,6 @@ ExitCode run(const std::vector<std::string>& arguments, const strahl::cli::Invoc
   return ExitCode::failure;
 }
 
-/// What one step of a run gives back the next one asks for: kept by the process, it need not be mapped and cleared
-/// again, which took a quarter of the time of a large scene.
-void keep_freed_memory() {
-#ifdef __GLIBC__
-  mallopt(M_MMAP_THRESHOLD, 1 << 30);
-  mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());
-  mallopt(M_TOP_PAD, 1 << 26);
-#endif
-}
-
 /// What is to be written has been. A driver's and a compiler's own tidying up takes ten milliseconds that no bill could
 /// name any more; only a leak checker needs it.
 [[noreturn]] void leave(int code) {
@@ -83,9 +69,10 @@ void keep_freed_memory() {
 }  // namespace
 
 int main(int argc, char** argv) {
+  strahl::begin_with_huge_pages(argv);
   const auto start = strahl::cli::process_start();
   const double main_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  keep_freed_memory();
+  strahl::keep_freed_memory();
   strahl::cli::reserve_standard_streams();
   const std::vector<std::string> arguments(argv + (argc > 0 ? 1 : 0), argv + argc);
   std::string command_line = "strahl";
