@@ -125,6 +125,24 @@ TEST_CASE("a renderer's second picture begins at the first one's rate") {
   CHECK(second.color.data == first.color.data);
 }
 
+// Counting rays has every sample rendered.
+TEST_CASE("samples that draw nothing are rendered once and counted all") {
+  require_pocl_and_rusticl();
+  RenderSettings counting;
+  counting.count_rays = true;
+  for (const int spp : {1, 6, 8}) {
+    INFO(spp << " samples");
+    Scene scene = small_scene(scene_folder / "lecture/first-light.xml", 64, 48, spp);
+    scene.sampler.kind = SamplerKind::centre;
+    const RenderResult once = render("pocl", scene, {}), each = render("pocl", scene, counting);
+    CHECK(lit_pixels(once.color) > 1000);
+    CHECK(same_bits(once.color, each.color));
+    CHECK(once.stats.camera_rays == 64U * 48U * static_cast<unsigned>(spp));
+    REQUIRE(once.error.has_value() == each.error.has_value());
+    if (once.error) CHECK(once.error->rmse == each.error->rmse);
+  }
+}
+
 // Not a test of time: what a real render's launches take is only shown.
 TEST_CASE("a real render reports its launches") {
   require_pocl_and_rusticl();
