@@ -51,7 +51,9 @@ void read_definitions(const std::vector<const XmlElement*>& elements, SceneBuild
 void read_scene(const XmlElement& root, SceneBuilder& builder) {
   Properties properties(root, builder.ids, builder.diagnostics);
   for (const XmlElement* bsdf : properties.objects("bsdf")) static_cast<void>(material_index(*bsdf, builder));
-  for (const XmlElement* shape : properties.objects("shape")) read_one_shape(*shape, builder);
+  const std::vector<const XmlElement*> shapes = properties.objects("shape");
+  builder.scene.shapes.reserve(shapes.size());
+  for (const XmlElement* shape : shapes) read_one_shape(*shape, builder);
   for (const XmlElement* emitter : properties.objects("emitter")) read_light(*emitter, builder);
   read_integrators(properties.objects("integrator"), builder);
   read_sensors(properties.objects("sensor"), root, builder);
