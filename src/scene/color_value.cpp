@@ -25,7 +25,7 @@ std::optional<Rgb> checked(const std::optional<Rgb>& color, const XmlElement& el
   return std::nullopt;
 }
 
-std::optional<Rgb> listed_color(const std::string& text) {
+std::optional<Rgb> listed_color(std::string_view text) {
   if (const std::optional<Rgb> hex = parse_hex_color(text)) return hex;
   const std::optional<std::vector<double>> values = parse_numbers(text);
   if (!values) return std::nullopt;
@@ -33,10 +33,10 @@ std::optional<Rgb> listed_color(const std::string& text) {
   return values->size() == 3 ? std::optional(Rgb{(*values)[0], (*values)[1], (*values)[2]}) : std::nullopt;
 }
 
-std::optional<Rgb> mean_of_pairs(const std::string& text) {
+std::optional<Rgb> mean_of_pairs(std::string_view text) {
   double sum = 0;
-  const std::vector<std::string> pairs = split_list(text);
-  for (const std::string& pair : pairs) {
+  const std::vector<std::string_view> pairs = split_list(text);
+  for (const std::string_view pair : pairs) {
     const std::size_t colon = pair.find(':');
     if (colon == std::string::npos || !parse_number(pair.substr(0, colon))) return std::nullopt;
     const std::optional<double> value = parse_number(pair.substr(colon + 1));
@@ -54,10 +54,10 @@ std::optional<Rgb> substituted(const XmlElement& element, const std::string& wha
 }
 
 std::optional<Rgb> read_spectrum(const XmlElement& element, const Rgb& substitute, Diagnostics& diagnostics) {
-  if (const std::string* type = element.attribute("type"))
+  if (const std::optional<std::string_view> type = element.attribute("type"))
     return substituted(element, fmt::format("<spectrum type=\"{}\">", *type), substitute, diagnostics);
-  const std::string* value = element.attribute("value");
-  if (value == nullptr) return substituted(element, "a spectrum from a file", substitute, diagnostics);
+  const std::optional<std::string_view> value = element.attribute("value");
+  if (!value) return substituted(element, "a spectrum from a file", substitute, diagnostics);
   if (value->find(':') == std::string::npos) return checked(listed_color(*value), element, diagnostics);
   const std::optional<Rgb> mean = checked(mean_of_pairs(*value), element, diagnostics);
   if (mean)
@@ -81,7 +81,7 @@ std::optional<Rgb> read_color(const XmlElement& element, const Rgb& substitute, 
   return color;
 }
 
-Rgb clamped_reflectance(const Rgb& reflectance, const SourceLocation& where, const std::string& name,
+Rgb clamped_reflectance(const Rgb& reflectance, const SourceLocation& where, std::string_view name,
                         Diagnostics& diagnostics) {
   const auto clamped = [](double x) { return std::clamp(x, 0.0, 1.0); };
   const Rgb inside{clamped(reflectance.r), clamped(reflectance.g), clamped(reflectance.b)};

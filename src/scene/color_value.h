@@ -16,7 +16,7 @@ namespace strahl {
 [[nodiscard]] std::optional<Rgb> read_color(const XmlElement& element, const Rgb& substitute, Diagnostics& diagnostics);
 
 /// Within [0, 1], with a warning where it was not.
-[[nodiscard]] Rgb clamped_reflectance(const Rgb& reflectance, const SourceLocation& where, const std::string& name,
+[[nodiscard]] Rgb clamped_reflectance(const Rgb& reflectance, const SourceLocation& where, std::string_view name,
                                       Diagnostics& diagnostics);
 
 }  // namespace strahl

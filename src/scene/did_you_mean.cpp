@@ -9,7 +9,7 @@
 
 namespace strahl {
 
-int edit_distance(const std::string& a, const std::string& b) {
+int edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::vector<int>> d(a.size() + 1, std::vector<int>(b.size() + 1));
   for (std::size_t i = 0; i <= a.size(); ++i) d[i][0] = static_cast<int>(i);
   for (std::size_t j = 0; j <= b.size(); ++j) d[0][j] = static_cast<int>(j);
@@ -24,7 +24,7 @@ int edit_distance(const std::string& a, const std::string& b) {
   return d[a.size()][b.size()];
 }
 
-std::string did_you_mean(const std::string& word, const std::vector<std::string>& candidates) {
+std::string did_you_mean(std::string_view word, const std::vector<std::string>& candidates) {
   constexpr std::size_t longest_word = 64;  // No name that strahl knows is longer; the table stays small.
   if (word.size() > longest_word) return {};
   int best_distance = std::max(1, static_cast<int>((word.size() + 2) / 3)) + 1;

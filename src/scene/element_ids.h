@@ -4,6 +4,7 @@
 
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "scene/diagnostics.h"
@@ -20,12 +21,11 @@ class ElementIds {
   [[nodiscard]] const XmlElement* resolve(const XmlElement& ref, Diagnostics& diagnostics) const;
 
  private:
-  void collect(const XmlElement& element, Diagnostics& diagnostics);
-  void add_aliases(const XmlElement& element, Diagnostics& diagnostics);
-  void add(const std::string& id, const XmlElement& named, const SourceLocation& where, Diagnostics& diagnostics);
+  void collect(const XmlElement& element, std::vector<const XmlElement*>& aliases, Diagnostics& diagnostics);
+  void add(std::string_view id, const XmlElement& named, const XmlPlace& where, Diagnostics& diagnostics);
   [[nodiscard]] std::vector<std::string> names() const;
 
-  std::map<std::string, const XmlElement*> elements_;
+  std::map<std::string_view, const XmlElement*> elements_;
 };
 
 }  // namespace strahl

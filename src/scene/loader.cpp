@@ -26,8 +26,9 @@ bool is_mesh_path(const std::string& path) {
 }
 
 Scene scene_of_xml(const std::string& path, const LoadOptions& options, Diagnostics& diagnostics) {
-  std::optional<XmlElement> root = read_expanded_xml(path, options.defines, diagnostics);
-  if (!root || !check_vocabulary(*root, diagnostics)) return {};
+  XmlPool pool;
+  XmlElement* root = read_expanded_xml(path, options.defines, pool, diagnostics);
+  if (root == nullptr || !check_vocabulary(*root, diagnostics)) return {};
   const ElementIds ids(*root, diagnostics);
   SceneBuilder builder{{}, path, ids, diagnostics, options.progress, {}, {}, {}, {}, {}, {}};
   read_scene(*root, builder);

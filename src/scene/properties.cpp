@@ -17,12 +17,14 @@ namespace strahl {
 
 Properties::Properties(const XmlElement& element, const ElementIds& ids, Diagnostics& diagnostics)
     : element_(element), diagnostics_(diagnostics) {
-  entries_.reserve(element.children.size());
+  std::size_t count = 0;
+  for (const XmlElement* child = element.first_child; child != nullptr; child = child->next_sibling) ++count;
+  entries_.reserve(count);
   known_.reserve(8);
-  for (const XmlElement& child : element.children) {
-    if (child.tag == "alias") continue;
-    const XmlElement* meant = child.tag == "ref" ? ids.resolve(child, diagnostics) : &child;
-    if (meant != nullptr) entries_.push_back({&child, meant, child.text("name")});
+  for (const XmlElement* child = element.first_child; child != nullptr; child = child->next_sibling) {
+    if (child->tag == "alias") continue;
+    const XmlElement* meant = child->tag == "ref" ? ids.resolve(*child, diagnostics) : child;
+    if (meant != nullptr) entries_.push_back({child, meant, child->text("name")});
   }
   report_duplicates();
 }
@@ -40,23 +42,23 @@ std::string Properties::title() const {
   return type().empty() ? fmt::format("<{}>", element_.tag) : fmt::format("<{} type=\"{}\">", element_.tag, type());
 }
 
-const SourceLocation& Properties::where(const std::string& name) const {
+SourceLocation Properties::where(std::string_view name) const {
   for (const Entry& entry : entries_)
     if (entry.name == name) return entry.given->where;
   return element_.where;
 }
 
-bool Properties::has(const std::string& name) const {
+bool Properties::has(std::string_view name) const {
   return std::any_of(entries_.begin(), entries_.end(), [&](const Entry& entry) { return entry.name == name; });
 }
 
-const XmlElement* Properties::peek(const std::string& name) const {
+const XmlElement* Properties::peek(std::string_view name) const {
   const auto entry = std::find_if(entries_.begin(), entries_.end(), [&](const Entry& e) { return e.name == name; });
   return entry == entries_.end() ? nullptr : entry->meant;
 }
 
-const XmlElement* Properties::take(const std::string& name, std::initializer_list<const char*> tags) {
-  known_.push_back(name);
+const XmlElement* Properties::take(std::string_view name, std::initializer_list<const char*> tags) {
+  known_.emplace_back(name);
   const auto entry = std::find_if(entries_.begin(), entries_.end(), [&](const Entry& e) { return e.name == name; });
   if (entry == entries_.end()) return nullptr;
   entry->used = true;
@@ -66,7 +68,7 @@ const XmlElement* Properties::take(const std::string& name, std::initializer_lis
   return nullptr;
 }
 
-std::optional<double> Properties::number(const std::string& name) {
+std::optional<double> Properties::number(std::string_view name) {
   const XmlElement* given = take(name, {"float", "integer"});
   if (given == nullptr) return std::nullopt;
   const std::optional<double> value = parse_number(given->text("value"));
@@ -76,14 +78,14 @@ std::optional<double> Properties::number(const std::string& name) {
   return std::nullopt;
 }
 
-std::optional<double> Properties::positive(const std::string& name) {
+std::optional<double> Properties::positive(std::string_view name) {
   const std::optional<double> value = number(name);
   if (!value || *value > 0) return value;
   diagnostics_.error(where(name), fmt::format("\"{}\" is {}; it must be greater than 0", name, *value));
   return std::nullopt;
 }
 
-std::optional<int> Properties::integer(const std::string& name) {
+std::optional<int> Properties::integer(std::string_view name) {
   const XmlElement* given = take(name, {"integer"});
   if (given == nullptr) return std::nullopt;
   const std::optional<int> value = parse_integer(given->text("value"));
@@ -93,14 +95,14 @@ std::optional<int> Properties::integer(const std::string& name) {
   return value;
 }
 
-std::optional<int> Properties::integer_in(const std::string& name, int low, int high) {
+std::optional<int> Properties::integer_in(std::string_view name, int low, int high) {
   const std::optional<int> value = integer(name);
   if (!value || (low <= *value && *value <= high)) return value;
   diagnostics_.error(where(name), fmt::format("\"{}\" is {}; it must lie in [{}, {}]", name, *value, low, high));
   return std::nullopt;
 }
 
-std::optional<bool> Properties::boolean(const std::string& name) {
+std::optional<bool> Properties::boolean(std::string_view name) {
   const XmlElement* given = take(name, {"boolean"});
   if (given == nullptr) return std::nullopt;
   const std::optional<bool> value = parse_boolean(given->text("value"));
@@ -110,33 +112,33 @@ std::optional<bool> Properties::boolean(const std::string& name) {
   return value;
 }
 
-std::optional<std::string> Properties::string(const std::string& name) {
+std::optional<std::string> Properties::string(std::string_view name) {
   const XmlElement* given = take(name, {"string"});
-  return given == nullptr ? std::nullopt : std::optional(given->text("value"));
+  return given == nullptr ? std::nullopt : std::optional<std::string>(given->text("value"));
 }
 
-std::optional<Vec3> Properties::vector(const std::string& name) {
+std::optional<Vec3> Properties::vector(std::string_view name) {
   const XmlElement* given = take(name, {"point", "vector"});
   if (given == nullptr) return std::nullopt;
   for (const char* component : {"x", "y", "z"}) {
-    if (given->attribute("value") != nullptr || given->attribute(component) != nullptr) continue;
+    if (given->attribute("value") || given->attribute(component)) continue;
     diagnostics_.error(given->where, fmt::format("\"{}\" needs {} (or value=\"x, y, z\")", name, component));
     return std::nullopt;
   }
   return read_components(*given, 0, diagnostics_);
 }
 
-std::optional<Vec3> Properties::required_vector(const std::string& name) {
+std::optional<Vec3> Properties::required_vector(std::string_view name) {
   if (!has(name)) diagnostics_.error(where(), fmt::format("{} needs the point \"{}\"", title(), name));
   return vector(name);
 }
 
-std::optional<Transform> Properties::transform(const std::string& name) {
+std::optional<Transform> Properties::transform(std::string_view name) {
   const XmlElement* given = take(name, {"transform"});
   return given == nullptr ? std::nullopt : read_transform(*given, diagnostics_);
 }
 
-std::optional<Rgb> Properties::color(const std::string& name, ColorUse use, const Rgb& substitute) {
+std::optional<Rgb> Properties::color(std::string_view name, ColorUse use, const Rgb& substitute) {
   const XmlElement* given =
       take(name, {"rgb", "srgb", "spectrum", "float", "integer", "texture", "blackbody", "volume"});
   if (given == nullptr) return std::nullopt;
@@ -148,7 +150,7 @@ std::optional<Rgb> Properties::color(const std::string& name, ColorUse use, cons
   return std::nullopt;
 }
 
-std::vector<const XmlElement*> Properties::objects(const std::string& tag) {
+std::vector<const XmlElement*> Properties::objects(std::string_view tag) {
   std::vector<const XmlElement*> found;
   for (Entry& entry : entries_) {
     if (entry.used || entry.meant->tag != tag) continue;

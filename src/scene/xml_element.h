@@ -1,32 +1,49 @@
 // SPDX-License-Identifier: MIT
 // An XML element with its place in the file. Everything after xml_file.cpp works on these and never sees pugixml.
+//
+// A scene may hold millions of them, so an element owns nothing: its children, its attributes and all texts lie in an
+// XmlPool, which must outlive it.
 #pragma once
 
+#include <optional>
+#include <span>
 #include <string>
-#include <utility>
-#include <vector>
+#include <string_view>
 
 #include "errors.h"
 
 namespace strahl {
 
-struct XmlElement {
-  std::string tag;
-  std::vector<std::pair<std::string, std::string>> attributes;
-  std::vector<XmlElement> children;
-  SourceLocation where;  ///< Of the '<'.
+/// A SourceLocation that shares the file's name with all others of that file.
+struct XmlPlace {
+  const std::string* file = nullptr;
+  int line = 0;
+  int column = 0;
 
-  /// The attribute's text; null where there is none.
-  [[nodiscard]] const std::string* attribute(const std::string& name) const {
-    for (const auto& [key, value] : attributes)
-      if (key == name) return &value;
-    return nullptr;
+  operator SourceLocation() const { return {*file, line, column}; }
+};
+
+/// Both end with a zero byte, as pugixml leaves them in the file's text.
+struct XmlAttribute {
+  const char* name;
+  const char* value;
+};
+
+struct XmlElement {
+  std::string_view tag;
+  std::span<XmlAttribute> attributes;
+  XmlElement* first_child = nullptr;
+  XmlElement* next_sibling = nullptr;
+  XmlPlace where;  ///< Of the '<'.
+
+  /// The attribute's text; none where it is absent.
+  [[nodiscard]] std::optional<std::string_view> attribute(std::string_view name) const {
+    for (const XmlAttribute& attribute : attributes)
+      if (attribute.name == name) return attribute.value;
+    return std::nullopt;
   }
-  /// The attribute's text; empty where there is none.
-  [[nodiscard]] std::string text(const std::string& name) const {
-    const std::string* value = attribute(name);
-    return value != nullptr ? *value : std::string{};
-  }
+  /// The attribute's text; empty where it is absent.
+  [[nodiscard]] std::string_view text(std::string_view name) const { return attribute(name).value_or(""); }
 };
 
 }  // namespace strahl

@@ -7,8 +7,10 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstring>
 #include <filesystem>
 #include <set>
+#include <utility>
 
 #include "scene/did_you_mean.h"
 #include "scene/xml_file.h"
@@ -25,6 +27,7 @@ bool is_name_char(char c) { return std::isalnum(static_cast<unsigned char>(c)) !
 
 std::vector<std::string> names_of(const std::map<std::string, std::string>& values) {
   std::vector<std::string> names;
+  names.reserve(values.size());
   for (const auto& [name, value] : values) names.push_back(name);
   return names;
 }
@@ -37,18 +40,19 @@ std::string canonical_path(const std::string& path) {
 
 class Expander {
  public:
-  Expander(std::string main_file, const std::map<std::string, std::string>& defines, Diagnostics& diagnostics)
-      : main_file_(std::move(main_file)), defines_(defines), values_(defines), diagnostics_(diagnostics) {}
+  Expander(std::string main_file, const std::map<std::string, std::string>& defines, XmlPool& pool,
+           Diagnostics& diagnostics)
+      : main_file_(std::move(main_file)), defines_(defines), values_(defines), pool_(pool), diagnostics_(diagnostics) {}
 
-  [[nodiscard]] std::optional<XmlElement> read(const std::string& path, const SourceLocation& referrer) {
+  [[nodiscard]] XmlElement* read(const std::string& path, const SourceLocation& referrer) {
     const std::string canonical = canonical_path(path);
     if (std::find(open_.begin(), open_.end(), canonical) != open_.end()) {
       diagnostics_.error(referrer, fmt::format("\"{}\" includes itself; break the cycle", path));
-      return std::nullopt;
+      return nullptr;
     }
-    std::optional<XmlElement> root = read_xml_file(path, referrer, diagnostics_);
-    if (!root) return std::nullopt;
-    upgrade_to_version_3(*root, diagnostics_);
+    XmlElement* root = read_xml_file(path, referrer, pool_, diagnostics_);
+    if (root == nullptr) return nullptr;
+    upgrade_to_version_3(*root, pool_, diagnostics_);
     open_.push_back(canonical);
     static_cast<void>(substitute_attributes(*root));
     expand_children(*root);
@@ -68,61 +72,60 @@ class Expander {
 
  private:
   void expand_children(XmlElement& element) {
-    std::vector<XmlElement> given = std::move(element.children);
-    element.children.clear();
-    element.children.reserve(given.size());
-    for (XmlElement& child : given) {
+    XmlElement* given = std::exchange(element.first_child, nullptr);
+    XmlElement** end = &element.first_child;
+    while (given != nullptr) {
+      XmlElement& child = *std::exchange(given, given->next_sibling);
+      child.next_sibling = nullptr;
       if (!substitute_attributes(child)) continue;  // Reported; what lacks its value is left out.
       if (child.tag == "default") {
         add_default(child);
       } else if (child.tag == "include") {
-        include(child, element.children);
+        *end = include(child);
       } else {
         expand_children(child);
-        element.children.push_back(std::move(child));
+        *end = &child;
       }
+      while (*end != nullptr) end = &(*end)->next_sibling;
     }
   }
 
   void add_default(const XmlElement& element) {
-    const std::string* name = element.attribute("name");
-    const std::string* value = element.attribute("value");
-    if (name == nullptr || value == nullptr || name->empty()) {
+    const std::optional<std::string_view> name = element.attribute("name");
+    const std::optional<std::string_view> value = element.attribute("value");
+    if (!name || !value || name->empty()) {
       diagnostics_.error(element.where, "<default> needs the attributes name and value");
       return;
     }
-    defaults_.insert(*name);
+    defaults_.emplace(*name);
     values_.emplace(*name, *value);
   }
 
-  void include(const XmlElement& element, std::vector<XmlElement>& target) {
-    const std::string* name = element.attribute("filename");
-    if (name == nullptr) {
+  /// The first of those that take the place of an <include>; null where none do.
+  [[nodiscard]] XmlElement* include(const XmlElement& element) {
+    const std::optional<std::string_view> name = element.attribute("filename");
+    if (!name) {
       diagnostics_.error(element.where, "<include> needs the attribute filename");
-      return;
+      return nullptr;
     }
     if (++includes_ > most_includes) {
       if (includes_ == most_includes + 1)
         diagnostics_.error(element.where, fmt::format("more than {} includes", most_includes));
-      return;
+      return nullptr;
     }
-    std::optional<XmlElement> root = read(resolve_path(*name, element.where.file, main_file_), element.where);
-    if (!root) return;
-    if (root->tag == "scene") {
-      for (XmlElement& child : root->children) target.push_back(std::move(child));
-    } else {
-      target.push_back(std::move(*root));
-    }
+    XmlElement* root = read(resolve_path(*name, *element.where.file, main_file_), element.where);
+    return root != nullptr && root->tag == "scene" ? root->first_child : root;
   }
 
   [[nodiscard]] bool substitute_attributes(XmlElement& element) {
     bool ok = true;
-    for (auto& [key, value] : element.attributes)
-      if (value.find('$') != std::string::npos) ok = substitute(value, element.where) && ok;
+    for (XmlAttribute& attribute : element.attributes)
+      if (std::strchr(attribute.value, '$') != nullptr) ok = substitute(attribute, element.where) && ok;
     return ok;
   }
 
-  [[nodiscard]] bool substitute(std::string& text, const SourceLocation& where) {
+  [[nodiscard]] bool substitute(XmlAttribute& attribute, const XmlPlace& where) {
+    const std::string_view text = attribute.value;
     std::string result;
     bool ok = true;
     for (std::size_t i = 0; i < text.size();) {
@@ -132,7 +135,7 @@ class Expander {
       }
       const std::size_t begin = i + 1;
       for (i = begin; i < text.size() && is_name_char(text[i]);) ++i;
-      const std::string name = text.substr(begin, i - begin);
+      const std::string name(text.substr(begin, i - begin));
       used_.insert(name);
       const auto found = values_.find(name);
       if (found == values_.end()) {
@@ -146,11 +149,11 @@ class Expander {
         return false;
       }
     }
-    text = std::move(result);
+    attribute.value = pool_.keep(std::move(result)).c_str();
     return ok;
   }
 
-  void report_undefined(const std::string& name, const SourceLocation& where) {
+  void report_undefined(const std::string& name, const XmlPlace& where) {
     diagnostics_.error(
         where, fmt::format("${} is not defined{}; give it a <default name=\"{}\"> before this place or -D {}=...", name,
                            did_you_mean(name, names_of(values_)), name, name));
@@ -163,20 +166,21 @@ class Expander {
   std::set<std::string> defaults_;
   std::vector<std::string> open_;  ///< Canonical paths of the files being expanded, outermost first.
   int includes_ = 0;
+  XmlPool& pool_;
   Diagnostics& diagnostics_;
 };
 
 }  // namespace
 
-std::optional<XmlElement> read_expanded_xml(const std::string& path, const std::map<std::string, std::string>& defines,
-                                            Diagnostics& diagnostics) {
-  Expander expander(path, defines, diagnostics);
-  std::optional<XmlElement> root = expander.read(path, {});
-  if (root) expander.report_unused_defines();
+XmlElement* read_expanded_xml(const std::string& path, const std::map<std::string, std::string>& defines, XmlPool& pool,
+                              Diagnostics& diagnostics) {
+  Expander expander(path, defines, pool, diagnostics);
+  XmlElement* root = expander.read(path, {});
+  if (root != nullptr) expander.report_unused_defines();
   return root;
 }
 
-std::string resolve_path(const std::string& name, const std::string& asking_file, const std::string& main_file) {
+std::string resolve_path(std::string_view name, const std::string& asking_file, const std::string& main_file) {
   namespace fs = std::filesystem;
   const fs::path beside_asking = fs::path(asking_file).parent_path() / name;
   const fs::path beside_main = fs::path(main_file).parent_path() / name;

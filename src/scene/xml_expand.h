@@ -3,22 +3,23 @@
 #pragma once
 
 #include <map>
-#include <optional>
 #include <string>
+#include <string_view>
 
 #include "scene/diagnostics.h"
 #include "scene/xml_element.h"
+#include "scene/xml_pool.h"
 
 namespace strahl {
 
 /// Document order: a <default> holds from its place on, in included files too; the first one of a name wins, and
-/// `defines` (-D) win over all. None where the file cannot be read; errors are in `diagnostics`.
-[[nodiscard]] std::optional<XmlElement> read_expanded_xml(const std::string& path,
-                                                          const std::map<std::string, std::string>& defines,
-                                                          Diagnostics& diagnostics);
+/// `defines` (-D) win over all. Null where the file cannot be read; errors are in `diagnostics`. The tree lies in
+/// `pool`.
+[[nodiscard]] XmlElement* read_expanded_xml(const std::string& path, const std::map<std::string, std::string>& defines,
+                                            XmlPool& pool, Diagnostics& diagnostics);
 
 /// `name` beside the file that asks for it, else beside the main scene file; absolute paths stay.
-[[nodiscard]] std::string resolve_path(const std::string& name, const std::string& asking_file,
+[[nodiscard]] std::string resolve_path(std::string_view name, const std::string& asking_file,
                                        const std::string& main_file);
 
 }  // namespace strahl

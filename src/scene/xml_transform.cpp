@@ -23,7 +23,7 @@ bool is_finite(const Transform& t) {
          strahl::is_finite(t.translation());
 }
 
-std::optional<double> finite_number(const XmlElement& element, const std::string& text, Diagnostics& diagnostics) {
+std::optional<double> finite_number(const XmlElement& element, std::string_view text, Diagnostics& diagnostics) {
   const std::optional<double> number = parse_number(text);
   if (number && std::isfinite(*number)) return number;
   diagnostics.error(element.where,
@@ -31,9 +31,8 @@ std::optional<double> finite_number(const XmlElement& element, const std::string
   return std::nullopt;
 }
 
-std::optional<Vec3> listed(const XmlElement& element, const std::string& text, bool broadcast,
-                           Diagnostics& diagnostics) {
-  const std::vector<std::string> words = split_list(text);
+std::optional<Vec3> listed(const XmlElement& element, std::string_view text, bool broadcast, Diagnostics& diagnostics) {
+  const std::vector<std::string_view> words = split_list(text);
   if (words.size() != 3 && !(broadcast && words.size() == 1)) {
     diagnostics.error(element.where, fmt::format("\"{}\" in <{}> has {} components; three are needed", text,
                                                  element.tag, words.size()));
@@ -93,7 +92,7 @@ std::optional<Transform> read_rotate(const XmlElement& element, Diagnostics& dia
 std::optional<Transform> read_lookat(const XmlElement& element, Diagnostics& diagnostics) {
   const auto origin = listed(element, element.text("origin"), false, diagnostics);
   const auto target = listed(element, element.text("target"), false, diagnostics);
-  const bool has_up = element.attribute("up") != nullptr;
+  const bool has_up = element.attribute("up").has_value();
   auto up = has_up ? listed(element, element.text("up"), false, diagnostics) : Vec3{};
   if (!origin || !target || !up) return std::nullopt;
   if (*origin == *target) {
@@ -107,7 +106,7 @@ std::optional<Transform> read_lookat(const XmlElement& element, Diagnostics& dia
 }
 
 std::optional<Transform> read_matrix(const XmlElement& element, Diagnostics& diagnostics) {
-  const std::vector<std::string> words = split_list(element.text("value"));
+  const std::vector<std::string_view> words = split_list(element.text("value"));
   if (words.size() != 9 && words.size() != 16) {
     diagnostics.error(element.where, fmt::format("<matrix> has {} values; 9 or 16 are needed", words.size()));
     return std::nullopt;
@@ -129,7 +128,7 @@ std::optional<Transform> read_matrix(const XmlElement& element, Diagnostics& dia
   return std::nullopt;
 }
 
-Step step_of(const std::string& tag) {
+Step step_of(std::string_view tag) {
   if (tag == "translate") return read_translate;
   if (tag == "scale") return read_scale;
   if (tag == "rotate") return read_rotate;
@@ -140,18 +139,19 @@ Step step_of(const std::string& tag) {
 }  // namespace
 
 std::optional<Vec3> read_components(const XmlElement& element, double missing, Diagnostics& diagnostics) {
-  const std::string* value = element.attribute("value");
-  const std::string* given[] = {element.attribute("x"), element.attribute("y"), element.attribute("z")};
-  const bool any = given[0] != nullptr || given[1] != nullptr || given[2] != nullptr;
-  if (any == (value != nullptr)) {
+  const std::optional<std::string_view> value = element.attribute("value");
+  const std::optional<std::string_view> given[] = {element.attribute("x"), element.attribute("y"),
+                                                   element.attribute("z")};
+  const bool any = given[0] || given[1] || given[2];
+  if (any == value.has_value()) {
     diagnostics.error(element.where, fmt::format("<{}> needs either value or x, y, z", element.tag));
     return std::nullopt;
   }
-  if (value != nullptr) return listed(element, *value, true, diagnostics);
+  if (value) return listed(element, *value, true, diagnostics);
   double components[3];
   bool ok = true;
   for (std::size_t i = 0; i < 3; ++i) {
-    const auto number = given[i] != nullptr ? finite_number(element, *given[i], diagnostics) : missing;
+    const auto number = given[i] ? finite_number(element, *given[i], diagnostics) : missing;
     ok = ok && number.has_value();
     components[i] = number.value_or(missing);
   }
@@ -161,14 +161,14 @@ std::optional<Vec3> read_components(const XmlElement& element, double missing, D
 std::optional<Transform> read_transform(const XmlElement& element, Diagnostics& diagnostics) {
   Transform transform;
   bool ok = true;
-  for (const XmlElement& child : element.children) {
-    const Step step = step_of(child.tag);
+  for (const XmlElement* child = element.first_child; child != nullptr; child = child->next_sibling) {
+    const Step step = step_of(child->tag);
     if (step == nullptr) {
-      diagnostics.error(child.where, fmt::format("<{}> is not a step of a <transform>", child.tag));
+      diagnostics.error(child->where, fmt::format("<{}> is not a step of a <transform>", child->tag));
       ok = false;
       continue;
     }
-    const std::optional<Transform> next = step(child, diagnostics);
+    const std::optional<Transform> next = step(*child, diagnostics);
     ok = ok && next.has_value();
     if (next) transform = *next * transform;
   }

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cctype>
 #include <charconv>
 
@@ -15,18 +16,23 @@ namespace {
 bool is_lower(char c) { return std::islower(static_cast<unsigned char>(c)) != 0; }
 bool is_upper(char c) { return std::isupper(static_cast<unsigned char>(c)) != 0; }
 
-void rename(XmlElement& element, bool parameters) {
+void rename(XmlElement& element, bool parameters, XmlPool& pool) {
   if (element.tag == "lookAt") element.tag = "lookat";
   if (parameters && element.tag != "default") {
-    for (auto& [key, value] : element.attributes)
-      if (key == "name") value = snake_case(value);
+    for (XmlAttribute& attribute : element.attributes) {
+      const std::string_view value = attribute.value;
+      const bool is_camel_case = std::any_of(value.begin(), value.end(), is_upper);
+      if (is_camel_case && attribute.name == std::string_view("name"))
+        attribute.value = pool.keep(snake_case(value)).c_str();
+    }
   }
-  for (XmlElement& child : element.children) rename(child, parameters);
+  for (XmlElement* child = element.first_child; child != nullptr; child = child->next_sibling)
+    rename(*child, parameters, pool);
 }
 
 }  // namespace
 
-std::string snake_case(const std::string& name) {
+std::string snake_case(std::string_view name) {
   std::string snake;
   for (std::size_t i = 0; i < name.size(); ++i) {
     const bool hump = i > 0 && is_upper(name[i]) && is_lower(name[i - 1]);
@@ -37,9 +43,9 @@ std::string snake_case(const std::string& name) {
   return snake;
 }
 
-void upgrade_to_version_3(XmlElement& root, Diagnostics& diagnostics) {
+void upgrade_to_version_3(XmlElement& root, XmlPool& pool, Diagnostics& diagnostics) {
   int major = 3;
-  if (const std::string* version = root.attribute("version")) {
+  if (const std::optional<std::string_view> version = root.attribute("version")) {
     const char* end = version->data() + version->size();
     const auto [rest, fault] = std::from_chars(version->data(), end, major);
     if (fault != std::errc{} || (rest != end && *rest != '.') || major < 0) {
@@ -51,7 +57,7 @@ void upgrade_to_version_3(XmlElement& root, Diagnostics& diagnostics) {
   } else if (root.tag == "scene") {
     diagnostics.warning(root.where, "<scene> has no version; it is read as version=\"3.0.0\"");
   }
-  rename(root, major < 2);
+  rename(root, major < 2, pool);
 }
 
 }  // namespace strahl

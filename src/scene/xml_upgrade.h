@@ -3,16 +3,18 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "scene/diagnostics.h"
 #include "scene/xml_element.h"
+#include "scene/xml_pool.h"
 
 namespace strahl {
 
 /// "toWorld" -> "to_world", "cropOffsetX" -> "crop_offset_x"; other names stay.
-[[nodiscard]] std::string snake_case(const std::string& name);
+[[nodiscard]] std::string snake_case(std::string_view name);
 
 /// Reads the root's version and, below 2, renames all camelCase parameters and <lookAt> in place.
-void upgrade_to_version_3(XmlElement& root, Diagnostics& diagnostics);
+void upgrade_to_version_3(XmlElement& root, XmlPool& pool, Diagnostics& diagnostics);
 
 }  // namespace strahl

@@ -48,7 +48,7 @@ const std::vector<Tag>& vocabulary() {
   return tags;
 }
 
-const Tag* find_tag(const std::string& name) {
+const Tag* find_tag(std::string_view name) {
   static const std::unordered_map<std::string_view, const Tag*> tags = [] {
     std::unordered_map<std::string_view, const Tag*> all;
     for (const Tag& tag : vocabulary()) all.emplace(tag.name, &tag);
@@ -58,14 +58,14 @@ const Tag* find_tag(const std::string& name) {
   return found == tags.end() ? nullptr : found->second;
 }
 
-std::string unknown_tag(const std::string& name) {
+std::string unknown_tag(std::string_view name) {
   std::vector<std::string> known;
   for (const Tag& tag : vocabulary()) known.push_back(tag.name);
   return fmt::format("unknown element <{}>{}; it is ignored", name, did_you_mean(name, known));
 }
 
 void check_attributes(const XmlElement& element, const Tag& tag, Diagnostics& diagnostics) {
-  const auto is_in = [](const std::vector<std::string>& names, const std::string& name) {
+  const auto is_in = [](const std::vector<std::string>& names, std::string_view name) {
     return std::find(names.begin(), names.end(), name) != names.end();
   };
   for (const auto& [key, value] : element.attributes) {
@@ -80,7 +80,7 @@ void check_attributes(const XmlElement& element, const Tag& tag, Diagnostics& di
 bool has_required(const XmlElement& element, const Tag& tag, Diagnostics& diagnostics) {
   bool complete = true;
   for (const std::string& name : tag.required) {
-    if (element.attribute(name) != nullptr) continue;
+    if (element.attribute(name)) continue;
     diagnostics.error(element.where, fmt::format("<{}> needs the attribute {}", element.tag, name));
     complete = false;
   }
@@ -96,16 +96,19 @@ bool check(XmlElement& element, Diagnostics& diagnostics) {
   }
   check_attributes(element, *tag, diagnostics);
   if (!has_required(element, *tag, diagnostics)) return false;
-  if (!tag->has_children && !element.children.empty()) {
-    diagnostics.unknown(element.children.front().where,
+  if (!tag->has_children && element.first_child != nullptr) {
+    diagnostics.unknown(element.first_child->where,
                         fmt::format("<{}> cannot contain other elements; they are ignored", element.tag));
-    element.children.clear();
+    element.first_child = nullptr;
   }
-  std::erase_if(element.children, [&](XmlElement& child) {
-    if (child.tag != "scene") return !check(child, diagnostics);
-    diagnostics.error(child.where, "<scene> can only be the root");
-    return true;
-  });
+  for (XmlElement** place = &element.first_child; XmlElement* child = *place;) {
+    if (child->tag == "scene") diagnostics.error(child->where, "<scene> can only be the root");
+    if (child->tag != "scene" && check(*child, diagnostics)) {
+      place = &child->next_sibling;
+    } else {
+      *place = child->next_sibling;
+    }
+  }
   return true;
 }
 
@@ -118,7 +121,7 @@ bool check_vocabulary(XmlElement& root, Diagnostics& diagnostics) {
   return false;
 }
 
-bool is_object_tag(const std::string& tag) {
+bool is_object_tag(std::string_view tag) {
   const Tag* known = find_tag(tag);
   return known != nullptr && !known->required.empty() && known->required.front() == "type";
 }

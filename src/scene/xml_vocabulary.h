@@ -2,6 +2,8 @@
 // The elements of the scene language and the attributes that each may and must have.
 #pragma once
 
+#include <string_view>
+
 #include "scene/diagnostics.h"
 #include "scene/xml_element.h"
 
@@ -12,6 +14,6 @@ namespace strahl {
 [[nodiscard]] bool check_vocabulary(XmlElement& root, Diagnostics& diagnostics);
 
 /// True for elements that stand for a plugin or a set of properties ("shape"), false for values ("float").
-[[nodiscard]] bool is_object_tag(const std::string& tag);
+[[nodiscard]] bool is_object_tag(std::string_view tag);
 
 }  // namespace strahl

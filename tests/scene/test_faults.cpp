@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Every structural fault: an error at its line and column, and all of a file at once.
+#include <sys/stat.h>
+
 #include <catch2/catch.hpp>
+#include <thread>
 
 #include "scene/scene_text.h"
 
@@ -144,6 +147,37 @@ TEST_CASE("columns count characters, not bytes") {
   check_fault(
       around("<!-- \xC3\xA4\xE2\x82\xAC --><shape type=\"sphere\"><float name=\"radius\" value=\"0\"/></shape>"),
       "2:33", "greater than 0");
+}
+
+TEST_CASE("columns are those of the file, not of what parsing leaves of it") {
+  const std::string before = "<bsdf type=\"diffuse\" id=\"&amp;&#252;&lt;\"/>";
+  const std::string shape = "<shape type=\"sphere\"><float name=\"radius\" value=\"0\"/></shape>";
+  check_fault(around(before + shape), "2:65", "greater than 0");
+  check_fault(around("<!-- \xC3\xA4 -->" + before + shape), "2:75", "greater than 0");
+  check_fault(around("<bsdf type=\"diffuse\"\r\nid=\"\xC3\xA4\n&gt;\"/>" + shape), "4:29", "greater than 0");
+  check_fault(around("<bsdf type=\"diffuse\" id=\"\xC3\xA4&#228;\"/></shape>"), "2:38", "malformed XML");
+}
+
+TEST_CASE("elements nested too deeply are refused, however deeply") {
+  for (const std::size_t depth : {std::size_t{64}, std::size_t{200000}}) {
+    std::string text, end;
+    for (std::size_t i = 0; i < depth; ++i) text += "<bsdf type=\"twosided\">", end += "</bsdf>";
+    CHECK(problems(around(text + end)).back() == "2:1387: error: elements are nested deeper than 64");
+  }
+}
+
+TEST_CASE("a scene comes through a pipe, whatever its length") {
+  const SceneFolder folder;
+  std::string body;
+  for (int i = 0; i < 5000; ++i) body += "<shape type=\"sphere\"/>\n";
+  REQUIRE(body.size() > 100000);
+  const std::string path = folder.path("scene.xml");
+  std::filesystem::create_directories(std::filesystem::path(path).parent_path());
+  REQUIRE(mkfifo(path.c_str(), 0600) == 0);
+  const std::jthread writer([&] { std::ofstream(path) << around(body); });
+  const LoadedScene loaded = load_scene(path);
+  REQUIRE(loaded.scene.shapes.size() == 5000);
+  CHECK(loaded.scene.shapes.back().where.line == 5001);
 }
 
 TEST_CASE("mesh files name their own place") {

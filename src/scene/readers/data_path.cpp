@@ -9,7 +9,7 @@
 
 namespace strahl {
 
-std::optional<std::string> data_path(ShapeInput& input, const std::string& extension) {
+std::optional<std::string> data_path(ShapeInput& input, std::string_view extension) {
   Properties& properties = input.properties;
   Diagnostics& diagnostics = input.builder.diagnostics;
   const std::optional<std::string> name = properties.string("filename");
@@ -18,14 +18,14 @@ std::optional<std::string> data_path(ShapeInput& input, const std::string& exten
       diagnostics.error(properties.where(), fmt::format("{} needs the string \"filename\"", properties.title()));
     return std::nullopt;
   }
-  const SourceLocation& where = properties.where("filename");
+  const SourceLocation where = properties.where("filename");
   const std::string path = resolve_path(*name, where.file, input.builder.file);
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(path, ignored)) {
     diagnostics.error(where, fmt::format("cannot read \"{}\"; the path counts from the scene file", path));
     return std::nullopt;
   }
-  if (lower_case_extension(path) != "." + extension) {
+  if (lower_case_extension(path) != fmt::format(".{}", extension)) {
     diagnostics.error(where,
                       fmt::format("\"{}\" does not end in .{}, which {} reads", path, extension, properties.title()));
     return std::nullopt;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -14,14 +15,14 @@ template <class Reader>
 using PluginTable = std::vector<std::pair<std::string, Reader>>;
 
 template <class Reader>
-[[nodiscard]] const Reader* find_plugin(const PluginTable<Reader>& table, const std::string& type) {
+[[nodiscard]] const Reader* find_plugin(const PluginTable<Reader>& table, std::string_view type) {
   for (const auto& [name, reader] : table)
     if (name == type) return &reader;
   return nullptr;
 }
 
 template <class Reader>
-[[nodiscard]] std::string did_you_mean_plugin(const PluginTable<Reader>& table, const std::string& type) {
+[[nodiscard]] std::string did_you_mean_plugin(const PluginTable<Reader>& table, std::string_view type) {
   std::vector<std::string> names;
   for (const auto& [name, reader] : table) names.push_back(name);
   return did_you_mean(type, names);

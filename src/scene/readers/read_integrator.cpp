@@ -22,7 +22,7 @@ IntegratorSettings read_integrator(const XmlElement& element, SceneBuilder& buil
       properties.integer_in("rr_depth", 1, std::numeric_limits<int>::max()).value_or(integrator.rr_depth);
   integrator.max_distance = properties.positive("max_distance").value_or(integrator.max_distance);
   integrator.hide_emitters = properties.boolean("hide_emitters").value_or(false);
-  const std::string type = properties.type();
+  const std::string_view type = properties.type();
   if (std::find(known.begin(), known.end(), type) != known.end()) {
     integrator.name = type;
     properties.accept({"shading_samples", "emitter_samples", "bsdf_samples"});

@@ -61,7 +61,7 @@ bool has_constant(const Scene& scene) {
 
 void read_light(const XmlElement& element, SceneBuilder& builder) {
   Properties properties(element, builder.ids, builder.diagnostics);
-  const std::string type = properties.type();
+  const std::string_view type = properties.type();
   if (type == "area") {
     if (properties.id().empty())
       builder.diagnostics.unknown(element.where, "an area emitter belongs inside a <shape>; it is left out");

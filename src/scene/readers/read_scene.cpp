@@ -40,7 +40,7 @@ void read_one_shape(const XmlElement& element, SceneBuilder& builder) {
 /// Definitions wait for a <ref>; without an id nothing can refer to them.
 void read_definitions(const std::vector<const XmlElement*>& elements, SceneBuilder& builder) {
   for (const XmlElement* element : elements) {
-    if (element->attribute("id") != nullptr) continue;
+    if (element->attribute("id")) continue;
     builder.diagnostics.unknown(
         element->where, fmt::format("<scene> has no use for a <{}> without an id; it is ignored", element->tag));
   }

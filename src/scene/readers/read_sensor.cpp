@@ -95,7 +95,7 @@ void read_clipping(Properties& properties, Camera& camera) {
 }
 
 /// The only object of a kind; further ones are reported.
-const XmlElement* first_object(Properties& properties, const std::string& tag) {
+const XmlElement* first_object(Properties& properties, std::string_view tag) {
   const std::vector<const XmlElement*> objects = properties.objects(tag);
   for (std::size_t i = 1; i < objects.size(); ++i)
     properties.diagnostics().error(objects[i]->where,

@@ -38,7 +38,7 @@ int group_index(const XmlElement& element, SceneBuilder& builder);
 void read_instance(const XmlElement& element, SceneBuilder& builder);
 
 /// Where the parameter "filename" points; it must be a file with that extension. Else none, which is reported.
-[[nodiscard]] std::optional<std::string> data_path(ShapeInput& input, const std::string& extension);
+[[nodiscard]] std::optional<std::string> data_path(ShapeInput& input, std::string_view extension);
 
 /// In the world frame; none where it would not be round there, which is reported.
 [[nodiscard]] std::optional<Sphere> placed_sphere(Sphere object, const ShapeInput& input);
