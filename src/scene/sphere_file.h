@@ -9,8 +9,14 @@
 
 namespace strahl {
 
+/// A sphere without a frame of its own: a third of a Sphere.
+struct Ball {
+  Vec3 center;
+  double radius = 1;
+};
+
 struct SphereFile {
-  std::vector<Sphere> spheres;
+  std::vector<Ball> spheres;
   std::vector<Diagnostic> warnings;
 };
 

@@ -79,7 +79,7 @@ void read_shape(const XmlElement& element, SceneBuilder& builder, std::vector<Sh
   if (emitter != nullptr) read_area_emitter(*emitter, shape, builder);
   if (bsdf == nullptr && shape.radiance) shape.material = black_material(builder);
   const Transform to_world = properties.transform("to_world").value_or(Transform{});
-  std::vector<Sphere> further;
+  std::vector<Ball> further;
   ShapeInput input{properties, to_world, shape, bsdf != nullptr, builder, further};
   shape.geometry = (*read_geometry)(input);
   properties.report_unknown();
@@ -87,7 +87,9 @@ void read_shape(const XmlElement& element, SceneBuilder& builder, std::vector<Sh
   if (further.empty()) return;
   shapes.reserve(shapes.size() + further.size());
   const std::size_t first = shapes.size() - 1;
-  for (const Sphere& sphere : further) shapes.emplace_back(shapes[first]).geometry = sphere;
+  const auto frame = std::get<Sphere>(shapes[first].geometry).frame;
+  for (const Ball& ball : further)
+    shapes.emplace_back(shapes[first]).geometry = Sphere{ball.center, ball.radius, frame};
 }
 
 }  // namespace strahl

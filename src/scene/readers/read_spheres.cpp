@@ -3,7 +3,6 @@
 // as for one sphere.
 #include "scene/readers/mesh_import.h"
 #include "scene/readers/shape_reader.h"
-#include "scene/sphere_file.h"
 
 namespace strahl {
 
@@ -16,13 +15,14 @@ Geometry read_spheres(ShapeInput& input) {
   try {
     SphereFile file = read_sphere_file(*path, progress_of(*path, input.builder.mesh_progress));
     diagnostics.append(file.warnings);
-    for (Sphere& sphere : file.spheres) {
-      sphere.center = input.world_from_object.point(sphere.center);
-      sphere.radius *= unit->radius;
-      sphere.frame = unit->frame;
+    for (Ball& ball : file.spheres) {
+      ball.center = input.world_from_object.point(ball.center);
+      ball.radius *= unit->radius;
     }
-    input.further.assign(file.spheres.begin() + 1, file.spheres.end());
-    return file.spheres.front();
+    const Ball first = file.spheres.front();
+    file.spheres.erase(file.spheres.begin());
+    input.further = std::move(file.spheres);
+    return Sphere{first.center, first.radius, unit->frame};
   } catch (const SceneError& fault) {
     diagnostics.append(fault.diagnostics());
     return Sphere{};
