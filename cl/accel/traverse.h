@@ -119,10 +119,11 @@ FN void LANED(meet_leaf)(const Scene* scene, const Ray* ray, const Place* place,
   }
 }
 
-/// 1: lists have a loop of their own. Shapes of more planes have long bodies, which a program should not hold twice;
-/// so have all where a lane is a work-item.
+#if LANES > 1
+/// 1: lists have a loop of their own. Shapes of more planes have long bodies, which a program should not hold twice; so
+/// have all where a lane is a work-item.
 enum {
-  LANED(LISTS_APART) = (LANES > 1)
+  LANED(LISTS_APART) = 1
 #define SHAPE(name, planes) &((planes) <= 7)
 #include "shapes/shapes.def"
 #undef SHAPE
@@ -143,6 +144,7 @@ FN Nearest LANED(meet_lists)(const Scene* scene, const Ray* ray, int want) {
 #undef SHAPE
   return best;
 }
+#endif
 
 /// From a reference on, NO_REFERENCE: through everything; `best` is the nearest hit so far. world: widened by ray_widen
 /// or widen_rays. want: FIND_...; t may come out roughly.
@@ -231,12 +233,16 @@ FN Nearest LANED(walk)(const Scene* scene, const Ray* world, int start, Nearest 
 }
 
 FN Nearest LANED(traverse)(const Scene* scene, const Ray* ray, int want) {
-  Nearest best;
+  Nearest best = nearest_none(ray->t_max);
+  int is_met = 0;
+#if LANES > 1
   int is_apart = LANED(LISTS_APART);
-  if (!HAS_INSTANCES && is_apart && scene->index[HEADER_ROOT] == NO_REFERENCE)
+  if (!HAS_INSTANCES && is_apart && scene->index[HEADER_ROOT] == NO_REFERENCE) {
     best = LANED(meet_lists)(scene, ray, want);
-  else
-    best = LANED(walk)(scene, ray, NO_REFERENCE, nearest_none(ray->t_max), want);
+    is_met = 1;
+  }
+#endif
+  if (!is_met) best = LANED(walk)(scene, ray, NO_REFERENCE, best, want);
 #if TIER_ROBUST
   if (want == FIND_NEAREST) nearest_settle(ray, &best, LANES);
 #endif
