@@ -2,6 +2,7 @@
 // `strahl bench`: what a device is worth, as a table or JSON, beside an earlier one.
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <memory>
 #include <nlohmann/json.hpp>
 

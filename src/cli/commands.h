@@ -2,12 +2,15 @@
 // The subcommands: each file of this folder named after one declares its options and returns what runs it.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <chrono>
 #include <functional>
 #include <string>
 
 #include "errors.h"
+
+namespace CLI {
+class App;
+}
 
 namespace strahl::cli {
 

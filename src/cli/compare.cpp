@@ -2,6 +2,7 @@
 // `strahl compare`: how far picture A is from reference B.
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <memory>

@@ -2,6 +2,7 @@
 // `strahl devices`: what there is to compute on, and why something is not.
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>

@@ -2,6 +2,7 @@
 // `strahl explain`: which effects a scene calls for, where, which program that makes, and what each effect costs.
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <memory>

@@ -2,9 +2,12 @@
 // Options that say when a picture is done: time, error, frames.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <optional>
 #include <string>
+
+namespace CLI {
+class App;
+}
 
 namespace strahl::cli {
 

@@ -2,6 +2,7 @@
 // `strahl intersect`: rays in, hits out, through the same kernels as a render.
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <memory>
 

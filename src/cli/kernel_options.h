@@ -2,12 +2,15 @@
 // Options that say how a scene is computed: precision, lanes, work-groups, passes, AOVs.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "render/settings.h"
+
+namespace CLI {
+class App;
+}
 
 namespace strahl::cli {
 

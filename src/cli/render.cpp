@@ -2,6 +2,7 @@
 // `strahl render`: a scene or a mesh to a picture.
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>

@@ -3,11 +3,14 @@
 // device is used.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
 #include <vector>
 
 #include "scene/scene.h"
+
+namespace CLI {
+class App;
+}
 
 namespace strahl::cli {
 

@@ -2,11 +2,14 @@
 // Options that take the place of what the scene says: integrator, sampler, film.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <optional>
 #include <string>
 
 #include "scene/scene.h"
+
+namespace CLI {
+class App;
+}
 
 namespace strahl::cli {
 

@@ -2,6 +2,7 @@
 // `strahl selftest`: what every precision is worth on a device.
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <limits>
 #include <memory>
