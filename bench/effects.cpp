@@ -49,7 +49,7 @@ SceneEffects measure_scene(const Device& device, const std::string& path, const 
   Scene scene = load_scene(path).scene;
   const ResolvedSampling sampling = resolve_sampling(scene);
   SceneEffects row;
-  row.scene = path.substr(path.find(options.folder) + options.folder.size());
+  row.scene = path.starts_with(options.folder) ? path.substr(options.folder.size()) : path;
   row.width = scene.film.window().width();
   row.height = scene.film.window().height();
   row.spp = sampling.spp;

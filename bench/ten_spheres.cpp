@@ -56,7 +56,7 @@ class Minimal {
     spheres_ = upload(spheres);
     ids_ = upload(ids);
     radiance_ = upload(radiance);
-    film_bytes_ = pixels() * layout::FILM_SUBSUMS * layout::FILM_CHANNELS * sizeof(std::int64_t);
+    film_bytes_ = pixels() * layout::FILM_CHANNELS * sizeof(std::int64_t);
     film_ = allocate(device, film_bytes_, "the film");
   }
 
@@ -78,7 +78,7 @@ class Minimal {
   }
 
   Image picture() {
-    FilmSums film(side_, side_, scale_);
+    FilmSums film(side_, side_, 1, scale_);
     read_buffer(device_, film_, film.sums.data(), film_bytes_);
     film.add_samples({0, 0, side_, side_, 0, 1});
     return film.mean();

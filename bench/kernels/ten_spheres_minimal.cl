@@ -45,7 +45,7 @@ KERNEL LANE_HINT void lanes(GLOBAL const real* camera, GLOBAL const real* sphere
   GLOBAL const real* sphere = spheres + best.slot / LANES * 4 * LANES + best.slot % LANES;
   real3 out = sub3(fma3(best.t, ray.d, ray.o), vec3(sphere[0], sphere[LANES], sphere[2 * LANES]));
   if (dot3(out, ray.d) < R(0.0))
-    expose(film + ((ulong)y * (ulong)width + (ulong)x) * (FILM_SUBSUMS * FILM_CHANNELS), radiance, best.id, scale);
+    expose(film + ((ulong)y * (ulong)width + (ulong)x) * FILM_CHANNELS, radiance, best.id, scale);
 }
 
 KERNEL void scalar(GLOBAL const real* camera, GLOBAL const real* spheres, GLOBAL const int* ids,
@@ -67,5 +67,5 @@ KERNEL void scalar(GLOBAL const real* camera, GLOBAL const real* spheres, GLOBAL
     }
   }
   if (hit >= 0)
-    expose(film + ((ulong)y * (ulong)width + (ulong)x) * (FILM_SUBSUMS * FILM_CHANNELS), radiance, hit, scale);
+    expose(film + ((ulong)y * (ulong)width + (ulong)x) * FILM_CHANNELS, radiance, hit, scale);
 }

@@ -44,7 +44,7 @@ FN void store_first_sample(GLOBAL real* reals, GLOBAL int* ints, const Ray* ray,
 KERNEL LANE_HINT void render(GLOBAL const real* geometry, GLOBAL const real* shading, GLOBAL const int* index,
                              GLOBAL long* film, GLOBAL real* aov_reals, GLOBAL int* aov_ints, GLOBAL uint* counters,
                              int width, int height, int x_first, int y_first, int columns, int rows, int film_first,
-                             int film_columns, int sample_first, int sample_count) {
+                             int film_columns, int film_sums, int sample_first, int sample_count) {
   int column = (int)get_global_id(0), row = (int)get_global_id(1);
   if (column >= columns || row >= rows) return;
   Scene scene;
@@ -54,10 +54,11 @@ KERNEL LANE_HINT void render(GLOBAL const real* geometry, GLOBAL const real* sha
   scene.counters = counters;
   int x = x_first + column, y = y_first + row;
   uint pixel = (uint)y * (uint)width + (uint)x;
-  // film_first: the first of those pixels in the film buffer, whose rows are film_columns long.
+  // film_first: the first of those pixels in the film buffer, whose rows are film_columns long; film_sums: 1 or
+  // FILM_SUBSUMS for each of them.
   ulong slot = (ulong)film_first + (ulong)row * (ulong)film_columns + (ulong)column;
   real film_scale = shading[index[HEADER_FILM_SCALE]];
-  GLOBAL long* pixel_sums = film + slot * (FILM_SUBSUMS * FILM_CHANNELS);
+  GLOBAL long* pixel_sums = film + slot * (ulong)(film_sums * FILM_CHANNELS);
 
   // Where nothing is drawn all samples of a pixel are the same one.
   int do_differ = SAMPLER_COUNT > 0;
@@ -91,8 +92,8 @@ KERNEL LANE_HINT void render(GLOBAL const real* geometry, GLOBAL const real* sha
     // The background's share of a picture need not touch the film.
     if (path.radiance.x == R(0.0) && path.radiance.y == R(0.0) && path.radiance.z == R(0.0)) continue;
     for (int i = sample; i < sample + times; ++i) {
-      // Without sub-sums all samples go into the first: integers, so the mean is the same.
-      GLOBAL long* sums = pixel_sums + (HAS_ERROR_SUMS ? i & (FILM_SUBSUMS - 1) : 0) * FILM_CHANNELS;
+      // One sum holds what four do: integers, so the mean is the same.
+      GLOBAL long* sums = pixel_sums + (HAS_ERROR_SUMS ? i & (film_sums - 1) : 0) * FILM_CHANNELS;
       sums[0] += film_units(&scene, path.radiance.x, film_scale);
       sums[1] += film_units(&scene, path.radiance.y, film_scale);
       sums[2] += film_units(&scene, path.radiance.z, film_scale);

@@ -118,7 +118,7 @@ enum { WHITTED_LONGEST = 1024 };
 // of the light that is left out is below 0.95^512 = 4e-12.
 enum { ROULETTE_LONGEST = 512 };
 
-// Film: FILM_SUBSUMS x 3 sums a pixel (sample index mod FILM_SUBSUMS), docs/decisions/0002-film.md.
+// Film: FILM_SUBSUMS x 3 sums a pixel (sample index mod FILM_SUBSUMS), or 1 x 3, docs/decisions/0002-film.md.
 enum { FILM_SUBSUMS = 4, FILM_CHANNELS = 3 };
 
 // First-sample values of a pixel: depth, normal, position, uv, t and the ray that it belongs to (RAY_O ...); shape,

@@ -67,6 +67,7 @@ PixelError pixel_error(const std::int64_t* sums, int samples, double scale) {
 }  // namespace
 
 std::optional<ErrorEstimate> estimate_error(const FilmSums& film) {
+  if (film.sub_sums < sub_sums) return std::nullopt;
   double squared = 0, relative = 0, variance = 0, variance_squared = 0;
   const std::int64_t* sums = film.sums.data();
   for (const int samples : film.samples) {
@@ -96,13 +97,13 @@ Image standard_error(const FilmSums& film) {
   image.data.reserve(film.samples.size() * channels);
   const std::int64_t* sums = film.sums.data();
   for (const int samples : film.samples) {
-    if (samples < sub_sums) {
+    if (std::min(samples, film.sub_sums) < sub_sums) {
       image.data.insert(image.data.end(), channels, std::numeric_limits<float>::quiet_NaN());
     } else {
       for (const double squared : pixel_error(sums, samples, film.scale).squared)
         image.data.push_back(static_cast<float>(std::sqrt(squared)));
     }
-    sums += sub_sums * channels;
+    sums += film.sums_per_pixel();
   }
   return image;
 }

@@ -7,11 +7,13 @@
 
 namespace strahl {
 
-FilmSums::FilmSums(int w, int h, double units) : width(w), height(h), scale(units) {
+FilmSums::FilmSums(int w, int h, int parts, double units) : width(w), height(h), sub_sums(parts), scale(units) {
   const std::size_t pixels = static_cast<std::size_t>(w) * static_cast<std::size_t>(h);
-  sums.resize(pixels * layout::FILM_SUBSUMS * layout::FILM_CHANNELS, 0);
+  sums.resize(pixels * sums_per_pixel(), 0);
   samples.resize(pixels, 0);
 }
+
+std::size_t FilmSums::sums_per_pixel() const { return static_cast<std::size_t>(sub_sums) * layout::FILM_CHANNELS; }
 
 void FilmSums::add_samples(const Launch& launch) {
   for (int y = launch.row_first; y < launch.row_first + launch.rows; ++y) {
@@ -21,8 +23,7 @@ void FilmSums::add_samples(const Launch& launch) {
 }
 
 void FilmSums::add_sums(int row, const std::vector<std::int64_t>& band) {
-  std::int64_t* out = &sums[static_cast<std::size_t>(row) * static_cast<std::size_t>(width) * layout::FILM_SUBSUMS *
-                            layout::FILM_CHANNELS];
+  std::int64_t* out = &sums[static_cast<std::size_t>(row) * static_cast<std::size_t>(width) * sums_per_pixel()];
   for (const std::int64_t sum : band) *out++ += sum;
 }
 
@@ -38,7 +39,7 @@ Image FilmSums::mean() const {
     for (int channel = 0; channel < layout::FILM_CHANNELS; ++channel) {
       // In halves: exact, so that it does not matter which sub-sum a sample is in.
       std::int64_t high = 0, low = 0;
-      for (int sub = 0; sub < layout::FILM_SUBSUMS; ++sub) {
+      for (int sub = 0; sub < sub_sums; ++sub) {
         const std::int64_t sum = pixel[sub * layout::FILM_CHANNELS + channel];
         high += sum >> 32;
         low += sum & 0xffffffff;
@@ -46,7 +47,7 @@ Image FilmSums::mean() const {
       const double total = std::ldexp(static_cast<double>(high), 32) + static_cast<double>(low);
       *out++ = static_cast<float>(total * unit);
     }
-    pixel += layout::FILM_SUBSUMS * layout::FILM_CHANNELS;
+    pixel += sums_per_pixel();
   }
   return image;
 }

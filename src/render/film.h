@@ -2,6 +2,7 @@
 // The film on the host: fixed-point sums that any split of the samples adds up to alike (docs/decisions/0002-film.md).
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -10,15 +11,17 @@
 
 namespace strahl {
 
-/// Four sub-sums (sample index mod 4) of three channels a pixel; window coordinates.
+/// Four sub-sums (sample index mod 4) of three channels a pixel, or one where nobody compares them; window coordinates.
 struct FilmSums {
   int width = 0;
   int height = 0;
+  int sub_sums = 1;                ///< 1 or 4.
   double scale = 1;                ///< Units per unit of radiance.
-  std::vector<std::int64_t> sums;  ///< height x width x 4 x 3.
+  std::vector<std::int64_t> sums;  ///< height x width x sub_sums x 3.
   std::vector<int> samples;        ///< height x width: how many samples a pixel has.
 
-  FilmSums(int width, int height, double scale);
+  FilmSums(int width, int height, int sub_sums, double scale);
+  [[nodiscard]] std::size_t sums_per_pixel() const;
   /// Counts what a launch has added to its pixels; rows count within the window.
   void add_samples(const Launch& launch);
   /// Adds another film's sums of rows [row, row + its height), for the samples that are counted already.

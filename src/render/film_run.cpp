@@ -13,6 +13,11 @@ namespace {
 /// Shorter launches cost more than they bring.
 constexpr double least_launch_seconds = 0.0005;
 
+/// Fewer samples than sub-sums tell nothing of the error; one sum is a quarter of the memory to touch.
+int sub_sums_of(const RenderSettings& settings, int spp) {
+  return settings.estimate_error && spp >= layout::FILM_SUBSUMS ? layout::FILM_SUBSUMS : 1;
+}
+
 }  // namespace
 
 FilmRun::FilmRun(Renderer::State& state, const RenderGoal& goal, const ProgressCallback& progress)
@@ -24,11 +29,12 @@ FilmRun::FilmRun(Renderer::State& state, const RenderGoal& goal, const ProgressC
       band_rows_(state.band_rows()),
       spp_(state.samples_of(goal)),
       passes_(goal, spp_),
-      film_(width_, height_, state.buffers.film_scale) {
+      film_(width_, height_, sub_sums_of(state.settings, spp_), state.buffers.film_scale) {
   const std::size_t pixels = film_.samples.size();
   aov_reals_.resize(state.has_aov() ? pixels * layout::AOV_REALS : 0, 0.0);
   aov_ints_.resize(state.has_aov() ? pixels * layout::AOV_INTS : 0, -1);
   result_.stats = state.stats;
+  result_.stats.host_bytes += film_bytes(pixels);
   result_.stats.seed = goal.seed.value_or(state.sampling.seed);
   if (state.settings.count_rays)
     result_.stats.shadow_rays = result_.stats.bounce_rays = result_.stats.nodes_visited =
@@ -57,7 +63,7 @@ void FilmRun::clear(int rows, bool aovs_too) {
   const std::size_t pixels = static_cast<std::size_t>(width_) * static_cast<std::size_t>(rows);
   checked(state_.device.info().text(), [&] {
     const cl::CommandQueue& queue = state_.device.queue();
-    queue.enqueueFillBuffer(state_.film, cl_long{0}, 0, pixels * film_bytes_per_pixel);
+    queue.enqueueFillBuffer(state_.film, cl_long{0}, 0, film_bytes(pixels));
     if (aovs_too && state_.has_aov()) {  // Pixels without a sample (interrupted) count as missed.
       queue.enqueueFillBuffer(state_.aov_reals, cl_uint{0}, 0, state_.aov_real_bytes(pixels));
       queue.enqueueFillBuffer(state_.aov_ints, cl_int{-1}, 0, state_.aov_int_bytes(pixels));
@@ -72,7 +78,7 @@ void FilmRun::launch_and_count(const Launch& launch, int band_row) {
   const std::vector<std::uint32_t> zero(layout::COUNTERS, 0);
   write_buffer(state_.device, state_.counters, zero.data(), zero.size() * sizeof(std::uint32_t));
   const Stopwatch start;
-  state_.launch(launch, band_row);
+  state_.launch(launch, film_.sub_sums, band_row);
   run.kernel_runs.push_back(start.seconds());
   run.seconds.kernel += run.kernel_runs.back();
   std::vector<std::uint32_t> counted(layout::COUNTERS);
@@ -116,8 +122,8 @@ bool FilmRun::render_band(const Pass& pass, int row, int rows) {
 
 void FilmRun::read_band(int row, int rows) {
   const std::size_t pixels = static_cast<std::size_t>(width_) * static_cast<std::size_t>(rows);
-  std::vector<std::int64_t> sums(pixels * layout::FILM_SUBSUMS * layout::FILM_CHANNELS);
-  read_buffer(state_.device, state_.film, sums.data(), pixels * film_bytes_per_pixel);
+  std::vector<std::int64_t> sums(pixels * film_.sums_per_pixel());
+  read_buffer(state_.device, state_.film, sums.data(), film_bytes(pixels));
   film_.add_sums(row, sums);
 }
 
@@ -153,7 +159,7 @@ bool FilmRun::render_pass(const Pass& pass) {
 void FilmRun::read_film() {
   if (!is_one_band()) return;
   const Stopwatch start;
-  read_buffer(state_.device, state_.film, film_.sums.data(), film_.samples.size() * film_bytes_per_pixel);
+  read_buffer(state_.device, state_.film, film_.sums.data(), film_bytes(film_.samples.size()));
   result_.stats.seconds.readback += start.seconds();
 }
 

@@ -15,6 +15,9 @@ class FilmRun {
 
  private:
   [[nodiscard]] bool is_one_band() const { return band_rows_ >= height_; }
+  [[nodiscard]] std::size_t film_bytes(std::size_t pixels) const {
+    return pixels * film_.sums_per_pixel() * sizeof(std::int64_t);
+  }
   [[nodiscard]] double seconds_left() const;
   [[nodiscard]] bool report();
   void clear(int rows, bool aovs_too);

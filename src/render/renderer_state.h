@@ -17,6 +17,7 @@
 namespace strahl {
 
 inline constexpr std::size_t film_buffer_bytes = std::size_t{256} << 20;
+/// At the most: a film of one sum takes a part of the buffer.
 inline constexpr std::size_t film_bytes_per_pixel = sizeof(std::int64_t) * layout::FILM_SUBSUMS * layout::FILM_CHANNELS;
 
 struct Renderer::State {
@@ -54,7 +55,8 @@ struct Renderer::State {
   /// What the goal, the scene and the film make of it. Throws UsageError.
   [[nodiscard]] int samples_of(const RenderGoal& goal) const;
   void prepare();
-  void launch(const Launch& launch, int film_row);
+  /// sub_sums: that the film holds; film_row: its first.
+  void launch(const Launch& launch, int sub_sums, int film_row);
   void warm_up();
 
   double launch_overhead = 0;            ///< Seconds.
