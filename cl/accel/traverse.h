@@ -234,15 +234,13 @@ FN Nearest LANED(walk)(const Scene* scene, const Ray* world, int start, Nearest 
 
 FN Nearest LANED(traverse)(const Scene* scene, const Ray* ray, int want) {
   Nearest best = nearest_none(ray->t_max);
-  int is_met = 0;
 #if LANES > 1
   int is_apart = LANED(LISTS_APART);
-  if (!HAS_INSTANCES && is_apart && scene->index[HEADER_ROOT] == NO_REFERENCE) {
+  if (!HAS_INSTANCES && is_apart && scene->index[HEADER_ROOT] == NO_REFERENCE)
     best = LANED(meet_lists)(scene, ray, want);
-    is_met = 1;
-  }
+  else
 #endif
-  if (!is_met) best = LANED(walk)(scene, ray, NO_REFERENCE, best, want);
+    best = LANED(walk)(scene, ray, NO_REFERENCE, best, want);
 #if TIER_ROBUST
   if (want == FIND_NEAREST) nearest_settle(ray, &best, LANES);
 #endif

@@ -25,9 +25,7 @@ FN real3 radiance_along(const Scene* scene, int hit, const Surface* s) {
 }
 
 /// hide_emitters hides from the camera alone.
-FN int is_light_shown(const Scene* scene, const Path* path) {
-  return !HAS_HIDE_EMITTERS || path->depth > 0 || scene->index[HEADER_HIDE_EMITTERS] == 0;
-}
+FN int is_light_shown(const Scene* scene, const Path* path) { return path->depth > 0 || !hides_emitters(scene); }
 
 FN int lights_drawn_from(const Scene* scene) {
   return scene->index[HEADER_LIGHT_COUNT] - scene->index[HEADER_LIGHTS_TAKEN];
@@ -136,8 +134,7 @@ FN int path_scatter(const Scene* scene, Path* path, const Surface* s, const Mate
 
 /// An emitter that the camera looks through.
 FN int is_hidden(const Scene* scene, const Path* path, const Surface* s) {
-  return HAS_EMISSION && HAS_HIDE_EMITTERS && path->depth == 0 && scene->index[HEADER_HIDE_EMITTERS] != 0 &&
-         scene_part(scene, s->part)[PART_RADIANCE] >= 0;
+  return HAS_EMISSION && path->depth == 0 && hides_emitters(scene) && scene_part(scene, s->part)[PART_RADIANCE] >= 0;
 }
 
 /// Takes the path over one surface, found at t and with id scene-wide; 1: to be followed along its new ray.

@@ -78,7 +78,7 @@ KERNEL LANE_HINT void render(GLOBAL const real* geometry, GLOBAL const real* sha
       // Only who reports t or goes on behind a hit has need of its last digits.
       int is_exact = 0;
       if (HAS_AOV && sample == 0) is_exact = is_first;
-      if (HAS_EMISSION && HAS_HIDE_EMITTERS && index[HEADER_HIDE_EMITTERS] != 0) is_exact = is_first;
+      if (HAS_EMISSION && hides_emitters(&scene)) is_exact = is_first;
       Nearest nearest = LANED(closest_hit)(&scene, &path.ray, is_exact ? FIND_NEAREST : FIND_NEAREST_ROUGHLY);
       int hit = nearest.kind >= 0;
       Surface surface = surface_none();
