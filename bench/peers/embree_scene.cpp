@@ -105,6 +105,9 @@ struct Sorter {
     }
   }
   void operator()(const Mesh& mesh) { meshes.push_back(&mesh); }
+  void operator()(const SphereCloud& cloud) {
+    for (const auto& [center, radius] : cloud.spheres) (*this)(Sphere{center, radius});
+  }
   template <typename Other>
   void operator()(const Other&) {
     throw Error("Embree is asked for spheres, planes, boxes, rectangles, cubes, triangles and meshes only");

@@ -43,6 +43,9 @@ class Boxes {
     for (const auto& [a, b, c] : mesh.triangles) add({at(a), at(b), at(c)});
   }
   void operator()(const Plane&) {}
+  void operator()(const SphereCloud& cloud) {
+    for (const auto& [center, radius] : cloud.spheres) (*this)(Sphere{center, radius});
+  }
   template <typename Other>
   void operator()(const Other&) {
     throw Error("Embree's builder is given spheres, boxes, rectangles, cubes, triangles and meshes only");

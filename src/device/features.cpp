@@ -42,6 +42,7 @@ struct ShapeKind {
   std::string operator()(const Disk&) const { return "disk"; }
   std::string operator()(const Cylinder&) const { return "cylinder"; }
   std::string operator()(const Mesh&) const { return "triangle"; }
+  std::string operator()(const SphereCloud&) const { return "sphere"; }
 };
 
 struct MaterialKind {

@@ -13,6 +13,7 @@
 #include "device/pack_instances.h"
 #include "device/pack_materials.h"
 #include "device/pack_shapes.h"
+#include "device/shape_parts.h"
 #include "device/uv_rates.h"
 #include "render/sampling.h"
 
@@ -145,14 +146,6 @@ class Packing {
     if (radiance.r > 0 || radiance.g > 0 || radiance.b > 0) index(layout::HEADER_GLOWS) = 1;
   }
 
-  /// visit(look, number) for each part; a shape without parts is one.
-  template <typename Visit>
-  static void for_each_look(const Shape& shape, Visit visit) {
-    const auto* mesh = std::get_if<Mesh>(&shape.geometry);
-    if (mesh == nullptr || mesh->parts.empty()) return visit(MeshPart{shape.material, shape.radiance}, 0);
-    for (std::size_t part = 0; part < mesh->parts.size(); ++part) visit(mesh->parts[part], static_cast<int>(part));
-  }
-
   /// One for each part that emits and has an area that can be drawn from; light_of_part_ for each part of the scene.
   void area_lights(std::vector<std::int32_t>& rows) {
     const int kind = features_.has("lights", "area") ? features_.entry_index("lights", "area") : -1;
@@ -160,14 +153,14 @@ class Packing {
       const Shape& shape = *shapes_[i];
       const bool glows = features_.flag("EMISSION") && features_.has("shapes", shape_kind(shape));
       const bool is_drawn = kind >= 0 && features_.has("areas", area_kind(shape.geometry));
-      for_each_look(shape, [&](const MeshPart& look, int part) {
+      for (int part = 0; part < part_count(shape); ++part) {
         light_of_part_.push_back(-1);
-        const std::optional<Rgb>& radiance = look.radiance;
-        if (!radiance || !glows) return;
+        const std::optional<Rgb> radiance = look_of_part(shape, part).radiance;
+        if (!radiance || !glows) continue;
         glow(*radiance);
-        if (!is_drawn) return;
+        if (!is_drawn) continue;
         const std::optional<EmittingArea> area = emitting_area(shape, part, options_.frame);
-        if (!area) return;
+        if (!area) continue;
         light_of_part_.back() = light_count(rows);
         std::vector<double> reals = {radiance->r, radiance->g, radiance->b, 1 / area->size, area->side};
         reals.insert(reals.end(), area->items.begin(), area->items.end());
@@ -179,7 +172,7 @@ class Packing {
         }
         rows.insert(rows.end(), {kind, put_shading(reals), features_.entry_index("areas", area_kind(shape.geometry)),
                                  items, choice_at, is_area_of_primitives(shape.geometry) ? first_ids_[i] : -1});
-      });
+      }
     }
   }
 
@@ -222,14 +215,15 @@ class Packing {
           return std::array{uv.x, uv.y};
         });
       }
-      for_each_look(shape, [&](const MeshPart& look, int) {
+      for (int part = 0; part < part_count(shape); ++part) {
+        const MeshPart look = look_of_part(shape, part);
         const int radiance_at = look.radiance ? put_rgb(*look.radiance) : -1;
         const int light = light_of_part_[static_cast<std::size_t>(part_rows_)];
         packed_.index.insert(packed_.index.end(), {static_cast<int>(i), first_id, look.material, radiance_at, light,
                                                    shape.flip_normals != faces_inward(shape.geometry) ? 1 : 0, frame_at,
                                                    normals_at, uvs_at, rates_at});
         ++part_rows_;
-      });
+      }
     }
   }
 
@@ -248,14 +242,11 @@ class Packing {
     for (std::size_t i = 0; i < shapes.size(); ++i) {
       const Shape& shape = shapes[i];
       if (shape_kind(shape) != kind) continue;
-      const auto* mesh = std::get_if<Mesh>(&shape.geometry);
-      const bool many = mesh && !mesh->parts.empty();
       std::int32_t primitive = 0;
       primitive_planes(shape.geometry, frame, [&](std::span<const double> values) {
         for (const double value : values) list.values.push_back(static_cast<Real>(value));
         list.ids.push_back(first_ids_[first + i] + primitive);
-        list.parts.push_back(first_part_[first + i] +
-                             (many ? mesh->part_of_triangle[static_cast<std::size_t>(primitive)] : 0));
+        list.parts.push_back(first_part_[first + i] + part_of_primitive(shape, primitive));
         ++primitive;
       });
     }

@@ -22,6 +22,7 @@ struct Kind {
   std::string operator()(const Disk&) const { return "disk"; }
   std::string operator()(const Cylinder&) const { return "cylinder"; }
   std::string operator()(const Mesh&) const { return "triangle"; }
+  std::string operator()(const SphereCloud&) const { return "sphere"; }
 };
 
 /// Collects items and their areas.
@@ -92,6 +93,11 @@ struct Collector {
       const auto corner = [&](std::size_t k) { return mesh.positions[static_cast<std::size_t>(mesh.triangles[i][k])]; };
       items.flat(corner(0), corner(1) - corner(0), corner(2) - corner(0), 0.5);
     }
+  }
+  /// A part for each sphere (parts_of).
+  void operator()(const SphereCloud& cloud) const {
+    const auto& [center, radius] = cloud.spheres[static_cast<std::size_t>(part)];
+    (*this)(Sphere{center, radius, cloud.frame});
   }
 
   /// As pack_shapes.cpp has them: outwards where the edges are right-handed (faces_inward).

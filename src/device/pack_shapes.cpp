@@ -86,6 +86,10 @@ struct Packer {
     }
   }
 
+  void operator()(const SphereCloud& cloud) const {
+    for (const auto& [center, radius] : cloud.spheres) sink(Planes{frame}.point(center).length(radius).span());
+  }
+
   /// In a shifted frame the plane's point nearest the frame's origin: cancellation happens here, in double. In the
   /// world frame the point as given, which may be exactly representable.
   [[nodiscard]] Vec3 anchor(const Plane& p) const {
@@ -121,6 +125,7 @@ void primitive_planes(const Geometry& geometry, const Frame& frame, const Primit
 
 std::optional<std::array<double, 9>> surface_frame(const Geometry& geometry, const Frame& frame) {
   if (const auto* s = std::get_if<Sphere>(&geometry)) return nine(s->frame[0], s->frame[1], s->frame[2]);
+  if (const auto* c = std::get_if<SphereCloud>(&geometry)) return nine(c->frame[0], c->frame[1], c->frame[2]);
   if (const auto* p = std::get_if<Plane>(&geometry)) {
     // Duals of u and v within the plane: dot with them gives the coordinates.
     const Vec3 u = frame.vector(p->u), v = frame.vector(p->v);

@@ -53,6 +53,13 @@ struct Rates {
   Vec2 operator()(const Disk& d) const { return {1 / length(d.axis_u), 1 / (turn * length(d.axis_u))}; }
   Vec2 operator()(const Cylinder& c) const { return {1 / (turn * c.radius), 1 / length(c.p1 - c.p0)}; }
   Vec2 operator()(const Mesh& mesh) const { return rates_of_mesh(mesh); }
+  /// The mean, as a mesh's triangles.
+  Vec2 operator()(const SphereCloud& cloud) const {
+    double sum = 0;
+    for (const auto& [center, radius] : cloud.spheres) sum += 1 / (turn * radius);
+    const double u = sum / static_cast<double>(cloud.spheres.size());
+    return {u, 2 * u};
+  }
 };
 
 /// Finite also in single precision: a shape thinner than its numbers has no filter worth the name.

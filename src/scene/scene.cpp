@@ -39,6 +39,9 @@ class BoundsOf {
   void operator()(const Mesh& mesh) {
     for (const Vec3& p : mesh.positions) add(p);
   }
+  void operator()(const SphereCloud& cloud) {
+    for (const auto& [center, radius] : cloud.spheres) add(center, {radius, radius, radius});
+  }
   void add_turned(const Box& box, const Transform& transform) {
     for (unsigned corner = 0; corner < 8; ++corner)
       add(transform.point({(corner & 1U) != 0 ? box.max.x : box.min.x, (corner & 2U) != 0 ? box.max.y : box.min.y,
@@ -63,6 +66,7 @@ class BoundsOf {
 
 int primitive_count(const Shape& shape) {
   if (const Mesh* mesh = std::get_if<Mesh>(&shape.geometry)) return static_cast<int>(mesh->triangles.size());
+  if (const auto* cloud = std::get_if<SphereCloud>(&shape.geometry)) return static_cast<int>(cloud->spheres.size());
   return std::holds_alternative<Cube>(shape.geometry) ? 6 : 1;
 }
 

@@ -28,6 +28,16 @@ struct Sphere {
   std::array<Vec3, 3> frame{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
 };
 
+/// Spheres alike but for place and size, a primitive each.
+struct SphereCloud {
+  struct Ball {
+    Vec3 center;
+    double radius = 1;
+  };
+  std::vector<Ball> spheres;
+  std::array<Vec3, 3> frame{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};  ///< As of a Sphere, the same for all.
+};
+
 /// Infinite plane through `point`. `normal` has any length > 0 and is kept as given. `u`, `v` span its 2-D frame.
 struct Plane {
   Vec3 point;
@@ -85,7 +95,7 @@ struct Mesh {
   std::vector<int> part_of_triangle;  ///< As long as `triangles` where parts is not empty.
 };
 
-using Geometry = std::variant<Sphere, Plane, Box, Triangle, Rectangle, Cube, Disk, Cylinder, Mesh>;
+using Geometry = std::variant<Sphere, Plane, Box, Triangle, Rectangle, Cube, Disk, Cylinder, Mesh, SphereCloud>;
 
 struct Shape {
   std::string id;
@@ -114,7 +124,8 @@ struct Instance {
   SourceLocation where;
 };
 
-/// Number of primitives of a shape as `strahl intersect` counts them: cube 6, mesh its triangles, others 1.
+/// Number of primitives of a shape as `strahl intersect` counts them: cube 6, mesh its triangles, cloud its spheres,
+/// others 1.
 [[nodiscard]] int primitive_count(const Shape& shape);
 
 // ---- appearance ---------------------------------------------------------------------------------------------

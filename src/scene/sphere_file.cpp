@@ -28,7 +28,7 @@ void skip(Data& data, const PlyElement& element) {
 }
 
 template <class Data>
-std::vector<Ball> read_spheres(Data& data, const PlyElement& element, MeshSource& source) {
+std::vector<SphereCloud::Ball> read_spheres(Data& data, const PlyElement& element, MeshSource& source) {
   std::vector<std::size_t> slots(element.properties.size(), names.size());
   for (const PlyProperty& property : element.properties)
     if (property.count_type) source.fail(element.at, fmt::format("the vertices' {} is a list", property.name));
@@ -37,7 +37,7 @@ std::vector<Ball> read_spheres(Data& data, const PlyElement& element, MeshSource
     if (i < 0) source.fail(element.at, fmt::format("the vertices have no property {}", names[slot]));
     slots[static_cast<std::size_t>(i)] = slot;
   }
-  std::vector<Ball> spheres;
+  std::vector<SphereCloud::Ball> spheres;
   spheres.reserve(element.count);
   for (std::uint64_t i = 0; i < element.count; ++i) {
     data.begin_element();
@@ -57,7 +57,7 @@ std::vector<Ball> read_spheres(Data& data, const PlyElement& element, MeshSource
 }
 
 template <class Data>
-std::vector<Ball> read(Data& data, const PlyHeader& header, MeshSource& source) {
+std::vector<SphereCloud::Ball> read(Data& data, const PlyHeader& header, MeshSource& source) {
   for (const PlyElement& element : header.elements) {
     if (element.name != "vertex") {
       skip(data, element);

@@ -9,14 +9,8 @@
 
 namespace strahl {
 
-/// A sphere without a frame of its own: a third of a Sphere.
-struct Ball {
-  Vec3 center;
-  double radius = 1;
-};
-
 struct SphereFile {
-  std::vector<Ball> spheres;
+  std::vector<SphereCloud::Ball> spheres;
   std::vector<Diagnostic> warnings;
 };
 

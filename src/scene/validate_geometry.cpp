@@ -23,9 +23,7 @@ class Faults {
   void operator()(const Sphere& s) {
     require(is_finite(s.center), "the center must be finite");
     require_radius(s.radius);
-    const auto& [x, y, z] = s.frame;
-    require(is_unit(x) && is_unit(y) && is_unit(z) && is_zero(dot(x, y)) && is_zero(dot(y, z)) && is_zero(dot(z, x)),
-            "the sphere's frame must be orthonormal");
+    require_orthonormal(s.frame);
   }
   void operator()(const Plane& p) {
     require(is_finite(p.point) && is_finite(p.u) && is_finite(p.v), "the plane must be finite");
@@ -79,6 +77,17 @@ class Faults {
     require_parts(mesh);
   }
 
+  void operator()(const SphereCloud& cloud) {
+    require(!cloud.spheres.empty(), "the cloud has no spheres");
+    const auto is_sound = [](const SphereCloud::Ball& ball) {
+      return is_finite(ball.center) && std::isfinite(ball.radius) && ball.radius > 0;
+    };
+    const auto fault = std::find_if_not(cloud.spheres.begin(), cloud.spheres.end(), is_sound);
+    require(fault == cloud.spheres.end(), "sphere {} must have a finite center and a finite radius > 0",
+            fault - cloud.spheres.begin());
+    require_orthonormal(cloud.frame);
+  }
+
   [[nodiscard]] std::vector<std::string> take() { return std::move(faults_); }
 
  private:
@@ -88,6 +97,11 @@ class Faults {
   }
   void require_radius(double radius) {
     require(std::isfinite(radius) && radius > 0, "the radius is {}; it must be finite and > 0", radius);
+  }
+  void require_orthonormal(const std::array<Vec3, 3>& frame) {
+    const auto& [x, y, z] = frame;
+    require(is_unit(x) && is_unit(y) && is_unit(z) && is_zero(dot(x, y)) && is_zero(dot(y, z)) && is_zero(dot(z, x)),
+            "the sphere's frame must be orthonormal");
   }
   void require_parts(const Mesh& mesh) {
     if (mesh.parts.empty()) return;

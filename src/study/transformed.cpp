@@ -46,11 +46,16 @@ struct Moved {
   void operator()(Mesh& m) const {
     for (Vec3& p : m.positions) p = point(p);
   }
+  void operator()(SphereCloud& cloud) const {
+    for (SphereCloud::Ball& ball : cloud.spheres) ball.center = point(ball.center);
+  }
 };
 
 void scale_radius(Geometry& geometry, double factor) {
   if (auto* sphere = std::get_if<Sphere>(&geometry)) sphere->radius *= factor;
   if (auto* cylinder = std::get_if<Cylinder>(&geometry)) cylinder->radius *= factor;
+  if (auto* cloud = std::get_if<SphereCloud>(&geometry))
+    for (SphereCloud::Ball& ball : cloud->spheres) ball.radius *= factor;
 }
 
 Vec3 flipped(const Vec3& v) { return {-v.x, v.y, v.z}; }
@@ -66,6 +71,8 @@ void set_column(Transform& transform, std::size_t column, const Vec3& v) {
 void mirror_orientation(Shape& shape) {
   if (auto* sphere = std::get_if<Sphere>(&shape.geometry))
     for (Vec3& axis : sphere->frame) axis = flipped(axis);
+  if (auto* cloud = std::get_if<SphereCloud>(&shape.geometry))
+    for (Vec3& axis : cloud->frame) axis = flipped(axis);
   if (auto* plane = std::get_if<Plane>(&shape.geometry)) plane->normal = flipped(plane->normal);
   if (auto* cylinder = std::get_if<Cylinder>(&shape.geometry)) cylinder->reference = flipped(cylinder->reference);
   // A normal from a cross product points to the other side of a mirrored shape, and flipping turns a mesh's too.

@@ -74,14 +74,15 @@ TEST_CASE("spheres in a file of their own are the same spheres") {
   write_scene_with_cloud(scene, path);
   const LoadedScene loaded = load_scene(path, {{}, true, {}});
   CHECK(loaded.warnings.empty());
-  REQUIRE(loaded.scene.shapes.size() == scene.shapes.size());
+  REQUIRE(loaded.scene.shapes.size() == 2);
+  CHECK(loaded.scene.shapes[1].material == loaded.scene.shapes[0].material);
+  const auto& cloud = std::get<SphereCloud>(loaded.scene.shapes[1].geometry);
+  REQUIRE(cloud.spheres.size() + 1 == scene.shapes.size());
   for (std::size_t i = 1; i < scene.shapes.size(); ++i) {
-    const auto &ours = std::get<Sphere>(scene.shapes[i].geometry),
-               &read = std::get<Sphere>(loaded.scene.shapes[i].geometry);
-    CHECK(read.center == ours.center);
-    CHECK(read.radius == ours.radius);
-    CHECK(read.frame == ours.frame);
-    CHECK(loaded.scene.shapes[i].material == loaded.scene.shapes[0].material);
+    const auto& ours = std::get<Sphere>(scene.shapes[i].geometry);
+    CHECK(cloud.spheres[i - 1].center == ours.center);
+    CHECK(cloud.spheres[i - 1].radius == ours.radius);
+    CHECK(cloud.frame == ours.frame);
   }
 }
 

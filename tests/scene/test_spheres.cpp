@@ -47,24 +47,27 @@ std::string fault(const std::string& file, const std::string& transform = "") {
 
 const std::string two = ply("element vertex 2\n" + properties, "1 2 3 0.5\n-4 5 6 2\n");
 
-TEST_CASE("as many shapes as vertices, in order, alike but for their place") {
+const std::vector<SphereCloud::Ball>& spheres_of(const Scene& scene) {
+  return std::get<SphereCloud>(scene.shapes.at(1).geometry).spheres;
+}
+
+TEST_CASE("as many primitives as vertices, in order, alike but for their place") {
   const Scene scene = load(two);
-  REQUIRE(scene.shapes.size() == 4);
-  CHECK(std::get<Sphere>(scene.shapes[1].geometry).center == Vec3{1, 2, 3});
-  CHECK(std::get<Sphere>(scene.shapes[1].geometry).radius == 0.5);
-  CHECK(std::get<Sphere>(scene.shapes[2].geometry).center == Vec3{-4, 5, 6});
-  CHECK(std::get<Sphere>(scene.shapes[2].geometry).radius == 2);
-  for (const std::size_t i : {1, 2}) {
-    CHECK(scene.shapes[i].material == 1);
-    CHECK(scene.shapes[i].flip_normals);
-  }
-  CHECK(std::holds_alternative<Rectangle>(scene.shapes[3].geometry));
+  REQUIRE(scene.shapes.size() == 3);
+  REQUIRE(primitive_count(scene.shapes[1]) == 2);
+  CHECK(spheres_of(scene)[0].center == Vec3{1, 2, 3});
+  CHECK(spheres_of(scene)[0].radius == 0.5);
+  CHECK(spheres_of(scene)[1].center == Vec3{-4, 5, 6});
+  CHECK(spheres_of(scene)[1].radius == 2);
+  CHECK(scene.shapes[1].material == 1);
+  CHECK(scene.shapes[1].flip_normals);
+  CHECK(std::holds_alternative<Rectangle>(scene.shapes[2].geometry));
 }
 
 TEST_CASE("to_world places and scales all of them") {
   const Scene scene = load(two, "<transform name=\"to_world\"><scale value=\"2\"/><translate x=\"1\"/></transform>");
-  CHECK(std::get<Sphere>(scene.shapes[2].geometry).center == Vec3{-7, 10, 12});
-  CHECK(std::get<Sphere>(scene.shapes[2].geometry).radius == 4);
+  CHECK(spheres_of(scene).at(1).center == Vec3{-7, 10, 12});
+  CHECK(spheres_of(scene).at(1).radius == 4);
   CHECK_THAT(fault(two, "<transform name=\"to_world\"><scale x=\"2\"/></transform>"),
              Catch::Contains("scaled uniformly only"));
 }
@@ -76,8 +79,8 @@ TEST_CASE("binary, other elements and properties, any order") {
       "element note 1\nproperty list uchar uchar text\nelement vertex 1\nproperty float radius\nproperty float mass\n"
       "property float x\nproperty float y\nproperty float z\n",
       std::string("\2ab") + bytes, "binary_little_endian"));
-  CHECK(std::get<Sphere>(scene.shapes[1].geometry).center == Vec3{1, 2, 3});
-  CHECK(std::get<Sphere>(scene.shapes[1].geometry).radius == 0.5);
+  CHECK(spheres_of(scene).at(0).center == Vec3{1, 2, 3});
+  CHECK(spheres_of(scene).at(0).radius == 0.5);
 }
 
 TEST_CASE("what is wrong is named, with its line") {

@@ -79,17 +79,10 @@ void read_shape(const XmlElement& element, SceneBuilder& builder, std::vector<Sh
   if (emitter != nullptr) read_area_emitter(*emitter, shape, builder);
   if (bsdf == nullptr && shape.radiance) shape.material = black_material(builder);
   const Transform to_world = properties.transform("to_world").value_or(Transform{});
-  std::vector<Ball> further;
-  ShapeInput input{properties, to_world, shape, bsdf != nullptr, builder, further};
+  ShapeInput input{properties, to_world, shape, bsdf != nullptr, builder};
   shape.geometry = (*read_geometry)(input);
   properties.report_unknown();
   shapes.push_back(std::move(shape));
-  if (further.empty()) return;
-  shapes.reserve(shapes.size() + further.size());
-  const std::size_t first = shapes.size() - 1;
-  const auto frame = std::get<Sphere>(shapes[first].geometry).frame;
-  for (const Ball& ball : further)
-    shapes.emplace_back(shapes[first]).geometry = Sphere{ball.center, ball.radius, frame};
 }
 
 }  // namespace strahl

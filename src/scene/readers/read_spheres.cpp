@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// <shape type="spheres">: as many spheres as a PLY file has vertices with a radius, each a shape of its own; to_world
-// as for one sphere.
+// <shape type="spheres">: as many spheres as a PLY file has vertices with a radius; to_world as for one sphere.
 #include "scene/readers/mesh_import.h"
 #include "scene/readers/shape_reader.h"
+#include "scene/sphere_file.h"
 
 namespace strahl {
 
@@ -10,22 +10,19 @@ Geometry read_spheres(ShapeInput& input) {
   Diagnostics& diagnostics = input.builder.diagnostics;
   const std::optional<std::string> path = data_path(input, "ply");
   const std::optional<Sphere> unit = placed_sphere(Sphere{}, input);
-  if (!path || !unit) return Sphere{};
+  if (!path || !unit) return SphereCloud{};
   diagnostics.opened(*path);
   try {
     SphereFile file = read_sphere_file(*path, progress_of(*path, input.builder.mesh_progress));
     diagnostics.append(file.warnings);
-    for (Ball& ball : file.spheres) {
-      ball.center = input.world_from_object.point(ball.center);
-      ball.radius *= unit->radius;
+    for (auto& [center, radius] : file.spheres) {
+      center = input.world_from_object.point(center);
+      radius *= unit->radius;
     }
-    const Ball first = file.spheres.front();
-    file.spheres.erase(file.spheres.begin());
-    input.further = std::move(file.spheres);
-    return Sphere{first.center, first.radius, unit->frame};
+    return SphereCloud{std::move(file.spheres), unit->frame};
   } catch (const SceneError& fault) {
     diagnostics.append(fault.diagnostics());
-    return Sphere{};
+    return SphereCloud{};
   }
 }
 

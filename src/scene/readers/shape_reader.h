@@ -7,7 +7,6 @@
 #include "scene/properties.h"
 #include "scene/scene.h"
 #include "scene/scene_builder.h"
-#include "scene/sphere_file.h"
 
 namespace strahl {
 
@@ -17,7 +16,6 @@ struct ShapeInput {
   Shape& shape;               ///< Material, radiance and flip_normals are set already; a reader may change them.
   bool has_material = false;  ///< The shape has a <bsdf> of its own.
   SceneBuilder& builder;
-  std::vector<Ball>& further;  ///< Spheres of their own behind this one, alike but for place and size.
 };
 
 /// World-frame geometry. After an error (in the diagnostics) any geometry: the scene is not used then.
