@@ -37,12 +37,12 @@ Scene fitting(const Device& device, const Scene& scene, double seconds) {
   return of_size(scene, std::min(1.0, probe_scale * std::sqrt(seconds / took)));
 }
 
-void require_same(const SceneEffects& row) {
-  const Image& own = row.study.variants[0].color;
-  for (const VariantTimes& other : row.study.variants)
+void require_same(const std::string& scene, const VariantStudy& study) {
+  const Image& own = study.variants[0].color;
+  for (const VariantTimes& other : study.variants)
     if (other.color.data.size() != own.data.size() ||
         std::memcmp(other.color.data.data(), own.data.data(), own.data.size() * sizeof(float)) != 0)
-      throw Error(fmt::format("{}: the generic program, or that without sub-sums, renders another picture", row.scene));
+      throw Error(fmt::format("{}: the generic program, or that without sub-sums, renders another picture", scene));
 }
 
 SceneEffects measure_scene(const Device& device, const std::string& path, const EffectsOptions& options) {
@@ -54,7 +54,8 @@ SceneEffects measure_scene(const Device& device, const std::string& path, const 
   row.height = scene.film.window().height();
   row.spp = sampling.spp;
   scene.sampler.kind = sampling.kind;
-  scene.sampler.sample_count = least_samples;
+  const bool are_one = sampling.kind == SamplerKind::centre;
+  scene.sampler.sample_count = are_one ? sampling.spp : least_samples;
   RenderSettings specialised, generic, without_sums;
   specialised.cached_program = false;
   generic.generic = true;
@@ -63,9 +64,18 @@ SceneEffects measure_scene(const Device& device, const std::string& path, const 
   rounds.builds = 1;
   rounds.frames = options.rounds;
   rounds.frame_seconds = std::numeric_limits<double>::max();
-  row.study = time_variants(device, fitting(device, scene, options.frame_seconds), {specialised, generic, without_sums},
-                            rounds);
-  require_same(row);
+  const auto time = [&](const std::vector<RenderSettings>& variants) {
+    VariantStudy study = time_variants(device, fitting(device, scene, options.frame_seconds), variants, rounds);
+    require_same(row.scene, study);
+    return study;
+  };
+  if (!are_one) {
+    row.study = time({specialised, generic, without_sums});
+    return row;
+  }
+  row.study = time({specialised, generic});
+  scene.sampler.sample_count = least_samples;
+  row.of_16 = time({specialised, without_sums});
   return row;
 }
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,7 +23,10 @@ struct EffectsOptions {
 
 struct SceneEffects {
   std::string scene;
-  VariantStudy study;  ///< Specialised, generic, without sub-sums; of a smaller picture with 16 samples or more.
+  VariantStudy study;  ///< Specialised and generic, of a smaller picture with 16 samples.
+  /// Specialised, ..., without sub-sums: `study` but where nothing is drawn. There 16 samples are one to a program that
+  /// knows it, so `study` has the scene's own.
+  std::optional<VariantStudy> of_16;
   int width = 0, height = 0, spp = 0;  ///< What the scene asks for.
 
   /// Seconds that kernels take for the scene's own picture.
@@ -30,7 +34,8 @@ struct SceneEffects {
   /// Frames until building the specialised program has paid off where the generic one is there; infinite: never.
   [[nodiscard]] double break_even() const;
   /// What the sub-sums add to a frame, as a share.
-  [[nodiscard]] double sums_cost() const { return 1 / study.variants[2].ratio() - 1; }
+  [[nodiscard]] double sums_cost() const { return 1 / without_sums().ratio() - 1; }
+  [[nodiscard]] const VariantTimes& without_sums() const { return (of_16 ? *of_16 : study).variants.back(); }
 };
 
 struct Effects {

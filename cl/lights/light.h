@@ -68,6 +68,9 @@ FN real3 background_radiance(const Scene* scene) {
   }
 }
 
+/// The camera looks through what glows.
+FN int hides_emitters(const Scene* scene) { return HAS_HIDE_EMITTERS && scene->index[HEADER_HIDE_EMITTERS] != 0; }
+
 /// Radiance that the surface emits against the ray's direction: on the side of its normal only.
 FN real3 emitted_radiance(const Scene* scene, const Surface* s) {
   real zero = R(0.0);

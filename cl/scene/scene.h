@@ -70,7 +70,4 @@ FN GLOBAL const int* scene_part(const Scene* scene, int part) {
   return scene->index + scene->index[HEADER_PARTS] + part * PART_INTS;
 }
 
-/// The camera looks through what glows.
-FN int hides_emitters(const Scene* scene) { return HAS_HIDE_EMITTERS && scene->index[HEADER_HIDE_EMITTERS] != 0; }
-
 #endif
