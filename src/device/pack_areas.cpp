@@ -94,7 +94,7 @@ struct Collector {
       items.flat(corner(0), corner(1) - corner(0), corner(2) - corner(0), 0.5);
     }
   }
-  /// A part for each sphere (parts_of).
+  /// One sphere: each that emits is a part (shape_parts.h).
   void operator()(const SphereCloud& cloud) const {
     const auto& [center, radius] = cloud.spheres[static_cast<std::size_t>(part)];
     (*this)(Sphere{center, radius, cloud.frame});
