@@ -10,6 +10,7 @@
 #include "bench/peers/embree.h"
 #include "bench/peers/embree_tree.h"
 #include "bench/strahl_contender.h"
+#include "device/features.h"
 #include "errors.h"
 #include "scene/loader.h"
 #include "study/generated/scenes.h"
@@ -48,9 +49,8 @@ void add_strahl(Contenders& contenders, const Device& device, const Scene& scene
 }
 
 void add_peers(Contenders& contenders, const Scene& scene, unsigned threads) {
-  const bool has_spheres = std::any_of(scene.shapes.begin(), scene.shapes.end(), [](const Shape& shape) {
-    return std::holds_alternative<Sphere>(shape.geometry);
-  });
+  const bool has_spheres = std::any_of(scene.shapes.begin(), scene.shapes.end(),
+                                       [](const Shape& shape) { return shape_kind(shape) == "sphere"; });
   for (const bool robust : {false, true}) {
     contenders.push_back(embree_contender(scene, {robust, 1, false, threads}));
     if (has_spheres) contenders.push_back(embree_contender(scene, {robust, 1, true, threads}));
