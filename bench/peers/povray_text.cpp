@@ -11,7 +11,7 @@
 namespace strahl::bench {
 namespace {
 
-std::string vec(const Vec3& v) { return fmt::format("<{},{},{}>", v.x, v.y, v.z); }
+std::string pov_vector(const Vec3& v) { return fmt::format("<{},{},{}>", v.x, v.y, v.z); }
 
 struct PovShapes {
   std::string& text;
@@ -20,13 +20,15 @@ struct PovShapes {
   void add(const char* format, const Values&... values) {
     fmt::vformat_to(std::back_inserter(text), format, fmt::make_format_args(values...));
   }
-  void operator()(const Sphere& s) { add("sphere{{{},{}}}\n", vec(s.center), s.radius); }
-  void operator()(const Box& b) { add("box{{{},{}}}\n", vec(b.min), vec(b.max)); }
+  void operator()(const Sphere& s) { add("sphere{{{},{}}}\n", pov_vector(s.center), s.radius); }
+  void operator()(const Box& b) { add("box{{{},{}}}\n", pov_vector(b.min), pov_vector(b.max)); }
   void operator()(const Plane& p) {
     const Vec3 n = normalized(p.normal);
-    add("plane{{{},{}}}\n", vec(n), dot(n, p.point));
+    add("plane{{{},{}}}\n", pov_vector(n), dot(n, p.point));
   }
-  void operator()(const Triangle& t) { add("triangle{{{},{},{}}}\n", vec(t.p0), vec(t.p1), vec(t.p2)); }
+  void operator()(const Triangle& t) {
+    add("triangle{{{},{},{}}}\n", pov_vector(t.p0), pov_vector(t.p1), pov_vector(t.p2));
+  }
   void operator()(const Rectangle& r) {
     const Vec3 far = r.corner + r.edge_u + r.edge_v;
     (*this)(Triangle{r.corner, r.corner + r.edge_u, far});
@@ -34,7 +36,7 @@ struct PovShapes {
   }
   void operator()(const Mesh& mesh) {
     add("mesh2{{vertex_vectors{{{}", mesh.positions.size());
-    for (const Vec3& p : mesh.positions) add(",{}", vec(p));
+    for (const Vec3& p : mesh.positions) add(",{}", pov_vector(p));
     add("}}face_indices{{{}", mesh.triangles.size());
     for (const auto& [a, b, c] : mesh.triangles) add(",<{},{},{}>", a, b, c);
     add("}}}}\n");
@@ -54,13 +56,13 @@ std::string povray_text(const Scene& scene) {
       "#version 3.7;\nglobal_settings{{assumed_gamma 1.0}}\n"
       "#default{{pigment{{rgb {}}} finish{{ambient 0 diffuse 1}}}}\n"
       "camera{{location {} direction {} right {} up {}}}\n",
-      looks.grey, vec(looks.eye), vec(looks.forward), vec(2 * looks.tangent * looks.right),
-      vec(2 * looks.tangent * looks.aspect * looks.up));
+      looks.grey, pov_vector(looks.eye), pov_vector(looks.forward), pov_vector(2 * looks.tangent * looks.right),
+      pov_vector(2 * looks.tangent * looks.aspect * looks.up));
   for (const Light& light : scene.lights) {
     const auto& [p, i] = std::get<PointLight>(light.emitter);
     const double scale = 1 / (2 * std::numbers::pi * fade * fade);
-    text += fmt::format("light_source{{{} rgb {} fade_distance {} fade_power 2}}\n", vec(p),
-                        vec({scale * i.r, scale * i.g, scale * i.b}), fade);
+    text += fmt::format("light_source{{{} rgb {} fade_distance {} fade_power 2}}\n", pov_vector(p),
+                        pov_vector({scale * i.r, scale * i.g, scale * i.b}), fade);
   }
   PovShapes shapes{text};
   for (const Shape& shape : scene.shapes) std::visit(shapes, shape.geometry);

@@ -16,7 +16,7 @@
 namespace strahl::cli {
 namespace {
 
-constexpr const char* kFooter = R"(
+constexpr const char* kAppFooter = R"(
 The first argument may be a scene or a mesh instead of a subcommand: it is rendered.
 
 Examples:
@@ -74,7 +74,7 @@ ExitCode run(std::vector<std::string> arguments, const Invocation& invocation) {
   app.set_version_flag("--version", "strahl " STRAHL_VERSION, "Print the version and exit");
   app.set_help_flag("-h,--help", "Print this help and exit");
   app.get_formatter()->column_width(34);
-  app.footer(kFooter);
+  app.footer(kAppFooter);
   app.require_subcommand(1);
 
   std::vector<std::string> names;

@@ -17,7 +17,7 @@
 namespace strahl::cli {
 namespace {
 
-constexpr const char* kFooter = R"(
+constexpr const char* kCompareFooter = R"(
 B is the reference. mse, rmse, mae and relmse compare linear values; psnr (dB, inf: equal) and ssim (1: equal) sRGB
 values from 0 to 1; flip is the error that an eye sees at --ppd when it flips between the pictures, from 0 to 1, of
 values up to 1; hdrflip is the same over all exposures that suit the reference.
@@ -68,7 +68,7 @@ Request requested(const CompareOptions& options) {
 
 ExitCode compare(const CompareOptions& options) {
   const Request request = requested(options);
-  if (!options.heatmap.empty()) require_writable({options.heatmap, {}, false});
+  if (!options.heatmap.empty()) require_writable(PictureFiles{options.heatmap, {}, false});
 
   const Image a = read_image(options.a);
   const Image b = read_image(options.b);
@@ -118,7 +118,7 @@ Command add_compare(CLI::App& app) {
       ->type_name("X");
   app.add_option("--fail-above", options->bound, "Exit with 7 where the metric is worse than X")->type_name("X");
   app.add_flag("--json", options->json, "For programs");
-  app.footer(kFooter);
+  app.footer(kCompareFooter);
   return [options] { return compare(*options); };
 }
 

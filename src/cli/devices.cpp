@@ -17,7 +17,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* kFooter = R"(
+constexpr const char* kDevicesFooter = R"(
 Examples:
   strahl devices                  the default device is marked with *
   strahl devices --json
@@ -121,7 +121,7 @@ Command add_devices(CLI::App& app) {
   const auto options = std::make_shared<DevicesOptions>();
   app.add_flag("--json", options->json, "For programs");
   app.add_flag("--clear-cache", options->clear_cache, "Remove every cached program instead");
-  app.footer(kFooter);
+  app.footer(kDevicesFooter);
   return [options] { return devices(*options); };
 }
 

@@ -26,7 +26,7 @@
 namespace strahl::cli {
 namespace {
 
-constexpr const char* kFooter = R"(
+constexpr const char* kRenderFooter = R"(
 Examples:
   strahl render scene.xml                            writes scene.png here
   strahl render scene.xml -o out.exr --spp 256 --aov depth,normal
@@ -273,7 +273,7 @@ Command add_render(CLI::App& app, const Invocation& invocation) {
   add_canary_option(app, options->kernel);
   add_program_options(app, options->kernel);
   add_launch_options(app, options->kernel);
-  app.footer(kFooter);
+  app.footer(kRenderFooter);
   return [options, &invocation] { return render(*options, invocation); };
 }
 

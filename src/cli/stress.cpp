@@ -20,7 +20,7 @@
 namespace strahl::cli {
 namespace {
 
-constexpr const char* kFooter = R"(
+constexpr const char* kStressFooter = R"(
 Renders the scene at scales of 1e-6 to 1e6 and at offsets of up to 1e7 along each axis, in every precision that the
 device has, and prints how far each picture is from the scene as it is in double. Exact numbers would give one picture.
 
@@ -121,7 +121,7 @@ Command add_stress(CLI::App& app, const Invocation& invocation) {
       ->type_name("N")
       ->capture_default_str()
       ->check(CLI::Range(1, 65536).description(""));
-  app.footer(kFooter);
+  app.footer(kStressFooter);
   return [options, &invocation] { return stress(*options, invocation); };
 }
 

@@ -23,9 +23,9 @@
 namespace strahl {
 namespace {
 
-class Stream : public Imf::IStream {
+class InputStream : public Imf::IStream {
  public:
-  Stream(const std::string& bytes, const std::string& path) : Imf::IStream(path.c_str()), bytes_(bytes) {}
+  InputStream(const std::string& bytes, const std::string& path) : Imf::IStream(path.c_str()), bytes_(bytes) {}
 
   bool read(char target[], int size) override {
     const auto wanted = static_cast<std::size_t>(size);
@@ -134,7 +134,7 @@ Image decode(Imf::MultiPartInputFile& file, const std::string& path, std::size_t
 Image read_exr(const std::string& path) {
   const std::string bytes = read_file(path);
   try {
-    Stream stream(bytes, path);
+    InputStream stream(bytes, path);
     Imf::MultiPartInputFile file(stream);
     return decode(file, path, bytes.size());
   } catch (const Error&) {

@@ -20,9 +20,9 @@ namespace strahl {
 namespace {
 
 /// The destructor of Imf::OutputFile writes a table and swallows what goes wrong; AtomicFile::commit() remembers it.
-class Stream : public Imf::OStream {
+class OutputStream : public Imf::OStream {
  public:
-  Stream(AtomicFile& file, const std::string& path) : Imf::OStream(path.c_str()), file_(file) {}
+  OutputStream(AtomicFile& file, const std::string& path) : Imf::OStream(path.c_str()), file_(file) {}
   void write(const char bytes[], int size) override { file_.write(bytes, static_cast<std::size_t>(size)); }
   std::uint64_t tellp() override { return file_.tell(); }
   void seekp(std::uint64_t position) override { file_.seek(position); }
@@ -50,7 +50,7 @@ WriteReport write_exr(const Image& image, const std::string& path) {
       pixels.insert(image.channels[c],
                     Imf::Slice(Imf::FLOAT, first, stride, stride * static_cast<std::size_t>(image.width)));
     }
-    Stream stream(file, path);
+    OutputStream stream(file, path);
     Imf::OutputFile output(stream, header);
     output.setFrameBuffer(pixels);
     output.writePixels(image.height);

@@ -7,14 +7,14 @@ namespace strahl {
 namespace {
 
 /// A channel: its name and where its value stands.
-struct Channel {
+struct AovChannel {
   Aov aov;
   const char* name;
   int at;
   bool integer;
 };
 
-constexpr Channel channels[] = {
+constexpr AovChannel known_channels[] = {
     {Aov::depth, "depth.Z", layout::AOV_DEPTH, false},
     {Aov::normal, "normal.X", layout::AOV_NORMAL, false},
     {Aov::normal, "normal.Y", layout::AOV_NORMAL + 1, false},
@@ -33,7 +33,7 @@ constexpr Channel channels[] = {
 
 std::vector<std::string> aov_channels(const std::set<Aov>& aovs) {
   std::vector<std::string> names;
-  for (const Channel& channel : channels)
+  for (const AovChannel& channel : known_channels)
     if (aovs.contains(channel.aov)) names.emplace_back(channel.name);
   return names;
 }
@@ -51,7 +51,7 @@ Image aov_image(int width, int height, const std::set<Aov>& aovs, const std::vec
     const double* real = &reals[pixel * layout::AOV_REALS];
     const std::int32_t* integer = &ints[pixel * layout::AOV_INTS];
     const bool hit = integer[layout::AOV_SHAPE] >= 0;
-    for (const Channel& channel : channels) {
+    for (const AovChannel& channel : known_channels) {
       if (!aovs.contains(channel.aov)) continue;
       double value = channel.integer ? integer[channel.at] : real[channel.at];
       if (channel.aov == Aov::position || channel.aov == Aov::depth) value /= frame.scale;

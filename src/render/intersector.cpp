@@ -18,6 +18,12 @@
 #include "scene/validate.h"
 
 namespace strahl {
+
+/// Shapes that are counted together, among those of for_each_shape.
+struct ShapeRange {
+  std::size_t first, count;
+};
+
 namespace {
 
 /// Rays, or hits to be described, a work-group.
@@ -66,11 +72,6 @@ std::vector<Real> pack_rays(const std::vector<Ray>& rays, std::size_t first, std
   }
   return reals;
 }
-
-/// Shapes that are counted together, among those of for_each_shape.
-struct ShapeRange {
-  std::size_t first, count;
-};
 
 std::vector<ShapeRange> ranges_of(const Scene& scene) {
   std::vector<ShapeRange> ranges;

@@ -108,7 +108,7 @@ std::vector<Diagnostic> MeshSource::finish(const std::vector<Diagnostic>& of_oth
   return all;
 }
 
-std::string quoted(std::string_view text) {
+std::string in_quotes(std::string_view text) {
   constexpr std::size_t most = 40;
   std::string shown(text.substr(0, most));
   std::ranges::replace_if(

@@ -91,7 +91,7 @@ class MeshSource {
 };
 
 /// Text of a file in quotation marks, fit to be shown: cut to 40 characters, control characters as '?'.
-[[nodiscard]] std::string quoted(std::string_view text);
+[[nodiscard]] std::string in_quotes(std::string_view text);
 
 /// Something that is warned of once, with its count and its first place.
 struct Tally {

@@ -68,11 +68,11 @@ class MtlReader {
         return std::nullopt;
       }
       if (!parse_number(word, values[n])) {
-        source_.warn(value_at, fmt::format("{}: {} is not a number; the line is ignored", name, quoted(word)));
+        source_.warn(value_at, fmt::format("{}: {} is not a number; the line is ignored", name, in_quotes(word)));
         return std::nullopt;
       }
       if (!std::isfinite(values[n])) {
-        source_.error(value_at, fmt::format("{}: {} is not finite", name, quoted(word)));
+        source_.error(value_at, fmt::format("{}: {} is not finite", name, in_quotes(word)));
         return std::nullopt;
       }
     }

@@ -85,7 +85,7 @@ class ObjReader {
         for (const std::string& missing : finder_.read(source_.path(), cursor.rest(), library_)) {
           source_.warn(at, fmt::format("material library {} cannot be opened; its materials become the default "
                                        "diffuse",
-                                       quoted(missing)));
+                                       in_quotes(missing)));
         }
       }
     }
@@ -212,10 +212,10 @@ class ObjReader {
     tell(lines_and_points_,
          fmt::format("lines and points are not rendered: {} (this is the first)", lines_and_points_.count));
     tell(unknown_, fmt::format("lines ignored: {} with an unknown keyword; the first is {}", unknown_.count,
-                               quoted(first_unknown_)));
+                               in_quotes(first_unknown_)));
     tell(unknown_materials_, fmt::format("materials that no library defines: {}; they become the default diffuse; the "
                                          "first is {}",
-                                         unknown_materials_.count, quoted(first_unknown_material_)));
+                                         unknown_materials_.count, in_quotes(first_unknown_material_)));
     for (const BadNumbers* bad : {&bad_positions_, &bad_uvs_, &bad_normals_}) bad->warn_unused(source_);
     if (builder_->triangle_count() == 0 && !source_.has_errors()) {
       source_.error(nullptr, "mesh without triangles; give it at least one face with an area");

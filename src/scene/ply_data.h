@@ -43,7 +43,7 @@ class PlyText {
   double real(PlyType) {
     double value = 0;
     const std::string_view word = this->word();
-    if (!parse_number(word, value)) source_.fail(word.data(), fmt::format("{} is not a number", quoted(word)));
+    if (!parse_number(word, value)) source_.fail(word.data(), fmt::format("{} is not a number", in_quotes(word)));
     return value;
   }
 

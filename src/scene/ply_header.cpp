@@ -38,7 +38,7 @@ PlyType parse_type(std::string_view word, MeshSource& source, const char* line) 
   for (const auto& [name, type] : types) {
     if (name == word) return type;
   }
-  source.fail(word.empty() ? line : word.data(), fmt::format("{} is no type of a PLY property", quoted(word)));
+  source.fail(word.empty() ? line : word.data(), fmt::format("{} is no type of a PLY property", in_quotes(word)));
 }
 
 PlyProperty parse_property(TextCursor& cursor, MeshSource& source, const char* line) {
@@ -49,7 +49,7 @@ PlyProperty parse_property(TextCursor& cursor, MeshSource& source, const char* l
     property.count_type = parse_type(count, source, line);
     if (!is_integer(*property.count_type)) {
       source.fail(count.data(),
-                  fmt::format("a list cannot count its items with {}; use an integer type", quoted(count)));
+                  fmt::format("a list cannot count its items with {}; use an integer type", in_quotes(count)));
     }
     word = cursor.word();
   }
@@ -67,7 +67,7 @@ PlyElement parse_element(TextCursor& cursor, MeshSource& source, const char* lin
   std::int64_t number = 0;
   if (!parse_integer(count, number) || number < 0) {
     source.fail(count.empty() ? line : count.data(),
-                fmt::format("{} is no number of elements of {}", quoted(count), quoted(element.name)));
+                fmt::format("{} is no number of elements of {}", in_quotes(count), in_quotes(element.name)));
   }
   element.count = static_cast<std::uint64_t>(number);
   return element;
@@ -91,7 +91,7 @@ void check_counts(const PlyHeader& header, MeshSource& source) {
       source.fail(element.at,
                   fmt::format("the header promises {} elements of {}, but the file can hold at most {}; it is "
                               "truncated or its header is wrong",
-                              element.count, quoted(element.name), left / size));
+                              element.count, in_quotes(element.name), left / size));
     }
     left -= element.count * size;
   }
@@ -99,13 +99,13 @@ void check_counts(const PlyHeader& header, MeshSource& source) {
 
 PlyFormat parse_format(TextCursor& cursor, MeshSource& source, const char* line) {
   const std::string_view format = cursor.word(), version = cursor.word();
-  if (version != "1.0") source.fail(line, fmt::format("PLY version {} is not read, only 1.0", quoted(version)));
+  if (version != "1.0") source.fail(line, fmt::format("PLY version {} is not read, only 1.0", in_quotes(version)));
   if (format == "ascii") return PlyFormat::ascii;
   if (format == "binary_little_endian") return PlyFormat::little_endian;
   if (format == "binary_big_endian") return PlyFormat::big_endian;
   source.fail(format.data(), fmt::format("PLY format {} is unknown; there are ascii, binary_little_endian and "
                                          "binary_big_endian",
-                                         quoted(format)));
+                                         in_quotes(format)));
 }
 
 /// Ends of the lines of the header become LF where they are CR alone.

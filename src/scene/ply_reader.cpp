@@ -100,7 +100,7 @@ class PlyReader {
     const char* at = data.position();
     const std::int64_t size = data.integer(*property.count_type);
     if (size < 0 || static_cast<std::uint64_t>(size) > data.room(property.type)) {
-      source_.fail(at, fmt::format("a list {} of {} items: {}", quoted(property.name), size,
+      source_.fail(at, fmt::format("a list {} of {} items: {}", in_quotes(property.name), size,
                                    size < 0 ? "less than none" : "the file is too short for it"));
     }
     return static_cast<std::uint64_t>(size);

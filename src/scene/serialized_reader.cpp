@@ -22,14 +22,14 @@ namespace {
 
 constexpr std::uint32_t has_normals = 0x0001, has_uvs = 0x0002, has_colors = 0x0008, face_normals = 0x0010,
                         double_precision = 0x2000;
-constexpr int header_size = 4;  // what stands before the compressed stream: format and version
+constexpr int before_stream = 4;  // what stands before the compressed stream: format and version
 
 class SerializedReader {
  public:
   SerializedReader(const std::string& path, const SerializedPart& part, const MeshProgress& progress)
       : source_(path, progress, {part.begin, part.end - part.begin}),
         begin_(source_.begin()),
-        bytes_(source_, begin_ + header_size) {
+        bytes_(source_, begin_ + before_stream) {
     source_.begin_binary(begin_);
     flags_ = take<std::uint32_t>();
     if (part.version == 4) {

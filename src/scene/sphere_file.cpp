@@ -12,7 +12,7 @@
 namespace strahl {
 namespace {
 
-constexpr std::array<std::string_view, 4> names{"x", "y", "z", "radius"};
+constexpr std::array<std::string_view, 4> column_names{"x", "y", "z", "radius"};
 
 /// Passes over an element that comes before the vertices.
 template <class Data>
@@ -29,12 +29,12 @@ void skip(Data& data, const PlyElement& element) {
 
 template <class Data>
 std::vector<SphereCloud::Ball> read_spheres(Data& data, const PlyElement& element, MeshSource& source) {
-  std::vector<std::size_t> slots(element.properties.size(), names.size());
+  std::vector<std::size_t> slots(element.properties.size(), column_names.size());
   for (const PlyProperty& property : element.properties)
     if (property.count_type) source.fail(element.at, fmt::format("the vertices' {} is a list", property.name));
-  for (std::size_t slot = 0; slot < names.size(); ++slot) {
-    const int i = element.find({names[slot]});
-    if (i < 0) source.fail(element.at, fmt::format("the vertices have no property {}", names[slot]));
+  for (std::size_t slot = 0; slot < column_names.size(); ++slot) {
+    const int i = element.find({column_names[slot]});
+    if (i < 0) source.fail(element.at, fmt::format("the vertices have no property {}", column_names[slot]));
     slots[static_cast<std::size_t>(i)] = slot;
   }
   std::vector<SphereCloud::Ball> spheres;
@@ -42,7 +42,7 @@ std::vector<SphereCloud::Ball> read_spheres(Data& data, const PlyElement& elemen
   for (std::uint64_t i = 0; i < element.count; ++i) {
     data.begin_element();
     const char* at = data.position();
-    double values[names.size() + 1] = {};
+    double values[column_names.size() + 1] = {};
     for (std::size_t k = 0; k < slots.size(); ++k) values[slots[k]] = data.real(element.properties[k].type);
     data.end_element();
     source.passed(at);

@@ -37,10 +37,6 @@ class Checker {
   const SourceLocation* where_ = nullptr;
 };
 
-bool is_finite(const Transform& t) {
-  return is_finite(t.column(0)) && is_finite(t.column(1)) && is_finite(t.column(2)) && is_finite(t.translation());
-}
-
 bool is_index(int index, std::size_t size) { return index >= 0 && static_cast<std::size_t>(index) < size; }
 
 void check_shape(const Shape& shape, const Scene& scene, Checker& check, std::vector<Diagnostic>& found) {
@@ -82,7 +78,7 @@ void check_instance(const Instance& instance, const Scene& scene, Checker& check
   check.at(instance.where);
   check.require(is_index(instance.group, scene.groups.size()), "group {} does not exist; there are {}", instance.group,
                 scene.groups.size());
-  check.require(is_finite(instance.world_from_group) && !is_singular(instance.world_from_group),
+  check.require(instance.world_from_group.is_finite() && !is_singular(instance.world_from_group),
                 "the instance's transform must be finite and not singular");
 }
 
@@ -128,7 +124,7 @@ void check_light(const Light& light, Checker& check) {
 void check_camera(const Camera& camera, Checker& check) {
   check.at(camera.where);
   const Transform& t = camera.world_from_camera;
-  check.require(is_finite(t) && !is_singular(t), "the camera's transform must be finite and not singular");
+  check.require(t.is_finite() && !is_singular(t), "the camera's transform must be finite and not singular");
   check.require(camera.fov_degrees > 0 && camera.fov_degrees < 180, "fov must lie between 0 and 180 degrees");
   check.require(std::isfinite(camera.principal_point_offset_x) && std::isfinite(camera.principal_point_offset_y),
                 "the principal point offset must be finite");

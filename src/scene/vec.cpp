@@ -89,4 +89,9 @@ Transform operator*(const Transform& a, const Transform& b) {
   return product;
 }
 
+bool Transform::is_finite() const {
+  return strahl::is_finite(column(0)) && strahl::is_finite(column(1)) && strahl::is_finite(column(2)) &&
+         strahl::is_finite(translation());
+}
+
 }  // namespace strahl

@@ -50,6 +50,7 @@ struct Transform {
   [[nodiscard]] Vec3 column(int i) const;
   [[nodiscard]] Vec3 translation() const { return {m[0][3], m[1][3], m[2][3]}; }
   [[nodiscard]] double determinant() const;
+  [[nodiscard]] bool is_finite() const;
 };
 
 /// Applies b first, then a.

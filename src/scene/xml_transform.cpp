@@ -18,11 +18,6 @@ constexpr double rounding = 16 * 0x1p-53;
 
 using Step = std::optional<Transform> (*)(const XmlElement&, Diagnostics&);
 
-bool is_finite(const Transform& t) {
-  return strahl::is_finite(t.column(0)) && strahl::is_finite(t.column(1)) && strahl::is_finite(t.column(2)) &&
-         strahl::is_finite(t.translation());
-}
-
 std::optional<double> finite_number(const XmlElement& element, std::string_view text, Diagnostics& diagnostics) {
   const std::optional<double> number = parse_number(text);
   if (number && std::isfinite(*number)) return number;
@@ -172,7 +167,7 @@ std::optional<Transform> read_transform(const XmlElement& element, Diagnostics& 
     ok = ok && next.has_value();
     if (next) transform = *next * transform;
   }
-  if (ok && (!is_finite(transform) || is_singular(transform))) {
+  if (ok && (!transform.is_finite() || is_singular(transform))) {
     diagnostics.error(element.where, "the composed transform leaves the range of double");
     ok = false;
   }

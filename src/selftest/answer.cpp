@@ -8,11 +8,10 @@
 #include <stdexcept>
 
 #include "oracle/number.h"
+#include "selftest/to_float.h"
 
 namespace strahl::selftest {
 namespace {
-
-constexpr double u = 0x1p-24;
 
 using Planes = const double*;
 

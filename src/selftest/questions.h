@@ -11,9 +11,6 @@
 
 namespace strahl::selftest {
 
-/// Unit roundoff of float.
-inline constexpr double u = 0x1p-24;
-
 /// Appends the components, rounded to float.
 void put(std::vector<double>& planes, const Vec3& v);
 

@@ -6,6 +6,9 @@
 
 namespace strahl::selftest {
 
+/// Unit roundoff of float.
+inline constexpr double u = 0x1p-24;
+
 /// Rounded to float. volatile: g++ 12.2 drops the rounding when it vectorises neighbouring components.
 [[nodiscard]] inline double to_float(double x) {
   const volatile float narrow = static_cast<float>(x);

@@ -9,5 +9,5 @@ endif()
 strahl_test(bench/test_ten_spheres.cpp LABEL slow LIBS strahl_bench TIMEOUT 600)
 # A minute and a half.
 strahl_test(bench/test_ten_million.cpp LABEL slow LIBS strahl_bench SOURCES cli/program.cpp TIMEOUT 1800)
-add_dependencies(bench_test_ten_million strahl-bin)
-target_compile_definitions(bench_test_ten_million PRIVATE STRAHL_PROGRAM="$<TARGET_FILE:strahl-bin>")
+strahl_runs_program(bench_tests)
+set_source_files_properties(bench/test_ten_million.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)

@@ -22,14 +22,14 @@ namespace {
 
 constexpr std::size_t rays_a_surface = 125000;
 
-struct Count {
+struct SeamTally {
   std::uint64_t rays = 0, leaks = 0, doubles = 0;
 
-  void add(const Count& c) { rays += c.rays, leaks += c.leaks, doubles += c.doubles; }
-  friend std::ostream& operator<<(std::ostream& out, const Count& c) {
+  void add(const SeamTally& c) { rays += c.rays, leaks += c.leaks, doubles += c.doubles; }
+  friend std::ostream& operator<<(std::ostream& out, const SeamTally& c) {
     return out << c.rays << ' ' << c.leaks << ' ' << c.doubles;
   }
-  friend std::istream& operator>>(std::istream& in, Count& c) { return in >> c.rays >> c.leaks >> c.doubles; }
+  friend std::istream& operator>>(std::istream& in, SeamTally& c) { return in >> c.rays >> c.leaks >> c.doubles; }
 };
 
 /// A turn, a size of 10^-6 ... 10^6 and a place up to 10^4 sizes (or, large, 10^6) away; every other one stays along
@@ -133,12 +133,12 @@ ClosedSurface rectangles(std::uint64_t number) {
   return surface;
 }
 
-Count ask(const Device& device, const ClosedSurface& surface, std::uint64_t seed) {
+SeamTally ask(const Device& device, const ClosedSurface& surface, std::uint64_t seed) {
   RenderSettings settings;
   settings.precision = Precision::robust;
   Intersector intersector(device, surface.scene, settings);
   std::vector<Ray> rays = rays_at_seams(surface, rays_a_surface, seed);
-  Count count;
+  SeamTally count;
   count.rays = rays.size();
   const std::vector<Hit> hits = intersector.trace(rays);
   for (std::size_t i = 0; i < rays.size(); ++i) {
@@ -154,13 +154,13 @@ Count ask(const Device& device, const ClosedSurface& surface, std::uint64_t seed
 void hold(const std::string& name, ClosedSurface (*surface)(std::uint64_t)) {
   test::require_pocl_and_rusticl();
   const Device device = Device::open(test::device_asked_for());
-  test::Progress<Count> progress;
+  test::Progress<SeamTally> progress;
   const double wanted = test::count_asked_for("STRAHL_RAYS", 1e7);
-  Count total;
+  SeamTally total;
   for (std::uint64_t number = 0; static_cast<double>(total.rays) < wanted; ++number) {
     const std::string chunk = name + "/" + std::to_string(number);
-    const Count* known = progress.find(chunk);
-    const Count count = known ? *known : ask(device, surface(number), number);
+    const SeamTally* known = progress.find(chunk);
+    const SeamTally count = known ? *known : ask(device, surface(number), number);
     if (!known) progress.finished(chunk, count);
     if (count.leaks + count.doubles > 0) UNSCOPED_INFO("number " << number << ": " << count);
     total.add(count);

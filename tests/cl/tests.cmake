@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 strahl_test(cl/test_angle.cpp LABEL unit LIBS strahl_oracle SOURCES cl/angle_f32.cpp cl/angle_f64.cpp)
-target_include_directories(cl_test_angle PRIVATE ${PROJECT_SOURCE_DIR}/cl)
+set_source_files_properties(cl/test_angle.cpp cl/angle_f32.cpp cl/angle_f64.cpp cl/test_departure.cpp
+                            PROPERTIES INCLUDE_DIRECTORIES ${PROJECT_SOURCE_DIR}/cl)
 
 # The dialect on the host. Apart from libstrahl, whose headers have the same names: only cl/ and tests/ are on the path.
 # Without the instruction every fma is a library call, right but ten times slower; it is used where this machine has it.
@@ -12,12 +13,13 @@ check_cxx_source_runs(
 unset(CMAKE_REQUIRED_FLAGS)
 add_library(strahl_host_kernels STATIC cl/host_kernels_f32.cpp cl/host_kernels_f64.cpp cl/math_f32.cpp cl/math_f64.cpp
             cl/sampling_f32.cpp cl/sampling_f64.cpp)
+# One dialect, two precisions: each file is a world of its own.
+set_target_properties(strahl_host_kernels PROPERTIES UNITY_BUILD OFF)
 target_include_directories(strahl_host_kernels PRIVATE ${PROJECT_SOURCE_DIR}/cl ${CMAKE_CURRENT_SOURCE_DIR})
 # -O2 in every configuration: these bodies are what the tests below spend their time in.
 target_compile_options(strahl_host_kernels PRIVATE -O2 -Wno-psabi $<$<BOOL:${STRAHL_HOST_HAS_FMA}>:-mfma>)
 
 strahl_test(cl/test_departure.cpp LABEL unit)
-target_include_directories(cl_test_departure PRIVATE ${PROJECT_SOURCE_DIR}/cl)
 foreach(name departed math samplers sampling)
   strahl_test(cl/test_${name}.cpp LABEL unit LIBS strahl_host_kernels strahl_oracle)
 endforeach()

@@ -12,6 +12,8 @@
 
 namespace strahl::test {
 
+inline const std::vector<std::string> rgb{"R", "G", "B"};
+
 /// Values that a careless writer loses: zeros of both signs, denormals, extremes, infinities and a NaN.
 inline std::vector<float> awkward_values() {
   using Limits = std::numeric_limits<float>;

@@ -27,8 +27,6 @@ using Catch::Matchers::Contains;
 
 namespace {
 
-const std::vector<std::string> rgb{"R", "G", "B"};
-
 /// One channel of any type with data window `data` in display window `display`.
 template <class T>
 void put_exr(const std::string& path, Imf::PixelType type, const Imath::Box2i& display, const Imath::Box2i& data,
@@ -184,7 +182,7 @@ TEST_CASE("kinds that are not read say so") {
   CHECK_THROWS_AS(read_image(path), InputError);
 }
 
-TEST_CASE("damaged files") {
+TEST_CASE("damaged EXR files") {
   const TemporaryFolder folder;
   const auto read = [](const std::string& name) { return read_image(name); };
   Image image = picture(31, 40, rgb, awkward_values());

@@ -15,8 +15,6 @@ using Catch::Matchers::Contains;
 
 namespace {
 
-const std::vector<std::string> rgb{"R", "G", "B"};
-
 Image grey(int width, int height, float value) { return picture(width, height, rgb, {value}); }
 
 /// A dot of the other brightness in the middle of 33 x 33 pixels.

@@ -15,8 +15,6 @@ using Catch::Matchers::Contains;
 
 namespace {
 
-const std::vector<std::string> rgb{"R", "G", "B"};
-
 double measure(const Image& a, const Image& b, Metric metric) { return compare_images(a, b, metric); }
 
 }  // namespace

@@ -144,7 +144,7 @@ TEST_CASE("shapes whose size overflows") {
   }
 }
 
-TEST_CASE("damaged files") {
+TEST_CASE("damaged NPY files") {
   const TemporaryFolder folder;
   const auto read = [](const std::string& name) { return read_npy(name); };
   const std::string good = npy(2, dictionary("<f4", true, "(2, 3)"), f4);

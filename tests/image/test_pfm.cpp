@@ -51,7 +51,7 @@ TEST_CASE("big-endian files, and a scale other than 1") {
   CHECK(read_image(folder / "a.pfm").data == std::vector<float>{0.5F, -1, 0.5F});
 }
 
-TEST_CASE("damaged files") {
+TEST_CASE("damaged PFM files") {
   const TemporaryFolder folder;
   const std::string path = folder / "a.pfm";
   const auto read = [](const std::string& name) { return read_image(name); };

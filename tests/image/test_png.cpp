@@ -19,8 +19,6 @@ using Catch::Matchers::Contains;
 
 namespace {
 
-const std::vector<std::string> rgb{"R", "G", "B"};
-
 /// The file's 8-bit codes by libpng's own simplified interface.
 std::vector<png_byte> codes(const std::string& path, png_uint_32 format) {
   png_image image{};
@@ -215,7 +213,7 @@ TEST_CASE("colour types that strahl does not write") {
   }
 }
 
-TEST_CASE("damaged files") {
+TEST_CASE("damaged PNG files") {
   const TemporaryFolder folder;
   const auto read = [](const std::string& name) { return read_image(name); };
   Image image = picture(31, 17, rgb, {0.1F, 0.5F, 0.9F, 0.3F});

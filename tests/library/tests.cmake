@@ -8,7 +8,7 @@ add_test(NAME library_install_example
 set_tests_properties(library_install_example PROPERTIES LABELS render TIMEOUT 300 FIXTURES_SETUP installed_example)
 
 strahl_test(library/test_example.cpp LABEL render)
-target_compile_definitions(library_test_example PRIVATE STRAHL_INSTALL_TEST="${STRAHL_INSTALL_TEST}")
+target_compile_definitions(library_tests PRIVATE STRAHL_INSTALL_TEST="${STRAHL_INSTALL_TEST}")
 set_tests_properties(library_test_example PROPERTIES FIXTURES_REQUIRED installed_example)
 
 strahl_test(library/test_build.cpp LABEL unit)

@@ -131,6 +131,16 @@ def table(mutants):
     return HEAD + "\n".join(rows) + "\n"
 
 
+def command(build, killer):
+    """A program of the build, or the tests of a file by ctest's name for them, all or those of the names that follow."""
+    program, *arguments = shlex.split(killer)
+    test = re.fullmatch("(.+?)_(test_.+)", program)
+    if test:
+        program, arguments = f"{test[1]}_tests", arguments or ["-#", f"[#{test[2]}]"]
+        arguments = ["--warn", "NoTests", *arguments]
+    return [build / "tests" / program, *arguments]
+
+
 class Laboratory:
     def __init__(self, build):
         self.build = build
@@ -147,13 +157,12 @@ class Laboratory:
 
     def run(self, killer, kernels):
         """What became of it, in how many seconds, and the output."""
-        program, *arguments = shlex.split(killer)
         # Verdicts and programs of wrong kernels stay out of the user's caches.
         caches = {"STRAHL_CACHE_DIR": str(kernels) + ".cache", "POCL_CACHE_DIR": str(self.folder / "pocl")}
         pathlib.Path(caches["POCL_CACHE_DIR"]).mkdir(exist_ok=True)
         started = time.monotonic()
         try:
-            done = subprocess.run([self.build / "tests" / program, *arguments], env=os.environ | caches |
+            done = subprocess.run(command(self.build, killer), env=os.environ | caches |
                                   {"STRAHL_KERNEL_DIR": str(kernels)}, timeout=SECONDS, text=True,
                                   errors="replace", stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
                                   stderr=subprocess.STDOUT)
@@ -183,7 +192,7 @@ def run_named(laboratory, mutants, workers):
 
 
 def fingerprint(mutant, killer, laboratory):
-    path = laboratory.build / "tests" / shlex.split(killer)[0]
+    path = command(laboratory.build, killer)[0]
     kernels = b"".join(file.read_bytes() for file in sorted(KERNELS.rglob("*")) if file.is_file())
     parts = [str(mutant and mutant.edits), killer, str(path.stat().st_mtime_ns)]
     return hashlib.sha256("\n".join(parts).encode() + kernels).hexdigest()[:16]

@@ -2,6 +2,7 @@
 // What the render tests share: the project's scenes in small, all AOVs, and comparison of every bit.
 #pragma once
 
+#include <array>
 #include <cstring>
 #include <filesystem>
 #include <string>
@@ -14,6 +15,9 @@
 namespace strahl::test {
 
 inline const std::filesystem::path scene_folder = STRAHL_SOURCE_DIR "/scenes";
+
+/// Tiers that keep closed forms to rounding.
+inline constexpr std::array exact_tiers{Precision::stable, Precision::robust, Precision::fp64};
 
 inline Scene small_scene(const std::filesystem::path& path, int width, int height, int spp) {
   Scene scene = load_scene(path.string()).scene;

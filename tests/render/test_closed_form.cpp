@@ -16,14 +16,12 @@ double rounding(Precision precision) { return precision == Precision::fp64 ? 1e-
 /// The largest error that the film may add (docs/decisions/0002-film.md): half a unit of 2^-28 of the typical radiance.
 double half_unit(double typical) { return std::ldexp(1.0, std::ilogb(typical) - 29); }
 
-constexpr std::array tiers{Precision::stable, Precision::robust, Precision::fp64};
-
 TEST_CASE("a point light over a plane: rho / pi I cos / d^2") {
   require_pocl_and_rusticl();
   const Vec3 at{0.3, -0.4, 1.5};
   Scene scene = stage({floor_plane()}, diffuse({0.8, 0.5, 0.25}));
   scene.lights = {light(PointLight{at, {10, 5, 2}})};
-  for (const Precision precision : tiers) {
+  for (const Precision precision : exact_tiers) {
     const Image image = color(scene, precision);
     double worst = 0;
     for (int y = 0; y < stage_size; ++y)
@@ -44,7 +42,7 @@ TEST_CASE("a directional light: rho / pi E cos") {
   require_pocl_and_rusticl();
   Scene scene = stage({floor_plane()}, diffuse({0.6, 0.6, 0.6}));
   scene.lights = {light(DirectionalLight{{1, 2, -2}, {3, 2, 1}})};
-  for (const Precision precision : tiers) {
+  for (const Precision precision : exact_tiers) {
     const Image image = color(scene, precision);
     double worst = 0;
     for (std::size_t i = 0; i < image.data.size(); ++i) {
@@ -74,7 +72,7 @@ TEST_CASE("emission is the colour that was given, exactly") {
   Scene scene = stage({Rectangle{{-2, -2, 0}, {4, 0, 0}, {0, 4, 0}}});
   scene.shapes[0].radiance = Rgb{0.1, 1.7, 3.3};
   for (const char* integrator : {"emission", "direct"})
-    for (const Precision precision : tiers) {
+    for (const Precision precision : exact_tiers) {
       scene.integrator.name = integrator;
       const Image image = color(scene, precision);
       for (std::size_t i = 0; i < image.data.size(); ++i) {
@@ -91,7 +89,7 @@ TEST_CASE("depth is the distance along the ray") {
   scene.camera.projection = Projection::perspective;
   scene.camera.fov_degrees = 90;
   scene.camera.world_from_camera.m = {{{-1, 0, 0, 7}, {0, 1, 0, -3}, {0, 0, -1, 4}}};
-  for (const Precision precision : tiers) {
+  for (const Precision precision : exact_tiers) {
     const Image image = color(scene, precision);
     double worst = 0;
     for (int y = 0; y < stage_size; ++y)
@@ -108,7 +106,7 @@ TEST_CASE("normals of a sphere") {
   const double radius = 1.3;
   Scene scene = stage({Sphere{{0.2, -0.1, 0}, radius}});
   scene.integrator.name = "normals";
-  for (const Precision precision : tiers) {
+  for (const Precision precision : exact_tiers) {
     const Image image = color(scene, precision);
     double worst = 0;
     for (int y = 0; y < stage_size; ++y)
@@ -131,7 +129,7 @@ TEST_CASE("the shadow of a sphere ends where the tangent cone meets the plane") 
   Scene scene = stage({floor_plane(), Sphere{{0.1, 0.2, 1.5}, 0.5}});
   scene.camera.world_from_camera.m[2][3] = 0.8;  // Below the sphere.
   const auto check = [&](const Vec3& center, double radius) {
-    for (const Precision precision : tiers) {
+    for (const Precision precision : exact_tiers) {
       const Image image = color(scene, precision);
       int dark = 0;
       for (int y = 0; y < stage_size; ++y)

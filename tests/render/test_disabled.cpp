@@ -52,7 +52,7 @@ std::string program(const Scene& scene, const RenderSettings& settings) {
   return program_source("kernels/render.cl", features_of(scene, settings), precision, 8).text;
 }
 
-Image picture(const Scene& scene, const std::set<std::string>& disabled = {}) {
+Image picture_without(const Scene& scene, const std::set<std::string>& disabled = {}) {
   RenderSettings settings;
   settings.precision = precision;
   settings.disabled = disabled;
@@ -78,9 +78,9 @@ TEST_CASE("a program without effects renders the scene without them") {
   settings.disabled = {"EMISSION", "INSTANCES",          "MESH_UVS",      "SMOOTH_NORMALS",
                        "TWOSIDED", "lights/directional", "shapes/sphere", "textures/checkerboard"};
   REQUIRE((program(everything(), settings) == program(without, {})));  // too long to be printed
-  const Image expected = picture(without);
+  const Image expected = picture_without(without);
   CHECK(lit_pixels(expected) > 0);
-  CHECK(same_bits(expected, picture(everything(), settings.disabled)));
+  CHECK(same_bits(expected, picture_without(everything(), settings.disabled)));
 }
 
 TEST_CASE("a material that is left out reflects nothing") {
@@ -90,8 +90,8 @@ TEST_CASE("a material that is left out reflects nothing") {
   scene.integrator.name = "whitted";
   scene.lights.push_back(light(ConstantLight{}));
   scene.film.width = scene.film.height = 4;
-  CHECK(lit_pixels(picture(scene)) == 16);
-  CHECK(lit_pixels(picture(scene, {"materials/conductor"})) == 0);
+  CHECK(lit_pixels(picture_without(scene)) == 16);
+  CHECK(lit_pixels(picture_without(scene, {"materials/conductor"})) == 0);
 }
 
 TEST_CASE("paths find an area light by themselves where none is drawn from, and gather as much") {
@@ -108,7 +108,7 @@ TEST_CASE("paths find an area light by themselves where none is drawn from, and 
     for (const float value : image.data) sum += value;
     return sum / static_cast<double>(image.data.size());
   };
-  CHECK(mean(picture(scene, {"lights/area"})) == Approx(mean(picture(scene))).epsilon(0.01));
+  CHECK(mean(picture_without(scene, {"lights/area"})) == Approx(mean(picture_without(scene))).epsilon(0.01));
 }
 
 }  // namespace

@@ -13,8 +13,6 @@
 namespace strahl::test {
 namespace {
 
-constexpr std::array exact_tiers{Precision::stable, Precision::robust, Precision::fp64};
-
 /// Coordinates that a shift of 2^20 does not round: multiples of 2^-20.
 Vec3 snapped(const Vec3& v) {
   const auto snap = [](double x) { return std::ldexp(std::round(std::ldexp(x, 20)), -20); };

@@ -34,11 +34,12 @@ std::vector<Named> convex_shapes(const Vec3& c, double s) {
 constexpr int shape_channel = 9;
 
 /// Pixels that show the shape's front and face the light, or turn from it; and those of them with the wrong colour.
-struct Count {
+struct LitPoints {
   int facing = 0, averted = 0, wrong = 0;
 };
 
-Count count(const Geometry& geometry, const Vec3& c, double s, const Vec3& towards, bool point, Precision precision) {
+LitPoints count(const Geometry& geometry, const Vec3& c, double s, const Vec3& towards, bool point,
+                Precision precision) {
   Scene scene = stage({geometry}, diffuse({1, 1, 1}, true));
   const Vec3 at = c + (2 * s) * towards;
   scene.lights = {point ? light(PointLight{at, {1e3 * s * s, 1e3 * s * s, 1e3 * s * s}})
@@ -46,7 +47,7 @@ Count count(const Geometry& geometry, const Vec3& c, double s, const Vec3& towar
   const double wide = 1.3 * s;
   scene.camera.world_from_camera.m = {{{-wide, 0, 0, c.x}, {0, wide, 0, c.y}, {0, 0, -1, c.z + 10 * s}}};
   const RenderResult result = stage_picture(scene, precision);
-  Count counted;
+  LitPoints counted;
   for (int y = 0; y < stage_size; ++y)
     for (int x = 0; x < stage_size; ++x) {
       const auto value = [&](int channel) { return double{result.aov.at(x, y, channel)}; };
@@ -75,10 +76,10 @@ TEST_CASE("what faces the light is lit") {
                              Place{{-10, 20, 30}, 1e4}})
     for (const Named& shape : convex_shapes(place.center, place.size))
       for (const Precision precision : {Precision::robust, Precision::fp64}) {
-        Count all;
+        LitPoints all;
         for (const Vec3& direction : directions)
           for (const bool point : {false, true}) {
-            const Count one = count(shape.geometry, place.center, place.size, direction, point, precision);
+            const LitPoints one = count(shape.geometry, place.center, place.size, direction, point, precision);
             all.facing += one.facing;
             all.averted += one.averted;
             all.wrong += one.wrong;

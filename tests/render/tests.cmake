@@ -6,7 +6,7 @@ endforeach()
 strahl_test(render/test_pass_plan.cpp LABEL unit)
 # A program for every scene, compiled where nothing is cached yet.
 strahl_test(render/test_generic.cpp LABEL render TIMEOUT 400)
-add_test(NAME render_test_generic_all_tiers COMMAND render_test_generic)
+add_test(NAME render_test_generic_all_tiers COMMAND render_tests "-#" "[#test_generic]")
 set_tests_properties(render_test_generic_all_tiers PROPERTIES LABELS slow TIMEOUT 3600 ENVIRONMENT STRAHL_ALL_TIERS=1)
 # Where nothing is cached yet and the machine is busy, rusticl takes up to half a minute of the processor for a stable
 # program and some three minutes for a robust one.
@@ -16,13 +16,12 @@ add_test(NAME render_test_oclgrind COMMAND ${CMAKE_CURRENT_LIST_DIR}/test_oclgri
                                            ${PROJECT_SOURCE_DIR}/scenes/lecture/lit.xml)
 set_tests_properties(render_test_oclgrind PROPERTIES LABELS oclgrind SKIP_RETURN_CODE 77 TIMEOUT 120)
 
-add_test(NAME render_test_metamorphic_all_scales COMMAND render_test_metamorphic "another unit of length")
+add_test(NAME render_test_metamorphic_all_scales COMMAND render_tests "another unit of length")
 set_tests_properties(render_test_metamorphic_all_scales PROPERTIES LABELS slow TIMEOUT 900 ENVIRONMENT
                                                                                            STRAHL_ALL_SCALES=1)
 
 # 10,000 rays x 10,000 mirrors for every room and tier: about half an hour.
-add_test(NAME render_test_mirror_box_long COMMAND render_test_mirror_box
-             numeric_error)
+add_test(NAME render_test_mirror_box_long COMMAND render_tests "-#" "[#test_mirror_box]")
 set_tests_properties(render_test_mirror_box_long PROPERTIES LABELS slow TIMEOUT 7200 ENVIRONMENT STRAHL_MIRRORS=10000)
 strahl_test(render/test_every_scene.cpp LABEL slow TIMEOUT 3600)
 
@@ -31,7 +30,7 @@ add_test(NAME render_test_oclgrind_every_scene COMMAND ${CMAKE_CURRENT_LIST_DIR}
                                                        ${every_scene})
 set_tests_properties(render_test_oclgrind_every_scene PROPERTIES LABELS slow SKIP_RETURN_CODE 77 TIMEOUT 3600)
 
-add_test(NAME render_test_error_coverage_long COMMAND render_test_error_coverage)
+add_test(NAME render_test_error_coverage_long COMMAND render_tests "-#" "[#test_error_coverage]")
 set_tests_properties(
   render_test_error_coverage_long PROPERTIES LABELS slow TIMEOUT 3600
                                              ENVIRONMENT "STRAHL_COVERAGE_SEEDS=200;STRAHL_COVERAGE_SPP=100000")

@@ -11,5 +11,5 @@ strahl_test(robust/test_devices.cpp LABEL device LIBS strahl_robust_kernels stra
 strahl_test(robust/test_edges_devices.cpp LABEL device LIBS strahl_selftest)
 
 # A million cases a law: minutes.
-add_test(NAME robust_test_oracle_million COMMAND robust_test_oracle)
+add_test(NAME robust_test_oracle_million COMMAND robust_tests "-#" "[#test_oracle]")
 set_tests_properties(robust_test_oracle_million PROPERTIES LABELS slow TIMEOUT 3600 ENVIRONMENT STRAHL_CASES=1000000)

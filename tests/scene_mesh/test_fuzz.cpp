@@ -28,7 +28,7 @@ std::string binary_ply(bool big_endian) {
   return text;
 }
 
-const std::string obj =
+const std::string whole_obj =
     "# c\nmtllib m.mtl\nv 0 0 0\nv 1.5e0 0 0\nv 1 1 0\nv -0 .1e1 +0\nv .5 .5 0\nvt 0 0\nvt 1 1\nvn 0 0 1\nvn 0 0 "
     "0\nusemtl "
     "a\nf 1/1/1 2/2/1 3/1/2 4/2\ng x\ns 1\nf -5 -4 \\\n -3\nf 1//1 5//1 2//1 3//1 4//1\nl 1 2\np 3\nusemtl b c\nf 2 3 "
@@ -109,7 +109,7 @@ TEST_CASE("damaged files load or are refused, and never do worse") {
   std::mt19937 random(20260101);
   folder.write("m.mtl", mtl);
   constexpr int variants = 500;
-  for (const auto& [name, seed] : {std::pair<std::string, std::string>{"a.obj", obj},
+  for (const auto& [name, seed] : {std::pair<std::string, std::string>{"a.obj", whole_obj},
                                    {"text.ply", ascii_ply},
                                    {"little.ply", binary_ply(false)},
                                    {"big.ply", binary_ply(true)}}) {
@@ -129,7 +129,7 @@ TEST_CASE("damaged files load or are refused, and never do worse") {
     CHECK(loaded > 0);
     CHECK(loaded < variants);
   }
-  const std::string user = folder.write("a.obj", obj);
+  const std::string user = folder.write("a.obj", whole_obj);
   int loaded = 0;
   for (int i = 0; i < variants; ++i) {
     folder.write("m.mtl", damaged(mtl, random));

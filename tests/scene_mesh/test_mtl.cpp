@@ -9,14 +9,14 @@ using test::error_of;
 using test::TempFolder;
 using test::text_of;
 
-const std::string square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
+const std::string obj_square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
 
 TEST_CASE("triangles know their material; materials come in the order of use, each once") {
   const TempFolder folder;
   folder.write("m.mtl",
                "newmtl lamp\n\tKd 0.1 0.2 0.3\n Ke 5 6 7\nnewmtl grey\nKd 0.25\nKe 0 0 0\nKa 1 1 1\nmap_Ks x\n\n"
                "newmtl two words\nKd 1 0 0\nnewmtl lamp\nKd 0.9 0.9 0.9\n");
-  const MeshFile file = read_mesh(folder.write("a.obj", "usemtl grey\nmtllib m.mtl\n" + square +
+  const MeshFile file = read_mesh(folder.write("a.obj", "usemtl grey\nmtllib m.mtl\n" + obj_square +
                                                             "f 1 2 3\nusemtl  lamp \nf 1 2 3 4\nusemtl grey\nf 1 3 4\n"
                                                             "usemtl two words\nf 1 2 3\nusemtl unused\n"));
   REQUIRE(file.materials.size() == 3);
@@ -34,7 +34,8 @@ TEST_CASE("triangles know their material; materials come in the order of use, ea
 TEST_CASE("faces before the first usemtl get a default material without a name") {
   const TempFolder folder;
   folder.write("m.mtl", "newmtl a\nKd 1 1 1\n");
-  const MeshFile file = read_mesh(folder.write("a.obj", "mtllib m.mtl\n" + square + "f 1 2 3\nusemtl a\nf 1 3 4\n"));
+  const MeshFile file =
+      read_mesh(folder.write("a.obj", "mtllib m.mtl\n" + obj_square + "f 1 2 3\nusemtl a\nf 1 3 4\n"));
   CHECK(file.mesh.part_of_triangle == std::vector<int>{1, 0});
   REQUIRE(file.materials.size() == 2);
   CHECK(file.materials[1].name.empty());
@@ -46,7 +47,7 @@ TEST_CASE("several libraries in one line, names with blanks, folders with backsl
   folder.write("one.mtl", "newmtl a\nKd 0.1\n");
   folder.write("my second file.mtl", "newmtl b\nKd 0.2\n");
   folder.write("sub/third.mtl", "newmtl c\r\nKd 0.3\r\n");
-  const std::string faces = square + "usemtl a\nf 1 2 3\nusemtl b\nf 1 2 3\nusemtl c\nf 1 2 3\n";
+  const std::string faces = obj_square + "usemtl a\nf 1 2 3\nusemtl b\nf 1 2 3\nusemtl c\nf 1 2 3\n";
   for (const char* line :
        {"mtllib one.mtl my second file.mtl sub/third.mtl", "mtllib my\\ second\\ file.mtl one.mtl .\\sub\\third.mtl",
         "mtllib one.mtl \\\n my second file.mtl\nmtllib sub/third.mtl  "}) {
@@ -62,7 +63,7 @@ TEST_CASE("several libraries in one line, names with blanks, folders with backsl
 TEST_CASE("a missing library and unknown materials are warnings") {
   const TempFolder folder;
   const MeshFile file =
-      read_mesh(folder.write("a.obj", "mtllib gone.mtl also gone.mtl\n" + square +
+      read_mesh(folder.write("a.obj", "mtllib gone.mtl also gone.mtl\n" + obj_square +
                                           "usemtl x\nf 1 2 3\nusemtl y\nf 1 2 3\nusemtl x\nf 1 2 3\n"));
   CHECK(text_of(file.warnings) ==
         "a.obj:1:8: warning: material library \"gone.mtl\" cannot be opened; its materials become the default diffuse\n"
@@ -76,7 +77,7 @@ TEST_CASE("a missing library and unknown materials are warnings") {
 
 TEST_CASE("what an MTL file gets wrong") {
   const TempFolder folder;
-  const std::string obj = folder.write("a.obj", "mtllib m.mtl\n" + square + "usemtl a\nf 1 2 3\n");
+  const std::string obj = folder.write("a.obj", "mtllib m.mtl\n" + obj_square + "usemtl a\nf 1 2 3\n");
   const auto read = [&](const std::string& text) {
     folder.write("m.mtl", text);
     const MeshFile file = read_mesh(obj);

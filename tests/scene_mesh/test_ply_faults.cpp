@@ -13,10 +13,10 @@ using test::bytes;
 using test::error_of;
 using test::TempFolder;
 
-const std::string xyz = "property float x\nproperty float y\nproperty float z\n";
+const std::string vertex_xyz = "property float x\nproperty float y\nproperty float z\n";
 const std::string faces = "property list uchar int vertex_indices\n";
 const std::string header =
-    "ply\nformat ascii 1.0\nelement vertex 3\n" + xyz + "element face 1\n" + faces + "end_header\n";
+    "ply\nformat ascii 1.0\nelement vertex 3\n" + vertex_xyz + "element face 1\n" + faces + "end_header\n";
 const std::string vertices = "0 0 0\n1 0 0\n0 1 0\n";
 
 std::string with(std::string text, const std::string& what, const std::string& by) {

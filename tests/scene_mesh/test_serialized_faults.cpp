@@ -95,7 +95,7 @@ TEST_CASE("faults of the mesh") {
         "a.serialized: error: byte 0: mesh without triangles; give it at least one face with an area\n");
 }
 
-TEST_CASE("absurd counts are refused before anything is allocated for them") {
+TEST_CASE("absurd counts of serialized meshes are refused before anything is allocated for them") {
   const TempFolder folder;
   const auto fault = [&](std::uint64_t vertices, std::uint64_t triangles) {
     SerializedMesh mesh;

@@ -3,6 +3,7 @@ strahl_test(selftest/test_probe.cpp LABEL device LIBS strahl_robust_kernels stra
 # Bodies of the tiers on the host, apart from libstrahl, whose headers have the same names: only cl/ and tests/ on the
 # path. STRAHL_HOST_HAS_FMA: tests/cl/tests.cmake, which comes first.
 add_library(strahl_nearest STATIC selftest/nearest_stable.cpp selftest/nearest_robust.cpp selftest/nearest_double.cpp)
+set_target_properties(strahl_nearest PROPERTIES UNITY_BUILD OFF)
 target_include_directories(strahl_nearest PRIVATE ${PROJECT_SOURCE_DIR}/cl ${CMAKE_CURRENT_SOURCE_DIR})
 target_compile_options(strahl_nearest PRIVATE -O2 -Wno-psabi $<$<BOOL:${STRAHL_HOST_HAS_FMA}>:-mfma>)
 
@@ -16,5 +17,6 @@ strahl_test(selftest/test_catalogue_pictures.cpp LABEL render LIBS strahl_selfte
 
 strahl_test(selftest/test_faults.cpp LABEL device SOURCES cli/program.cpp LIBS strahl_selftest nlohmann_json::nlohmann_json
             TIMEOUT 300)
-add_dependencies(selftest_test_faults strahl-bin)
-target_compile_definitions(selftest_test_faults PRIVATE STRAHL_PROGRAM="$<TARGET_FILE:strahl-bin>")
+strahl_runs_program(selftest_tests)
+set_source_files_properties(selftest/test_faults.cpp selftest/test_catalogue_pictures.cpp
+                            PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)

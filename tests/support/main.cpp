@@ -7,10 +7,13 @@
 #include "support/needs.h"
 
 int main(int count, char** arguments) {
-  for (const std::string& path : strahl::test::Needs::paths())
-    if (!std::filesystem::exists(path)) {
+  Catch::Session session;
+  if (const int error = session.applyCommandLine(count, arguments); error != 0) return error;
+  for (const auto& [file, path] : strahl::test::Needs::all())
+    if (session.configData().testsOrTags == std::vector<std::string>{"[#" + file + "]"} &&
+        !std::filesystem::exists(path)) {
       std::printf("skipped: %s is not there\n", path.c_str());
       return 77;
     }
-  return Catch::Session().run(count, arguments);
+  return session.run();
 }

@@ -18,7 +18,7 @@
 namespace strahl {
 namespace {
 
-using Json = nlohmann::json;
+using Json = nlohmann::ordered_json;
 using Insertions = std::map<std::string, std::string, std::less<>>;
 
 Json parsed(const std::string& tradeoff_json) {
