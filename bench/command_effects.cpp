@@ -17,7 +17,7 @@ namespace {
 constexpr const char* kScenes = STRAHL_BENCH_FOLDER "/../scenes/";
 constexpr const char *kBegin = "<!-- measured: bench/run effects -->\n", *kEnd = "<!-- end -->";
 
-struct Options {
+struct EffectsCommand {
   EffectsOptions what;
   std::string device;
   std::string report;
@@ -42,7 +42,7 @@ void write_report(const Effects& effects, const std::string& path) {
   write(std::filesystem::path(path).replace_extension(".json").string(), json(effects));
 }
 
-void run(Options options) {
+void run(EffectsCommand options) {
   keep_drivers_from_caching();
   options.what.folder = kScenes;
   if (options.what.scenes.empty())
@@ -60,7 +60,7 @@ void run(Options options) {
 }  // namespace
 
 Command add_effects(CLI::App& app) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<EffectsCommand>();
   app.add_option("-d,--device", options->device, "As in strahl -d; default: the fastest GPU, else CPU");
   app.add_option("--scenes", options->what.scenes, "Comma-separated files; default: all that are shipped")
       ->delimiter(',')

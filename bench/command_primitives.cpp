@@ -12,7 +12,7 @@
 namespace strahl::bench {
 namespace {
 
-struct Options {
+struct PrimitivesCommand {
   std::string device;
   std::string json;
   std::vector<std::string> primitives = primitive_names();
@@ -20,7 +20,7 @@ struct Options {
   int rounds = 9;
 };
 
-void run(const Options& options) {
+void run(const PrimitivesCommand& options) {
   const Device device = Device::open(options.device);
   std::vector<Precision> tiers{Precision::fast, Precision::stable, Precision::robust};
   if (device.info().fp64) tiers.push_back(Precision::fp64);
@@ -41,7 +41,7 @@ void run(const Options& options) {
 }  // namespace
 
 Command add_primitives(CLI::App& app) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<PrimitivesCommand>();
   app.add_option("-d,--device", options->device, "As in strahl -d; default: the fastest GPU, else CPU");
   app.add_option("--json", options->json, "Write the timings for programs too")->type_name("FILE");
   app.add_option("--primitives", options->primitives, "Only these, comma-separated")->delimiter(',')->type_name("LIST");

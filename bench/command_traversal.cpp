@@ -16,7 +16,7 @@
 namespace strahl::bench {
 namespace {
 
-struct Options {
+struct TraversalCommand {
   TraversalOptions what;
   std::vector<std::string> kinds, tiers;
   std::string device;
@@ -45,7 +45,7 @@ RayKind kind_from_name(const std::string& name) {
   throw UsageError(fmt::format("unknown kind of rays \"{}\"; there are primary, shadow, diffuse", name));
 }
 
-void run(const Options& options) {
+void run(const TraversalCommand& options) {
   TraversalOptions what = options.what;
   if (!options.kinds.empty()) what.kinds.clear();
   for (const std::string& name : options.kinds) what.kinds.push_back(kind_from_name(name));
@@ -61,7 +61,7 @@ void run(const Options& options) {
 }  // namespace
 
 Command add_traversal(CLI::App& app) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<TraversalCommand>();
   TraversalOptions& what = options->what;
   app.add_option("-d,--device", options->device, "As in strahl -d; default: the fastest GPU, else CPU");
   app.add_option("--scenes", what.scenes,

@@ -32,8 +32,8 @@ class Minimal {
       : device_(device), side_(scene.film.width), scale_(film_scale(scene)) {
     KernelFiles files = kernel_files();
     files[kRoot] = read_file(STRAHL_BENCH_FOLDER "/kernels/ten_spheres_minimal.cl");
-    program_ =
-        build_program(device, program_source(files, kRoot, features_of(scene, settings), settings.precision, lanes));
+    program_ = build_program(
+        device, program_source(files, kRoot, features_of(scene, settings), settings.precision, lanes, lanes, false));
     const Frame frame = settings.precision == Precision::fast ? Frame{} : camera_frame(scene);
     const std::size_t width = static_cast<std::size_t>(lanes), count = scene.shapes.size();
     blocks_ = static_cast<int>((count + width - 1) / width);

@@ -78,7 +78,11 @@ FN void LANED(settle_one)(const Ray* ray, Nearest* best) {
 
 /// One ray from a reference on, NO_REFERENCE: through everything.
 SELDOM_FN void LANED(walk_alone)(const Scene* scene, const Ray* ray, int start, int stop_at_first, Nearest* best) {
-  *best = LANED(walk)(scene, ray, start, *best, stop_at_first ? FIND_ANY : FIND_NEAREST);
+  int want = stop_at_first ? FIND_ANY : FIND_NEAREST;
+  if (HAS_TREE)
+    *best = LANED(walk)(scene, ray, start, *best, want);
+  else
+    *best = LANED(meet_lists)(scene, ray, *best, want);
   LANED(settle_one)(ray, best);
 }
 
@@ -176,7 +180,7 @@ FN int LANED(packet_walk)(const Scene* scene, LANED(Packet) * p, int stop_at_fir
   for (;;) {
     if (kind <= kinds) {
       while (kind < kinds && scene_shape_row(scene, kind)[SHAPE_LISTED] == 0) ++kind;
-      reference = kind < kinds ? ~kind : scene->index[HEADER_ROOT];
+      reference = kind < kinds ? ~kind : (HAS_TREE ? scene->index[HEADER_ROOT] : NO_REFERENCE);
       ++kind;
       if (reference == NO_REFERENCE) return 1;
     }

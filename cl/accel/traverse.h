@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Closest hit and any hit over everything: what is listed, then the tree (docs/decisions/0008-tree.md). One width; no
-// guard. Of the children that a ray meets the nearest is entered first, the others wait on a stack, nearest on top:
+// Closest hit and any hit over everything: what is listed, then the tree (docs/decisions/0008-tree.md). Where HAS_TREE
+// is 0 everything is listed, and the program has no walk. One width; no guard. Of the children that a ray meets the nearest is entered first, the others wait on a stack, nearest on top:
 // I. Wald, C. Benthin, S. Boulos, "Getting Rid of Packets", IEEE Symposium on Interactive Ray Tracing, 2008.
 // Nothing that begins at the nearest hit so far is dropped: among equal t the smallest id wins.
 #include "accel/instance.h"
@@ -119,23 +119,13 @@ FN void LANED(meet_leaf)(const Scene* scene, const Ray* ray, const Place* place,
   }
 }
 
-#if LANES > 1
-/// 1: lists have a loop of their own. Shapes of more planes have long bodies, which a program should not hold twice; so
-/// have all where a lane is a work-item.
-enum {
-  LANED(LISTS_APART) = 1
-#define SHAPE(name, planes) &((planes) <= 7)
-#include "shapes/shapes.def"
-#undef SHAPE
-};
-
-/// Everything that is listed, for scenes without a tree: what the walk prepares for nodes costs a ray among ten spheres
-/// a seventh of its time.
-FN Nearest LANED(meet_lists)(const Scene* scene, const Ray* ray, int want) {
+/// Everything that is listed, where nothing else is there: what the walk prepares for nodes costs a ray among ten
+/// spheres a seventh of its time, and a compiler half of its own. `best` is the nearest hit so far.
+FN Nearest LANED(meet_lists)(const Scene* scene, const Ray* ray, Nearest best, int want) {
   Place place;
   place.instance = -1;
-  Nearest best = nearest_none(ray->t_max);
   (void)scene;  // A scene without shapes.
+  (void)ray;
   (void)want;
 #define SHAPE(name, planes)                                   \
   if (scene_shape_row(scene, SHAPE_##name)[SHAPE_LISTED] > 0) \
@@ -144,7 +134,6 @@ FN Nearest LANED(meet_lists)(const Scene* scene, const Ray* ray, int want) {
 #undef SHAPE
   return best;
 }
-#endif
 
 /// From a reference on, NO_REFERENCE: through everything; `best` is the nearest hit so far. world: widened by ray_widen
 /// or widen_rays. want: FIND_...; t may come out roughly.
@@ -234,13 +223,10 @@ FN Nearest LANED(walk)(const Scene* scene, const Ray* world, int start, Nearest 
 
 FN Nearest LANED(traverse)(const Scene* scene, const Ray* ray, int want) {
   Nearest best = nearest_none(ray->t_max);
-#if LANES > 1
-  int is_apart = LANED(LISTS_APART);
-  if (!HAS_INSTANCES && is_apart && scene->index[HEADER_ROOT] == NO_REFERENCE)
-    best = LANED(meet_lists)(scene, ray, want);
-  else
-#endif
+  if (HAS_TREE)
     best = LANED(walk)(scene, ray, NO_REFERENCE, best, want);
+  else
+    best = LANED(meet_lists)(scene, ray, best, want);
 #if TIER_ROBUST
   if (want == FIND_NEAREST) nearest_settle(ray, &best, LANES);
 #endif
@@ -250,7 +236,7 @@ FN Nearest LANED(traverse)(const Scene* scene, const Ray* ray, int want) {
 FN Ray LANED(widened)(const Scene* scene, const Ray* given) {
   Ray ray = *given;
   // Only boxes of nodes and of instances are met with it.
-  if (HAS_INSTANCES || scene->index[HEADER_ROOT] != NO_REFERENCE)
+  if (HAS_TREE && (HAS_INSTANCES || scene->index[HEADER_ROOT] != NO_REFERENCE))
     ray_widen(&ray, scene->geometry + scene->index[HEADER_BOUNDS]);
   return ray;
 }

@@ -17,8 +17,10 @@
 #include "cli/scene_overrides.h"
 #include "device/device.h"
 #include "device/features.h"
+#include "device/pack_tree.h"
 #include "device/program_text.h"
 #include "device/tuned_width.h"
+#include "render/loop_bound.h"
 #include "study/effect_costs.h"
 
 namespace strahl::cli {
@@ -179,8 +181,9 @@ ExitCode explain(const ExplainOptions& options) {
   apply(options.overrides, scene);
   all.features = features_of(scene, all.settings);
   all.lanes = lanes_for(options, all.settings);
-  all.program = program_hash(
-      program_source("kernels/render.cl", all.features, all.settings.precision, all.lanes.count, all.lanes.tree));
+  const bool has_tree = calls_for_tree(scene, all.features, all.lanes.tree, acceleration_of(all.settings));
+  all.program = program_hash(program_source("kernels/render.cl", all.features, all.settings.precision, all.lanes.count,
+                                            all.lanes.tree, has_tree));
   if (options.cost) all.costs = costs_of(options, scene, all.settings);
   print((options.json ? json_of : text_of)(all));
   return ExitCode::ok;

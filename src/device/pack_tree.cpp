@@ -23,7 +23,12 @@ int lanes_of(int width) { return width >= 8 ? width : 1; }
 int most_in_leaf(int width) { return width >= 8 ? width : 4; }
 
 /// Up to so many bounded primitives a list is no slower than a tree (docs/performance.md).
-std::size_t list_up_to(int width) { return width >= 8 ? 2 * static_cast<std::size_t>(width) : 4; }
+std::size_t list_up_to(int width) { return width >= 8 ? 4 * static_cast<std::size_t>(width) : 4; }
+
+bool is_tree(Acceleration acceleration, std::size_t bounded, int width) {
+  if (acceleration == Acceleration::automatic) return bounded > list_up_to(width);
+  return acceleration == Acceleration::tree && bounded > 0;
+}
 
 std::int32_t leaf_reference(std::size_t block, std::size_t count, std::size_t kind, int width) {
   if (block >> (31 - layout::REFERENCE_BLOCK) != 0)
@@ -70,7 +75,6 @@ class TreePacking {
   }
 
   PackedTree<Real> run() {
-    const Acceleration acceleration = options_.acceleration;
     std::size_t bounded = instances_.size();
     Bounds<Real> reach = nothing<Real>();
     for (std::size_t k = 0; k < lists_.size(); ++k) {
@@ -86,9 +90,7 @@ class TreePacking {
     for (const Bounds<Real>& box : instances_) include(reach, box);
     if (bounded == 0) reach = {};
     packed_.reach = center_and_half(reach);
-    const bool wants_tree =
-        acceleration == Acceleration::tree || (acceleration == Acceleration::automatic && bounded > list_up_to(width_));
-    if (wants_tree && bounded > 0) tree(reach, bounded);
+    if (is_tree(options_.acceleration, bounded, width_)) tree(reach, bounded);
     for (std::size_t k = 0; k < lists_.size(); ++k)
       if (bounds_of_[k] == nullptr || packed_.root == NO_REFERENCE) list(k);
     packed_.lists_instances = packed_.root == NO_REFERENCE && !instances_.empty();
@@ -252,6 +254,19 @@ void append(std::vector<T>& to, const std::vector<T>& values) {
 }
 
 }  // namespace
+
+bool calls_for_tree(const Scene& scene, const Features& features, int width, Acceleration acceleration) {
+  if (features.flag("INSTANCES")) return true;
+  if (acceleration == Acceleration::list) return false;
+  std::size_t bounded = 0;
+  for (const Shape& shape : scene.shapes) {
+    const std::string kind = shape_kind(shape);
+    if (!features.has("shapes", kind) || bounds_function<float>(kind) == nullptr) continue;
+    bounded += static_cast<std::size_t>(primitive_count(shape));
+    if (is_tree(acceleration, bounded, width)) return true;
+  }
+  return false;
+}
 
 int stack_entries(int width) {
   return width == 2 ? layout::STACK_2 : width == 4 ? layout::STACK_4 : width == 8 ? layout::STACK_8 : layout::STACK_16;

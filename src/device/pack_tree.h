@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "device/features.h"
 #include "device/primitive_bounds.h"
 #include "render/settings.h"
 #include "render/stats.h"
@@ -50,6 +51,10 @@ struct TreeOptions {
   Acceleration acceleration = Acceleration::automatic;
   int stack = 0;  ///< References that may wait at a time.
 };
+
+/// Whether a program for the scene needs more than lists; where not, it is to be packed with Acceleration::list.
+/// width: as TreeOptions has it.
+[[nodiscard]] bool calls_for_tree(const Scene& scene, const Features& features, int width, Acceleration acceleration);
 
 /// What the kernels' stack holds (cl/scene/layout.h).
 [[nodiscard]] int stack_entries(int width);

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "device/cl_layout.h"
+#include "device/pack_tree.h"
 #include "device/program_text.h"
 #include "device/scene_buffers.h"
 #include "device/tuned_width.h"
@@ -218,10 +219,11 @@ Intersector::Intersector(const Device& device, const Scene& scene, const RenderS
       most_samples(device, intersect_loops(scene, width.lanes, acceleration_of(settings)), settings.loop_turns));
   const Stopwatch start;
   const Features features = intersection_features(scene, settings);
+  const bool has_tree = calls_for_tree(scene, features, width.tree, acceleration_of(settings));
   // Devices that end loops know how long single rays take.
   const bool packets = settings.coherent && width.lanes > 1 && !settings.loop_turns;
   const ProgramSource source = program_source(packets ? "kernels/intersect_packets.cl" : "kernels/intersect.cl",
-                                              features, settings.precision, width.lanes, width.tree);
+                                              features, settings.precision, width.lanes, width.tree, has_tree);
   ProgramReport report;
   const cl::Program program = build_program(device, source, &report, settings.cached_program);
   checked(device.info().text(), [&] {
@@ -232,8 +234,9 @@ Intersector::Intersector(const Device& device, const Scene& scene, const RenderS
   });
   s.stats.seconds.program = start.seconds();
   const Stopwatch upload;
-  s.buffers = upload_scene(device, scene, features, settings.precision,
-                           {width.lanes, Frame{}, width.tree, acceleration_of(settings)});
+  s.buffers =
+      upload_scene(device, scene, features, settings.precision,
+                   {width.lanes, Frame{}, width.tree, has_tree ? acceleration_of(settings) : Acceleration::list});
   s.first_ids = first_ids(scene);
   s.shapes_of_group = ranges_of(scene);
   for (const Instance& instance : scene.instances) s.group_of_instance.push_back(instance.group);

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "device/pack_tree.h"
 #include "device/tuned_width.h"
 #include "render/loop_bound.h"
 #include "render/renderer_state.h"
@@ -28,7 +29,8 @@ void Renderer::State::prepare() {
       most_samples(device, render_loops(scene, width.lanes, acceleration_of(settings)), settings.loop_turns);
   const Stopwatch start;
   features = features_of(scene, settings);
-  source = program_source("kernels/render.cl", features, settings.precision, width.lanes, width.tree);
+  const bool has_tree = calls_for_tree(scene, features, width.tree, acceleration_of(settings));
+  source = program_source("kernels/render.cl", features, settings.precision, width.lanes, width.tree, has_tree);
   ProgramReport report;
   const cl::Program program = build_program(device, source, &report, settings.cached_program);
   kernel = checked(device.info().text(), [&] { return cl::Kernel(program, "render"); });
@@ -36,7 +38,7 @@ void Renderer::State::prepare() {
 
   const Stopwatch upload_start;
   buffers = upload_scene(device, scene, features, settings.precision,
-                         {width.lanes, frame(), width.tree, acceleration_of(settings)});
+                         {width.lanes, frame(), width.tree, has_tree ? acceleration_of(settings) : Acceleration::list});
   const std::size_t pixels = static_cast<std::size_t>(window.width()) * static_cast<std::size_t>(band_rows());
   film = allocate(device, pixels * film_bytes_per_pixel, "one band of the film");
   aov_reals = allocate(device, aov_real_bytes(pixels), "the auxiliary values");

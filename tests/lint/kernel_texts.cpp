@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // kernel_texts FOLDER: writes every kernel x precision x {all, no, each single} effect as FOLDER/NAME.cl, for clang to
-// type-check. All and none at every width of lanes, single effects at the widest.
+// type-check. All, none and all of a scene without a tree at every width of lanes, single effects at the widest.
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -40,10 +40,10 @@ std::vector<std::pair<std::string, Features>> singles() {
 }
 
 void write(const std::filesystem::path& folder, const std::string& kernel, const std::string& set,
-           const Features& features, Precision precision, int lanes) {
+           const Features& features, Precision precision, int lanes, bool has_tree = true) {
   const std::string name = fmt::format("{}-{}-{}-{}.cl", kernel, precision_name(precision), lanes, set);
   std::ofstream file(folder / name);
-  file << program_source("kernels/" + kernel + ".cl", features, precision, lanes).text;
+  file << program_source("kernels/" + kernel + ".cl", features, precision, lanes, 0, has_tree).text;
   if (!file.flush()) throw std::runtime_error("cannot write " + name);
 }
 
@@ -60,6 +60,9 @@ int main(int count, char** arguments) {
         if (lanes > widest) continue;
         write(folder, kernel, "all", every(true), precision, lanes);
         write(folder, kernel, "none", every(false), precision, lanes);
+        Features flat = every(true);
+        for (auto& [name, on] : flat.flags) on = on && name != "INSTANCES";
+        write(folder, kernel, "lists", flat, precision, lanes, false);
       }
       for (const auto& [name, features] : singles()) write(folder, kernel, name, features, precision, widest);
     }

@@ -14,6 +14,7 @@
 #define HAS_SMOOTH_NORMALS 1
 #define HAS_MESH_UVS 1
 #define HAS_INSTANCES 1
+#define HAS_TREE 1
 #define HAS_AOV 1
 #define HAS_COUNT_RAYS 0
 

@@ -4,6 +4,7 @@
 #include "lanes/lane_ops.h"
 // Lanes come first: they define what the bodies are written in.
 #define HAS_INSTANCES 0
+#define HAS_TREE 1
 #define HAS_COUNT_RAYS 0
 #include "accel/traverse.h"
 #undef LANES
