@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Closest hit and any hit over everything: what is listed, then the tree (docs/decisions/0008-tree.md). Where HAS_TREE
-// is 0 everything is listed, and the program has no walk. One width; no guard. Of the children that a ray meets the nearest is entered first, the others wait on a stack, nearest on top:
-// I. Wald, C. Benthin, S. Boulos, "Getting Rid of Packets", IEEE Symposium on Interactive Ray Tracing, 2008.
-// Nothing that begins at the nearest hit so far is dropped: among equal t the smallest id wins.
+// is 0 everything is listed, and the program has no walk. One width; no guard. Of the children that a ray meets the
+// nearest is entered first, the others wait on a stack, nearest on top: I. Wald, C. Benthin, S. Boulos, "Getting Rid of
+// Packets", IEEE Symposium on Interactive Ray Tracing, 2008. Nothing that begins at the nearest hit so far is dropped:
+// among equal t the smallest id wins.
 #include "accel/instance.h"
 #include "core/candidates.h"
 #include "core/counters.h"
@@ -236,8 +237,8 @@ FN Nearest LANED(traverse)(const Scene* scene, const Ray* ray, int want) {
 FN Ray LANED(widened)(const Scene* scene, const Ray* given) {
   Ray ray = *given;
   // Only boxes of nodes and of instances are met with it.
-  if (HAS_TREE && (HAS_INSTANCES || scene->index[HEADER_ROOT] != NO_REFERENCE))
-    ray_widen(&ray, scene->geometry + scene->index[HEADER_BOUNDS]);
+  int is_walked = HAS_INSTANCES || scene->index[HEADER_ROOT] != NO_REFERENCE;
+  if (HAS_TREE && is_walked) ray_widen(&ray, scene->geometry + scene->index[HEADER_BOUNDS]);
   return ray;
 }
 

@@ -87,6 +87,7 @@ void add_entry(const KernelCopy& kernels, const std::string& list, const std::st
 
 }  // namespace
 
+// But for whether there is a tree: test_calls_for_tree.cpp.
 TEST_CASE("Scenes that differ only in values share their program") {
   const Scene original = lecture_scene("lit");
   REQUIRE(std::holds_alternative<PointLight>(original.lights.at(0).emitter));
