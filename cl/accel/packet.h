@@ -120,6 +120,8 @@ FN void LANED(packet_leaf)(const Scene* scene, LANED(Packet) * p, int reference,
       LANED(triangle_packet)(scene, p, block, ids, b * LANES, kind, active); \
     } else if (PACKET_BODY_##name == PACKET_BODY_SPHERE) {                   \
       LANED(sphere_packet)(scene, p, block, ids, b * LANES, kind, active);   \
+    } else if (PACKET_BODY_##name == PACKET_BODY_PLANE) {                    \
+      LANED(plane_packet)(p, block, ids, b * LANES, kind, active);           \
     } else {                                                                 \
       LANED(NearestEach) each = LANED(packet_open)(p);                       \
       for (uint lanes = bits_w(active); lanes != 0u; lanes &= lanes - 1u) {  \
@@ -240,6 +242,25 @@ FN LANED(NearestEach)
     LANED(nearest_to)(&each, i, best);
   }
   return each;
+}
+
+/// find_rays of core/trace_one.h for rays that share their way.
+FN void LANED(find_packet)(const Scene* scene, GLOBAL const real* in, GLOBAL const int* left, int count,
+                           int stop_at_first, GLOBAL real* t, GLOBAL int* found) {
+  realw planes[RAY_PLANES];
+  LANED(rays_given)(scene, in, left, planes);
+  LANED(NearestEach) hits = LANED(packet_traverse)(scene, planes, left, stop_at_first);
+  for (int i = 0; i < count; ++i) {
+    if (stop_at_first) {
+      found[i] = hits.kind[i] >= 0;
+    } else {
+      t[i] = hits.t[i];
+      found[i * FOUND_INTS + FOUND_ID] = hits.id[i];
+      found[i * FOUND_INTS + FOUND_KIND] = hits.kind[i];
+      found[i * FOUND_INTS + FOUND_SLOT] = hits.slot[i];
+      if (HAS_INSTANCES) found[i * FOUND_INTS + FOUND_INSTANCE] = hits.instance[i];
+    }
+  }
 }
 
 #undef STACK_ENTRIES

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // LANES rays that share their way through the tree, one a lane, and what all of them have in common. One width; no
 // guard. Each lane is prepared by the operations of core/ray.h, so it has the bits of that ray alone.
+#include "accel/packet_kinds.h"
 #include "core/nearest.h"
 #include "lanes/packet_ops.h"
 
@@ -92,7 +93,9 @@ FN int LANED(packet_make)(LANED(Packet) * p, PRIVATE realw* rays, GLOBAL const i
   LANED(Real3) inv = LANED(real3_at)(rays + RAY_PLANE_INV);
   maskw back_x = lt_w(inv.x, zero), back_y = lt_w(inv.y, zero), back_z = lt_w(inv.z, zero);
   real largest = largest_w(kz);
-  if (!(LANED(is_common)(back_x) && LANED(is_common)(back_y) && LANED(is_common)(back_z)) || least_w(kz) != largest)
+  int is_any = LANED(PACKET_OF_ANY_RAYS);
+  if (!is_any &&
+      (!(LANED(is_common)(back_x) && LANED(is_common)(back_y) && LANED(is_common)(back_z)) || least_w(kz) != largest))
     return LANED(PACKET_MIXED);
 
   p->rays = rays;
@@ -120,9 +123,11 @@ FN int LANED(packet_make)(LANED(Packet) * p, PRIVATE realw* rays, GLOBAL const i
   p->kz = (int)largest;
   p->kx = p->kz == 2 ? 0 : p->kz + 1;
   p->ky = p->kx == 2 ? 0 : p->kx + 1;
-  p->x = LANED(axis_bounds)(p->o.x, inv.x, p->slack.x, p->near_x & 1);
-  p->y = LANED(axis_bounds)(p->o.y, inv.y, p->slack.y, p->near_y & 1);
-  p->z = LANED(axis_bounds)(p->o.z, inv.z, p->slack.z, p->near_z & 1);
+  if (!is_any) {
+    p->x = LANED(axis_bounds)(p->o.x, inv.x, p->slack.x, p->near_x & 1);
+    p->y = LANED(axis_bounds)(p->o.y, inv.y, p->slack.y, p->near_y & 1);
+    p->z = LANED(axis_bounds)(p->o.z, inv.z, p->slack.z, p->near_z & 1);
+  }
   p->t = p->bound = rays[RAY_PLANE_T_MAX];
   p->first = least_w(p->t_min);
   p->last = largest_w(p->t);

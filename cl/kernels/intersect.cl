@@ -3,6 +3,9 @@
 #include "math/vec3.h"
 #include "lanes/lane_ops.h"
 #include "core/trace_one.h"
+#if LANES != 1
+#include "accel/packet.h"
+#endif
 
 FN Scene scene_of(GLOBAL const real* geometry, GLOBAL const real* shading, GLOBAL const int* index) {
   Scene scene;
@@ -10,6 +13,20 @@ FN Scene scene_of(GLOBAL const real* geometry, GLOBAL const real* shading, GLOBA
   scene.shading = shading;
   scene.index = index;
   return scene;
+}
+
+/// Where everything is listed, of kinds that ask nothing of rays in common, they are taken in lanes however unlike they
+/// are: half of an answer is otherwise what is done for a ray alone.
+FN void LANED(find)(const Scene* scene, GLOBAL const real* in, GLOBAL const int* left, int count, int stop_at_first,
+                    GLOBAL real* t, GLOBAL int* found) {
+#if LANES != 1
+  int is_any = LANED(PACKET_OF_ANY_RAYS);
+  if (is_any) {
+    LANED(find_packet)(scene, in, left, count, stop_at_first, t, found);
+    return;
+  }
+#endif
+  LANED(find_rays)(scene, in, left, count, stop_at_first, t, found);
 }
 
 /// Rays of the block that begins with `first`.
@@ -21,7 +38,7 @@ KERNEL LANE_HINT void closest(GLOBAL const real* geometry, GLOBAL const real* sh
   ulong first = get_global_id(0) * LANES;
   if (first >= count) return;
   Scene scene = scene_of(geometry, shading, index);
-  LANED(find_rays)
+  LANED(find)
   (&scene, rays + first * RAY_REALS, left + first * LEFT_INTS, rays_from(first, count), 0, t + first,
    found + first * FOUND_INTS);
 }
@@ -33,7 +50,7 @@ KERNEL LANE_HINT void anything(GLOBAL const real* geometry, GLOBAL const real* s
   ulong first = get_global_id(0) * LANES;
   if (first >= count) return;
   Scene scene = scene_of(geometry, shading, index);
-  LANED(find_rays)
+  LANED(find)
   (&scene, rays + first * RAY_REALS, left + first * LEFT_INTS, rays_from(first, count), 1, t + first, found + first);
 }
 

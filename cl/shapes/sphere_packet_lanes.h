@@ -13,6 +13,8 @@ FN realw LANED(farthest_square)(realw x, LANED(Bounds) b) {
 /// Spheres of a block that some ray may meet.
 FN uint LANED(may_meet_spheres)(const LANED(Packet) * p, GLOBAL const real* block, GLOBAL const int* ids) {
   uint there = bits_w(nonzero_w(load_int_w(ids) - splat_int_w(-1)));
+  int is_any = LANED(PACKET_OF_ANY_RAYS);
+  if (is_any) return there;
   realw r = load_w(block + 3 * LANES), cx = load_w(block), cy = load_w(block + LANES), cz = load_w(block + 2 * LANES);
 #if TIER_FAST
   // The textbook's discriminant may be off by some 12 u of the square of the distance.
