@@ -106,11 +106,10 @@ struct Tally {
   std::size_t rays = 0, hits = 0, instanced = 0, differing = 0, any_differing = 0;
 };
 
-/// The rays, and as many that depart, alone and in packets.
-void compare(const Device& on, const Scene& scene, std::vector<Ray> rays, RenderSettings settings, Tally& tally) {
-  Intersector alone(on, scene, settings);
-  settings.coherent = true;
-  Intersector together(on, scene, settings);
+/// The rays, and as many that depart, in one way and in another.
+void compare(const Device& on, const Scene& scene, std::vector<Ray> rays, const RenderSettings& one,
+             const RenderSettings& other, Tally& tally) {
+  Intersector alone(on, scene, one), together(on, scene, other);
   add_departing(rays, alone.trace(rays));
   const std::vector<Hit> expected = alone.trace(rays), hits = together.trace(rays);
   const std::vector<Hit> any_expected = alone.trace(rays, true), any = together.trace(rays, true);
@@ -129,6 +128,38 @@ void compare(const Device& on, const Scene& scene, std::vector<Ray> rays, Render
     tally.differing += !same;
     tally.any_differing += any[i].t != any_expected[i].t;
   }
+}
+
+/// Alone and in packets.
+void compare(const Device& on, const Scene& scene, const std::vector<Ray>& rays, const RenderSettings& settings,
+             Tally& tally) {
+  RenderSettings coherent = settings;
+  coherent.coherent = true;
+  compare(on, scene, rays, settings, coherent, tally);
+}
+
+/// Spheres and planes, all of them listed and in a tree: listed, their rays are in lanes however unlike they are.
+Tally compare_listed(Precision precision, int lanes, std::size_t count) {
+  Tally tally;
+  for (int number = 0; number < 4; ++number) {
+    SceneMaker maker(3000 + static_cast<std::uint64_t>(number));
+    maker.add("sphere", number == 3 ? 1 : 4 + 7 * number);
+    maker.add("plane", number == 0 ? 0 : 2 + number);
+    std::vector<Ray> rays = maker.rays(count / 8);
+    for (std::size_t i = 0; i < rays.size() && precision != Precision::fast; i += 13)
+      spoil(rays[i], static_cast<int>(i % 9));
+    const std::vector<Ray> alike = bundles(maker, count / 8, precision != Precision::fast);
+    rays.insert(rays.end(), alike.begin(), alike.end());
+    const Vec3 by = number == 2 ? Vec3{100'000, -30'000, 0.5} : Vec3{};
+    for (Ray& ray : rays) ray.origin = ray.origin + by;
+    RenderSettings tree, list;
+    tree.precision = list.precision = precision;
+    tree.lanes = list.lanes = lanes;
+    tree.acceleration = Acceleration::tree;
+    list.acceleration = Acceleration::list;
+    compare(device(), translated(maker.scene(), by), rays, tree, list, tally);
+  }
+  return tally;
 }
 
 Tally compare(Precision precision, int lanes) {
@@ -178,6 +209,16 @@ TEST_CASE("Packets find the bits that single rays find in instances") {
   CHECK(tally.any_differing == 0);
 }
 
+TEST_CASE("Lists of spheres and planes find in lanes what a tree finds ray by ray") {
+  for (const Precision precision : {Precision::robust, Precision::stable}) {
+    INFO(precision_name(precision));
+    const Tally tally = compare_listed(precision, 16, rays_asked() / 4);
+    CHECK(tally.hits > tally.rays / 4);
+    CHECK(tally.differing == 0);
+    CHECK(tally.any_differing == 0);
+  }
+}
+
 // Programs take seconds to compile.
 TEST_CASE("Packets of every tier and width, where more rays are asked for") {
   if (std::getenv("STRAHL_RAYS") == nullptr) return;
@@ -185,6 +226,9 @@ TEST_CASE("Packets of every tier and width, where more rays are asked for") {
   hold_same(Precision::fp64, 8);
   hold_same(Precision::stable, 16);
   hold_same(Precision::stable, 8);
+  CHECK(compare_listed(Precision::robust, 8, rays_asked()).differing == 0);
+  CHECK(compare_listed(Precision::stable, 8, rays_asked()).differing == 0);
+  CHECK(compare_listed(Precision::fast, 16, rays_asked()).differing < rays_asked() / 1000);
   const Tally tally = compare(Precision::fast, 16);
   WARN(tally.differing << " of " << tally.rays << " rays differ in fast, " << tally.any_differing
                        << " of any-hit rays");
