@@ -116,11 +116,11 @@ FN void LANED(packet_leaf)(const Scene* scene, LANED(Packet) * p, int reference,
 #define SHAPE(name, planes)                                                  \
   if (SHAPE_COUNT == 1 || kind == SHAPE_##name) {                            \
     GLOBAL const real* block = geometry + (ulong)b * ((planes)*LANES);       \
-    if (PACKET_BODY_##name == PACKET_BODY_TRIANGLE) {                        \
+    if (LANED(PACKET_BODY_##name) == PACKET_BODY_TRIANGLE) {                 \
       LANED(triangle_packet)(scene, p, block, ids, b * LANES, kind, active); \
-    } else if (PACKET_BODY_##name == PACKET_BODY_SPHERE) {                   \
+    } else if (LANED(PACKET_BODY_##name) == PACKET_BODY_SPHERE) {            \
       LANED(sphere_packet)(scene, p, block, ids, b * LANES, kind, active);   \
-    } else if (PACKET_BODY_##name == PACKET_BODY_PLANE) {                    \
+    } else if (LANED(PACKET_BODY_##name) == PACKET_BODY_PLANE) {             \
       LANED(plane_packet)(p, block, ids, b * LANES, kind, active);           \
     } else {                                                                 \
       LANED(NearestEach) each = LANED(packet_open)(p);                       \

@@ -1,9 +1,20 @@
 // SPDX-License-Identifier: MIT
 // LANES rays that share their way through the tree, one a lane, and what all of them have in common. One width; no
 // guard. Each lane is prepared by the operations of core/ray.h, so it has the bits of that ray alone.
-#include "accel/packet_kinds.h"
 #include "core/nearest.h"
 #include "lanes/packet_ops.h"
+
+/// 1: rays need not be alike: nothing but lists, of kinds whose bodies ask for nothing that is common to all rays.
+enum {
+  LANED(PACKET_OF_ANY_RAYS) = (HAS_TREE == 0)
+#define SHAPE(name, planes) \
+  &(LANED(PACKET_BODY_##name) == PACKET_BODY_PLANE || LANED(PACKET_BODY_##name) == PACKET_BODY_SPHERE)
+#include "shapes/shapes.def"
+#undef SHAPE
+#if REAL_BITS == 64
+                              & 0
+#endif
+};
 
 typedef struct {
   realw x, y, z;

@@ -5,6 +5,7 @@
 // Packets", IEEE Symposium on Interactive Ray Tracing, 2008. Nothing that begins at the nearest hit so far is dropped:
 // among equal t the smallest id wins.
 #include "accel/instance.h"
+#include "accel/packet_kinds.h"
 #include "core/candidates.h"
 #include "core/counters.h"
 #include "scene/scene.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The bodies of accel/packet_kinds.h. One width; no guard.
+// Bodies for packets (accel/packet_kinds.h). One width; no guard.
 #if TIER_ROBUST
 #include "shapes/packet_rough_lanes.h"
 #endif

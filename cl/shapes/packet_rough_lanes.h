@@ -126,9 +126,9 @@ FN void LANED(settle_kind)(const Scene* scene, LANED(Packet) * p, int kind, int 
 SELDOM_FN void LANED(packet_settle)(const Scene* scene, LANED(Packet) * p) {
   (void)scene;  // A scene of other kinds.
   (void)p;
-#define SHAPE(name, planes)                                                                   \
-  if (PACKET_BODY_##name == PACKET_BODY_TRIANGLE || PACKET_BODY_##name == PACKET_BODY_SPHERE) \
-    LANED(settle_kind)(scene, p, SHAPE_##name, PACKET_BODY_##name, planes);
+#define SHAPE(name, planes)                                                                                 \
+  if (LANED(PACKET_BODY_##name) == PACKET_BODY_TRIANGLE || LANED(PACKET_BODY_##name) == PACKET_BODY_SPHERE) \
+    LANED(settle_kind)(scene, p, SHAPE_##name, LANED(PACKET_BODY_##name), planes);
 #include "shapes/shapes.def"
 #undef SHAPE
 }

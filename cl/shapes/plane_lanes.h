@@ -3,6 +3,8 @@
 // loses nothing that its input did not lose. Weak (sound in the robust tier): grazing rays far from the anchor.
 // Parallel rays, those in the plane included, miss: n.d = 0 gives an infinite or NaN t.
 
+enum { LANED(PACKET_BODY_plane) = PACKET_BODY_PLANE };
+
 #if TIER_COMPENSATED
 #include "shapes/plane_robust_lanes.h"
 #elif TIER_FAST

@@ -4,6 +4,8 @@
 // Ray Tracing Gems, ch. 7, 2019. Weak (sound in the robust tier): r / distance below 10^-6, eye close to a huge sphere.
 // The sphere just left is met again only at its other root, -2 (f.d) / (d.d): the known root is exactly 0.
 
+enum { LANED(PACKET_BODY_sphere) = PACKET_BODY_SPHERE };
+
 #if TIER_ROBUST
 #include "shapes/sphere_robust_lanes.h"
 #elif TIER_FAST

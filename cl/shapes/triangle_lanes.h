@@ -3,6 +3,8 @@
 // hit. t is held within the triangle's own range along the ray. Triangles without area, as padding is, are never
 // hit.
 
+enum { LANED(PACKET_BODY_triangle) = PACKET_BODY_TRIANGLE };
+
 #if TIER_FAST
 #include "shapes/triangle_fast_lanes.h"
 #else
