@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// LANES rays against one sphere at a time of a block: sphere_lanes.h with the
-// roles exchanged, the same operations. One width; no guard.
+// LANES rays against one sphere at a time of a block: sphere_lanes.h with the roles exchanged, the same operations. One
+// width; no guard.
 
 #if TIER_FAST
 /// Of x from any ray's origin, along one axis.
@@ -17,8 +17,7 @@ FN uint LANED(may_meet_spheres)(const LANED(Packet) * p, GLOBAL const real* bloc
   if (is_any) return there;
   realw r = load_w(block + 3 * LANES), cx = load_w(block), cy = load_w(block + LANES), cz = load_w(block + 2 * LANES);
 #if TIER_FAST
-  // The textbook's discriminant may be off by some 12 u of the square of the
-  // distance.
+  // The textbook's discriminant may be off by some 12 u of the square of the distance.
   realw ff = LANED(farthest_square)(cx, p->x) + LANED(farthest_square)(cy, p->y) + LANED(farthest_square)(cz, p->z);
   r = sqrt_w(fma_w(r, r, splat_w(R(0x1p-20)) * ff));
 #endif
@@ -33,39 +32,6 @@ FN uint LANED(may_meet_spheres)(const LANED(Packet) * p, GLOBAL const real* bloc
   real t[LANES];
   return there & LANED(may_meet)(p, near, far, t);
 }
-
-#if TIER_ROBUST
-/// Along one axis, from near to far of a box that is the same for all rays.
-FN LANED(Interval) LANED(clip_apart)(LANED(Interval) t, real lo, real hi, realw o, realw inv, realw slack) {
-  maskw is_backward = lt_w(inv, splat_w(R(0.0)));
-  realw near = sel_w(is_backward, splat_w(hi), splat_w(lo)), far = sel_w(is_backward, splat_w(lo), splat_w(hi));
-  t.enter = max_w(fma_w(near - o, inv, -slack), t.enter);
-  t.leave = min_w(fma_w(far - o, inv, slack), t.leave);
-  return t;
-}
-
-/// sphere_is_left of sphere_exact.h for the lanes `left`, taken where it is
-/// met.
-FN void LANED(sphere_across)(LANED(Packet) * p, GLOBAL const real* prim, maskw left, int id, int kind, int slot) {
-  real cx = prim[0], cy = prim[LANES], cz = prim[2 * LANES], r = prim[3 * LANES];
-  dw3_w f = two_difference3_w(p->o.x, p->o.y, p->o.z, splat_w(cx), splat_w(cy), splat_w(cz));
-  dw_w b = dot_real3_w(f, p->d.x, p->d.y, p->d.z);
-  realw q = b.hi * p->dd_inverse, rest = p->rays[RAY_PLANE_DD + 1];
-  realw over = fma_w(fma_w(-q, p->dd, b.hi) + fma_w(-q, rest, b.lo), p->dd_inverse, q);
-  realw t = splat_w(-R(2.0)) * over;
-  LANED(Interval) slabs;
-  slabs.enter = splat_w(-REAL_MAX);
-  slabs.leave = splat_w(REAL_MAX);
-  slabs = LANED(clip_apart)(slabs, cx - r, cx + r, p->o.x, p->inv.x, p->slack.x);
-  slabs = LANED(clip_apart)(slabs, cy - r, cy + r, p->o.y, p->inv.y, p->slack.y);
-  slabs = LANED(clip_apart)(slabs, cz - r, cz + r, p->o.z, p->inv.z, p->slack.z);
-  realw within = sel_w(lt_w(t, slabs.enter), slabs.enter, t);
-  within = sel_w(lt_w(slabs.leave, within), slabs.leave, within);
-  maskw hit = left & lt_w(splat_w(R(0.0)), t) & eq_w(within, t) & le_w(p->t_min, t);
-  if (any_w(hit)) LANED(packet_take)
-  (p, hit, t, splat_int_w(id), splat_int_w(kind), splat_int_w(slot));
-}
-#endif
 
 FN void LANED(sphere_packet)(const Scene* scene, LANED(Packet) * p, GLOBAL const real* block, GLOBAL const int* ids,
                              int slot, int kind, maskw active) {
@@ -90,8 +56,7 @@ FN void LANED(sphere_packet)(const Scene* scene, LANED(Packet) * p, GLOBAL const
     realw root = sqrt_w(discriminant), near = (-b - root) * scale, far = (root - b) * scale;
     realw t = sel_w(le_w(p->t_min, near), near, far);
     hit = hit & le_w(p->t_min, t) & le_w(t, p->t);
-    if (any_w(hit)) LANED(packet_take)
-    (p, hit, t, splat_int_w(ids[i]), splat_int_w(kind), splat_int_w(slot + i));
+    if (any_w(hit)) LANED(packet_take)(p, hit, t, splat_int_w(ids[i]), splat_int_w(kind), splat_int_w(slot + i));
 #elif TIER_ROBUST
     // sphere_in_reach of sphere_robust_lanes.h.
     realw tiny = splat_w(R(0x1p-120));
@@ -102,16 +67,12 @@ FN void LANED(sphere_packet)(const Scene* scene, LANED(Packet) * p, GLOBAL const
     realw apart = fma_w(lz, lz, fma_w(ly, ly, lx * lx)), reach = fma_w(r, p->t_per_length, off);
     maskw met =
         active & ~(lt_w(fma_w(limit, limit, tiny), apart) | lt_w(p->bound, k - reach) | lt_w(k + reach, p->t_min));
-    if (p->has_left) {
-      maskw left = active & LANED(packet_left)(p, ids[i]);
-      met = met & ~left;
-      if (any_w(left)) LANED(sphere_across)(p, prim, left, ids[i], kind, slot + i);
-    }
-    if (!any_w(met)) continue;
+    maskw left = lt_w(zero, zero);
+    if (p->has_left) left = active & LANED(packet_left)(p, ids[i]);
+    if (!any_w(met | left)) continue;
 
-    // Those that the line passes through for certain: apart is off by less than
-    // 16 u |f| r and 4 u of r^2, or if that does not do, from f - c as it is,
-    // by 8 u of r^2.
+    // Those that the line passes through for certain: apart is off by less than 16 u |f| r and 4 u of r^2, or if that
+    // does not do, from f - c as it is, by 8 u of r^2.
     realw rr = r * r, inside = rr - apart;
     maskw sure = met & le_w(splat_w(R(0x1p-14)) * r * (size + r), inside);
     if (any_w(met & ~sure & lt_w(zero, inside))) {
@@ -127,11 +88,10 @@ FN void LANED(sphere_packet)(const Scene* scene, LANED(Packet) * p, GLOBAL const
     realw about = fma_w(splat_w(R(0x1p-6)), half_chord, off + off);
     realw near = k - half_chord, far = k + half_chord;
     realw t = sel_w(lt_w(near + about, p->t_min), far, near);
-    sure = sure & le_w(p->t_min, t - about);
-    met = met & ~sure;
+    sure = sure & ~left & le_w(p->t_min, t - about);
+    met = (met | left) & ~sure;
     sure = sure & ~lt_w(p->bound, t - about);
-    if (any_w(sure)) LANED(packet_put_off)
-    (scene, p, sure, sure, t, t - about, t + about, ids[i], kind, slot + i);
+    if (any_w(sure)) LANED(packet_put_off)(scene, p, sure, sure, t, t - about, t + about, ids[i], kind, slot + i);
     uint others = bits_w(met);
     if (others != 0u) {
       LANED(NearestEach) each = LANED(packet_open)(p);
@@ -179,8 +139,7 @@ FN void LANED(sphere_packet)(const Scene* scene, LANED(Packet) * p, GLOBAL const
     t = within;
 #endif
     hit = hit & active & le_w(p->t_min, t) & le_w(t, p->t);
-    if (any_w(hit)) LANED(packet_take)
-    (p, hit, t, splat_int_w(ids[i]), splat_int_w(kind), splat_int_w(slot + i));
+    if (any_w(hit)) LANED(packet_take)(p, hit, t, splat_int_w(ids[i]), splat_int_w(kind), splat_int_w(slot + i));
 #endif
   }
 }

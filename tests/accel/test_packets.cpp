@@ -144,7 +144,7 @@ Tally compare_listed(Precision precision, int lanes, std::size_t count) {
   for (int number = 0; number < 4; ++number) {
     SceneMaker maker(3000 + static_cast<std::uint64_t>(number));
     maker.add("sphere", number == 3 ? 1 : 4 + 7 * number);
-    maker.add("plane", number == 0 ? 0 : 2 + number);
+    maker.add("plane", 1 + number);
     std::vector<Ray> rays = maker.rays(count / 8);
     for (std::size_t i = 0; i < rays.size() && precision != Precision::fast; i += 13)
       spoil(rays[i], static_cast<int>(i % 9));
