@@ -251,15 +251,8 @@ FN void LANED(find_packet)(const Scene* scene, GLOBAL const real* in, GLOBAL con
   LANED(rays_given)(scene, in, left, planes);
   LANED(NearestEach) hits = LANED(packet_traverse)(scene, planes, left, stop_at_first);
   for (int i = 0; i < count; ++i) {
-    if (stop_at_first) {
-      found[i] = hits.kind[i] >= 0;
-    } else {
-      t[i] = hits.t[i];
-      found[i * FOUND_INTS + FOUND_ID] = hits.id[i];
-      found[i * FOUND_INTS + FOUND_KIND] = hits.kind[i];
-      found[i * FOUND_INTS + FOUND_SLOT] = hits.slot[i];
-      if (HAS_INSTANCES) found[i * FOUND_INTS + FOUND_INSTANCE] = hits.instance[i];
-    }
+    Nearest hit = LANED(nearest_of)(&hits, i);
+    LANED(store_found)(&hit, i, stop_at_first, t, found);
   }
 }
 

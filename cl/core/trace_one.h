@@ -30,6 +30,19 @@ FN Ray LANED(ray_given)(PRIVATE const realw* rays, GLOBAL const int* left, int l
   return ray;
 }
 
+/// Of ray i, as find_rays has it.
+FN void LANED(store_found)(const Nearest* hit, int i, int stop_at_first, GLOBAL real* t, GLOBAL int* found) {
+  if (stop_at_first) {
+    found[i] = hit->kind >= 0;
+  } else {
+    t[i] = hit->t;
+    found[i * FOUND_INTS + FOUND_ID] = hit->id;
+    found[i * FOUND_INTS + FOUND_KIND] = hit->kind;
+    found[i * FOUND_INTS + FOUND_SLOT] = hit->slot;
+    if (HAS_INSTANCES) found[i * FOUND_INTS + FOUND_INSTANCE] = hit->instance;
+  }
+}
+
 /// Rays are given in blocks of LANES, RAY_REALS planes a block, and LEFT_INTS planes of what they left. count: rays
 /// of the block, the rest of it is of no meaning. found: FOUND_INTS ints a ray, or with stop_at_first one, 1 or 0; t: a
 /// real a ray, of no meaning where nothing is hit.
@@ -40,15 +53,7 @@ FN void LANED(find_rays)(const Scene* scene, GLOBAL const real* in, GLOBAL const
   for (int i = 0; i < count; ++i) {
     Ray ray = LANED(ray_given)(planes, left, i);
     Nearest hit = LANED(traverse)(scene, &ray, stop_at_first ? FIND_ANY : FIND_NEAREST);
-    if (stop_at_first) {
-      found[i] = hit.kind >= 0;
-    } else {
-      t[i] = hit.t;
-      found[i * FOUND_INTS + FOUND_ID] = hit.id;
-      found[i * FOUND_INTS + FOUND_KIND] = hit.kind;
-      found[i * FOUND_INTS + FOUND_SLOT] = hit.slot;
-      if (HAS_INSTANCES) found[i * FOUND_INTS + FOUND_INSTANCE] = hit.instance;
-    }
+    LANED(store_found)(&hit, i, stop_at_first, t, found);
   }
 }
 
