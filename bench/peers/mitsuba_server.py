@@ -5,10 +5,15 @@ Loads the scene once and renders one picture, which compiles its kernels. Then, 
 input, renders with that seed, prints the seconds of rendering alone, and writes the picture. SAMPLER: independent,
 stratified, multijitter, orthogonal or ldsampler in the scene's sampler's place.
 """
+import os
 import sys
 import time
 
-import mitsuba as mi
+# Dr.Jit writes its warnings to standard output, where the answers go: they keep that for themselves.
+answers = os.fdopen(os.dup(1), "w", encoding="utf-8")
+os.dup2(2, 1)
+
+import mitsuba as mi  # noqa: E402
 
 
 def main():
@@ -30,12 +35,12 @@ def main():
         return picture, time.perf_counter() - start
 
     render(1 << 20)
-    print(f"Mitsuba {mi.__version__} {variant} {sampler}", flush=True)
+    print(f"Mitsuba {mi.__version__} {variant} {sampler}", file=answers, flush=True)
     for line in sys.stdin:
         seed, path = line.split()
         picture, seconds = render(int(seed))
         mi.Bitmap(picture).write(path)
-        print(seconds, flush=True)
+        print(seconds, file=answers, flush=True)
 
 
 if __name__ == "__main__":

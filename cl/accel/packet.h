@@ -23,7 +23,7 @@ FN LANED(Interval) LANED(clip_bounds)(LANED(Interval) t, realw near, realw far, 
 }
 
 /// Bit i: some ray may meet box i; t[i]: where it begins, at the earliest.
-FN uint LANED(may_meet)(const LANED(Packet) * p, LANED(Real3) near, LANED(Real3) far, PRIVATE real* t) {
+FN uint LANED(may_meet)(const LANED(Packet) * p, real3w near, real3w far, PRIVATE real* t) {
   LANED(Interval) slabs;
   slabs.enter = splat_w(p->first);
   slabs.leave = splat_w(p->last);
@@ -36,7 +36,7 @@ FN uint LANED(may_meet)(const LANED(Packet) * p, LANED(Real3) near, LANED(Real3)
 
 FN uint LANED(may_meet_children)(const LANED(Packet) * p, GLOBAL const real* node, PRIVATE real* t) {
   int x = p->near_x, y = p->near_y, z = p->near_z;
-  LANED(Real3) near, far;
+  real3w near, far;
   near.x = load_w(node + x * LANES);
   near.y = load_w(node + y * LANES);
   near.z = load_w(node + z * LANES);
@@ -87,14 +87,14 @@ SELDOM_FN void LANED(walk_alone)(const Scene* scene, const Ray* ray, int start, 
 }
 
 /// The instances of a leaf, or all that are listed, ray by ray.
-FN void LANED(packet_instances)(const Scene* scene, LANED(Packet) * p, int reference, maskw active, int stop_at_first) {
+FN void LANED(packet_instances)(const Scene* scene, LANED(Packet) * p, int reference, maskw active) {
   LANED(packet_settle)(scene, p);
   LANED(NearestEach) each = LANED(packet_open)(p);
   for (uint lanes = bits_w(active); lanes != 0u; lanes &= lanes - 1u) {
     int lane = first_bit(lanes);
     Ray ray = LANED(packet_ray)(p, lane);
     Nearest best = LANED(nearest_of)(&each, lane);
-    if (!(stop_at_first && best.kind >= 0)) LANED(walk_alone)(scene, &ray, reference, stop_at_first, &best);
+    if (!(p->stop_at_first && best.kind >= 0)) LANED(walk_alone)(scene, &ray, reference, p->stop_at_first, &best);
     LANED(nearest_to)(&each, lane, best);
   }
   LANED(packet_close)(p, &each);
@@ -113,27 +113,29 @@ FN void LANED(packet_leaf)(const Scene* scene, LANED(Packet) * p, int reference,
   (void)p;
   (void)active;
   for (int b = first; b < first + count; ++b, ids += LANES) {
-#define SHAPE(name, planes)                                                  \
-  if (SHAPE_COUNT == 1 || kind == SHAPE_##name) {                            \
-    GLOBAL const real* block = geometry + (ulong)b * ((planes)*LANES);       \
-    if (LANED(PACKET_BODY_##name) == PACKET_BODY_TRIANGLE) {                 \
-      LANED(triangle_packet)(scene, p, block, ids, b * LANES, kind, active); \
-    } else if (LANED(PACKET_BODY_##name) == PACKET_BODY_SPHERE) {            \
-      LANED(sphere_packet)(scene, p, block, ids, b * LANES, kind, active);   \
-    } else if (LANED(PACKET_BODY_##name) == PACKET_BODY_PLANE) {             \
-      LANED(plane_packet)(p, block, ids, b * LANES, kind, active);           \
-    } else {                                                                 \
-      LANED(NearestEach) each = LANED(packet_open)(p);                       \
-      for (uint lanes = bits_w(active); lanes != 0u; lanes &= lanes - 1u) {  \
-        int lane = first_bit(lanes);                                         \
-        Nearest best = LANED(nearest_of)(&each, lane);                       \
-        Ray world = LANED(packet_ray)(p, lane), ray = ray_of_world(&world);  \
-        LANED(name##_block)(&ray, block, ids, b * LANES, &best);             \
-        LANED(settle_one)(&ray, &best);                                      \
-        LANED(nearest_to)(&each, lane, best);                                \
-      }                                                                      \
-      LANED(packet_close)(p, &each);                                         \
-    }                                                                        \
+#define SHAPE(name, planes)                                                    \
+  if (SHAPE_COUNT == 1 || kind == SHAPE_##name) {                              \
+    GLOBAL const real* block = geometry + (ulong)b * ((planes)*LANES);         \
+    if (LANED(PACKET_BODY_##name) == PACKET_BODY_TRIANGLE) {                   \
+      LANED(polygon_packet)(scene, p, block, ids, b * LANES, kind, active, 3); \
+    } else if (LANED(PACKET_BODY_##name) == PACKET_BODY_PARALLELOGRAM) {       \
+      LANED(polygon_packet)(scene, p, block, ids, b * LANES, kind, active, 4); \
+    } else if (LANED(PACKET_BODY_##name) == PACKET_BODY_SPHERE) {              \
+      LANED(sphere_packet)(scene, p, block, ids, b * LANES, kind, active);     \
+    } else if (LANED(PACKET_BODY_##name) == PACKET_BODY_PLANE) {               \
+      LANED(plane_packet)(p, block, ids, b * LANES, kind, active);             \
+    } else {                                                                   \
+      LANED(NearestEach) each = LANED(packet_open)(p);                         \
+      for (uint lanes = bits_w(active); lanes != 0u; lanes &= lanes - 1u) {    \
+        int lane = first_bit(lanes);                                           \
+        Nearest best = LANED(nearest_of)(&each, lane);                         \
+        Ray world = LANED(packet_ray)(p, lane), ray = ray_of_world(&world);    \
+        LANED(name##_block)(&ray, block, ids, b * LANES, &best);               \
+        LANED(settle_one)(&ray, &best);                                        \
+        LANED(nearest_to)(&each, lane, best);                                  \
+      }                                                                        \
+      LANED(packet_close)(p, &each);                                           \
+    }                                                                          \
   }
 #include "shapes/shapes.def"
 #undef SHAPE
@@ -170,7 +172,7 @@ FN void LANED(push_children)(PRIVATE int* waiting, PRIVATE real* waiting_t, PRIV
 enum { LANED(PACKET_PATIENCE) = 24 };
 
 /// All rays of a packet that packet_make has found alike. 0: they part too often, and what is found so far is not all.
-FN int LANED(packet_walk)(const Scene* scene, LANED(Packet) * p, int stop_at_first) {
+FN int LANED(packet_walk)(const Scene* scene, LANED(Packet) * p) {
   GLOBAL const real* nodes = scene->geometry + scene->index[HEADER_NODES];
   GLOBAL const int* children = scene->index + scene->index[HEADER_CHILDREN];
   maskw active = le_w(p->t_min, p->t);
@@ -192,10 +194,10 @@ FN int LANED(packet_walk)(const Scene* scene, LANED(Packet) * p, int stop_at_fir
       LANED(push_children)(waiting, waiting_t, &top, reference, met, t);
     } else {
       if (HAS_INSTANCES && leaf_kind(reference) == SHAPE_COUNT)
-        LANED(packet_instances)(scene, p, reference, active, stop_at_first);
+        LANED(packet_instances)(scene, p, reference, active);
       else
         LANED(packet_leaf)(scene, p, reference, active);
-      if (stop_at_first) LANED(packet_stop)(scene, p);
+      if (p->stop_at_first) LANED(packet_stop)(scene, p);
       p->last = largest_w(p->bound);
       if (p->last < p->first) return 1;
     }
@@ -219,41 +221,32 @@ FN int LANED(packet_walk)(const Scene* scene, LANED(Packet) * p, int stop_at_fir
   }
 }
 
-/// Closest hits of LANES rays that are prepared and widened, or with stop_at_first any.
-FN LANED(NearestEach)
-    LANED(packet_traverse)(const Scene* scene, PRIVATE realw* rays, GLOBAL const int* left, int stop_at_first) {
+/// Hits of LANES rays that are prepared and widened. want: FIND_...
+SELDOM_FN LANED(NearestEach) LANED(packet_traverse)(const Scene* scene, LANED(Rays) * rays, int want) {
   LANED(Packet) p;
   LANED(NearestEach) each;
-  for (int i = 0; i < LANES; ++i) LANED(nearest_to)(&each, i, nearest_none(R(0.0)));
+  int is_any = want == FIND_ANY;
+  LANED(packet_none)(&p);
+  each = LANED(packet_open)(&p);
   if (SHAPE_COUNT == 0) return each;
-  int found = LANED(packet_make)(&p, rays, left);
+  int found = LANED(packet_make)(&p, rays, is_any);
   if (found == LANED(PACKET_DEAD)) return each;
   int is_done = 0;
   if (found == LANED(PACKET_ALIKE)) {
-    is_done = LANED(packet_walk)(scene, &p, stop_at_first);
-    LANED(packet_settle)(scene, &p);
+    is_done = LANED(packet_walk)(scene, &p);
+    LANED(packet_finish)(scene, &p, is_done && want == FIND_NEAREST_ROUGHLY);
     each = LANED(packet_open)(&p);
   }
-  for (int i = 0; i < LANES && !is_done; ++i) {
+  // Rays that need not be alike never part: their program has no walk for one alone.
+  int never_part = LANED(PACKET_OF_ANY_RAYS);
+  for (int i = 0; i < LANES && !is_done && !never_part; ++i) {
     Nearest best = LANED(nearest_of)(&each, i);
-    Ray ray = LANED(ray_given)(rays, left, i);
+    Ray ray = LANED(ray_of)(rays, i);
     if (best.kind < 0) best = nearest_none(ray.t_max);
-    if (!(stop_at_first && best.kind >= 0)) LANED(walk_alone)(scene, &ray, NO_REFERENCE, stop_at_first, &best);
+    if (!(is_any && best.kind >= 0)) LANED(walk_alone)(scene, &ray, NO_REFERENCE, is_any, &best);
     LANED(nearest_to)(&each, i, best);
   }
   return each;
-}
-
-/// find_rays of core/trace_one.h for rays that share their way.
-FN void LANED(find_packet)(const Scene* scene, GLOBAL const real* in, GLOBAL const int* left, int count,
-                           int stop_at_first, GLOBAL real* t, GLOBAL int* found) {
-  realw planes[RAY_PLANES];
-  LANED(rays_given)(scene, in, left, planes);
-  LANED(NearestEach) hits = LANED(packet_traverse)(scene, planes, left, stop_at_first);
-  for (int i = 0; i < count; ++i) {
-    Nearest hit = LANED(nearest_of)(&hits, i);
-    LANED(store_found)(&hit, i, stop_at_first, t, found);
-  }
 }
 
 #undef STACK_ENTRIES

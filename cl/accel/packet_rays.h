@@ -2,23 +2,17 @@
 // LANES rays that share their way through the tree, one a lane, and what all of them have in common. One width; no
 // guard. Each lane is prepared by the operations of core/ray.h, so it has the bits of that ray alone.
 #include "core/nearest.h"
-#include "lanes/packet_ops.h"
 
 /// 1: rays need not be alike: nothing but lists, of kinds whose bodies ask for nothing that is common to all rays.
 enum {
   LANED(PACKET_OF_ANY_RAYS) = (HAS_TREE == 0)
-#define SHAPE(name, planes) \
-  &(LANED(PACKET_BODY_##name) == PACKET_BODY_PLANE || LANED(PACKET_BODY_##name) == PACKET_BODY_SPHERE)
+#define SHAPE(name, planes) &(LANED(PACKET_BODY_##name) != PACKET_BODY_NONE)
 #include "shapes/shapes.def"
 #undef SHAPE
 #if REAL_BITS == 64
                               & 0
 #endif
 };
-
-typedef struct {
-  realw x, y, z;
-} LANED(Real3);
 
 /// Bounds over all lanes, per axis, in the order of near and far.
 typedef struct {
@@ -28,15 +22,16 @@ typedef struct {
 } LANED(Bounds);
 
 typedef struct {
-  PRIVATE const realw* rays;        ///< RAY_PLANES, as core/ray_lanes.h has prepared them.
-  GLOBAL const int* left_as_given;  ///< LEFT_INTS planes.
+  const LANED(Rays) * rays;
+  int stop_at_first;  ///< Any hit will do.
 
-  LANED(Real3) o, d, inv, slack, shear;
+  real3w o, d, inv, slack, shear;
   realw t_min;
 #if TIER_COMPENSATED
   realw dd, dd_inverse, t_per_length;
 #endif
-  intw left;     ///< What is in no instance.
+  intw left, aim;  ///< What is in no instance.
+  maskw outward;
   int has_left;  ///< A lane has left something of it.
 
   // The nearest hits so far, as in core/nearest.h.
@@ -52,18 +47,11 @@ typedef struct {
   // In common. Each ray lies within first ... last.
   real first, last;
   int near_x, near_y, near_z, kx, ky, kz;
+  maskw is_x, is_y;  ///< Lanes whose largest axis is x or y, where rays need not be alike.
   LANED(Bounds) x, y, z;
 } LANED(Packet);
 
-FN LANED(Real3) LANED(real3_at)(PRIVATE const realw* planes) {
-  LANED(Real3) v;
-  v.x = planes[0];
-  v.y = planes[1];
-  v.z = planes[2];
-  return v;
-}
-
-FN realw LANED(component_w)(const LANED(Real3) * v, int axis) { return axis == 0 ? v->x : (axis == 1 ? v->y : v->z); }
+FN realw LANED(component_w)(const real3w* v, int axis) { return axis == 0 ? v->x : (axis == 1 ? v->y : v->z); }
 
 /// Whether all lanes of m are alike.
 FN int LANED(is_common)(maskw m) { return !any_w(m) || !any_w(~m); }
@@ -87,8 +75,19 @@ FN LANED(Bounds) LANED(axis_bounds)(realw o, realw inv, realw slack, int is_back
 /// Whether packet_make has found a ray that may hit something, and all such rays alike; else there is no packet.
 enum { LANED(PACKET_DEAD), LANED(PACKET_ALIKE), LANED(PACKET_MIXED) };
 
-/// rays: prepared and widened; those that can hit nothing become others with an empty range.
-FN int LANED(packet_make)(LANED(Packet) * p, PRIVATE realw* rays, GLOBAL const int* left) {
+/// Nothing hit.
+FN void LANED(packet_none)(LANED(Packet) * p) {
+  p->t = splat_w(R(0.0));
+  p->id = splat_int_w(INT_MAX_ID);
+  p->kind = p->slot = p->instance = splat_int_w(-1);
+#if TIER_ROBUST
+  p->rough_kind = splat_int_w(-1);
+#endif
+}
+
+/// of: prepared and widened; those that can hit nothing become others with an empty range.
+FN int LANED(packet_make)(LANED(Packet) * p, LANED(Rays) * of, int stop_at_first) {
+  PRIVATE realw* rays = of->planes;
   maskw dead = lt_w(rays[RAY_PLANE_T_MAX], rays[RAY_PLANE_T_MIN]);
   uint alive = bits_w(~dead);
   if (alive == 0u) return LANED(PACKET_DEAD);
@@ -101,7 +100,7 @@ FN int LANED(packet_make)(LANED(Packet) * p, PRIVATE realw* rays, GLOBAL const i
     }
   }
   realw zero = splat_w(R(0.0)), kz = rays[RAY_PLANE_SHEAR];
-  LANED(Real3) inv = LANED(real3_at)(rays + RAY_PLANE_INV);
+  real3w inv = LANED(real3_at)(rays + RAY_PLANE_INV);
   maskw back_x = lt_w(inv.x, zero), back_y = lt_w(inv.y, zero), back_z = lt_w(inv.z, zero);
   real largest = largest_w(kz);
   int is_any = LANED(PACKET_OF_ANY_RAYS);
@@ -109,8 +108,8 @@ FN int LANED(packet_make)(LANED(Packet) * p, PRIVATE realw* rays, GLOBAL const i
       (!(LANED(is_common)(back_x) && LANED(is_common)(back_y) && LANED(is_common)(back_z)) || least_w(kz) != largest))
     return LANED(PACKET_MIXED);
 
-  p->rays = rays;
-  p->left_as_given = left;
+  p->rays = of;
+  p->stop_at_first = stop_at_first;
   p->o = LANED(real3_at)(rays + RAY_PLANE_O);
   p->d = LANED(real3_at)(rays + RAY_PLANE_D);
   p->inv = inv;
@@ -122,15 +121,16 @@ FN int LANED(packet_make)(LANED(Packet) * p, PRIVATE realw* rays, GLOBAL const i
   p->dd_inverse = rays[RAY_PLANE_DD + 2];
   p->t_per_length = rays[RAY_PLANE_DD + 3];
 #endif
-  p->left = TIER_FAST ? splat_int_w(-1) : load_int_w(left + LEFT_ID * LANES);
-  if (HAS_INSTANCES) {
-    intw instance = load_int_w(left + LEFT_INSTANCE * LANES);
-    p->left = sel_int_w(lt_int_w(instance, splat_int_w(0)), p->left, splat_int_w(-1));
-  }
+  p->left = TIER_FAST ? splat_int_w(-1) : of->left;
+  if (HAS_INSTANCES) p->left = sel_int_w(lt_int_w(of->left_instance, splat_int_w(0)), p->left, splat_int_w(-1));
+  p->aim = of->aim;
+  p->outward = nonzero_w(of->is_outward);
   p->has_left = any_w(nonzero_w(p->left - splat_int_w(-1)));
   p->near_x = any_w(back_x) ? 1 : 0;
   p->near_y = any_w(back_y) ? 3 : 2;
   p->near_z = any_w(back_z) ? 5 : 4;
+  p->is_x = eq_w(kz, zero);
+  p->is_y = eq_w(kz, splat_w(R(1.0)));
   p->kz = (int)largest;
   p->kx = p->kz == 2 ? 0 : p->kz + 1;
   p->ky = p->kx == 2 ? 0 : p->kx + 1;
@@ -139,20 +139,14 @@ FN int LANED(packet_make)(LANED(Packet) * p, PRIVATE realw* rays, GLOBAL const i
     p->y = LANED(axis_bounds)(p->o.y, inv.y, p->slack.y, p->near_y & 1);
     p->z = LANED(axis_bounds)(p->o.z, inv.z, p->slack.z, p->near_z & 1);
   }
+  LANED(packet_none)(p);
   p->t = p->bound = rays[RAY_PLANE_T_MAX];
   p->first = least_w(p->t_min);
   p->last = largest_w(p->t);
-  p->id = splat_int_w(INT_MAX_ID);
-  p->kind = p->slot = p->instance = splat_int_w(-1);
-#if TIER_ROBUST
-  p->rough_kind = splat_int_w(-1);
-#endif
   return LANED(PACKET_ALIKE);
 }
 
-FN Ray LANED(packet_ray)(const LANED(Packet) * p, int lane) {
-  return LANED(ray_given)(p->rays, p->left_as_given, lane);
-}
+FN Ray LANED(packet_ray)(const LANED(Packet) * p, int lane) { return LANED(ray_of)(p->rays, lane); }
 
 /// The nearest hits, lane by lane.
 typedef struct {
@@ -212,9 +206,20 @@ FN void LANED(packet_take)(LANED(Packet) * p, maskw hit, realw t, intw id, intw 
 /// Lanes that have just left the primitive.
 FN maskw LANED(packet_left)(const LANED(Packet) * p, int id) { return ~nonzero_w(p->left - splat_int_w(id)); }
 
+/// Of a flat primitive: lanes that have just left it or end on it.
+FN maskw LANED(packet_end)(const LANED(Packet) * p, int id) {
+  return LANED(packet_left)(p, id) | ~nonzero_w(p->aim - splat_int_w(id));
+}
+
 #if !TIER_ROBUST
 FN void LANED(packet_settle)(const Scene* scene, LANED(Packet) * p) {
   (void)scene;
   (void)p;
+}
+
+FN void LANED(packet_finish)(const Scene* scene, LANED(Packet) * p, int may_be_rough) {
+  (void)scene;
+  (void)p;
+  (void)may_be_rough;
 }
 #endif

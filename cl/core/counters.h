@@ -11,6 +11,13 @@ FN void count_events(const Scene* scene, int counter, uint number) {
 
 FN void count_event(const Scene* scene, int counter) { count_events(scene, counter, 1u); }
 
+/// How many bits are set.
+FN uint lanes_among(uint bits) {
+  uint lanes = 0u;
+  for (; bits != 0u; bits &= bits - 1u) ++lanes;
+  return lanes;
+}
+
 /// Primitives among the ids of so many slots; the others are padding.
 FN uint primitives_among(GLOBAL const int* ids, int slots) {
   uint primitives = 0u;

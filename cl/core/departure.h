@@ -14,9 +14,9 @@
 //   - boxes: the coordinate across the face is the face's, exactly; the other two stay strictly between the faces.
 // In an instance the world's face of a box is no plane of its own any more: there it is left like a polygon, by a bound
 // that what the instance rounds is added to.
-// The fast tier leaves from the point found, by its epsilon (core/epsilon_fast.h).
-// A polygon that is narrower than 4 b keeps its point as far from its edges as fits.
-// Held by tests/render/test_mirror_box.cpp and tests/cl/test_departure.cpp.
+// Rays leave in lanes (core/surfaces_lanes.h). The fast tier leaves from the point found, by its epsilon
+// (core/epsilon_fast.h). A polygon that is narrower than 4 b keeps its point as far from its edges as fits. Held by
+// tests/render/test_mirror_box.cpp and tests/cl/test_departure.cpp.
 #ifndef STRAHL_CORE_DEPARTURE_H
 #define STRAHL_CORE_DEPARTURE_H
 
@@ -130,20 +130,6 @@ FN Departure departure_of(const Surface* s) {
   if (!TIER_FAST && (s->outline == OUTLINE_TRIANGLE || s->outline == OUTLINE_PARALLELOGRAM))
     polygon_departure(s, &departure);
   return departure;
-}
-
-/// From the surface towards d, until t_max; id: the primitive's, scene-wide.
-FN Ray ray_leaving(const Surface* s, const Departure* departure, int id, real3 d, real t_max) {
-  real cosine = dot3(d, s->normal);
-  real3 from = departure->point;
-  if (departure->bound > R(0.0)) {
-    real off = cosine < R(0.0) ? -departure->bound : departure->bound;
-    from = add3(from, fma3(off, s->normal, departure->move));
-  }
-  Ray ray = ray_make(from, d, R(0.0), t_max, id);
-  if (HAS_INSTANCES) ray.left_instance = s->instance;
-  if (s->outline == OUTLINE_ROUND) ray.is_outward = s->is_flipped != 0 ? !(R(0.0) < cosine) : !(cosine < R(0.0));
-  return ray;
 }
 
 #endif

@@ -2,13 +2,16 @@
 // Rays in, hits out: what `strahl intersect` computes per work-item and what the host repeats bit for bit. One width;
 // no guard. Where lanes are wide a work-item takes LANES rays: it prepares them together and follows each by itself.
 #include "accel/traverse.h"
-#if LANES != 1
-#include "core/ray_lanes.h"
-#endif
+#include "math/vec3_lanes.h"
+#include "core/rays_lanes.h"
 #include "shapes/shape.h"
 
 /// to: LANES rays, prepared and widened. in: RAY_REALS planes; left: LEFT_INTS planes of what they left.
-FN void LANED(rays_given)(const Scene* scene, GLOBAL const real* in, GLOBAL const int* left, PRIVATE realw* to) {
+FN void LANED(rays_given)(const Scene* scene, GLOBAL const real* in, GLOBAL const int* left, LANED(Rays) * to) {
+  to->left = load_int_w(left + LEFT_ID * LANES);
+  to->left_instance = load_int_w(left + LEFT_INSTANCE * LANES);
+  to->aim = splat_int_w(-1);
+  to->is_outward = splat_int_w(0);
   LANED(GivenRays) given;
   given.ox = load_w(in + RAY_O * LANES);
   given.oy = load_w(in + (RAY_O + 1) * LANES);
@@ -18,16 +21,9 @@ FN void LANED(rays_given)(const Scene* scene, GLOBAL const real* in, GLOBAL cons
   given.dz = load_w(in + (RAY_D + 2) * LANES);
   given.t_min = load_w(in + RAY_T_MIN * LANES);
   given.t_max = load_w(in + RAY_T_MAX * LANES);
-  given.has_left = nonzero_w(load_int_w(left + LEFT_ID * LANES) - splat_int_w(-1));
-  LANED(prepare_rays)(&given, to);
-  LANED(widen_rays)(given.has_left, to, scene->geometry + scene->index[HEADER_BOUNDS]);
-}
-
-/// A ray of those.
-FN Ray LANED(ray_given)(PRIVATE const realw* rays, GLOBAL const int* left, int lane) {
-  Ray ray = LANED(prepared_ray)(rays, lane, left[LEFT_ID * LANES + lane]);
-  if (HAS_INSTANCES) ray.left_instance = left[LEFT_INSTANCE * LANES + lane];
-  return ray;
+  given.has_left = nonzero_w(to->left - splat_int_w(-1));
+  LANED(prepare_rays)(&given, to->planes);
+  LANED(widen_rays)(given.has_left, to->planes, scene->geometry + scene->index[HEADER_BOUNDS]);
 }
 
 /// Of ray i, as find_rays has it.
@@ -48,10 +44,10 @@ FN void LANED(store_found)(const Nearest* hit, int i, int stop_at_first, GLOBAL 
 /// real a ray, of no meaning where nothing is hit.
 FN void LANED(find_rays)(const Scene* scene, GLOBAL const real* in, GLOBAL const int* left, int count,
                          int stop_at_first, GLOBAL real* t, GLOBAL int* found) {
-  realw planes[RAY_PLANES];
-  LANED(rays_given)(scene, in, left, planes);
+  LANED(Rays) rays;
+  LANED(rays_given)(scene, in, left, &rays);
   for (int i = 0; i < count; ++i) {
-    Ray ray = LANED(ray_given)(planes, left, i);
+    Ray ray = LANED(ray_of)(&rays, i);
     Nearest hit = LANED(traverse)(scene, &ray, stop_at_first ? FIND_ANY : FIND_NEAREST);
     LANED(store_found)(&hit, i, stop_at_first, t, found);
   }

@@ -7,6 +7,20 @@
 #include "accel/packet.h"
 #endif
 
+#if LANES != 1
+/// find_rays of core/trace_one.h for rays that share their way.
+FN void LANED(find_packet)(const Scene* scene, GLOBAL const real* in, GLOBAL const int* left, int count,
+                           int stop_at_first, GLOBAL real* t, GLOBAL int* found) {
+  LANED(Rays) rays;
+  LANED(rays_given)(scene, in, left, &rays);
+  LANED(NearestEach) hits = LANED(packet_traverse)(scene, &rays, stop_at_first ? FIND_ANY : FIND_NEAREST);
+  for (int i = 0; i < count; ++i) {
+    Nearest hit = LANED(nearest_of)(&hits, i);
+    LANED(store_found)(&hit, i, stop_at_first, t, found);
+  }
+}
+#endif
+
 FN Scene scene_of(GLOBAL const real* geometry, GLOBAL const real* shading, GLOBAL const int* index) {
   Scene scene;
   scene.geometry = geometry;

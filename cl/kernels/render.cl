@@ -1,50 +1,85 @@
 // SPDX-License-Identifier: MIT
-// One work-item a pixel: camera ray, closest hit, a step of the integrator, film. A launch covers a rectangle of the
-// picture's pixels, columns x rows from (x_first, y_first) on, and samples [sample_first, sample_first + sample_count)
-// of each of them. What is the same for all pixels comes as an argument where every pixel needs it: PoCL computes with
-// arguments once for a row of work-items, while what is read from a buffer is read again.
+// One work-item a pixel: PATH_LANES samples of it at a time, each a camera ray, then closest hit and a step of the
+// integrator in turns; film. A launch covers a rectangle of the picture's pixels, columns x rows from (x_first,
+// y_first) on, and samples [sample_first, sample_first + sample_count) of each of them. What is the same for all pixels
+// comes as an argument where every pixel needs it: PoCL computes with arguments once for a row of work-items, while
+// what is read from a buffer is read again.
 #include "math/vec3.h"
-#include "math/rng.h"
 #include "lanes/lane_ops.h"
 #include "accel/traverse.h"
-#include "shapes/shape.h"
-#include "core/camera.h"
 #include "core/film.h"
-#include "samplers/sampler.h"
-#include "integrators/integrator.h"
+#if PATH_LANES != LANES
+#undef LANES
+#define LANES PATH_LANES
+#endif
+#include "math/vec3_lanes.h"
+#include "math/sampling_lanes.h"
+#include "samplers/sampler_lanes.h"
+#include "core/rays_lanes.h"
+#if LANES != 1
+#include "accel/packet.h"
+#endif
+#include "core/surfaces_lanes.h"
+#include "core/camera_lanes.h"
+#include "core/paths_lanes.h"
+#include "core/find_lanes.h"
+#include "integrators/integrator_lanes.h"
 
-FN void store_first_sample(GLOBAL real* reals, GLOBAL int* ints, const Ray* ray, int hit, real t, const Surface* s) {
-  for (int i = 0; i < AOV_REALS; ++i) reals[i] = R(0.0);
-  ints[AOV_SHAPE] = -1;
-  ints[AOV_PRIMITIVE] = -1;
-  GLOBAL real* traced = reals + AOV_RAY;
-  traced[RAY_O] = ray->o.x;
-  traced[RAY_O + 1] = ray->o.y;
-  traced[RAY_O + 2] = ray->o.z;
-  traced[RAY_D] = ray->d.x;
-  traced[RAY_D + 1] = ray->d.y;
-  traced[RAY_D + 2] = ray->d.z;
-  traced[RAY_T_MIN] = ray->t_min;
-  traced[RAY_T_MAX] = ray->t_max;
-  if (!hit) return;
-  reals[AOV_T] = t;
-  reals[AOV_DEPTH] = length3(sub3(s->position, ray->o));
-  reals[AOV_NORMAL] = s->shading.x;
-  reals[AOV_NORMAL + 1] = s->shading.y;
-  reals[AOV_NORMAL + 2] = s->shading.z;
-  reals[AOV_POSITION] = s->position.x;
-  reals[AOV_POSITION + 1] = s->position.y;
-  reals[AOV_POSITION + 2] = s->position.z;
-  reals[AOV_UV] = s->tex_u;
-  reals[AOV_UV + 1] = s->tex_v;
-  ints[AOV_SHAPE] = s->shape;
-  ints[AOV_PRIMITIVE] = s->primitive;
+/// A pixel's samples: [next, end) have not begun yet.
+typedef struct {
+  int x, y, width, height, next, end;
+} Pixel;
+
+/// Begins samples of the pixel in lanes where no path is alive, as far as there are any.
+FN void LANED(begin_paths)(const Scene* scene, LANED(Paths) * path, Pixel* pixel) {
+  GLOBAL const real* shading = scene->shading;
+  GLOBAL const int* index = scene->index;
+  intw numbers = int_of_uint_w(path->sample.sample), is_begun = splat_int_w(0);
+  for (uint idle = bits_w(~path->alive); idle != 0u && pixel->next < pixel->end; idle &= idle - 1u) {
+    put_int_w(&numbers, first_bit(idle), pixel->next++);
+    put_int_w(&is_begun, first_bit(idle), 1);
+  }
+  uint number = (uint)pixel->y * (uint)pixel->width + (uint)pixel->x;
+  path->sample = LANED(sample_begin)(scene, number, uint_of_int_w(numbers));
+  realw dx = splat_w(R(0.0)), dy = dx;
+  if (HAS_PIXEL_FILTER) {
+    LANED(Random2) bits = LANED(sample_pair)(scene, &path->sample, splat_uint_w(SET_PIXEL));
+    dx = LANED(filter_offset)(shading + index[HEADER_FILTER], LANED(random_unit)(bits.x));
+    dy = LANED(filter_offset)(shading + index[HEADER_FILTER], LANED(random_unit)(bits.y));
+  }
+  LANED(Rays) rays;
+  LANED(camera_rays)
+  (shading + index[HEADER_CAMERA], pixel->width, pixel->height, pixel->x, pixel->y, dx, dy, &rays);
+  LANED(paths_begin)(path, nonzero_w(is_begun), &rays);
 }
 
-KERNEL LANE_HINT void render(GLOBAL const real* geometry, GLOBAL const real* shading, GLOBAL const int* index,
-                             GLOBAL long* film, GLOBAL real* aov_reals, GLOBAL int* aov_ints, GLOBAL uint* counters,
-                             int width, int height, int x_first, int y_first, int columns, int rows, int film_first,
-                             int film_columns, int film_sums, int sample_first, int sample_count) {
+/// What is looked for: only who reports t or goes on behind a hit has need of its last digits.
+FN int LANED(wanted)(const Scene* scene, const LANED(Paths) * path, const FirstSample* first) {
+  int is_exact = 0;
+  if (HAS_AOV) is_exact = first->lane >= 0;
+  if (HAS_EMISSION && hides_emitters(scene)) is_exact = any_w(path->alive & lt_int_w(path->depth, splat_int_w(1)));
+  return is_exact ? FIND_NEAREST : FIND_NEAREST_ROUGHLY;
+}
+
+/// `times` samples, from `sample` on, all of that light.
+FN void add_to_film(const Scene* scene, GLOBAL long* pixel_sums, int film_sums, real film_scale, int sample, int times,
+                    real3 light) {
+  // The background's share of a picture need not touch the film.
+  if (light.x == R(0.0) && light.y == R(0.0) && light.z == R(0.0)) return;
+  for (int i = sample; i < sample + times; ++i) {
+    // One sum holds what four do: integers, so the mean is the same.
+    GLOBAL long* sums = pixel_sums + (HAS_ERROR_SUMS ? i & (film_sums - 1) : 0) * FILM_CHANNELS;
+    sums[0] += film_units(scene, light.x, film_scale);
+    sums[1] += film_units(scene, light.y, film_scale);
+    sums[2] += film_units(scene, light.z, film_scale);
+  }
+}
+
+KERNEL LANE_HINT_OF(SCENE_LANES) void render(GLOBAL const real* geometry, GLOBAL const real* shading,
+                                             GLOBAL const int* index, GLOBAL long* film, GLOBAL real* aov_reals,
+                                             GLOBAL int* aov_ints, GLOBAL uint* counters, int width, int height,
+                                             int x_first, int y_first, int columns, int rows, int film_first,
+                                             int film_columns, int film_sums, int sample_first, int sample_count) {
   int column = (int)get_global_id(0), row = (int)get_global_id(1);
   if (column >= columns || row >= rows) return;
   Scene scene;
@@ -52,8 +87,6 @@ KERNEL LANE_HINT void render(GLOBAL const real* geometry, GLOBAL const real* sha
   scene.shading = shading;
   scene.index = index;
   scene.counters = counters;
-  int x = x_first + column, y = y_first + row;
-  uint pixel = (uint)y * (uint)width + (uint)x;
   // film_first: the first of those pixels in the film buffer, whose rows are film_columns long; film_sums: 1 or
   // FILM_SUBSUMS for each of them.
   ulong slot = (ulong)film_first + (ulong)row * (ulong)film_columns + (ulong)column;
@@ -64,39 +97,32 @@ KERNEL LANE_HINT void render(GLOBAL const real* geometry, GLOBAL const real* sha
   int do_differ = SAMPLER_COUNT > 0;
   if (HAS_PIXEL_FILTER || HAS_COUNT_RAYS) do_differ = 1;
   int sample_end = sample_first + (do_differ ? sample_count : 1), times = do_differ ? 1 : sample_count;
-  for (int sample = sample_first; sample < sample_end; ++sample) {
-    real dx = R(0.0), dy = R(0.0);
-    SampleState state = sample_begin(&scene, pixel, (uint)sample);
-    if (HAS_PIXEL_FILTER) {
-      Random2 bits = sample_pair(&scene, &state, SET_PIXEL);
-      dx = filter_offset(shading + index[HEADER_FILTER], random_unit(bits.x));
-      dy = filter_offset(shading + index[HEADER_FILTER], random_unit(bits.y));
-    }
-    Path path = path_begin(camera_ray(shading + index[HEADER_CAMERA], width, height, x, y, dx, dy), state);
-    int more, is_first = 1;
-    do {
-      // Only who reports t or goes on behind a hit has need of its last digits.
-      int is_exact = 0;
-      if (HAS_AOV && sample == 0) is_exact = is_first;
-      if (HAS_EMISSION && hides_emitters(&scene)) is_exact = is_first;
-      Nearest nearest = LANED(closest_hit)(&scene, &path.ray, is_exact ? FIND_NEAREST : FIND_NEAREST_ROUGHLY);
-      int hit = nearest.kind >= 0;
-      Surface surface = surface_none();
-      if (hit) surface = surface_at(&scene, &path.ray, &nearest, LANES);
-      if (HAS_AOV && sample == 0 && is_first)
-        store_first_sample(aov_reals + slot * AOV_REALS, aov_ints + slot * AOV_INTS, &path.ray, hit, nearest.t,
-                           &surface);
-      more = LANED(surface_step)(&scene, &path, hit, &surface, nearest.id, nearest.t);
-      is_first = 0;
-    } while (more);
-    // The background's share of a picture need not touch the film.
-    if (path.radiance.x == R(0.0) && path.radiance.y == R(0.0) && path.radiance.z == R(0.0)) continue;
-    for (int i = sample; i < sample + times; ++i) {
-      // One sum holds what four do: integers, so the mean is the same.
-      GLOBAL long* sums = pixel_sums + (HAS_ERROR_SUMS ? i & (film_sums - 1) : 0) * FILM_CHANNELS;
-      sums[0] += film_units(&scene, path.radiance.x, film_scale);
-      sums[1] += film_units(&scene, path.radiance.y, film_scale);
-      sums[2] += film_units(&scene, path.radiance.z, film_scale);
+  Pixel pixel;
+  pixel.x = x_first + column;
+  pixel.y = y_first + row;
+  pixel.width = width;
+  pixel.height = height;
+  pixel.next = sample_first;
+  pixel.end = sample_end;
+  FirstSample first;
+  first.reals = aov_reals + slot * AOV_REALS;
+  first.ints = aov_ints + slot * AOV_INTS;
+  first.lane = HAS_AOV && sample_first == 0 ? 0 : -1;
+  LANED(Paths) path;
+  LANED(paths_none)(&path);
+  for (;;) {
+    // A lane whose path has ended may wait until an eighth of them have.
+    if (pixel.next < sample_end && 8u * lanes_among(bits_w(~path.alive)) >= LANES)
+      LANED(begin_paths)(&scene, &path, &pixel);
+    uint before = bits_w(path.alive);
+    if (before == 0u) break;
+    LANED(Surfaces) surfaces = LANED(find_surfaces)(&scene, &path, LANED(wanted)(&scene, &path, &first), &first);
+    LANED(surface_step)(&scene, &path, &surfaces);
+    if (HAS_AOV) first.lane = -1;
+    for (uint ended = before & ~bits_w(path.alive); ended != 0u; ended &= ended - 1u) {
+      int i = first_bit(ended), sample = get_int_w((PRIVATE const intw*)&path.sample.sample, i);
+      real3 light = vec3(get_w(&path.radiance.x, i), get_w(&path.radiance.y, i), get_w(&path.radiance.z, i));
+      add_to_film(&scene, pixel_sums, film_sums, film_scale, sample, times, light);
     }
   }
 }

@@ -10,10 +10,11 @@
 #define LANED(name) LANED_EXPAND(name, LANES)
 
 /// On kernels with wide bodies: tells runtimes that vectorise across work-items to leave them alone.
-#define LANE_HINT_1
-#define LANE_HINT_8 __attribute__((vec_type_hint(float8)))
-#define LANE_HINT_16 __attribute__((vec_type_hint(float16)))
-#define LANE_HINT LANED(LANE_HINT)
+#define WIDE_BODIES_1
+#define WIDE_BODIES_8 __attribute__((vec_type_hint(float8)))
+#define WIDE_BODIES_16 __attribute__((vec_type_hint(float16)))
+#define LANE_HINT_OF(lanes) LANED_EXPAND(WIDE_BODIES, lanes)
+#define LANE_HINT LANE_HINT_OF(LANES)
 
 #define realw LANED(realw)
 #define intw LANED(intw)
@@ -40,6 +41,52 @@
 #define load_w LANED(load_w)
 #define load_int_w LANED(load_int_w)
 #define store_w LANED(store_w)
+
+// lanes/lane_rays.h
+#define uintw LANED(uintw)
+#define splat_uint_w LANED(splat_uint_w)
+#define sel_int_w LANED(sel_int_w)
+#define lt_int_w LANED(lt_int_w)
+#define lt_uint_w LANED(lt_uint_w)
+#define none_w LANED(none_w)
+#define lane_numbers_w LANED(lane_numbers_w)
+#define first_lanes_w LANED(first_lanes_w)
+#define high_product_w LANED(high_product_w)
+#define real_of_uint_w LANED(real_of_uint_w)
+#define int_of_real_w LANED(int_of_real_w)
+#define uint_of_int_w LANED(uint_of_int_w)
+#define int_of_uint_w LANED(int_of_uint_w)
+#define gather_w LANED(gather_w)
+#define gather_int_w LANED(gather_int_w)
+#define read_w LANED(read_w)
+#define read_int_w LANED(read_int_w)
+#define store_int_w LANED(store_int_w)
+#define put_w LANED(put_w)
+#define put_int_w LANED(put_int_w)
+#define get_w LANED(get_w)
+#define get_int_w LANED(get_int_w)
+#define least_w LANED(least_w)
+#define largest_w LANED(largest_w)
+
+// math/vec3_lanes.h
+#define real3w LANED(real3w)
+#define vec3_w LANED(vec3_w)
+#define splat3_w LANED(splat3_w)
+#define gather3_w LANED(gather3_w)
+#define add3_w LANED(add3_w)
+#define sub3_w LANED(sub3_w)
+#define mul3_w LANED(mul3_w)
+#define scale3_w LANED(scale3_w)
+#define negate3_w LANED(negate3_w)
+#define fma3_w LANED(fma3_w)
+#define dot3_w LANED(dot3_w)
+#define cross3_w LANED(cross3_w)
+#define abs3_w LANED(abs3_w)
+#define max3_w LANED(max3_w)
+#define sel3_w LANED(sel3_w)
+#define unit3_w LANED(unit3_w)
+#define normalize3_w LANED(normalize3_w)
+#define length3_w LANED(length3_w)
 
 // lanes/double_word.h
 #define dw_w LANED(dw_w)

@@ -3,6 +3,6 @@
 #if TIER_ROBUST
 #include "shapes/packet_rough_lanes.h"
 #endif
-#include "shapes/triangle_packet_lanes.h"
+#include "shapes/polygon_packet_lanes.h"
 #include "shapes/sphere_packet_lanes.h"
 #include "shapes/plane_packet_lanes.h"

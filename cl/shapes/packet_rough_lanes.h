@@ -95,14 +95,16 @@ FN void LANED(settle_kind)(const Scene* scene, LANED(Packet) * p, int kind, int 
   int slots[LANES];
   store_int_w(p->rough_slot, slots);
   int first = first_bit(lanes);
-  for (int i = 0; i < LANES; ++i) {
-    int slot = slots[(lanes >> i & 1u) != 0u ? i : first];
-    GLOBAL const real* prim = geometry + (ulong)(slot / LANES) * (ulong)(planes * LANES) + slot % LANES;
-    for (int k = 0; k < planes; ++k) each[k * LANES + i] = prim[k * LANES];
+  maskw ok = none_w();
+  realw t = p->rough;
+  if (body != PACKET_BODY_PARALLELOGRAM) {
+    for (int i = 0; i < LANES; ++i) {
+      int slot = slots[(lanes >> i & 1u) != 0u ? i : first];
+      GLOBAL const real* prim = geometry + (ulong)(slot / LANES) * (ulong)(planes * LANES) + slot % LANES;
+      for (int k = 0; k < planes; ++k) each[k * LANES + i] = prim[k * LANES];
+    }
+    t = body == PACKET_BODY_TRIANGLE ? LANED(triangle_t_each)(p, each, &ok) : LANED(sphere_t_each)(p, each, which, &ok);
   }
-  maskw ok;
-  realw t =
-      body == PACKET_BODY_TRIANGLE ? LANED(triangle_t_each)(p, each, &ok) : LANED(sphere_t_each)(p, each, which, &ok);
   uint others = bits_w(which & ~ok);
   if (others != 0u) {
     real ts[LANES], rough[LANES];
@@ -112,10 +114,10 @@ FN void LANED(settle_kind)(const Scene* scene, LANED(Packet) * p, int kind, int 
       int i = first_bit(others), slot = slots[i];
       GLOBAL const real* prim = geometry + (ulong)(slot / LANES) * (ulong)(planes * LANES) + slot % LANES;
       Ray ray = LANED(packet_ray)(p, i);
-      if (body == PACKET_BODY_TRIANGLE)
-        ts[i] = polygon_t(&ray, rough[i], prim, prim + 3 * LANES, prim + 6 * LANES, prim + 6 * LANES, LANES);
-      else
+      if (body == PACKET_BODY_SPHERE)
         ts[i] = LANED(sphere_t_one)(&ray, prim);
+      else
+        ts[i] = polygon_exact_t(&ray, rough[i], prim, body == PACKET_BODY_TRIANGLE ? 3 : 4, LANES);
     }
     t = read_w(ts);
   }
@@ -126,16 +128,45 @@ FN void LANED(settle_kind)(const Scene* scene, LANED(Packet) * p, int kind, int 
 SELDOM_FN void LANED(packet_settle)(const Scene* scene, LANED(Packet) * p) {
   (void)scene;  // A scene of other kinds.
   (void)p;
-#define SHAPE(name, planes)                                                                                 \
-  if (LANED(PACKET_BODY_##name) == PACKET_BODY_TRIANGLE || LANED(PACKET_BODY_##name) == PACKET_BODY_SPHERE) \
+#define SHAPE(name, planes)                                                                            \
+  if (LANED(PACKET_BODY_##name) != PACKET_BODY_NONE && LANED(PACKET_BODY_##name) != PACKET_BODY_PLANE) \
     LANED(settle_kind)(scene, p, SHAPE_##name, LANED(PACKET_BODY_##name), planes);
 #include "shapes/shapes.def"
 #undef SHAPE
 }
 
+/// What is left in the end. Where t may be rough, polygons that are the nearest for certain stay put off: t is not
+/// below what it will be.
+FN void LANED(packet_finish)(const Scene* scene, LANED(Packet) * p, int may_be_rough) {
+  if (may_be_rough) {
+    maskw is_flat = none_w();
+#define SHAPE(name, planes)                                                                                        \
+  if (LANED(PACKET_BODY_##name) == PACKET_BODY_TRIANGLE || LANED(PACKET_BODY_##name) == PACKET_BODY_PARALLELOGRAM) \
+    is_flat = is_flat | ~nonzero_w(p->rough_kind - splat_int_w(SHAPE_##name));
+#include "shapes/shapes.def"
+#undef SHAPE
+    maskw sure = is_flat & lt_w(p->bound, p->t);
+    p->t = sel_w(sure, p->bound, p->t);
+    p->id = sel_int_w(sure, p->rough_id, p->id);
+    p->kind = sel_int_w(sure, p->rough_kind, p->kind);
+    p->slot = sel_int_w(sure, p->rough_slot, p->slot);
+    p->rough_kind = sel_int_w(sure, splat_int_w(-1), p->rough_kind);
+    if (HAS_INSTANCES) p->instance = sel_int_w(sure, splat_int_w(-1), p->instance);
+  }
+  if (any_w(~lt_int_w(p->rough_kind, splat_int_w(0)))) LANED(packet_settle)(scene, p);
+}
+
 /// Puts off: hit at `rough`, for certain within least ... most; `sure` lanes of them also after t_min.
 FN void LANED(packet_put_off)(const Scene* scene, LANED(Packet) * p, maskw hit, maskw sure, realw rough, realw least,
                               realw most, int id, int kind, int slot) {
+  if (p->stop_at_first) {
+    maskw met = hit & sure & lt_w(most, p->bound);
+    p->kind = sel_int_w(met, splat_int_w(kind), p->kind);
+    p->t = sel_w(met, splat_w(-REAL_MAX), p->t);
+    p->bound = sel_w(met, splat_w(-REAL_MAX), p->bound);
+    hit = hit & ~met;
+    if (!any_w(hit)) return;
+  }
   maskw is_held = ~lt_int_w(p->rough_kind, splat_int_w(0)), unsure = hit & ~sure;
   // What is held comes after the new one for certain, or gives way to an exact answer.
   if (any_w(unsure | (hit & is_held & ~lt_w(most, p->rough_least)))) LANED(packet_settle)(scene, p);

@@ -2,7 +2,7 @@
 // Ray against LANES parallelograms: the four edge functions of its corners A, B, C, D have one sign (edge_lanes.h), so
 // faces that share corners neither leak nor hit twice. t comes from the plane of A, B, D.
 
-enum { LANED(PACKET_BODY_parallelogram) = PACKET_BODY_NONE };
+enum { LANED(PACKET_BODY_parallelogram) = PACKET_BODY_PARALLELOGRAM };
 
 #if TIER_FAST
 #include "shapes/parallelogram_fast_lanes.h"

@@ -22,7 +22,7 @@ FN uint LANED(may_meet_spheres)(const LANED(Packet) * p, GLOBAL const real* bloc
   r = sqrt_w(fma_w(r, r, splat_w(R(0x1p-20)) * ff));
 #endif
   realw rx = p->near_x == 0 ? -r : r, ry = p->near_y == 2 ? -r : r, rz = p->near_z == 4 ? -r : r;
-  LANED(Real3) near, far;
+  real3w near, far;
   near.x = cx + rx;
   near.y = cy + ry;
   near.z = cz + rz;
@@ -67,8 +67,12 @@ FN void LANED(sphere_packet)(const Scene* scene, LANED(Packet) * p, GLOBAL const
     realw apart = fma_w(lz, lz, fma_w(ly, ly, lx * lx)), reach = fma_w(r, p->t_per_length, off);
     maskw met =
         active & ~(lt_w(fma_w(limit, limit, tiny), apart) | lt_w(p->bound, k - reach) | lt_w(k + reach, p->t_min));
-    maskw left = lt_w(zero, zero);
-    if (p->has_left) left = active & LANED(packet_left)(p, ids[i]);
+    maskw left = none_w();
+    if (p->has_left) {
+      left = active & LANED(packet_left)(p, ids[i]);
+      met = met & ~left;
+      left = left & ~p->outward;
+    }
     if (!any_w(met | left)) continue;
 
     // Those that the line passes through for certain: apart is off by less than 16 u |f| r and 4 u of r^2, or if that
@@ -88,7 +92,7 @@ FN void LANED(sphere_packet)(const Scene* scene, LANED(Packet) * p, GLOBAL const
     realw about = fma_w(splat_w(R(0x1p-6)), half_chord, off + off);
     realw near = k - half_chord, far = k + half_chord;
     realw t = sel_w(lt_w(near + about, p->t_min), far, near);
-    sure = sure & ~left & le_w(p->t_min, t - about);
+    sure = sure & le_w(p->t_min, t - about);
     met = (met | left) & ~sure;
     sure = sure & ~lt_w(p->bound, t - about);
     if (any_w(sure)) LANED(packet_put_off)(scene, p, sure, sure, t, t - about, t + about, ids[i], kind, slot + i);
@@ -112,7 +116,7 @@ FN void LANED(sphere_packet)(const Scene* scene, LANED(Packet) * p, GLOBAL const
     realw lx = fma_w(-k, dx, fx), ly = fma_w(-k, dy, fy), lz = fma_w(-k, dz, fz);
     realw r2 = r * r;
     realw d = r2 - fma_w(lz, lz, fma_w(ly, ly, lx * lx));
-    maskw hit = le_w(zero, d), left = lt_w(zero, zero);
+    maskw hit = le_w(zero, d), left = none_w();
     if (p->has_left) left = LANED(packet_left)(p, ids[i]);
     if (!any_w(active & (hit | left))) continue;
     realw root = sqrt_w(a * max_w(d, zero));
@@ -123,7 +127,7 @@ FN void LANED(sphere_packet)(const Scene* scene, LANED(Packet) * p, GLOBAL const
     realw t = sel_w(le_w(p->t_min, near), near, far);
     realw other = splat_w(-R(2.0)) * k;
     t = sel_w(left, other, t);
-    hit = (hit & ~left) | (left & lt_w(zero, other));
+    hit = (hit & ~left) | (left & ~p->outward & lt_w(zero, other));
 #if REAL_BITS == 64
     real sx = prim[0], sy = prim[LANES], sz = prim[2 * LANES], sr = prim[3 * LANES];
     LANED(Interval) slabs;

@@ -38,18 +38,20 @@ Pilot pilot_of(Renderer& renderer, const Invocation& invocation) {
   Pilot pilot;
   pilot.setup = invocation.seconds();
   RenderGoal goal;
-  goal.spp = first_spp;
+  const int first = std::max(first_spp, renderer.samples_at_once());
+  goal.spp = first;
   const RenderResult few = renderer.render({}, goal);
-  const double few_seconds = few.stats.seconds.kernel / first_spp;
-  goal.spp = std::clamp(static_cast<int>(pilot_share / few_seconds) / first_spp * first_spp, 2 * first_spp, 64);
-  const RenderResult more = few_seconds * first_spp > 2 * pilot_share ? few : renderer.render({}, goal);
+  const double few_seconds = few.stats.seconds.kernel / first;
+  goal.spp =
+      std::clamp(static_cast<int>(pilot_share / few_seconds) / first * first, 2 * first, std::max(64, 2 * first));
+  const RenderResult more = few_seconds * first > 2 * pilot_share ? few : renderer.render({}, goal);
   pilot.spp = more.stats.spp;
   pilot.sample_seconds = more.stats.seconds.kernel / pilot.spp;
   pilot.finish = more.stats.seconds.readback + more.stats.seconds.error;
   if (!more.error || !few.error) return pilot;
   pilot.rmse = more.error->rmse;
-  if (pilot.spp > first_spp && pilot.rmse > 0)
-    pilot.exponent = std::clamp(std::log(few.error->rmse / pilot.rmse) / std::log(pilot.spp / first_spp), 0.45, 1.0);
+  if (pilot.spp > first && pilot.rmse > 0)
+    pilot.exponent = std::clamp(std::log(few.error->rmse / pilot.rmse) / std::log(pilot.spp / first), 0.45, 1.0);
   return pilot;
 }
 

@@ -18,9 +18,11 @@
 #include "device/device.h"
 #include "device/features.h"
 #include "device/pack_tree.h"
+#include "device/path_lanes.h"
 #include "device/program_text.h"
 #include "device/tuned_width.h"
 #include "render/loop_bound.h"
+#include "render/sampling.h"
 #include "study/effect_costs.h"
 
 namespace strahl::cli {
@@ -182,8 +184,9 @@ ExitCode explain(const ExplainOptions& options) {
   all.features = features_of(scene, all.settings);
   all.lanes = lanes_for(options, all.settings);
   const bool has_tree = calls_for_tree(scene, all.features, all.lanes.tree, acceleration_of(all.settings));
+  const int paths = path_lanes(all.features, all.settings, all.lanes.count, has_tree, resolve_sampling(scene).spp);
   all.program = program_hash(program_source("kernels/render.cl", all.features, all.settings.precision, all.lanes.count,
-                                            all.lanes.tree, has_tree));
+                                            all.lanes.tree, has_tree, paths));
   if (options.cost) all.costs = costs_of(options, scene, all.settings);
   print((options.json ? json_of : text_of)(all));
   return ExitCode::ok;

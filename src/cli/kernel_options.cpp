@@ -87,6 +87,12 @@ void add_program_options(CLI::App& app, KernelOptions& options) {
 }
 
 void add_launch_options(CLI::App& app, KernelOptions& options) {
+  app.add_option("--paths", options.paths,
+                 "Samples of a pixel followed at a time: one, or as many as --lanes (lanes); default: by the scene and "
+                 "its samples; the picture does not change")
+      ->type_name("NAME")
+      ->check(CLI::IsMember({"one", "lanes"}))
+      ->group(kGroup);
   app.add_option("--work-group", options.work_group, "Work-items per group; the picture does not change")
       ->type_name("XxY")
       ->group(kGroup);
@@ -109,6 +115,9 @@ RenderSettings settings_of(const KernelOptions& options) {
   if (options.lanes && options.bvh_width && width_of(settings, 1).lanes != *options.lanes)
     throw UsageError(fmt::format("--bvh-width {} tests {} at a time, not --lanes {}: state one of them",
                                  *options.bvh_width, width_of(settings, 1).lanes, *options.lanes));
+  if (options.paths) settings.paths_in_lanes = *options.paths == "lanes";
+  if (settings.precision == Precision::fp64 && settings.paths_in_lanes.value_or(false))
+    throw UsageError("--precision double follows one path at a time, not --paths lanes");
   if (options.acceleration == "list") settings.acceleration = Acceleration::list;
   if (options.acceleration == "tree") settings.acceleration = Acceleration::tree;
   if (!options.work_group.empty()) settings.work_group = work_group_of(options.work_group);

@@ -19,6 +19,7 @@ struct KernelOptions {
   bool no_canary = false;
   std::optional<int> lanes;
   std::optional<int> bvh_width;
+  std::optional<std::string> paths;
   std::string acceleration;  ///< "auto", "list" or "tree"; empty: auto.
   std::string work_group;    ///< "8x8", "64"; empty: the default.
   std::optional<int> passes;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The camera as the affine map of cl/core/camera.h.
+// The camera as the affine map of cl/core/camera_lanes.h.
 #pragma once
 
 #include <vector>

@@ -8,14 +8,15 @@
 namespace strahl {
 
 /// root: "kernels/render.cl". tree_width: 2 or 4 where `lanes` is 1 (0: 4), of no meaning elsewhere. has_tree: false
-/// for scenes that are packed into lists alone (calls_for_tree). Equal features, precision and widths give equal text,
-/// whatever the scene's values.
+/// for scenes that are packed into lists alone (calls_for_tree). path_lanes: 1 or `lanes`, of render.cl. Equal
+/// features, precision and widths give equal text, whatever the scene's values.
 [[nodiscard]] ProgramSource program_source(const std::string& root, const Features& features, Precision precision,
-                                           int lanes, int tree_width = 0, bool has_tree = true);
+                                           int lanes, int tree_width = 0, bool has_tree = true, int path_lanes = 1);
 
 /// The same on files of one's own.
 [[nodiscard]] ProgramSource program_source(const KernelFiles& files, const std::string& root, const Features& features,
-                                           Precision precision, int lanes, int tree_width = 0, bool has_tree = true);
+                                           Precision precision, int lanes, int tree_width = 0, bool has_tree = true,
+                                           int path_lanes = 1);
 
 /// Primitives tested at a time, and children of a node.
 struct Width {

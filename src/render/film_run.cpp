@@ -98,7 +98,8 @@ void FilmRun::launch_and_count(const Launch& launch, int band_row) {
 
 /// false: stopped by the callback or, in a pass of single samples, by the deadline.
 bool FilmRun::render_band(const Pass& pass, int row, int rows) {
-  LaunchPlan plan(width_, rows, pass.count, state_.settings.passes, state_.launch_overhead, state_.samples_a_launch);
+  LaunchPlan plan(width_, rows, pass.count, state_.settings.passes, state_.launch_overhead, state_.samples_a_launch,
+                  state_.samples_at_once);
   if (state_.last_plan) plan.learn_from(*state_.last_plan);
   const double least = least_launch_seconds + state_.launch_overhead;
   bool carry_on = true;

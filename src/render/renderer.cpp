@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "device/pack_tree.h"
+#include "device/path_lanes.h"
 #include "device/tuned_width.h"
 #include "render/loop_bound.h"
 #include "render/renderer_state.h"
@@ -30,7 +31,10 @@ void Renderer::State::prepare() {
   const Stopwatch start;
   features = features_of(scene, settings);
   const bool has_tree = calls_for_tree(scene, features, width.tree, acceleration_of(settings));
-  source = program_source("kernels/render.cl", features, settings.precision, width.lanes, width.tree, has_tree);
+  const int paths = path_lanes(features, settings, width.lanes, has_tree, sampling.spp);
+  // Lanes that wait for others in the end are few where there are several samples for each.
+  samples_at_once = paths == 1 ? 1 : 4 * paths;
+  source = program_source("kernels/render.cl", features, settings.precision, width.lanes, width.tree, has_tree, paths);
   ProgramReport report;
   const cl::Program program = build_program(device, source, &report, settings.cached_program);
   kernel = checked(device.info().text(), [&] { return cl::Kernel(program, "render"); });
@@ -57,6 +61,7 @@ void Renderer::State::prepare() {
   stats.spp = sampling.spp;
   stats.seed = sampling.seed;
   stats.lanes = width.lanes;
+  stats.path_lanes = paths;
   stats.tree_width = width.tree;
   stats.tree = buffers.tree;
   stats.program = program_hash(source);
@@ -121,5 +126,7 @@ Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 const Scene& Renderer::scene() const { return state_->scene; }
 
 std::string Renderer::program_text() const { return state_->source.text; }
+
+int Renderer::samples_at_once() const { return state_->samples_at_once; }
 
 }  // namespace strahl

@@ -58,6 +58,9 @@ class Renderer {
   /// The exact program: text with includes expanded, options in its first comment line.
   [[nodiscard]] std::string program_text() const;
 
+  /// Fewer samples of a pixel may take as long as so many.
+  [[nodiscard]] int samples_at_once() const;
+
  private:
   struct State;
   friend class FilmRun;

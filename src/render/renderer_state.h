@@ -63,6 +63,7 @@ struct Renderer::State {
   std::optional<double> finish_seconds;  ///< From the last launch to the picture, as measured last.
   std::optional<LaunchPlan> last_plan;   ///< Of this picture or an earlier one: it knows the device's rate.
   int samples_a_launch = 0;
+  int samples_at_once = 1;
   cl::Buffer film, aov_reals, aov_ints, counters;
 };
 

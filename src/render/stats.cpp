@@ -67,6 +67,7 @@ std::string RunStats::json() const {
   json["precision"] = precision;
   json["canary"] = canary_or_null(canary);
   json["lanes"] = lanes;
+  json["path_lanes"] = path_lanes;
   json["tree"] = {{"width", tree_width},
                   {"primitives", tree.primitives},
                   {"nodes", tree.nodes},

@@ -59,6 +59,7 @@ struct RunStats {
   std::vector<std::string> features;  ///< "shapes/sphere", "AOV", ...: those that are on.
   std::vector<std::string> disabled;  ///< As asked for: RenderSettings::disabled.
   int lanes = 1;
+  int path_lanes = 1;
   int tree_width = 4;
   TreeStats tree;
   bool program_from_cache = false;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// cl/math/angle.h of both tiers side by side; each is compiled in a unit of its own (angle_f32.cpp, angle_f64.cpp).
+// cl/math/angle.h and sincos_lanes.h of both tiers side by side; each is compiled in a unit of its own (angle_f32.cpp,
+// angle_f64.cpp).
 #pragma once
 
 namespace strahl::test {

@@ -12,8 +12,11 @@ namespace f64 {
 // OpenCL's, for core/counters.h.
 inline void atomic_inc(uint* counter) { ++*counter; }
 #include "core/film.h"
-#include "math/rng.h"
 #include "math/vec3.h"
+#define LANES 1
+#include "lanes/lane_ops.h"
+// It is written in them.
+#include "math/rng_lanes.h"
 }  // namespace f64
 
 namespace strahl::test {
@@ -28,10 +31,10 @@ double difference_of_products(double a, double b, double c, double d) {
 }
 std::array<std::uint32_t, 4> random4(std::uint32_t pixel, std::uint32_t sample, std::uint32_t dimension,
                                      std::uint32_t seed) {
-  const f64::Random4 r = f64::random4(pixel, sample, dimension, seed);
+  const f64::Random4_1 r = f64::random4_1(pixel, sample, dimension, seed);
   return {r.x, r.y, r.z, r.w};
 }
-double random_unit(double, std::uint32_t bits) { return f64::random_unit(bits); }
+double random_unit(double, std::uint32_t bits) { return f64::random_unit_1(bits); }
 std::int64_t film_units(double value, double scale, std::array<std::uint32_t, 4>* counts) {
   const f64::Scene scene{nullptr, nullptr, nullptr, counts->data()};
   return f64::film_units(&scene, value, scale);

@@ -5,15 +5,15 @@
 namespace strahl::test {
 
 Pair sobol_pair(std::uint32_t pixel, std::uint32_t sample, std::uint32_t set, std::uint32_t seed) {
-  tier::SampleState state{pixel, sample, seed, 0, 0};
-  tier::sobol_begin(&state);
-  const tier::Random2 pair = tier::sobol_pair(&state, set);
+  tier::SampleState_1 state{pixel, seed, sample, 0, 0};
+  tier::sobol_begin_1(&state);
+  const tier::Random2_1 pair = tier::sobol_pair_1(&state, set);
   return {pair.x, pair.y};
 }
 Pair independent_pair(std::uint32_t pixel, std::uint32_t sample, std::uint32_t set, std::uint32_t seed) {
-  tier::SampleState state{pixel, sample, seed, 0, 0};
-  tier::independent_begin(&state);
-  const tier::Random2 pair = tier::independent_pair(&state, set);
+  tier::SampleState_1 state{pixel, seed, sample, 0, 0};
+  tier::independent_begin_1(&state);
+  const tier::Random2_1 pair = tier::independent_pair_1(&state, set);
   return {pair.x, pair.y};
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// cl/math/sampling.h, cl/samplers and cl/areas of both tiers on the host, side by side; compiled in sampling_f32.cpp
-// and sampling_f64.cpp.
+// cl/math/sampling_lanes.h, cl/samplers and cl/areas of both tiers on the host, side by side; compiled in
+// sampling_f32.cpp and sampling_f64.cpp.
 #pragma once
 
 #include <array>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// cl/math/angle.h against MPFR: the stated error bounds over the whole range, exact values, symmetries.
+// cl/math/angle.h and sincos_lanes.h against MPFR: the stated error bounds over the whole range, exact values,
+// symmetries.
 #include <mpfr.h>
 
 #include <algorithm>

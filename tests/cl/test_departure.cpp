@@ -12,8 +12,16 @@
 
 #define REAL_BITS 32
 namespace f32 {
-#include "core/departure.h"
-}
+#include "math/vec3.h"
+#define LANES 1
+#include "lanes/lane_ops.h"
+// Lanes come first: they define what the rest is written in.
+#include "math/vec3_lanes.h"
+// As above.
+#include "core/rays_lanes.h"
+// As above.
+#include "core/surfaces_lanes.h"
+}  // namespace f32
 
 namespace {
 
@@ -41,8 +49,11 @@ f32::Surface in_no_instance() {
 
 /// The ray that leaves s towards d.
 f32::Ray leaving(const f32::Surface& s, int id, real3 d) {
-  const f32::Departure departure = f32::departure_of(&s);
-  return f32::ray_leaving(&s, &departure, id, d, 1);
+  f32::Surfaces_1 surfaces = f32::surfaces_none_1();
+  f32::surface_to_1(&surfaces, 0, &s, id, 1);
+  f32::Rays_1 rays;
+  f32::rays_leaving_1(&surfaces, -1, d, 1, &rays);
+  return f32::ray_of_1(&rays, 0);
 }
 
 class Random {

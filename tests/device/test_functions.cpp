@@ -14,6 +14,8 @@ using namespace strahl::test;
 
 namespace {
 
+const std::string lane = "#define LANES 1\n#include \"lanes/lane_ops.h\"\n";
+
 /// The values of `expression` in the floats x and y and the integer bits, with `files` included.
 template <class Value>
 std::vector<Value> values(const std::string& includes, const std::string& type, const std::string& expression,
@@ -62,7 +64,8 @@ TEST_CASE("random numbers lie below 1, whatever their bits") {
   require_pocl_and_rusticl();
   const std::vector<std::uint32_t> bits = {0,          1,          0xff,       0x100,      0x7fffffff,
                                            0x80000000, 0xffffff00, 0xffffff7f, 0xffffff80, 0xffffffff};
-  const auto units = values<float>("#include \"math/rng.h\"\n", "float", "random_unit(bits)", {}, {}, bits);
+  const auto units =
+      values<float>(lane + "#include \"math/rng_lanes.h\"\n", "float", "random_unit_1(bits)", {}, {}, bits);
   for (std::size_t i = 0; i < bits.size(); ++i) CHECK(units[i] == std::ldexp(static_cast<float>(bits[i] >> 8), -24));
 }
 
@@ -91,8 +94,7 @@ TEST_CASE("angles are right to the last places") {
   const std::string include = "#include \"portable.h\"\n#include \"math/angle.h\"\n";
   const auto angles = values<float>(include, "float", "atan2_turns(y, x)", x, y);
   const auto sines =
-      values<float>(include + "FN real sine(real x) {\n  real s, c;\n  sincos_turns(x, &s, &c);\n  return s;\n}\n",
-                    "float", "sine(x)", x, y);
+      values<float>(lane + "#include \"math/sincos_lanes.h\"\n", "float", "sincos_turns_1(x).sine", x, y);
   double worst_angle = 0, worst_sine = 0;
   for (std::size_t i = 0; i < x.size(); ++i) {
     const double turns = std::atan2(static_cast<double>(y[i]), static_cast<double>(x[i])) / (2 * std::numbers::pi);

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
 strahl_test(device/test_calls_for_tree.cpp LABEL unit)
+strahl_test(device/test_path_lanes.cpp LABEL unit)
 strahl_test(device/test_cl_code.cpp LABEL unit)
 strahl_test(device/test_selector.cpp LABEL unit)
 strahl_test(device/test_kernel_source.cpp LABEL unit)

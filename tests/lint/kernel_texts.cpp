@@ -40,10 +40,10 @@ std::vector<std::pair<std::string, Features>> singles() {
 }
 
 void write(const std::filesystem::path& folder, const std::string& kernel, const std::string& set,
-           const Features& features, Precision precision, int lanes, bool has_tree = true) {
+           const Features& features, Precision precision, int lanes, bool has_tree = true, int path_lanes = 1) {
   const std::string name = fmt::format("{}-{}-{}-{}.cl", kernel, precision_name(precision), lanes, set);
   std::ofstream file(folder / name);
-  file << program_source("kernels/" + kernel + ".cl", features, precision, lanes, 0, has_tree).text;
+  file << program_source("kernels/" + kernel + ".cl", features, precision, lanes, 0, has_tree, path_lanes).text;
   if (!file.flush()) throw std::runtime_error("cannot write " + name);
 }
 
@@ -63,6 +63,10 @@ int main(int count, char** arguments) {
         Features flat = every(true);
         for (auto& [name, on] : flat.flags) on = on && name != "INSTANCES";
         write(folder, kernel, "lists", flat, precision, lanes, false);
+        if (kernel != "render" || precision == Precision::fp64) continue;
+        write(folder, kernel, "all-paths", every(true), precision, lanes, true, lanes);
+        write(folder, kernel, "none-paths", every(false), precision, lanes, true, lanes);
+        write(folder, kernel, "lists-paths", flat, precision, lanes, false, lanes);
       }
       for (const auto& [name, features] : singles()) write(folder, kernel, name, features, precision, widest);
     }

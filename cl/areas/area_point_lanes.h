@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// Places on a surface that emits, as seen from elsewhere. One width; no guard.
+
+typedef struct {
+  real3w position;
+  real3w normal;  ///< Unit, on the side that emits.
+  realw density;  ///< Per solid angle; 0: its back is turned.
+} LANED(AreaPoint);
+
+/// Of a place drawn uniformly from the whole area.
+FN realw LANED(uniform_density)(GLOBAL const real* area, real3w towards, real3w normal) {
+  realw zero = splat_w(R(0.0)), square = dot3_w(towards, towards), facing = -dot3_w(normal, towards);
+  realw density = splat_w(area[AREA_INVERSE]) * (square * sqrt_w(square)) / facing;
+  return sel_w(lt_w(zero, facing), density, zero);
+}
+
+FN LANED(AreaPoint) LANED(uniform_point)(GLOBAL const real* area, real3w from, real3w position, real3w normal) {
+  LANED(AreaPoint) p;
+  p.position = position;
+  p.normal = normal;
+  p.density = LANED(uniform_density)(area, sub3_w(position, from), normal);
+  return p;
+}

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+// Sphere: centre, radius. From outside the cone of directions that it fills is drawn uniformly: P. Shirley, C. Wang,
+// K. Zimmerman, "Monte Carlo Techniques for Direct Lighting Calculations", ACM TOG 15(1), 1996. In terms of 1 - cos and
+// of ratios of sines, so that nothing cancels for a sphere that is small or far. From inside, where only one that
+// emits inwards is seen, the whole area.
+
+typedef struct {
+  real3w axis;  ///< Unit, towards the centre.
+  realw sine;   ///< Of half the opening; not below 1: from inside.
+  realw less;   ///< 1 - its cosine.
+  maskw is_outside;
+} LANED(SphereCone);
+
+FN LANED(SphereCone) LANED(sphere_cone)(GLOBAL const real* item, real3w from) {
+  LANED(SphereCone) cone;
+  real3w to_centre = sub3_w(splat3_w(load3(item)), from);
+  realw zero = splat_w(R(0.0)), one = splat_w(R(1.0)), radius = splat_w(item[3]), distance = length3_w(to_centre);
+  cone.axis = scale3_w(one / distance, to_centre);
+  cone.sine = radius / distance;
+  realw square = (distance - radius) * (distance + radius);
+  realw cosine = sel_w(lt_w(zero, square), sqrt_w(square) / distance, zero);
+  cone.less = cone.sine * cone.sine / (one + cosine);
+  cone.is_outside = lt_w(cone.sine, one);
+  return cone;
+}
+
+FN realw LANED(sphere_cone_density)(GLOBAL const real* area, const LANED(SphereCone) * cone) {
+  return area[AREA_SIDE] > R(0.0) ? splat_w(R(0.5) * ONE_OVER_PI) / cone->less : splat_w(R(0.0));
+}
+
+FN LANED(AreaPoint)
+    LANED(sphere_point)(GLOBAL const real* item, GLOBAL const real* area, real3w from, realw u, realw v) {
+  real3w centre = splat3_w(load3(item));
+  realw zero = splat_w(R(0.0)), one = splat_w(R(1.0)), two = splat_w(R(2.0)), radius = splat_w(item[3]);
+  LANED(SphereCone) cone = LANED(sphere_cone)(item, from);
+  LANED(Real2) disk = LANED(square_to_disk)(u, v);
+  realw square = fma_w(disk.x, disk.x, disk.y * disk.y);  // Share of the cone's solid angle.
+  realw less = square * cone.less, cosine = one - less;
+  // sin theta / sin theta_max = sqrt(square) ratio; the angle at the centre is asin of that, less theta.
+  realw ratio = sqrt_w((two - less) / (two - cone.less));
+  realw relative = fma_w(-square, ratio * ratio, one), foot = sqrt_w(sel_w(lt_w(zero, relative), relative, zero));
+  realw across = ratio * fma_w(-foot, cone.sine, cosine);
+  realw along = fma_w(foot, cosine, square * ratio * ratio * cone.sine);
+  LANED(Frame) frame = LANED(frame_around)(cone.axis);
+  LANED(AreaPoint) p;
+  p.normal = normalize3_w(LANED(from_frame)(&frame, vec3_w(across * disk.x, across * disk.y, -along)));
+  p.position = fma3_w(radius, p.normal, centre);
+  p.density = LANED(sphere_cone_density)(area, &cone);
+  if (any_w(~cone.is_outside)) {
+    real3w outward = LANED(square_to_sphere)(u, v);
+    LANED(AreaPoint)
+    within =
+        LANED(uniform_point)(area, from, fma3_w(radius, outward, centre), scale3_w(splat_w(area[AREA_SIDE]), outward));
+    p.normal = sel3_w(cone.is_outside, p.normal, within.normal);
+    p.position = sel3_w(cone.is_outside, p.position, within.position);
+    p.density = sel_w(cone.is_outside, p.density, within.density);
+  }
+  return p;
+}
+
+FN realw LANED(sphere_density)(GLOBAL const real* item, GLOBAL const real* area, real3w from, real3w towards,
+                               real3w normal) {
+  LANED(SphereCone) cone = LANED(sphere_cone)(item, from);
+  return sel_w(cone.is_outside, LANED(sphere_cone_density)(area, &cone), LANED(uniform_density)(area, towards, normal));
+}

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// What is carried from the camera from surface to surface, one path a lane. One width; no guard.
+
+typedef struct {
+  maskw alive;        ///< Paths that go on along `rays`.
+  LANED(Rays) rays;   ///< The ways to the next surfaces.
+  real3w radiance;    ///< Gathered so far.
+  real3w throughput;  ///< Share of what comes along the ray that reaches the camera.
+  real3w from;        ///< The point that the ray has left; of meaning where density > 0.
+  realw density;      ///< How densely the ray was drawn, per solid angle; 0: no light could have been drawn instead.
+  realw travelled;    ///< Length of the ways before the ray; kept only where there are textures.
+  intw depth;         ///< Surfaces before the ray: 0 for a camera ray.
+  LANED(SampleState) sample;
+} LANED(Paths);
+
+/// No path yet.
+FN void LANED(paths_none)(LANED(Paths) * path) {
+  realw zero = splat_w(R(0.0));
+  path->alive = none_w();
+  path->radiance = path->throughput = path->from = vec3_w(zero, zero, zero);
+  path->density = path->travelled = zero;
+  path->depth = path->rays.left = path->rays.left_instance = path->rays.aim = splat_int_w(-1);
+  path->rays.is_outward = splat_int_w(0);
+  path->sample.sample = splat_uint_w(0u);
+  for (int k = 0; k < RAY_PLANES; ++k) path->rays.planes[k] = zero;
+}
+
+/// Camera rays in the lanes of `which`, instead of paths that have ended.
+FN void LANED(paths_begin)(LANED(Paths) * path, maskw which, const LANED(Rays) * rays) {
+  realw one = splat_w(R(1.0)), zero = splat_w(R(0.0));
+  path->alive = path->alive | which;
+  for (int k = 0; k < RAY_PLANES; ++k) path->rays.planes[k] = sel_w(which, rays->planes[k], path->rays.planes[k]);
+  path->rays.left = sel_int_w(which, rays->left, path->rays.left);
+  path->rays.left_instance = sel_int_w(which, rays->left_instance, path->rays.left_instance);
+  path->rays.aim = sel_int_w(which, rays->aim, path->rays.aim);
+  path->rays.is_outward = sel_int_w(which, rays->is_outward, path->rays.is_outward);
+  path->radiance = sel3_w(which, vec3_w(zero, zero, zero), path->radiance);
+  path->throughput = sel3_w(which, vec3_w(one, one, one), path->throughput);
+  path->density = sel_w(which, zero, path->density);
+  path->travelled = sel_w(which, zero, path->travelled);
+  path->depth = sel_int_w(which, splat_int_w(0), path->depth);
+}
+
+FN void LANED(path_add)(LANED(Paths) * path, maskw which, real3w radiance) {
+  path->radiance = sel3_w(which, add3_w(path->radiance, mul3_w(path->throughput, radiance)), path->radiance);
+}

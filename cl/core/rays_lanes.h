@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// LANES rays, and what each of them leaves and ends on. One width; no guard.
+#include "core/ray.h"
+#if LANES != 1
+#include "core/ray_lanes.h"
+#endif
+
+typedef struct {
+  realw planes[RAY_PLANES];  ///< As core/ray_lanes.h has prepared them.
+  intw left, left_instance, aim, is_outward;
+} LANED(Rays);
+
+FN real3w LANED(real3_at)(PRIVATE const realw* planes) { return vec3_w(planes[0], planes[1], planes[2]); }
+
+/// Prepared, and not widened yet.
+FN void LANED(rays_make)(const LANED(GivenRays) * given, LANED(Rays) * rays) {
+  LANED(prepare_rays)(given, rays->planes);
+  for (int k = 0; k < 3; ++k) rays->planes[RAY_PLANE_SLACK + k] = splat_w(REAL_MAX);
+}
+
+FN Ray LANED(ray_of)(const LANED(Rays) * rays, int lane) {
+  Ray ray = LANED(prepared_ray)(rays->planes, lane, get_int_w(&rays->left, lane));
+  if (HAS_INSTANCES) ray.left_instance = get_int_w(&rays->left_instance, lane);
+  ray.aim = get_int_w(&rays->aim, lane);
+  ray.is_outward = get_int_w(&rays->is_outward, lane);
+  return ray;
+}

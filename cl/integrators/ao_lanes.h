@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: MIT
+// Ambient occlusion: the share of ways from the first hit into the open (core/openness.h) that meet nothing within a
+// reach. Materials and lights do not count; black where nothing is hit.
+
+FN maskw LANED(ao_step)(const Scene* scene, LANED(Paths) * path, const LANED(Surfaces) * s, PRIVATE int* next) {
+  (void)scene;
+  *next = STEP_OPENNESS;
+  return path->alive & s->hit;
+}

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: MIT
+// One surface of each of LANES paths: dispatch over the active integrators, then light from lights and the way on, each
+// in one place for all integrators, so that a program holds one traversal for shadows and one for everything else.
+// core/find_lanes.h says what rays meet. One width; no guard.
+#include "core/counters.h"
+#include "lights/light_lanes.h"
+#include "materials/material_lanes.h"
+#include "core/openness_lanes.h"
+
+enum {
+  STEP_LIGHTS = 1,    ///< Add what the lights throw on the surface.
+  STEP_MIRROR = 2,    ///< Follow the mirrored ray.
+  STEP_SCATTER = 4,   ///< Follow a way that the material draws; drawn lights then share their work with it.
+  STEP_ROULETTE = 8,  ///< Perhaps not.
+  STEP_OPENNESS = 16  ///< Add white if a way into the open meets nothing.
+};
+
+/// What comes along the paths' rays by itself: the surfaces' emission, or the background where nothing is hit.
+FN real3w LANED(radiance_along)(const Scene* scene, const LANED(Surfaces) * s) {
+  return sel3_w(s->hit, LANED(emitted_radiance)(scene, s), splat3_w(LANED(background_radiance)(scene)));
+}
+
+/// hide_emitters hides from the camera alone.
+FN maskw LANED(is_light_shown)(const Scene* scene, const LANED(Paths) * path) {
+  return hides_emitters(scene) ? path->alive & lt_int_w(splat_int_w(0), path->depth) : path->alive;
+}
+
+FN int lights_drawn_from(const Scene* scene) {
+  return scene->index[HEADER_LIGHT_COUNT] - scene->index[HEADER_LIGHTS_TAKEN];
+}
+
+/// Of a direction that was drawn with `density` and could have been with `other`.
+FN realw LANED(balance)(realw density, realw other) {
+  realw ratio = other / density, one = splat_w(R(1.0));
+  return one / fma_w(ratio, ratio, one);
+}
+
+/// radiance_along, weighted against its chance to be drawn as a light where the path was.
+FN void LANED(path_add_light)(const Scene* scene, LANED(Paths) * path, const LANED(Surfaces) * s) {
+  realw zero = splat_w(R(0.0));
+  maskw shown = LANED(is_light_shown)(scene, path);
+  real3w radiance = LANED(radiance_along)(scene, s);
+  maskw is_bright = shown & lt_w(zero, max3_w(radiance));
+  if (!any_w(is_bright)) return;
+  if (LIGHT_COUNT > 0) {
+    intw lights =
+        sel_int_w(s->hit, LANED(part_entry)(scene, s, PART_LIGHT), splat_int_w(scene->index[HEADER_BACKGROUND]));
+    maskw is_drawn = is_bright & lt_w(zero, path->density) & ~lt_int_w(lights, splat_int_w(0));
+    if (any_w(is_drawn)) {
+      realw density = LANED(light_density)(scene, is_drawn, lights, path->from, s);
+      density = density / splat_w((real)lights_drawn_from(scene));
+      radiance = sel3_w(is_drawn, scale3_w(LANED(balance)(path->density, density), radiance), radiance);
+    }
+  }
+  LANED(path_add)(path, is_bright, radiance);
+}
+
+#include "integrators/all_lanes.h"
+
+/// One light of those that are taken, or one drawn of the others; is_shared: with ways that the material draws.
+FN real3w LANED(light_gain)(const Scene* scene, const LANED(Paths) * path, const LANED(Surfaces) * s,
+                            const LANED(Material) * m, maskw which, int i, int is_shared, LANED(LightSample) * light) {
+  int taken = scene->index[HEADER_LIGHTS_TAKEN];
+  realw zero = splat_w(R(0.0));
+  LANED(Random2) numbers;
+  numbers.x = numbers.y = splat_uint_w(0u);
+  intw lights = splat_int_w(i);
+  real share = R(1.0);
+  if (i >= taken) {
+    uint count = (uint)lights_drawn_from(scene);
+    numbers = LANED(sample_pair)(scene, &path->sample, LANED(set_at)(path->depth, SET_LIGHT));
+    lights = splat_int_w(taken) + int_of_uint_w(high_product_w(numbers.x, splat_uint_w(count)));
+    numbers.x *= count;
+    share = (real)count;
+  }
+  *light = LANED(light_sample)(scene, which, lights, s->position, numbers);
+  which = which & lt_w(zero, max3_w(light->irradiance));
+  realw density, weight = splat_w(share);
+  real3w reflected = LANED(material_eval)(m, unit3_w(light->towards), &density);
+  reflected = mul3_w(reflected, light->irradiance);
+  maskw is_drawn = lt_w(zero, light->density);
+  if (is_shared) weight = sel_w(is_drawn, weight * LANED(balance)(light->density, weight * density), weight);
+  return sel3_w(which, scale3_w(weight, reflected), vec3_w(zero, zero, zero));
+}
+
+/// What shadow rays let through: one for each light that is taken and one for those that are drawn from; or one into
+/// the open.
+FN void LANED(add_lights)(const Scene* scene, LANED(Paths) * path, const LANED(Surfaces) * s, const LANED(Material) * m,
+                          real3w wo, maskw which, int next) {
+  int is_open = HAS_OPENNESS && (next & STEP_OPENNESS) != 0;
+  int count = LIGHT_COUNT == 0 ? 0 : scene->index[HEADER_LIGHT_COUNT];
+  int taken = LIGHT_COUNT == 0 ? 0 : scene->index[HEADER_LIGHTS_TAKEN];
+  int rays = count > taken ? taken + 1 : taken;
+  if (is_open) rays = 1;
+  for (int i = 0; i < rays; ++i) {
+    LANED(LightSample) light;
+    real3w reflected;
+    if (is_open) {
+      light = LANED(sky_sample)(scene, path, s, wo);
+      reflected = light.irradiance;
+    } else {
+      reflected = LANED(light_gain)(scene, path, s, m, which, i, next & STEP_SCATTER, &light);
+    }
+    maskw lit = which & lt_w(splat_w(R(0.0)), max3_w(reflected));
+    if (!any_w(lit)) continue;
+    LANED(Rays) shadow;
+    LANED(rays_leaving)(s, lit, light.towards, light.t_max, &shadow);
+    shadow.aim = light.aim;
+    if (HAS_COUNT_RAYS) count_events(scene, COUNT_SHADOW, lanes_among(bits_w(lit)));
+    LANED(path_add)(path, lit & ~LANED(meets_any)(scene, &shadow, lit), reflected);
+  }
+}
+
+/// The ways on, and the lanes of `which` that take them: elsewhere all light that it could bring is lost.
+FN maskw LANED(path_mirror)(LANED(Paths) * path, const LANED(Surfaces) * s, const LANED(Material) * m, real3w wo,
+                            maskw which, real3w* on) {
+  path->throughput = sel3_w(which, mul3_w(path->throughput, LANED(material_mirror)(m)), path->throughput);
+  path->density = sel_w(which, splat_w(R(0.0)), path->density);
+  // Normalised anew each time: the length does not drift however many mirrors follow.
+  *on = normalize3_w(fma3_w(splat_w(R(2.0)) * dot3_w(s->shading, wo), s->shading, negate3_w(wo)));
+  return which & lt_w(splat_w(R(0.0)), max3_w(path->throughput));
+}
+
+/// The ways on, and the lanes of `which` that take them: the other paths end.
+FN maskw LANED(path_scatter)(const Scene* scene, LANED(Paths) * path, const LANED(Surfaces) * s,
+                             const LANED(Material) * m, maskw which, int is_roulette, real3w* on) {
+  LANED(Random2) numbers = LANED(sample_pair)(scene, &path->sample, LANED(set_at)(path->depth, SET_WAY));
+  realw u = LANED(random_between)(numbers.x), v = LANED(random_between)(numbers.y), one = splat_w(R(1.0));
+  LANED(MaterialSample) way = LANED(material_sample)(m, u, v);
+  real3w throughput = mul3_w(path->throughput, way.weight);
+  realw most = max3_w(throughput);
+  which = which & lt_w(splat_w(R(0.0)), most);
+  maskw is_risked = which & lt_int_w(splat_int_w(scene->index[HEADER_RR_DEPTH] - 2), path->depth);
+  if (is_roulette && any_w(is_risked)) {
+    realw limit = splat_w(R(0.95)), chance = sel_w(lt_w(most, limit), most, limit);
+    realw number = LANED(random_between)(LANED(roulette_number)(&path->sample, path->depth));
+    which = which & ~(is_risked & le_w(chance, number));
+    throughput = sel3_w(is_risked, scale3_w(one / chance, throughput), throughput);
+  }
+  path->throughput = sel3_w(which, throughput, path->throughput);
+  path->from = sel3_w(which, s->position, path->from);
+  path->density = sel_w(which, way.density, path->density);
+  *on = way.wi;
+  return which;
+}
+
+/// Emitters that the camera looks through.
+FN maskw LANED(is_hidden)(const Scene* scene, const LANED(Paths) * path, const LANED(Surfaces) * s) {
+  maskw is_glowing = ~lt_int_w(LANED(part_entry)(scene, s, PART_RADIANCE), splat_int_w(0));
+  return path->alive & lt_int_w(path->depth, splat_int_w(1)) & is_glowing;
+}
+
+/// Takes the paths that are alive over one surface each; those that are alive then are to be followed along their new
+/// rays.
+FN void LANED(surface_step)(const Scene* scene, LANED(Paths) * path, const LANED(Surfaces) * s) {
+  int next = 0;
+  maskw on = none_w();
+  switch (scene->index[HEADER_INTEGRATOR]) {
+#define INTEGRATOR(name)                            \
+  case INTEGRATOR_##name:                           \
+    on = LANED(name##_step)(scene, path, s, &next); \
+    break;
+#include "integrators/integrators.def"
+#undef INTEGRATOR
+    default:
+      break;
+  }
+  path->alive = on;
+  if (next == 0 || !any_w(on)) return;
+  real3w d = LANED(real3_at)(path->rays.planes + RAY_PLANE_D), way = d;
+  realw t_max = path->rays.planes[RAY_PLANE_T_MAX] - s->t;
+  maskw hidden = none_w();
+  if (HAS_EMISSION && hides_emitters(scene)) hidden = on & LANED(is_hidden)(scene, path, s);
+  on = on & ~hidden;
+  if (any_w(on)) {
+    real3w wo = unit3_w(negate3_w(d));
+    LANED(Material) m = LANED(material_at)(scene, s, wo);
+    if ((next & (STEP_LIGHTS | STEP_OPENNESS)) != 0) LANED(add_lights)(scene, path, s, &m, wo, on, next);
+    if ((next & STEP_MIRROR) != 0)
+      on = LANED(path_mirror)(path, s, &m, wo, on, &way);
+    else if ((next & STEP_SCATTER) != 0)
+      on = LANED(path_scatter)(scene, path, s, &m, on, next & STEP_ROULETTE, &way);
+    else
+      on = none_w();
+    if (HAS_COUNT_RAYS) count_events(scene, COUNT_BOUNCE, lanes_among(bits_w(on)));
+    way = sel3_w(on, way, d);
+    t_max = sel_w(on, splat_w(REAL_MAX), t_max);
+    path->depth = sel_int_w(on, path->depth + splat_int_w(1), path->depth);
+  }
+  path->alive = on | hidden;
+  if (any_w(path->alive)) LANED(rays_leaving)(s, path->alive, way, t_max, &path->rays);
+}

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+// A surface that emits the same radiance everywhere and in every direction on one side. Parameters: scene/layout.h,
+// AREA_...; a place on it is drawn by its own shape, items in proportion to their area.
+#include "areas/area_point_lanes.h"
+#include "areas/all_lanes.h"
+
+/// The items that the bits draw; u: what is left of them, within (0, 1).
+FN intw LANED(area_item)(const Scene* scene, GLOBAL const int* row, uintw bits, PRIVATE realw* u) {
+  uint items = (uint)row[LIGHT_ITEMS];
+  *u = LANED(random_between)(bits);
+  if (items == 1u) return splat_int_w(0);
+  uintw item = high_product_w(bits, splat_uint_w(items)), rest = bits * items;
+  GLOBAL const int* choices = scene->index + row[LIGHT_CHOICE];
+  intw choice = int_of_uint_w(item) * CHOICE_INTS;
+  uintw limit = uint_of_int_w(gather_int_w(choices + CHOICE_LIMIT, choice));
+  maskw is_kept = lt_uint_w(rest, limit);
+  realw kept = real_of_uint_w(limit), one = splat_w(R(1.0)), middle = splat_w(R(0.5));
+  realw other = (real_of_uint_w(rest - limit) + middle) / (splat_w(R(0x1p+32)) - kept);
+  realw share = sel_w(is_kept, (real_of_uint_w(rest) + middle) / kept, other);
+  *u = sel_w(lt_w(share, one), share, splat_w(R(1.0) - real_roundoff()));
+  return sel_int_w(is_kept, int_of_uint_w(item), gather_int_w(choices + CHOICE_OTHER, choice));
+}
+
+FN LANED(AreaPoint)
+    LANED(area_point_of)(const Scene* scene, GLOBAL const int* row, real3w from, int item, realw u, realw v) {
+  GLOBAL const real* params = scene->shading + row[LIGHT_REALS];
+  LANED(AreaPoint) none;
+  switch (row[LIGHT_AREA]) {
+#define AREA(name, reals) \
+  case AREA_##name:       \
+    return LANED(name##_point)(params + AREA_ITEMS + item * (reals), params, from, u, v);
+#include "areas/areas.def"
+#undef AREA
+    default:
+      (void)params;
+      (void)item;
+      (void)u;
+      (void)v;
+      none.position = none.normal = from;
+      none.density = splat_w(R(0.0));
+      return none;
+  }
+}
+
+/// Item by item: those of one are drawn in lanes.
+FN LANED(AreaPoint)
+    LANED(area_point)(const Scene* scene, GLOBAL const int* row, real3w from, intw item, realw u, realw v) {
+  LANED(AreaPoint) p = LANED(area_point_of)(scene, row, from, get_int_w(&item, 0), u, v);
+  for (uint others = bits_w(nonzero_w(item - splat_int_w(get_int_w(&item, 0)))); others != 0u;) {
+    int one = get_int_w(&item, first_bit(others));
+    maskw of_one = ~nonzero_w(item - splat_int_w(one));
+    LANED(AreaPoint) other = LANED(area_point_of)(scene, row, from, one, u, v);
+    p.position = sel3_w(of_one, other.position, p.position);
+    p.normal = sel3_w(of_one, other.normal, p.normal);
+    p.density = sel_w(of_one, other.density, p.density);
+    others &= ~bits_w(of_one);
+  }
+  return p;
+}
+
+/// What rounds, of a place and of where it is seen from, and of the t at which a ray meets it: ways end so far before a
+/// surface, as rays begin off one (core/departure.h). And who is not that far before its plane is not lit by it: else a
+/// flat emitter would light itself, by rounding over the square of a distance that may be as small.
+FN realw LANED(area_rounding)(real3w position, real3w from) {
+  return splat_w(R(16.0) * real_roundoff()) * (max3_w(abs3_w(position)) + max3_w(abs3_w(from)));
+}
+
+FN LANED(LightSample)
+    LANED(area_sample)(const Scene* scene, GLOBAL const int* row, real3w from, LANED(Random2) numbers) {
+  realw u, zero = splat_w(R(0.0)), one = splat_w(R(1.0));
+  intw item = LANED(area_item)(scene, row, numbers.x, &u);
+  LANED(AreaPoint) p = LANED(area_point)(scene, row, from, item, u, LANED(random_between)(numbers.y));
+  realw bound = LANED(area_rounding)(p.position, from);
+  LANED(LightSample) s = LANED(no_light)();
+  s.towards = sub3_w(p.position, from);
+  maskw is_lit = lt_w(zero, p.density) & lt_w(bound, -dot3_w(p.normal, s.towards));
+#if TIER_FAST
+  s.t_max = one - splat_w(FAST_EPSILON) / sqrt_w(dot3_w(s.towards, s.towards));
+#else
+  s.towards = fma3_w(bound, p.normal, s.towards);
+  s.t_max = one;
+#endif
+  s.density = p.density;
+  if (row[LIGHT_FIRST_ID] >= 0) s.aim = splat_int_w(row[LIGHT_FIRST_ID]) + item;
+  real3w radiance = splat3_w(load3(scene->shading + row[LIGHT_REALS] + AREA_RADIANCE));
+  s.irradiance = sel3_w(is_lit, scale3_w(one / p.density, radiance), s.irradiance);
+  return s;
+}
+
+FN realw LANED(area_density)(const Scene* scene, GLOBAL const int* row, real3w from, const LANED(Surfaces) * s) {
+  GLOBAL const real* params = scene->shading + row[LIGHT_REALS];
+  real3w towards = sub3_w(s->position, from);
+  realw density = splat_w(R(0.0));
+  switch (row[LIGHT_AREA]) {
+#define AREA(name, reals)                                                                   \
+  case AREA_##name:                                                                         \
+    density = LANED(name##_density)(params + AREA_ITEMS, params, from, towards, s->normal); \
+    break;
+#include "areas/areas.def"
+#undef AREA
+    default:
+      (void)params;
+      break;
+  }
+  maskw is_lit = lt_w(LANED(area_rounding)(s->position, from), -dot3_w(s->normal, towards));
+  return sel_w(is_lit, density, splat_w(R(0.0)));
+}
+
+FN real3 LANED(area_background)(GLOBAL const real* params) {
+  (void)params;
+  return vec3(R(0.0), R(0.0), R(0.0));
+}

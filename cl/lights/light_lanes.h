@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+// Dispatch over the active lights, light by light: the lanes of one are asked together. And the light that surfaces
+// emit. One width; no guard.
+#include "lights/light_sample_lanes.h"
+#include "lights/all_lanes.h"
+
+FN GLOBAL const int* light_row(const Scene* scene, int light) {
+  return scene->index + scene->index[HEADER_LIGHTS] + light * LIGHT_INTS;
+}
+
+FN LANED(LightSample) LANED(sample_of_light)(const Scene* scene, int light, real3w from, LANED(Random2) numbers) {
+  GLOBAL const int* row = light_row(scene, light);
+  switch (row[LIGHT_KIND]) {
+#define LIGHT(name)  \
+  case LIGHT_##name: \
+    return LANED(name##_sample)(scene, row, from, numbers);
+#include "lights/lights.def"
+#undef LIGHT
+    default:
+      (void)from;
+      (void)numbers;
+      return LANED(no_light)();
+  }
+}
+
+/// lights: of the lanes of `which`.
+FN LANED(LightSample)
+    LANED(light_sample)(const Scene* scene, maskw which, intw lights, real3w from, LANED(Random2) numbers) {
+  LANED(LightSample) sample = LANED(no_light)();
+  for (uint lanes = bits_w(which); lanes != 0u;) {
+    int light = get_int_w(&lights, first_bit(lanes));
+    maskw of_light = ~nonzero_w(lights - splat_int_w(light));
+    sample = LANED(sel_light)(of_light, LANED(sample_of_light)(scene, light, from, numbers), sample);
+    lanes &= ~bits_w(of_light);
+  }
+  return sample;
+}
+
+FN realw LANED(density_of_light)(const Scene* scene, int light, real3w from, const LANED(Surfaces) * s) {
+  GLOBAL const int* row = light_row(scene, light);
+  switch (row[LIGHT_KIND]) {
+#define LIGHT(name)  \
+  case LIGHT_##name: \
+    return LANED(name##_density)(scene, row, from, s);
+#include "lights/lights.def"
+#undef LIGHT
+    default:
+      (void)from;
+      (void)s;
+      return splat_w(R(0.0));
+  }
+}
+
+/// How densely light_sample draws the directions along which rays have found the lights, at s if they are surfaces.
+FN realw LANED(light_density)(const Scene* scene, maskw which, intw lights, real3w from, const LANED(Surfaces) * s) {
+  realw density = splat_w(R(0.0));
+  for (uint lanes = bits_w(which); lanes != 0u;) {
+    int light = get_int_w(&lights, first_bit(lanes));
+    maskw of_light = ~nonzero_w(lights - splat_int_w(light));
+    density = sel_w(of_light, LANED(density_of_light)(scene, light, from, s), density);
+    lanes &= ~bits_w(of_light);
+  }
+  return density;
+}
+
+/// Radiance of rays that leave the scene.
+FN real3 LANED(background_radiance)(const Scene* scene) {
+  real3 none = vec3(R(0.0), R(0.0), R(0.0));
+  int light = LIGHT_COUNT == 0 ? -1 : scene->index[HEADER_BACKGROUND];
+  if (light < 0) return none;
+  GLOBAL const int* row = light_row(scene, light);
+  GLOBAL const real* params = scene->shading + row[LIGHT_REALS];
+  (void)params;
+  switch (row[LIGHT_KIND]) {
+#define LIGHT(name)  \
+  case LIGHT_##name: \
+    return LANED(name##_background)(params);
+#include "lights/lights.def"
+#undef LIGHT
+    default:
+      return none;
+  }
+}
+
+/// The camera looks through what glows.
+FN int hides_emitters(const Scene* scene) { return HAS_HIDE_EMITTERS && scene->index[HEADER_HIDE_EMITTERS] != 0; }
+
+/// Radiance that surfaces emit against the rays' directions: on the side of their normals only.
+FN real3w LANED(emitted_radiance)(const Scene* scene, const LANED(Surfaces) * s) {
+  realw zero = splat_w(R(0.0));
+  real3w radiance = vec3_w(zero, zero, zero);
+  if (HAS_EMISSION) {
+    intw at = LANED(part_entry)(scene, s, PART_RADIANCE);
+    maskw emits = s->hit & lt_w(s->facing, zero) & ~lt_int_w(at, splat_int_w(0));
+    if (any_w(emits)) {
+      at = sel_int_w(emits, at, splat_int_w(0));
+      radiance = sel3_w(emits, gather3_w(scene->shading, at), radiance);
+    }
+  }
+  return radiance;
+}

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// What points of surfaces learn of a light. One width; no guard.
+
+typedef struct {
+  real3w towards;     ///< To the light; where it has a place, exactly to it: t = 1 is the light.
+  realw t_max;        ///< How far along `towards` the way must be free.
+  real3w irradiance;  ///< On a surface perpendicular to `towards`; zero: no light from there.
+  intw aim;           ///< Id of the flat primitive that the place is on; -1: none.
+  realw density;      ///< Of that direction, per solid angle; 0: it is the only one.
+} LANED(LightSample);
+
+FN LANED(LightSample) LANED(no_light)(void) {
+  LANED(LightSample) s;
+  realw zero = splat_w(R(0.0));
+  s.towards = s.irradiance = vec3_w(zero, zero, zero);
+  s.t_max = s.density = zero;
+  s.aim = splat_int_w(-1);
+  return s;
+}
+
+/// m ? a : b.
+FN LANED(LightSample) LANED(sel_light)(maskw m, LANED(LightSample) a, LANED(LightSample) b) {
+  a.towards = sel3_w(m, a.towards, b.towards);
+  a.t_max = sel_w(m, a.t_max, b.t_max);
+  a.irradiance = sel3_w(m, a.irradiance, b.irradiance);
+  a.aim = sel_int_w(m, a.aim, b.aim);
+  a.density = sel_w(m, a.density, b.density);
+  return a;
+}

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+// math/vec3.h in lanes, operation by operation: the same bits. One width; no guard.
+#include "math/vec3.h"
+
+#if LANES == 1
+typedef real3 real3w;
+#else
+typedef struct {
+  realw x, y, z;
+} real3w;
+#endif
+
+FN real3w vec3_w(realw x, realw y, realw z) {
+  real3w v;
+  v.x = x;
+  v.y = y;
+  v.z = z;
+  return v;
+}
+
+FN real3w splat3_w(real3 a) { return vec3_w(splat_w(a.x), splat_w(a.y), splat_w(a.z)); }
+/// Three reals in a row, elsewhere for each lane.
+FN real3w gather3_w(GLOBAL const real* p, intw i) {
+  return vec3_w(gather_w(p, i), gather_w(p + 1, i), gather_w(p + 2, i));
+}
+
+FN real3w add3_w(real3w a, real3w b) { return vec3_w(a.x + b.x, a.y + b.y, a.z + b.z); }
+FN real3w sub3_w(real3w a, real3w b) { return vec3_w(a.x - b.x, a.y - b.y, a.z - b.z); }
+FN real3w mul3_w(real3w a, real3w b) { return vec3_w(a.x * b.x, a.y * b.y, a.z * b.z); }
+FN real3w scale3_w(realw s, real3w a) { return vec3_w(s * a.x, s * a.y, s * a.z); }
+FN real3w negate3_w(real3w a) { return vec3_w(-a.x, -a.y, -a.z); }
+
+/// a + s b, one rounding a component.
+FN real3w fma3_w(realw s, real3w b, real3w a) {
+  return vec3_w(fma_w(s, b.x, a.x), fma_w(s, b.y, a.y), fma_w(s, b.z, a.z));
+}
+
+FN realw dot3_w(real3w a, real3w b) { return fma_w(a.z, b.z, fma_w(a.y, b.y, a.x * b.x)); }
+/// difference_of_products of math/vec3.h.
+FN realw LANED(cross_component)(realw a, realw b, realw c, realw d) {
+  realw cd = c * d, error = fma_w(-c, d, cd);
+  return fma_w(a, b, -cd) + error;
+}
+
+FN real3w cross3_w(real3w a, real3w b) {
+  return vec3_w(LANED(cross_component)(a.y, b.z, a.z, b.y), LANED(cross_component)(a.z, b.x, a.x, b.z),
+                LANED(cross_component)(a.x, b.y, a.y, b.x));
+}
+
+FN real3w abs3_w(real3w a) { return vec3_w(abs_w(a.x), abs_w(a.y), abs_w(a.z)); }
+
+FN realw max3_w(real3w a) {
+  realw m = sel_w(lt_w(a.x, a.y), a.y, a.x);
+  return sel_w(lt_w(m, a.z), a.z, m);
+}
+
+/// m ? a : b.
+FN real3w sel3_w(maskw m, real3w a, real3w b) {
+  return vec3_w(sel_w(m, a.x, b.x), sel_w(m, a.y, b.y), sel_w(m, a.z, b.z));
+}
+
+FN real3w unit3_w(real3w v) {
+  realw norm = sqrt_w(dot3_w(v, v));
+  return vec3_w(v.x / norm, v.y / norm, v.z / norm);
+}
+
+/// The power of two that power_of_two_to_one divides by.
+FN realw LANED(largest_power)(real3w v) {
+  realw m = max3_w(abs3_w(v));
+  return sel_w(lt_w(splat_w(R(0.0)), m), power_of_two_w(m), splat_w(R(1.0)));
+}
+
+FN real3w normalize3_w(real3w v) {
+  real3w w = scale3_w(inverse_power_w(LANED(largest_power)(v)), v);
+  realw norm = sqrt_w(dot3_w(w, w));
+  norm = sel_w(lt_w(splat_w(R(0.0)), norm), norm, splat_w(R(1.0)));
+  return vec3_w(w.x / norm, w.y / norm, w.z / norm);
+}
+
+FN realw length3_w(real3w v) {
+  realw down = LANED(largest_power)(v);
+  real3w w = scale3_w(inverse_power_w(down), v);
+  return sqrt_w(dot3_w(w, w)) * down;
+}

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+// Owen-scrambled Sobol points, two dimensions a set, sets decorrelated by shuffling: B. Burley, "Practical Hash-based
+// Owen Scrambling", JCGT 9(4), 2020, with the hash of N. Vegdahl, "Building a Better LK Hash", 2021.
+//
+// FILM_SUBSUMS sequences, scrambled independently, are interleaved by the sample's number, so that the film's sub-sums
+// are independent estimates of the same picture. Each is a (0, 2)-sequence in every set: of its first 2^m points one
+// lies in every elementary interval of area 2^-m (tests/cl/test_samplers.cpp). Pixels, sets and sequences have
+// scrambles of their own. One width; no guard.
+
+FN uintw LANED(reversed_bits)(uintw x) {
+  x = (x >> 16) | (x << 16);
+  x = ((x >> 8) & 0x00ff00ffu) | ((x & 0x00ff00ffu) << 8);
+  x = ((x >> 4) & 0x0f0f0f0fu) | ((x & 0x0f0f0f0fu) << 4);
+  x = ((x >> 2) & 0x33333333u) | ((x & 0x33333333u) << 2);
+  return ((x >> 1) & 0x55555555u) | ((x & 0x55555555u) << 1);
+}
+
+/// Flips each bit by a hash of the bits below it: Owen's scrambling of a number whose bits stand in reverse.
+FN uintw LANED(scrambled_reverse)(uintw x, uintw seed) {
+  x ^= x * 0x3d20adeau;
+  x += seed;
+  x *= (seed >> 16) | 1u;
+  x ^= x * 0x05526c56u;
+  return x ^ x * 0x53a22864u;
+}
+
+/// The second dimension's bits in reverse: Pascal's triangle modulo 2, applied to the index in five steps.
+FN uintw LANED(sobol_second_reversed)(uintw index) {
+  index ^= (index & 0xaaaaaaaau) >> 1;
+  index ^= (index & 0xccccccccu) >> 2;
+  index ^= (index & 0xf0f0f0f0u) >> 4;
+  index ^= (index & 0xff00ff00u) >> 8;
+  return index ^ index >> 16;
+}
+
+FN void LANED(sobol_begin)(LANED(SampleState) * state) {
+  state->reversed = LANED(reversed_bits)(state->sample / (uint)FILM_SUBSUMS);
+  state->key = LANED(random4)(state->pixel, state->sample % (uint)FILM_SUBSUMS, splat_uint_w(0u), state->seed).x;
+}
+
+/// A hash of 32 bits: C. Wellons, "Prospecting for Hash Functions", 2018.
+FN uintw LANED(mixed_bits)(uintw x) {
+  x = (x ^ x >> 16) * 0x7feb352du;
+  x = (x ^ x >> 15) * 0x846ca68bu;
+  return x ^ x >> 16;
+}
+
+FN LANED(Random2) LANED(sobol_pair)(const LANED(SampleState) * state, uintw set) {
+  uintw seed = LANED(mixed_bits)(state->key + set * 0x9e3779b9u);
+  // The first dimension is the index in reverse, so the index's bits in reverse are that dimension's in order.
+  uintw index = LANED(reversed_bits)(LANED(scrambled_reverse)(state->reversed, seed));
+  LANED(Random2) pair;
+  pair.x = LANED(reversed_bits)(LANED(scrambled_reverse)(index, LANED(mixed_bits)(seed ^ 0x55555555u)));
+  pair.y = LANED(reversed_bits)(
+      LANED(scrambled_reverse)(LANED(sobol_second_reversed)(index), LANED(mixed_bits)(seed ^ 0xaaaaaaaau)));
+  return pair;
+}

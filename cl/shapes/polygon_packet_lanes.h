@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: MIT
+// LANES rays against one flat polygon at a time of a block, of 3 or 4 corners: triangle_lanes.h and
+// parallelogram_lanes.h with the roles exchanged, the same operations. One width; no guard.
+
+/// Corner k of LANES polygons.
+FN real3w LANED(corners_of_block)(GLOBAL const real* block, int k) {
+  GLOBAL const real* planes = block + 3 * k * LANES;
+  return vec3_w(load_w(planes), load_w(planes + LANES), load_w(planes + 2 * LANES));
+}
+
+/// Polygons of a block that some ray may meet.
+FN uint LANED(may_meet_polygons)(const LANED(Packet) * p, GLOBAL const real* block, GLOBAL const int* ids,
+                                 int corners) {
+  uint there = bits_w(nonzero_w(load_int_w(ids) - splat_int_w(-1)));
+  int is_any = LANED(PACKET_OF_ANY_RAYS);
+  if (is_any) return there;
+  real3w lo = LANED(corners_of_block)(block, 0), hi = lo, near, far;
+  for (int k = 1; k < corners; ++k) {
+    real3w v = LANED(corners_of_block)(block, k);
+    lo = vec3_w(min_w(v.x, lo.x), min_w(v.y, lo.y), min_w(v.z, lo.z));
+    hi = vec3_w(max_w(v.x, hi.x), max_w(v.y, hi.y), max_w(v.z, hi.z));
+  }
+  near.x = p->near_x == 0 ? lo.x : hi.x;
+  far.x = p->near_x == 0 ? hi.x : lo.x;
+  near.y = p->near_y == 2 ? lo.y : hi.y;
+  far.y = p->near_y == 2 ? hi.y : lo.y;
+  near.z = p->near_z == 4 ? lo.z : hi.z;
+  far.z = p->near_z == 4 ? hi.z : lo.z;
+  real t[LANES];
+  return there & LANED(may_meet)(p, near, far, t);
+}
+
+#if TIER_FAST
+FN void LANED(polygon_packet)(const Scene* scene, LANED(Packet) * p, GLOBAL const real* block, GLOBAL const int* ids,
+                              int slot, int kind, maskw active, int corners) {
+  (void)scene;
+  for (uint prims = LANED(may_meet_polygons)(p, block, ids, corners); prims != 0u; prims &= prims - 1u) {
+    int i = first_bit(prims);
+    GLOBAL const real *a = block + i, *b = a + 3 * LANES, *c = a + 3 * (corners - 1) * LANES;
+    realw ax = splat_w(a[0]), ay = splat_w(a[LANES]), az = splat_w(a[2 * LANES]);
+    realw ex = splat_w(b[0] - a[0]), ey = splat_w(b[LANES] - a[LANES]), ez = splat_w(b[2 * LANES] - a[2 * LANES]);
+    realw fx = splat_w(c[0] - a[0]), fy = splat_w(c[LANES] - a[LANES]), fz = splat_w(c[2 * LANES] - a[2 * LANES]);
+    realw dx = p->d.x, dy = p->d.y, dz = p->d.z;
+    realw sx = p->o.x - ax, sy = p->o.y - ay, sz = p->o.z - az;
+    realw px = dy * fz - dz * fy, py = dz * fx - dx * fz, pz = dx * fy - dy * fx;
+    realw qx = sy * ez - sz * ey, qy = sz * ex - sx * ez, qz = sx * ey - sy * ex;
+    realw inverse = splat_w(R(1.0)) / (ex * px + ey * py + ez * pz);
+    realw u = inverse * (sx * px + sy * py + sz * pz), v = inverse * (dx * qx + dy * qy + dz * qz);
+    realw t = inverse * (fx * qx + fy * qy + fz * qz), zero = splat_w(R(0.0)), one = splat_w(R(1.0));
+    maskw hit = active & lt_w(zero, u) & lt_w(zero, v) & le_w(p->t_min, t) & le_w(t, p->t);
+    hit = hit & (corners == 3 ? lt_w(u + v, one) : lt_w(u, one) & lt_w(v, one));
+    if (any_w(hit)) LANED(packet_take)(p, hit, t, splat_int_w(ids[i]), splat_int_w(kind), splat_int_w(slot + i));
+  }
+}
+#else
+/// planes: x, y, z of one vertex, LANES apart. o: the rays' origins, along the axes that they have in common.
+FN LANED(ShearedVertex) LANED(shear_for_each)(const LANED(Packet) * p, const real3w* o, GLOBAL const real* planes) {
+  LANED(ShearedVertex) v;
+  realw x, y;
+  int is_any = LANED(PACKET_OF_ANY_RAYS);
+  if (is_any) {
+    realw dx = splat_w(planes[0]) - p->o.x, dy = splat_w(planes[LANES]) - p->o.y;
+    realw dz = splat_w(planes[2 * LANES]) - p->o.z;
+    x = sel_w(p->is_x, dy, sel_w(p->is_y, dz, dx));
+    y = sel_w(p->is_x, dz, sel_w(p->is_y, dx, dy));
+    v.z = sel_w(p->is_x, dx, sel_w(p->is_y, dy, dz));
+  } else {
+    x = splat_w(planes[p->kx * LANES]) - o->x;
+    y = splat_w(planes[p->ky * LANES]) - o->y;
+    v.z = splat_w(planes[p->kz * LANES]) - o->z;
+  }
+  v.x = fma_w(-p->shear.x, v.z, x);
+  v.y = fma_w(-p->shear.y, v.z, y);
+  return v;
+}
+
+#if REAL_BITS == 64
+/// t, held within the slabs of one polygon.
+FN realw LANED(within_corners_each)(const LANED(Packet) * p, realw t, GLOBAL const real* polygon, int corners) {
+  LANED(Interval) slabs;
+  slabs.enter = splat_w(-REAL_MAX);
+  slabs.leave = splat_w(REAL_MAX);
+  real lo[3], hi[3];
+  for (int axis = 0; axis < 3; ++axis) {
+    lo[axis] = hi[axis] = polygon[axis * LANES];
+    for (int k = 1; k < corners; ++k) {
+      real at = polygon[(3 * k + axis) * LANES];
+      lo[axis] = at < lo[axis] ? at : lo[axis];
+      hi[axis] = hi[axis] < at ? at : hi[axis];
+    }
+  }
+  int x = p->near_x == 0, y = p->near_y == 2, z = p->near_z == 4;
+  slabs = LANED(clip_each)(slabs, x ? lo[0] : hi[0], x ? hi[0] : lo[0], p->o.x, p->inv.x, p->slack.x);
+  slabs = LANED(clip_each)(slabs, y ? lo[1] : hi[1], y ? hi[1] : lo[1], p->o.y, p->inv.y, p->slack.y);
+  slabs = LANED(clip_each)(slabs, z ? lo[2] : hi[2], z ? hi[2] : lo[2], p->o.z, p->inv.z, p->slack.z);
+  t = sel_w(lt_w(t, slabs.enter), slabs.enter, t);
+  return sel_w(lt_w(slabs.leave, t), slabs.leave, t);
+}
+#endif
+
+/// Corners a, b, c of a triangle; a, b, c, d of a parallelogram, whose plane and t come from a, b and d: `last`.
+FN void LANED(polygon_packet)(const Scene* scene, LANED(Packet) * p, GLOBAL const real* block, GLOBAL const int* ids,
+                              int slot, int kind, maskw active, int corners) {
+  (void)scene;
+  realw zero = splat_w(R(0.0));
+  real3w o =
+      vec3_w(LANED(component_w)(&p->o, p->kx), LANED(component_w)(&p->o, p->ky), LANED(component_w)(&p->o, p->kz));
+  for (uint prims = LANED(may_meet_polygons)(p, block, ids, corners); prims != 0u; prims &= prims - 1u) {
+    int i = first_bit(prims);
+    GLOBAL const real* polygon = block + i;
+    LANED(ShearedVertex) a = LANED(shear_for_each)(p, &o, polygon);
+    LANED(ShearedVertex) b = LANED(shear_for_each)(p, &o, polygon + 3 * LANES);
+    LANED(ShearedVertex) c = LANED(shear_for_each)(p, &o, polygon + 6 * LANES), last = c;
+    if (corners == 4) last = LANED(shear_for_each)(p, &o, polygon + 9 * LANES);
+    realw ab = LANED(edge_function)(a, b), bc = LANED(edge_function)(b, c), cd = bc;
+    realw la = LANED(edge_function)(last, a), bl = bc, sum;
+    maskw missed;
+    if (corners == 4) {
+      cd = LANED(edge_function)(c, last);
+      bl = LANED(edge_function)(b, last);
+      missed = LANED(signs_differ)(ab, bc, cd) | LANED(signs_differ)(bc, cd, la);
+      sum = ab + la + bl;
+    } else {
+      missed = LANED(signs_differ)(bc, la, ab);
+      sum = bc + la + ab;
+    }
+    maskw hit = active & ~(missed | eq_w(sum, zero));
+    if (p->has_left) hit = hit & ~LANED(packet_end)(p, ids[i]);
+    if (!any_w(hit)) continue;
+    realw z_min = min_w(c.z, min_w(b.z, a.z)), z_max = max_w(c.z, max_w(b.z, a.z));
+    if (corners == 4) {
+      z_min = min_w(last.z, z_min);
+      z_max = max_w(last.z, z_max);
+    }
+    realw weighted = fma_w(ab, last.z, fma_w(la, b.z, bl * a.z));
+#if TIER_ROBUST
+    // in_range_roughly of polygon_robust_lanes.h.
+    if (corners == 4) sum = bl + la + ab;
+    realw scale = p->shear.z / sum, t = weighted * scale;
+    realw z = max_w(abs_w(z_min), abs_w(z_max));
+    realw l = max_w(LANED(aside_of)(last), max_w(LANED(aside_of)(b), LANED(aside_of)(a)));
+    realw turned = l * (z_max - z_min) * abs_w(scale);
+    realw spare = fma_w(splat_w(R(0x1p-17)) * (l + z), turned, splat_w(R(0x1p-20)) * z);
+    realw one = z_min * p->shear.z, other = z_max * p->shear.z, first = min_w(one, other), farthest = max_w(one, other);
+    realw area = abs_w(sum);
+    maskw is_clear = lt_w(turned, splat_w(R(256.0))) & lt_w(splat_w(R(0x1p-18)) * l * l, area) &
+                     lt_w(splat_w(R(0x1p-100)), area) & lt_w(area * (l + z), splat_w(R(0x1p+120)));
+    realw least = sel_w(is_clear, max_w(t - spare, first), first);
+    realw most = sel_w(is_clear, min_w(t + spare, farthest), splat_w(REAL_MAX));
+    hit = hit & ~(lt_w(p->bound, least) | lt_w(most, p->t_min));
+#else
+    realw t = weighted / sum * p->shear.z;
+#if REAL_BITS == 64
+    t = LANED(within_corners_each)(p, t, polygon, corners);
+#endif
+    realw one = z_min * p->shear.z, other = z_max * p->shear.z;
+    realw least_t = min_w(one, other), most_t = max_w(one, other);
+    t = sel_w(lt_w(t, least_t), least_t, t);
+    t = sel_w(lt_w(most_t, t), most_t, t);
+    hit = hit & le_w(p->t_min, t) & le_w(t, p->t);
+#endif
+    maskw on_edge = hit & (eq_w(ab, zero) | eq_w(bc, zero) | eq_w(cd, zero) | eq_w(la, zero));
+    if (any_w(on_edge)) {
+      realw rab = LANED(resolved_edge)(ab, a, b), rbc = LANED(resolved_edge)(bc, b, c);
+      realw rcd = LANED(resolved_edge)(cd, c, last), rla = LANED(resolved_edge)(la, last, a);
+      if (corners == 4)
+        missed = LANED(signs_differ)(rab, rbc, rcd) | LANED(signs_differ)(rbc, rcd, rla);
+      else
+        missed = LANED(signs_differ)(rbc, rla, rab);
+      hit = hit & ~(on_edge & missed);
+    }
+    if (!any_w(hit)) continue;
+#if TIER_ROBUST
+    LANED(packet_put_off)(scene, p, hit, hit & le_w(p->t_min, least), t, least, most, ids[i], kind, slot + i);
+#else
+    LANED(packet_take)(p, hit, t, splat_int_w(ids[i]), splat_int_w(kind), splat_int_w(slot + i));
+#endif
+  }
+}
+#endif

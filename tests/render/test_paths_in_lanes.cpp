@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+// Samples of a pixel that are followed in lanes give the picture, the AOVs and the counts of samples followed one by
+// one, bit for bit: kinds with a body for packets and without, a tree, drawn and taken lights, mirrors, textures,
+// hidden emitters, samples that do not fill the lanes.
+#include <catch2/catch.hpp>
+
+#include "render/pictures.h"
+
+namespace strahl::test {
+namespace {
+
+constexpr int odd_samples = 21;
+
+RenderResult followed(const Scene& scene, RenderSettings settings, bool in_lanes) {
+  settings.paths_in_lanes = in_lanes;
+  const RenderResult result = render("pocl", scene, settings);
+  const int lanes = result.stats.lanes;
+  REQUIRE(lanes > 1);
+  REQUIRE(result.stats.path_lanes == (in_lanes ? lanes : 1));
+  return result;
+}
+
+void require_same(const Scene& scene, const RenderSettings& settings) {
+  const RenderResult one = followed(scene, settings, false), lanes = followed(scene, settings, true);
+  CHECK(one.stats.seconds.kernel > 0);
+  REQUIRE(one.color.data.size() > 0);
+  CHECK(same_bits(one, lanes));
+  CHECK(one.stats.shadow_rays == lanes.stats.shadow_rays);
+  CHECK(one.stats.bounce_rays == lanes.stats.bounce_rays);
+}
+
+Scene of(const std::string& name) { return small_scene(scene_folder / name, 24, 20, odd_samples); }
+
+RenderSettings plain(Precision precision = Precision::robust, int lanes = 16) {
+  RenderSettings settings;
+  settings.precision = precision;
+  settings.lanes = lanes;
+  return settings;
+}
+
+TEST_CASE("a closed room in lanes: every tier that keeps its bits, both widths") {
+  require_pocl_and_rusticl();
+  const Scene scene = of("cornell/cornell-box.xml");
+  require_same(scene, plain());
+  require_same(scene, plain(Precision::robust, 8));
+  require_same(scene, plain(Precision::stable));
+}
+
+TEST_CASE("what is reported of first samples, and counts of rays, in lanes") {
+  require_pocl_and_rusticl();
+  Scene scene = of("materials/conductor.xml");
+  RenderSettings settings = all_aovs();
+  settings.lanes = 16;
+  settings.count_rays = true;
+  require_same(scene, settings);
+}
+
+TEST_CASE("emitters that the camera looks through, in lanes") {
+  require_pocl_and_rusticl();
+  Scene scene = of("lights/rectangle.xml");
+  scene.integrator.name = "path";
+  scene.integrator.max_depth = 4;
+  scene.integrator.hide_emitters = true;
+  require_same(scene, plain());
+}
+
+TEST_CASE("shapes that are asked ray by ray, in a tree, in lanes") {
+  require_pocl_and_rusticl();
+  Scene scene = of("lights/disk.xml");
+  scene.integrator.name = "path";
+  scene.integrator.max_depth = 4;
+  RenderSettings settings = plain();
+  settings.acceleration = Acceleration::tree;
+  require_same(scene, settings);
+}
+
+TEST_CASE("textures in lanes") {
+  require_pocl_and_rusticl();
+  require_same(of("accuracy/checkerboard.xml"), plain());
+}
+
+}  // namespace
+}  // namespace strahl::test
