@@ -124,7 +124,7 @@ class Strahl:
         self.name = f"strahl {sampler}"
         self.command = [str(options.build / "strahl"), scene, "-q", "--spp", str(options.spp)]
         self.command += ["-d", options.device] if options.device else []
-        self.command += ["--sampler", sampler]
+        self.command += ["--sampler"] + sampler.split()
 
     def render(self, seed, path):
         stats = path + ".json"
@@ -206,7 +206,8 @@ def main():
     tracing.add_argument("--variant", default="llvm_ad_rgb")
     tracing.add_argument("--spp", type=int, default=256)
     tracing.add_argument("--samplers", default="independent,multijitter")
-    tracing.add_argument("--strahl-samplers", default="sobol,independent")
+    tracing.add_argument("--strahl-samplers", default="sobol --no-error,sobol,independent",
+                         help="the first is what the others are held against: like them, it tells no error")
     tracing.add_argument("--reference")
     tracing.add_argument("--reference-spp", type=int, default=8192)
     tracing.set_defaults(run=paths)

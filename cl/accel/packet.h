@@ -178,7 +178,7 @@ FN int LANED(packet_walk)(const Scene* scene, LANED(Packet) * p) {
   maskw active = le_w(p->t_min, p->t);
   int waiting[STACK_ENTRIES];
   real waiting_t[STACK_ENTRIES];
-  int top = 0, patience = LANED(PACKET_PATIENCE);
+  int top = 0, patience = LANED(PACKET_PATIENCE), is_any = LANED(PACKET_OF_ANY_RAYS);
   // First what is listed, kind by kind, then the tree.
   int kind = 0, kinds = SHAPE_COUNT + HAS_INSTANCES, reference = NO_REFERENCE;
   for (;;) {
@@ -198,8 +198,8 @@ FN int LANED(packet_walk)(const Scene* scene, LANED(Packet) * p) {
       else
         LANED(packet_leaf)(scene, p, reference, active);
       if (p->stop_at_first) LANED(packet_stop)(scene, p);
-      p->last = largest_w(p->bound);
-      if (p->last < p->first) return 1;
+      if (!is_any) p->last = largest_w(p->bound);
+      if (is_any ? !any_w(le_w(p->t_min, p->bound)) : p->last < p->first) return 1;
     }
     if (kind <= kinds) continue;
     for (;;) {

@@ -26,6 +26,7 @@ typedef struct {
   int stop_at_first;  ///< Any hit will do.
 
   real3w o, d, inv, slack, shear;
+  maskw is_x, is_y;  ///< Lanes whose largest axis is x or y.
   realw t_min;
 #if TIER_COMPENSATED
   realw dd, dd_inverse, t_per_length;
@@ -44,10 +45,9 @@ typedef struct {
   intw rough_id, rough_kind, rough_slot;
 #endif
 
-  // In common. Each ray lies within first ... last.
+  // In common, where rays need be alike. Each lies within first ... last.
   real first, last;
   int near_x, near_y, near_z, kx, ky, kz;
-  maskw is_x, is_y;  ///< Lanes whose largest axis is x or y, where rays need not be alike.
   LANED(Bounds) x, y, z;
 } LANED(Packet);
 
@@ -85,36 +85,55 @@ FN void LANED(packet_none)(LANED(Packet) * p) {
 #endif
 }
 
-/// of: prepared and widened; those that can hit nothing become others with an empty range.
+/// What rays have in common that need be alike. of: those that can hit nothing become others with an empty range.
+FN int LANED(packet_common)(LANED(Packet) * p, PRIVATE realw* of, maskw dead) {
+  if (any_w(dead)) {
+    int lane = first_bit(bits_w(~dead));
+    for (int k = 0; k < RAY_PLANES; ++k) {
+      real each[LANES];
+      store_w(of[k], each);
+      if (k != RAY_PLANE_T_MIN && k != RAY_PLANE_T_MAX) of[k] = sel_w(dead, splat_w(each[lane]), of[k]);
+    }
+  }
+  realw zero = splat_w(R(0.0)), kz = of[RAY_PLANE_SHEAR];
+  real3w o = LANED(real3_at)(of + RAY_PLANE_O), inv = LANED(real3_at)(of + RAY_PLANE_INV);
+  real3w slack = LANED(real3_at)(of + RAY_PLANE_SLACK);
+  maskw back_x = lt_w(inv.x, zero), back_y = lt_w(inv.y, zero), back_z = lt_w(inv.z, zero);
+  real largest = largest_w(kz);
+  if (!(LANED(is_common)(back_x) && LANED(is_common)(back_y) && LANED(is_common)(back_z)) || least_w(kz) != largest)
+    return LANED(PACKET_MIXED);
+  p->near_x = any_w(back_x) ? 1 : 0;
+  p->near_y = any_w(back_y) ? 3 : 2;
+  p->near_z = any_w(back_z) ? 5 : 4;
+  p->kz = (int)largest;
+  p->kx = p->kz == 2 ? 0 : p->kz + 1;
+  p->ky = p->kx == 2 ? 0 : p->kx + 1;
+  p->x = LANED(axis_bounds)(o.x, inv.x, slack.x, p->near_x & 1);
+  p->y = LANED(axis_bounds)(o.y, inv.y, slack.y, p->near_y & 1);
+  p->z = LANED(axis_bounds)(o.z, inv.z, slack.z, p->near_z & 1);
+  p->first = least_w(of[RAY_PLANE_T_MIN]);
+  p->last = largest_w(of[RAY_PLANE_T_MAX]);
+  return LANED(PACKET_ALIKE);
+}
+
+/// of: prepared and widened.
 FN int LANED(packet_make)(LANED(Packet) * p, LANED(Rays) * of, int stop_at_first) {
   PRIVATE realw* rays = of->planes;
   maskw dead = lt_w(rays[RAY_PLANE_T_MAX], rays[RAY_PLANE_T_MIN]);
-  uint alive = bits_w(~dead);
-  if (alive == 0u) return LANED(PACKET_DEAD);
-  if (any_w(dead)) {
-    int lane = first_bit(alive);
-    for (int k = 0; k < RAY_PLANES; ++k) {
-      real each[LANES];
-      store_w(rays[k], each);
-      if (k != RAY_PLANE_T_MIN && k != RAY_PLANE_T_MAX) rays[k] = sel_w(dead, splat_w(each[lane]), rays[k]);
-    }
-  }
-  realw zero = splat_w(R(0.0)), kz = rays[RAY_PLANE_SHEAR];
-  real3w inv = LANED(real3_at)(rays + RAY_PLANE_INV);
-  maskw back_x = lt_w(inv.x, zero), back_y = lt_w(inv.y, zero), back_z = lt_w(inv.z, zero);
-  real largest = largest_w(kz);
+  if (!any_w(~dead)) return LANED(PACKET_DEAD);
   int is_any = LANED(PACKET_OF_ANY_RAYS);
-  if (!is_any &&
-      (!(LANED(is_common)(back_x) && LANED(is_common)(back_y) && LANED(is_common)(back_z)) || least_w(kz) != largest))
-    return LANED(PACKET_MIXED);
+  int found = is_any ? LANED(PACKET_ALIKE) : LANED(packet_common)(p, rays, dead);
+  if (found == LANED(PACKET_MIXED)) return found;
 
   p->rays = of;
   p->stop_at_first = stop_at_first;
   p->o = LANED(real3_at)(rays + RAY_PLANE_O);
   p->d = LANED(real3_at)(rays + RAY_PLANE_D);
-  p->inv = inv;
+  p->inv = LANED(real3_at)(rays + RAY_PLANE_INV);
   p->slack = LANED(real3_at)(rays + RAY_PLANE_SLACK);
   p->shear = LANED(real3_at)(rays + RAY_PLANE_SHEAR + 1);
+  p->is_x = eq_w(rays[RAY_PLANE_SHEAR], splat_w(R(0.0)));
+  p->is_y = eq_w(rays[RAY_PLANE_SHEAR], splat_w(R(1.0)));
   p->t_min = rays[RAY_PLANE_T_MIN];
 #if TIER_COMPENSATED
   p->dd = rays[RAY_PLANE_DD];
@@ -126,24 +145,9 @@ FN int LANED(packet_make)(LANED(Packet) * p, LANED(Rays) * of, int stop_at_first
   p->aim = of->aim;
   p->outward = nonzero_w(of->is_outward);
   p->has_left = any_w(nonzero_w(p->left - splat_int_w(-1)));
-  p->near_x = any_w(back_x) ? 1 : 0;
-  p->near_y = any_w(back_y) ? 3 : 2;
-  p->near_z = any_w(back_z) ? 5 : 4;
-  p->is_x = eq_w(kz, zero);
-  p->is_y = eq_w(kz, splat_w(R(1.0)));
-  p->kz = (int)largest;
-  p->kx = p->kz == 2 ? 0 : p->kz + 1;
-  p->ky = p->kx == 2 ? 0 : p->kx + 1;
-  if (!is_any) {
-    p->x = LANED(axis_bounds)(p->o.x, inv.x, p->slack.x, p->near_x & 1);
-    p->y = LANED(axis_bounds)(p->o.y, inv.y, p->slack.y, p->near_y & 1);
-    p->z = LANED(axis_bounds)(p->o.z, inv.z, p->slack.z, p->near_z & 1);
-  }
   LANED(packet_none)(p);
   p->t = p->bound = rays[RAY_PLANE_T_MAX];
-  p->first = least_w(p->t_min);
-  p->last = largest_w(p->t);
-  return LANED(PACKET_ALIKE);
+  return found;
 }
 
 FN Ray LANED(packet_ray)(const LANED(Packet) * p, int lane) { return LANED(ray_of)(p->rays, lane); }

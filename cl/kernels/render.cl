@@ -79,7 +79,7 @@ KERNEL LANE_HINT_OF(SCENE_LANES) void render(GLOBAL const real* geometry, GLOBAL
                                              GLOBAL const int* index, GLOBAL long* film, GLOBAL real* aov_reals,
                                              GLOBAL int* aov_ints, GLOBAL uint* counters, int width, int height,
                                              int x_first, int y_first, int columns, int rows, int film_first,
-                                             int film_columns, int film_sums, int sample_first, int sample_count) {
+                                             int film_columns, int sample_first, int sample_count) {
   int column = (int)get_global_id(0), row = (int)get_global_id(1);
   if (column >= columns || row >= rows) return;
   Scene scene;
@@ -87,10 +87,10 @@ KERNEL LANE_HINT_OF(SCENE_LANES) void render(GLOBAL const real* geometry, GLOBAL
   scene.shading = shading;
   scene.index = index;
   scene.counters = counters;
-  // film_first: the first of those pixels in the film buffer, whose rows are film_columns long; film_sums: 1 or
-  // FILM_SUBSUMS for each of them.
+  // film_first: the first of those pixels in the film buffer, whose rows are film_columns long.
   ulong slot = (ulong)film_first + (ulong)row * (ulong)film_columns + (ulong)column;
   real film_scale = shading[index[HEADER_FILM_SCALE]];
+  int film_sums = index[HEADER_SUMS];
   GLOBAL long* pixel_sums = film + slot * (ulong)(film_sums * FILM_CHANNELS);
 
   // Where nothing is drawn all samples of a pixel are the same one.

@@ -3,9 +3,9 @@
 // Owen Scrambling", JCGT 9(4), 2020, with the hash of N. Vegdahl, "Building a Better LK Hash", 2021.
 //
 // FILM_SUBSUMS sequences, scrambled independently, are interleaved by the sample's number, so that the film's sub-sums
-// are independent estimates of the same picture. Each is a (0, 2)-sequence in every set: of its first 2^m points one
-// lies in every elementary interval of area 2^-m (tests/cl/test_samplers.cpp). Pixels, sets and sequences have
-// scrambles of their own. One width; no guard.
+// are independent estimates of the same picture. Where it keeps one sum there is one sequence: longer, so spread more
+// evenly. Each is a (0, 2)-sequence in every set: of its first 2^m points one lies in every elementary interval of area
+// 2^-m (tests/cl/test_samplers.cpp). Pixels, sets and sequences have scrambles of their own. One width; no guard.
 
 FN uintw LANED(reversed_bits)(uintw x) {
   x = (x >> 16) | (x << 16);
@@ -34,8 +34,9 @@ FN uintw LANED(sobol_second_reversed)(uintw index) {
 }
 
 FN void LANED(sobol_begin)(LANED(SampleState) * state) {
-  state->reversed = LANED(reversed_bits)(state->sample / (uint)FILM_SUBSUMS);
-  state->key = LANED(random4)(state->pixel, state->sample % (uint)FILM_SUBSUMS, splat_uint_w(0u), state->seed).x;
+  uintw number = state->sequences == 1u ? state->sample : state->sample / (uint)FILM_SUBSUMS;
+  state->reversed = LANED(reversed_bits)(number);
+  state->key = LANED(random4)(state->pixel, state->sample & (state->sequences - 1u), splat_uint_w(0u), state->seed).x;
 }
 
 /// A hash of 32 bits: C. Wellons, "Prospecting for Hash Functions", 2018.

@@ -11,6 +11,7 @@
 enum {
   HEADER_WIDTH,  // pixels of a row of the whole picture
   HEADER_SEED,
+  HEADER_SUMS,        // The film's sums of a pixel, and the sequences that they are of: FILM_SUBSUMS or 1.
   HEADER_INTEGRATOR,  // INTEGRATOR_direct, ...
   HEADER_MAX_DEPTH,   // -1: no limit
   HEADER_RR_DEPTH,    // Surfaces after which Russian roulette begins.

@@ -158,7 +158,7 @@ FN void LANED(packet_finish)(const Scene* scene, LANED(Packet) * p, int may_be_r
 
 /// Puts off: hit at `rough`, for certain within least ... most; `sure` lanes of them also after t_min.
 FN void LANED(packet_put_off)(const Scene* scene, LANED(Packet) * p, maskw hit, maskw sure, realw rough, realw least,
-                              realw most, int id, int kind, int slot) {
+                              realw most, intw id, int kind, intw slot) {
   if (p->stop_at_first) {
     maskw met = hit & sure & lt_w(most, p->bound);
     p->kind = sel_int_w(met, splat_int_w(kind), p->kind);
@@ -172,9 +172,9 @@ FN void LANED(packet_put_off)(const Scene* scene, LANED(Packet) * p, maskw hit, 
   if (any_w(unsure | (hit & is_held & ~lt_w(most, p->rough_least)))) LANED(packet_settle)(scene, p);
   p->rough = sel_w(hit, rough, p->rough);
   p->rough_least = sel_w(hit, least, p->rough_least);
-  p->rough_id = sel_int_w(hit, splat_int_w(id), p->rough_id);
+  p->rough_id = sel_int_w(hit, id, p->rough_id);
   p->rough_kind = sel_int_w(hit, splat_int_w(kind), p->rough_kind);
-  p->rough_slot = sel_int_w(hit, splat_int_w(slot), p->rough_slot);
+  p->rough_slot = sel_int_w(hit, slot, p->rough_slot);
   p->bound = sel_w(hit & sure & lt_w(most, p->bound), most, p->bound);
   if (any_w(unsure)) LANED(packet_settle)(scene, p);
 }

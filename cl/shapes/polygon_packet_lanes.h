@@ -98,82 +98,121 @@ FN realw LANED(within_corners_each)(const LANED(Packet) * p, realw t, GLOBAL con
 }
 #endif
 
-/// Corners a, b, c of a triangle; a, b, c, d of a parallelogram, whose plane and t come from a, b and d: `last`.
+/// Rays that hit a polygon, and where.
+typedef struct {
+  maskw hit;
+  realw t;            ///< Roughly in the robust tier, where it certainly lies
+  realw least, most;  ///< within these.
+} LANED(PolygonHits);
+
+/// The rays of `active` against one polygon by its edges, exactly. Corners a, b, c of a
+/// triangle; a, b, c, d of a parallelogram, whose plane and t come from a, b and d: `last`. o: as in shear_for_each.
+FN LANED(PolygonHits)
+    LANED(meet_edges)(const LANED(Packet) * p, const real3w* o, GLOBAL const real* polygon, maskw active, int corners) {
+  LANED(PolygonHits) hits;
+  realw zero = splat_w(R(0.0));
+  LANED(ShearedVertex) a = LANED(shear_for_each)(p, o, polygon);
+  LANED(ShearedVertex) b = LANED(shear_for_each)(p, o, polygon + 3 * LANES);
+  LANED(ShearedVertex) c = LANED(shear_for_each)(p, o, polygon + 6 * LANES), last = c;
+  if (corners == 4) last = LANED(shear_for_each)(p, o, polygon + 9 * LANES);
+  realw ab = LANED(edge_function)(a, b), bc = LANED(edge_function)(b, c), cd = bc;
+  realw la = LANED(edge_function)(last, a), bl = bc, sum;
+  maskw missed;
+  if (corners == 4) {
+    cd = LANED(edge_function)(c, last);
+    bl = LANED(edge_function)(b, last);
+    missed = LANED(signs_differ)(ab, bc, cd) | LANED(signs_differ)(bc, cd, la);
+    sum = ab + la + bl;
+  } else {
+    missed = LANED(signs_differ)(bc, la, ab);
+    sum = bc + la + ab;
+  }
+  maskw hit = active & ~(missed | eq_w(sum, zero));
+  hits.hit = hit;
+  hits.t = hits.least = hits.most = zero;
+  if (!any_w(hit)) return hits;
+  realw z_min = min_w(c.z, min_w(b.z, a.z)), z_max = max_w(c.z, max_w(b.z, a.z));
+  if (corners == 4) {
+    z_min = min_w(last.z, z_min);
+    z_max = max_w(last.z, z_max);
+  }
+  realw weighted = fma_w(ab, last.z, fma_w(la, b.z, bl * a.z));
+#if TIER_ROBUST
+  // in_range_roughly of polygon_robust_lanes.h.
+  if (corners == 4) sum = bl + la + ab;
+  realw scale = p->shear.z / sum, t = weighted * scale;
+  realw z = max_w(abs_w(z_min), abs_w(z_max));
+  realw l = max_w(LANED(aside_of)(last), max_w(LANED(aside_of)(b), LANED(aside_of)(a)));
+  realw turned = l * (z_max - z_min) * abs_w(scale);
+  realw spare = fma_w(splat_w(R(0x1p-17)) * (l + z), turned, splat_w(R(0x1p-20)) * z);
+  realw one = z_min * p->shear.z, other = z_max * p->shear.z, first = min_w(one, other), farthest = max_w(one, other);
+  realw area = abs_w(sum);
+  maskw is_clear = lt_w(turned, splat_w(R(256.0))) & lt_w(splat_w(R(0x1p-18)) * l * l, area) &
+                   lt_w(splat_w(R(0x1p-100)), area) & lt_w(area * (l + z), splat_w(R(0x1p+120)));
+  realw least = sel_w(is_clear, max_w(t - spare, first), first);
+  realw most = sel_w(is_clear, min_w(t + spare, farthest), splat_w(REAL_MAX));
+  hit = hit & ~(lt_w(p->bound, least) | lt_w(most, p->t_min));
+#else
+  realw t = weighted / sum * p->shear.z;
+#if REAL_BITS == 64
+  t = LANED(within_corners_each)(p, t, polygon, corners);
+#endif
+  realw one = z_min * p->shear.z, other = z_max * p->shear.z;
+  realw least_t = min_w(one, other), most_t = max_w(one, other);
+  t = sel_w(lt_w(t, least_t), least_t, t);
+  t = sel_w(lt_w(most_t, t), most_t, t);
+  hit = hit & le_w(p->t_min, t) & le_w(t, p->t);
+#endif
+  maskw on_edge = hit & (eq_w(ab, zero) | eq_w(bc, zero) | eq_w(cd, zero) | eq_w(la, zero));
+  if (any_w(on_edge)) {
+    realw rab = LANED(resolved_edge)(ab, a, b), rbc = LANED(resolved_edge)(bc, b, c);
+    realw rcd = LANED(resolved_edge)(cd, c, last), rla = LANED(resolved_edge)(la, last, a);
+    if (corners == 4)
+      missed = LANED(signs_differ)(rab, rbc, rcd) | LANED(signs_differ)(rbc, rcd, rla);
+    else
+      missed = LANED(signs_differ)(rbc, rla, rab);
+    hit = hit & ~(on_edge & missed);
+  }
+  hits.hit = hit;
+  hits.t = t;
+#if TIER_ROBUST
+  hits.least = least;
+  hits.most = most;
+#endif
+  return hits;
+}
+
+#if TIER_ROBUST
+#include "shapes/polygon_frames_lanes.h"
+#endif
+
 FN void LANED(polygon_packet)(const Scene* scene, LANED(Packet) * p, GLOBAL const real* block, GLOBAL const int* ids,
                               int slot, int kind, maskw active, int corners) {
   (void)scene;
-  realw zero = splat_w(R(0.0));
-  real3w o =
-      vec3_w(LANED(component_w)(&p->o, p->kx), LANED(component_w)(&p->o, p->ky), LANED(component_w)(&p->o, p->kz));
-  for (uint prims = LANED(may_meet_polygons)(p, block, ids, corners); prims != 0u; prims &= prims - 1u) {
-    int i = first_bit(prims);
-    GLOBAL const real* polygon = block + i;
-    LANED(ShearedVertex) a = LANED(shear_for_each)(p, &o, polygon);
-    LANED(ShearedVertex) b = LANED(shear_for_each)(p, &o, polygon + 3 * LANES);
-    LANED(ShearedVertex) c = LANED(shear_for_each)(p, &o, polygon + 6 * LANES), last = c;
-    if (corners == 4) last = LANED(shear_for_each)(p, &o, polygon + 9 * LANES);
-    realw ab = LANED(edge_function)(a, b), bc = LANED(edge_function)(b, c), cd = bc;
-    realw la = LANED(edge_function)(last, a), bl = bc, sum;
-    maskw missed;
-    if (corners == 4) {
-      cd = LANED(edge_function)(c, last);
-      bl = LANED(edge_function)(b, last);
-      missed = LANED(signs_differ)(ab, bc, cd) | LANED(signs_differ)(bc, cd, la);
-      sum = ab + la + bl;
-    } else {
-      missed = LANED(signs_differ)(bc, la, ab);
-      sum = bc + la + ab;
-    }
-    maskw hit = active & ~(missed | eq_w(sum, zero));
-    if (p->has_left) hit = hit & ~LANED(packet_end)(p, ids[i]);
-    if (!any_w(hit)) continue;
-    realw z_min = min_w(c.z, min_w(b.z, a.z)), z_max = max_w(c.z, max_w(b.z, a.z));
-    if (corners == 4) {
-      z_min = min_w(last.z, z_min);
-      z_max = max_w(last.z, z_max);
-    }
-    realw weighted = fma_w(ab, last.z, fma_w(la, b.z, bl * a.z));
+  real3w o = p->o;
+  int is_any = LANED(PACKET_OF_ANY_RAYS);
+  if (!is_any)
+    o = vec3_w(LANED(component_w)(&p->o, p->kx), LANED(component_w)(&p->o, p->ky), LANED(component_w)(&p->o, p->kz));
+  uint prims = LANED(may_meet_polygons)(p, block, ids, corners);
 #if TIER_ROBUST
-    // in_range_roughly of polygon_robust_lanes.h.
-    if (corners == 4) sum = bl + la + ab;
-    realw scale = p->shear.z / sum, t = weighted * scale;
-    realw z = max_w(abs_w(z_min), abs_w(z_max));
-    realw l = max_w(LANED(aside_of)(last), max_w(LANED(aside_of)(b), LANED(aside_of)(a)));
-    realw turned = l * (z_max - z_min) * abs_w(scale);
-    realw spare = fma_w(splat_w(R(0x1p-17)) * (l + z), turned, splat_w(R(0x1p-20)) * z);
-    realw one = z_min * p->shear.z, other = z_max * p->shear.z, first = min_w(one, other), farthest = max_w(one, other);
-    realw area = abs_w(sum);
-    maskw is_clear = lt_w(turned, splat_w(R(256.0))) & lt_w(splat_w(R(0x1p-18)) * l * l, area) &
-                     lt_w(splat_w(R(0x1p-100)), area) & lt_w(area * (l + z), splat_w(R(0x1p+120)));
-    realw least = sel_w(is_clear, max_w(t - spare, first), first);
-    realw most = sel_w(is_clear, min_w(t + spare, farthest), splat_w(REAL_MAX));
-    hit = hit & ~(lt_w(p->bound, least) | lt_w(most, p->t_min));
-#else
-    realw t = weighted / sum * p->shear.z;
-#if REAL_BITS == 64
-    t = LANED(within_corners_each)(p, t, polygon, corners);
+  maskw open[LANES];
+  if (is_any) prims = LANED(meet_frames)(scene, p, block, ids, prims, slot, kind, active, corners, open);
 #endif
-    realw one = z_min * p->shear.z, other = z_max * p->shear.z;
-    realw least_t = min_w(one, other), most_t = max_w(one, other);
-    t = sel_w(lt_w(t, least_t), least_t, t);
-    t = sel_w(lt_w(most_t, t), most_t, t);
-    hit = hit & le_w(p->t_min, t) & le_w(t, p->t);
-#endif
-    maskw on_edge = hit & (eq_w(ab, zero) | eq_w(bc, zero) | eq_w(cd, zero) | eq_w(la, zero));
-    if (any_w(on_edge)) {
-      realw rab = LANED(resolved_edge)(ab, a, b), rbc = LANED(resolved_edge)(bc, b, c);
-      realw rcd = LANED(resolved_edge)(cd, c, last), rla = LANED(resolved_edge)(la, last, a);
-      if (corners == 4)
-        missed = LANED(signs_differ)(rab, rbc, rcd) | LANED(signs_differ)(rbc, rcd, rla);
-      else
-        missed = LANED(signs_differ)(rbc, rla, rab);
-      hit = hit & ~(on_edge & missed);
-    }
-    if (!any_w(hit)) continue;
+  for (; prims != 0u; prims &= prims - 1u) {
+    int i = first_bit(prims), id = ids[i];
+    maskw asked = active;
 #if TIER_ROBUST
-    LANED(packet_put_off)(scene, p, hit, hit & le_w(p->t_min, least), t, least, most, ids[i], kind, slot + i);
+    if (is_any) asked = open[i];
+#endif
+    if (p->has_left) asked = asked & ~LANED(packet_end)(p, id);
+    LANED(PolygonHits) hits = LANED(meet_edges)(p, &o, block + i, asked, corners);
+    if (!any_w(hits.hit)) continue;
+#if TIER_ROBUST
+    maskw sure = hits.hit & le_w(p->t_min, hits.least);
+    LANED(packet_put_off)
+    (scene, p, hits.hit, sure, hits.t, hits.least, hits.most, splat_int_w(id), kind, splat_int_w(slot + i));
 #else
-    LANED(packet_take)(p, hit, t, splat_int_w(ids[i]), splat_int_w(kind), splat_int_w(slot + i));
+    LANED(packet_take)(p, hits.hit, hits.t, splat_int_w(id), splat_int_w(kind), splat_int_w(slot + i));
 #endif
   }
 }

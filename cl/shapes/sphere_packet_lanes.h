@@ -95,7 +95,8 @@ FN void LANED(sphere_packet)(const Scene* scene, LANED(Packet) * p, GLOBAL const
     sure = sure & le_w(p->t_min, t - about);
     met = (met | left) & ~sure;
     sure = sure & ~lt_w(p->bound, t - about);
-    if (any_w(sure)) LANED(packet_put_off)(scene, p, sure, sure, t, t - about, t + about, ids[i], kind, slot + i);
+    if (any_w(sure)) LANED(packet_put_off)
+    (scene, p, sure, sure, t, t - about, t + about, splat_int_w(ids[i]), kind, splat_int_w(slot + i));
     uint others = bits_w(met);
     if (others != 0u) {
       LANED(NearestEach) each = LANED(packet_open)(p);

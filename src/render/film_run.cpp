@@ -2,6 +2,7 @@
 #include "render/film_run.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 #include "render/aov.h"
@@ -78,7 +79,7 @@ void FilmRun::launch_and_count(const Launch& launch, int band_row) {
   const std::vector<std::uint32_t> zero(layout::COUNTERS, 0);
   write_buffer(state_.device, state_.counters, zero.data(), zero.size() * sizeof(std::uint32_t));
   const Stopwatch start;
-  state_.launch(launch, film_.sub_sums, band_row);
+  state_.launch(launch, band_row);
   run.kernel_runs.push_back(start.seconds());
   run.seconds.kernel += run.kernel_runs.back();
   std::vector<std::uint32_t> counted(layout::COUNTERS);
@@ -190,10 +191,11 @@ void FilmRun::measure_finish() {
 }
 
 RenderResult FilmRun::run() {
-  const cl_int seed = static_cast<cl_int>(result_.stats.seed);
+  static_assert(layout::HEADER_SUMS == layout::HEADER_SEED + 1);
+  const std::array<cl_int, 2> header = {static_cast<cl_int>(result_.stats.seed), film_.sub_sums};
   checked(state_.device.info().text(), [&] {
     return state_.device.queue().enqueueWriteBuffer(state_.buffers.index, CL_TRUE, layout::HEADER_SEED * sizeof(cl_int),
-                                                    sizeof seed, &seed);
+                                                    sizeof header, header.data());
   });
   if (goal_.deadline && !state_.finish_seconds) measure_finish();
   bool carry_on = true;

@@ -81,7 +81,7 @@ int Renderer::State::samples_of(const RenderGoal& goal) const {
   return spp;
 }
 
-void Renderer::State::launch(const Launch& l, int sub_sums, int film_row) {
+void Renderer::State::launch(const Launch& l, int film_row) {
   const auto round_up = [](int n, int group) { return static_cast<std::size_t>((n + group - 1) / group * group); };
   const WorkGroup group = settings.work_group;
   checked(device.info().text(), [&] {
@@ -91,7 +91,7 @@ void Renderer::State::launch(const Launch& l, int sub_sums, int film_row) {
       kernel.setArg(arg++, *buffer);
     const int film_first = (l.row_first - film_row) * window.width() + l.column_first;
     for (const int value : {scene.film.width, scene.film.height, window.x0 + l.column_first, window.y0 + l.row_first,
-                            l.columns, l.rows, film_first, window.width(), sub_sums, l.sample_first, l.samples})
+                            l.columns, l.rows, film_first, window.width(), l.sample_first, l.samples})
       kernel.setArg(arg++, value);
     device.queue().enqueueNDRangeKernel(
         kernel, cl::NullRange,
@@ -109,9 +109,9 @@ void Renderer::State::warm_up() {
   if (settings.work_group.x < 1 || settings.work_group.y < 1 || items > device.info().max_work_group)
     throw UsageError(fmt::format("--work-group {}x{}: {} allows 1 to {} work-items", settings.work_group.x,
                                  settings.work_group.y, device.info().text(), device.info().max_work_group));
-  launch({}, 1, 0);
+  launch({}, 0);
   const Stopwatch start;
-  launch({}, 1, 0);
+  launch({}, 0);
   launch_overhead = start.seconds();
 }
 

@@ -55,8 +55,8 @@ struct Renderer::State {
   /// What the goal, the scene and the film make of it. Throws UsageError.
   [[nodiscard]] int samples_of(const RenderGoal& goal) const;
   void prepare();
-  /// sub_sums: that the film holds; film_row: its first.
-  void launch(const Launch& launch, int sub_sums, int film_row);
+  /// film_row: the film's first.
+  void launch(const Launch& launch, int film_row);
   void warm_up();
 
   double launch_overhead = 0;            ///< Seconds.

@@ -75,6 +75,19 @@ TEST_CASE("each of sobol's sequences is a (0, 2)-sequence in every set") {
   CHECK_FALSE(is_net(random, 4));
 }
 
+TEST_CASE("where the film keeps one sum, all samples are one (0, 2)-sequence") {
+  for (const std::uint32_t set : {0u, 17u})
+    for (const unsigned m : {2u, 8u}) {
+      std::vector<Pair> single, interleaved;
+      for (std::uint32_t i = 0; i < 1u << m; ++i) {
+        single.push_back(sobol_single_pair(5, i, set, 7));
+        interleaved.push_back(sobol_pair(5, i, set, 7));
+      }
+      CHECK(is_net(single, m));
+      CHECK_FALSE(is_net(interleaved, m));
+    }
+}
+
 TEST_CASE("coordinates, sets, sequences, pixels and seeds know nothing of each other") {
   constexpr std::uint32_t count = 100000;
   const double most = 4.5 / std::sqrt(count);
@@ -110,6 +123,8 @@ TEST_CASE("sobol converges faster than independent numbers") {
   }
   // Four sequences of n / 4: their own error falls like n^-1.5 where the integrand is smooth.
   CHECK(error_of_integral(sobol_pair, 1024) < error_of_integral(sobol_pair, 64) / 20);
+  // One of n: four times the points in it, and a quarter of the means.
+  CHECK(error_of_integral(sobol_single_pair, 256) < 0.4 * error_of_integral(sobol_pair, 256));
 }
 
 TEST_CASE("numbers lie strictly between 0 and 1") {
