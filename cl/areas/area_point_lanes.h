@@ -21,3 +21,11 @@ FN LANED(AreaPoint) LANED(uniform_point)(GLOBAL const real* area, real3w from, r
   p.density = LANED(uniform_density)(area, sub3_w(position, from), normal);
   return p;
 }
+
+/// Of a flat area: item is a place, two edges and the unit normal on the side that emits.
+FN LANED(AreaPoint)
+    LANED(flat_point)(GLOBAL const real* item, GLOBAL const real* area, real3w from, realw of_u, realw of_v) {
+  real3w edge_u = splat3_w(load3(item + 3)), edge_v = splat3_w(load3(item + 6));
+  real3w position = add3_w(fma3_w(of_u, edge_u, scale3_w(of_v, edge_v)), splat3_w(load3(item)));
+  return LANED(uniform_point)(area, from, position, splat3_w(load3(item + 9)));
+}

@@ -3,9 +3,7 @@
 
 FN LANED(AreaPoint)
     LANED(parallelogram_point)(GLOBAL const real* item, GLOBAL const real* area, real3w from, realw u, realw v) {
-  real3w edge_u = splat3_w(load3(item + 3)), edge_v = splat3_w(load3(item + 6));
-  real3w position = add3_w(fma3_w(u, edge_u, scale3_w(v, edge_v)), splat3_w(load3(item)));
-  return LANED(uniform_point)(area, from, position, splat3_w(load3(item + 9)));
+  return LANED(flat_point)(item, area, from, u, v);
 }
 
 FN realw LANED(parallelogram_density)(GLOBAL const real* item, GLOBAL const real* area, real3w from, real3w towards,

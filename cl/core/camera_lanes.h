@@ -13,17 +13,7 @@ FN void LANED(camera_rays)(GLOBAL const real* camera, int width, int height, int
   real3w d = fma3_w(sx, splat3_w(load3(camera + CAMERA_DX)), splat3_w(load3(camera + CAMERA_D)));
   o = fma3_w(sy, splat3_w(load3(camera + CAMERA_OY)), o);
   d = fma3_w(sy, splat3_w(load3(camera + CAMERA_DY)), d);
-  LANED(GivenRays) given;
-  given.ox = o.x;
-  given.oy = o.y;
-  given.oz = o.z;
-  given.dx = d.x;
-  given.dy = d.y;
-  given.dz = d.z;
-  given.t_min = splat_w(camera[CAMERA_NEAR]);
-  given.t_max = splat_w(camera[CAMERA_FAR]);
-  given.has_left = none_w();
-  LANED(rays_make)(&given, rays);
+  LANED(rays_make)(o, d, splat_w(camera[CAMERA_NEAR]), splat_w(camera[CAMERA_FAR]), none_w(), rays);
   rays->left = rays->left_instance = rays->aim = splat_int_w(-1);
   rays->is_outward = splat_int_w(0);
 }

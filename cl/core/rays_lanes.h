@@ -12,9 +12,19 @@ typedef struct {
 
 FN real3w LANED(real3_at)(PRIVATE const realw* planes) { return vec3_w(planes[0], planes[1], planes[2]); }
 
-/// Prepared, and not widened yet.
-FN void LANED(rays_make)(const LANED(GivenRays) * given, LANED(Rays) * rays) {
-  LANED(prepare_rays)(given, rays->planes);
+/// Rays as in LANED(GivenRays), prepared and not widened yet.
+FN void LANED(rays_make)(real3w o, real3w d, realw t_min, realw t_max, maskw has_left, LANED(Rays) * rays) {
+  LANED(GivenRays) given;
+  given.ox = o.x;
+  given.oy = o.y;
+  given.oz = o.z;
+  given.dx = d.x;
+  given.dy = d.y;
+  given.dz = d.z;
+  given.t_min = t_min;
+  given.t_max = t_max;
+  given.has_left = has_left;
+  LANED(prepare_rays)(&given, rays->planes);
   for (int k = 0; k < 3; ++k) rays->planes[RAY_PLANE_SLACK + k] = splat_w(REAL_MAX);
 }
 

@@ -75,17 +75,7 @@ FN void LANED(rays_leaving)(const LANED(Surfaces) * s, maskw which, real3w d, re
   realw off = sel_w(lt_w(cosine, zero), -s->bound, s->bound);
   real3w moved = add3_w(s->point, fma3_w(off, s->normal, s->move));
   real3w from = sel3_w(lt_w(zero, s->bound), moved, s->point);
-  LANED(GivenRays) given;
-  given.ox = from.x;
-  given.oy = from.y;
-  given.oz = from.z;
-  given.dx = d.x;
-  given.dy = d.y;
-  given.dz = d.z;
-  given.t_min = sel_w(which, zero, one);
-  given.t_max = sel_w(which, t_max, -one);
-  given.has_left = which;
-  LANED(rays_make)(&given, rays);
+  LANED(rays_make)(from, d, sel_w(which, zero, one), sel_w(which, t_max, -one), which, rays);
   rays->left = s->id;
   rays->left_instance = s->instance;
   rays->aim = splat_int_w(-1);

@@ -12,18 +12,11 @@ FN void LANED(rays_given)(const Scene* scene, GLOBAL const real* in, GLOBAL cons
   to->left_instance = load_int_w(left + LEFT_INSTANCE * LANES);
   to->aim = splat_int_w(-1);
   to->is_outward = splat_int_w(0);
-  LANED(GivenRays) given;
-  given.ox = load_w(in + RAY_O * LANES);
-  given.oy = load_w(in + (RAY_O + 1) * LANES);
-  given.oz = load_w(in + (RAY_O + 2) * LANES);
-  given.dx = load_w(in + RAY_D * LANES);
-  given.dy = load_w(in + (RAY_D + 1) * LANES);
-  given.dz = load_w(in + (RAY_D + 2) * LANES);
-  given.t_min = load_w(in + RAY_T_MIN * LANES);
-  given.t_max = load_w(in + RAY_T_MAX * LANES);
-  given.has_left = nonzero_w(to->left - splat_int_w(-1));
-  LANED(prepare_rays)(&given, to->planes);
-  LANED(widen_rays)(given.has_left, to->planes, scene->geometry + scene->index[HEADER_BOUNDS]);
+  maskw has_left = nonzero_w(to->left - splat_int_w(-1));
+  LANED(rays_make)
+  (LANED(load_planes3)(in + RAY_O * LANES), LANED(load_planes3)(in + RAY_D * LANES), load_w(in + RAY_T_MIN * LANES),
+   load_w(in + RAY_T_MAX * LANES), has_left, to);
+  LANED(widen_rays)(has_left, to->planes, scene->geometry + scene->index[HEADER_BOUNDS]);
 }
 
 /// Of ray i, as find_rays has it.
@@ -77,9 +70,7 @@ FN void LANED(describe_one)(const Scene* scene, GLOBAL const real* in, GLOBAL co
   out[HIT_T] = ray_given_t(&ray, hit.t, t_min, t_max);
   out[HIT_U] = s.u;
   out[HIT_V] = s.v;
-  out[HIT_NORMAL] = s.normal.x;
-  out[HIT_NORMAL + 1] = s.normal.y;
-  out[HIT_NORMAL + 2] = s.normal.z;
+  store3(s.normal, out + HIT_NORMAL);
   ids[HIT_INSTANCE] = s.instance;
   ids[HIT_SHAPE] = s.shape;
   ids[HIT_PRIMITIVE] = s.primitive;

@@ -117,13 +117,6 @@ FN dw_w sum3_round_w(sum3_w s) {
   return two_sum_w(high.hi, high.lo + s.lo);
 }
 
-/// a b - c d, off by at most 1.5 u of itself: C.-P. Jeannerod, N. Louvet, J.-M. Muller, "Further analysis of Kahan's
-/// algorithm for the accurate computation of 2 x 2 determinants", Math. Comp. 82, 2013.
-FN realw difference_of_products_w(realw a, realw b, realw c, realw d) {
-  realw cd = c * d;
-  return fma_w(a, b, -cd) + fma_w(-c, d, cd);
-}
-
 typedef struct {
   dw_w x, y, z;
 } dw3_w;

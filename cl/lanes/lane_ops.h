@@ -8,6 +8,7 @@
 //   sel_w(m, a, b)            m ? a : b, no arithmetic
 //   max_w(x, a) min_w(x, a)   the larger, smaller; a NaN x is dropped
 //   fma_w sqrt_w              correctly rounded
+//   difference_of_products_w(a, b, c, d)  a b - c d, as in math/vec3.h
 //   abs_w(a)                  clears the sign
 //   nonzero_w(i)              mask of i != 0
 //   finite_w(x) nan_w(x)      neither NaN nor infinite; NaN
@@ -47,6 +48,11 @@ FN void store_w(realw a, PRIVATE real* p) { *p = a; }
 #else
 #include "lanes/lane_device.h"
 #endif
+
+FN realw difference_of_products_w(realw a, realw b, realw c, realw d) {
+  realw cd = c * d;
+  return fma_w(a, b, -cd) + fma_w(-c, d, cd);
+}
 
 FN realw max_w(realw x, realw a) { return sel_w(lt_w(a, x), x, a); }
 FN realw min_w(realw x, realw a) { return sel_w(lt_w(x, a), x, a); }

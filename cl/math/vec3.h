@@ -20,6 +20,11 @@ FN real3 vec3(real x, real y, real z) {
 }
 
 FN real3 load3(GLOBAL const real* p) { return vec3(p[0], p[1], p[2]); }
+FN void store3(real3 v, GLOBAL real* p) {
+  p[0] = v.x;
+  p[1] = v.y;
+  p[2] = v.z;
+}
 
 FN real3 add3(real3 a, real3 b) { return vec3(a.x + b.x, a.y + b.y, a.z + b.z); }
 FN real3 sub3(real3 a, real3 b) { return vec3(a.x - b.x, a.y - b.y, a.z - b.z); }

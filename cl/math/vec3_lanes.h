@@ -18,6 +18,11 @@ FN real3w vec3_w(realw x, realw y, realw z) {
   return v;
 }
 
+/// Three planes of LANES reals.
+FN real3w LANED(load_planes3)(GLOBAL const real* planes) {
+  return vec3_w(load_w(planes), load_w(planes + LANES), load_w(planes + 2 * LANES));
+}
+
 FN real3w splat3_w(real3 a) { return vec3_w(splat_w(a.x), splat_w(a.y), splat_w(a.z)); }
 /// Three reals in a row, elsewhere for each lane.
 FN real3w gather3_w(GLOBAL const real* p, intw i) {
@@ -36,15 +41,10 @@ FN real3w fma3_w(realw s, real3w b, real3w a) {
 }
 
 FN realw dot3_w(real3w a, real3w b) { return fma_w(a.z, b.z, fma_w(a.y, b.y, a.x * b.x)); }
-/// difference_of_products of math/vec3.h.
-FN realw LANED(cross_component)(realw a, realw b, realw c, realw d) {
-  realw cd = c * d, error = fma_w(-c, d, cd);
-  return fma_w(a, b, -cd) + error;
-}
 
 FN real3w cross3_w(real3w a, real3w b) {
-  return vec3_w(LANED(cross_component)(a.y, b.z, a.z, b.y), LANED(cross_component)(a.z, b.x, a.x, b.z),
-                LANED(cross_component)(a.x, b.y, a.y, b.x));
+  return vec3_w(difference_of_products_w(a.y, b.z, a.z, b.y), difference_of_products_w(a.z, b.x, a.x, b.z),
+                difference_of_products_w(a.x, b.y, a.y, b.x));
 }
 
 FN real3w abs3_w(real3w a) { return vec3_w(abs_w(a.x), abs_w(a.y), abs_w(a.z)); }

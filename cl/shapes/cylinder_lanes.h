@@ -14,13 +14,6 @@ enum { LANED(PACKET_BODY_cylinder) = PACKET_BODY_NONE };
 #elif TIER_FAST
 #include "shapes/cylinder_fast_lanes.h"
 #else
-/// a b - c d, its sign exact (math/vec3.h).
-FN realw LANED(product_difference)(realw a, realw b, realw c, realw d) {
-  realw cd = c * d;
-  realw error = fma_w(-c, d, cd);
-  return fma_w(a, b, -cd) + error;
-}
-
 FN void LANED(cylinder_block)(const Ray* ray, GLOBAL const real* block, GLOBAL const int* ids, int slot,
                               Nearest* best) {
   realw gx = splat_w(ray->o.x) - load_w(block);
@@ -30,9 +23,9 @@ FN void LANED(cylinder_block)(const Ray* ray, GLOBAL const real* block, GLOBAL c
   realw length = load_w(block + 6 * LANES), r = load_w(block + 7 * LANES);
   realw rx = splat_w(ray->d.x), ry = splat_w(ray->d.y), rz = splat_w(ray->d.z);
   realw uu = fma_w(uz, uz, fma_w(uy, uy, ux * ux));
-  realw fx = LANED(product_difference)(gy, uz, gz, uy), dx = LANED(product_difference)(ry, uz, rz, uy);
-  realw fy = LANED(product_difference)(gz, ux, gx, uz), dy = LANED(product_difference)(rz, ux, rx, uz);
-  realw fz = LANED(product_difference)(gx, uy, gy, ux), dz = LANED(product_difference)(rx, uy, ry, ux);
+  realw fx = difference_of_products_w(gy, uz, gz, uy), dx = difference_of_products_w(ry, uz, rz, uy);
+  realw fy = difference_of_products_w(gz, ux, gx, uz), dy = difference_of_products_w(rz, ux, rx, uz);
+  realw fz = difference_of_products_w(gx, uy, gy, ux), dz = difference_of_products_w(rx, uy, ry, ux);
 
   realw a = fma_w(dz, dz, fma_w(dy, dy, dx * dx));
   realw b = fma_w(fz, dz, fma_w(fy, dy, fx * dx));

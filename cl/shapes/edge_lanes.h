@@ -23,9 +23,7 @@ FN LANED(ShearedVertex) LANED(shear_vertex)(const Ray* ray, GLOBAL const real* p
 
 /// Twice the signed area of (ray, a, b), exact in sign: b.x a.y - b.y a.x.
 FN realw LANED(edge_function)(LANED(ShearedVertex) a, LANED(ShearedVertex) b) {
-  realw cd = b.y * a.x;
-  realw error = fma_w(-b.y, a.x, cd);
-  return fma_w(b.x, a.y, -cd) + error;
+  return difference_of_products_w(b.x, a.y, b.y, a.x);
 }
 
 /// A value with the sign that e has once the ray is shifted; antisymmetric in a and b as e is.

@@ -27,10 +27,7 @@ FN LANED(Real2) LANED(shear_each)(const LANED(FlatHits) * hits, real3w p) {
   return v;
 }
 
-FN realw LANED(edge_each)(LANED(Real2) a, LANED(Real2) b) {
-  realw cd = b.y * a.x;
-  return fma_w(b.x, a.y, -cd) + fma_w(-b.y, a.x, cd);
-}
+FN realw LANED(edge_each)(LANED(Real2) a, LANED(Real2) b) { return difference_of_products_w(b.x, a.y, b.y, a.x); }
 
 FN realw LANED(within_one)(realw x) {
   realw zero = splat_w(R(0.0)), one = splat_w(R(1.0));

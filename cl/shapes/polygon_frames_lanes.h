@@ -9,8 +9,8 @@
 // + E, w the roundoff. Where A^2 <= 64 n.n, n is off by 4 w A at most, so
 //   where a ray hits (|t| <= r), t = n.(a - o) / n.d is off by w 56 r A / |n.d|, which `spare` holds four times over;
 //   the place on the ray by twice that and 6 w r, f x n and n x e over n.n by 2^7 w of their length: u + v by less than
-//   2^10 w r A / |n.d| times the sum of those lengths, of which `margin` is eight times. The exact test's own rounding
-//   of corners, 4 w r across the ray, and a fourth corner that is not quite b + f, by 2^-16 E at most, are well within.
+//   2^10 w r A / |n.d| times the sum of those lengths, of which `margin` is twice. The exact test's own rounding of
+//   corners, 4 w r across the ray, and a fourth corner that is not quite b + f, by 2^-18 E at most, are within it.
 // n.d is the one that was computed, so this holds for all but parallel rays too: they find nothing certain.
 
 /// LANES polygons, a plane of LANES reals each.
@@ -49,18 +49,19 @@ FN LANED(PolygonFrames)
   frames.of_u = corners == 3 ? one_half - u_first : -one_half - u_first;
   frames.of_v = corners == 3 ? one_half - v_first : -one_half - v_first;
   frames.spare = splat_w(R(0x1p-16)) * area;
-  frames.margin = splat_w(R(0x1p-11)) * area * (LANED(size1_w)(frames.to_u) + LANED(size1_w)(frames.to_v));
+  frames.margin = splat_w(R(0x1p-13)) * area * (LANED(size1_w)(frames.to_u) + LANED(size1_w)(frames.to_v));
   maskw plain =
       le_w(splat_w(R(0x1p-40)), area) & le_w(area, splat_w(R(0x1p+40))) & le_w(area * area, splat_w(R(64.0)) * nn);
   if (corners == 4) {
     real3w aslant = sub3_w(sub3_w(LANED(corners_of_block)(block, 2), b), f);
-    plain = plain & le_w(LANED(size1_w)(aslant), splat_w(R(0x1p-16)) * (size_e + size_f));
+    plain = plain & le_w(LANED(size1_w)(aslant), splat_w(R(0x1p-18)) * (size_e + size_f));
   }
-  frames.plain = there & bits_w(plain);
   realw radius = LANED(size1_w)(from_first) + (size_e + size_f);
   radius = splat_w(largest_w(sel_w(plain, radius, splat_w(R(0.0)))));
   frames.o = sub3_w(p->o, first);
   frames.reach = LANED(size1_w)(frames.o) + radius;
+  // Beside one that is far larger the bounds of a small one are too wide to be of use.
+  frames.plain = there & bits_w(plain & le_w(radius, splat_w(R(512.0)) * (size_e + size_f)));
   return frames;
 }
 

@@ -4,8 +4,7 @@
 
 /// Corner k of LANES polygons.
 FN real3w LANED(corners_of_block)(GLOBAL const real* block, int k) {
-  GLOBAL const real* planes = block + 3 * k * LANES;
-  return vec3_w(load_w(planes), load_w(planes + LANES), load_w(planes + 2 * LANES));
+  return LANED(load_planes3)(block + 3 * k * LANES);
 }
 
 /// Polygons of a block that some ray may meet.
