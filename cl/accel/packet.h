@@ -125,8 +125,11 @@ FN void LANED(packet_leaf)(const Scene* scene, LANED(Packet) * p, int reference,
     } else if (LANED(PACKET_BODY_##name) == PACKET_BODY_PLANE) {               \
       LANED(plane_packet)(p, block, ids, b * LANES, kind, active);             \
     } else {                                                                   \
+      int body = LANED(PACKET_BODY_##name);                                    \
+      uint lanes = bits_w(LANED(rays_near)(p, block, ids, body, active));      \
+      if (lanes == 0u) continue;                                               \
       LANED(NearestEach) each = LANED(packet_open)(p);                         \
-      for (uint lanes = bits_w(active); lanes != 0u; lanes &= lanes - 1u) {    \
+      for (; lanes != 0u; lanes &= lanes - 1u) {                               \
         int lane = first_bit(lanes);                                           \
         Nearest best = LANED(nearest_of)(&each, lane);                         \
         Ray world = LANED(packet_ray)(p, lane), ray = ray_of_world(&world);    \

@@ -3,12 +3,15 @@
 // guard. Each lane is prepared by the operations of core/ray.h, so it has the bits of that ray alone.
 #include "core/nearest.h"
 
-/// 1: rays need not be alike: nothing but lists, of kinds whose bodies ask for nothing that is common to all rays.
+/// 1: rays need not be alike: nothing but lists, of kinds that ask for nothing that is common to all rays, nor for all
+/// of them one by one.
 enum {
   LANED(PACKET_OF_ANY_RAYS) = (HAS_TREE == 0)
-#define SHAPE(name, planes) &(LANED(PACKET_BODY_##name) != PACKET_BODY_NONE)
+#if !TIER_ROBUST
+#define SHAPE(name, planes) &(LANED(PACKET_BODY_##name) < PACKET_BODY_NEAR_BOX)
 #include "shapes/shapes.def"
 #undef SHAPE
+#endif
 #if REAL_BITS == 64
                               & 0
 #endif

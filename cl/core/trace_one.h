@@ -13,9 +13,8 @@ FN void LANED(rays_given)(const Scene* scene, GLOBAL const real* in, GLOBAL cons
   to->aim = splat_int_w(-1);
   to->is_outward = splat_int_w(0);
   maskw has_left = nonzero_w(to->left - splat_int_w(-1));
-  LANED(rays_make)
-  (LANED(load_planes3)(in + RAY_O * LANES), LANED(load_planes3)(in + RAY_D * LANES), load_w(in + RAY_T_MIN * LANES),
-   load_w(in + RAY_T_MAX * LANES), has_left, to);
+  real3w o = LANED(load_planes3)(in + RAY_O * LANES), d = LANED(load_planes3)(in + RAY_D * LANES);
+  LANED(rays_make)(o, d, load_w(in + RAY_T_MIN * LANES), load_w(in + RAY_T_MAX * LANES), has_left, to);
   LANED(widen_rays)(has_left, to->planes, scene->geometry + scene->index[HEADER_BOUNDS]);
 }
 

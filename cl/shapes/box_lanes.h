@@ -6,7 +6,7 @@
 // From inside, and where the entry lies before t_min, the exit counts. A box is convex: the box just left is met again
 // only at its far side, and not at all where the ray leaves through the face that the origin lies on.
 
-enum { LANED(PACKET_BODY_box) = PACKET_BODY_NONE };
+enum { LANED(PACKET_BODY_box) = PACKET_BODY_NEAR_BOX };
 
 #if TIER_FAST
 #include "shapes/box_fast_lanes.h"

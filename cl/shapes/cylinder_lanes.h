@@ -4,7 +4,7 @@
 // and taken at its word: the mantle is |f x v| = r |v|. A ray parallel to the axis misses. The cylinder just left: the
 // other root, -2 (f.d) / (d.d).
 
-enum { LANED(PACKET_BODY_cylinder) = PACKET_BODY_NONE };
+enum { LANED(PACKET_BODY_cylinder) = PACKET_BODY_NEAR_CYLINDER };
 
 #if TIER_COMPENSATED
 #include "shapes/cylinder_slabs_lanes.h"

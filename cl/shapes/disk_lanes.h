@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Ray against LANES disks: the anchored plane (plane_lanes.h), then |p - c|^2 <= r^2.
 
-enum { LANED(PACKET_BODY_disk) = PACKET_BODY_NONE };
+enum { LANED(PACKET_BODY_disk) = PACKET_BODY_NEAR_DISK };
 
 #if TIER_COMPENSATED
 #include "shapes/disk_robust_lanes.h"

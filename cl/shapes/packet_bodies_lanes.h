@@ -6,3 +6,4 @@
 #include "shapes/polygon_packet_lanes.h"
 #include "shapes/sphere_packet_lanes.h"
 #include "shapes/plane_packet_lanes.h"
+#include "shapes/packet_near_lanes.h"

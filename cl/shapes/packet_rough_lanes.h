@@ -128,8 +128,8 @@ FN void LANED(settle_kind)(const Scene* scene, LANED(Packet) * p, int kind, int 
 SELDOM_FN void LANED(packet_settle)(const Scene* scene, LANED(Packet) * p) {
   (void)scene;  // A scene of other kinds.
   (void)p;
-#define SHAPE(name, planes)                                                                            \
-  if (LANED(PACKET_BODY_##name) != PACKET_BODY_NONE && LANED(PACKET_BODY_##name) != PACKET_BODY_PLANE) \
+#define SHAPE(name, planes)                          \
+  if (LANED(PACKET_BODY_##name) < PACKET_BODY_PLANE) \
     LANED(settle_kind)(scene, p, SHAPE_##name, LANED(PACKET_BODY_##name), planes);
 #include "shapes/shapes.def"
 #undef SHAPE

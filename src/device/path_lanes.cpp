@@ -11,7 +11,7 @@ namespace strahl {
 
 bool has_packet_body(const std::string& shape_kind) {
   const std::string& text = kernel_files().at(fmt::format("shapes/{}_lanes.h", shape_kind));
-  return text.find(fmt::format("LANED(PACKET_BODY_{}) = PACKET_BODY_NONE", shape_kind)) == std::string::npos;
+  return text.find(fmt::format("LANED(PACKET_BODY_{}) = PACKET_BODY_NEAR", shape_kind)) == std::string::npos;
 }
 
 int path_lanes(const Features& features, const RenderSettings& settings, int lanes, bool has_tree, int spp) {
@@ -19,7 +19,7 @@ int path_lanes(const Features& features, const RenderSettings& settings, int lan
   if (settings.paths_in_lanes) return *settings.paths_in_lanes ? lanes : 1;
   if (has_tree || features.flag("INSTANCES") || 2 * spp < lanes) return 1;
   const auto& kinds = features.entries.at("shapes");
-  if (!std::all_of(kinds.begin(), kinds.end(), has_packet_body)) return 1;
+  if (settings.precision != Precision::robust && !std::all_of(kinds.begin(), kinds.end(), has_packet_body)) return 1;
   return features.entries.at("samplers").empty() && !features.flag("PIXEL_FILTER") ? 1 : lanes;
 }
 

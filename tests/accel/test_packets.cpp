@@ -139,7 +139,8 @@ void compare(const Device& on, const Scene& scene, const std::vector<Ray>& rays,
 }
 
 const std::vector<std::string> round_kinds = {"sphere", "plane"},
-                               flat_kinds = {"triangle", "mesh", "rectangle", "cube"};
+                               flat_kinds = {"triangle", "mesh", "rectangle", "cube"},
+                               other_kinds = {"box", "disk", "cylinder"};
 
 /// Every other ray ends a few last places, or a thousandth of its way, beside where it went: past an edge or a corner.
 void graze(std::vector<Ray>& rays) {
@@ -240,6 +241,13 @@ TEST_CASE("Lists of flat polygons find in lanes what a tree finds ray by ray") {
   CHECK(tally.any_differing == 0);
 }
 
+TEST_CASE("Lists of kinds without a body find in lanes what a tree finds ray by ray") {
+  const Tally tally = compare_listed(other_kinds, Precision::robust, 16, rays_asked() / 2);
+  CHECK(tally.hits > tally.rays / 4);
+  CHECK(tally.differing == 0);
+  CHECK(tally.any_differing == 0);
+}
+
 // Programs take seconds to compile.
 TEST_CASE("Packets of every tier and width, where more rays are asked for") {
   if (std::getenv("STRAHL_RAYS") == nullptr) return;
@@ -247,7 +255,7 @@ TEST_CASE("Packets of every tier and width, where more rays are asked for") {
   hold_same(Precision::fp64, 8);
   hold_same(Precision::stable, 16);
   hold_same(Precision::stable, 8);
-  for (const auto& kinds : {round_kinds, flat_kinds}) {
+  for (const auto& kinds : {round_kinds, flat_kinds, other_kinds}) {
     CHECK(compare_listed(kinds, Precision::robust, 8, rays_asked()).differing == 0);
     CHECK(compare_listed(kinds, Precision::stable, 8, rays_asked()).differing == 0);
     CHECK(compare_listed(kinds, Precision::fast, 16, rays_asked()).differing < rays_asked() / 1000);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// When samples of a pixel are followed in lanes: where everything is listed, of kinds that have a body for packets, in
+// When samples of a pixel are followed in lanes: where everything is listed, of kinds that packets may hold, in
 // single precision, and a pixel has samples enough that differ.
 #include <catch2/catch.hpp>
 
@@ -35,7 +35,11 @@ TEST_CASE("paths go in lanes where they need not part") {
 
   Scene with_disk = scene;
   add(with_disk, Disk{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
-  CHECK(lanes_of(with_disk) == 1);
+  CHECK(lanes_of(with_disk) == 16);
+  settings = {};
+  settings.precision = Precision::stable;
+  CHECK(lanes_of(scene, settings) == 16);
+  CHECK(lanes_of(with_disk, settings) == 1);
   Scene few = scene;
   few.sampler.sample_count = 7;
   CHECK(lanes_of(few) == 1);

@@ -64,11 +64,12 @@ TEST_CASE("emitters that the camera looks through, in lanes") {
   require_same(scene, plain());
 }
 
-TEST_CASE("shapes that are asked ray by ray, in a tree, in lanes") {
+TEST_CASE("shapes that are asked ray by ray, listed and in a tree, in lanes") {
   require_pocl_and_rusticl();
   Scene scene = of("lights/disk.xml");
   scene.integrator.name = "path";
   scene.integrator.max_depth = 4;
+  require_same(scene, plain());
   RenderSettings settings = plain();
   settings.acceleration = Acceleration::tree;
   require_same(scene, settings);
