@@ -29,16 +29,18 @@ FN LANED(Ball) LANED(ball_around)(GLOBAL const real* prim, int body) {
   return ball;
 }
 
-/// within_reach of reach_lanes.h with the roles exchanged.
+/// within_reach of reach_lanes.h with the roles exchanged: a ray a lane and one ball.
 FN maskw LANED(near_ball)(const LANED(Packet) * p, LANED(Ball) ball) {
-  realw fx = p->o.x - splat_w(ball.x), fy = p->o.y - splat_w(ball.y), fz = p->o.z - splat_w(ball.z);
-  realw tiny = splat_w(R(0x1p-120)), reach = splat_w(ball.radius);
-  realw k = -fma_w(fz, p->d.z, fma_w(fy, p->d.y, fx * p->d.x)) * p->dd_inverse;
-  realw lx = fma_w(k, p->d.x, fx), ly = fma_w(k, p->d.y, fy), lz = fma_w(k, p->d.z, fz);
-  realw off = fma_w(splat_w(R(0x1p-19)), abs_w(fx) + abs_w(fy) + abs_w(fz), tiny), limit = reach + off;
-  realw spare = fma_w(limit, limit, tiny) - fma_w(lz, lz, fma_w(ly, ly, lx * lx));
-  realw half_chord = fma_w(sqrt_w(spare), p->t_per_length, off);
-  return ~(lt_w(spare, splat_w(R(0.0))) | lt_w(p->bound, k - half_chord) | lt_w(k + half_chord, p->t_min));
+  LANED(Reaching) rays;
+  rays.dx = p->d.x;
+  rays.dy = p->d.y;
+  rays.dz = p->d.z;
+  rays.dd_inverse = p->dd_inverse;
+  rays.t_per_length = p->t_per_length;
+  rays.t_min = p->t_min;
+  rays.t_max = p->bound;
+  return LANED(reaches_ball)(&rays, p->o.x - splat_w(ball.x), p->o.y - splat_w(ball.y), p->o.z - splat_w(ball.z),
+                             splat_w(ball.radius));
 }
 #endif
 
