@@ -32,6 +32,15 @@
 /// As FN, of what is large and seldom asked: it stands once in a program and costs its callers a call.
 #define SELDOM_FN static __attribute__((noinline, unused))
 
+/// As FN, of all that a kernel does: PoCL puts a kernel into its binary three times (for itself, for groups of any size
+/// and of the expected one), and compiles what it calls once. Devices that run work-items in lanes have a lane here,
+/// and do not call.
+#if defined(SCENE_LANES) && SCENE_LANES != 1
+#define ONCE_FN SELDOM_FN
+#else
+#define ONCE_FN FN
+#endif
+
 #ifdef __cplusplus
 #define ON_HOST 1
 #define GLOBAL

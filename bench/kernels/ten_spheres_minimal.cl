@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-// What a specialised program is held against: spheres that glow, seen through the pixels' middles, and nothing else. One
-// work-item a pixel; no tree, no lists of kinds, no parts, no dispatch. `lanes` tests blocks of spheres by strahl's own
-// body, so that its picture is strahl's bit for bit in every tier; `scalar` is the textbook's loop, one sphere after the
-// other, which a compiler may run over work-items in lanes.
+// What a specialised program is held against: spheres that glow, seen through the pixels' middles, and nothing else.
+// One work-item a pixel; no tree, no lists of kinds, no parts, no dispatch. `lanes` tests blocks of spheres by strahl's
+// own body, so that its picture is strahl's bit for bit in every tier; `scalar` is the textbook's loop, one sphere
+// after the other, which a compiler may run over work-items in lanes.
 #include "math/vec3.h"
-#include "core/camera.h"
 #include "lanes/lane_ops.h"
+#include "accel/packet_kinds.h"
 #include "core/candidates.h"
+#include "core/ray.h"
 #include "scene/scene.h"
 #include "shapes/edge_lanes.h"
 #if TIER_ROBUST
@@ -16,6 +17,14 @@
 #include "accel/slabs_lanes.h"
 #endif
 #include "shapes/sphere_lanes.h"
+
+/// camera_rays of core/camera_lanes.h for one ray through the pixel's middle.
+FN Ray ray_through(GLOBAL const real* camera, int width, int height, int x, int y) {
+  real sx = (real)(2 * x + 1 - width) / (real)width, sy = (real)(2 * y + 1 - height) / (real)height;
+  real3 o = fma3(sy, load3(camera + CAMERA_OY), fma3(sx, load3(camera + CAMERA_OX), load3(camera + CAMERA_O)));
+  real3 d = fma3(sy, load3(camera + CAMERA_DY), fma3(sx, load3(camera + CAMERA_DX), load3(camera + CAMERA_D)));
+  return ray_make(o, d, camera[CAMERA_NEAR], camera[CAMERA_FAR], -1);
+}
 
 /// What film_units of core/film.h does with a value that is neither NaN nor too large.
 FN long units(real value, real scale) {
@@ -37,7 +46,7 @@ KERNEL LANE_HINT void lanes(GLOBAL const real* camera, GLOBAL const real* sphere
                             real scale) {
   int x = (int)get_global_id(0), y = (int)get_global_id(1);
   if (x >= width || y >= height) return;
-  Ray ray = camera_ray(camera, width, height, x, y, R(0.0), R(0.0));
+  Ray ray = ray_through(camera, width, height, x, y);
   Nearest best = nearest_none(ray.t_max);
   for (int b = 0; b < blocks; ++b)
     LANED(sphere_block)(&ray, spheres + b * 4 * LANES, ids + b * LANES, b * LANES, &best);
@@ -52,7 +61,7 @@ KERNEL void scalar(GLOBAL const real* camera, GLOBAL const real* spheres, GLOBAL
                    GLOBAL const real* radiance, GLOBAL long* film, int width, int height, int blocks, real scale) {
   int x = (int)get_global_id(0), y = (int)get_global_id(1);
   if (x >= width || y >= height) return;
-  Ray ray = camera_ray(camera, width, height, x, y, R(0.0), R(0.0));
+  Ray ray = ray_through(camera, width, height, x, y);
   real a = dot3(ray.d, ray.d), nearest = ray.t_max;
   int hit = -1;
   for (int i = 0; i < blocks * LANES; ++i) {
@@ -66,6 +75,5 @@ KERNEL void scalar(GLOBAL const real* camera, GLOBAL const real* spheres, GLOBAL
       hit = ids[i];
     }
   }
-  if (hit >= 0)
-    expose(film + ((ulong)y * (ulong)width + (ulong)x) * FILM_CHANNELS, radiance, hit, scale);
+  if (hit >= 0) expose(film + ((ulong)y * (ulong)width + (ulong)x) * FILM_CHANNELS, radiance, hit, scale);
 }

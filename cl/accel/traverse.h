@@ -243,16 +243,26 @@ FN Ray LANED(widened)(const Scene* scene, const Ray* given) {
   return ray;
 }
 
-/// want: FIND_NEAREST or FIND_NEAREST_ROUGHLY.
+/// As LANED(traverse), for programs that ask in several places.
+ONCE_FN Nearest LANED(traverse_once)(const Scene* scene, const Ray* ray, int want) {
+  return LANED(traverse)(scene, ray, want);
+}
+
+/// A walk, or lists of many kinds, are half of what a program compiles; a call costs short lists a tenth.
+FN int LANED(is_traversal_large)(void) {
+  if (HAS_TREE) return 1;
+  return SHAPE_COUNT > 2;
+}
+
+/// want: FIND_...
 FN Nearest LANED(closest_hit)(const Scene* scene, const Ray* given, int want) {
   Ray ray = LANED(widened)(scene, given);
-  return LANED(traverse)(scene, &ray, want);
+  return LANED(is_traversal_large)() ? LANED(traverse_once)(scene, &ray, want) : LANED(traverse)(scene, &ray, want);
 }
 
 /// Is anything hit within [t_min, t_max]?
 FN int LANED(any_hit)(const Scene* scene, const Ray* given) {
-  Ray ray = LANED(widened)(scene, given);
-  return LANED(traverse)(scene, &ray, FIND_ANY).kind >= 0;
+  return LANED(closest_hit)(scene, given, FIND_ANY).kind >= 0;
 }
 
 #undef STACK_ENTRIES

@@ -10,8 +10,8 @@ FN void LANED(camera_rays)(GLOBAL const real* camera, int width, int height, int
   realw sx = fma_w(two, dx, splat_w((real)(2 * x + 1 - width))) / splat_w((real)width);
   realw sy = fma_w(two, dy, splat_w((real)(2 * y + 1 - height))) / splat_w((real)height);
   real3w o = fma3_w(sx, splat3_w(load3(camera + CAMERA_OX)), splat3_w(load3(camera + CAMERA_O)));
-  real3w d = fma3_w(sx, splat3_w(load3(camera + CAMERA_DX)), splat3_w(load3(camera + CAMERA_D)));
   o = fma3_w(sy, splat3_w(load3(camera + CAMERA_OY)), o);
+  real3w d = fma3_w(sx, splat3_w(load3(camera + CAMERA_DX)), splat3_w(load3(camera + CAMERA_D)));
   d = fma3_w(sy, splat3_w(load3(camera + CAMERA_DY)), d);
   LANED(rays_make)(o, d, splat_w(camera[CAMERA_NEAR]), splat_w(camera[CAMERA_FAR]), none_w(), rays);
   rays->left = rays->left_instance = rays->aim = splat_int_w(-1);

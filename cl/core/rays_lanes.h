@@ -25,7 +25,9 @@ FN void LANED(rays_make)(real3w o, real3w d, realw t_min, realw t_max, maskw has
   given.t_max = t_max;
   given.has_left = has_left;
   LANED(prepare_rays)(&given, rays->planes);
-  for (int k = 0; k < 3; ++k) rays->planes[RAY_PLANE_SLACK + k] = splat_w(REAL_MAX);
+  // One by one: PoCL 3.1 keeps an array that a loop runs over in memory, for good.
+  rays->planes[RAY_PLANE_SLACK] = rays->planes[RAY_PLANE_SLACK + 1] = rays->planes[RAY_PLANE_SLACK + 2] =
+      splat_w(REAL_MAX);
 }
 
 FN Ray LANED(ray_of)(const LANED(Rays) * rays, int lane) {

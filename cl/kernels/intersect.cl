@@ -9,8 +9,8 @@
 
 #if LANES != 1
 /// find_rays of core/trace_one.h for rays that share their way.
-FN void LANED(find_packet)(const Scene* scene, GLOBAL const real* in, GLOBAL const int* left, int count,
-                           int stop_at_first, GLOBAL real* t, GLOBAL int* found) {
+ONCE_FN void LANED(find_packet)(const Scene* scene, GLOBAL const real* in, GLOBAL const int* left, int count,
+                                int stop_at_first, GLOBAL real* t, GLOBAL int* found) {
   LANED(Rays) rays;
   LANED(rays_given)(scene, in, left, &rays);
   LANED(NearestEach) hits = LANED(packet_traverse)(scene, &rays, stop_at_first ? FIND_ANY : FIND_NEAREST);
@@ -31,8 +31,8 @@ FN Scene scene_of(GLOBAL const real* geometry, GLOBAL const real* shading, GLOBA
 
 /// Where everything is listed, of kinds that ask nothing of rays in common, they are taken in lanes however unlike they
 /// are: half of an answer is otherwise what is done for a ray alone.
-FN void LANED(find)(const Scene* scene, GLOBAL const real* in, GLOBAL const int* left, int count, int stop_at_first,
-                    GLOBAL real* t, GLOBAL int* found) {
+ONCE_FN void LANED(find)(const Scene* scene, GLOBAL const real* in, GLOBAL const int* left, int count,
+                         int stop_at_first, GLOBAL real* t, GLOBAL int* found) {
 #if LANES != 1
   int is_any = LANED(PACKET_OF_ANY_RAYS);
   if (is_any) {

@@ -75,6 +75,42 @@ FN void add_to_film(const Scene* scene, GLOBAL long* pixel_sums, int film_sums, 
   }
 }
 
+/// The pixel's samples, `times` each. sums: the pixel's in the film.
+FN void LANED(render_pixel)(Scene scene, Pixel pixel, FirstSample first, GLOBAL long* sums, int times) {
+  real film_scale = scene.shading[scene.index[HEADER_FILM_SCALE]];
+  int film_sums = scene.index[HEADER_SUMS];
+  LANED(Paths) path;
+  LANED(paths_none)(&path);
+  while (pixel.next < pixel.end) {
+    LANED(begin_paths)(&scene, &path, &pixel);
+    int is_full;
+    do {
+      uint before = bits_w(path.alive);
+      LANED(Surfaces) surfaces = LANED(find_surfaces)(&scene, &path, LANED(wanted)(&scene, &path, &first), &first);
+      LANED(surface_step)(&scene, &path, &surfaces);
+      if (HAS_AOV) first.lane = -1;
+      for (uint ended = before & ~bits_w(path.alive); ended != 0u; ended &= ended - 1u) {
+        int i = first_bit(ended), sample = get_int_w((PRIVATE const intw*)&path.sample.sample, i);
+        real3 light = vec3(get_w(&path.radiance.x, i), get_w(&path.radiance.y, i), get_w(&path.radiance.z, i));
+        add_to_film(&scene, sums, film_sums, film_scale, sample, times, light);
+      }
+      // A lane whose path has ended waits until an eighth of them have, or for nothing.
+      is_full = pixel.next >= pixel.end || 8u * lanes_among(bits_w(~path.alive)) < LANES;
+    } while (is_full && any_w(path.alive));
+  }
+}
+
+ONCE_FN void LANED(render_pixel_once)(Scene scene, Pixel pixel, FirstSample first, GLOBAL long* sums, int times) {
+  LANED(render_pixel)(scene, pixel, first, sums, times);
+}
+
+/// What a short program gains by being compiled once it loses by the call.
+FN int is_program_large(void) {
+  if (LANES != 1) return 1;
+  if (LIGHT_COUNT > 0) return 1;
+  return SCENE_LANED(is_traversal_large)();
+}
+
 KERNEL LANE_HINT_OF(SCENE_LANES) void render(GLOBAL const real* geometry, GLOBAL const real* shading,
                                              GLOBAL const int* index, GLOBAL long* film, GLOBAL real* aov_reals,
                                              GLOBAL int* aov_ints, GLOBAL uint* counters, int width, int height,
@@ -89,40 +125,25 @@ KERNEL LANE_HINT_OF(SCENE_LANES) void render(GLOBAL const real* geometry, GLOBAL
   scene.counters = counters;
   // film_first: the first of those pixels in the film buffer, whose rows are film_columns long.
   ulong slot = (ulong)film_first + (ulong)row * (ulong)film_columns + (ulong)column;
-  real film_scale = shading[index[HEADER_FILM_SCALE]];
-  int film_sums = index[HEADER_SUMS];
-  GLOBAL long* pixel_sums = film + slot * (ulong)(film_sums * FILM_CHANNELS);
 
   // Where nothing is drawn all samples of a pixel are the same one.
   int do_differ = SAMPLER_COUNT > 0;
   if (HAS_PIXEL_FILTER || HAS_COUNT_RAYS) do_differ = 1;
-  int sample_end = sample_first + (do_differ ? sample_count : 1), times = do_differ ? 1 : sample_count;
   Pixel pixel;
   pixel.x = x_first + column;
   pixel.y = y_first + row;
   pixel.width = width;
   pixel.height = height;
   pixel.next = sample_first;
-  pixel.end = sample_end;
+  pixel.end = sample_first + (do_differ ? sample_count : 1);
   FirstSample first;
   first.reals = aov_reals + slot * AOV_REALS;
   first.ints = aov_ints + slot * AOV_INTS;
   first.lane = HAS_AOV && sample_first == 0 ? 0 : -1;
-  LANED(Paths) path;
-  LANED(paths_none)(&path);
-  for (;;) {
-    // A lane whose path has ended may wait until an eighth of them have.
-    if (pixel.next < sample_end && 8u * lanes_among(bits_w(~path.alive)) >= LANES)
-      LANED(begin_paths)(&scene, &path, &pixel);
-    uint before = bits_w(path.alive);
-    if (before == 0u) break;
-    LANED(Surfaces) surfaces = LANED(find_surfaces)(&scene, &path, LANED(wanted)(&scene, &path, &first), &first);
-    LANED(surface_step)(&scene, &path, &surfaces);
-    if (HAS_AOV) first.lane = -1;
-    for (uint ended = before & ~bits_w(path.alive); ended != 0u; ended &= ended - 1u) {
-      int i = first_bit(ended), sample = get_int_w((PRIVATE const intw*)&path.sample.sample, i);
-      real3 light = vec3(get_w(&path.radiance.x, i), get_w(&path.radiance.y, i), get_w(&path.radiance.z, i));
-      add_to_film(&scene, pixel_sums, film_sums, film_scale, sample, times, light);
-    }
-  }
+  GLOBAL long* sums = film + slot * (ulong)(index[HEADER_SUMS] * FILM_CHANNELS);
+  int times = do_differ ? 1 : sample_count;
+  if (is_program_large())
+    LANED(render_pixel_once)(scene, pixel, first, sums, times);
+  else
+    LANED(render_pixel)(scene, pixel, first, sums, times);
 }
