@@ -108,7 +108,7 @@ FN void LANED(meet_leaf)(const Scene* scene, const Ray* ray, const Place* place,
   (void)ray;  // A scene without shapes.
   (void)geometry;
 #if TIER_ROBUST
-  if (SHAPE_COUNT > 1 && best->kind != kind) nearest_settle(ray, best, LANES);
+  if (SHAPE_COUNT > 1 && best->kind != kind) nearest_settle_once(ray, best, LANES);
 #endif
   for (int b = first; b < first + count && !(want == FIND_ANY && best->kind >= 0); ++b, ids += LANES) {
 #define SHAPE(name, planes)                                            \
@@ -188,7 +188,7 @@ FN Nearest LANED(walk)(const Scene* scene, const Ray* world, int start, Nearest 
         waiting_t[top++] = ray.t_min;
       }
 #if TIER_ROBUST
-      nearest_settle(&ray, &best, LANES);
+      nearest_settle_once(&ray, &best, LANES);
 #endif
       if (enter_instance(scene, world, reference, top, &place, &ray, &best)) {
         if (place.group[GROUP_ROOT] != NO_REFERENCE) {
@@ -210,7 +210,7 @@ FN Nearest LANED(walk)(const Scene* scene, const Ray* world, int start, Nearest 
     do {
       if (is_within(&place) && top == place.floor) {
 #if TIER_ROBUST
-        nearest_settle(&ray, &best, LANES);
+        nearest_settle_once(&ray, &best, LANES);
 #endif
         leave_instance(&place, &ray, &best);
         ray = ray_of_world(world);

@@ -2,6 +2,9 @@
 // What a device's arithmetic does: every operation that the tiers build on, over cases that come from a buffer so that
 // no compiler folds them. The host, which is IEEE 754, compares (src/device/canary.h). One work-item, LANES cases.
 // And whether loops end where they should.
+#ifndef CANARY_LOOPS
+#define CANARY_LOOPS 1
+#endif
 #include "math/vec3.h"
 #include "lanes/lane_ops.h"
 #include "lanes/double_word.h"
@@ -57,6 +60,7 @@ KERNEL LANE_HINT void canary(GLOBAL const real* in, GLOBAL real* out, int count)
   }
 }
 
+#if CANARY_LOOPS
 /// Work-item i: turns[2 i] turns around turns[2 i + 1] inner ones. Each takes a generator of full period one step on
 /// (D. Knuth, "The Art of Computer Programming", vol. 2, 1997, 3.3.4), so that its state tells how many were made.
 KERNEL void canary_loops(GLOBAL const uint* turns, GLOBAL uint* state) {
@@ -68,3 +72,4 @@ KERNEL void canary_loops(GLOBAL const uint* turns, GLOBAL uint* state) {
   }
   state[i] = x;
 }
+#endif

@@ -19,6 +19,9 @@ FN void nearest_settle(const Ray* ray, Nearest* best, int stride) {
   best->corners = 0;
 }
 
+/// Where polygons stand among other kinds.
+ONCE_FN void nearest_settle_once(const Ray* ray, Nearest* best, int stride) { nearest_settle(ray, best, stride); }
+
 /// Of a candidate that the ray meets: t roughly, between what bounds it lies, and where to look.
 typedef struct {
   real rough, least, most;
