@@ -32,9 +32,9 @@
 /// As FN, of what is large and seldom asked: it stands once in a program and costs its callers a call.
 #define SELDOM_FN static __attribute__((noinline, unused))
 
-/// As FN, of all that a kernel does: PoCL puts a kernel into its binary three times (for itself, for groups of any size
-/// and of the expected one), and compiles what it calls once. Devices that run work-items in lanes have a lane here,
-/// and do not call.
+/// As FN, of what is large and stands once in a program, whoever asks for it: above all of what a kernel does, for PoCL
+/// puts a kernel into its binary three times (for itself, for groups of any size and of the expected one). Devices that
+/// run work-items in lanes have one lane here, and do not call (docs/decisions/0017-once.md).
 #if defined(SCENE_LANES) && SCENE_LANES != 1
 #define ONCE_FN SELDOM_FN
 #else
