@@ -50,6 +50,9 @@ KERNEL LANE_HINT void lanes(GLOBAL const real* camera, GLOBAL const real* sphere
   Nearest best = nearest_none(ray.t_max);
   for (int b = 0; b < blocks; ++b)
     LANED(sphere_block)(&ray, spheres + b * 4 * LANES, ids + b * LANES, b * LANES, &best);
+#if TIER_ROBUST
+  nearest_settle(&ray, &best, LANES);
+#endif
   if (best.kind < 0) return;
   GLOBAL const real* sphere = spheres + best.slot / LANES * 4 * LANES + best.slot % LANES;
   real3 out = sub3(fma3(best.t, ray.d, ray.o), vec3(sphere[0], sphere[LANES], sphere[2 * LANES]));

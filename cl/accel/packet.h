@@ -69,7 +69,7 @@ FN maskw LANED(meet_child)(const LANED(Packet) * p, GLOBAL const real* planes) {
 
 FN void LANED(settle_one)(const Ray* ray, Nearest* best) {
 #if TIER_ROBUST
-  nearest_settle_once(ray, best, LANES);
+  nearest_settle(ray, best, LANES);
 #else
   (void)ray;
   (void)best;

@@ -90,6 +90,24 @@ FN int LANED(nearest_child)(PRIVATE int* waiting, PRIVATE real* waiting_t, PRIVA
   return nearest;
 }
 
+#if TIER_ROBUST
+FN int LANED(body_puts_off)(int body) {
+  if (body == PACKET_BODY_SPHERE) return SPHERES_WAIT;
+  return body < PACKET_BODY_PLANE;
+}
+
+/// Whether hits of the kind are put off. Others want to find exact t.
+FN int LANED(puts_off)(int kind) {
+  int answer = 0;
+  (void)kind;
+#define SHAPE(name, planes) \
+  if (kind == SHAPE_##name) answer = LANED(body_puts_off)(LANED(PACKET_BODY_##name));
+#include "shapes/shapes.def"
+#undef SHAPE
+  return answer;
+}
+#endif
+
 /// The blocks of a leaf, or all that its kind lists in that place.
 FN void LANED(meet_leaf)(const Scene* scene, const Ray* ray, const Place* place, int reference, int want,
                          Nearest* best) {
@@ -108,7 +126,7 @@ FN void LANED(meet_leaf)(const Scene* scene, const Ray* ray, const Place* place,
   (void)ray;  // A scene without shapes.
   (void)geometry;
 #if TIER_ROBUST
-  if (SHAPE_COUNT > 1 && best->kind != kind) nearest_settle_once(ray, best, LANES);
+  if (SHAPE_COUNT > 1 && !LANED(puts_off)(kind)) nearest_settle(ray, best, LANES);
 #endif
   for (int b = first; b < first + count && !(want == FIND_ANY && best->kind >= 0); ++b, ids += LANES) {
 #define SHAPE(name, planes)                                            \
@@ -138,7 +156,7 @@ FN Nearest LANED(meet_lists)(const Scene* scene, const Ray* ray, Nearest best, i
 }
 
 /// From a reference on, NO_REFERENCE: through everything; `best` is the nearest hit so far. world: widened by ray_widen
-/// or widen_rays. want: FIND_...; t may come out roughly.
+/// or widen_rays. want: FIND_...; the last digits of t may be put off.
 FN Nearest LANED(walk)(const Scene* scene, const Ray* world, int start, Nearest best, int want) {
   if (SHAPE_COUNT == 0) return best;
   Ray ray = ray_of_world(world);
@@ -188,7 +206,7 @@ FN Nearest LANED(walk)(const Scene* scene, const Ray* world, int start, Nearest 
         waiting_t[top++] = ray.t_min;
       }
 #if TIER_ROBUST
-      nearest_settle_once(&ray, &best, LANES);
+      nearest_settle(&ray, &best, LANES);
 #endif
       if (enter_instance(scene, world, reference, top, &place, &ray, &best)) {
         if (place.group[GROUP_ROOT] != NO_REFERENCE) {
@@ -210,7 +228,7 @@ FN Nearest LANED(walk)(const Scene* scene, const Ray* world, int start, Nearest 
     do {
       if (is_within(&place) && top == place.floor) {
 #if TIER_ROBUST
-        nearest_settle_once(&ray, &best, LANES);
+        nearest_settle(&ray, &best, LANES);
 #endif
         leave_instance(&place, &ray, &best);
         ray = ray_of_world(world);
@@ -230,7 +248,8 @@ FN Nearest LANED(traverse)(const Scene* scene, const Ray* ray, int want) {
   else
     best = LANED(meet_lists)(scene, ray, best, want);
 #if TIER_ROBUST
-  if (want == FIND_NEAREST) nearest_settle(ray, &best, LANES);
+  int is_round = best.points == 1;
+  if (want == FIND_NEAREST || (want == FIND_NEAREST_ROUGHLY && is_round)) nearest_settle(ray, &best, LANES);
 #endif
   return best;
 }

@@ -8,8 +8,8 @@
 #include "core/ray.h"
 #include "portable.h"
 
-/// What is looked for. ROUGHLY: t of a polygon may come out a little too large.
-enum { FIND_NEAREST, FIND_ANY, FIND_NEAREST_ROUGHLY };
+/// What is looked for. ROUGHLY: t of a polygon may come out a little too large. PUT_OFF: the hit may wait, as below.
+enum { FIND_NEAREST, FIND_ANY, FIND_NEAREST_ROUGHLY, FIND_NEAREST_PUT_OFF };
 
 typedef struct {
   real t;
@@ -18,8 +18,8 @@ typedef struct {
   int slot;      ///< block * LANES + lane in the kind's list.
   int instance;  ///< That it was found in; -1: none.
 #if TIER_ROBUST
-  int corners;              ///< 0: t is exact. 3, 4: it waits to be found out (shapes/polygon_take.h), until when it is
-                            ///< not below, and t_least not above,
+  int points;               ///< 0: t is exact. Else it waits to be found out (shapes/put_off.h), of a sphere (1: the
+                            ///< centre) or a polygon (3, 4 corners), until when it is not below, and t_least not above,
   real t_least;             ///< what it will be.
   real rough;               ///< What is known of it then,
   GLOBAL const real* prim;  ///< and where to look.
@@ -37,7 +37,7 @@ FN Nearest nearest_none(real t_max) {
   n.t_least = t_max;
   n.rough = t_max;
   n.prim = 0;
-  n.corners = 0;
+  n.points = 0;
 #endif
   return n;
 }
@@ -50,7 +50,7 @@ FN void nearest_take(Nearest* best, real t, int id, int kind, int slot) {
     best->slot = slot;
     if (HAS_INSTANCES) best->instance = -1;
 #if TIER_ROBUST
-    best->corners = 0;
+    best->points = 0;
     best->t_least = t;
 #endif
   }

@@ -5,6 +5,9 @@
 #include "math/vec3_lanes.h"
 #include "core/rays_lanes.h"
 #include "shapes/shape.h"
+#if TIER_ROBUST && LANES != 1
+#include "shapes/settle_lanes.h"
+#endif
 
 /// to: LANES rays, prepared and widened. in: RAY_REALS planes; left: LEFT_INTS planes of what they left.
 FN void LANED(rays_given)(const Scene* scene, GLOBAL const real* in, GLOBAL const int* left, LANED(Rays) * to) {
@@ -38,11 +41,38 @@ FN void LANED(find_rays)(const Scene* scene, GLOBAL const real* in, GLOBAL const
                          int stop_at_first, GLOBAL real* t, GLOBAL int* found) {
   LANED(Rays) rays;
   LANED(rays_given)(scene, in, left, &rays);
+#if TIER_ROBUST && LANES != 1
+  int waits[LANES], kinds[LANES], slots[LANES], is_any = 0;
+  real rough[LANES], ts[LANES];
+  for (int i = 0; i < LANES; ++i) waits[i] = kinds[i] = slots[i] = 0;
+  for (int i = 0; i < LANES; ++i) rough[i] = R(0.0);
+  for (int i = 0; i < count; ++i) {
+    Ray ray = LANED(ray_of)(&rays, i);
+    Nearest hit = LANED(traverse)(scene, &ray, stop_at_first ? FIND_ANY : FIND_NEAREST_PUT_OFF);
+    LANED(store_found)(&hit, i, stop_at_first, t, found);
+    if (hit.points != 0) {
+      is_any = waits[i] = 1;
+      kinds[i] = hit.kind;
+      slots[i] = hit.slot;
+      rough[i] = hit.rough;
+    }
+  }
+  if (stop_at_first || !is_any) return;
+  LANED(PutOff) put_off;
+  put_off.which = nonzero_w(read_int_w(waits));
+  put_off.kind = read_int_w(kinds);
+  put_off.slot = read_int_w(slots);
+  put_off.rough = read_w(rough);
+  store_w(LANED(settled)(scene, &rays, &put_off), ts);
+  for (int i = 0; i < count; ++i)
+    if (waits[i]) t[i] = ts[i];
+#else
   for (int i = 0; i < count; ++i) {
     Ray ray = LANED(ray_of)(&rays, i);
     Nearest hit = LANED(traverse)(scene, &ray, stop_at_first ? FIND_ANY : FIND_NEAREST);
     LANED(store_found)(&hit, i, stop_at_first, t, found);
   }
+#endif
 }
 
 /// in, left: of a ray, LANES reals and ints apart. out, ids: HIT_REALS reals and HIT_INTS ints of what find_rays has

@@ -17,6 +17,9 @@
 #include "samplers/sampler_lanes.h"
 #include "core/rays_lanes.h"
 #if LANES != 1
+#if TIER_ROBUST
+#include "shapes/settle_lanes.h"
+#endif
 #include "accel/packet.h"
 #endif
 #include "core/surfaces_lanes.h"

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
-// math/vec3.h in lanes, operation by operation: the same bits. One width; no guard.
+// math/vec3.h in lanes, operation by operation: the same bits. One width; no guard, but for one lane, as in
+// lanes/lane_ops.h.
 #include "math/vec3.h"
 
+#if !(LANES == 1 && defined(STRAHL_VEC3_LANES_1))
 #if LANES == 1
+#define STRAHL_VEC3_LANES_1
 typedef real3 real3w;
 #else
 typedef struct {
@@ -82,3 +85,4 @@ FN realw length3_w(real3w v) {
   real3w w = scale3_w(inverse_power_w(down), v);
   return sqrt_w(dot3_w(w, w)) * down;
 }
+#endif

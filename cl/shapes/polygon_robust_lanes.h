@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Flat polygons in the robust tier, one width; no guard: lanes that edge_lanes.h counts as hit are few, and
-// polygon_exact.h says of each where.
+// put_off.h says of each where.
 
 /// Three corners of a polygon, sheared, and all of it along the ray's largest axis.
 typedef struct {
@@ -19,8 +19,8 @@ typedef struct {
 
 /// Lanes whose t may lie within [t_min, best so far]. Roughly it is the weighted mean of z, with 2^-20 of it to spare
 /// and, for each vertex off by some u of its distance, what that turns the weights by. It is always within the
-/// polygon's range along the ray's largest axis (polygon_t), and where the ray grazes it or it is all but a line that
-/// is no more than a guess.
+/// polygon's range along the ray's largest axis (polygon_exact_t), and where the ray grazes it or it is all but a line
+/// that is no more than a guess.
 FN maskw LANED(in_range_roughly)(const Ray* ray, const Nearest* best, const LANED(Polygon) * p,
                                  PRIVATE LANED(RoughT) * t) {
   realw shear = splat_w(ray->shear_z), sum = p->of_a + p->of_b + p->of_c, scale = shear / sum, area = abs_w(sum);
@@ -48,12 +48,12 @@ FN void LANED(take_polygons)(const Ray* ray, Nearest* best, maskw hit, const LAN
   while (candidates != 0u) {
     int lane = first_bit(candidates);
     candidates &= candidates - 1u;
-    PolygonT at;
+    HitAbout at;
     at.rough = t->rough[lane];
     at.least = t->least[lane];
     at.most = t->most[lane];
     at.prim = block + lane;
-    at.corners = corners;
-    polygon_take(ray, best, &at, LANES, ids[lane], kind, slot + lane);
+    at.points = corners;
+    nearest_put_off(ray, best, &at, LANES, ids[lane], kind, slot + lane);
   }
 }

@@ -33,6 +33,34 @@ FN uint LANED(may_meet_spheres)(const LANED(Packet) * p, GLOBAL const real* bloc
   return there & LANED(may_meet)(p, near, far, t);
 }
 
+#if TIER_ROBUST
+/// clip_each where rays need not be alike.
+FN LANED(Interval) LANED(clip_unlike)(LANED(Interval) t, real lo, real hi, realw o, realw inv, realw slack) {
+  maskw is_backward = lt_w(inv, splat_w(R(0.0)));
+  realw near = sel_w(is_backward, splat_w(hi), splat_w(lo)), far = sel_w(is_backward, splat_w(lo), splat_w(hi));
+  t.enter = max_w(fma_w(near - o, inv, -slack), t.enter);
+  t.leave = min_w(fma_w(far - o, inv, slack), t.leave);
+  return t;
+}
+
+/// The sphere that the lanes of `left` have just left, at its other root, as sphere_root has it.
+FN void LANED(left_sphere)(LANED(Packet) * p, GLOBAL const real* prim, int id, int kind, int slot, maskw left) {
+  real x = prim[0], y = prim[LANES], z = prim[2 * LANES], r = prim[3 * LANES];
+  LANED(ExactRays) exact = LANED(exact_rays)(p->rays);
+  dw3_w f = two_difference3_w(p->o.x, p->o.y, p->o.z, splat_w(x), splat_w(y), splat_w(z));
+  realw t = LANED(sphere_root_across)(&exact, f);
+  LANED(Interval) slabs;
+  slabs.enter = splat_w(-REAL_MAX);
+  slabs.leave = splat_w(REAL_MAX);
+  slabs = LANED(clip_unlike)(slabs, x - r, x + r, p->o.x, p->inv.x, p->slack.x);
+  slabs = LANED(clip_unlike)(slabs, y - r, y + r, p->o.y, p->inv.y, p->slack.y);
+  slabs = LANED(clip_unlike)(slabs, z - r, z + r, p->o.z, p->inv.z, p->slack.z);
+  maskw hit = left & lt_w(splat_w(R(0.0)), t) & le_w(slabs.enter, t) & le_w(t, slabs.leave);
+  hit = hit & le_w(p->t_min, t) & le_w(t, p->t);
+  if (any_w(hit)) LANED(packet_take)(p, hit, t, splat_int_w(id), splat_int_w(kind), splat_int_w(slot));
+}
+#endif
+
 FN void LANED(sphere_packet)(const Scene* scene, LANED(Packet) * p, GLOBAL const real* block, GLOBAL const int* ids,
                              int slot, int kind, maskw active) {
   (void)scene;
@@ -60,7 +88,7 @@ FN void LANED(sphere_packet)(const Scene* scene, LANED(Packet) * p, GLOBAL const
 #elif TIER_ROBUST
     // sphere_in_reach of sphere_robust_lanes.h.
     realw tiny = splat_w(R(0x1p-120));
-    realw k = -fma_w(fz, dz, fma_w(fy, dy, fx * dx)) * p->dd_inverse;
+    realw b = fma_w(fz, dz, fma_w(fy, dy, fx * dx)), k = -b * p->dd_inverse;
     realw lx = fma_w(k, dx, fx), ly = fma_w(k, dy, fy), lz = fma_w(k, dz, fz);
     realw size = abs_w(fx) + abs_w(fy) + abs_w(fz);
     realw off = fma_w(splat_w(R(0x1p-19)), size, tiny), limit = r + off;
@@ -71,9 +99,10 @@ FN void LANED(sphere_packet)(const Scene* scene, LANED(Packet) * p, GLOBAL const
     if (p->has_left) {
       left = active & LANED(packet_left)(p, ids[i]);
       met = met & ~left;
-      left = left & ~p->outward;
+      left = left & ~(p->outward | lt_w(off, b));
+      if (any_w(left)) LANED(left_sphere)(p, prim, ids[i], kind, slot + i, left);
     }
-    if (!any_w(met | left)) continue;
+    if (!any_w(met)) continue;
 
     // Those that the line passes through for certain: apart is off by less than 16 u |f| r and 4 u of r^2, or if that
     // does not do, from f - c as it is, by 8 u of r^2.
@@ -88,25 +117,20 @@ FN void LANED(sphere_packet)(const Scene* scene, LANED(Packet) * p, GLOBAL const
       inside = rr - fma_w(lz, lz, fma_w(ly, ly, lx * lx));
       sure = met & le_w(splat_w(R(0x1p-6)) * rr, inside);
     }
-    realw half_chord = sqrt_w(inside * p->dd_inverse);
-    realw about = fma_w(splat_w(R(0x1p-6)), half_chord, off + off);
-    realw near = k - half_chord, far = k + half_chord;
-    realw t = sel_w(lt_w(near + about, p->t_min), far, near);
-    sure = sure & le_w(p->t_min, t - about);
-    met = (met | left) & ~sure;
+    realw t, about;
+    sure = sure & LANED(sphere_roughly)(p->t_min, p->dd_inverse, k, off, inside, &t, &about);
+    met = met & ~sure;
     sure = sure & ~lt_w(p->bound, t - about);
     if (any_w(sure)) LANED(packet_put_off)
     (scene, p, sure, sure, t, t - about, t + about, splat_int_w(ids[i]), kind, splat_int_w(slot + i));
     uint others = bits_w(met);
     if (others != 0u) {
       LANED(NearestEach) each = LANED(packet_open)(p);
-      real ks[LANES];
-      store_w(k, ks);
       for (; others != 0u; others &= others - 1u) {
         int lane = first_bit(others);
         Nearest best = LANED(nearest_of)(&each, lane);
         Ray world = LANED(packet_ray)(p, lane), ray = ray_of_world(&world);
-        sphere_candidate(&ray, prim, LANES, ks[lane], ids[i], kind, slot + i, &best);
+        sphere_decide(&ray, prim, LANES, ids[i], kind, slot + i, &best);
         LANED(nearest_to)(&each, lane, best);
       }
       LANED(packet_close)(p, &each);

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+// Exact t of hits that were put off (put_off.h), LANES rays at a time, each with a primitive of its own. Robust tier,
+// more than one lane. One width; no guard.
+#include "shapes/exact_rays_lanes.h"
+#include "shapes/polygon_exact_lanes.h"
+#include "shapes/sphere_exact_lanes.h"
+
+/// Hits that wait, one a lane.
+typedef struct {
+  maskw which;  ///< Lanes that have one, and of it
+  intw kind, slot;
+  realw rough;
+} LANED(PutOff);
+
+FN LANED(ExactRays) LANED(exact_rays)(const LANED(Rays) * rays) {
+  PRIVATE const realw* planes = rays->planes;
+  LANED(ExactRays) exact;
+  exact.o = LANED(real3_at)(planes + RAY_PLANE_O);
+  exact.d = LANED(real3_at)(planes + RAY_PLANE_D);
+  exact.t_min = planes[RAY_PLANE_T_MIN];
+  exact.dd = planes[RAY_PLANE_DD];
+  exact.dd_rest = planes[RAY_PLANE_DD + 1];
+  exact.dd_inverse = planes[RAY_PLANE_DD + 2];
+  exact.shear_z = planes[RAY_PLANE_SHEAR + 3];
+  exact.is_x = eq_w(planes[RAY_PLANE_SHEAR], splat_w(R(0.0)));
+  exact.is_y = eq_w(planes[RAY_PLANE_SHEAR], splat_w(R(1.0)));
+  return exact;
+}
+
+FN real3w LANED(read3)(PRIVATE const real* planes) {
+  return vec3_w(read_w(planes), read_w(planes + LANES), read_w(planes + 2 * LANES));
+}
+
+/// t of one kind. put_off->which: its lanes, not none; other lanes are of no meaning.
+FN realw LANED(settled_kind)(const Scene* scene, const LANED(Rays) * rays, const LANED(PutOff) * put_off, int kind,
+                             int body, int planes) {
+  maskw which = put_off->which, plain;
+  uint lanes = bits_w(which);
+  GLOBAL const real* geometry = scene->geometry + scene_shape_row(scene, kind)[SHAPE_GEOMETRY];
+  real each[12 * LANES];
+  int slots[LANES], first = first_bit(lanes);
+  store_int_w(put_off->slot, slots);
+  for (int i = 0; i < LANES; ++i) {
+    int slot = slots[(lanes >> i & 1u) != 0u ? i : first];
+    GLOBAL const real* prim = geometry + (ulong)(slot / LANES) * (ulong)(planes * LANES) + slot % LANES;
+    for (int k = 0; k < planes; ++k) each[k * LANES + i] = prim[k * LANES];
+  }
+  LANED(ExactRays) exact = LANED(exact_rays)(rays);
+  realw rough = put_off->rough, t;
+  real3w a = LANED(read3)(each);
+  if (body == PACKET_BODY_SPHERE) {
+    dw3_w f = LANED(exact_difference)(exact.o, a);
+    t = LANED(sphere_t)(&exact, f, read_w(each + 3 * LANES), which, &plain);
+  } else {
+    real3w b = LANED(read3)(each + 3 * LANES), c = LANED(read3)(each + 6 * LANES);
+    if (body == PACKET_BODY_TRIANGLE) {
+      t = LANED(triangle_t)(&exact, rough, a, b, c, &plain);
+    } else {
+      real3w d = LANED(read3)(each + 9 * LANES);
+      t = LANED(plane_t)(&exact, rough, a, b, d, &plain);
+      t = LANED(within_polygon)(&exact, t, a, b, d, c);
+    }
+  }
+  uint others = bits_w(which & ~plain);
+  if (others == 0u) return t;
+  real ts[LANES], roughs[LANES];
+  store_w(t, ts);
+  store_w(rough, roughs);
+  int points = body == PACKET_BODY_SPHERE ? 1 : (body == PACKET_BODY_TRIANGLE ? 3 : 4);
+  for (; others != 0u; others &= others - 1u) {
+    int i = first_bit(others), slot = slots[i];
+    GLOBAL const real* prim = geometry + (ulong)(slot / LANES) * (ulong)(planes * LANES) + slot % LANES;
+    Ray ray = LANED(ray_of)(rays, i);
+    ts[i] = exact_t(&ray, roughs[i], prim, points, LANES);
+  }
+  return read_w(ts);
+}
+
+/// Lanes of put_off->which: the exact t. Others are of no meaning.
+SELDOM_FN realw LANED(settled)(const Scene* scene, const LANED(Rays) * rays, const LANED(PutOff) * put_off) {
+  realw t = put_off->rough;
+  LANED(PutOff) kind = *put_off;
+  (void)scene;  // A scene of other kinds.
+  (void)rays;
+#define SHAPE(name, planes)                                                                               \
+  if (LANED(body_puts_off)(LANED(PACKET_BODY_##name))) {                                                  \
+    kind.which = put_off->which & ~nonzero_w(put_off->kind - splat_int_w(SHAPE_##name));                  \
+    realw of_kind = t;                                                                                    \
+    if (any_w(kind.which))                                                                                \
+      of_kind = LANED(settled_kind)(scene, rays, &kind, SHAPE_##name, LANED(PACKET_BODY_##name), planes); \
+    t = sel_w(kind.which, of_kind, t);                                                                    \
+  }
+#include "shapes/shapes.def"
+#undef SHAPE
+  return t;
+}
