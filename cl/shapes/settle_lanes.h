@@ -50,7 +50,7 @@ FN realw LANED(settled_kind)(const Scene* scene, const LANED(Rays) * rays, const
   real3w a = LANED(read3)(each);
   if (body == PACKET_BODY_SPHERE) {
     dw3_w f = LANED(exact_difference)(exact.o, a);
-    t = LANED(sphere_t)(&exact, f, read_w(each + 3 * LANES), which, &plain);
+    t = LANED(sphere_root)(&exact, f, read_w(each + 3 * LANES), which, &plain);
   } else {
     real3w b = LANED(read3)(each + 3 * LANES), c = LANED(read3)(each + 6 * LANES);
     if (body == PACKET_BODY_TRIANGLE) {
@@ -61,12 +61,12 @@ FN realw LANED(settled_kind)(const Scene* scene, const LANED(Rays) * rays, const
       t = LANED(within_polygon)(&exact, t, a, b, d, c);
     }
   }
-  uint others = bits_w(which & ~plain);
+  uint others = body == PACKET_BODY_SPHERE ? 0u : bits_w(which & ~plain);
   if (others == 0u) return t;
   real ts[LANES], roughs[LANES];
   store_w(t, ts);
   store_w(rough, roughs);
-  int points = body == PACKET_BODY_SPHERE ? 1 : (body == PACKET_BODY_TRIANGLE ? 3 : 4);
+  int points = body == PACKET_BODY_TRIANGLE ? 3 : 4;
   for (; others != 0u; others &= others - 1u) {
     int i = first_bit(others), slot = slots[i];
     GLOBAL const real* prim = geometry + (ulong)(slot / LANES) * (ulong)(planes * LANES) + slot % LANES;

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Roots of a ray and a sphere about the line's point nearest to the centre, if need be with one step of Newton's method
-// in double words, robust tier, a ray and a sphere a lane: E. Haines, J. Guenther, T. Akenine-Moeller, "Precision
-// Improvements for Ray/Sphere Intersection", Ray Tracing Gems, ch. 7, 2019. The rest is left to sphere_exact.h. One
-// width; no guard.
+// Roots of a ray and a sphere, robust tier, a ray and a sphere a lane, from the exact f = o - c. Most are found about
+// the line's point nearest to the centre, if need be with one step of Newton's method in double words: E. Haines, J.
+// Guenther, T. Akenine-Moeller, "Precision Improvements for Ray/Sphere Intersection", Ray Tracing Gems, ch. 7, 2019.
+// Where the line all but grazes the sphere, or the root is all but at the origin, the discriminant is (d.d) r^2 -
+// |f x d|^2 and the smaller root c over the larger one, c = f.f - r^2, all of it in double words. Bounds:
+// docs/decisions/0007-robust-tier.md. One width; no guard.
 
 /// x + t d.
 FN dw_w LANED(plus_along)(dw_w x, realw t, realw d) {
@@ -61,6 +63,34 @@ FN realw LANED(sphere_t)(const LANED(ExactRays) * ray, dw3_w f, realw r, maskw w
   }
   *plain = *plain & (sure | fine);
   return sel_w(sure, t, refined);
+}
+
+/// The same of any sphere; met: lanes whose line meets it.
+FN realw LANED(sphere_t_always)(const LANED(ExactRays) * ray, dw3_w f, realw r, PRIVATE maskw* met) {
+  realw dx = ray->d.x, dy = ray->d.y, dz = ray->d.z;
+  dw_w a = quick_two_sum_w(ray->dd, ray->dd_rest), b = dot_real3_w(f, dx, dy, dz);
+  dw3_w moment = cross_real3_w(f, dx, dy, dz);
+  dw_w discriminant = dw_add_w(dw_mul_w(a, two_prod_w(r, r)), dw_negate_w(dw_dot3_w(moment, moment)));
+  sum3_w power = sum3_add_w(sum3_begin_w(f.x.hi, f.x.hi, f.y.hi, f.y.hi), f.z.hi, f.z.hi);
+  power = sum3_add_w(power, -r, r);
+  power = sum3_add_w(power, f.x.hi + f.x.hi, f.x.lo);
+  power = sum3_add_w(power, f.y.hi + f.y.hi, f.y.lo);
+  power = sum3_add_w(power, f.z.hi + f.z.hi, f.z.lo);
+  power.lo = power.lo + fma_w(f.z.lo, f.z.lo, fma_w(f.y.lo, f.y.lo, f.x.lo * f.x.lo));
+  LANED(Roots) roots = LANED(quadratic_roots)(a, b, sum3_round_w(power), discriminant);
+  *met = le_w(splat_w(R(0.0)), discriminant.hi);
+  return sel_w(le_w(ray->t_min, roots.near.hi), roots.near.hi, roots.far.hi);
+}
+
+/// The first root from t_min on. which: lanes that are asked; met: lanes that have one.
+ONCE_FN realw LANED(sphere_root)(const LANED(ExactRays) * ray, dw3_w f, realw r, maskw which, PRIVATE maskw* met) {
+  maskw plain;
+  realw t = LANED(sphere_t)(ray, f, r, which, &plain);
+  *met = plain;
+  if (!any_w(which & ~plain)) return t;
+  realw always = LANED(sphere_t_always)(ray, f, r, met);
+  *met = plain | *met;
+  return sel_w(plain, t, always);
 }
 
 /// -2 (f.d) / (d.d): the second root of a ray that begins on the sphere.

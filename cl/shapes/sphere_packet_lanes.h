@@ -44,7 +44,7 @@ FN LANED(Interval) LANED(clip_unlike)(LANED(Interval) t, real lo, real hi, realw
 }
 
 /// The sphere that the lanes of `left` have just left, at its other root, as sphere_root has it.
-FN void LANED(left_sphere)(LANED(Packet) * p, GLOBAL const real* prim, int id, int kind, int slot, maskw left) {
+SELDOM_FN void LANED(left_sphere)(LANED(Packet) * p, GLOBAL const real* prim, int id, int kind, int slot, maskw left) {
   real x = prim[0], y = prim[LANES], z = prim[2 * LANES], r = prim[3 * LANES];
   LANED(ExactRays) exact = LANED(exact_rays)(p->rays);
   dw3_w f = two_difference3_w(p->o.x, p->o.y, p->o.z, splat_w(x), splat_w(y), splat_w(z));
@@ -57,6 +57,17 @@ FN void LANED(left_sphere)(LANED(Packet) * p, GLOBAL const real* prim, int id, i
   slabs = LANED(clip_unlike)(slabs, z - r, z + r, p->o.z, p->inv.z, p->slack.z);
   maskw hit = left & lt_w(splat_w(R(0.0)), t) & le_w(slabs.enter, t) & le_w(t, slabs.leave);
   hit = hit & le_w(p->t_min, t) & le_w(t, p->t);
+  if (any_w(hit)) LANED(packet_take)(p, hit, t, splat_int_w(id), splat_int_w(kind), splat_int_w(slot));
+}
+
+/// A sphere that the lanes of `asked` may meet, and have not left, at its exact t.
+SELDOM_FN void LANED(exact_sphere)(LANED(Packet) * p, GLOBAL const real* prim, int id, int kind, int slot,
+                                   maskw asked) {
+  LANED(ExactRays) exact = LANED(exact_rays)(p->rays);
+  dw3_w f = two_difference3_w(p->o.x, p->o.y, p->o.z, splat_w(prim[0]), splat_w(prim[LANES]), splat_w(prim[2 * LANES]));
+  maskw met;
+  realw t = LANED(sphere_root)(&exact, f, splat_w(prim[3 * LANES]), asked, &met);
+  maskw hit = asked & met & le_w(p->t_min, t) & le_w(t, p->t);
   if (any_w(hit)) LANED(packet_take)(p, hit, t, splat_int_w(id), splat_int_w(kind), splat_int_w(slot));
 }
 #endif
@@ -123,18 +134,7 @@ FN void LANED(sphere_packet)(const Scene* scene, LANED(Packet) * p, GLOBAL const
     sure = sure & ~lt_w(p->bound, t - about);
     if (any_w(sure)) LANED(packet_put_off)
     (scene, p, sure, sure, t, t - about, t + about, splat_int_w(ids[i]), kind, splat_int_w(slot + i));
-    uint others = bits_w(met);
-    if (others != 0u) {
-      LANED(NearestEach) each = LANED(packet_open)(p);
-      for (; others != 0u; others &= others - 1u) {
-        int lane = first_bit(others);
-        Nearest best = LANED(nearest_of)(&each, lane);
-        Ray world = LANED(packet_ray)(p, lane), ray = ray_of_world(&world);
-        sphere_decide(&ray, prim, LANES, ids[i], kind, slot + i, &best);
-        LANED(nearest_to)(&each, lane, best);
-      }
-      LANED(packet_close)(p, &each);
-    }
+    if (any_w(met)) LANED(exact_sphere)(p, prim, ids[i], kind, slot + i, met);
 #else
     realw b = fma_w(fz, dz, fma_w(fy, dy, fx * dx));
     realw k = b / a;
