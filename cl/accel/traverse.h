@@ -96,6 +96,22 @@ FN int LANED(body_puts_off)(int body) {
   return body < PACKET_BODY_PLANE;
 }
 
+/// 1: some kind's hits are put off. Else a program has no arithmetic for it: some compilers take minutes over that.
+enum {
+  LANED(ANY_PUT_OFF) = 0
+#define SHAPE(name, planes)                                      \
+  | (((int)LANED(PACKET_BODY_##name) < (int)PACKET_BODY_PLANE) & \
+     ((int)SPHERES_WAIT | ((int)LANED(PACKET_BODY_##name) != (int)PACKET_BODY_SPHERE)))
+#include "shapes/shapes.def"
+#undef SHAPE
+};
+
+FN void LANED(settle)(const Ray* ray, Nearest* best) {
+  (void)ray;
+  (void)best;
+  if (LANED(ANY_PUT_OFF)) nearest_settle(ray, best, LANES);
+}
+
 /// Whether hits of the kind are put off. Others want to find exact t.
 FN int LANED(puts_off)(int kind) {
   int answer = 0;
@@ -126,7 +142,7 @@ FN void LANED(meet_leaf)(const Scene* scene, const Ray* ray, const Place* place,
   (void)ray;  // A scene without shapes.
   (void)geometry;
 #if TIER_ROBUST
-  if (SHAPE_COUNT > 1 && !LANED(puts_off)(kind)) nearest_settle(ray, best, LANES);
+  if (SHAPE_COUNT > 1 && !LANED(puts_off)(kind)) LANED(settle)(ray, best);
 #endif
   for (int b = first; b < first + count && !(want == FIND_ANY && best->kind >= 0); ++b, ids += LANES) {
 #define SHAPE(name, planes)                                            \
@@ -206,7 +222,7 @@ FN Nearest LANED(walk)(const Scene* scene, const Ray* world, int start, Nearest 
         waiting_t[top++] = ray.t_min;
       }
 #if TIER_ROBUST
-      nearest_settle(&ray, &best, LANES);
+      LANED(settle)(&ray, &best);
 #endif
       if (enter_instance(scene, world, reference, top, &place, &ray, &best)) {
         if (place.group[GROUP_ROOT] != NO_REFERENCE) {
@@ -228,7 +244,7 @@ FN Nearest LANED(walk)(const Scene* scene, const Ray* world, int start, Nearest 
     do {
       if (is_within(&place) && top == place.floor) {
 #if TIER_ROBUST
-        nearest_settle(&ray, &best, LANES);
+        LANED(settle)(&ray, &best);
 #endif
         leave_instance(&place, &ray, &best);
         ray = ray_of_world(world);
@@ -249,7 +265,7 @@ FN Nearest LANED(traverse)(const Scene* scene, const Ray* ray, int want) {
     best = LANED(meet_lists)(scene, ray, best, want);
 #if TIER_ROBUST
   int is_round = best.points == 1;
-  if (want == FIND_NEAREST || (want == FIND_NEAREST_ROUGHLY && is_round)) nearest_settle(ray, &best, LANES);
+  if (want == FIND_NEAREST || (want == FIND_NEAREST_ROUGHLY && is_round)) LANED(settle)(ray, &best);
 #endif
   return best;
 }

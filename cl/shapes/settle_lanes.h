@@ -82,6 +82,7 @@ SELDOM_FN realw LANED(settled)(const Scene* scene, const LANED(Rays) * rays, con
   LANED(PutOff) kind = *put_off;
   (void)scene;  // A scene of other kinds.
   (void)rays;
+  (void)kind;
 #define SHAPE(name, planes)                                                                               \
   if (LANED(body_puts_off)(LANED(PACKET_BODY_##name))) {                                                  \
     kind.which = put_off->which & ~nonzero_w(put_off->kind - splat_int_w(SHAPE_##name));                  \
