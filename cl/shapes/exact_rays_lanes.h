@@ -13,17 +13,16 @@ FN dw3_w LANED(exact_difference)(real3w p, real3w q) { return two_difference3_w(
 FN realw LANED(size1)(real3w v) { return abs_w(v.x) + abs_w(v.y) + abs_w(v.z); }
 
 #if LANES == 1
-FN LANED(ExactRays) exact_ray(const Ray* ray) {
-  LANED(ExactRays) one;
-  one.o = ray->o;
-  one.d = ray->d;
-  one.t_min = ray->t_min;
-  one.dd = ray->dd;
-  one.dd_rest = ray->dd_rest;
-  one.dd_inverse = ray->dd_inverse;
-  one.shear_z = ray->shear_z;
-  one.is_x = ~nonzero_w(ray->kz);
-  one.is_y = ~nonzero_w(ray->kz - 1);
-  return one;
+/// Not returned: Oclgrind 21.10 knows nothing of what LLVM notes down of a struct that is returned and stays in memory.
+FN void exact_ray(const Ray* ray, LANED(ExactRays) * one) {
+  one->o = ray->o;
+  one->d = ray->d;
+  one->t_min = ray->t_min;
+  one->dd = ray->dd;
+  one->dd_rest = ray->dd_rest;
+  one->dd_inverse = ray->dd_inverse;
+  one->shear_z = ray->shear_z;
+  one->is_x = ~nonzero_w(ray->kz);
+  one->is_y = ~nonzero_w(ray->kz - 1);
 }
 #endif

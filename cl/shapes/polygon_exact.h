@@ -19,7 +19,8 @@ FN real within_box_of(const Ray* ray, real t, real3 a, real3 b, real3 c, real3 d
 /// t, of a polygon of 3 or 4 corners. Where the ray grazes it, or it is all but a line, t is held within its box, and
 /// always within its range along the ray's largest axis.
 FN real polygon_exact_t(const Ray* ray, real rough, GLOBAL const real* prim, int corners, int stride) {
-  LANED(ExactRays) one = exact_ray(ray);
+  LANED(ExactRays) one;
+  exact_ray(ray, &one);
   real3 a = corner_of(prim, 0, stride), b = corner_of(prim, 1, stride), opposite = corner_of(prim, 2, stride);
   maskw plain;
   if (corners == 3) {

@@ -12,19 +12,17 @@ typedef struct {
   realw rough;
 } LANED(PutOff);
 
-FN LANED(ExactRays) LANED(exact_rays)(const LANED(Rays) * rays) {
+FN void LANED(exact_rays)(const LANED(Rays) * rays, LANED(ExactRays) * exact) {
   PRIVATE const realw* planes = rays->planes;
-  LANED(ExactRays) exact;
-  exact.o = LANED(real3_at)(planes + RAY_PLANE_O);
-  exact.d = LANED(real3_at)(planes + RAY_PLANE_D);
-  exact.t_min = planes[RAY_PLANE_T_MIN];
-  exact.dd = planes[RAY_PLANE_DD];
-  exact.dd_rest = planes[RAY_PLANE_DD + 1];
-  exact.dd_inverse = planes[RAY_PLANE_DD + 2];
-  exact.shear_z = planes[RAY_PLANE_SHEAR + 3];
-  exact.is_x = eq_w(planes[RAY_PLANE_SHEAR], splat_w(R(0.0)));
-  exact.is_y = eq_w(planes[RAY_PLANE_SHEAR], splat_w(R(1.0)));
-  return exact;
+  exact->o = LANED(real3_at)(planes + RAY_PLANE_O);
+  exact->d = LANED(real3_at)(planes + RAY_PLANE_D);
+  exact->t_min = planes[RAY_PLANE_T_MIN];
+  exact->dd = planes[RAY_PLANE_DD];
+  exact->dd_rest = planes[RAY_PLANE_DD + 1];
+  exact->dd_inverse = planes[RAY_PLANE_DD + 2];
+  exact->shear_z = planes[RAY_PLANE_SHEAR + 3];
+  exact->is_x = eq_w(planes[RAY_PLANE_SHEAR], splat_w(R(0.0)));
+  exact->is_y = eq_w(planes[RAY_PLANE_SHEAR], splat_w(R(1.0)));
 }
 
 FN real3w LANED(read3)(PRIVATE const real* planes) {
@@ -45,12 +43,12 @@ FN realw LANED(settled_kind)(const Scene* scene, const LANED(Rays) * rays, const
     GLOBAL const real* prim = geometry + (ulong)(slot / LANES) * (ulong)(planes * LANES) + slot % LANES;
     for (int k = 0; k < planes; ++k) each[k * LANES + i] = prim[k * LANES];
   }
-  LANED(ExactRays) exact = LANED(exact_rays)(rays);
+  LANED(ExactRays) exact;
+  LANED(exact_rays)(rays, &exact);
   realw rough = put_off->rough, t;
   real3w a = LANED(read3)(each);
   if (body == PACKET_BODY_SPHERE) {
-    dw3_w f = LANED(exact_difference)(exact.o, a);
-    t = LANED(sphere_root)(&exact, f, read_w(each + 3 * LANES), which, &plain);
+    t = LANED(sphere_root)(&exact, a.x, a.y, a.z, read_w(each + 3 * LANES), which, &plain);
   } else {
     real3w b = LANED(read3)(each + 3 * LANES), c = LANED(read3)(each + 6 * LANES);
     if (body == PACKET_BODY_TRIANGLE) {

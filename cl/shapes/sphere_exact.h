@@ -13,15 +13,17 @@ FN real3 center_of(GLOBAL const real* prim, int stride) { return vec3(prim[0], p
 
 /// The first root from t_min on, or where it has been left, the other one; hit: there is one.
 FN real sphere_t_of(const Ray* ray, GLOBAL const real* prim, int stride, int is_left, PRIVATE int* hit) {
-  LANED(ExactRays) one = exact_ray(ray);
-  dw3_w f = LANED(exact_difference)(ray->o, vec3(prim[0], prim[stride], prim[2 * stride]));
+  LANED(ExactRays) one;
+  exact_ray(ray, &one);
+  real x = prim[0], y = prim[stride], z = prim[2 * stride];
   if (is_left) {
+    dw3_w f = two_difference3_w(ray->o.x, ray->o.y, ray->o.z, x, y, z);
     real across = LANED(sphere_root_across)(&one, f);
     *hit = sphere_is_left_at(ray, prim, stride, across);
     return across;
   }
   maskw met, which = ~none_w();
-  real t = LANED(sphere_root)(&one, f, prim[3 * stride], which, &met);
+  real t = LANED(sphere_root)(&one, x, y, z, prim[3 * stride], which, &met);
   *hit = met != 0;
   return t;
 }

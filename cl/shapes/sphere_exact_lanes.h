@@ -82,8 +82,10 @@ FN realw LANED(sphere_t_always)(const LANED(ExactRays) * ray, dw3_w f, realw r, 
   return sel_w(le_w(ray->t_min, roots.near.hi), roots.near.hi, roots.far.hi);
 }
 
-/// The first root from t_min on. which: lanes that are asked; met: lanes that have one.
-ONCE_FN realw LANED(sphere_root)(const LANED(ExactRays) * ray, dw3_w f, realw r, maskw which, PRIVATE maskw* met) {
+/// The first root from t_min on of the sphere about x, y, z. which: lanes that are asked; met: lanes that have one.
+ONCE_FN realw LANED(sphere_root)(const LANED(ExactRays) * ray, realw x, realw y, realw z, realw r, maskw which,
+                                 PRIVATE maskw* met) {
+  dw3_w f = two_difference3_w(ray->o.x, ray->o.y, ray->o.z, x, y, z);
   maskw plain;
   realw t = LANED(sphere_t)(ray, f, r, which, &plain);
   *met = plain;

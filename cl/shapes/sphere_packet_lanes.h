@@ -46,7 +46,8 @@ FN LANED(Interval) LANED(clip_unlike)(LANED(Interval) t, real lo, real hi, realw
 /// The sphere that the lanes of `left` have just left, at its other root, as sphere_root has it.
 SELDOM_FN void LANED(left_sphere)(LANED(Packet) * p, GLOBAL const real* prim, int id, int kind, int slot, maskw left) {
   real x = prim[0], y = prim[LANES], z = prim[2 * LANES], r = prim[3 * LANES];
-  LANED(ExactRays) exact = LANED(exact_rays)(p->rays);
+  LANED(ExactRays) exact;
+  LANED(exact_rays)(p->rays, &exact);
   dw3_w f = two_difference3_w(p->o.x, p->o.y, p->o.z, splat_w(x), splat_w(y), splat_w(z));
   realw t = LANED(sphere_root_across)(&exact, f);
   LANED(Interval) slabs;
@@ -63,10 +64,11 @@ SELDOM_FN void LANED(left_sphere)(LANED(Packet) * p, GLOBAL const real* prim, in
 /// A sphere that the lanes of `asked` may meet, and have not left, at its exact t.
 SELDOM_FN void LANED(exact_sphere)(LANED(Packet) * p, GLOBAL const real* prim, int id, int kind, int slot,
                                    maskw asked) {
-  LANED(ExactRays) exact = LANED(exact_rays)(p->rays);
-  dw3_w f = two_difference3_w(p->o.x, p->o.y, p->o.z, splat_w(prim[0]), splat_w(prim[LANES]), splat_w(prim[2 * LANES]));
+  LANED(ExactRays) exact;
+  LANED(exact_rays)(p->rays, &exact);
   maskw met;
-  realw t = LANED(sphere_root)(&exact, f, splat_w(prim[3 * LANES]), asked, &met);
+  realw t = LANED(sphere_root)(&exact, splat_w(prim[0]), splat_w(prim[LANES]), splat_w(prim[2 * LANES]),
+                               splat_w(prim[3 * LANES]), asked, &met);
   maskw hit = asked & met & le_w(p->t_min, t) & le_w(t, p->t);
   if (any_w(hit)) LANED(packet_take)(p, hit, t, splat_int_w(id), splat_int_w(kind), splat_int_w(slot));
 }
