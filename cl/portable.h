@@ -18,6 +18,12 @@
 #define TIER_FAST 0
 #endif
 
+/// 1: the device has no fma of its own for single precision (CL_FP_FMA): math/soft_fma.h stands in. The program's text
+/// says so (device/program.cpp).
+#ifndef SOFT_FMA
+#define SOFT_FMA 0
+#endif
+
 #ifndef __cplusplus
 #if TIER_FAST
 #pragma OPENCL FP_CONTRACT ON
@@ -46,6 +52,7 @@
 #define GLOBAL
 #define PRIVATE
 typedef unsigned int uint;
+typedef std::uint64_t ulong;
 #if REAL_BITS == 64
 typedef std::uint64_t bitsr;
 #else
@@ -96,6 +103,15 @@ FN real bits_to_real(bitsr b) {
 }
 /// Position of the lowest set bit; m must not be 0.
 FN int first_bit(uint m) { return __builtin_ctz(m); }
+// As OpenCL C has them. What ?: chooses is a branch to compilers that do not optimise before they inline (rusticl's).
+/// m must not be 0.
+FN int clz(ulong m) { return __builtin_clzll(m); }
+FN int min(int a, int b) { return a < b ? a : b; }
+FN uint min(uint a, uint b) { return a < b ? a : b; }
+FN int max(int a, int b) { return a < b ? b : a; }
+FN int select(int otherwise, int then, int which) { return which ? then : otherwise; }
+FN real select(real otherwise, real then, int which) { return which ? then : otherwise; }
+#define real_select select
 /// On the host one thread traces.
 FN void add_atomically(GLOBAL uint* sum, uint number) { *sum += number; }
 /// The upper half of the product.
@@ -106,19 +122,31 @@ FN real real_abs(real a) { return std::fabs(a); }
 FN real real_floor(real a) { return std::floor(a); }
 #else
 #if REAL_BITS == 64
-FN bitsr real_to_bits(real x) { return as_ulong(x); }
-FN real bits_to_real(bitsr b) { return as_double(b); }
+#define real_to_bits as_ulong
+#define bits_to_real as_double
 #else
-FN bitsr real_to_bits(real x) { return as_uint(x); }
-FN real bits_to_real(bitsr b) { return as_float(b); }
+#define real_to_bits as_uint
+#define bits_to_real as_float
 #endif
 FN int first_bit(uint m) { return 31 - (int)clz(m & (~m + 1u)); }
 FN void add_atomically(GLOBAL uint* sum, uint number) { atomic_add(sum, number); }
 FN uint high_product(uint a, uint b) { return mul_hi(a, b); }
-FN real real_fma(real a, real b, real c) { return fma(a, b, c); }
 FN real real_sqrt(real a) { return sqrt(a); }
-FN real real_abs(real a) { return fabs(a); }
-FN real real_floor(real a) { return floor(a); }
+#define real_abs fabs
+#define real_floor floor
+#if REAL_BITS == 64
+#define real_select(otherwise, then, which) select(otherwise, then, (long)(which))
+#else
+#define real_select select
+#endif
+#if SOFT_FMA && TIER_FAST
+FN real real_fma(real a, real b, real c) { return a * b + c; }
+#elif SOFT_FMA && REAL_BITS == 32
+#include "math/soft_fma.h"
+FN real real_fma(real a, real b, real c) { return soft_fma(a, b, c); }
+#else
+FN real real_fma(real a, real b, real c) { return fma(a, b, c); }
+#endif
 #endif
 
 /// u: half the distance from 1 to the next larger number.

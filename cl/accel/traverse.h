@@ -132,7 +132,7 @@ FN void LANED(meet_leaf)(const Scene* scene, const Ray* ray, const Place* place,
   int count = (int)(leaf >> REFERENCE_COUNT) & REFERENCE_MOST_BLOCKS;
   GLOBAL const int* row = scene_shape_row(scene, kind);
   if (count == 0) count = row[SHAPE_LISTED];
-  if (is_within(place) && leaf_is_list(reference)) {
+  if (HAS_INSTANCES && is_within(place) && leaf_is_list(reference)) {
     first = place->group[GROUP_LISTED + 2 * kind];
     count = place->group[GROUP_LISTED + 2 * kind + 1];
   }
@@ -142,7 +142,7 @@ FN void LANED(meet_leaf)(const Scene* scene, const Ray* ray, const Place* place,
   (void)ray;  // A scene without shapes.
   (void)geometry;
 #if TIER_ROBUST
-  if (SHAPE_COUNT > 1 && !LANED(puts_off)(kind)) LANED(settle)(ray, best);
+  if (SHAPE_COUNT > 1 && want != FIND_ANY && !LANED(puts_off)(kind)) LANED(settle)(ray, best);
 #endif
   for (int b = first; b < first + count && !(want == FIND_ANY && best->kind >= 0); ++b, ids += LANES) {
 #define SHAPE(name, planes)                                            \
@@ -242,7 +242,7 @@ FN Nearest LANED(walk)(const Scene* scene, const Ray* world, int start, Nearest 
       if (want == FIND_ANY && best.kind >= 0) break;
     }
     do {
-      if (is_within(&place) && top == place.floor) {
+      if (HAS_INSTANCES && is_within(&place) && top == place.floor) {
 #if TIER_ROBUST
         LANED(settle)(&ray, &best);
 #endif
@@ -283,16 +283,15 @@ ONCE_FN Nearest LANED(traverse_once)(const Scene* scene, const Ray* ray, int wan
   return LANED(traverse)(scene, ray, want);
 }
 
-/// A walk, or lists of many kinds, are half of what a program compiles; a call costs short lists a tenth.
-FN int LANED(is_traversal_large)(void) {
-  if (HAS_TREE) return 1;
-  return SHAPE_COUNT > 2;
-}
+/// 1: a walk, or lists of many kinds; they are half of what a program compiles, and a call costs short lists a tenth.
+/// A constant, for a compiler that does not optimise (rusticl's) would take a function's answer for either.
+enum { LANED(IS_TRAVERSAL_LARGE) = (HAS_TREE != 0) | (SHAPE_COUNT > 2) };
 
 /// want: FIND_...
 FN Nearest LANED(closest_hit)(const Scene* scene, const Ray* given, int want) {
   Ray ray = LANED(widened)(scene, given);
-  return LANED(is_traversal_large)() ? LANED(traverse_once)(scene, &ray, want) : LANED(traverse)(scene, &ray, want);
+  if (LANED(IS_TRAVERSAL_LARGE)) return LANED(traverse_once)(scene, &ray, want);
+  return LANED(traverse)(scene, &ray, want);
 }
 
 /// Is anything hit within [t_min, t_max]?

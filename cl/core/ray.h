@@ -71,7 +71,7 @@ enum {
 #undef LANES
 #endif
 
-FN real component(real3 v, int axis) { return axis == 0 ? v.x : (axis == 1 ? v.y : v.z); }
+FN real component(real3 v, int axis) { return real_select(real_select(v.z, v.y, axis == 1), v.x, axis == 0); }
 
 FN GivenRays_1 given_ray(real3 o, real3 d, real t_min, real t_max, int left) {
   GivenRays_1 given;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Euclidean distance from the ray's origin to the first hit; 0 where nothing is hit.
 
+enum { LANED(depth_STEPS) = 0 };
+
 FN maskw LANED(depth_step)(const Scene* scene, LANED(Paths) * path, const LANED(Surfaces) * s, PRIVATE int* next) {
   (void)scene;
   (void)next;

@@ -3,6 +3,8 @@
 // emits by one place drawn on it and one way drawn by the material, weighted as in path. Depth counts as in Mitsuba: 1
 // shows emission alone, 2 one bounce.
 
+enum { LANED(direct_STEPS) = STEP_LIGHTS | STEP_SCATTER };
+
 FN maskw LANED(direct_step)(const Scene* scene, LANED(Paths) * path, const LANED(Surfaces) * s, PRIVATE int* next) {
   int max_depth = scene->index[HEADER_MAX_DEPTH];
   if (max_depth != 0) LANED(path_add_light)(scene, path, s);

@@ -95,7 +95,7 @@ FN void LANED(add_lights)(const Scene* scene, LANED(Paths) * path, const LANED(S
   for (int i = 0; i < rays; ++i) {
     LANED(LightSample) light;
     real3w reflected;
-    if (is_open) {
+    if (HAS_OPENNESS && is_open) {
       light = LANED(sky_sample)(scene, path, s, wo);
       reflected = light.irradiance;
     } else {
@@ -150,6 +150,14 @@ FN maskw LANED(is_hidden)(const Scene* scene, const LANED(Paths) * path, const L
   return path->alive & lt_int_w(path->depth, splat_int_w(1)) & is_glowing;
 }
 
+/// Whatever an active integrator may ask for: a program holds nothing else.
+enum {
+  LANED(STEPS) = 0
+#define INTEGRATOR(name) | (int)LANED(name##_STEPS)
+#include "integrators/integrators.def"
+#undef INTEGRATOR
+};
+
 /// Takes the paths that are alive over one surface each; those that are alive then are to be followed along their new
 /// rays.
 FN void LANED(surface_step)(const Scene* scene, LANED(Paths) * path, const LANED(Surfaces) * s) {
@@ -166,6 +174,7 @@ FN void LANED(surface_step)(const Scene* scene, LANED(Paths) * path, const LANED
       break;
   }
   path->alive = on;
+  if (!LANED(STEPS)) return;
   if (next == 0 || !any_w(on)) return;
   real3w d = LANED(real3_at)(path->rays.planes + RAY_PLANE_D), way = d;
   realw t_max = path->rays.planes[RAY_PLANE_T_MAX] - s->t;
@@ -175,10 +184,11 @@ FN void LANED(surface_step)(const Scene* scene, LANED(Paths) * path, const LANED
   if (any_w(on)) {
     real3w wo = unit3_w(negate3_w(d));
     LANED(Material) m = LANED(material_at)(scene, s, wo);
-    if ((next & (STEP_LIGHTS | STEP_OPENNESS)) != 0) LANED(add_lights)(scene, path, s, &m, wo, on, next);
-    if ((next & STEP_MIRROR) != 0)
+    if ((LANED(STEPS) & (STEP_LIGHTS | STEP_OPENNESS)) && (next & (STEP_LIGHTS | STEP_OPENNESS)) != 0)
+      LANED(add_lights)(scene, path, s, &m, wo, on, next);
+    if ((LANED(STEPS) & STEP_MIRROR) && (next & STEP_MIRROR) != 0)
       on = LANED(path_mirror)(path, s, &m, wo, on, &way);
-    else if ((next & STEP_SCATTER) != 0)
+    else if ((LANED(STEPS) & STEP_SCATTER) && (next & STEP_SCATTER) != 0)
       on = LANED(path_scatter)(scene, path, s, &m, on, next & STEP_ROULETTE, &way);
     else
       on = none_w();

@@ -4,9 +4,11 @@
 // Guibas, "Optimally Combining Sampling Techniques for Monte Carlo Rendering", SIGGRAPH 1995. max_depth, rr_depth and
 // hide_emitters as in Mitsuba; the host states a max_depth where the scene has none (ROULETTE_LONGEST).
 
+enum { LANED(path_STEPS) = STEP_LIGHTS | STEP_SCATTER | STEP_ROULETTE };
+
 FN maskw LANED(path_step)(const Scene* scene, LANED(Paths) * path, const LANED(Surfaces) * s, PRIVATE int* next) {
   int max_depth = scene->index[HEADER_MAX_DEPTH];
   if (max_depth > 0) LANED(path_add_light)(scene, path, s);
-  *next = STEP_LIGHTS | STEP_SCATTER | STEP_ROULETTE;
+  *next = LANED(path_STEPS);
   return path->alive & s->hit & lt_int_w(path->depth, splat_int_w(max_depth - 1));
 }

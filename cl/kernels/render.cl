@@ -108,11 +108,7 @@ ONCE_FN void LANED(render_pixel_once)(Scene scene, Pixel pixel, FirstSample firs
 }
 
 /// What a short program gains by being compiled once it loses by the call.
-FN int is_program_large(void) {
-  if (LANES != 1) return 1;
-  if (LIGHT_COUNT > 0) return 1;
-  return SCENE_LANED(is_traversal_large)();
-}
+enum { IS_PROGRAM_LARGE = (LANES != 1) | (LIGHT_COUNT > 0) | (SCENE_LANED(IS_TRAVERSAL_LARGE) != 0) };
 
 KERNEL LANE_HINT_OF(SCENE_LANES) void render(GLOBAL const real* geometry, GLOBAL const real* shading,
                                              GLOBAL const int* index, GLOBAL long* film, GLOBAL real* aov_reals,
@@ -145,7 +141,7 @@ KERNEL LANE_HINT_OF(SCENE_LANES) void render(GLOBAL const real* geometry, GLOBAL
   first.lane = HAS_AOV && sample_first == 0 ? 0 : -1;
   GLOBAL long* sums = film + slot * (ulong)(index[HEADER_SUMS] * FILM_CHANNELS);
   int times = do_differ ? 1 : sample_count;
-  if (is_program_large())
+  if (IS_PROGRAM_LARGE)
     LANED(render_pixel_once)(scene, pixel, first, sums, times);
   else
     LANED(render_pixel)(scene, pixel, first, sums, times);

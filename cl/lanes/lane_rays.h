@@ -20,8 +20,8 @@
 
 #if LANES == 1
 typedef uint uintw;
-FN uintw splat_uint_w(uint x) { return x; }
-FN intw sel_int_w(maskw m, intw a, intw b) { return m ? a : b; }
+#define splat_uint_w_1(x) (x)
+#define sel_int_w_1(m, a, b) select(b, a, m)
 FN maskw lt_int_w(intw a, intw b) { return -(int)(a < b); }
 FN maskw lt_uint_w(uintw a, uintw b) { return -(int)(a < b); }
 FN uintw lane_numbers_w(void) { return 0u; }

@@ -27,12 +27,11 @@ FN void surface_to_world(Surface* s) {
 FN Surface surface_at(const Scene* scene, const Ray* ray, const Nearest* hit, int lanes) {
   Surface s;
   GLOBAL const int* row = scene_shape_row(scene, hit->kind);
-  int is_instanced = HAS_INSTANCES && hit->instance >= 0;
   Ray within = *ray;
   real t = hit->t;
   s.instance = -1;
   s.placed = scene->geometry;
-  if (is_instanced) {
+  if (HAS_INSTANCES && hit->instance >= 0) {
     s.instance = hit->instance;
     s.placed = instance_reals(scene, hit->instance);
     within = ray_into_group(ray, s.placed, REAL_MAX, -1);
@@ -65,7 +64,7 @@ FN Surface surface_at(const Scene* scene, const Ray* ray, const Nearest* hit, in
     default:
       break;
   }
-  if (is_instanced) surface_to_world(&s);
+  if (HAS_INSTANCES && hit->instance >= 0) surface_to_world(&s);
 #if TIER_FAST
   s.position = ray_at(ray, hit->t);  // As textbooks have it: off the surface by what o + t d rounds.
 #endif
@@ -80,7 +79,7 @@ FN Surface surface_at(const Scene* scene, const Ray* ray, const Nearest* hit, in
   s.shading = s.normal;
   if (HAS_SMOOTH_NORMALS && part[PART_NORMALS] >= 0) {
     real3 smooth = interpolate3(scene->shading + part[PART_NORMALS] + 9 * s.primitive, s.u, s.v);
-    if (is_instanced) smooth = normal_to_world(s.placed, smooth);
+    if (HAS_INSTANCES && hit->instance >= 0) smooth = normal_to_world(s.placed, smooth);
     if (dot3(smooth, smooth) > R(0.0)) s.shading = normalize3(part[PART_FLIP] != 0 ? negate3(smooth) : smooth);
   }
   if (HAS_MESH_UVS && part[PART_UVS] >= 0) {

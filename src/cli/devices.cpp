@@ -56,6 +56,7 @@ Json json_of(const DeviceInfo& device) {
           {"driver", device.driver},
           {"type", device.type},
           {"fp64", device.fp64},
+          {"fma", device.fma},
           {"compute_units", device.compute_units},
           {"clock_mhz", device.clock_mhz},
           {"global_memory", device.global_memory},
@@ -86,8 +87,8 @@ std::string text_of(const PlatformInfo& platform, const std::string& default_ind
     text += fmt::format("{} {:<5} {}{}\n", index_of(device) == default_index ? '*' : ' ', index_of(device), device.name,
                         device.available ? "" : " (not available)");
     text += fmt::format("        {} · {} · driver {}\n", device.type, device.version, device.driver);
-    text += fmt::format("        {} · {} compute units · {:.1f} GiB · native vector width {}\n",
-                        device.fp64 ? "fp64" : "no fp64", device.compute_units,
+    text += fmt::format("        {}{} · {} compute units · {:.1f} GiB · native vector width {}\n",
+                        device.fp64 ? "fp64" : "no fp64", device.fma ? "" : " · no fma", device.compute_units,
                         static_cast<double>(device.global_memory) / (1 << 30), device.native_vector_width);
   }
   if (!platform.skipped.empty()) text += fmt::format("  skipped: {}\n", platform.skipped);

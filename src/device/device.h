@@ -23,6 +23,7 @@ struct DeviceInfo {
   std::string type;  ///< "CPU", "GPU", "accelerator", "custom"
   bool fp64 = false;
   bool correctly_rounded_option = false;  ///< Knows -cl-fp32-correctly-rounded-divide-sqrt.
+  bool fma = false;                       ///< In single precision; else programs compute it (cl/math/soft_fma.h).
   unsigned compute_units = 0;
   unsigned clock_mhz = 0;
   std::uint64_t global_memory = 0;   ///< bytes

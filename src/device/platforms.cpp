@@ -44,8 +44,9 @@ DeviceInfo describe(const cl::Device& device, const PlatformInfo& platform, int 
   info.driver = trimmed(device.getInfo<CL_DRIVER_VERSION>());
   info.type = type_name(device.getInfo<CL_DEVICE_TYPE>());
   info.fp64 = device.getInfo<CL_DEVICE_DOUBLE_FP_CONFIG>() != 0;
-  info.correctly_rounded_option =
-      (device.getInfo<CL_DEVICE_SINGLE_FP_CONFIG>() & CL_FP_CORRECTLY_ROUNDED_DIVIDE_SQRT) != 0;
+  const cl_device_fp_config single = device.getInfo<CL_DEVICE_SINGLE_FP_CONFIG>();
+  info.correctly_rounded_option = (single & CL_FP_CORRECTLY_ROUNDED_DIVIDE_SQRT) != 0;
+  info.fma = (single & CL_FP_FMA) != 0;
   info.compute_units = device.getInfo<CL_DEVICE_MAX_COMPUTE_UNITS>();
   info.clock_mhz = device.getInfo<CL_DEVICE_MAX_CLOCK_FREQUENCY>();
   info.global_memory = device.getInfo<CL_DEVICE_GLOBAL_MEM_SIZE>();

@@ -58,14 +58,16 @@ cl::Program build_text(const Device& device, const ProgramSource& source, const 
   return program;
 }
 
+}  // namespace
+
 /// OpenCL lets fp32 divisions and square roots be off by 2.5 and 3 ulp unless a program asks otherwise, which only some
 /// devices take. PoCL, Intel's runtime and llvmpipe round correctly either way.
 ProgramSource completed_for(const Device& device, ProgramSource source) {
   if (device.info().correctly_rounded_option) source.options += " -cl-fp32-correctly-rounded-divide-sqrt";
+  // Below the first line, which says what the program is.
+  if (!device.info().fma) source.text.insert(source.text.find('\n') + 1, "#define SOFT_FMA 1\n");
   return source;
 }
-
-}  // namespace
 
 std::string driver_key(const Device& device) {
   const DeviceInfo& info = device.info();

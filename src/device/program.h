@@ -24,6 +24,10 @@ struct ProgramReport {
 /// FNV-1a of text and options in hex, 16 digits: names the program in `explain`, dumps and the cache.
 [[nodiscard]] std::string program_hash(const ProgramSource& source);
 
+/// What the device is given of a program: it is asked for correctly rounded fp32 division and square root where it
+/// knows the option, and computes fma in integers where it has none (cl/math/soft_fma.h).
+[[nodiscard]] ProgramSource completed_for(const Device& device, ProgramSource source);
+
 /// Platform, device, driver and strahl, each with its version: what is cached of a device holds for these alone. A
 /// driver update changes the version of one of them.
 [[nodiscard]] std::string driver_key(const Device& device);
@@ -31,7 +35,7 @@ struct ProgramReport {
 /// Builds, or takes the binary from the cache (key: text, options, platform, device, driver and strahl version; files
 /// written atomically under $XDG_CACHE_HOME/strahl or ~/.cache/strahl; STRAHL_CACHE_DIR overrides; a cache that cannot
 /// be read or written, or a binary that the driver rejects, is never an error: it is built from source).
-/// Asks for correctly rounded fp32 division and square root where the device knows the option.
+/// Builds what completed_for makes of `source`.
 /// is_cached: false: neither looks into the cache nor leaves anything there.
 /// Throws KernelBuildError with options, build log and the path where the source was dumped.
 [[nodiscard]] cl::Program build_program(const Device& device, const ProgramSource& source,

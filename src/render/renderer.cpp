@@ -125,7 +125,7 @@ Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
 const Scene& Renderer::scene() const { return state_->scene; }
 
-std::string Renderer::program_text() const { return state_->source.text; }
+std::string Renderer::program_text() const { return completed_for(state_->device, state_->source).text; }
 
 int Renderer::samples_at_once() const { return state_->samples_at_once; }
 

@@ -14,6 +14,9 @@ double length3(const std::array<double, 3>& v);
 float difference_of_products(float a, float b, float c, float d);
 double difference_of_products(double a, double b, double c, double d);
 
+/// cl/math/soft_fma.h.
+float soft_fma(float a, float b, float c);
+
 std::array<std::uint32_t, 4> random4(std::uint32_t pixel, std::uint32_t sample, std::uint32_t dimension,
                                      std::uint32_t seed);
 float random_unit(float tier, std::uint32_t bits);
