@@ -82,7 +82,7 @@ typedef struct {
   Nearest outside;
 } Place;
 
-FN int is_within(const Place* place) { return HAS_INSTANCES && place->instance >= 0; }
+FN int is_within(const Place* place) { return place->instance >= 0; }
 
 FN Ray ray_of_world(const Ray* world) {
   Ray ray = *world;

@@ -124,7 +124,7 @@ void probe(const Device& device, const cl::Program& program, int lanes, const st
   const cl::Buffer out_buffer = allocate(device, out.size() * sizeof(Real), "the canary");
   write_buffer(device, in_buffer, in.data(), in.size() * sizeof(Real));
   checked(device.info().text(), [&] {
-    cl::Kernel kernel(program, "canary");
+    cl::Kernel kernel(program, fmt::format("canary_{}", lanes).c_str());
     kernel.setArg(0, in_buffer);
     kernel.setArg(1, out_buffer);
     kernel.setArg(2, static_cast<cl_int>(count));
@@ -163,20 +163,14 @@ template <typename Real>
 CanaryReport run_as(const Device& device, Precision precision, const CanaryOptions& options) {
   const std::vector<CanaryGroup<Real>> groups = canary_groups<Real>();
   std::vector<Judged<Real>> judged(groups.size());
-  LoopTurns loops;
-  std::vector<int> widths{1, default_lanes(device.info().native_vector_width, precision)};
-  if (options.lanes) widths = {*options.lanes};
-  if (widths.front() == widths.back()) widths.resize(1);
-  for (const int lanes : widths) {
-    ProgramSource source = program_source("kernels/canary.cl", no_features(), precision, lanes);
-    // Loops know nothing of lanes: one program has them.
-    const bool has_loops = lanes == widths.back();
-    if (!has_loops) source.text.insert(0, "#define CANARY_LOOPS 0\n");
-    if (options.change) options.change(source);
-    const cl::Program program = build_program(device, source);
-    probe(device, program, lanes, groups, judged);
-    if (has_loops) loops = turns_made(device, program);
-  }
+  const int widest = options.lanes.value_or(default_lanes(device.info().native_vector_width, precision));
+  ProgramSource source = program_source("kernels/canary.cl", no_features(), precision, widest);
+  if (options.lanes) source.text.insert(0, "#define CANARY_ONE_LANE 0\n");
+  if (options.change) options.change(source);
+  const cl::Program program = build_program(device, source);
+  if (!options.lanes && widest != 1) probe(device, program, 1, groups, judged);
+  probe(device, program, widest, groups, judged);
+  const LoopTurns loops = turns_made(device, program);
 
   CanaryReport report{{precision, holds, {}, {}}, {}};
   const auto take = [&](P property, CanaryFinding finding, const std::string& detail) {
