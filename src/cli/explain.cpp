@@ -21,7 +21,6 @@
 #include "device/path_lanes.h"
 #include "device/program_text.h"
 #include "device/tuned_width.h"
-#include "render/loop_bound.h"
 #include "render/sampling.h"
 #include "study/effect_costs.h"
 
@@ -183,7 +182,7 @@ ExitCode explain(const ExplainOptions& options) {
   apply(options.overrides, scene);
   all.features = features_of(scene, all.settings);
   all.lanes = lanes_for(options, all.settings);
-  const bool has_tree = calls_for_tree(scene, all.features, all.lanes.tree, acceleration_of(all.settings));
+  const bool has_tree = calls_for_tree(scene, all.features, all.lanes.tree, all.settings.acceleration);
   const int paths = path_lanes(all.features, all.settings, all.lanes.count, has_tree, resolve_sampling(scene).spp);
   all.program = program_hash(program_source("kernels/render.cl", all.features, all.settings.precision, all.lanes.count,
                                             all.lanes.tree, has_tree, paths));

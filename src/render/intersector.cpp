@@ -8,14 +8,13 @@
 #include <string>
 
 #include "device/cl_layout.h"
-#include "device/pack_tree.h"
 #include "device/program_text.h"
 #include "device/scene_buffers.h"
 #include "device/tuned_width.h"
-#include "render/loop_bound.h"
 #include "render/median.h"
 #include "render/sampling.h"
 #include "render/stopwatch.h"
+#include "render/traversal_choice.h"
 #include "scene/validate.h"
 
 namespace strahl {
@@ -215,11 +214,10 @@ Intersector::Intersector(const Device& device, const Scene& scene, const RenderS
   if (std::vector<Diagnostic> problems = validate(scene); !problems.empty()) throw SceneError(problems);
   State& s = *state_;
   const Width width = width_on(device, settings);
-  static_cast<void>(
-      most_samples(device, intersect_loops(scene, width.lanes, acceleration_of(settings)), settings.loop_turns));
   const Stopwatch start;
   const Features features = intersection_features(scene, settings);
-  const bool has_tree = calls_for_tree(scene, features, width.tree, acceleration_of(settings));
+  const auto [has_tree, acceleration, loops] = choose_traversal(scene, features, settings, width, intersect_loops);
+  static_cast<void>(most_samples(device, loops, settings.loop_turns));
   // Devices that end loops know how long single rays take.
   const bool packets = settings.coherent && width.lanes > 1 && !settings.loop_turns;
   const ProgramSource source = program_source(packets ? "kernels/intersect_packets.cl" : "kernels/intersect.cl",
@@ -235,8 +233,7 @@ Intersector::Intersector(const Device& device, const Scene& scene, const RenderS
   s.stats.seconds.program = start.seconds();
   const Stopwatch upload;
   s.buffers =
-      upload_scene(device, scene, features, settings.precision,
-                   {width.lanes, Frame{}, width.tree, has_tree ? acceleration_of(settings) : Acceleration::list});
+      upload_scene(device, scene, features, settings.precision, {width.lanes, Frame{}, width.tree, acceleration});
   s.first_ids = first_ids(scene);
   s.shapes_of_group = ranges_of(scene);
   for (const Instance& instance : scene.instances) s.group_of_instance.push_back(instance.group);

@@ -109,15 +109,14 @@ LoopBound intersect_loops(const Scene& scene, int lanes, Acceleration accelerati
   return {layout::HIT_REALS + 1, walk(scene, lanes, acceleration) + box_surface};
 }
 
-Acceleration acceleration_of(const RenderSettings& settings) {
-  const bool chooses = settings.acceleration == Acceleration::automatic;
-  return chooses && settings.loop_turns ? Acceleration::list : settings.acceleration;
+double samples_within(std::uint64_t loop_turns, const LoopBound& bound) {
+  return std::floor((static_cast<double>(loop_turns) - bound.launch) / bound.sample);
 }
 
 int most_samples(const Device& device, const LoopBound& bound, std::optional<std::uint64_t> loop_turns) {
   constexpr int all = std::numeric_limits<int>::max();
   if (!loop_turns) return all;
-  const double limit = static_cast<double>(*loop_turns), samples = std::floor((limit - bound.launch) / bound.sample);
+  const double samples = samples_within(*loop_turns, bound);
   if (samples >= 1) return samples < all ? static_cast<int>(samples) : all;
   throw NoDeviceError(fmt::format(
       "{} ends the loops of a work-item after {} turns, and the hit or picture would be wrong: a ray of this "

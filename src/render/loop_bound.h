@@ -23,12 +23,10 @@ struct LoopBound {
 /// One ray is the sample.
 [[nodiscard]] LoopBound intersect_loops(const Scene& scene, int lanes, Acceleration acceleration);
 
-/// The settings' own; lists where the device ends loops and the choice is free: what lists take at most is known, and
-/// what trees take at most is far more than they ever do.
-[[nodiscard]] Acceleration acceleration_of(const RenderSettings& settings);
+/// Whole samples that a work-item may take in one launch where loops end after so many turns.
+[[nodiscard]] double samples_within(std::uint64_t loop_turns, const LoopBound& bound);
 
-/// Samples that a work-item may take in one launch where the device ends loops after so many turns. Throws
-/// NoDeviceError where that is none.
+/// The same, of a device that may have no such end. Throws NoDeviceError where that is none.
 [[nodiscard]] int most_samples(const Device& device, const LoopBound& bound, std::optional<std::uint64_t> loop_turns);
 
 }  // namespace strahl

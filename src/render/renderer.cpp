@@ -7,12 +7,11 @@
 #include <algorithm>
 #include <utility>
 
-#include "device/pack_tree.h"
 #include "device/path_lanes.h"
 #include "device/tuned_width.h"
-#include "render/loop_bound.h"
 #include "render/renderer_state.h"
 #include "render/stopwatch.h"
+#include "render/traversal_choice.h"
 #include "scene/validate.h"
 
 namespace strahl {
@@ -26,11 +25,10 @@ void Renderer::State::prepare() {
     throw NoDeviceError(fmt::format("the AOV numeric_error holds every hit against double precision, which {} has not",
                                     device.info().text()));
   const Width width = width_on(device, settings);
-  samples_a_launch =
-      most_samples(device, render_loops(scene, width.lanes, acceleration_of(settings)), settings.loop_turns);
   const Stopwatch start;
   features = features_of(scene, settings);
-  const bool has_tree = calls_for_tree(scene, features, width.tree, acceleration_of(settings));
+  const auto [has_tree, acceleration, loops] = choose_traversal(scene, features, settings, width, render_loops);
+  samples_a_launch = most_samples(device, loops, settings.loop_turns);
   const int paths = path_lanes(features, settings, width.lanes, has_tree, sampling.spp);
   // Lanes that wait for others in the end are few where there are several samples for each.
   samples_at_once = paths == 1 ? 1 : 4 * paths;
@@ -41,8 +39,7 @@ void Renderer::State::prepare() {
   stats.seconds.program = start.seconds();
 
   const Stopwatch upload_start;
-  buffers = upload_scene(device, scene, features, settings.precision,
-                         {width.lanes, frame(), width.tree, has_tree ? acceleration_of(settings) : Acceleration::list});
+  buffers = upload_scene(device, scene, features, settings.precision, {width.lanes, frame(), width.tree, acceleration});
   const std::size_t pixels = static_cast<std::size_t>(window.width()) * static_cast<std::size_t>(band_rows());
   film = allocate(device, pixels * film_bytes_per_pixel, "one band of the film");
   aov_reals = allocate(device, aov_real_bytes(pixels), "the auxiliary values");

@@ -34,7 +34,7 @@ void check_everywhere(const std::string& name, Precision single, int width, int 
   }
 }
 
-// In stable, for rusticl takes minutes to compile a robust picture's program: test_every_scene has those, and
+// In stable, for rusticl takes most of a minute to compile a robust picture's program: test_every_scene has those, and
 // robust_test_devices the tier's intersections.
 TEST_CASE("spheres and planes, 64 samples") { check_everywhere("lecture/lit.xml", Precision::stable, 24, 18, 64); }
 

@@ -5,12 +5,12 @@ foreach(name first_principles invariance launches closed_form terminator metamor
   strahl_test(render/test_${name}.cpp LABEL render)
 endforeach()
 strahl_test(render/test_pass_plan.cpp LABEL unit)
+strahl_test(render/test_traversal_choice.cpp LABEL unit)
 # A program for every scene, compiled where nothing is cached yet.
 strahl_test(render/test_generic.cpp LABEL render TIMEOUT 400)
 add_test(NAME render_test_generic_all_tiers COMMAND render_tests "-#" "[#test_generic]")
 set_tests_properties(render_test_generic_all_tiers PROPERTIES LABELS slow TIMEOUT 3600 ENVIRONMENT STRAHL_ALL_TIERS=1)
-# Where nothing is cached yet and the machine is busy, rusticl takes up to half a minute of the processor for a stable
-# program and some three minutes for a robust one.
+# Where nothing is cached yet, rusticl takes some ten seconds for a stable program.
 strahl_test(render/test_devices.cpp LABEL render TIMEOUT 900)
 
 add_test(NAME render_test_oclgrind COMMAND ${CMAKE_CURRENT_LIST_DIR}/test_oclgrind $<TARGET_FILE:strahl-bin>
