@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 // A tree where it pays, lists where a device might end the tree's loops before a ray is through.
-#include "render/traversal_choice.h"
-
 #include <catch2/catch.hpp>
 
 #include "render/stage.h"
+#include "render/traversal_choice.h"
 
 namespace strahl::test {
 namespace {
