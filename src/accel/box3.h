@@ -9,6 +9,7 @@
 namespace strahl::accel {
 
 typedef float Float4 __attribute__((vector_size(16)));
+typedef int Int4 __attribute__((vector_size(16)));
 
 [[nodiscard]] inline Float4 min4(Float4 a, Float4 b) { return a < b ? a : b; }
 [[nodiscard]] inline Float4 max4(Float4 a, Float4 b) { return a > b ? a : b; }

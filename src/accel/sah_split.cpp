@@ -13,17 +13,19 @@ namespace strahl::accel {
 namespace {
 
 constexpr std::size_t most_bins = 32;
-/// Below so many primitives a second thread costs more than it brings.
-constexpr std::size_t worth_threads = 1 << 15;
 
 struct Bin {
-  Box3 box = Box3::empty();
-  std::uint32_t count = 0;
+  Box3 box;
+  std::uint32_t count;
 };
 
+/// Of an axis as many as there is a use for: the small ranges are many, and what is left out takes longer than they do.
 struct Bins {
   std::array<std::array<Bin, most_bins>, 3> axis;
 
+  explicit Bins(std::size_t bins) {
+    for (auto& of_axis : axis) std::fill_n(of_axis.begin(), bins, Bin{Box3::empty(), 0});
+  }
   void include(const Bins& other, std::size_t bins) {
     for (std::size_t a = 0; a < 3; ++a)
       for (std::size_t b = 0; b < bins; ++b) {
@@ -40,7 +42,7 @@ struct Extent {
   Box3 box = Box3::empty(), centers = Box3::empty();
 };
 
-/// From twice a centre to its bin, per axis.
+/// From twice a centre to its bin, per axis; the fourth means nothing.
 struct BinScale {
   Float4 origin, scale;
   std::size_t bins;
@@ -53,16 +55,23 @@ struct BinScale {
       scale[a] = size[a] > 0 && size[a] < std::numeric_limits<float>::max()
                      ? 0.9999F * static_cast<float>(bins) / size[a]
                      : 0.0F;
+    // The fourth number of a centre is next to 0, and processors are slow at multiplying denormal ones.
+    origin[3] = 1;
   }
-  [[nodiscard]] std::size_t bin(const Primitive& primitive, int a) const {
-    return static_cast<std::size_t>(std::max((center2(primitive)[a] - origin[a]) * scale[a], 0.0F));
+  [[nodiscard]] Int4 bin(const Primitive& primitive) const {
+    return __builtin_convertvector(max4((center2(primitive) - origin) * scale, Float4{}), Int4);
   }
 };
+
+bool is_worth_threads(std::size_t size, unsigned threads) {
+  // Below so many primitives a second thread costs more than it brings.
+  return threads >= 2 && size >= std::size_t{1} << 15;
+}
 
 /// f(part, first, last) over as many parts as there are threads.
 template <typename F>
 void in_parts(std::size_t size, unsigned threads, const F& f) {
-  if (threads < 2 || size < worth_threads) return f(std::size_t{0}, std::size_t{0}, size);
+  if (!is_worth_threads(size, threads)) return f(std::size_t{0}, std::size_t{0}, size);
   std::vector<std::jthread> helpers;
   for (unsigned i = 1; i < threads; ++i)
     helpers.emplace_back([&f, i, size, threads] { f(i, size * i / threads, size * (i + 1) / threads); });
@@ -86,19 +95,29 @@ Extent extent_of(std::span<const Primitive> primitives, unsigned threads) {
   return parts[0];
 }
 
-Bins fill(std::span<const Primitive> primitives, const BinScale& scale, unsigned threads) {
-  std::vector<Bins> parts(std::max(threads, 1U));
+void fill(std::span<const Primitive> primitives, const BinScale& scale, Bins& bins) {
+  for (const Primitive& p : primitives) {
+    const Int4 at = scale.bin(p);
+    for (int a = 0; a < 3; ++a) {
+      Bin& bin = bins.axis[static_cast<std::size_t>(a)][static_cast<std::size_t>(at[a])];
+      bin.box.include(p.box);
+      ++bin.count;
+    }
+  }
+}
+
+Bins filled(std::span<const Primitive> primitives, const BinScale& scale, unsigned threads) {
+  Bins bins(scale.bins);
+  if (!is_worth_threads(primitives.size(), threads)) {
+    fill(primitives, scale, bins);
+    return bins;
+  }
+  std::vector<Bins> parts(threads, bins);
   in_parts(primitives.size(), threads, [&](std::size_t part, std::size_t first, std::size_t last) {
-    Bins& bins = parts[part];
-    for (const Primitive& p : primitives.subspan(first, last - first))
-      for (int a = 0; a < 3; ++a) {
-        Bin& bin = bins.axis[static_cast<std::size_t>(a)][scale.bin(p, a)];
-        bin.box.include(p.box);
-        ++bin.count;
-      }
+    fill(primitives.subspan(first, last - first), scale, parts[part]);
   });
-  for (std::size_t part = 1; part < parts.size(); ++part) parts[0].include(parts[part], scale.bins);
-  return parts[0];
+  for (const Bins& part : parts) bins.include(part, scale.bins);
+  return bins;
 }
 
 struct Plane {
@@ -118,14 +137,14 @@ Plane best_plane(const Bins& bins, const BinScale& scale, int block) {
     const auto& axis = bins.axis[static_cast<std::size_t>(a)];
     std::array<float, most_bins> right_cost;
     std::array<std::uint32_t, most_bins> right_count;
-    Bin right;
+    Bin right{Box3::empty(), 0};
     for (std::size_t b = scale.bins; b-- > 1;) {
       right.box.include(axis[b].box);
       right.count += axis[b].count;
       right_cost[b] = right.box.half_area() * blocks(right.count, block);
       right_count[b] = right.count;
     }
-    Bin left;
+    Bin left{Box3::empty(), 0};
     for (std::size_t b = 1; b < scale.bins; ++b) {
       left.box.include(axis[b - 1].box);
       left.count += axis[b - 1].count;
@@ -169,7 +188,7 @@ Split split_range(std::span<Primitive> primitives, const BuildOptions& options, 
   std::optional<BinScale> scale;
   if (count > 1 && depth < options.balanced_below && !(fits && options.block >= options.max_leaf)) {
     scale.emplace(extent.centers, count);
-    plane = best_plane(fill(primitives, *scale, threads), *scale, options.block);
+    plane = best_plane(filled(primitives, *scale, threads), *scale, options.block);
   }
   const bool pays = plane.axis >= 0 && split.half_area + plane.cost < split.half_area * blocks(count, options.block);
   if (fits && !pays) {
@@ -183,8 +202,9 @@ Split split_range(std::span<Primitive> primitives, const BuildOptions& options, 
     split.at = halve(primitives, extent.centers);
     return split;
   }
-  const auto middle = std::partition(primitives.begin(), primitives.end(),
-                                     [&](const Primitive& p) { return scale->bin(p, plane.axis) < plane.bin; });
+  const auto middle = std::partition(primitives.begin(), primitives.end(), [&](const Primitive& p) {
+    return static_cast<std::size_t>(scale->bin(p)[plane.axis]) < plane.bin;
+  });
   split.at = static_cast<std::uint32_t>(middle - primitives.begin());
   return split;
 }
