@@ -158,13 +158,12 @@ class TreePacking {
     options.block = is_of_instances ? 1 : lanes_of(width_);
     options.max_leaf = is_of_instances ? 1 : most_in_leaf(width_);
     options.single_kind = static_cast<int>(lists_.size());
-    const std::vector<accel::Primitive> all = primitives(reach, bounded);
     accel::BinaryTree binary;
     accel::WideTree wide;
     // Ever less deep until the stack suffices: halves by number are never deeper than a few levels a width.
     for (const int balanced_below : {options.balanced_below, 24, 12, 0}) {
       options.balanced_below = balanced_below;
-      binary = accel::build_binary_tree(all, options);
+      binary = accel::build_binary_tree(primitives(reach, bounded), options);
       wide = accel::collapse(binary, width_);
       if (wide.stack_need >= options_.stack) wide = accel::collapse(binary, width_, accel::Aim::least_depth);
       if (wide.stack_need < options_.stack) break;
