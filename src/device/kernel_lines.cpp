@@ -3,26 +3,41 @@
 #include "device/kernel_lines.h"
 
 #include <algorithm>
-#include <regex>
+#include <cctype>
+#include <string_view>
 
 namespace strahl {
 
 namespace {
 
-std::string trimmed(const std::string& text) {
-  const auto first = text.find_first_not_of(" \t\r");
-  if (first == std::string::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
+constexpr std::string_view spaces = " \t\r";
+
+void trim(std::string& text) {
+  text.erase(text.find_last_not_of(spaces) + 1);
+  text.erase(0, text.find_first_not_of(spaces));
 }
 
-/// Appends what is code of `text` to the result; `in_comment` carries a block comment from line to line.
-std::string without_comments(const std::string& text, bool& in_comment) {
+/// The part of `text` from `at` on without the space it begins with.
+std::string_view after_space(std::string_view text, std::size_t at) {
+  text.remove_prefix(at);
+  text.remove_prefix(std::min(text.find_first_not_of(spaces), text.size()));
+  return text;
+}
+
+std::string_view first_word(std::string_view text) {
+  const auto is_word = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; };
+  return text.substr(0, static_cast<std::size_t>(std::find_if_not(text.begin(), text.end(), is_word) - text.begin()));
+}
+
+/// What of `text` is code, without space at either end; `in_comment` carries a block comment from line to line.
+std::string without_comments(std::string_view text, bool& in_comment) {
   std::string bare;
+  bare.reserve(text.size());
   char quote = 0;
   for (std::size_t i = 0; i < text.size(); ++i) {
-    const std::string two = text.substr(i, 2);
+    const char next = i + 1 < text.size() ? text[i + 1] : '\0';
     if (in_comment) {
-      if (two != "*/") continue;
+      if (text[i] != '*' || next != '/') continue;
       in_comment = false;
       ++i;
       bare += ' ';
@@ -32,9 +47,9 @@ std::string without_comments(const std::string& text, bool& in_comment) {
         bare += text[++i];
       else if (text[i] == quote)
         quote = 0;
-    } else if (two == "//") {
+    } else if (text[i] == '/' && next == '/') {
       break;
-    } else if (two == "/*") {
+    } else if (text[i] == '/' && next == '*') {
       in_comment = true;
       ++i;
     } else {
@@ -42,7 +57,8 @@ std::string without_comments(const std::string& text, bool& in_comment) {
       if (text[i] == '"' || text[i] == '\'') quote = text[i];
     }
   }
-  return trimmed(bare);
+  trim(bare);
+  return bare;
 }
 
 }  // namespace
@@ -61,10 +77,12 @@ std::vector<KernelLine> kernel_lines(const std::string& text) {
 }
 
 std::pair<std::string, std::string> directive(const std::string& bare) {
-  static const std::regex pattern(R"(#\s*(\w+)(?:\s+(\w+))?.*)");
-  std::smatch match;
-  if (bare.empty() || bare[0] != '#' || !std::regex_match(bare, match, pattern)) return {};
-  return {match[1], match[2]};
+  if (bare.empty() || bare[0] != '#') return {};
+  const std::string_view from_name = after_space(bare, 1);
+  const std::string_view name = first_word(from_name);
+  const std::string_view rest = from_name.substr(name.size());
+  const std::string_view argument = after_space(rest, 0);
+  return {std::string(name), argument.size() < rest.size() ? std::string(first_word(argument)) : std::string()};
 }
 
 std::string include_guard(const std::vector<KernelLine>& lines) {
@@ -86,9 +104,13 @@ std::string include_guard(const std::vector<KernelLine>& lines) {
 }
 
 std::string included_path(const std::string& bare) {
-  static const std::regex include(R"(#\s*include\s*\"([^\"]+)\")");
-  std::smatch match;
-  return !bare.empty() && bare[0] == '#' && std::regex_match(bare, match, include) ? match[1].str() : std::string();
+  constexpr std::string_view include = "include";
+  if (bare.empty() || bare[0] != '#') return {};
+  std::string_view rest = after_space(bare, 1);
+  if (!rest.starts_with(include)) return {};
+  rest = after_space(rest, include.size());
+  const bool is_quoted = rest.size() > 2 && rest.front() == '"' && rest.find('"', 1) == rest.size() - 1;
+  return is_quoted ? std::string(rest.substr(1, rest.size() - 2)) : std::string();
 }
 
 int conditional_step(const std::string& bare) {

@@ -10,7 +10,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
+#include <string_view>
 
 #include "device/program.h"
 
@@ -51,15 +51,23 @@ std::string program_cache_directory() {
 
 std::vector<unsigned char> read_cached_binary(const std::string& name, const std::string& key) {
   if (program_cache_directory().empty()) return {};
-  std::ifstream in(cached_file(name, key), std::ios::binary);
+  const fs::path file = cached_file(name, key);
+  std::ifstream in(file, std::ios::binary);
   Header header;
   if (!in.read(reinterpret_cast<char*>(&header), sizeof header)) return {};
-  const std::string payload((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
-  const bool whole = std::memcmp(header.magic, Header().magic, sizeof header.magic) == 0 &&
-                     header.key_size == key.size() && header.key_size <= payload.size() &&
-                     header.binary_size == payload.size() - header.key_size && header.checksum == fnv1a(payload);
-  if (!whole || payload.compare(0, key.size(), key) != 0) return {};
-  return {payload.begin() + static_cast<std::ptrdiff_t>(key.size()), payload.end()};
+  std::error_code failed;
+  const std::uintmax_t size = fs::file_size(file, failed);
+  if (failed || std::memcmp(header.magic, Header().magic, sizeof header.magic) != 0 || header.key_size != key.size() ||
+      size < sizeof header + key.size() || header.binary_size != size - sizeof header - key.size()) {
+    return {};
+  }
+  std::string found(key.size(), 0);
+  std::vector<unsigned char> binary(header.binary_size);
+  in.read(found.data(), static_cast<std::streamsize>(found.size()));
+  in.read(reinterpret_cast<char*>(binary.data()), static_cast<std::streamsize>(binary.size()));
+  const std::string_view bytes(reinterpret_cast<const char*>(binary.data()), binary.size());
+  if (!in || found != key || header.checksum != fnv1a(bytes, fnv1a(key))) return {};
+  return binary;
 }
 
 void write_cached_binary(const std::string& name, const std::string& key, const std::vector<unsigned char>& binary) {
