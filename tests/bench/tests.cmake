@@ -9,6 +9,8 @@ endif()
 strahl_test(bench/test_ten_spheres.cpp LABEL device LIBS strahl_bench)
 add_test(NAME bench_test_ten_spheres_long COMMAND bench_tests "-#" "[#test_ten_spheres]")
 set_tests_properties(bench_test_ten_spheres_long PROPERTIES LABELS slow TIMEOUT 600 ENVIRONMENT STRAHL_ALL_TIERS=1)
+# Half a minute: it builds the generic program.
+strahl_test(bench/test_effects.cpp LABEL slow LIBS strahl_bench TIMEOUT 600)
 # A minute and a half.
 strahl_test(bench/test_ten_million.cpp LABEL slow LIBS strahl_bench SOURCES cli/program.cpp TIMEOUT 1800)
 strahl_runs_program(bench_tests)
