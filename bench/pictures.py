@@ -5,16 +5,15 @@
 pictures.py --build FOLDER programs [--scenes sphereflake-4,sphereflake-6]
     Whole programs by the wall clock, from start to finished PNG, reading the scene included: POV-Ray 3.7 and Tachyon,
     where they are installed; one ray a pixel and hard shadows, 1024 x 1024, strahl's kernel cache warm.
-pictures.py --build FOLDER paths --mitsuba PYTHON [--spp 256] [--samplers independent,multijitter]
+pictures.py --build FOLDER paths --mitsuba PYTHON [--cycles PYTHON] [--luxcore PYTHON] [--spp 256]
     Path tracing the Cornell box: efficiency 1 / (mean squared error x seconds), without compilation, against a long
-    picture by Mitsuba 3; PYTHON is one that can import mitsuba.
+    picture by Mitsuba 3; each PYTHON is one that can import mitsuba, bpy (Cycles) or pyluxcore.
 
 FOLDER is a build of strahl and strahl-bench (bench/run passes it). --json FILE keeps every round.
 """
 import argparse
 import contextlib
 import json
-import os
 import pathlib
 import shutil
 import statistics
@@ -24,9 +23,14 @@ import tempfile
 import time
 
 HERE = pathlib.Path(__file__).resolve().parent
-THREADS = str(os.cpu_count())
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(HERE / "peers"))
+from path_tracers import THREADS, Ended, Strahl, cycles, luxcore, mitsuba  # noqa: E402
+
 # Mean absolute difference of linear values; Tachyon writes them as they are, where sRGB is expected.
 SAME_PICTURE = {"strahl": 0, "strahl, XML elements": 0, "POV-Ray": 0.001, "Tachyon": 0.05}
+# Times strahl's largest mean squared error: more is another picture, not noise.
+SAME_NOISE = 4
 
 
 def quiet(command, **more):
@@ -87,56 +91,6 @@ def programs(options, folder):
     return results
 
 
-class Mitsuba:
-    """A mitsuba_server.py that waits for seeds."""
-
-    def __init__(self, python, scene, spp, variant, sampler):
-        environment = dict(os.environ)
-        environment.setdefault("DRJIT_LIBLLVM_PATH", llvm())
-        self.process = subprocess.Popen([python, HERE / "peers" / "mitsuba_server.py", scene, str(spp), variant, sampler],
-                                        stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True, env=environment)
-        self.name = self.answer()
-
-    def answer(self):
-        line = self.process.stdout.readline()
-        if not line:
-            sys.exit("pictures: Mitsuba ended; see above")
-        return line.strip()
-
-    def render(self, seed, path):
-        self.process.stdin.write(f"{seed} {path}\n")
-        self.process.stdin.flush()
-        return float(self.answer())
-
-    def close(self):
-        self.process.stdin.close()
-        self.process.wait()
-
-
-def llvm():
-    """Dr.Jit's own search stops at names that Debian does not use."""
-    libraries = sorted(pathlib.Path("/usr/lib").glob("*/libLLVM-1[5-9].so"), reverse=True)
-    return str(libraries[0]) if libraries else ""
-
-
-class Strahl:
-    def __init__(self, options, scene, sampler):
-        self.name = f"strahl {sampler}"
-        self.command = [str(options.build / "strahl"), scene, "-q", "--spp", str(options.spp)]
-        self.command += ["-d", options.device] if options.device else []
-        self.command += ["--sampler"] + sampler.split()
-
-    def render(self, seed, path):
-        stats = path + ".json"
-        quiet(self.command + ["--seed", str(seed), "-o", path, "--stats", stats])
-        with open(stats, encoding="utf-8") as file:
-            seconds = json.load(file)["seconds"]
-        return seconds["kernel"] + seconds["readback"]
-
-    def close(self):
-        pass
-
-
 def paths(options, folder):
     if not options.mitsuba:
         sys.exit("pictures: --mitsuba PYTHON says which Python has mitsuba")
@@ -153,17 +107,26 @@ def paths(options, folder):
     reference = options.reference or str(folder / "reference.exr")
     if not pathlib.Path(reference).exists():
         say(f"reference, {options.reference_spp} samples")
-        peer = Mitsuba(options.mitsuba, scene, options.reference_spp, options.variant, "multijitter")
+        peer = mitsuba(options.mitsuba, scene, options.reference_spp, options.variant, "multijitter")
         peer.render(999983, reference)
         peer.close()
 
     with contextlib.ExitStack() as stack:
-        contenders = [Strahl(options, scene, sampler) for sampler in options.strahl_samplers.split(",")]
-        for sampler in options.samplers.split(","):
-            contenders.append(Mitsuba(options.mitsuba, scene, options.spp, options.variant, sampler))
-        for contender in contenders:
+        contenders = []
+
+        def enter(contender):
             stack.callback(contender.close)
             contender.render(7919, str(folder / "warm.exr"))
+            contenders.append(contender)
+
+        for sampler in options.strahl_samplers.split(","):
+            enter(Strahl(strahl, options.device, scene, options.spp, sampler))
+        for sampler in options.samplers.split(","):
+            enter(mitsuba(options.mitsuba, scene, options.spp, options.variant, sampler))
+        if options.cycles:
+            enter(cycles(options.cycles, scene, options.spp))
+        if options.luxcore:
+            enter(luxcore(options.luxcore, scene, options.spp))
         results = [{"program": contender.name, "seconds": [], "mse": []} for contender in contenders]
         for number in range(options.rounds):
             say(f"round {number + 1} of {options.rounds}")
@@ -173,6 +136,9 @@ def paths(options, folder):
                 result["mse"].append(difference(strahl, picture, reference, "mse"))
     # The reference's own error is in everybody's: of the least that there is, at most as much as it is longer.
     own = {r["program"]: statistics.fmean(r["mse"]) for r in results}
+    for program, mse in own.items():
+        if mse > SAME_NOISE * max(mse for name, mse in own.items() if name.startswith("strahl")):
+            sys.exit(f"pictures: {program} renders another Cornell box (mean squared error {mse:.2e})")
     least = min(own.values())
     rows = []
     for result in results:
@@ -203,6 +169,8 @@ def main():
     whole.set_defaults(run=programs)
     tracing = commands.add_parser("paths")
     tracing.add_argument("--mitsuba")
+    tracing.add_argument("--cycles")
+    tracing.add_argument("--luxcore")
     tracing.add_argument("--variant", default="llvm_ad_rgb")
     tracing.add_argument("--spp", type=int, default=256)
     tracing.add_argument("--samplers", default="independent,multijitter")
@@ -213,7 +181,10 @@ def main():
     tracing.set_defaults(run=paths)
     options = parser.parse_args()
     with tempfile.TemporaryDirectory() as folder:
-        results = options.run(options, pathlib.Path(folder))
+        try:
+            results = options.run(options, pathlib.Path(folder))
+        except Ended as error:
+            sys.exit(f"pictures: {error}")
     if options.json:
         pathlib.Path(options.json).write_text(json.dumps(results, indent=1) + "\n", encoding="utf-8")
 

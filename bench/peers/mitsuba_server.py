@@ -1,19 +1,15 @@
 # SPDX-License-Identifier: MIT
 """Mitsuba 3 as a peer: mitsuba_server.py SCENE.xml SPP VARIANT SAMPLER, with Mitsuba's Python (pip install mitsuba).
 
-Loads the scene once and renders one picture, which compiles its kernels. Then, for each line "SEED FILE.exr" on standard
-input, renders with that seed, prints the seconds of rendering alone, and writes the picture. SAMPLER: independent,
-stratified, multijitter, orthogonal or ldsampler in the scene's sampler's place.
+Loads the scene once and renders one picture, which compiles its kernels; then as answers.py has it. SAMPLER:
+independent, stratified, multijitter, orthogonal or ldsampler in the scene's sampler's place.
 """
-import os
 import sys
 import time
 
-# Dr.Jit writes its warnings to standard output, where the answers go: they keep that for themselves.
-answers = os.fdopen(os.dup(1), "w", encoding="utf-8")
-os.dup2(2, 1)
+from answers import serve  # Before mitsuba: Dr.Jit writes its warnings to standard output.
 
-import mitsuba as mi  # noqa: E402
+import mitsuba as mi
 
 
 def main():
@@ -27,20 +23,20 @@ def main():
         file.write(text)
     scene = mi.load_file(changed)
 
-    def render(seed):
+    def rendered(seed):
         start = time.perf_counter()
         picture = mi.render(scene, spp=spp, seed=seed)
         drjit.eval(picture)
         drjit.sync_thread()
         return picture, time.perf_counter() - start
 
-    render(1 << 20)
-    print(f"Mitsuba {mi.__version__} {variant} {sampler}", file=answers, flush=True)
-    for line in sys.stdin:
-        seed, path = line.split()
-        picture, seconds = render(int(seed))
+    def render(seed, path):
+        picture, seconds = rendered(seed)
         mi.Bitmap(picture).write(path)
-        print(seconds, file=answers, flush=True)
+        return seconds
+
+    rendered(1 << 20)
+    serve(f"Mitsuba {mi.__version__} {variant} {sampler}", render)
 
 
 if __name__ == "__main__":
