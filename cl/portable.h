@@ -30,6 +30,11 @@
 #else
 #pragma OPENCL FP_CONTRACT OFF
 #endif
+// Where vectors are wider than the processor's registers clang warns of every function that takes one; here all are
+// static, and PoCL prints the number of warnings to standard error.
+#ifdef __clang__
+#pragma clang diagnostic ignored "-Wpsabi"
+#endif
 #endif
 
 /// unused: a program holds only some of the callers.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Compare mask to bit mask on the device, LANES 8 and 16. Runtimes built on clang for AVX-512 (PoCL) offer the
-// instruction's own builtin; everywhere else each lane keeps its own bit and halves are OR-ed: the same bits.
+// Compare mask to bit mask on the device, LANES 8 and 16. Runtimes built on clang (PoCL) offer the own builtins of
+// AVX-512's and AVX's instructions; everywhere else each lane keeps its own bit and halves are OR-ed: the same bits.
 // The tests stand nested because a compiler without __has_builtin must not see its argument.
 #if REAL_BITS == 32 && LANES == 16 && defined(__has_builtin) && defined(__AVX512DQ__)
 #if __has_builtin(__builtin_ia32_cvtd2mask512)
@@ -15,6 +15,19 @@
 #if REAL_BITS == 64 && LANES == 8 && defined(__has_builtin) && defined(__AVX512DQ__)
 #if __has_builtin(__builtin_ia32_cvtq2mask512)
 #define LANE_BITS_NATIVE(m) ((uint)(uchar)__builtin_ia32_cvtq2mask512(m))
+#endif
+#endif
+#if !defined(LANE_BITS_NATIVE) && defined(__has_builtin) && defined(__AVX__)
+#if __has_builtin(__builtin_ia32_movmskps256) && __has_builtin(__builtin_ia32_movmskpd256)
+#if REAL_BITS == 32 && LANES == 8
+#define LANE_BITS_NATIVE(m) ((uint)__builtin_ia32_movmskps256(as_float8(m)))
+#elif REAL_BITS == 32
+#define LANE_BITS_NATIVE(m) \
+  ((uint)(__builtin_ia32_movmskps256(as_float8((m).lo)) | __builtin_ia32_movmskps256(as_float8((m).hi)) << 8))
+#elif LANES == 8
+#define LANE_BITS_NATIVE(m) \
+  ((uint)(__builtin_ia32_movmskpd256(as_double4((m).lo)) | __builtin_ia32_movmskpd256(as_double4((m).hi)) << 4))
+#endif
 #endif
 #endif
 

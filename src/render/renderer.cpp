@@ -27,9 +27,11 @@ void Renderer::State::prepare() {
   const Width width = width_on(device, settings);
   const Stopwatch start;
   features = features_of(scene, settings);
-  const auto [has_tree, acceleration, loops] = choose_traversal(scene, features, settings, width, render_loops);
-  samples_a_launch = most_samples(device, loops, settings.loop_turns);
-  const int paths = path_lanes(features, settings, width.lanes, has_tree, sampling.spp);
+  const auto traversal = choose_traversal(scene, features, settings, width, render_loops);
+  has_tree = traversal.has_tree;
+  samples_a_launch = most_samples(device, traversal.loops, settings.loop_turns);
+  stats.lanes = width.lanes;
+  const int paths = path_lanes_of(sampling.spp);
   // Lanes that wait for others in the end are few where there are several samples for each.
   samples_at_once = paths == 1 ? 1 : 4 * paths;
   source = program_source("kernels/render.cl", features, settings.precision, width.lanes, width.tree, has_tree, paths);
@@ -39,7 +41,8 @@ void Renderer::State::prepare() {
   stats.seconds.program = start.seconds();
 
   const Stopwatch upload_start;
-  buffers = upload_scene(device, scene, features, settings.precision, {width.lanes, frame(), width.tree, acceleration});
+  buffers = upload_scene(device, scene, features, settings.precision,
+                         {width.lanes, frame(), width.tree, traversal.acceleration});
   const std::size_t pixels = static_cast<std::size_t>(window.width()) * static_cast<std::size_t>(band_rows());
   film = allocate(device, pixels * film_bytes_per_pixel, "one band of the film");
   aov_reals = allocate(device, aov_real_bytes(pixels), "the auxiliary values");
@@ -57,7 +60,6 @@ void Renderer::State::prepare() {
   stats.precision = precision_name(settings.precision);
   stats.spp = sampling.spp;
   stats.seed = sampling.seed;
-  stats.lanes = width.lanes;
   stats.path_lanes = paths;
   stats.tree_width = width.tree;
   stats.tree = buffers.tree;
@@ -68,6 +70,8 @@ void Renderer::State::prepare() {
   for (const FeatureReport& row : features.report)
     if (row.on) stats.features.push_back(row.name);
 }
+
+int Renderer::State::path_lanes_of(int spp) const { return path_lanes(features, settings, stats.lanes, has_tree, spp); }
 
 int Renderer::State::samples_of(const RenderGoal& goal) const {
   const int most = settings.estimate_error ? max_spp : max_spp_in_one_sum;
@@ -123,6 +127,8 @@ Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 const Scene& Renderer::scene() const { return state_->scene; }
 
 std::string Renderer::program_text() const { return completed_for(state_->device, state_->source).text; }
+
+bool Renderer::has_program_of(int spp) const { return state_->path_lanes_of(spp) == state_->stats.path_lanes; }
 
 int Renderer::samples_at_once() const { return state_->samples_at_once; }
 

@@ -58,6 +58,10 @@ class Renderer {
   /// The exact program: text with includes expanded, options in its first comment line.
   [[nodiscard]] std::string program_text() const;
 
+  /// Whether a renderer that is made for so many samples a pixel has this one's program: a picture is the same from
+  /// either, and takes other time.
+  [[nodiscard]] bool has_program_of(int spp) const;
+
   /// Fewer samples of a pixel may take as long as so many.
   [[nodiscard]] int samples_at_once() const;
 

@@ -52,6 +52,7 @@ struct Renderer::State {
     return static_cast<int>(std::clamp<std::size_t>(limit / row, 1, static_cast<std::size_t>(window.height())));
   }
 
+  [[nodiscard]] int path_lanes_of(int spp) const;
   /// What the goal, the scene and the film make of it. Throws UsageError.
   [[nodiscard]] int samples_of(const RenderGoal& goal) const;
   void prepare();
@@ -62,6 +63,7 @@ struct Renderer::State {
   double launch_overhead = 0;            ///< Seconds.
   std::optional<double> finish_seconds;  ///< From the last launch to the picture, as measured last.
   std::optional<LaunchPlan> last_plan;   ///< Of this picture or an earlier one: it knows the device's rate.
+  bool has_tree = true;
   int samples_a_launch = 0;
   int samples_at_once = 1;
   cl::Buffer film, aov_reals, aov_ints, counters;

@@ -9,9 +9,10 @@
 namespace strahl::test {
 namespace {
 
-double rmse_against_double(const Scene& scene, const Image& reference, Precision precision) {
+double rmse_against_double(const Scene& scene, const Image& reference, Precision precision, bool paths_in_lanes) {
   RenderSettings settings;
   settings.precision = precision;
+  settings.paths_in_lanes = paths_in_lanes;
   return compare_images(render("pocl", scene, settings).color, reference, Metric::rmse);
 }
 
@@ -22,8 +23,10 @@ void hold(const std::string& name) {
   in_double.precision = Precision::fp64;
   const Image reference = render("pocl", scene, in_double).color;
   CHECK(lit_pixels(reference) > 64 * 64 / 8);
-  CHECK(rmse_against_double(scene, reference, Precision::robust) < 1e-3);
-  CHECK(rmse_against_double(scene, reference, Precision::fast) > 5e-3);
+  for (const bool in_lanes : {false, true}) {
+    CHECK(rmse_against_double(scene, reference, Precision::robust, in_lanes) < 1e-3);
+    CHECK(rmse_against_double(scene, reference, Precision::fast, in_lanes) > 5e-3);
+  }
 }
 
 TEST_CASE("a pebble far off") { hold("far-pebble"); }

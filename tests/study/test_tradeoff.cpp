@@ -5,6 +5,7 @@
 
 #include <catch2/catch.hpp>
 #include <filesystem>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "errors.h"
@@ -75,6 +76,7 @@ TEST_CASE("what a study writes, and what it goes on from") {
   CHECK(json["reference"]["rmse_low"] < json["reference"]["rmse"]);
   CHECK(json["reference"]["rmse_high"] > json["reference"]["rmse"]);
   int front = 0;
+  std::map<std::string, std::string> programs;
   for (const auto& point : json["points"]) {
     INFO(point["id"]);
     for (const char* name : {"program", "bvh", "upload", "kernel", "wall"}) CHECK(point["seconds"][name] >= 0);
@@ -89,11 +91,15 @@ TEST_CASE("what a study writes, and what it goes on from") {
     CHECK(point["seeds"] == 3);
     for (const char* name : {"picture", "difference"}) CHECK(fs::exists(whole.path / point[name].get<std::string>()));
     front += point["pareto"] ? 1 : 0;
+    programs[point["id"]] = point["program"];
     // What depth 1 leaves out no number of samples brings back.
     if (point["max_depth"] == 1) CHECK(point["bias2"] > 5 * point["bias2_error"].get<double>());
     if (point["max_depth"] == -1) CHECK(point["bias2"] < 4 * point["bias2_error"].get<double>());
   }
   CHECK(front >= 2);
+  // As many samples as a render of their own would have: one alone takes no lanes.
+  CHECK(programs.at("robust-sobol-dinf-1spp-specialised") != programs.at("robust-sobol-dinf-16spp-specialised"));
+  CHECK(programs.at("double-sobol-dinf-1spp-specialised") == programs.at("double-sobol-dinf-16spp-specialised"));
   CHECK(json["fits"].size() == 3);
   CHECK(fs::exists(whole.path / "reference.exr"));
   CHECK(fs::exists(whole.path / "reference.png"));

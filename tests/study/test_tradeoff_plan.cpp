@@ -45,10 +45,10 @@ TEST_CASE("planes through the centre, each setting once, each program in a row")
   CHECK(ids(plan).contains("double-independent-d8-1spp-specialised"));
   CHECK(ids(plan).contains("robust-sobol-d8-256spp-generic"));
   CHECK_FALSE(ids(plan).contains("fast-sobol-d2-64spp-specialised"));
-  int programs = 1;
+  int rows = 1;
   for (std::size_t i = 1; i < plan.settings.size(); ++i)
-    programs += plan.settings[i].has_program_of(plan.settings[i - 1]) ? 0 : 1;
-  CHECK(programs == 4 * 2 + 2 * 2 + 1);
+    rows += plan.settings[i].is_same_but_for_samples(plan.settings[i - 1]) ? 0 : 1;
+  CHECK(rows == 4 * 2 + 2 * 2 + 1);
 }
 
 TEST_CASE("depths: below the scene's own and its own; no limit is the deepest") {

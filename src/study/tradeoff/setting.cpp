@@ -20,7 +20,7 @@ std::string TradeoffSetting::id() const {
                      generic ? "generic" : "specialised");
 }
 
-bool TradeoffSetting::has_program_of(const TradeoffSetting& other) const {
+bool TradeoffSetting::is_same_but_for_samples(const TradeoffSetting& other) const {
   TradeoffSetting as_many = *this;
   as_many.spp = other.spp;
   return as_many == other;

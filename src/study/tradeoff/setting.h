@@ -21,8 +21,8 @@ struct TradeoffSetting {
 
   /// "robust-sobol-d8-64spp-specialised"; "dinf" without limit, no word where there is no depth. Names files.
   [[nodiscard]] std::string id() const;
-  /// The same but for the samples: what one program and its buffers serve.
-  [[nodiscard]] bool has_program_of(const TradeoffSetting& other) const;
+  /// One row of the study; its programs differ in whether paths go in lanes at the most.
+  [[nodiscard]] bool is_same_but_for_samples(const TradeoffSetting& other) const;
 };
 
 /// Whether the integrator's pictures depend on how far max_depth lets paths go.

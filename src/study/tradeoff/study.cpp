@@ -24,7 +24,7 @@ void conclude(TradeoffStudy& study) {
   study.fits.clear();
   std::vector<TradeoffSetting> fitted;
   for (const TradeoffPoint& first : study.points) {
-    const auto is_of_row = [&](const TradeoffSetting& other) { return other.has_program_of(first.setting); };
+    const auto is_of_row = [&](const TradeoffSetting& other) { return other.is_same_but_for_samples(first.setting); };
     if (std::any_of(fitted.begin(), fitted.end(), is_of_row)) continue;
     fitted.push_back(first.setting);
     std::vector<std::pair<double, double>> by_seconds, by_samples;
