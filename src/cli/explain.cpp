@@ -187,7 +187,7 @@ ExitCode explain(const ExplainOptions& options) {
   all.program = program_hash(program_source("kernels/render.cl", all.features, all.settings.precision, all.lanes.count,
                                             all.lanes.tree, has_tree, paths));
   if (options.cost) all.costs = costs_of(options, scene, all.settings);
-  print((options.json ? json_of : text_of)(all));
+  print(options.json ? json_of(all) : text_of(all));
   return ExitCode::ok;
 }
 

@@ -6,16 +6,16 @@
 namespace strahl {
 namespace {
 
-constexpr const char* name = "tuned-width";
+constexpr const char* tuned = "tuned-width";
 
 std::string key_of(const Device& device, Precision precision) {
-  return std::string(name) + "\n" + precision_name(precision) + "\n" + driver_key(device);
+  return std::string(tuned) + "\n" + precision_name(precision) + "\n" + driver_key(device);
 }
 
 }  // namespace
 
 std::optional<int> tuned_width(const Device& device, Precision precision) {
-  const std::vector<unsigned char> stored = read_cached_binary(name, key_of(device, precision));
+  const std::vector<unsigned char> stored = read_cached_binary(tuned, key_of(device, precision));
   if (stored.size() != 1) return std::nullopt;
   const int width = stored[0];
   const bool is_one = width == 2 || width == 4 || width == 8 || (width == 16 && precision != Precision::fp64);
@@ -23,7 +23,7 @@ std::optional<int> tuned_width(const Device& device, Precision precision) {
 }
 
 void remember_width(const Device& device, Precision precision, int width) {
-  write_cached_binary(name, key_of(device, precision), {static_cast<unsigned char>(width)});
+  write_cached_binary(tuned, key_of(device, precision), {static_cast<unsigned char>(width)});
 }
 
 Width width_on(const Device& device, RenderSettings settings) {

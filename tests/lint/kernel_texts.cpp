@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 // kernel_texts FOLDER: writes every kernel x precision x {all, no, each single} effect as FOLDER/NAME.cl, for clang to
-// type-check. All, none and all of a scene without a tree at every width of lanes, single effects at the widest.
+// type-check. All, none and all of a scene without a tree at every width of lanes, single effects at the widest; those
+// of lists that are the same for every tier of single precision in the robust one alone. A text that stands already
+// but for names that it never asks for is not written again.
 #include <fmt/format.h>
 
 #include <filesystem>
 #include <fstream>
+#include <unordered_set>
 
 #include "device/kernel_source.h"
 #include "device/program_text.h"
@@ -25,10 +28,12 @@ Features every(bool on) {
 }
 
 /// name -> features, one effect alone.
-std::vector<std::pair<std::string, Features>> singles() {
+std::vector<std::pair<std::string, Features>> singles(Precision precision) {
+  const bool has_all = precision == Precision::robust || precision == Precision::fp64;
   std::vector<std::pair<std::string, Features>> sets;
   for (const std::string& list : list_folders())
     for (const std::string& entry : list_entries(list)) {
+      if (!has_all && list != "shapes") continue;
       sets.emplace_back(list + "-" + entry, every(false));
       sets.back().second.entries[list].insert(entry);
     }
@@ -39,11 +44,32 @@ std::vector<std::pair<std::string, Features>> singles() {
   return sets;
 }
 
+/// Without the first line, which says what the text is, and features that it defines and never asks for.
+std::string essence(const std::string& text) {
+  std::string kept;
+  const std::string define = "#define HAS_";
+  std::size_t line = text.find('\n') + 1;
+  for (std::size_t next; line < text.size(); line = next) {
+    next = std::min(text.find('\n', line), text.size() - 1) + 1;
+    if (text.compare(line, define.size(), define) == 0) {
+      const std::size_t name = line + std::string("#define ").size();
+      const std::string word = text.substr(name, text.find(' ', name) - name);
+      if (text.find(word, next) == std::string::npos) continue;
+    }
+    kept.append(text, line, next - line);
+  }
+  return kept;
+}
+
 void write(const std::filesystem::path& folder, const std::string& kernel, const std::string& set,
            const Features& features, Precision precision, int lanes, bool has_tree = true, int path_lanes = 1) {
+  static std::unordered_set<std::string> written;
+  const std::string text =
+      program_source("kernels/" + kernel + ".cl", features, precision, lanes, 0, has_tree, path_lanes).text;
+  if (!written.insert(essence(text)).second) return;
   const std::string name = fmt::format("{}-{}-{}-{}.cl", kernel, precision_name(precision), lanes, set);
   std::ofstream file(folder / name);
-  file << program_source("kernels/" + kernel + ".cl", features, precision, lanes, 0, has_tree, path_lanes).text;
+  file << text;
   if (!file.flush()) throw std::runtime_error("cannot write " + name);
 }
 
@@ -68,7 +94,7 @@ int main(int count, char** arguments) {
         write(folder, kernel, "none-paths", every(false), precision, lanes, true, lanes);
         write(folder, kernel, "lists-paths", flat, precision, lanes, false, lanes);
       }
-      for (const auto& [name, features] : singles()) write(folder, kernel, name, features, precision, widest);
+      for (const auto& [name, features] : singles(precision)) write(folder, kernel, name, features, precision, widest);
     }
   return 0;
 }

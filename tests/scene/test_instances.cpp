@@ -5,8 +5,8 @@
 
 #include "device/features.h"
 #include "scene/build.h"
+#include "scene/one_problem.h"
 #include "scene/scene_text.h"
-#include "scene/validate.h"
 #include "study/transformed.h"
 
 using namespace strahl;
@@ -31,13 +31,6 @@ Scene scene_with_instance(const Transform& transform = {}) {
   group.shapes.emplace_back().geometry = Sphere{};
   add_instance(scene, add(scene, group), transform);
   return scene;
-}
-
-void check_one(const Scene& scene, const std::string& words) {
-  const std::vector<Diagnostic> found = validate(scene);
-  INFO(words);
-  REQUIRE(found.size() == 1);
-  CHECK(found[0].message.find(words) != std::string::npos);
 }
 
 }  // namespace
@@ -126,25 +119,25 @@ TEST_CASE("instances built by hand are validated") {
   CHECK(validate(scene_with_instance()).empty());
   Scene scene = scene_with_instance();
   scene.instances[0].group = 1;
-  check_one(scene, "group 1 does not exist");
+  check_one_problem(scene, "group 1 does not exist");
   scene = scene_with_instance();
   scene.instances[0].group = -1;
-  check_one(scene, "group -1 does not exist");
+  check_one_problem(scene, "group -1 does not exist");
   scene = scene_with_instance();
   scene.instances[0].world_from_group.m[1] = scene.instances[0].world_from_group.m[0];
-  check_one(scene, "singular");
+  check_one_problem(scene, "singular");
   scene = scene_with_instance();
   scene.instances[0].world_from_group.m[0][3] = std::numeric_limits<double>::infinity();
-  check_one(scene, "finite");
+  check_one_problem(scene, "finite");
   scene = scene_with_instance();
   scene.groups[0].shapes.clear();
-  check_one(scene, "no shapes");
+  check_one_problem(scene, "no shapes");
   scene = scene_with_instance();
   scene.groups[0].shapes[0].material = 7;
-  check_one(scene, "material 7");
+  check_one_problem(scene, "material 7");
   scene = scene_with_instance();
   scene.groups[0].shapes[0].geometry = Sphere{{}, -1};
-  check_one(scene, "radius");
+  check_one_problem(scene, "radius");
 }
 
 TEST_CASE("bounds are those of the instances, not of the groups") {

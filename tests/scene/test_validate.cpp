@@ -3,9 +3,10 @@
 #include <catch2/catch.hpp>
 #include <limits>
 
-#include "scene/validate.h"
+#include "scene/one_problem.h"
 
 using namespace strahl;
+using namespace strahl::test;
 
 namespace {
 
@@ -17,18 +18,11 @@ Scene scene_with(const Geometry& geometry) {
   return scene;
 }
 
-void check_one(const Scene& scene, const std::string& words) {
-  const std::vector<Diagnostic> found = validate(scene);
-  INFO(words);
-  REQUIRE(found.size() == 1);
-  CHECK(found[0].message.find(words) != std::string::npos);
-}
-
 template <class Change>
 void check_changed(const std::string& words, const Change& change) {
   Scene scene = scene_with(Sphere{});
   change(scene);
-  check_one(scene, words);
+  check_one_problem(scene, words);
 }
 
 Mesh triangle_mesh() {
@@ -59,34 +53,34 @@ TEST_CASE("sound scenes have no faults") {
 }
 
 TEST_CASE("faults of geometry") {
-  check_one(scene_with(Sphere{{}, 0}), "radius");
-  check_one(scene_with(Sphere{{nan_value, 0, 0}}), "finite");
-  check_one(scene_with(Sphere{{}, 1, {{{1, 0, 0}, {1, 0, 0}, {0, 0, 1}}}}), "orthonormal");
-  check_one(scene_with(Plane{{}, {0, 0, 0}}), "not zero");
-  check_one(scene_with(Plane{{}, {0, 1, 0}, {1, 0, 0}, {2, 0, 0}}), "span");
-  check_one(scene_with(Box{{1, 0, 0}, {0, 0, 0}}), "min");
-  check_one(scene_with(Triangle{{0, 0, 0}, {1, 1, 1}, {2, 2, 2}}), "line");
-  check_one(scene_with(Rectangle{{}, {1, 0, 0}, {1, 0, 0}}), "area");
-  check_one(scene_with(Cube{{}, {{{1, 0, 0}, {0, 1, 0}, {0, 0, 0}}}}), "volume");
-  check_one(scene_with(Disk{{}, {1, 0, 0}, {0, 2, 0}}), "equally long");
-  check_one(scene_with(Cylinder{{}, {0, 0, 1}, 1, {0, 0, 1}}), "reference");
-  check_one(scene_with(Cylinder{{}, {}, 1, {1, 0, 0}}), "differ");
+  check_one_problem(scene_with(Sphere{{}, 0}), "radius");
+  check_one_problem(scene_with(Sphere{{nan_value, 0, 0}}), "finite");
+  check_one_problem(scene_with(Sphere{{}, 1, {{{1, 0, 0}, {1, 0, 0}, {0, 0, 1}}}}), "orthonormal");
+  check_one_problem(scene_with(Plane{{}, {0, 0, 0}}), "not zero");
+  check_one_problem(scene_with(Plane{{}, {0, 1, 0}, {1, 0, 0}, {2, 0, 0}}), "span");
+  check_one_problem(scene_with(Box{{1, 0, 0}, {0, 0, 0}}), "min");
+  check_one_problem(scene_with(Triangle{{0, 0, 0}, {1, 1, 1}, {2, 2, 2}}), "line");
+  check_one_problem(scene_with(Rectangle{{}, {1, 0, 0}, {1, 0, 0}}), "area");
+  check_one_problem(scene_with(Cube{{}, {{{1, 0, 0}, {0, 1, 0}, {0, 0, 0}}}}), "volume");
+  check_one_problem(scene_with(Disk{{}, {1, 0, 0}, {0, 2, 0}}), "equally long");
+  check_one_problem(scene_with(Cylinder{{}, {0, 0, 1}, 1, {0, 0, 1}}), "reference");
+  check_one_problem(scene_with(Cylinder{{}, {}, 1, {1, 0, 0}}), "differ");
   Mesh mesh = triangle_mesh();
   mesh.triangles[0][1] = 3;
-  check_one(scene_with(mesh), "triangle 0");
+  check_one_problem(scene_with(mesh), "triangle 0");
   mesh = triangle_mesh();
   mesh.normals.resize(1);
-  check_one(scene_with(mesh), "normal for every vertex");
+  check_one_problem(scene_with(mesh), "normal for every vertex");
   mesh = triangle_mesh();
   mesh.parts = {{0, {}}};
   mesh.part_of_triangle = {1};
-  check_one(scene_with(mesh), "part_of_triangle");
+  check_one_problem(scene_with(mesh), "part_of_triangle");
   mesh.part_of_triangle = {0};
   mesh.parts[0].material = 4;
-  check_one(scene_with(mesh), "material 4");
+  check_one_problem(scene_with(mesh), "material 4");
   mesh = triangle_mesh();
   mesh.triangles.clear();
-  check_one(scene_with(mesh), "no triangles");
+  check_one_problem(scene_with(mesh), "no triangles");
 }
 
 TEST_CASE("faults of everything else") {
@@ -106,5 +100,5 @@ TEST_CASE("faults of everything else") {
   check_changed("no name", [](Scene& s) { s.integrator.name.clear(); });
   Scene wide = scene_with(Sphere{});
   wide.film.width = 65537;
-  check_one(wide, "65536");
+  check_one_problem(wide, "65536");
 }
