@@ -133,7 +133,12 @@ FN real real_floor(real a) { return std::floor(a); }
 #define real_to_bits as_uint
 #define bits_to_real as_float
 #endif
+#if defined(__clang__) && defined(__BMI__)
+// One instruction in place of three, in the middle of every walk.
+FN int first_bit(uint m) { return __builtin_ctz(m); }
+#else
 FN int first_bit(uint m) { return 31 - (int)clz(m & (~m + 1u)); }
+#endif
 FN void add_atomically(GLOBAL uint* sum, uint number) { atomic_add(sum, number); }
 FN uint high_product(uint a, uint b) { return mul_hi(a, b); }
 FN real real_sqrt(real a) { return sqrt(a); }

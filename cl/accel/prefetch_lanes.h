@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// Memory that a ray will want: asked for where a child begins to wait on the stack, it is there when its turn comes.
+// Rays that bounce about a large scene wait for memory most of their time. PoCL's own prefetch() does nothing, so this
+// asks its compiler; elsewhere nothing happens. Nothing depends on it but time. One width; no guard.
+
+#if !ON_HOST && LANES != 1 && defined(__clang__) && defined(__x86_64__)
+enum { LANED(LINE_REALS) = 64 / sizeof(real) };
+
+FN void LANED(prefetch_reals)(GLOBAL const real* p, int reals) {
+#pragma unroll
+  for (int i = 0; i < reals; i += LANED(LINE_REALS)) __builtin_prefetch((PRIVATE const void*)(ulong)(p + i));
+}
+FN void LANED(prefetch_ints)(GLOBAL const int* p) { __builtin_prefetch((PRIVATE const void*)(ulong)p); }
+#else
+FN void LANED(prefetch_reals)(GLOBAL const real* p, int reals) {
+  (void)p;
+  (void)reals;
+}
+FN void LANED(prefetch_ints)(GLOBAL const int* p) { (void)p; }
+#endif
+
+/// What a reference leads to: a node, or the first block of a leaf.
+FN void LANED(prefetch_child)(const Scene* scene, GLOBAL const real* nodes, int reference) {
+  if (reference >= 0) {
+    LANED(prefetch_reals)(nodes + (ulong)reference * (NODE_PLANES * TREE_WIDTH), NODE_PLANES * TREE_WIDTH);
+    return;
+  }
+  uint leaf = (uint)~reference;
+  int kind = (int)(leaf & (REFERENCE_MOST_KINDS - 1));
+  ulong block = leaf >> REFERENCE_BLOCK;
+  (void)scene;  // A scene without shapes.
+  (void)kind;
+  (void)block;
+#define SHAPE(name, planes) \
+  if (kind == SHAPE_##name) \
+    LANED(prefetch_reals)   \
+    (scene->geometry + scene_shape_row(scene, kind)[SHAPE_GEOMETRY] + block * ((planes)*LANES), (planes)*LANES);
+#include "shapes/shapes.def"
+#undef SHAPE
+}
