@@ -72,7 +72,7 @@ void measure_trees(Traversal& all, const Device& device, const Scene& scene, std
     trees[0].seconds.push_back(stats.seconds.bvh);
     trees[0].sah_cost = stats.tree.sah_cost;
     for (std::size_t i = 1; i < trees.size(); ++i) {
-      const PeerTree peer = embree_tree(scene, i == 2, options.threads);
+      const PeerTree peer = embree_tree(scene, i == 2, options.threads, static_cast<unsigned>(stats.lanes));
       trees[i].seconds.push_back(peer.seconds);
       trees[i].sah_cost = peer.sah_cost;
     }

@@ -92,7 +92,7 @@ std::string tier_table(const Traversal& traversal, const std::vector<std::string
   return text + "\n";
 }
 
-/// SAH cost of a binary tree: 1 a node, 1 a block of 16 primitives.
+/// SAH cost of a binary tree: 1 a node, 1 a block of as many primitives as the device has lanes.
 std::string tree_table(const Traversal& traversal) {
   std::string text = "| scene | builder | seconds | million primitives/s | SAH cost |\n|---|---|--:|--:|--:|\n";
   for (const Tree& tree : traversal.trees) {

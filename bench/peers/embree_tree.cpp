@@ -15,8 +15,6 @@
 namespace strahl::bench {
 namespace {
 
-constexpr unsigned block = 16;
-
 /// Boxes of everything bounded, as single precision.
 class Boxes {
  public:
@@ -82,14 +80,14 @@ double half_area(const RTCBounds& b) {
   return x * y + y * z + z * x;
 }
 
-double cost_below(const Node& node, double area, double root_area) {
+double cost_below(const Node& node, unsigned block, double area, double root_area) {
   const double share = area / root_area;
   if (node.children[0] == nullptr) return share * std::ceil(static_cast<double>(node.primitives) / block);
-  return share + cost_below(*node.children[0], half_area(node.bounds[0]), root_area) +
-         cost_below(*node.children[1], half_area(node.bounds[1]), root_area);
+  return share + cost_below(*node.children[0], block, half_area(node.bounds[0]), root_area) +
+         cost_below(*node.children[1], block, half_area(node.bounds[1]), root_area);
 }
 
-RTCBuildArguments arguments_for(std::vector<RTCBuildPrimitive>& boxes, RTCBVH bvh, bool high) {
+RTCBuildArguments arguments_for(std::vector<RTCBuildPrimitive>& boxes, RTCBVH bvh, bool high, unsigned block) {
   RTCBuildArguments a = rtcDefaultBuildArguments();
   a.buildQuality = high ? RTC_BUILD_QUALITY_HIGH : RTC_BUILD_QUALITY_MEDIUM;
   a.maxDepth = 1024;
@@ -127,7 +125,7 @@ RTCBuildArguments arguments_for(std::vector<RTCBuildPrimitive>& boxes, RTCBVH bv
 
 }  // namespace
 
-PeerTree embree_tree(const Scene& scene, bool high, unsigned threads) {
+PeerTree embree_tree(const Scene& scene, bool high, unsigned threads, unsigned block) {
   Boxes boxes;
   for (const Shape& shape : scene.shapes) std::visit(boxes, shape.geometry);
   if (boxes.all.empty()) throw Error("Embree's builder is given nothing bounded");
@@ -150,11 +148,11 @@ PeerTree embree_tree(const Scene& scene, bool high, unsigned threads) {
   const EmbreeDevice device(rtcNewDevice(fmt::format("threads={}", threads).c_str()));
   if (device == nullptr) throw Error("Embree does not start");
   RTCBVH bvh = rtcNewBVH(device.get());
-  const RTCBuildArguments arguments = arguments_for(boxes.all, bvh, high);
+  const RTCBuildArguments arguments = arguments_for(boxes.all, bvh, high, block);
   const Stopwatch start;
   const auto* top = static_cast<const Node*>(rtcBuildBVH(&arguments));
   PeerTree tree{start.seconds(), 0};
-  if (top != nullptr) tree.sah_cost = cost_below(*top, half_area(root), half_area(root));
+  if (top != nullptr) tree.sah_cost = cost_below(*top, block, half_area(root), half_area(root));
   rtcReleaseBVH(bvh);
   if (top == nullptr) throw Error("Embree builds no tree");
   return tree;

@@ -8,11 +8,11 @@ namespace strahl::bench {
 
 struct PeerTree {
   double seconds = 0;
-  double sah_cost = 0;  ///< As RunStats::tree counts: 1 a node, 1 a block of 16 primitives.
+  double sah_cost = 0;  ///< As RunStats::tree counts: 1 a node, 1 a block of primitives.
 };
 
-/// rtcBuildBVH, binary, leaves of up to 16 primitives, their cost counted in blocks; high: its slower quality, which
+/// rtcBuildBVH, binary, leaves of up to `block` primitives, which cost as much as one; high: its slower quality, which
 /// splits boxes. Throws Error where Embree is not there.
-[[nodiscard]] PeerTree embree_tree(const Scene& scene, bool high, unsigned threads);
+[[nodiscard]] PeerTree embree_tree(const Scene& scene, bool high, unsigned threads, unsigned block);
 
 }  // namespace strahl::bench

@@ -10,6 +10,8 @@ std::unique_ptr<Contender> embree_contender(const Scene&, const EmbreeSettings&)
   throw Error("built without Embree; apt install libembree-dev, and build again");
 }
 
-PeerTree embree_tree(const Scene&, bool, unsigned) { throw Error("built without Embree; apt install libembree-dev"); }
+PeerTree embree_tree(const Scene&, bool, unsigned, unsigned) {
+  throw Error("built without Embree; apt install libembree-dev");
+}
 
 }  // namespace strahl::bench

@@ -60,12 +60,14 @@ TEST_CASE("Embree's builder is a yardstick for strahl's") {
   const Device device = Device::open("pocl");
   for (const Scene& scene : {sphereflake(3), terrain(20000), box_lattice(10), tetra(5)}) {
     INFO(scene.name);
-    const double ours = Intersector(device, scene).stats().tree.sah_cost;
-    const PeerTree peer = embree_tree(scene, false, 2);
+    const RunStats stats = Intersector(device, scene).stats();
+    const double ours = stats.tree.sah_cost;
+    const auto block = static_cast<unsigned>(stats.lanes);
+    const PeerTree peer = embree_tree(scene, false, 2, block);
     CHECK(peer.seconds > 0);
     CHECK(ours > 1);
     CHECK(ours < 1.05 * peer.sah_cost);
-    CHECK(embree_tree(scene, true, 2).sah_cost < 1.05 * peer.sah_cost);
+    CHECK(embree_tree(scene, true, 2, block).sah_cost < 1.05 * peer.sah_cost);
   }
 }
 
