@@ -19,6 +19,11 @@ FN void LANED(prefetch_reals)(GLOBAL const real* p, int reals) {
 FN void LANED(prefetch_ints)(GLOBAL const int* p) { (void)p; }
 #endif
 
+FN void LANED(prefetch_block)(const Scene* scene, int kind, ulong block, int reals) {
+  GLOBAL const real* blocks = scene->geometry + scene_shape_row(scene, kind)[SHAPE_GEOMETRY];
+  LANED(prefetch_reals)(blocks + block * (ulong)reals, reals);
+}
+
 /// What a reference leads to: a node, or the first block of a leaf.
 FN void LANED(prefetch_child)(const Scene* scene, GLOBAL const real* nodes, int reference) {
   if (reference >= 0) {
@@ -27,14 +32,10 @@ FN void LANED(prefetch_child)(const Scene* scene, GLOBAL const real* nodes, int 
   }
   uint leaf = (uint)~reference;
   int kind = (int)(leaf & (REFERENCE_MOST_KINDS - 1));
-  ulong block = leaf >> REFERENCE_BLOCK;
   (void)scene;  // A scene without shapes.
   (void)kind;
-  (void)block;
 #define SHAPE(name, planes) \
-  if (kind == SHAPE_##name) \
-    LANED(prefetch_reals)   \
-    (scene->geometry + scene_shape_row(scene, kind)[SHAPE_GEOMETRY] + block * ((planes)*LANES), (planes)*LANES);
+  if (kind == SHAPE_##name) LANED(prefetch_block)(scene, kind, leaf >> REFERENCE_BLOCK, (planes)*LANES);
 #include "shapes/shapes.def"
 #undef SHAPE
 }
