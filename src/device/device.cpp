@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include "device/platforms.h"
+#include "device/program_shelf.h"
 #include "device/selector.h"
 
 namespace strahl {
@@ -89,6 +90,7 @@ Device Device::open(const std::string& selector_text, const DeviceNeeds& needs) 
   if (chosen->platform == "Portable Computing Language") launch_what_the_binary_holds();
   Device device;
   device.info_ = *chosen;
+  device.programs_ = std::make_shared<ProgramShelf>();
   checked(chosen->text(), [&] {
     const cl::Platform& platform = handles[static_cast<std::size_t>(chosen->platform_index)];
     device.device_ = device_handles(platform).at(static_cast<std::size_t>(chosen->device_index));

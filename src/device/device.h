@@ -47,6 +47,8 @@ struct PlatformInfo {
 /// Every platform, the broken and empty ones too, with the reason. Never throws for a platform's fault.
 [[nodiscard]] std::vector<PlatformInfo> list_platforms();
 
+class ProgramShelf;
+
 /// What a render asks of a device.
 struct DeviceNeeds {
   bool fp64 = false;
@@ -66,12 +68,15 @@ class Device {
   [[nodiscard]] const cl::Context& context() const { return context_; }
   [[nodiscard]] const cl::Device& device() const { return device_; }
   [[nodiscard]] const cl::CommandQueue& queue() const { return queue_; }
+  /// Copies of a device share it.
+  [[nodiscard]] ProgramShelf& programs() const { return *programs_; }
 
  private:
   DeviceInfo info_;
   cl::Device device_;
   cl::Context context_;
   cl::CommandQueue queue_;
+  std::shared_ptr<ProgramShelf> programs_;
 };
 
 }  // namespace strahl

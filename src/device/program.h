@@ -41,6 +41,11 @@ struct ProgramReport {
 [[nodiscard]] cl::Program build_program(const Device& device, const ProgramSource& source,
                                         ProgramReport* report = nullptr, bool is_cached = true);
 
+/// As build_program; what this device, or one that it is a copy of, has built already is taken as it is
+/// (device/program_shelf.h) and reported as from the cache.
+[[nodiscard]] cl::Program program_on(const Device& device, const ProgramSource& source, ProgramReport* report = nullptr,
+                                     bool is_cached = true);
+
 /// Removes every cached binary and every dumped source; returns how many binaries there were. Throws Error.
 std::size_t clear_program_cache();
 /// The directory in use; empty where there is none (no home directory): nothing is cached.

@@ -4,6 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <functional>
+#include <optional>
 #include <set>
 #include <string>
 
@@ -89,17 +92,22 @@ std::vector<ShapeRange> ranges_of(const Scene& scene) {
 struct Intersector::State {
   Device device;
   Precision precision;
+  bool is_cached;
+  std::function<ProgramSource(bool any_hit)> source;
   SceneBuffers buffers;
-  cl::Kernel closest, anything, describe;
+  std::array<std::optional<cl::Kernel>, 2> finders;  ///< Of the nearest hit, and of any.
+  cl::Kernel describe;
   std::vector<std::int64_t> first_ids;
   std::vector<ShapeRange> shapes_of_group;  ///< And last the scene's own.
   std::vector<int> group_of_instance;
   RunStats stats;
 
-  explicit State(const Device& d, Precision p) : device(d), precision(p) {}
+  State(const Device& d, const RenderSettings& settings)
+      : device(d), precision(settings.precision), is_cached(settings.cached_program) {}
 
   [[nodiscard]] const ShapeRange& shapes_beside(const Ray& ray, std::size_t row) const;
   [[nodiscard]] std::int32_t left_id(const Ray& ray, std::size_t row) const;
+  cl::Kernel& finder(bool any_hit);
   void run(cl::Kernel& kernel, const std::vector<cl::Buffer>& arguments, std::size_t count, std::size_t rays_an_item);
   void take_any(const cl::Buffer& found, std::size_t first, std::size_t count, std::vector<Hit>& hits);
   template <typename Real>
@@ -128,6 +136,26 @@ std::int32_t Intersector::State::left_id(const Ray& ray, std::size_t row) const 
   if (ray.primitive < 0 || ray.primitive >= first_ids[shape + 1] - first_ids[shape])
     throw InputError(fmt::format("ray {}: primitive {} of shape {} does not exist", row, ray.primitive, ray.shape));
   return static_cast<std::int32_t>(first_ids[shape]) + ray.primitive;
+}
+
+/// Compiled when it is first asked for: a walk is most of what a program compiles, and few callers ask both questions.
+cl::Kernel& Intersector::State::finder(bool any_hit) {
+  std::optional<cl::Kernel>& kernel = finders.at(any_hit);
+  if (kernel) return *kernel;
+  const Stopwatch start;
+  const ProgramSource text = source(any_hit);
+  ProgramReport report;
+  const cl::Program program = program_on(device, text, &report, is_cached);
+  checked(device.info().text(), [&] {
+    kernel = cl::Kernel(program, any_hit ? "anything" : "closest");
+    if (!any_hit) describe = cl::Kernel(program, "describe");
+    return CL_SUCCESS;
+  });
+  stats.seconds.program += start.seconds();
+  stats.program = program_hash(text);
+  stats.program_from_cache = report.from_cache;
+  stats.program_bytes = report.binary_bytes;
+  return *kernel;
 }
 
 /// Enqueues a kernel over `count` rays and waits for its end; the scene's buffers come first among its arguments.
@@ -166,9 +194,10 @@ void Intersector::State::trace_chunk(const std::vector<Ray>& rays, std::size_t f
   write_buffer(device, left_buffer, left.data(), left.size() * sizeof(std::int32_t));
   stats.seconds.upload += upload.seconds();
 
+  cl::Kernel& find = finder(any_hit);
   for (double& seconds : run_seconds) {
     const Stopwatch start;
-    run(any_hit ? anything : closest, {ray_buffer, left_buffer, t_buffer, found_buffer}, count, lanes);
+    run(find, {ray_buffer, left_buffer, t_buffer, found_buffer}, count, lanes);
     seconds += start.seconds();
   }
   if (any_hit) return take_any(found_buffer, first, count, hits);
@@ -210,7 +239,7 @@ void Intersector::State::take_any(const cl::Buffer& found, std::size_t first, st
 }
 
 Intersector::Intersector(const Device& device, const Scene& scene, const RenderSettings& settings)
-    : state_(std::make_unique<State>(device, settings.precision)) {
+    : state_(std::make_unique<State>(device, settings)) {
   if (std::vector<Diagnostic> problems = validate(scene); !problems.empty()) throw SceneError(problems);
   State& s = *state_;
   const Width width = width_on(device, settings);
@@ -220,16 +249,10 @@ Intersector::Intersector(const Device& device, const Scene& scene, const RenderS
   static_cast<void>(most_samples(device, loops, settings.loop_turns));
   // Devices that end loops know how long single rays take.
   const bool packets = settings.coherent && width.lanes > 1 && !settings.loop_turns;
-  const ProgramSource source = program_source(packets ? "kernels/intersect_packets.cl" : "kernels/intersect.cl",
-                                              features, settings.precision, width.lanes, width.tree, has_tree);
-  ProgramReport report;
-  const cl::Program program = build_program(device, source, &report, settings.cached_program);
-  checked(device.info().text(), [&] {
-    s.closest = cl::Kernel(program, packets ? "closest_packet" : "closest");
-    s.anything = cl::Kernel(program, packets ? "anything_packet" : "anything");
-    s.describe = cl::Kernel(program, "describe");
-    return CL_SUCCESS;
-  });
+  s.source = [=, precision = settings.precision, has_tree = has_tree](bool any_hit) {
+    const std::string root = fmt::format("kernels/intersect{}{}.cl", any_hit ? "_any" : "", packets ? "_packets" : "");
+    return program_source(root, features, precision, width.lanes, width.tree, has_tree);
+  };
   s.stats.seconds.program = start.seconds();
   const Stopwatch upload;
   s.buffers =
@@ -245,9 +268,6 @@ Intersector::Intersector(const Device& device, const Scene& scene, const RenderS
   s.stats.lanes = width.lanes;
   s.stats.tree_width = width.tree;
   s.stats.tree = s.buffers.tree;
-  s.stats.program = program_hash(source);
-  s.stats.program_from_cache = report.from_cache;
-  s.stats.program_bytes = report.binary_bytes;
   s.stats.disabled.assign(settings.disabled.begin(), settings.disabled.end());
   for (const FeatureReport& row : features.report)
     if (row.on) s.stats.features.push_back(row.name);

@@ -35,14 +35,16 @@ struct Hit {
 
 class Intersector {
  public:
-  /// Throws as Renderer does.
+  /// Compiles nothing yet. Throws as Renderer does, but for KernelBuildError.
   Intersector(const Device& device, const Scene& scene, const RenderSettings& settings = {});
   ~Intersector();
   Intersector(Intersector&&) noexcept;
   Intersector& operator=(Intersector&&) noexcept;
 
-  /// any_hit: t is 0 if anything is hit, ids and the rest as for a miss. `repeat` traces that many times:
-  /// stats().seconds.kernel is the median. Throws InputError for a `shape` or `primitive` that does not exist.
+  /// any_hit: t is 0 if anything is hit, ids and the rest as for a miss; a program of its own. Each is compiled when it
+  /// is first asked for, which counts as stats().seconds.program. `repeat` traces that many times:
+  /// stats().seconds.kernel is the median. Throws InputError for a `shape` or `primitive` that does not exist, and
+  /// KernelBuildError.
   [[nodiscard]] std::vector<Hit> trace(const std::vector<Ray>& rays, bool any_hit = false, int repeat = 1);
   [[nodiscard]] const RunStats& stats() const;
 

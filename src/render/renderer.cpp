@@ -36,7 +36,7 @@ void Renderer::State::prepare() {
   samples_at_once = paths == 1 ? 1 : 4 * paths;
   source = program_source("kernels/render.cl", features, settings.precision, width.lanes, width.tree, has_tree, paths);
   ProgramReport report;
-  const cl::Program program = build_program(device, source, &report, settings.cached_program);
+  const cl::Program program = program_on(device, source, &report, settings.cached_program);
   kernel = checked(device.info().text(), [&] { return cl::Kernel(program, "render"); });
   stats.seconds.program = start.seconds();
 

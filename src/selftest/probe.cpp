@@ -160,7 +160,7 @@ Probe::Probe(const Device& device, const std::string& kind, Precision precision,
   const int lanes = options.lanes.value_or(default_lanes(device.info().native_vector_width, precision));
   ProgramSource source = program_source("kernels/probe.cl", only(kind), precision, lanes);
   if (options.change) options.change(source);
-  const cl::Program program = build_program(device, source);
+  const cl::Program program = program_on(device, source);
   const cl::Kernel kernel = checked(device.info().text(), [&] { return cl::Kernel(program, "probe"); });
   state_ = std::unique_ptr<State>(new State{device, kind, precision, static_cast<std::size_t>(lanes),
                                             static_cast<std::size_t>(planes_of(kind)), kernel});

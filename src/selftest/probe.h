@@ -29,7 +29,7 @@ struct ProbeOptions {
 
 class Probe {
  public:
-  /// Builds the program that holds only this kind (cl/shapes/shapes.def). Throws what build_program does.
+  /// Builds the program that holds only this kind (cl/shapes/shapes.def). Throws what program_on does.
   Probe(const Device&, const std::string& kind, Precision, const ProbeOptions& = {});
   ~Probe();
   Probe(Probe&&) noexcept;

@@ -81,7 +81,6 @@ DeviceBench bench_device(const Device& device, const Scene& scene, int side, con
     settings.precision = tier;
     const RunStats& stats = intersectors.emplace_back(device, scene, settings).stats();
     bench.tiers.emplace_back(precision_name(tier));
-    bench.program_seconds[precision_name(tier)] = stats.seconds.program;
     if (tier == Precision::robust) bench.tree_seconds = stats.seconds.bvh;
   }
   step();
@@ -94,6 +93,8 @@ DeviceBench bench_device(const Device& device, const Scene& scene, int side, con
     for (std::size_t i = 0; i < tiers.size(); ++i)
       bench.mrays[kind][bench.tiers[i]] = static_cast<double>(set.rays.size()) / seconds[i] / 1e6;
   }
+  for (std::size_t i = 0; i < bench.tiers.size(); ++i)
+    bench.program_seconds[bench.tiers[i]] = intersectors[i].stats().seconds.program;
   return bench;
 }
 

@@ -9,6 +9,7 @@
 #include "device/kernel_source.h"
 #include "device/program.h"
 #include "device/program_cache.h"
+#include "device/program_shelf.h"
 #include "support/devices.h"
 
 using namespace strahl;
@@ -92,6 +93,50 @@ TEST_CASE("A program is built once and then taken from the cache") {
     CHECK(cache.files().empty());
     CHECK_FALSE(cached(device));
   }
+}
+
+TEST_CASE("What a device has built it does not build again") {
+  test::require_pocl_and_rusticl();
+  for (const std::string selector : {"pocl", "llvmpipe"}) {
+    INFO(selector);
+    const OwnCache cache;
+    const Device device = Device::open(selector), copy = device;
+    ProgramReport report;
+    const cl::Program program = program_on(device, twice, &report);
+    CHECK_FALSE(report.from_cache);
+    const std::size_t bytes = report.binary_bytes;
+    CHECK(clear_program_cache() == 1);
+    CHECK(program_on(copy, twice, &report)() == program());
+    CHECK(report.from_cache);
+    CHECK(report.binary_bytes == bytes);
+    CHECK(cache.files().empty());
+    CHECK(run_twice(device, program_on(device, {twice.text, "-DFACTOR=3"})) == 63);
+    CHECK(run_twice(device, program_on(device, {twice.text + "\n", twice.options}, &report)) == 42);
+    CHECK_FALSE(report.from_cache);
+    CHECK(program_on(device, twice, &report, false)() != program());
+    CHECK_FALSE(report.from_cache);
+    CHECK_THROWS_AS(program_on(device, {"no program", ""}), KernelBuildError);
+    CHECK_THROWS_AS(program_on(device, {"no program", ""}), KernelBuildError);
+    CHECK(program_on(device, twice)() == program());
+  }
+}
+
+TEST_CASE("A device forgets the program that was asked for longest ago") {
+  test::require_pocl_and_rusticl();
+  const OwnCache cache;
+  const Device device = Device::open("pocl");
+  const auto numbered = [](std::size_t i) { return ProgramSource{twice.text, "-DFACTOR=" + std::to_string(i)}; };
+  const auto is_there = [&](std::size_t i) {
+    static_cast<void>(clear_program_cache());
+    ProgramReport report;
+    static_cast<void>(program_on(device, numbered(i), &report));
+    return report.from_cache;
+  };
+  for (std::size_t i = 0; i < ProgramShelf::most; ++i) CHECK_FALSE(is_there(i));
+  CHECK(is_there(0));
+  CHECK_FALSE(is_there(ProgramShelf::most));
+  CHECK(is_there(0));
+  CHECK_FALSE(is_there(1));
 }
 
 TEST_CASE("Devices do not share binaries") {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // kernel_texts FOLDER: writes every kernel x precision x {all, no, each single} effect as FOLDER/NAME.cl, for clang to
-// type-check. All, none and all of a scene without a tree at every width of lanes, single effects at the widest; those
-// of lists that are the same for every tier of single precision in the robust one alone. A text that stands already
-// but for names that it never asks for is not written again.
+// type-check. All, none and all of a scene without a tree at every width of lanes, single effects at the widest and of
+// one kernel that intersects; those of lists that are the same for every tier of single precision in the robust one
+// alone. A text that stands already but for names that it never asks for is not written again.
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -78,11 +78,12 @@ void write(const std::filesystem::path& folder, const std::string& kernel, const
 int main(int count, char** arguments) {
   if (count != 2) return 2;
   const std::filesystem::path folder = arguments[1];
-  for (const std::string kernel : {"render", "intersect", "intersect_packets", "probe", "canary", "bandwidth"})
+  for (const std::string kernel : {"render", "intersect", "intersect_packets", "intersect_any", "intersect_any_packets",
+                                   "probe", "canary", "bandwidth"})
     for (const Precision precision : {Precision::fast, Precision::stable, Precision::robust, Precision::fp64}) {
       const int widest = default_lanes(16, precision);
       for (int lanes : {1, 8, 16}) {
-        if (kernel == "intersect_packets" && lanes == 1) continue;
+        if (kernel.ends_with("_packets") && lanes == 1) continue;
         if (lanes > widest) continue;
         write(folder, kernel, "all", every(true), precision, lanes);
         write(folder, kernel, "none", every(false), precision, lanes);
@@ -94,6 +95,7 @@ int main(int count, char** arguments) {
         write(folder, kernel, "none-paths", every(false), precision, lanes, true, lanes);
         write(folder, kernel, "lists-paths", flat, precision, lanes, false, lanes);
       }
+      if (kernel.starts_with("intersect_")) continue;
       for (const auto& [name, features] : singles(precision)) write(folder, kernel, name, features, precision, widest);
     }
   return 0;

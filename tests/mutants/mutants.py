@@ -7,8 +7,9 @@ mutants.py BUILD [--only ID ...] [--matrix] [--list]
 A mutant is one replacement in a copy of cl/, which the built programs read by way of STRAHL_KERNEL_DIR. It is killed
 by a command that fails because a check failed: a program that no longer builds, an exception or a crash proves nothing
 and counts as an error. Mutants stand in *.mutants beside this file, whose language round.mutants explains. Without
---matrix a mutant's first killer must kill it; --matrix runs every killer of the list and WHOLE_TESTS against
-every mutant, keeps what it has found in BUILD/mutants/matrix.json, and goes on from there.
+--matrix a mutant's first killer must kill it, and those that say `matrix: only` must fit; --matrix runs every killer of
+the list and WHOLE_TESTS against every mutant, keeps what it has found in BUILD/mutants/matrix.json, and goes on from
+there.
 """
 import argparse
 import concurrent.futures
@@ -31,7 +32,7 @@ HEAD = """# Mutants
 
 Known mistakes that the tests must find. `tests/mutants/mutants.py BUILD` puts each of them into a copy of `cl/` and
 requires that the named test turns red; `--matrix`, of the label `slow`, asks all these tests and some more about every
-mutant. Written by `mutants.py BUILD --list`.
+mutant, those marked (matrix) only there. Written by `mutants.py BUILD --list`.
 
 | mutant | the mistake | killed by |
 |---|---|---|
@@ -59,6 +60,7 @@ class Mutant:
     # What is taken away and what is put there; most have one pair.
     edits: list = dataclasses.field(default_factory=list)
     killers: list = dataclasses.field(default_factory=list)
+    matrix_only: bool = False
 
     def apply(self, kernels):
         path = kernels / self.file
@@ -86,6 +88,8 @@ def read_mutants(path):
             mutants[-1].what = rest
         elif key == "file:":
             mutants[-1].file = rest
+        elif key == "matrix:" and rest == "only":
+            mutants[-1].matrix_only = True
         elif key == "killer:":
             mutants[-1].killers.append(rest)
         elif key in "-+":
@@ -127,7 +131,8 @@ def verdict(killer, status, output):
 
 
 def table(mutants):
-    rows = [f"| {m.name} | {m.what} | {', '.join(f'`{killer}`' for killer in m.killers)} |" for m in mutants]
+    rows = [f"| {m.name}{' (matrix)' if m.matrix_only else ''} | {m.what} | "
+            f"{', '.join(f'`{killer}`' for killer in m.killers)} |" for m in mutants]
     return HEAD + "\n".join(rows) + "\n"
 
 
@@ -244,8 +249,14 @@ def main():
             raise Misfit(f"docs/{TABLE.name} is not what mutants.py --list prints")
         if options.only:
             mutants = [mutant for mutant in mutants if mutant.name in options.only]
+        laboratory = Laboratory(options.build.resolve())
+        if not (options.only or options.matrix):
+            for mutant in mutants:
+                if mutant.matrix_only:
+                    laboratory.kernels(mutant)
+            mutants = [mutant for mutant in mutants if not mutant.matrix_only]
         run = run_matrix if options.matrix else run_named
-        return 1 if run(Laboratory(options.build.resolve()), mutants, os.cpu_count()) or not mutants else 0
+        return 1 if run(laboratory, mutants, os.cpu_count()) or not mutants else 0
     except Misfit as misfit:
         print(misfit)
         return 1

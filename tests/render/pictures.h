@@ -5,6 +5,7 @@
 #include <array>
 #include <cstring>
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -35,8 +36,13 @@ inline RenderSettings all_aovs(Precision precision = Precision::robust) {
   return settings;
 }
 
+/// A device that is opened once keeps what it has built.
 inline RenderResult render(const std::string& device, const Scene& scene, const RenderSettings& settings) {
-  return Renderer(Device::open(device, {settings.precision == Precision::fp64}), scene, settings).render();
+  static std::map<std::pair<std::string, bool>, Device> opened;
+  const std::pair key{device, settings.precision == Precision::fp64};
+  auto at = opened.find(key);
+  if (at == opened.end()) at = opened.emplace(key, Device::open(device, {key.second})).first;
+  return Renderer(at->second, scene, settings).render();
 }
 
 /// Every float has the same bits: -0 differs from 0 and a NaN equals itself.

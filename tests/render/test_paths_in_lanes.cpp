@@ -69,8 +69,8 @@ TEST_CASE("shapes that are asked ray by ray, listed and in a tree, in lanes") {
   Scene scene = of("lights/disk.xml");
   scene.integrator.name = "path";
   scene.integrator.max_depth = 4;
-  require_same(scene, plain());
-  RenderSettings settings = plain();
+  RenderSettings settings = plain(Precision::robust, 8);
+  require_same(scene, settings);
   settings.acceleration = Acceleration::tree;
   require_same(scene, settings);
 }
