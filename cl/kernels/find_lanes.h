@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// LANES rays a work-item (core/trace_one.h): where they hit, or whether. One width; no guard. Each question is a
-// program of its own, for a walk is most of what a program compiles and few callers ask both.
+// The kernel that finds, LANES rays a work-item (core/trace_one.h): where they hit or, with STOP_AT_FIRST 1, whether.
+// Each question is a program of its own, for a walk is most of what a program compiles and few callers ask both. One
+// width; no guard.
 #include "math/vec3.h"
 #include "lanes/lane_ops.h"
 #include "core/trace_one.h"
@@ -49,5 +50,16 @@ ONCE_FN void LANED(find)(const Scene* scene, GLOBAL const real* in, GLOBAL const
   LANED(find_rays)(scene, in, left, count, stop_at_first, t, found);
 }
 
-/// Rays of the block that begins with `first`.
-FN int rays_from(ulong first, ulong count) { return count - first < LANES ? (int)(count - first) : LANES; }
+/// found: FOUND_INTS ints a ray and its t, or with STOP_AT_FIRST 1 or 0 a ray alone.
+KERNEL LANE_HINT void find(GLOBAL const real* geometry, GLOBAL const real* shading, GLOBAL const int* index,
+                           GLOBAL const real* rays, GLOBAL const int* left, GLOBAL real* t, GLOBAL int* found,
+                           ulong count) {
+  ulong first = get_global_id(0) * LANES;
+  if (first >= count) return;
+  Scene scene = scene_of(geometry, shading, index);
+  int rays_there = count - first < LANES ? (int)(count - first) : LANES;
+  ulong ints = STOP_AT_FIRST ? 1 : FOUND_INTS;
+  LANED(find)
+  (&scene, rays + first * RAY_REALS, left + first * LEFT_INTS, rays_there, STOP_AT_FIRST, t + first,
+   found + first * ints);
+}

@@ -1,17 +1,7 @@
 // SPDX-License-Identifier: MIT
 // N rays in, N hits out: where rays hit, then what is there.
+#define STOP_AT_FIRST 0
 #include "kernels/find_lanes.h"
-
-KERNEL LANE_HINT void closest(GLOBAL const real* geometry, GLOBAL const real* shading, GLOBAL const int* index,
-                              GLOBAL const real* rays, GLOBAL const int* left, GLOBAL real* t, GLOBAL int* found,
-                              ulong count) {
-  ulong first = get_global_id(0) * LANES;
-  if (first >= count) return;
-  Scene scene = scene_of(geometry, shading, index);
-  LANED(find)
-  (&scene, rays + first * RAY_REALS, left + first * LEFT_INTS, rays_from(first, count), 0, t + first,
-   found + first * FOUND_INTS);
-}
 
 /// One work-item a ray.
 KERNEL LANE_HINT void describe(GLOBAL const real* geometry, GLOBAL const real* shading, GLOBAL const int* index,

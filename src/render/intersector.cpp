@@ -147,7 +147,7 @@ cl::Kernel& Intersector::State::finder(bool any_hit) {
   ProgramReport report;
   const cl::Program program = program_on(device, text, &report, is_cached);
   checked(device.info().text(), [&] {
-    kernel = cl::Kernel(program, any_hit ? "anything" : "closest");
+    kernel = cl::Kernel(program, "find");
     if (!any_hit) describe = cl::Kernel(program, "describe");
     return CL_SUCCESS;
   });
