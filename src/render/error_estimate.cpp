@@ -34,14 +34,15 @@ struct PixelError {
   double difference_variance = 0;
 };
 
-PixelError pixel_error(const std::int64_t* sums, int samples, double scale) {
+PixelError pixel_error(const FilmSums& film, std::size_t at) {
+  const int samples = film.samples[at];
   std::array<Colour, sub_sums> part{};
   std::array<double, sub_sums> count{};
   PixelError pixel;
   for (int k = 0; k < sub_sums; ++k) {
     count[k] = (samples - k + sub_sums - 1) / sub_sums;
     for (int c = 0; c < channels; ++c) {
-      const double sum = static_cast<double>(sums[k * channels + c]) / scale;
+      const double sum = film.sub_sum(at, k, c);
       part[k][c] = sum / count[k];
       pixel.mean[c] += sum / samples;
     }
@@ -69,17 +70,15 @@ PixelError pixel_error(const std::int64_t* sums, int samples, double scale) {
 std::optional<ErrorEstimate> estimate_error(const FilmSums& film) {
   if (film.sub_sums < sub_sums) return std::nullopt;
   double squared = 0, relative = 0, variance = 0, variance_squared = 0;
-  const std::int64_t* sums = film.sums.data();
-  for (const int samples : film.samples) {
-    if (samples < sub_sums) return std::nullopt;
-    const PixelError pixel = pixel_error(sums, samples, film.scale);
+  for (std::size_t at = 0; at < film.samples.size(); ++at) {
+    if (film.samples[at] < sub_sums) return std::nullopt;
+    const PixelError pixel = pixel_error(film, at);
     for (int c = 0; c < channels; ++c) {
       squared += pixel.squared[c];
       relative += pixel.squared[c] / (pixel.mean[c] * pixel.mean[c] + 0.01);
     }
     variance += pixel.difference_variance;
     variance_squared += pixel.difference_variance * pixel.difference_variance;
-    sums += sub_sums * channels;
   }
   const double values = static_cast<double>(film.samples.size()) * channels;
   const double mse = squared / values;
@@ -95,15 +94,13 @@ Image standard_error(const FilmSums& film) {
   image.width = film.width;
   image.height = film.height;
   image.data.reserve(film.samples.size() * channels);
-  const std::int64_t* sums = film.sums.data();
-  for (const int samples : film.samples) {
-    if (std::min(samples, film.sub_sums) < sub_sums) {
+  for (std::size_t at = 0; at < film.samples.size(); ++at) {
+    if (std::min(film.samples[at], film.sub_sums) < sub_sums) {
       image.data.insert(image.data.end(), channels, std::numeric_limits<float>::quiet_NaN());
     } else {
-      for (const double squared : pixel_error(sums, samples, film.scale).squared)
+      for (const double squared : pixel_error(film, at).squared)
         image.data.push_back(static_cast<float>(std::sqrt(squared)));
     }
-    sums += film.sums_per_pixel();
   }
   return image;
 }

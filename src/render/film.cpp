@@ -27,6 +27,11 @@ void FilmSums::add_sums(int row, const std::vector<std::int64_t>& band) {
   for (const std::int64_t sum : band) *out++ += sum;
 }
 
+double FilmSums::sub_sum(std::size_t pixel, int sub, int channel) const {
+  const std::size_t at = pixel * sums_per_pixel() + static_cast<std::size_t>(sub * layout::FILM_CHANNELS + channel);
+  return static_cast<double>(sums[at]) / scale;
+}
+
 Image FilmSums::mean() const {
   Image image;
   image.width = width;

@@ -26,6 +26,8 @@ struct FilmSums {
   void add_samples(const Launch& launch);
   /// Adds another film's sums of rows [row, row + its height), for the samples that are counted already.
   void add_sums(int row, const std::vector<std::int64_t>& band);
+  /// What the samples of a pixel that one sub-sum holds add up to, in radiance. pixel: counts along the window's rows.
+  [[nodiscard]] double sub_sum(std::size_t pixel, int sub, int channel) const;
   /// Mean over all samples; a pixel without samples is black.
   [[nodiscard]] Image mean() const;
 };
