@@ -29,7 +29,7 @@ template <typename Real>
 class Minimal {
  public:
   Minimal(const Device& device, const Scene& scene, const RenderSettings& settings, int lanes)
-      : device_(device), side_(scene.film.width), scale_(film_scale(scene)) {
+      : device_(device), side_(scene.film.width) {
     KernelFiles files = kernel_files();
     files[kRoot] = read_file(STRAHL_BENCH_FOLDER "/kernels/ten_spheres_minimal.cl");
     program_ = build_program(
@@ -56,7 +56,7 @@ class Minimal {
     spheres_ = upload(spheres);
     ids_ = upload(ids);
     radiance_ = upload(radiance);
-    film_bytes_ = pixels() * layout::FILM_CHANNELS * sizeof(std::int64_t);
+    film_bytes_ = pixels() * layout::FILM_CHANNELS * layout::FILM_SUM_WORDS * sizeof(std::int64_t);
     film_ = allocate(device, film_bytes_, "the film");
   }
 
@@ -65,7 +65,6 @@ class Minimal {
     cl_uint arg = 0;
     for (const cl::Buffer* buffer : {&camera_, &spheres_, &ids_, &radiance_, &film_}) kernel.setArg(arg++, *buffer);
     for (const int value : {side_, side_, blocks_}) kernel.setArg(arg++, value);
-    kernel.setArg(arg++, static_cast<Real>(scale_));
     device_.queue().enqueueFillBuffer(film_, cl_long{0}, 0, film_bytes_);
     device_.queue().finish();
     const WorkGroup group;
@@ -78,8 +77,8 @@ class Minimal {
   }
 
   Image picture() {
-    FilmSums film(side_, side_, 1, scale_);
-    read_buffer(device_, film_, film.sums.data(), film_bytes_);
+    FilmSums film(side_, side_, 1, 1);
+    read_buffer(device_, film_, film.words.data(), film_bytes_);
     film.add_samples({0, 0, side_, side_, 0, 1});
     return film.mean();
   }
@@ -95,7 +94,6 @@ class Minimal {
 
   Device device_;
   int side_;
-  double scale_;
   cl::Program program_;
   std::map<std::string, cl::Kernel> kernels_;
   int blocks_ = 0;

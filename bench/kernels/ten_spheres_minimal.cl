@@ -7,6 +7,7 @@
 #include "lanes/lane_ops.h"
 #include "accel/packet_kinds.h"
 #include "core/candidates.h"
+#include "core/film.h"
 #include "core/ray.h"
 #include "scene/scene.h"
 #include "shapes/edge_lanes.h"
@@ -26,24 +27,13 @@ FN Ray ray_through(GLOBAL const real* camera, int width, int height, int x, int 
   return ray_make(o, d, camera[CAMERA_NEAR], camera[CAMERA_FAR], -1);
 }
 
-/// What film_units of core/film.h does with a value that is neither NaN nor too large.
-FN long units(real value, real scale) {
-  real scaled = value * scale;
-  long whole = (long)scaled;
-  real rest = scaled - (real)whole;
-  return whole + (rest >= R(0.5) ? 1 : 0);
-}
-
-/// radiance: three reals a sphere, in the order of their ids.
-FN void expose(GLOBAL long* sums, GLOBAL const real* radiance, int id, real scale) {
-  sums[0] += units(radiance[3 * id], scale);
-  sums[1] += units(radiance[3 * id + 1], scale);
-  sums[2] += units(radiance[3 * id + 2], scale);
+/// radiance: three reals a sphere, in the order of their ids; neither NaN nor infinite.
+FN void expose(GLOBAL long* sums, GLOBAL const real* radiance, int id) {
+  for (int k = 0; k < FILM_CHANNELS; ++k) film_add(sums + k * FILM_SUM_WORDS, film_bins_of(radiance[3 * id + k]));
 }
 
 KERNEL LANE_HINT void lanes(GLOBAL const real* camera, GLOBAL const real* spheres, GLOBAL const int* ids,
-                            GLOBAL const real* radiance, GLOBAL long* film, int width, int height, int blocks,
-                            real scale) {
+                            GLOBAL const real* radiance, GLOBAL long* film, int width, int height, int blocks) {
   int x = (int)get_global_id(0), y = (int)get_global_id(1);
   if (x >= width || y >= height) return;
   Ray ray = ray_through(camera, width, height, x, y);
@@ -57,11 +47,11 @@ KERNEL LANE_HINT void lanes(GLOBAL const real* camera, GLOBAL const real* sphere
   GLOBAL const real* sphere = spheres + best.slot / LANES * 4 * LANES + best.slot % LANES;
   real3 out = sub3(fma3(best.t, ray.d, ray.o), vec3(sphere[0], sphere[LANES], sphere[2 * LANES]));
   if (dot3(out, ray.d) < R(0.0))
-    expose(film + ((ulong)y * (ulong)width + (ulong)x) * FILM_CHANNELS, radiance, best.id, scale);
+    expose(film + ((ulong)y * (ulong)width + (ulong)x) * (FILM_CHANNELS * FILM_SUM_WORDS), radiance, best.id);
 }
 
 KERNEL void scalar(GLOBAL const real* camera, GLOBAL const real* spheres, GLOBAL const int* ids,
-                   GLOBAL const real* radiance, GLOBAL long* film, int width, int height, int blocks, real scale) {
+                   GLOBAL const real* radiance, GLOBAL long* film, int width, int height, int blocks) {
   int x = (int)get_global_id(0), y = (int)get_global_id(1);
   if (x >= width || y >= height) return;
   Ray ray = ray_through(camera, width, height, x, y);
@@ -78,5 +68,5 @@ KERNEL void scalar(GLOBAL const real* camera, GLOBAL const real* spheres, GLOBAL
       hit = ids[i];
     }
   }
-  if (hit >= 0) expose(film + ((ulong)y * (ulong)width + (ulong)x) * FILM_CHANNELS, radiance, hit, scale);
+  if (hit >= 0) expose(film + ((ulong)y * (ulong)width + (ulong)x) * (FILM_CHANNELS * FILM_SUM_WORDS), radiance, hit);
 }

@@ -1,26 +1,47 @@
 // SPDX-License-Identifier: MIT
-// The film: sums that do not depend on how samples were split into launches. Each sample's channel is rounded once to
-// a fixed-point integer and added as an integer; docs/decisions/0002-film.md has the numbers.
+// A sample on its way into the film: cut into the bins of core/film_sum.h, in integers, so that no device's rounding or
+// flushing of small numbers enters (docs/decisions/0002-film.md).
 #ifndef STRAHL_CORE_FILM_H
 #define STRAHL_CORE_FILM_H
 
 #include "core/counters.h"
+#include "core/film_sum.h"
 #include "portable.h"
 
-/// Units a sample may add at the most: 2^43, so that 2^19 samples a sub-sum (render/sampling.h) stay within 63 bits.
-#define FILM_LIMIT R(8796093022208.0)
+/// The largest number that a sample may add: a float's, in every tier, so that no mean is infinite in a picture of
+/// floats.
+#define FILM_LARGEST R(0x1.fffffep+127)
 
-FN long film_units(const Scene* scene, real value, real scale) {
-  real scaled = value * scale;
-  if (!(scaled <= FILM_LIMIT && scaled >= -FILM_LIMIT)) {
-    int is_number = scaled > FILM_LIMIT || scaled < -FILM_LIMIT;
-    count_event(scene, is_number ? COUNT_SATURATED : COUNT_INVALID);
-    scaled = is_number ? (scaled > R(0.0) ? FILM_LIMIT : -FILM_LIMIT) : R(0.0);
+/// What one channel of `times` samples adds: 0 for a NaN, FILM_LARGEST at the most. Both are counted. Decided on the
+/// bits: a compiler may assume that no NaN is there.
+FN real film_value(const Scene* scene, real value, int times) {
+  bitsr sign = (bitsr)1 << (REAL_BITS - 1), bits = real_to_bits(value), size = bits & ~sign;
+  if (size <= real_to_bits(FILM_LARGEST)) return value;
+  int is_number = size <= (bitsr)REAL_EXPONENT_MASK << REAL_EXPONENT_SHIFT;
+  count_events(scene, is_number ? COUNT_SATURATED : COUNT_INVALID, (uint)times);
+  return is_number ? bits_to_real((bits & sign) | real_to_bits(FILM_LARGEST)) : R(0.0);
+}
+
+/// A film_value in bins. A float is held whole; of a double the 41 leading bits at least, and nothing below 2^-220.
+FN FilmBins film_bins_of(real value) {
+  bitsr bits = real_to_bits(value), sign = (bitsr)1 << (REAL_BITS - 1), leading = (bitsr)1 << REAL_EXPONENT_SHIFT;
+  int exponent = (int)((bits & ~sign) >> REAL_EXPONENT_SHIFT);
+  // Subnormal numbers have the smallest exponent, and no leading 1.
+  ulong digits = (ulong)((bits & (leading - 1u)) | (exponent > 0 ? leading : 0u)) << (63 - REAL_EXPONENT_SHIFT);
+  int place = max(exponent, 1) - (REAL_EXPONENT_MASK >> 1) + FILM_ORIGIN;
+  FilmBins bins;
+  bins.top = 0;
+  bins.high = bins.low = 0;
+  if (digits == 0 || place < 0) return bins;
+  int below = place / FILM_BIN_BITS, above = place % FILM_BIN_BITS;
+  bins.top = below + 1;
+  bins.high = (long)(digits >> (63 - above));
+  bins.low = (long)(digits << (above + 1) >> (64 - FILM_BIN_BITS));
+  if (bits & sign) {
+    bins.high = -bins.high;
+    bins.low = -bins.low;
   }
-  // The rest is exact; adding a half before truncating would round twice.
-  long whole = (long)scaled;
-  real rest = scaled - (real)whole;
-  return whole + (rest >= R(0.5) ? 1 : (rest <= -R(0.5) ? -1 : 0));
+  return bins;
 }
 
 #endif

@@ -65,22 +65,23 @@ FN int LANED(wanted)(const Scene* scene, const LANED(Paths) * path, const FirstS
 }
 
 /// `times` samples, from `sample` on, all of that light.
-FN void add_to_film(const Scene* scene, GLOBAL long* pixel_sums, int film_sums, real film_scale, int sample, int times,
-                    real3 light) {
+FN void add_to_film(const Scene* scene, GLOBAL long* pixel_sums, int film_sums, int sample, int times, real3 light) {
   // The background's share of a picture need not touch the film.
   if (light.x == R(0.0) && light.y == R(0.0) && light.z == R(0.0)) return;
+  FilmBins x = film_bins_of(film_value(scene, light.x, times));
+  FilmBins y = film_bins_of(film_value(scene, light.y, times));
+  FilmBins z = film_bins_of(film_value(scene, light.z, times));
   for (int i = sample; i < sample + times; ++i) {
     // One sum holds what four do: integers, so the mean is the same.
-    GLOBAL long* sums = pixel_sums + (HAS_ERROR_SUMS ? i & (film_sums - 1) : 0) * FILM_CHANNELS;
-    sums[0] += film_units(scene, light.x, film_scale);
-    sums[1] += film_units(scene, light.y, film_scale);
-    sums[2] += film_units(scene, light.z, film_scale);
+    GLOBAL long* sums = pixel_sums + (HAS_ERROR_SUMS ? i & (film_sums - 1) : 0) * (FILM_CHANNELS * FILM_SUM_WORDS);
+    film_add(sums, x);
+    film_add(sums + FILM_SUM_WORDS, y);
+    film_add(sums + 2 * FILM_SUM_WORDS, z);
   }
 }
 
 /// The pixel's samples, `times` each. sums: the pixel's in the film.
 FN void LANED(render_pixel)(Scene scene, Pixel pixel, FirstSample first, GLOBAL long* sums, int times) {
-  real film_scale = scene.shading[scene.index[HEADER_FILM_SCALE]];
   int film_sums = scene.index[HEADER_SUMS];
   LANED(Paths) path;
   LANED(paths_none)(&path);
@@ -95,7 +96,7 @@ FN void LANED(render_pixel)(Scene scene, Pixel pixel, FirstSample first, GLOBAL 
       for (uint ended = before & ~bits_w(path.alive); ended != 0u; ended &= ended - 1u) {
         int i = first_bit(ended), sample = get_int_w((PRIVATE const intw*)&path.sample.sample, i);
         real3 light = vec3(get_w(&path.radiance.x, i), get_w(&path.radiance.y, i), get_w(&path.radiance.z, i));
-        add_to_film(&scene, sums, film_sums, film_scale, sample, times, light);
+        add_to_film(&scene, sums, film_sums, sample, times, light);
       }
       // A lane whose path has ended waits until an eighth of them have, or for nothing.
       is_full = pixel.next >= pixel.end || 8u * lanes_among(bits_w(~path.alive)) < LANES;
@@ -139,7 +140,7 @@ KERNEL LANE_HINT_OF(SCENE_LANES) void render(GLOBAL const real* geometry, GLOBAL
   first.reals = aov_reals + slot * AOV_REALS;
   first.ints = aov_ints + slot * AOV_INTS;
   first.lane = HAS_AOV && sample_first == 0 ? 0 : -1;
-  GLOBAL long* sums = film + slot * (ulong)(index[HEADER_SUMS] * FILM_CHANNELS);
+  GLOBAL long* sums = film + slot * (ulong)(index[HEADER_SUMS] * FILM_CHANNELS * FILM_SUM_WORDS);
   int times = do_differ ? 1 : sample_count;
   if (IS_PROGRAM_LARGE)
     LANED(render_pixel_once)(scene, pixel, first, sums, times);

@@ -16,14 +16,13 @@ enum {
   HEADER_MAX_DEPTH,   // -1: no limit
   HEADER_RR_DEPTH,    // Surfaces after which Russian roulette begins.
   HEADER_HIDE_EMITTERS,
-  HEADER_SAMPLER,     // SAMPLER_independent, ...
-  HEADER_CAMERA,      // -> shading
-  HEADER_FILTER,      // -> shading, FILTER_CELLS + 1 quantiles
-  HEADER_FILM_SCALE,  // -> shading, 1 real: film units per unit of radiance, a power of two
-  HEADER_PARTS,       // -> index, PART_INTS a part
-  HEADER_MATERIALS,   // -> index, MATERIAL_INTS a material
-  HEADER_TEXTURES,    // -> index, TEXTURE_INTS a texture
-  HEADER_LIGHTS,      // -> index, LIGHT_INTS a light
+  HEADER_SAMPLER,    // SAMPLER_independent, ...
+  HEADER_CAMERA,     // -> shading
+  HEADER_FILTER,     // -> shading, FILTER_CELLS + 1 quantiles
+  HEADER_PARTS,      // -> index, PART_INTS a part
+  HEADER_MATERIALS,  // -> index, MATERIAL_INTS a material
+  HEADER_TEXTURES,   // -> index, TEXTURE_INTS a texture
+  HEADER_LIGHTS,     // -> index, LIGHT_INTS a light
   HEADER_LIGHT_COUNT,
   HEADER_LIGHTS_TAKEN,  // So many light every surface; of those after them one is drawn.
   HEADER_BACKGROUND,    // The light that rays see that leave the scene; -1: none.
@@ -119,8 +118,9 @@ enum { WHITTED_LONGEST = 1024 };
 // of the light that is left out is below 0.95^512 = 4e-12.
 enum { ROULETTE_LONGEST = 512 };
 
-// Film: FILM_SUBSUMS x 3 sums a pixel (sample index mod FILM_SUBSUMS), or 1 x 3, docs/decisions/0002-film.md.
-enum { FILM_SUBSUMS = 4, FILM_CHANNELS = 3 };
+// Film: FILM_SUBSUMS x 3 sums a pixel (sample index mod FILM_SUBSUMS), or 1 x 3, each of FILM_SUM_WORDS words of 64
+// bits (core/film_sum.h), docs/decisions/0002-film.md.
+enum { FILM_SUBSUMS = 4, FILM_CHANNELS = 3, FILM_SUM_WORDS = 2 };
 
 // First-sample values of a pixel: depth, normal, position, uv, t and the ray that it belongs to (RAY_O ...); shape,
 // primitive.

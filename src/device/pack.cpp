@@ -74,12 +74,7 @@ class Packing {
     index(layout::HEADER_HIDE_EMITTERS) = scene_.integrator.hide_emitters ? 1 : 0;
     index(layout::HEADER_CAMERA) = put_shading(camera_reals(scene_.camera, scene_.film, options_.frame));
     index(layout::HEADER_FILTER) = put_shading(filter_quantiles(scene_.film.filter, sampling.kind));
-    packed_.film_scale = film_scale(scene_);
-    index(layout::HEADER_FILM_SCALE) = put_shading({packed_.film_scale * radiance_unit()});
   }
-
-  /// Radiance is the same in every frame, but where it is a length.
-  double radiance_unit() const { return scene_.integrator.name == "depth" ? 1 / options_.frame.scale : 1; }
 
   void materials() {
     index(layout::HEADER_MATERIALS) = index_end();

@@ -26,7 +26,6 @@ struct PackedScene {
   std::vector<Real> shading;
   std::vector<std::int32_t> index;
   TreeStats tree;
-  double film_scale = 1;  ///< Film units per unit of radiance.
 
   [[nodiscard]] std::size_t bytes() const {
     return (geometry.size() + shading.size()) * sizeof(Real) + index.size() * sizeof(std::int32_t);
@@ -43,9 +42,6 @@ template <typename Real>
 /// max_depth as the kernels take it: where the scene has none, path has one that leaves nothing of note out
 /// (cl/scene/layout.h, ROULETTE_LONGEST).
 [[nodiscard]] int most_surfaces(const IntegratorSettings& integrator);
-
-/// The film's unit: 2^-28 of a typical radiance of the scene, as a power of two (docs/decisions/0002-film.md).
-[[nodiscard]] double film_scale(const Scene& scene);
 
 /// FILM_CELLS + 1 quantiles of a pixel filter in pixels, antisymmetric; all 0 for the centre sampler.
 [[nodiscard]] std::vector<double> filter_quantiles(const Filter& filter, SamplerKind sampler);

@@ -30,7 +30,6 @@ SceneBuffers upload_as(const Device& device, const Scene& scene, const Features&
   buffers.index = upload(device, packed.index, "the scene's tables");
   buffers.bytes = packed.bytes();
   buffers.tree = packed.tree;
-  buffers.film_scale = packed.film_scale;
   return buffers;
 }
 

@@ -11,7 +11,6 @@ struct SceneBuffers {
   cl::Buffer geometry, shading, index;
   std::size_t bytes = 0;  ///< Of all three together.
   TreeStats tree;
-  double film_scale = 1;
 };
 
 /// Packs and uploads. Throws NoDeviceError where the device cannot hold the scene.

@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: MIT
 #include "render/film.h"
 
-#include <cmath>
-
 #include "device/cl_layout.h"
+#include "render/film_sum.h"
 
 namespace strahl {
 
-FilmSums::FilmSums(int w, int h, int parts, double units) : width(w), height(h), sub_sums(parts), scale(units) {
+FilmSums::FilmSums(int w, int h, int parts, double one) : width(w), height(h), sub_sums(parts), unit(one) {
   const std::size_t pixels = static_cast<std::size_t>(w) * static_cast<std::size_t>(h);
-  sums.resize(pixels * sums_per_pixel(), 0);
+  words.resize(pixels * words_per_pixel(), 0);
   samples.resize(pixels, 0);
 }
 
-std::size_t FilmSums::sums_per_pixel() const { return static_cast<std::size_t>(sub_sums) * layout::FILM_CHANNELS; }
+std::size_t FilmSums::words_per_pixel() const {
+  return static_cast<std::size_t>(sub_sums) * layout::FILM_CHANNELS * layout::FILM_SUM_WORDS;
+}
 
 void FilmSums::add_samples(const Launch& launch) {
   for (int y = launch.row_first; y < launch.row_first + launch.rows; ++y) {
@@ -22,14 +23,16 @@ void FilmSums::add_samples(const Launch& launch) {
   }
 }
 
-void FilmSums::add_sums(int row, const std::vector<std::int64_t>& band) {
-  std::int64_t* out = &sums[static_cast<std::size_t>(row) * static_cast<std::size_t>(width) * sums_per_pixel()];
-  for (const std::int64_t sum : band) *out++ += sum;
+void FilmSums::add_words(int row, const std::vector<std::int64_t>& band) {
+  std::int64_t* sum = &words[static_cast<std::size_t>(row) * static_cast<std::size_t>(width) * words_per_pixel()];
+  for (std::size_t i = 0; i < band.size(); i += layout::FILM_SUM_WORDS)
+    film_add(sum + i, film_bins(band[i], band[i + 1]));
 }
 
 double FilmSums::sub_sum(std::size_t pixel, int sub, int channel) const {
-  const std::size_t at = pixel * sums_per_pixel() + static_cast<std::size_t>(sub * layout::FILM_CHANNELS + channel);
-  return static_cast<double>(sums[at]) / scale;
+  const int sum = (sub * layout::FILM_CHANNELS + channel) * layout::FILM_SUM_WORDS;
+  const std::int64_t* at = &words[pixel * words_per_pixel() + static_cast<std::size_t>(sum)];
+  return unit * value_of(film_bins(at[0], at[1]));
 }
 
 Image FilmSums::mean() const {
@@ -37,22 +40,19 @@ Image FilmSums::mean() const {
   image.width = width;
   image.height = height;
   image.data.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 3, 0.0F);
-  const std::int64_t* pixel = sums.data();
+  const std::int64_t* pixel = words.data();
   float* out = image.data.data();
   for (const int count : samples) {
-    const double unit = count > 0 ? 1.0 / (scale * count) : 0.0;
-    for (int channel = 0; channel < layout::FILM_CHANNELS; ++channel) {
-      // In halves: exact, so that it does not matter which sub-sum a sample is in.
-      std::int64_t high = 0, low = 0;
+    for (int channel = 0; channel < layout::FILM_CHANNELS; ++channel, ++out) {
+      // Added up as the film adds, so that it does not matter which sub-sum a sample is in.
+      std::int64_t total[layout::FILM_SUM_WORDS] = {0, 0};
       for (int sub = 0; sub < sub_sums; ++sub) {
-        const std::int64_t sum = pixel[sub * layout::FILM_CHANNELS + channel];
-        high += sum >> 32;
-        low += sum & 0xffffffff;
+        const std::int64_t* sum = pixel + (sub * layout::FILM_CHANNELS + channel) * layout::FILM_SUM_WORDS;
+        film_add(total, film_bins(sum[0], sum[1]));
       }
-      const double total = std::ldexp(static_cast<double>(high), 32) + static_cast<double>(low);
-      *out++ = static_cast<float>(total * unit);
+      if (count > 0) *out = static_cast<float>(value_of(film_bins(total[0], total[1])) / count * unit);
     }
-    pixel += sums_per_pixel();
+    pixel += words_per_pixel();
   }
   return image;
 }

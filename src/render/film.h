@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The film on the host: fixed-point sums that any split of the samples adds up to alike (docs/decisions/0002-film.md).
+// The film on the host: sums that any split of the samples adds up to alike (docs/decisions/0002-film.md).
 #pragma once
 
 #include <cstddef>
@@ -15,20 +15,20 @@ namespace strahl {
 struct FilmSums {
   int width = 0;
   int height = 0;
-  int sub_sums = 1;                ///< 1 or 4.
-  double scale = 1;                ///< Units per unit of radiance.
-  std::vector<std::int64_t> sums;  ///< height x width x sub_sums x 3.
-  std::vector<int> samples;        ///< height x width: how many samples a pixel has.
+  int sub_sums = 1;                 ///< 1 or 4.
+  double unit = 1;                  ///< Radiance in what the kernels call 1.
+  std::vector<std::int64_t> words;  ///< height x width x sub_sums x 3 x 2, as cl/core/film_sum.h has them.
+  std::vector<int> samples;         ///< height x width: how many samples a pixel has.
 
-  FilmSums(int width, int height, int sub_sums, double scale);
-  [[nodiscard]] std::size_t sums_per_pixel() const;
+  FilmSums(int width, int height, int sub_sums, double unit);
+  [[nodiscard]] std::size_t words_per_pixel() const;
   /// Counts what a launch has added to its pixels; rows count within the window.
   void add_samples(const Launch& launch);
-  /// Adds another film's sums of rows [row, row + its height), for the samples that are counted already.
-  void add_sums(int row, const std::vector<std::int64_t>& band);
+  /// Adds another film's words of rows [row, row + its height), for the samples that are counted already.
+  void add_words(int row, const std::vector<std::int64_t>& band);
   /// What the samples of a pixel that one sub-sum holds add up to, in radiance. pixel: counts along the window's rows.
   [[nodiscard]] double sub_sum(std::size_t pixel, int sub, int channel) const;
-  /// Mean over all samples; a pixel without samples is black.
+  /// Mean over all samples, the same whatever sub-sums they are in; a pixel without samples is black.
   [[nodiscard]] Image mean() const;
 };
 

@@ -30,7 +30,7 @@ FilmRun::FilmRun(Renderer::State& state, const RenderGoal& goal, const ProgressC
       band_rows_(state.band_rows()),
       spp_(state.samples_of(goal)),
       passes_(goal, spp_),
-      film_(width_, height_, sub_sums_of(state.settings, spp_), state.buffers.film_scale) {
+      film_(width_, height_, sub_sums_of(state.settings, spp_), state.radiance_unit()) {
   const std::size_t pixels = film_.samples.size();
   aov_reals_.resize(state.has_aov() ? pixels * layout::AOV_REALS : 0, 0.0);
   aov_ints_.resize(state.has_aov() ? pixels * layout::AOV_INTS : 0, -1);
@@ -124,9 +124,9 @@ bool FilmRun::render_band(const Pass& pass, int row, int rows) {
 
 void FilmRun::read_band(int row, int rows) {
   const std::size_t pixels = static_cast<std::size_t>(width_) * static_cast<std::size_t>(rows);
-  std::vector<std::int64_t> sums(pixels * film_.sums_per_pixel());
-  read_buffer(state_.device, state_.film, sums.data(), film_bytes(pixels));
-  film_.add_sums(row, sums);
+  std::vector<std::int64_t> words(pixels * film_.words_per_pixel());
+  read_buffer(state_.device, state_.film, words.data(), film_bytes(pixels));
+  film_.add_words(row, words);
 }
 
 void FilmRun::read_aovs(int row, int rows) {
@@ -161,7 +161,7 @@ bool FilmRun::render_pass(const Pass& pass) {
 void FilmRun::read_film() {
   if (!is_one_band()) return;
   const Stopwatch start;
-  read_buffer(state_.device, state_.film, film_.sums.data(), film_bytes(film_.samples.size()));
+  read_buffer(state_.device, state_.film, film_.words.data(), film_bytes(film_.samples.size()));
   result_.stats.seconds.readback += start.seconds();
 }
 

@@ -16,7 +16,7 @@ class FilmRun {
  private:
   [[nodiscard]] bool is_one_band() const { return band_rows_ >= height_; }
   [[nodiscard]] std::size_t film_bytes(std::size_t pixels) const {
-    return pixels * film_.sums_per_pixel() * sizeof(std::int64_t);
+    return pixels * film_.words_per_pixel() * sizeof(std::int64_t);
   }
   [[nodiscard]] double seconds_left() const;
   [[nodiscard]] bool report();

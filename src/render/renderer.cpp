@@ -74,11 +74,9 @@ void Renderer::State::prepare() {
 int Renderer::State::path_lanes_of(int spp) const { return path_lanes(features, settings, stats.lanes, has_tree, spp); }
 
 int Renderer::State::samples_of(const RenderGoal& goal) const {
-  const int most = settings.estimate_error ? max_spp : max_spp_in_one_sum;
-  const int spp = goal.spp.value_or(goal.is_open() ? most : sampling.spp);
-  if (spp < 1 || spp > most)
-    throw UsageError(fmt::format("--spp {}: {}the film holds 1 to {} samples per pixel", spp,
-                                 settings.estimate_error ? "" : "without the error's estimate ", most));
+  const int spp = goal.spp.value_or(goal.is_open() ? max_spp : sampling.spp);
+  if (spp < 1 || spp > max_spp)
+    throw UsageError(fmt::format("--spp {}: the film holds 1 to {} samples per pixel", spp, max_spp));
   return spp;
 }
 

@@ -16,9 +16,10 @@
 
 namespace strahl {
 
-inline constexpr std::size_t film_buffer_bytes = std::size_t{256} << 20;
+inline constexpr std::size_t film_buffer_bytes = std::size_t{512} << 20;
 /// At the most: a film of one sum takes a part of the buffer.
-inline constexpr std::size_t film_bytes_per_pixel = sizeof(std::int64_t) * layout::FILM_SUBSUMS * layout::FILM_CHANNELS;
+inline constexpr std::size_t film_bytes_per_pixel =
+    sizeof(std::int64_t) * layout::FILM_SUBSUMS * layout::FILM_CHANNELS * layout::FILM_SUM_WORDS;
 
 struct Renderer::State {
   Device device;
@@ -36,6 +37,8 @@ struct Renderer::State {
 
   /// The textbook's renderer keeps the world's coordinates, whatever they cost it.
   [[nodiscard]] Frame frame() const { return settings.precision == Precision::fast ? Frame{} : camera_frame(scene); }
+  /// Radiance is the same in every frame, but where it is a length.
+  [[nodiscard]] double radiance_unit() const { return scene.integrator.name == "depth" ? 1 / frame().scale : 1; }
   [[nodiscard]] bool has_aov() const { return features.flag("AOV"); }
   [[nodiscard]] std::size_t real_bytes() const { return settings.precision == Precision::fp64 ? 8 : 4; }
   [[nodiscard]] std::size_t aov_real_bytes(std::size_t pixels) const {

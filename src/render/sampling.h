@@ -18,9 +18,7 @@ struct ResolvedSampling {
 
 [[nodiscard]] ResolvedSampling resolve_sampling(const Scene& scene);
 
-/// What the film's 63-bit sums hold: 2^19 samples in each of its 4 sub-sums.
+/// What the film's words hold (cl/core/film_sum.h), whether in one sum or in four.
 inline constexpr int max_spp = 1 << 21;
-/// Where all samples go into one of them.
-inline constexpr int max_spp_in_one_sum = 1 << 19;
 
 }  // namespace strahl

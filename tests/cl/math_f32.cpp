@@ -30,9 +30,9 @@ float length3(const std::array<float, 3>& v) { return f32::length3(f32::vec3(v[0
 float difference_of_products(float a, float b, float c, float d) { return f32::difference_of_products(a, b, c, d); }
 float soft_fma(float a, float b, float c) { return f32::soft_fma(a, b, c); }
 float random_unit(float, std::uint32_t bits) { return f32::random_unit_1(bits); }
-std::int64_t film_units(float value, float scale, std::array<std::uint32_t, 4>* counts) {
+void add_to_film(FilmWords& sum, float value, std::array<std::uint32_t, 4>* counts) {
   const f32::Scene scene{nullptr, nullptr, nullptr, counts->data()};
-  return f32::film_units(&scene, value, scale);
+  f32::film_add(sum.data(), f32::film_bins_of(f32::film_value(&scene, value, 1)));
 }
 
 }  // namespace strahl::test

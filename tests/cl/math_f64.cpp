@@ -35,9 +35,9 @@ std::array<std::uint32_t, 4> random4(std::uint32_t pixel, std::uint32_t sample, 
   return {r.x, r.y, r.z, r.w};
 }
 double random_unit(double, std::uint32_t bits) { return f64::random_unit_1(bits); }
-std::int64_t film_units(double value, double scale, std::array<std::uint32_t, 4>* counts) {
+void add_to_film(FilmWords& sum, double value, std::array<std::uint32_t, 4>* counts) {
   const f64::Scene scene{nullptr, nullptr, nullptr, counts->data()};
-  return f64::film_units(&scene, value, scale);
+  f64::film_add(sum.data(), f64::film_bins_of(f64::film_value(&scene, value, 1)));
 }
 
 }  // namespace strahl::test

@@ -22,8 +22,11 @@ std::array<std::uint32_t, 4> random4(std::uint32_t pixel, std::uint32_t sample, 
 float random_unit(float tier, std::uint32_t bits);
 double random_unit(double tier, std::uint32_t bits);
 
-/// counts: saturated, invalid.
-std::int64_t film_units(float value, float scale, std::array<std::uint32_t, 4>* counts);
-std::int64_t film_units(double value, double scale, std::array<std::uint32_t, 4>* counts);
+/// A channel's sum in the film: the words of cl/core/film_sum.h.
+using FilmWords = std::array<std::int64_t, 2>;
+
+/// Adds one sample as the kernel does. counts: saturated, invalid.
+void add_to_film(FilmWords& sum, float value, std::array<std::uint32_t, 4>* counts);
+void add_to_film(FilmWords& sum, double value, std::array<std::uint32_t, 4>* counts);
 
 }  // namespace strahl::test

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// cl/math and the film's rounding on the host: vectors against MPFR, random numbers against what uniform ones look
-// like.
+// cl/math on the host: vectors against MPFR, random numbers against what uniform ones look like.
 #include <mpfr.h>
 
 #include <algorithm>
@@ -172,36 +171,4 @@ TEST_CASE("random_unit is within [0, 1)") {
   CHECK(random_unit(0.0, 0u) == 0);
   CHECK(random_unit(0.0f, ~0u) == 1 - 0x1p-24f);
   CHECK(random_unit(0.0, ~0u) == 1 - 0x1p-32);
-}
-
-TEMPLATE_TEST_CASE("film_units rounds to the nearest, saturates, and counts what it cannot take", "", float, double) {
-  using Limits = std::numeric_limits<TestType>;
-  std::array<std::uint32_t, 4> counts{};
-  const auto units = [&](double value, double scale = 1) {
-    return film_units(static_cast<TestType>(value), static_cast<TestType>(scale), &counts);
-  };
-  CHECK(units(0) == 0);
-  CHECK(units(-0.0) == 0);
-  CHECK(units(2.25) == 2);
-  CHECK(units(2.75) == 3);
-  CHECK(units(-2.75) == -3);
-  CHECK(units(0.5) == 1);
-  CHECK(units(-0.5) == -1);
-  CHECK(units(3, 0x1p20) == 3 << 20);
-  // Where adding a half would itself round.
-  CHECK(film_units(std::nextafter(TestType(0.5), TestType(0)), TestType(1), &counts) == 0);
-  const std::int64_t odd = (std::int64_t{1} << (std::min(Limits::digits, 42) - 1)) + 1;
-  CHECK(units(static_cast<double>(odd)) == odd);
-  CHECK(units(static_cast<double>(-odd)) == -odd);
-  CHECK(units(0x1p43) == std::int64_t{1} << 43);
-  CHECK(counts == std::array<std::uint32_t, 4>{});
-  CHECK(units(0x1p44) == std::int64_t{1} << 43);
-  CHECK(units(-INFINITY) == -(std::int64_t{1} << 43));
-  CHECK(units(static_cast<double>(Limits::max()), 4) == std::int64_t{1} << 43);
-  CHECK(counts[0] == 3);
-  CHECK(counts[1] == 0);
-  CHECK(units(NAN) == 0);
-  CHECK(units(INFINITY, 0) == 0);
-  CHECK(counts[0] == 3);
-  CHECK(counts[1] == 2);
 }

@@ -20,7 +20,7 @@ target_include_directories(strahl_host_kernels PRIVATE ${PROJECT_SOURCE_DIR}/cl 
 target_compile_options(strahl_host_kernels PRIVATE -O2 -Wno-psabi $<$<BOOL:${STRAHL_HOST_HAS_FMA}>:-mfma>)
 
 strahl_test(cl/test_departure.cpp LABEL unit)
-foreach(name departed math samplers sampling soft_fma)
+foreach(name departed film math samplers sampling soft_fma)
   strahl_test(cl/test_${name}.cpp LABEL unit LIBS strahl_host_kernels strahl_oracle)
 endforeach()
 foreach(name shapes_oracle watertight ties arbitrary_bits host_equals_device)

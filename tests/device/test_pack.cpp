@@ -131,8 +131,6 @@ TEST_CASE("The header says what a program does not know: width, seed, depth") {
   CHECK(read.header(layout::HEADER_INTEGRATOR) == 0);  // the only one in the program
   CHECK(read.header(layout::HEADER_MAX_DEPTH) == 5);
   CHECK(read.header(layout::HEADER_HIDE_EMITTERS) == 0);
-  CHECK(read.shading(read.header(layout::HEADER_FILM_SCALE), 1) == Reals{film_scale(scene)});
-  CHECK(read.packed.film_scale == film_scale(scene));
   CHECK(read.shading(read.header(layout::HEADER_FILTER), layout::FILTER_CELLS + 1) ==
         filter_quantiles(scene.film.filter, SamplerKind::independent));
   CHECK(read.shading(read.header(layout::HEADER_CAMERA) + layout::CAMERA_D, 3) == Reals{0, 0, 1});

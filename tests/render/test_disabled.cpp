@@ -21,7 +21,7 @@ Mesh sheet() {
   return mesh;
 }
 
-/// Something of everything that can be left out. The sky is the brightest, so that the film's unit stays what it is.
+/// Something of everything that can be left out.
 Scene everything() {
   Scene scene = stage({floor_plane()}, diffuse({0.7, 0.6, 0.5}));
   scene.integrator.name = "path";
