@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+// Light at the surfaces of paths: what their rays find by themselves, and what lights that are drawn or taken throw on
+// them, both weighted against each other. A program holds one traversal for shadows, here. One width; no guard.
+
+/// What comes along the paths' rays by itself: the surfaces' emission, or the background where nothing is hit.
+FN real3w LANED(radiance_along)(const Scene* scene, const LANED(Surfaces) * s) {
+  return sel3_w(s->hit, LANED(emitted_radiance)(scene, s), splat3_w(LANED(background_radiance)(scene)));
+}
+
+/// hide_emitters hides from the camera alone.
+FN maskw LANED(is_light_shown)(const Scene* scene, const LANED(Paths) * path) {
+  return hides_emitters(scene) ? path->alive & lt_int_w(splat_int_w(0), path->depth) : path->alive;
+}
+
+FN int lights_drawn_from(const Scene* scene) {
+  return scene->index[HEADER_LIGHT_COUNT] - scene->index[HEADER_LIGHTS_TAKEN];
+}
+
+/// Of a direction that was drawn with `density` and could have been with `other`.
+FN realw LANED(balance)(realw density, realw other) {
+  realw ratio = other / density, one = splat_w(R(1.0));
+  return one / fma_w(ratio, ratio, one);
+}
+
+/// radiance_along, weighted against its chance to be drawn as a light where the path was.
+FN void LANED(path_add_light)(const Scene* scene, LANED(Paths) * path, const LANED(Surfaces) * s) {
+  realw zero = splat_w(R(0.0));
+  maskw shown = LANED(is_light_shown)(scene, path);
+  real3w radiance = LANED(radiance_along)(scene, s);
+  maskw is_bright = shown & lt_w(zero, max3_w(radiance));
+  if (!any_w(is_bright)) return;
+  if (LIGHT_COUNT > 0) {
+    intw lights =
+        sel_int_w(s->hit, LANED(part_entry)(scene, s, PART_LIGHT), splat_int_w(scene->index[HEADER_BACKGROUND]));
+    maskw is_drawn = is_bright & lt_w(zero, path->density) & ~lt_int_w(lights, splat_int_w(0));
+    if (any_w(is_drawn)) {
+      realw density = LANED(light_density)(scene, is_drawn, lights, path->from, s);
+      density = density / splat_w((real)lights_drawn_from(scene));
+      radiance = sel3_w(is_drawn, scale3_w(LANED(balance)(path->density, density), radiance), radiance);
+    }
+  }
+  LANED(path_add)(path, is_bright, radiance);
+}
+
+/// One light of those that are taken, or one drawn of the others; is_shared: with ways that the material draws.
+FN real3w LANED(light_gain)(const Scene* scene, const LANED(Paths) * path, const LANED(Surfaces) * s,
+                            const LANED(Material) * m, maskw which, int i, int is_shared, LANED(LightSample) * light) {
+  int taken = scene->index[HEADER_LIGHTS_TAKEN];
+  realw zero = splat_w(R(0.0));
+  LANED(Random2) numbers;
+  numbers.x = numbers.y = splat_uint_w(0u);
+  intw lights = splat_int_w(i);
+  real share = R(1.0);
+  if (i >= taken) {
+    uint count = (uint)lights_drawn_from(scene);
+    numbers = LANED(sample_pair)(scene, &path->sample, LANED(set_at)(path->depth, SET_LIGHT));
+    lights = splat_int_w(taken) + int_of_uint_w(high_product_w(numbers.x, splat_uint_w(count)));
+    numbers.x *= count;
+    share = (real)count;
+  }
+  *light = LANED(light_sample)(scene, which, lights, s->position, numbers);
+  which = which & lt_w(zero, max3_w(light->irradiance));
+  realw density, weight = splat_w(share);
+  real3w reflected = LANED(material_eval)(m, unit3_w(light->towards), &density);
+  reflected = mul3_w(reflected, light->irradiance);
+  maskw is_drawn = lt_w(zero, light->density);
+  if (is_shared) weight = sel_w(is_drawn, weight * LANED(balance)(light->density, weight * density), weight);
+  return sel3_w(which, scale3_w(weight, reflected), vec3_w(zero, zero, zero));
+}
+
+/// What shadow rays let through: one for each light that is taken and one for those that are drawn from; or one into
+/// the open.
+FN void LANED(add_lights)(const Scene* scene, LANED(Paths) * path, const LANED(Surfaces) * s, const LANED(Material) * m,
+                          real3w wo, maskw which, int next) {
+  int is_open = HAS_OPENNESS && (next & STEP_OPENNESS) != 0;
+  int count = LIGHT_COUNT == 0 ? 0 : scene->index[HEADER_LIGHT_COUNT];
+  int taken = LIGHT_COUNT == 0 ? 0 : scene->index[HEADER_LIGHTS_TAKEN];
+  int rays = count > taken ? taken + 1 : taken;
+  if (is_open) rays = 1;
+  for (int i = 0; i < rays; ++i) {
+    LANED(LightSample) light;
+    real3w reflected;
+    if (HAS_OPENNESS && is_open) {
+      light = LANED(sky_sample)(scene, path, s, wo);
+      reflected = light.irradiance;
+    } else {
+      reflected = LANED(light_gain)(scene, path, s, m, which, i, next & STEP_SCATTER, &light);
+    }
+    maskw lit = which & lt_w(splat_w(R(0.0)), max3_w(reflected));
+    if (!any_w(lit)) continue;
+    LANED(Rays) shadow;
+    LANED(rays_leaving)(s, lit, light.towards, light.t_max, &shadow);
+    shadow.aim = light.aim;
+    if (HAS_COUNT_RAYS) count_events(scene, COUNT_SHADOW, lanes_among(bits_w(lit)));
+    LANED(path_add)(path, lit & ~LANED(meets_any)(scene, &shadow, lit), reflected);
+  }
+}
