@@ -5,7 +5,7 @@
 /// On the side of wo; what it brings is white.
 FN LANED(LightSample)
     LANED(sky_sample)(const Scene* scene, const LANED(Paths) * path, const LANED(Surfaces) * s, real3w wo) {
-  LANED(Random2) numbers = LANED(sample_pair)(scene, &path->sample, LANED(set_at)(path->depth, SET_WAY));
+  LANED(Random2) numbers = LANED(vertex_pair)(scene, &path->sample, path->depth, USE_WAY);
   realw zero = splat_w(R(0.0)), one = splat_w(R(1.0));
   real3w z = sel3_w(lt_w(dot3_w(wo, s->shading), zero), negate3_w(s->shading), s->shading);
   LANED(Frame) frame = LANED(frame_around)(z);

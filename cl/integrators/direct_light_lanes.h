@@ -42,21 +42,38 @@ FN void LANED(path_add_light)(const Scene* scene, LANED(Paths) * path, const LAN
   LANED(path_add)(path, is_bright, radiance);
 }
 
+/// One of the lights that are drawn from, all alike; of one light there is nothing to choose.
+FN intw LANED(chosen_light)(const Scene* scene, const LANED(Paths) * path) {
+  intw first = splat_int_w(scene->index[HEADER_LIGHTS_TAKEN]);
+  uint count = (uint)lights_drawn_from(scene);
+  if (count == 1u) return first;
+  uintw number = LANED(vertex_number)(scene, &path->sample, path->depth, USE_LIGHT);
+  return first + int_of_uint_w(high_product_w(number, splat_uint_w(count)));
+}
+
+/// What drawn lights draw places with; only a scene whose emitters have several items draws an item.
+FN LANED(LightNumbers) LANED(numbers_for_light)(const Scene* scene, const LANED(Paths) * path) {
+  LANED(LightNumbers) numbers = LANED(no_numbers)();
+  LANED(Random2) place = LANED(vertex_pair)(scene, &path->sample, path->depth, USE_PLACE);
+  numbers.u = LANED(random_between)(place.x);
+  numbers.v = LANED(random_between)(place.y);
+  if (AREA_COUNT > 0 && scene->index[HEADER_MOST_ITEMS] > 1)
+    numbers.item = LANED(vertex_number)(scene, &path->sample, path->depth, USE_ITEM);
+  return numbers;
+}
+
 /// One light of those that are taken, or one drawn of the others; is_shared: with ways that the material draws.
 FN real3w LANED(light_gain)(const Scene* scene, const LANED(Paths) * path, const LANED(Surfaces) * s,
                             const LANED(Material) * m, maskw which, int i, int is_shared, LANED(LightSample) * light) {
   int taken = scene->index[HEADER_LIGHTS_TAKEN];
   realw zero = splat_w(R(0.0));
-  LANED(Random2) numbers;
-  numbers.x = numbers.y = splat_uint_w(0u);
+  LANED(LightNumbers) numbers = LANED(no_numbers)();
   intw lights = splat_int_w(i);
   real share = R(1.0);
   if (i >= taken) {
-    uint count = (uint)lights_drawn_from(scene);
-    numbers = LANED(sample_pair)(scene, &path->sample, LANED(set_at)(path->depth, SET_LIGHT));
-    lights = splat_int_w(taken) + int_of_uint_w(high_product_w(numbers.x, splat_uint_w(count)));
-    numbers.x *= count;
-    share = (real)count;
+    numbers = LANED(numbers_for_light)(scene, path);
+    lights = LANED(chosen_light)(scene, path);
+    share = (real)lights_drawn_from(scene);
   }
   *light = LANED(light_sample)(scene, which, lights, s->position, numbers);
   which = which & lt_w(zero, max3_w(light->irradiance));

@@ -31,7 +31,7 @@ FN maskw LANED(path_mirror)(LANED(Paths) * path, const LANED(Surfaces) * s, cons
 /// The ways on, and the lanes of `which` that take them: the other paths end.
 FN maskw LANED(path_scatter)(const Scene* scene, LANED(Paths) * path, const LANED(Surfaces) * s,
                              const LANED(Material) * m, maskw which, int is_roulette, real3w* on) {
-  LANED(Random2) numbers = LANED(sample_pair)(scene, &path->sample, LANED(set_at)(path->depth, SET_WAY));
+  LANED(Random2) numbers = LANED(vertex_pair)(scene, &path->sample, path->depth, USE_WAY);
   realw u = LANED(random_between)(numbers.x), v = LANED(random_between)(numbers.y), one = splat_w(R(1.0));
   LANED(MaterialSample) way = LANED(material_sample)(m, u, v);
   real3w throughput = mul3_w(path->throughput, way.weight);
@@ -40,7 +40,7 @@ FN maskw LANED(path_scatter)(const Scene* scene, LANED(Paths) * path, const LANE
   maskw is_risked = which & lt_int_w(splat_int_w(scene->index[HEADER_RR_DEPTH] - 2), path->depth);
   if (is_roulette && any_w(is_risked)) {
     realw limit = splat_w(R(0.95)), chance = sel_w(lt_w(most, limit), most, limit);
-    realw number = LANED(random_between)(LANED(roulette_number)(&path->sample, path->depth));
+    realw number = LANED(random_between)(LANED(vertex_number)(scene, &path->sample, path->depth, USE_ROULETTE));
     which = which & ~(is_risked & le_w(chance, number));
     throughput = sel3_w(is_risked, scale3_w(one / chance, throughput), throughput);
   }

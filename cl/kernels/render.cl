@@ -46,7 +46,7 @@ FN void LANED(begin_paths)(const Scene* scene, LANED(Paths) * path, Pixel* pixel
   path->sample = LANED(sample_begin)(scene, number, uint_of_int_w(numbers));
   realw dx = splat_w(R(0.0)), dy = dx;
   if (HAS_PIXEL_FILTER) {
-    LANED(Random2) bits = LANED(sample_pair)(scene, &path->sample, splat_uint_w(SET_PIXEL));
+    LANED(Random2) bits = LANED(sample_pair)(scene, &path->sample, USE_PIXEL);
     dx = LANED(filter_offset)(shading + index[HEADER_FILTER], LANED(random_unit)(bits.x));
     dy = LANED(filter_offset)(shading + index[HEADER_FILTER], LANED(random_unit)(bits.y));
   }

@@ -4,20 +4,14 @@
 #include "areas/area_point_lanes.h"
 #include "areas/all_lanes.h"
 
-/// The items that the bits draw; u: what is left of them, within (0, 1).
-FN intw LANED(area_item)(const Scene* scene, GLOBAL const int* row, uintw bits, PRIVATE realw* u) {
+/// The items that the numbers choose: each with the share of its area to items / 2^32.
+FN intw LANED(area_item)(const Scene* scene, GLOBAL const int* row, uintw numbers) {
   uint items = (uint)row[LIGHT_ITEMS];
-  *u = LANED(random_between)(bits);
   if (items == 1u) return splat_int_w(0);
-  uintw item = high_product_w(bits, splat_uint_w(items)), rest = bits * items;
+  uintw item = high_product_w(numbers, splat_uint_w(items)), rest = numbers * items;
   GLOBAL const int* choices = scene->index + row[LIGHT_CHOICE];
   intw choice = int_of_uint_w(item) * CHOICE_INTS;
-  uintw limit = uint_of_int_w(gather_int_w(choices + CHOICE_LIMIT, choice));
-  maskw is_kept = lt_uint_w(rest, limit);
-  realw kept = real_of_uint_w(limit), one = splat_w(R(1.0)), middle = splat_w(R(0.5));
-  realw other = (real_of_uint_w(rest - limit) + middle) / (splat_w(R(0x1p+32)) - kept);
-  realw share = sel_w(is_kept, (real_of_uint_w(rest) + middle) / kept, other);
-  *u = sel_w(lt_w(share, one), share, splat_w(R(1.0) - real_roundoff()));
+  maskw is_kept = lt_uint_w(rest, uint_of_int_w(gather_int_w(choices + CHOICE_LIMIT, choice)));
   return sel_int_w(is_kept, int_of_uint_w(item), gather_int_w(choices + CHOICE_OTHER, choice));
 }
 
@@ -66,10 +60,10 @@ FN realw LANED(area_rounding)(real3w position, real3w from) {
 }
 
 FN LANED(LightSample)
-    LANED(area_sample)(const Scene* scene, GLOBAL const int* row, real3w from, LANED(Random2) numbers) {
-  realw u, zero = splat_w(R(0.0)), one = splat_w(R(1.0));
-  intw item = LANED(area_item)(scene, row, numbers.x, &u);
-  LANED(AreaPoint) p = LANED(area_point)(scene, row, from, item, u, LANED(random_between)(numbers.y));
+    LANED(area_sample)(const Scene* scene, GLOBAL const int* row, real3w from, LANED(LightNumbers) numbers) {
+  realw zero = splat_w(R(0.0)), one = splat_w(R(1.0));
+  intw item = LANED(area_item)(scene, row, numbers.item);
+  LANED(AreaPoint) p = LANED(area_point)(scene, row, from, item, numbers.u, numbers.v);
   realw bound = LANED(area_rounding)(p.position, from);
   LANED(LightSample) s = LANED(no_light)();
   s.towards = sub3_w(p.position, from);

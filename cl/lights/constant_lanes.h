@@ -3,10 +3,10 @@
 // radiance r g b.
 
 FN LANED(LightSample)
-    LANED(constant_sample)(const Scene* scene, GLOBAL const int* row, real3w from, LANED(Random2) numbers) {
+    LANED(constant_sample)(const Scene* scene, GLOBAL const int* row, real3w from, LANED(LightNumbers) numbers) {
   (void)from;
   LANED(LightSample) s = LANED(no_light)();
-  s.towards = LANED(square_to_sphere)(LANED(random_between)(numbers.x), LANED(random_between)(numbers.y));
+  s.towards = LANED(square_to_sphere)(numbers.u, numbers.v);
   s.t_max = splat_w(REAL_MAX);
   s.density = splat_w(R(0.25) * ONE_OVER_PI);
   s.irradiance = scale3_w(splat_w(R(1.0)) / s.density, splat3_w(load3(scene->shading + row[LIGHT_REALS])));

@@ -2,7 +2,7 @@
 // Light from infinitely far away. Parameters: unit direction of travel x y z, irradiance r g b (W/m^2).
 
 FN LANED(LightSample)
-    LANED(directional_sample)(const Scene* scene, GLOBAL const int* row, real3w from, LANED(Random2) numbers) {
+    LANED(directional_sample)(const Scene* scene, GLOBAL const int* row, real3w from, LANED(LightNumbers) numbers) {
   GLOBAL const real* params = scene->shading + row[LIGHT_REALS];
   (void)from;
   (void)numbers;

@@ -8,7 +8,7 @@ FN GLOBAL const int* light_row(const Scene* scene, int light) {
   return scene->index + scene->index[HEADER_LIGHTS] + light * LIGHT_INTS;
 }
 
-FN LANED(LightSample) LANED(sample_of_light)(const Scene* scene, int light, real3w from, LANED(Random2) numbers) {
+FN LANED(LightSample) LANED(sample_of_light)(const Scene* scene, int light, real3w from, LANED(LightNumbers) numbers) {
   GLOBAL const int* row = light_row(scene, light);
   switch (row[LIGHT_KIND]) {
 #define LIGHT(name)  \
@@ -25,7 +25,7 @@ FN LANED(LightSample) LANED(sample_of_light)(const Scene* scene, int light, real
 
 /// lights: of the lanes of `which`.
 FN LANED(LightSample)
-    LANED(light_sample)(const Scene* scene, maskw which, intw lights, real3w from, LANED(Random2) numbers) {
+    LANED(light_sample)(const Scene* scene, maskw which, intw lights, real3w from, LANED(LightNumbers) numbers) {
   LANED(LightSample) sample = LANED(no_light)();
   for (uint lanes = bits_w(which); lanes != 0u;) {
     int light = get_int_w(&lights, first_bit(lanes));

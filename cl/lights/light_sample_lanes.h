@@ -9,6 +9,20 @@ typedef struct {
   realw density;      ///< Of that direction, per solid angle; 0: it is the only one.
 } LANED(LightSample);
 
+/// What a light draws a place or a direction with, each number for one thing.
+typedef struct {
+  uintw item;  ///< Which item; 0 where no light that is drawn has several.
+  realw u, v;  ///< Within (0, 1).
+} LANED(LightNumbers);
+
+/// For lights that draw nothing.
+FN LANED(LightNumbers) LANED(no_numbers)(void) {
+  LANED(LightNumbers) numbers;
+  numbers.item = splat_uint_w(0u);
+  numbers.u = numbers.v = splat_w(R(0.5));
+  return numbers;
+}
+
 FN LANED(LightSample) LANED(no_light)(void) {
   LANED(LightSample) s;
   realw zero = splat_w(R(0.0));

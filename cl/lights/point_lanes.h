@@ -2,7 +2,7 @@
 // Point light: intensity / distance^2. Parameters: position x y z, intensity r g b (W/sr).
 
 FN LANED(LightSample)
-    LANED(point_sample)(const Scene* scene, GLOBAL const int* row, real3w from, LANED(Random2) numbers) {
+    LANED(point_sample)(const Scene* scene, GLOBAL const int* row, real3w from, LANED(LightNumbers) numbers) {
   GLOBAL const real* params = scene->shading + row[LIGHT_REALS];
   (void)numbers;
   LANED(LightSample) s = LANED(no_light)();

@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Dispatch over the active samplers, and which set of numbers is for what: the same for a surface of a path whatever
-// happened before it. One width; no guard.
+// Dispatch over the active samplers, and the numbers that a sample draws by their use (samplers/uses.h). One width; no
+// guard.
 #include "samplers/sample_state_lanes.h"
+#include "samplers/uses.h"
 #include "samplers/all_lanes.h"
-
-/// The place within the pixel; then for every surface of the path a light and a place on it, and the way on.
-enum { SET_PIXEL, SET_LIGHT, SET_WAY, SETS_A_SURFACE = 2 };
-
-FN uintw LANED(set_at)(intw depth, int set) { return uint_of_int_w(depth) * (uint)SETS_A_SURFACE + (uint)set; }
 
 FN LANED(SampleState) LANED(sample_begin)(const Scene* scene, uint pixel, uintw sample) {
   LANED(SampleState) state;
@@ -29,7 +25,7 @@ FN LANED(SampleState) LANED(sample_begin)(const Scene* scene, uint pixel, uintw 
   return state;
 }
 
-FN LANED(Random2) LANED(sample_pair)(const Scene* scene, const LANED(SampleState) * state, uintw set) {
+FN LANED(Random2) LANED(pair_of_set)(const Scene* scene, const LANED(SampleState) * state, uintw set) {
   LANED(Random2) none;
   switch (scene->index[HEADER_SAMPLER]) {
 #define SAMPLER(name)  \
@@ -45,7 +41,19 @@ FN LANED(Random2) LANED(sample_pair)(const Scene* scene, const LANED(SampleState
   }
 }
 
-/// One number that need not be spread evenly over the samples: whether a path goes on after `depth` surfaces.
-FN uintw LANED(roulette_number)(const LANED(SampleState) * state, intw depth) {
-  return LANED(random4)(state->pixel, state->sample, ~uint_of_int_w(depth), state->seed).x;
+/// Both numbers of a use of the sample as a whole.
+FN LANED(Random2) LANED(sample_pair)(const Scene* scene, const LANED(SampleState) * state, int use) {
+  return LANED(pair_of_set)(scene, state, splat_uint_w((uint)use >> 1));
+}
+
+/// Both numbers of a use at the path's vertices; depth: surfaces before them.
+FN LANED(Random2) LANED(vertex_pair)(const Scene* scene, const LANED(SampleState) * state, intw depth, int use) {
+  uintw first = uint_of_int_w(depth) * (uint)PAIRS_A_VERTEX;
+  return LANED(pair_of_set)(scene, state, first + ((uint)PAIRS_A_SAMPLE + ((uint)use >> 1)));
+}
+
+/// The one number of a use there.
+FN uintw LANED(vertex_number)(const Scene* scene, const LANED(SampleState) * state, intw depth, int use) {
+  LANED(Random2) pair = LANED(vertex_pair)(scene, state, depth, use);
+  return (use & 1) == 0 ? pair.x : pair.y;
 }

@@ -161,6 +161,7 @@ class Packing {
         std::vector<double> reals = {radiance->r, radiance->g, radiance->b, 1 / area->size, area->side};
         reals.insert(reals.end(), area->items.begin(), area->items.end());
         const int items = checked_offset(area->choices.size());
+        index(layout::HEADER_MOST_ITEMS) = std::max(index(layout::HEADER_MOST_ITEMS), items);
         const int choice_at = index_end();
         for (const Choice& choice : area->choices) {
           packed_.index.push_back(static_cast<std::int32_t>(choice.limit));

@@ -136,6 +136,24 @@ TEST_CASE("a triangle, and a mesh of that triangle and another one, turned insid
   hold("mesh", floor_below(mesh, true), [&](const Vec3& p) { return facing(p, {a, b, c}) + facing(p, {b, d, c}); });
 }
 
+TEST_CASE("two lights of two items each: whichever is drawn, any of its items is, and any place on it") {
+  // In one plane: neither hides the other.
+  const Vec3 a{-1.5, -0.6, 1}, b{-0.3, 1, 1}, c{0, -0.4, 1}, d{0.2, 1.2, 1};
+  const Vec3 e{0.4, -1, 1}, f{1.7, -0.8, 1}, g{0.6, 0.1, 1}, h{1.6, 0.4, 1};
+  const auto two = [](const Vec3& p0, const Vec3& p1, const Vec3& p2, const Vec3& p3) {
+    Mesh mesh;
+    mesh.positions = {p0, p1, p2, p3};
+    mesh.triangles = {{0, 1, 2}, {1, 3, 2}};
+    return mesh;
+  };
+  Scene scene = floor_below(two(a, b, c, d));
+  Shape second = emitting(two(e, g, f, h), radiance);
+  add(scene, second);
+  hold("two meshes", scene, [&](const Vec3& p) {
+    return facing(p, {a, b, c}) + facing(p, {b, d, c}) + facing(p, {e, g, f}) + facing(p, {g, h, f});
+  });
+}
+
 TEST_CASE("a cube and a box") {
   const auto faces = [](const Vec3& o, const std::array<Vec3, 3>& e, const Vec3& p) {
     double sum = 0;

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// From the sampler to the integrator, for the width LANES, as kernels/render.cl includes it. No guard: once a width.
+#undef SCENE_LANES
+#define SCENE_LANES LANES
+#include "lanes/lane_ops.h"
+// Lanes come first: they define what the rest is written in. Each needs what is above it.
+#include "accel/traverse.h"
+// As above.
+#include "math/vec3_lanes.h"
+// As above.
+#include "math/sampling_lanes.h"
+// As above.
+#include "samplers/sampler_lanes.h"
+// As above.
+#include "core/rays_lanes.h"
+#if LANES != 1
+#if TIER_ROBUST
+// As above.
+#include "shapes/settle_lanes.h"
+#endif
+// As above.
+#include "accel/packet.h"
+#endif
+// As above.
+#include "core/surfaces_lanes.h"
+// As above.
+#include "core/camera_lanes.h"
+// As above.
+#include "core/paths_lanes.h"
+// As above.
+#include "core/find_lanes.h"
+// As above.
+#include "integrators/integrator_lanes.h"

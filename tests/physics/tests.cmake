@@ -1,0 +1,13 @@
+# SPDX-License-Identifier: MIT
+# What the laws of light say of cl/lights and cl/areas, on the host, apart from libstrahl, whose headers have the same
+# names: only cl/ and tests/ are on the path. STRAHL_HOST_HAS_FMA: tests/cl/tests.cmake.
+add_library(strahl_host_lights STATIC physics/lights_f32.cpp physics/lights_f64.cpp)
+# One dialect, several tiers: each file is a world of its own.
+set_target_properties(strahl_host_lights PROPERTIES UNITY_BUILD OFF)
+target_include_directories(strahl_host_lights PRIVATE ${PROJECT_SOURCE_DIR}/cl ${CMAKE_CURRENT_SOURCE_DIR})
+# Enumerators of the lists are flags to C.
+target_compile_options(strahl_host_lights PRIVATE -O2 -Wno-psabi -Wno-int-in-bool-context -Wno-deprecated-enum-enum-conversion $<$<BOOL:${STRAHL_HOST_HAS_FMA}>:-mfma>)
+
+foreach(name light_numbers)
+  strahl_test(physics/test_${name}.cpp LABEL unit LIBS strahl_host_lights)
+endforeach()
