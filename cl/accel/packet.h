@@ -125,8 +125,7 @@ FN void LANED(packet_leaf)(const Scene* scene, LANED(Packet) * p, int reference,
     } else if (LANED(PACKET_BODY_##name) == PACKET_BODY_PLANE) {               \
       LANED(plane_packet)(p, block, ids, b * LANES, kind, active);             \
     } else {                                                                   \
-      int body = LANED(PACKET_BODY_##name);                                    \
-      uint lanes = bits_w(LANED(rays_near)(p, block, ids, body, active));      \
+      uint lanes = bits_w(LANED(rays_near)(p, block, ids, kind, active));      \
       if (lanes == 0u) continue;                                               \
       LANED(NearestEach) each = LANED(packet_open)(p);                         \
       for (; lanes != 0u; lanes &= lanes - 1u) {                               \

@@ -8,7 +8,7 @@
 enum {
   LANED(PACKET_OF_ANY_RAYS) = (HAS_TREE == 0)
 #if !TIER_ROBUST
-#define SHAPE(name, planes) &(LANED(PACKET_BODY_##name) < PACKET_BODY_NEAR_BOX)
+#define SHAPE(name, planes) &(LANED(PACKET_BODY_##name) != PACKET_BODY_NONE)
 #include "shapes/shapes.def"
 #undef SHAPE
 #endif

@@ -31,6 +31,9 @@
 #elif TIER_FAST
 #include "shapes/moeller_fast_lanes.h"
 #endif
+#include "shapes/ball.h"
+#include "shapes/corners.h"
+// They need what is above them.
 #include "shapes/all_lanes.h"
 
 /// Children of a node. The program's text says which, where there is one lane.

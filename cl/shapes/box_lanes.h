@@ -6,7 +6,13 @@
 // From inside, and where the entry lies before t_min, the exit counts. A box is convex: the box just left is met again
 // only at its far side, and not at all where the ray leaves through the face that the origin lies on.
 
-enum { LANED(PACKET_BODY_box) = PACKET_BODY_NEAR_BOX };
+enum { LANED(PACKET_BODY_box) = PACKET_BODY_NONE };
+
+/// prim: its reals, LANES apart.
+FN Ball LANED(box_ball)(GLOBAL const real* prim) {
+  return ball_around_box(vec3(prim[0], prim[2 * LANES], prim[4 * LANES]),
+                         vec3(prim[LANES], prim[3 * LANES], prim[5 * LANES]));
+}
 
 #if TIER_FAST
 #include "shapes/box_fast_lanes.h"

@@ -4,7 +4,13 @@
 // and taken at its word: the mantle is |f x v| = r |v|. A ray parallel to the axis misses. The cylinder just left: the
 // other root, -2 (f.d) / (d.d).
 
-enum { LANED(PACKET_BODY_cylinder) = PACKET_BODY_NEAR_CYLINDER };
+enum { LANED(PACKET_BODY_cylinder) = PACKET_BODY_NONE };
+
+/// prim: its reals, LANES apart.
+FN Ball LANED(cylinder_ball)(GLOBAL const real* prim) {
+  // About the foot of the axis, as far as the other end's rim at the most.
+  return ball_of(vec3(prim[0], prim[LANES], prim[2 * LANES]), prim[7 * LANES] + prim[6 * LANES]);
+}
 
 #if TIER_COMPENSATED
 #include "shapes/cylinder_slabs_lanes.h"

@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Ray against LANES disks: the anchored plane (plane_lanes.h), then |p - c|^2 <= r^2.
 
-enum { LANED(PACKET_BODY_disk) = PACKET_BODY_NEAR_DISK };
+enum { LANED(PACKET_BODY_disk) = PACKET_BODY_NONE };
+
+/// prim: its reals, LANES apart.
+FN Ball LANED(disk_ball)(GLOBAL const real* prim) {
+  return ball_of(vec3(prim[0], prim[LANES], prim[2 * LANES]), real_sqrt(prim[6 * LANES]));
+}
 
 #if TIER_COMPENSATED
 #include "shapes/disk_robust_lanes.h"

@@ -4,6 +4,12 @@
 
 enum { LANED(PACKET_BODY_parallelogram) = PACKET_BODY_PARALLELOGRAM };
 
+/// prim: its reals, LANES apart.
+FN Ball LANED(parallelogram_ball)(GLOBAL const real* prim) {
+  return ball_around_corners(corner_load(prim, LANES, 0), corner_load(prim, LANES, 1), corner_load(prim, LANES, 2),
+                             corner_load(prim, LANES, 3));
+}
+
 #if TIER_FAST
 #include "shapes/parallelogram_fast_lanes.h"
 #else

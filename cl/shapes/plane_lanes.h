@@ -5,6 +5,9 @@
 
 enum { LANED(PACKET_BODY_plane) = PACKET_BODY_PLANE };
 
+/// prim: its reals, LANES apart.
+FN Ball LANED(plane_ball)(GLOBAL const real* prim) { return ball_of_all(vec3(prim[0], prim[LANES], prim[2 * LANES])); }
+
 #if TIER_COMPENSATED
 #include "shapes/plane_robust_lanes.h"
 #elif TIER_FAST

@@ -6,6 +6,11 @@
 
 enum { LANED(PACKET_BODY_sphere) = PACKET_BODY_SPHERE };
 
+/// prim: its reals, LANES apart.
+FN Ball LANED(sphere_ball)(GLOBAL const real* prim) {
+  return ball_of(vec3(prim[0], prim[LANES], prim[2 * LANES]), prim[3 * LANES]);
+}
+
 #if TIER_ROBUST
 #include "shapes/sphere_robust_lanes.h"
 #elif TIER_FAST

@@ -5,6 +5,12 @@
 
 enum { LANED(PACKET_BODY_triangle) = PACKET_BODY_TRIANGLE };
 
+/// prim: its reals, LANES apart.
+FN Ball LANED(triangle_ball)(GLOBAL const real* prim) {
+  real3 p2 = corner_load(prim, LANES, 2);
+  return ball_around_corners(corner_load(prim, LANES, 0), corner_load(prim, LANES, 1), p2, p2);
+}
+
 #if TIER_FAST
 #include "shapes/triangle_fast_lanes.h"
 #else

@@ -11,7 +11,7 @@ namespace strahl {
 
 bool has_packet_body(const std::string& shape_kind) {
   const std::string& text = kernel_files().at(fmt::format("shapes/{}_lanes.h", shape_kind));
-  return text.find(fmt::format("LANED(PACKET_BODY_{}) = PACKET_BODY_NEAR", shape_kind)) == std::string::npos;
+  return text.find(fmt::format("LANED(PACKET_BODY_{}) = PACKET_BODY_NONE", shape_kind)) == std::string::npos;
 }
 
 int path_lanes(const Features& features, const RenderSettings& settings, int lanes, bool has_tree, int spp) {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// kernel_texts FOLDER: writes every kernel x precision x {all, no, each single} effect as FOLDER/NAME.cl, for clang to
-// type-check. All, none and all of a scene without a tree at every width of lanes, single effects at the widest and of
-// one kernel that intersects; those of lists that are the same for every tier of single precision in the robust one
-// alone. A text that stands already but for names that it never asks for is not written again.
+// kernel_texts FOLDER [NAME]: writes every kernel x precision x {all, no, each single} effect as FOLDER/NAME.cl, for
+// clang to type-check. All, none and all of a scene without a tree at every width of lanes, single effects at the
+// widest and of one kernel that intersects; those of lists that are the same for every tier of single precision in the
+// robust one alone. A text that stands already but for names that it never asks for is not written again. NAME: that
+// text alone.
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -61,14 +62,21 @@ std::string essence(const std::string& text) {
   return kept;
 }
 
-void write(const std::filesystem::path& folder, const std::string& kernel, const std::string& set,
-           const Features& features, Precision precision, int lanes, bool has_tree = true, int path_lanes = 1) {
+/// Where, and which one: all where that is empty.
+struct Wanted {
+  std::filesystem::path folder;
+  std::string name;
+};
+
+void write(const Wanted& wanted, const std::string& kernel, const std::string& set, const Features& features,
+           Precision precision, int lanes, bool has_tree = true, int path_lanes = 1) {
   static std::unordered_set<std::string> written;
+  const std::string name = fmt::format("{}-{}-{}-{}.cl", kernel, precision_name(precision), lanes, set);
+  if (!wanted.name.empty() && name != wanted.name) return;
   const std::string text =
       program_source("kernels/" + kernel + ".cl", features, precision, lanes, 0, has_tree, path_lanes).text;
   if (!written.insert(essence(text)).second) return;
-  const std::string name = fmt::format("{}-{}-{}-{}.cl", kernel, precision_name(precision), lanes, set);
-  std::ofstream file(folder / name);
+  std::ofstream file(wanted.folder / name);
   file << text;
   if (!file.flush()) throw std::runtime_error("cannot write " + name);
 }
@@ -76,27 +84,28 @@ void write(const std::filesystem::path& folder, const std::string& kernel, const
 }  // namespace
 
 int main(int count, char** arguments) {
-  if (count != 2) return 2;
-  const std::filesystem::path folder = arguments[1];
+  if (count != 2 && count != 3) return 2;
+  const Wanted wanted{arguments[1], count == 3 ? arguments[2] : ""};
   for (const std::string kernel : {"render", "intersect", "intersect_packets", "intersect_any", "intersect_any_packets",
                                    "probe", "canary", "bandwidth"})
     for (const Precision precision : {Precision::fast, Precision::stable, Precision::robust, Precision::fp64}) {
+      if (!wanted.name.empty() && !wanted.name.starts_with(kernel + "-" + precision_name(precision) + "-")) continue;
       const int widest = default_lanes(16, precision);
       for (int lanes : {1, 8, 16}) {
         if (kernel.ends_with("_packets") && lanes == 1) continue;
         if (lanes > widest) continue;
-        write(folder, kernel, "all", every(true), precision, lanes);
-        write(folder, kernel, "none", every(false), precision, lanes);
+        write(wanted, kernel, "all", every(true), precision, lanes);
+        write(wanted, kernel, "none", every(false), precision, lanes);
         Features flat = every(true);
         for (auto& [name, on] : flat.flags) on = on && name != "INSTANCES";
-        write(folder, kernel, "lists", flat, precision, lanes, false);
+        write(wanted, kernel, "lists", flat, precision, lanes, false);
         if (kernel != "render" || precision == Precision::fp64) continue;
-        write(folder, kernel, "all-paths", every(true), precision, lanes, true, lanes);
-        write(folder, kernel, "none-paths", every(false), precision, lanes, true, lanes);
-        write(folder, kernel, "lists-paths", flat, precision, lanes, false, lanes);
+        write(wanted, kernel, "all-paths", every(true), precision, lanes, true, lanes);
+        write(wanted, kernel, "none-paths", every(false), precision, lanes, true, lanes);
+        write(wanted, kernel, "lists-paths", flat, precision, lanes, false, lanes);
       }
       if (kernel.starts_with("intersect_")) continue;
-      for (const auto& [name, features] : singles(precision)) write(folder, kernel, name, features, precision, widest);
+      for (const auto& [name, features] : singles(precision)) write(wanted, kernel, name, features, precision, widest);
     }
   return 0;
 }

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
+#include <stdexcept>
 #include <vector>
 
 #define HAS_PIXEL_FILTER 1
@@ -55,6 +56,17 @@ float robust_t(std::string_view kind, std::span<const float> planes, std::span<c
   nearest_settle(&prepared, &best, 1);
   return best.kind < 0 ? std::numeric_limits<float>::infinity()
                        : ray_given_t(&prepared, best.t, ray[RAY_T_MIN], ray[RAY_T_MAX]);
+}
+
+std::array<float, 4> robust_ball(std::string_view kind, std::span<const float> planes) {
+  using namespace robust;
+  robust::Ball ball{{}, -1};
+#define SHAPE(name, planes_of_kind) \
+  if (kind == #name) ball = name##_ball_1(planes.data());
+#include "shapes/shapes.def"
+#undef SHAPE
+  if (!(ball.radius >= 0)) throw std::logic_error("no ball of a kind of this name");
+  return {ball.centre.x, ball.centre.y, ball.centre.z, ball.radius};
 }
 
 void robust_intersect(int lanes, const float* geometry, const float* shading, const std::int32_t* index,

@@ -2,6 +2,7 @@
 // The robust tier's headers compiled for the host: one primitive alone, and kernels/intersect.cl as a function.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -13,6 +14,10 @@ namespace strahl::test {
 /// primitive; ray: RAY_REALS of cl/scene/layout.h; has_left: the ray has just left the primitive.
 [[nodiscard]] float robust_t(std::string_view kind, std::span<const float> planes, std::span<const float> ray,
                              bool has_left);
+
+/// x, y, z and radius of the ball that a primitive lies in (cl/shapes/ball.h). Throws std::logic_error for an unknown
+/// kind.
+[[nodiscard]] std::array<float, 4> robust_ball(std::string_view kind, std::span<const float> planes);
 
 /// Every entry and feature is active: for scenes packed with RenderSettings::generic at that width.
 void robust_intersect(int lanes, const float* geometry, const float* shading, const std::int32_t* index,
