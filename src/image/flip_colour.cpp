@@ -6,21 +6,21 @@
 namespace strahl {
 namespace {
 
-using Matrix = std::array<Colour, 3>;
+using ColourMatrix = std::array<Colour, 3>;
 
 /// CIE XYZ of linear RGB: the chromaticities of IEC 61966-2-1 and its white D65 (0.3127, 0.329), without rounding.
-constexpr Matrix xyz_from_rgb{{{10135552.0 / 24577794, 8788810.0 / 24577794, 4435075.0 / 24577794},
-                               {2613072.0 / 12288897, 8788810.0 / 12288897, 887015.0 / 12288897},
-                               {1425312.0 / 73733382, 8788810.0 / 73733382, 70074185.0 / 73733382}}};
+constexpr ColourMatrix xyz_from_rgb{{{10135552.0 / 24577794, 8788810.0 / 24577794, 4435075.0 / 24577794},
+                                     {2613072.0 / 12288897, 8788810.0 / 12288897, 887015.0 / 12288897},
+                                     {1425312.0 / 73733382, 8788810.0 / 73733382, 70074185.0 / 73733382}}};
 
-constexpr Colour product(const Matrix& m, const Colour& v) {
+constexpr Colour product(const ColourMatrix& m, const Colour& v) {
   Colour result{};
   for (std::size_t i = 0; i < 3; ++i) result[i] = m[i][0] * v[0] + m[i][1] * v[1] + m[i][2] * v[2];
   return result;
 }
 
-constexpr Matrix inverse(const Matrix& m) {
-  Matrix result{};
+constexpr ColourMatrix inverse(const ColourMatrix& m) {
+  ColourMatrix result{};
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = 0; j < 3; ++j) {  // Indices in a cycle give a cofactor its sign.
       const std::size_t i1 = (i + 1) % 3, i2 = (i + 2) % 3, j1 = (j + 1) % 3, j2 = (j + 2) % 3;
@@ -37,15 +37,15 @@ constexpr Matrix inverse(const Matrix& m) {
 constexpr Colour white = product(xyz_from_rgb, {1, 1, 1});
 
 /// Each row divided by the white's: XYZ relative to white.
-constexpr Matrix relative(Matrix m) {
+constexpr ColourMatrix relative(ColourMatrix m) {
   for (std::size_t i = 0; i < 3; ++i) {
     for (double& entry : m[i]) entry /= white[i];
   }
   return m;
 }
 
-constexpr Matrix relative_from_rgb = relative(xyz_from_rgb);
-constexpr Matrix rgb_from_relative = inverse(relative_from_rgb);
+constexpr ColourMatrix relative_from_rgb = relative(xyz_from_rgb);
+constexpr ColourMatrix rgb_from_relative = inverse(relative_from_rgb);
 
 /// CIELAB's cube root with its line near black.
 double lab_root(double t) {

@@ -9,7 +9,7 @@
 namespace strahl {
 namespace {
 
-constexpr int sub_sums = layout::FILM_SUBSUMS;
+constexpr int sums_a_pixel = layout::FILM_SUBSUMS;
 
 /// A pass of several samples is not ended part-way, so it has to be short beside what a deadline may be missed by.
 constexpr double uncut_seconds = 0.004;
@@ -19,7 +19,7 @@ constexpr double tolerated = 1.1;
 
 }  // namespace
 
-PassPlan::PassPlan(const RenderGoal& goal, int spp) : goal_(goal), spp_(spp), check_at_(2 * sub_sums) {}
+PassPlan::PassPlan(const RenderGoal& goal, int spp) : goal_(goal), spp_(spp), check_at_(2 * sums_a_pixel) {}
 
 std::optional<Pass> PassPlan::next(double sample_seconds, double seconds_left) {
   if (ending_ == Ending::error) return std::nullopt;
@@ -52,7 +52,7 @@ void PassPlan::estimated(const std::optional<ErrorEstimate>& error) {
     const double ratio = std::max(error->rmse / wanted, error->rmse_high / (tolerated * wanted));
     factor = std::clamp(0.8 * ratio * ratio, 1.15, 4.0);
   }
-  const double next = std::ceil(done_ * factor / sub_sums) * sub_sums;
+  const double next = std::ceil(done_ * factor / sums_a_pixel) * sums_a_pixel;
   check_at_ = static_cast<int>(std::min(next, static_cast<double>(spp_)));
 }
 
