@@ -30,8 +30,8 @@ Exit codes:
   0  ok                           5  a kernel does not build
   1  failure                      6  target missed
   2  wrong usage                  7  comparison or self test failed
-  3  scene or input unusable      130, 143  interrupted (Ctrl-C), terminated;
-  4  no suitable OpenCL device              the picture so far is written
+  3  scene or input unusable      129, 130, 143  hung up, interrupted (Ctrl-C), terminated;
+  4  no suitable OpenCL device                   the picture so far is written
 
 `strahl COMMAND --help` lists a command's options.)";
 
@@ -76,6 +76,9 @@ ExitCode run(std::vector<std::string> arguments, const Invocation& invocation) {
   app.get_formatter()->column_width(34);
   app.footer(kAppFooter);
   app.require_subcommand(1);
+  // As everywhere: of an option that takes one value and is given twice, the last holds, so that a script's own can be
+  // overridden at the end of its line. Subcommands inherit it; lists keep all of their values.
+  app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
 
   std::vector<std::string> names;
   std::vector<std::pair<const CLI::App*, Command>> commands;

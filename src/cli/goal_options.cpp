@@ -4,22 +4,26 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <charconv>
+#include <algorithm>
 #include <cmath>
+#include <string_view>
 
+#include "cli/number_options.h"
 #include "errors.h"
+#include "scene/parse_value.h"
 
 namespace strahl::cli {
 
 void add_goal_options(CLI::App& app, GoalOptions& options) {
   const std::string group = "When it is done: whatever holds first, --spp included";
-  CLI::Option* time = app.add_option("--time", options.time,
-                                     "The whole run in so much time, as 16ms, 90s or 10m; with --frames each frame")
-                          ->type_name("TIME")
-                          ->group(group);
-  app.add_option("--max-error", options.max_error, "RMSE over linear RGB no larger than this")
+  CLI::Option* time =
+      app.add_option(
+             "--time", options.time,
+             "The whole run in so much time, as 16ms, 2.5 or 90s (seconds), 10m, 1.5h; with --frames each frame")
+          ->type_name("TIME")
+          ->group(group);
+  require_positive(app.add_option("--max-error", options.max_error, "RMSE over linear RGB no larger than this"))
       ->type_name("E")
-      ->check(CLI::PositiveNumber.description(""))
       ->group(group);
   CLI::Option* dry_run =
       app.add_flag("--dry-run", options.dry_run, "Predict time and error from a short pilot; write no picture")
@@ -33,18 +37,19 @@ void add_goal_options(CLI::App& app, GoalOptions& options) {
 }
 
 double duration_seconds(const std::string& text) {
-  double value = 0;
-  const char* end = text.data() + text.size();
-  const auto [rest, error] = std::from_chars(text.data(), end, value);
-  const std::string unit(rest, end);
+  const std::size_t number_end = std::min(text.find_first_not_of("0123456789.eE+-"), text.size());
+  const std::optional<double> value = parse_number(std::string_view(text).substr(0, number_end));
+  const std::string unit = text.substr(number_end);
   const double scale = unit == "ms"                   ? 1e-3
                        : unit.empty() || unit == "s"  ? 1
                        : unit == "m" || unit == "min" ? 60
                        : unit == "h"                  ? 3600
                                                       : 0;
-  if (error != std::errc() || scale == 0 || !(value > 0) || !std::isfinite(value))
-    throw UsageError(fmt::format("\"{}\" is no time; 16ms, 90s, 10m and 1.5h are", text));
-  return value * scale;
+  const double seconds = value.value_or(0) * scale;
+  if (!(seconds > 0) || !std::isfinite(seconds))
+    throw UsageError(
+        fmt::format("--time: must be a finite time > 0, as 16ms, 2.5 or 90s (seconds), 10m or 1.5h, not \"{}\"", text));
+  return seconds;
 }
 
 }  // namespace strahl::cli

@@ -12,7 +12,7 @@ class App;
 namespace strahl::cli {
 
 struct GoalOptions {
-  std::optional<std::string> time;  ///< "16ms", "90s", "10m"
+  std::optional<std::string> time;  ///< "16ms", "2.5" (seconds), "90s", "10m", "1.5h"
   std::optional<double> max_error;
   std::optional<int> frames;
   bool dry_run = false;

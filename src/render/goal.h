@@ -2,6 +2,7 @@
 // When a picture is done.
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 #include <cstdint>
 #include <optional>
@@ -10,8 +11,10 @@ namespace strahl {
 
 using Clock = std::chrono::steady_clock;
 
+/// No further than 31 years off, so that a clock of 64-bit nanoseconds holds it.
 [[nodiscard]] inline Clock::time_point later(Clock::time_point time, double seconds) {
-  return time + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
+  const std::chrono::duration<double> span(std::clamp(seconds, -1e9, 1e9));
+  return time + std::chrono::duration_cast<Clock::duration>(span);
 }
 
 /// Whatever holds first ends the render.

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// Options whose value is a real number: what counts as one is decided here for all of them. "nan" and "inf" are numbers
+// to a C library, and compare as if they lay inside every range.
+#pragma once
+
+namespace CLI {
+class Option;
+}
+
+namespace strahl::cli {
+
+/// The option's value must be a finite number; returns the option.
+CLI::Option* require_finite(CLI::Option* option);
+/// The option's value must be a finite number greater than 0; returns the option.
+CLI::Option* require_positive(CLI::Option* option);
+/// The option's value must be a finite number from `least` to `most`; returns the option.
+CLI::Option* require_between(CLI::Option* option, double least, double most);
+
+}  // namespace strahl::cli
