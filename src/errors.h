@@ -43,6 +43,7 @@ enum class ExitCode : int {
   kernel_build = 5,
   target_missed = 6,
   check_failed = 7,
+  hung_up = 129,
   interrupted = 130,
   terminated = 143,
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Ctrl-C and SIGTERM while a picture is rendered (POSIX).
+// Ctrl-C, SIGTERM and SIGHUP while a picture is rendered (POSIX).
 #include "cli/interrupt.h"
 
 namespace strahl::cli {
@@ -7,11 +7,12 @@ namespace {
 
 volatile std::sig_atomic_t received_signal = 0;
 
+constexpr std::array signals{SIGINT, SIGTERM, SIGHUP};
+
 extern "C" void remember_signal(int signal) {
   received_signal = signal;
   // Whichever comes next ends the process.
-  std::signal(SIGINT, SIG_DFL);
-  std::signal(SIGTERM, SIG_DFL);
+  for (const int one : signals) std::signal(one, SIG_DFL);
 }
 
 void install(int signal, struct sigaction& old) {
@@ -28,13 +29,11 @@ void install(int signal, struct sigaction& old) {
 
 InterruptGuard::InterruptGuard() {
   received_signal = 0;
-  install(SIGINT, old_int_);
-  install(SIGTERM, old_term_);
+  for (std::size_t i = 0; i < signals.size(); ++i) install(signals[i], old_[i]);
 }
 
 InterruptGuard::~InterruptGuard() {
-  sigaction(SIGINT, &old_int_, nullptr);
-  sigaction(SIGTERM, &old_term_, nullptr);
+  for (std::size_t i = 0; i < signals.size(); ++i) sigaction(signals[i], &old_[i], nullptr);
 }
 
 bool InterruptGuard::interrupted() const { return received_signal != 0; }
@@ -45,6 +44,8 @@ ExitCode InterruptGuard::exit_code() const {
       return ExitCode::interrupted;
     case SIGTERM:
       return ExitCode::terminated;
+    case SIGHUP:
+      return ExitCode::hung_up;
     default:
       return ExitCode::ok;
   }

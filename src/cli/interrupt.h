@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: MIT
-// Ctrl-C and SIGTERM while a picture is rendered: asked for politely the first time, obeyed at once the second time.
+// Ctrl-C, SIGTERM and a closed terminal (SIGHUP) while a picture is rendered: asked for politely the first time, obeyed
+// at once the second time.
 #pragma once
 
+#include <array>
 #include <csignal>
 
 #include "errors.h"
 
 namespace strahl::cli {
 
-/// While one lives, the first SIGINT or SIGTERM is only remembered; the next one ends the process, as it would without
-/// this. A signal that the caller ignores (nohup) stays ignored. One at a time.
+/// While one lives, the first SIGINT, SIGTERM or SIGHUP is only remembered; the next one ends the process, as it would
+/// without this. A signal that the caller ignores (nohup) stays ignored. One at a time.
 class InterruptGuard {
  public:
   InterruptGuard();
@@ -18,12 +20,11 @@ class InterruptGuard {
   InterruptGuard& operator=(const InterruptGuard&) = delete;
 
   [[nodiscard]] bool interrupted() const;
-  /// ok, interrupted (SIGINT) or terminated (SIGTERM).
+  /// ok, interrupted (SIGINT), terminated (SIGTERM) or hung_up (SIGHUP).
   [[nodiscard]] ExitCode exit_code() const;
 
  private:
-  struct sigaction old_int_ {};
-  struct sigaction old_term_ {};
+  std::array<struct sigaction, 3> old_{};  ///< What each of the signals did before.
 };
 
 }  // namespace strahl::cli

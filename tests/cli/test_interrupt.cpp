@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Ctrl-C and SIGTERM: the launch under way is finished, the picture so far is written whole.
+// Ctrl-C, SIGTERM and a closed terminal: the launch under way is finished, the picture so far is written whole.
 #include <catch2/catch.hpp>
 #include <chrono>
 #include <csignal>
@@ -32,7 +32,8 @@ Outcome interrupted_render(const Folder& folder, int signal) {
 
 TEST_CASE("an interrupted render leaves a complete picture") {
   const Folder folder;
-  const auto [signal, code] = GENERATE(std::make_pair(SIGINT, 130), std::make_pair(SIGTERM, 143));
+  const auto [signal, code] =
+      GENERATE(std::make_pair(SIGINT, 130), std::make_pair(SIGTERM, 143), std::make_pair(SIGHUP, 129));
   const Outcome outcome = interrupted_render(folder, signal);
   INFO(outcome.err);
   CHECK(outcome.signal == 0);
