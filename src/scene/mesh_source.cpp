@@ -5,9 +5,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <string_view>
+
+#include "image/file_bytes.h"
 
 namespace strahl {
 namespace {
@@ -18,12 +22,14 @@ constexpr std::ptrdiff_t bytes_between_reports = 1 << 20;
 
 MeshSource::MeshSource(const std::string& path, std::function<void(double share)> progress, FileRange range)
     : path_(path), progress_(std::move(progress)), from_(range.from) {
+  const std::string obstacle = unreadable_because(path);
+  if (!obstacle.empty()) fail(nullptr, "cannot be read: " + obstacle);
   std::error_code code;
-  if (!std::filesystem::exists(path, code)) fail(nullptr, "there is no such file");
-  if (!std::filesystem::is_regular_file(path, code)) fail(nullptr, "is not a regular file");
+  if (!std::filesystem::is_regular_file(path, code))
+    fail(nullptr, "cannot be read: it is a pipe, and a mesh is read in parts; write it to a file first");
   std::ifstream file(path, std::ios::binary);
   const auto file_size = std::filesystem::file_size(path, code);
-  if (!file || code) fail(nullptr, "cannot be opened; check its permissions");
+  if (!file || code) fail(nullptr, fmt::format("cannot be read: {}", code ? code.message() : std::strerror(errno)));
   const auto size = static_cast<std::size_t>(std::min(range.size, file_size - std::min(file_size, from_)));
   file.seekg(static_cast<std::streamoff>(from_));
   bytes_ = std::make_unique_for_overwrite<char[]>(size);

@@ -13,6 +13,7 @@
 
 #include "errors.h"
 #include "image/byte_order.h"
+#include "image/file_bytes.h"
 
 namespace strahl {
 namespace {
@@ -22,9 +23,11 @@ constexpr std::uint64_t header_size = 4;
 class PartFinder {
  public:
   explicit PartFinder(const std::string& path) : path_(path), file_(path, std::ios::binary) {
+    const std::string obstacle = unreadable_because(path);
+    if (!obstacle.empty()) fail("cannot be read: " + obstacle);
     std::error_code code;
     size_ = std::filesystem::file_size(path, code);
-    if (!file_ || code) fail("cannot be opened; check its name and its permissions");
+    if (!file_ || code) fail("cannot be read: " + code.message());
     if (size_ < header_size || read<std::uint16_t>(0) != 0x041C)
       fail("not a file of serialized meshes: it does not begin with the bytes 1C 04");
     version_ = read<std::uint16_t>(2);

@@ -7,16 +7,17 @@
 
 #include <algorithm>
 #include <cctype>
-#include <filesystem>
-#include <fstream>
 #include <numeric>
 #include <pugixml.hpp>
+
+#include "image/file_bytes.h"
 
 namespace strahl {
 
 namespace {
 
 constexpr int deepest_nesting = 64;
+constexpr std::uint64_t largest_text = std::uint64_t{1} << 30;  // Its tree takes some times as much memory.
 
 /// Lines and columns of byte offsets that never decrease. pugixml overwrites the text that it parses, so all that is
 /// needed is noted before.
@@ -117,29 +118,16 @@ class TreeBuilder {
   bool is_too_deep_ = false;  ///< pugixml takes nodes out by recursion, which such a document could make overflow.
 };
 
-/// A file's size is a hint alone: pipes have none.
-std::string all_of(std::istream& stream, std::size_t expected) {
-  std::string text(expected + 1, '\0');  // One more, so that the end is met without growing.
-  std::size_t size = 0;
-  while (stream.read(text.data() + size, static_cast<std::streamsize>(text.size() - size))) {
-    size = text.size();
-    text.resize(2 * size);
-  }
-  text.resize(size + static_cast<std::size_t>(stream.gcount()));
-  return text;
-}
-
 std::optional<std::string> file_text(const std::string& path, const SourceLocation& referrer,
                                      Diagnostics& diagnostics) {
   const SourceLocation where = referrer.file.empty() ? SourceLocation{path} : referrer;
-  std::error_code fault;
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream || std::filesystem::is_directory(path, fault)) {
-    diagnostics.error(where, fmt::format("cannot read \"{}\"; is the path right?", path));
+  std::string text;
+  try {
+    text = read_file(path, largest_text);
+  } catch (const InputError& fault) {
+    diagnostics.error(where, fault.what());
     return std::nullopt;
   }
-  const std::uintmax_t size = std::filesystem::file_size(path, fault);
-  std::string text = all_of(stream, fault ? std::size_t{1} << 16 : size);
   if (text.rfind("\xFF\xFE", 0) == 0 || text.rfind("\xFE\xFF", 0) == 0) {
     diagnostics.error(SourceLocation{path}, "is encoded as UTF-16; save it as UTF-8");
     return std::nullopt;

@@ -213,7 +213,7 @@ TEST_CASE("whole files are read, and unreadable ones say why") {
     ::_exit(0);
   }
   CHECK(read_file(folder / "pipe") == std::string(300000, 'p'));
-  CHECK_THROWS_WITH(read_file(folder / "none"), Contains("No such file"));
-  CHECK_THROWS_WITH(read_file(folder.path()), Contains("directory"));
+  CHECK_THROWS_WITH(read_file(folder / "none"), Contains("there is no such file"));
+  CHECK_THROWS_WITH(read_file(folder.path()), Contains("it is a folder"));
   CHECK_THROWS_AS(read_file(folder / "none"), InputError);
 }

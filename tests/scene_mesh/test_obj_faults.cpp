@@ -69,9 +69,11 @@ TEST_CASE("many errors are listed up to a limit and counted beyond") {
 
 TEST_CASE("files that cannot be read") {
   const TempFolder folder;
-  CHECK(error_of(folder.path() + "/none.obj") == "none.obj: error: there is no such file\n");
+  CHECK(error_of(folder.path() + "/none.obj") ==
+        "none.obj: error: cannot be read: there is no such file; is the path right?\n");
   std::filesystem::create_directory(folder.path() + "/folder.obj");
-  CHECK(error_of(folder.path() + "/folder.obj") == "folder.obj: error: is not a regular file\n");
+  CHECK(error_of(folder.path() + "/folder.obj") ==
+        "folder.obj: error: cannot be read: it is a folder; name a file in it\n");
   CHECK(error_of(folder.write("a.stl", "")) ==
         "a.stl: error: extension \".stl\" is no mesh format that is read; use .obj, .ply or .serialized\n");
 }

@@ -49,7 +49,7 @@ TEST_CASE("faults of the file") {
   lost.replace(sound.size() - 12, 8, bytes<std::uint64_t>(sound.size(), false));
   CHECK(fault(lost, 1) == "a.serialized: error: the list at the end of the file puts mesh 1 where no mesh can be\n");
   CHECK(error_of_index(folder.path() + "/none.serialized", 0) ==
-        "none.serialized: error: cannot be opened; check its name and its permissions\n");
+        "none.serialized: error: cannot be read: there is no such file; is the path right?\n");
 }
 
 TEST_CASE("faults of the compressed stream") {

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include <filesystem>
-
+#include "image/file_bytes.h"
 #include "scene/readers/mesh_import.h"
 #include "scene/readers/shape_reader.h"
 #include "scene/xml_expand.h"
@@ -20,9 +19,10 @@ std::optional<std::string> data_path(ShapeInput& input, std::string_view extensi
   }
   const SourceLocation where = properties.where("filename");
   const std::string path = resolve_path(*name, where.file, input.builder.file);
-  std::error_code ignored;
-  if (!std::filesystem::is_regular_file(path, ignored)) {
-    diagnostics.error(where, fmt::format("cannot read \"{}\"; the path counts from the scene file", path));
+  const std::string obstacle = unreadable_because(path);
+  if (!obstacle.empty()) {
+    diagnostics.error(where,
+                      fmt::format("cannot read \"{}\": {} (the path counts from the scene file)", path, obstacle));
     return std::nullopt;
   }
   if (lower_case_extension(path) != fmt::format(".{}", extension)) {
