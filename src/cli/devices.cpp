@@ -75,6 +75,7 @@ std::string json_of(const std::vector<PlatformInfo>& platforms, const std::strin
                     {"name", platform.name},
                     {"version", platform.version},
                     {"skipped", platform.skipped.empty() ? Json(nullptr) : Json(platform.skipped)},
+                    {"note", platform.note.empty() ? Json(nullptr) : Json(platform.note)},
                     {"devices", devices}});
   }
   const Json json = {{"platforms", list}, {"default", default_index.empty() ? Json(nullptr) : Json(default_index)}};
@@ -91,6 +92,7 @@ std::string text_of(const PlatformInfo& platform, const std::string& default_ind
                         device.fp64 ? "fp64" : "no fp64", device.fma ? "" : " · no fma", device.compute_units,
                         static_cast<double>(device.global_memory) / (1 << 30), device.native_vector_width);
   }
+  if (!platform.note.empty()) text += fmt::format("  note: {}\n", platform.note);
   if (!platform.skipped.empty()) text += fmt::format("  skipped: {}\n", platform.skipped);
   return text;
 }

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 
+#include "device/driver_files.h"
 #include "device/platforms.h"
 #include "device/program_shelf.h"
 #include "device/selector.h"
@@ -33,8 +34,22 @@ std::string everything_there_is() {
   return text;
 }
 
+/// Drivers that are installed and cannot be loaded, a line each. Throws Error where memory is what they lack.
+std::string drivers_not_loaded() {
+  std::string text;
+  for (const UnloadableDriver& driver : unloadable_drivers()) {
+    if (driver.out_of_memory)
+      throw Error(
+          fmt::format("out of memory: the OpenCL driver {} cannot be loaded ({}); raise the limit of this process's "
+                      "memory (ulimit -v), or free some",
+                      driver.library, driver.why));
+    text += fmt::format("\n  {} cannot be loaded: {}", driver.library, driver.why);
+  }
+  return text;
+}
+
 [[noreturn]] void throw_no_match(const std::string& selector) {
-  const std::string there_is = everything_there_is();
+  const std::string there_is = everything_there_is() + drivers_not_loaded();
   if (there_is.empty()) throw NoDeviceError(fmt::format("there is no OpenCL platform; {}", what_to_install));
   const std::string wanted =
       selector.empty() ? "no OpenCL device can be used" : fmt::format("no OpenCL device matches \"{}\"", selector);

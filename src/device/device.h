@@ -42,6 +42,7 @@ struct PlatformInfo {
   std::string version;
   std::vector<DeviceInfo> devices;
   std::string skipped;  ///< Why the platform offers nothing; empty where it does.
+  std::string note;     ///< What is other than its driver has it by default; mostly empty.
 };
 
 /// Every platform, the broken and empty ones too, with the reason. Never throws for a platform's fault.

@@ -7,6 +7,7 @@
 #include <cstdio>
 
 #include "device/cl_code.h"
+#include "device/driver_environment.h"
 
 namespace strahl {
 
@@ -65,6 +66,7 @@ std::string failure(const cl::Error& error) {
 }  // namespace
 
 std::vector<cl::Platform> platform_handles() {
+  prepare_driver_environment();
   std::vector<cl::Platform> platforms;
   try {
     cl::Platform::get(&platforms);
@@ -98,8 +100,12 @@ void add_devices(const cl::Platform& platform, PlatformInfo& info) {
     info.skipped = failure(error);
     return;
   }
+  const std::string& cache = prepare_driver_environment();
+  const bool is_pocl = info.name == "Portable Computing Language";
+  if (is_pocl) info.note = cache;
   if (!info.devices.empty()) return;
   info.skipped = "no devices";
+  if (is_pocl && !cache.empty()) info.skipped += "; " + cache;
   if (info.name == "rusticl") {
     info.skipped +=
         "; Mesa's rusticl offers the drivers that the environment names: RUSTICL_ENABLE=llvmpipe for the CPU";
