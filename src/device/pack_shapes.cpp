@@ -11,7 +11,10 @@ namespace {
 /// By a power of two to a length near 1: the length of a normal means nothing, and products with it stay in range.
 Vec3 near_unit(const Vec3& normal) {
   const double size = std::max({std::fabs(normal.x), std::fabs(normal.y), std::fabs(normal.z)});
-  return size > 0 && std::isfinite(size) ? std::ldexp(1.0, -std::ilogb(size)) * normal : normal;
+  if (!(size > 0) || !std::isfinite(size)) return normal;
+  // Component by component: the power itself overflows where the size is subnormal.
+  const int exponent = -std::ilogb(size);
+  return {std::scalbn(normal.x, exponent), std::scalbn(normal.y, exponent), std::scalbn(normal.z, exponent)};
 }
 
 /// Collects planes; points and lengths move into the frame, everything else stays.

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace strahl {
@@ -14,6 +15,9 @@ namespace {
 
 constexpr double frame_tolerance = 0x1p-40;  // some thousand roundings of 2^-53: no chain of rotations is longer
 
+constexpr double smallest_normal = std::numeric_limits<double>::min();
+
+double largest(const Vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 bool is_zero(double x) { return std::abs(x) <= frame_tolerance; }
 bool is_unit(const Vec3& v) { return is_zero(length(v) - 1); }
 bool is_degenerate(const Vec3& a, const Vec3& b) { return cross(a, b) == Vec3{}; }
@@ -28,6 +32,9 @@ class Faults {
   void operator()(const Plane& p) {
     require(is_finite(p.point) && is_finite(p.u) && is_finite(p.v), "the plane must be finite");
     require(is_finite(p.normal) && p.normal != Vec3{}, "the normal must be finite and not zero");
+    require(!is_finite(p.normal) || p.normal == Vec3{} || largest(p.normal) >= smallest_normal,
+            "the normal's length is {:.3g}; below {:.3g} numbers lose their digits: give it a length near 1",
+            largest(p.normal), smallest_normal);
     require(!is_degenerate(p.u, p.v), "u and v must span the plane");
   }
   void operator()(const Box& b) {
@@ -54,6 +61,7 @@ class Faults {
     const double u = length(d.axis_u), v = length(d.axis_v);
     require(u > 0 && v > 0 && is_zero((u - v) / u) && is_zero(dot(normalized(d.axis_u), normalized(d.axis_v))),
             "the disk's axes must be perpendicular, equally long and not zero");
+    require(!(u > 0 && v > 0) || !is_degenerate(d.axis_u, d.axis_v), "the disk's axes must span an area");
   }
   void operator()(const Cylinder& c) {
     require(is_finite(c.p0) && is_finite(c.p1), "p0 and p1 must be finite");

@@ -4,7 +4,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "scene/parse_value.h"
@@ -15,6 +17,8 @@ namespace {
 
 // A cross product or determinant of unit vectors carries a few roundings of 2^-53 each; 16 of them decide nothing.
 constexpr double rounding = 16 * 0x1p-53;
+// A unit vector whose components were rounded to three decimals is off by sqrt(3) * 0.0005 at the most.
+constexpr double unit_to_three_decimals = 0.00087;
 
 using Step = std::optional<Transform> (*)(const XmlElement&, Diagnostics&);
 
@@ -73,6 +77,18 @@ std::optional<Transform> read_scale(const XmlElement& element, Diagnostics& diag
   return Transform{{{{s->x, 0, 0, 0}, {0, s->y, 0, 0}, {0, 0, s->z, 0}}}};
 }
 
+/// Mitsuba 3 puts the axis into Rodrigues' formula as it stands: c I + (1 - c) a a^T + s [a]_x.
+void warn_of_axis(const XmlElement& element, double size, double angle, Diagnostics& diagnostics) {
+  const auto [s, c] = sin_cos_degrees(angle);
+  diagnostics.warning(
+      element.where,
+      fmt::format("the axis of <rotate> has length {:.4g}; strahl turns by {:g} degrees about its direction. Mitsuba "
+                  "takes it as it stands: that turns by {:.4g} degrees and scales by {:.4g} along the axis, {:.4g} "
+                  "across; make it a unit vector to have the same in both",
+                  size, angle, std::atan2(s * size, c) * (180.0 / std::numbers::pi), c + (1 - c) * size * size,
+                  std::hypot(c, s * size)));
+}
+
 std::optional<Transform> read_rotate(const XmlElement& element, Diagnostics& diagnostics) {
   const std::optional<Vec3> axis = read_components(element, 0, diagnostics);
   const std::optional<double> angle = finite_number(element, element.text("angle"), diagnostics);
@@ -81,6 +97,8 @@ std::optional<Transform> read_rotate(const XmlElement& element, Diagnostics& dia
     diagnostics.error(element.where, "<rotate> needs an axis, for example y=\"1\"");
     return std::nullopt;
   }
+  if (std::abs(length(*axis) - 1) > unit_to_three_decimals && std::remainder(*angle, 360.0) != 0)
+    warn_of_axis(element, length(*axis), *angle, diagnostics);
   return rotation(*axis, *angle);
 }
 
@@ -118,8 +136,9 @@ std::optional<Transform> read_matrix(const XmlElement& element, Diagnostics& dia
       return std::nullopt;
     }
   }
-  if (!is_singular(transform)) return transform;
-  diagnostics.error(element.where, "the <matrix> is singular");
+  const std::string why = singular_because(transform);
+  if (why.empty()) return transform;
+  diagnostics.error(element.where, fmt::format("the <matrix> is singular: {}", why));
   return std::nullopt;
 }
 
@@ -167,8 +186,12 @@ std::optional<Transform> read_transform(const XmlElement& element, Diagnostics& 
     ok = ok && next.has_value();
     if (next) transform = *next * transform;
   }
-  if (ok && (!transform.is_finite() || is_singular(transform))) {
+  const std::string why = singular_because(transform);
+  if (ok && !transform.is_finite()) {
     diagnostics.error(element.where, "the composed transform leaves the range of double");
+    ok = false;
+  } else if (ok && !why.empty()) {
+    diagnostics.error(element.where, fmt::format("the composed transform is singular: {}", why));
     ok = false;
   }
   return ok ? std::optional(transform) : std::nullopt;
@@ -195,11 +218,18 @@ std::optional<Transform> look_at(const Vec3& origin, const Vec3& target, const V
                      {left.z, upward.z, forward.z, origin.z}}}};
 }
 
-bool is_singular(const Transform& transform) {
-  for (int i = 0; i < 3; ++i)
-    if (transform.column(i) == Vec3{}) return true;
-  const Vec3 x = normalized(transform.column(0)), y = normalized(transform.column(1));
-  return std::abs(dot(cross(x, y), normalized(transform.column(2)))) <= rounding;
+std::string singular_because(const Transform& transform) {
+  const Vec3 x = transform.column(0), y = transform.column(1), z = transform.column(2);
+  const double lengths[] = {length(x), length(y), length(z)};
+  const double shortest = *std::min_element(lengths, lengths + 3), longest = *std::max_element(lengths, lengths + 3);
+  if (shortest == 0) return "a column is zero";
+  if (!std::isfinite(longest) || longest < std::numeric_limits<double>::min())
+    return "its numbers are too large or too small to be inverted";
+  if (shortest <= rounding * longest)
+    return fmt::format("the longest of its columns measures {:.3g}, the shortest {:.3g}, which is nothing beside it",
+                       longest, shortest);
+  const bool is_flat = std::abs(dot(cross(normalized(x), normalized(y)), normalized(z))) <= rounding;
+  return is_flat ? "its columns lie in one plane" : "";
 }
 
 }  // namespace strahl

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "scene/diagnostics.h"
 #include "scene/vec.h"
@@ -24,7 +25,10 @@ namespace strahl {
 /// direction is zero or parallel to `up`.
 [[nodiscard]] std::optional<Transform> look_at(const Vec3& origin, const Vec3& target, const Vec3& up);
 
-/// True where the linear part has no inverse in double: |det| of its unit columns is within rounding of 0.
-[[nodiscard]] bool is_singular(const Transform& transform);
+/// Why the linear part has no inverse in double; empty where it has one. It has none where |det| of its unit columns is
+/// within rounding of 0, where the shortest column is within rounding of 0 beside the longest, or where the longest is
+/// no normal number of double.
+[[nodiscard]] std::string singular_because(const Transform& transform);
+[[nodiscard]] inline bool is_singular(const Transform& transform) { return !singular_because(transform).empty(); }
 
 }  // namespace strahl

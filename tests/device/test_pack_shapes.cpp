@@ -51,6 +51,8 @@ TEST_CASE("Quadrics and parallelograms") {
   CHECK(only(Rectangle{{1, 2, 3}, {4, 0, 0}, {0, 5, 0}}) == Primitive{1, 2, 3, 5, 2, 3, 5, 7, 3, 1, 7, 3});
   // Centre, normal along axis_u x axis_v, squared radius.
   CHECK(only(Disk{{1, 2, 3}, {2, 0, 0}, {0, 2, 0}}) == Primitive{1, 2, 3, 0, 0, 1, 4});
+  // The product of two lengths of 2^-520 is subnormal, and the power of two that makes it 1 is no double.
+  CHECK(only(Disk{{1, 2, 3}, {0x1p-520, 0, 0}, {0, 0x1p-520, 0}}) == Primitive{1, 2, 3, 0, 0, 1, 0x1p-1040});
   // Foot, unit axis, height, radius.
   CHECK(only(Cylinder{{1, 2, 3}, {1, 2, 8}, 0.5, {1, 0, 0}}) == Primitive{1, 2, 3, 0, 0, 1, 5, 0.5});
 }

@@ -83,6 +83,10 @@ TEST_CASE("faults of transforms") {
   const Fault steps[] = {
       {"<scale x=\"0\"/>", "3:1", "singular"},
       {"<matrix value=\"1 2 3 2 4 6 0 0 1\"/>", "3:1", "singular"},
+      {"<matrix value=\"1 0 0 0 1 0 0 0 1e-200\"/>", "3:1", "the shortest 1e-200, which is nothing beside it"},
+      {"<matrix value=\"1e-310 0 0 0 1e-310 0 0 0 1e-310\"/>", "3:1", "too small to be inverted"},
+      {"<matrix value=\"1 0 1 0 1 1 0 0 0\"/>", "3:1", "in one plane"},
+      {"<scale value=\"1 1 1e-16\"/>", "2:23", "the composed transform is singular: the longest"},
       {"<matrix value=\"1 2 3\"/>", "3:1", "9 or 16"},
       {"<matrix value=\"1 0 0 0 0 1 0 0 0 0 1 0 0 0 1 1\"/>", "3:1", "last row"},
       {"<rotate angle=\"3\"/>", "3:1", "needs either value or x, y, z"},

@@ -64,6 +64,30 @@ TEST_CASE("as Mitsuba: lookat") {
       1e-6);
 }
 
+TEST_CASE("an axis that is no unit vector: what Mitsuba would do with it is said") {
+  const auto said = [](const std::string& rotate) {
+    return problems("<scene version=\"3.0.0\"><sensor type=\"orthographic\"><transform name=\"to_world\">" + rotate +
+                    "</transform></sensor></scene>");
+  };
+  // c I + (1 - c) a a^T + s [a]_x with |a| = 2 and 90 degrees: 4 along the axis, a turn of 90 degrees and 2 across.
+  const std::vector<std::string> warnings = said("<rotate z=\"2\" angle=\"90\"/>");
+  REQUIRE(warnings.size() == 1);
+  CHECK(warnings[0].rfind("1:", 0) == 0);
+  for (const char* part :
+       {": warning: ", "has length 2;", "turns by 90 degrees and scales by 4 along the axis, 2 across"})
+    CHECK(warnings[0].find(part) != std::string::npos);
+  // Half a unit and 60 degrees: tan' = 0.5 tan 60.
+  const std::vector<std::string> shorter = said("<rotate x=\"0.5\" angle=\"60\"/>");
+  REQUIRE(shorter.size() == 1);
+  CHECK(shorter[0].find("turns by 40.89 degrees and scales by 0.625 along the axis, 0.6614 across") !=
+        std::string::npos);
+  // What is a unit vector as well as three decimals say it, and a turn that is none.
+  CHECK(said("<rotate value=\"0.577 0.577 0.577\" angle=\"30\"/>").empty());
+  CHECK(said("<rotate value=\"0.707 0.707 0\" angle=\"30\"/>").empty());
+  CHECK(said("<rotate y=\"5\" angle=\"720\"/>").empty());
+  CHECK(said("<rotate value=\"0.58 0.58 0.58\" angle=\"30\"/>").size() == 1);
+}
+
 TEST_CASE("matrices of 9 and 16 values") {
   const Transform expected{{{{1, 2, 3, 0}, {0, 1, 4, 0}, {5, 6, 0, 0}}}};
   CHECK(to_world("<matrix value=\"1 2 3 0 1 4 5 6 0\"/>").m == expected.m);

@@ -57,6 +57,9 @@ TEST_CASE("faults of geometry") {
   check_one_problem(scene_with(Sphere{{nan_value, 0, 0}}), "finite");
   check_one_problem(scene_with(Sphere{{}, 1, {{{1, 0, 0}, {1, 0, 0}, {0, 0, 1}}}}), "orthonormal");
   check_one_problem(scene_with(Plane{{}, {0, 0, 0}}), "not zero");
+  check_one_problem(scene_with(Plane{{}, {0, 1e-310, 0}}), "the normal's length is 1e-310");
+  CHECK(validate(scene_with(Plane{{}, {0, 1e-307, 0}})).empty());
+  check_one_problem(scene_with(Disk{{}, {1e-170, 0, 0}, {0, 1e-170, 0}}), "span an area");
   check_one_problem(scene_with(Plane{{}, {0, 1, 0}, {1, 0, 0}, {2, 0, 0}}), "span");
   check_one_problem(scene_with(Box{{1, 0, 0}, {0, 0, 0}}), "min");
   check_one_problem(scene_with(Triangle{{0, 0, 0}, {1, 1, 1}, {2, 2, 2}}), "line");
