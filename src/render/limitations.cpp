@@ -1,7 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "render/limitations.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
 #include "device/pack_areas.h"
+
 namespace strahl {
 
 namespace {
@@ -13,10 +19,49 @@ bool emits(const Shape& shape) {
   return any;
 }
 
+bool is_light(const Rgb& c) { return c.r > 0 || c.g > 0 || c.b > 0; }
+
+bool emits_light(const Shape& shape) {
+  if (shape.radiance && is_light(*shape.radiance)) return true;
+  const auto* mesh = std::get_if<Mesh>(&shape.geometry);
+  const auto part_emits = [](const MeshPart& part) { return part.radiance && is_light(*part.radiance); };
+  return mesh != nullptr && std::any_of(mesh->parts.begin(), mesh->parts.end(), part_emits);
+}
+
+/// Emission is what is seen of emitters: points and directions are not.
+bool emits_light(const Light& light, bool must_be_seen) {
+  if (const auto* constant = std::get_if<ConstantLight>(&light.emitter)) return is_light(constant->radiance);
+  if (must_be_seen) return false;
+  const auto* point = std::get_if<PointLight>(&light.emitter);
+  return is_light(point != nullptr ? point->intensity : std::get<DirectionalLight>(light.emitter).irradiance);
+}
+
+/// Why the picture will be empty; none where it will not.
+std::optional<std::string> emptiness(const Scene& scene) {
+  if (scene.shapes.empty() && scene.instances.empty())
+    return "the scene has no shape: no ray hits anything; add a <shape>";
+  const std::vector<std::string> lit{"direct", "whitted", "path", "emission"};
+  const std::string& integrator = scene.integrator.name;
+  if (std::find(lit.begin(), lit.end(), integrator) == lit.end()) return std::nullopt;
+  const bool must_be_seen = integrator == "emission";
+  const auto shape_emits = [](const Shape& shape) { return emits_light(shape); };
+  const auto light_emits = [&](const Light& light) { return emits_light(light, must_be_seen); };
+  if (std::any_of(scene.shapes.begin(), scene.shapes.end(), shape_emits) ||
+      std::any_of(scene.lights.begin(), scene.lights.end(), light_emits))
+    return std::nullopt;
+  return fmt::format(
+      "nothing in the scene emits light{}: integrator {} makes a black picture; add an <emitter>, or see "
+      "the shapes with --integrator normals or ao",
+      must_be_seen ? " that is seen" : "", integrator);
+}
+
 }  // namespace
 
 std::vector<Diagnostic> limitations(const Scene& scene) {
   std::vector<Diagnostic> warnings;
+  if (const std::optional<std::string> why = emptiness(scene))
+    warnings.push_back(
+        {Severity::warning, scene.integrator.where.file.empty() ? scene.camera.where : scene.integrator.where, *why});
   const std::string& integrator = scene.integrator.name;
   const bool is_direct = integrator == "direct", is_whitted = integrator == "whitted";
   if (!(is_direct || is_whitted) || (scene.integrator.max_depth >= 0 && scene.integrator.max_depth < 2))

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a scene calls for that its integrator cannot do yet: said, never left out in silence.
+// What a scene calls for that its integrator cannot do yet, and a picture that will be empty: said, never left out in
+// silence.
 #pragma once
 
 #include <vector>

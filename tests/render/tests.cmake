@@ -4,6 +4,7 @@ foreach(name first_principles invariance launches closed_form terminator metamor
              sphere_cloud film)
   strahl_test(render/test_${name}.cpp LABEL render)
 endforeach()
+strahl_test(render/test_limitations.cpp LABEL unit)
 strahl_test(render/test_pass_plan.cpp LABEL unit)
 strahl_test(render/test_traversal_choice.cpp LABEL unit)
 # A program for every scene, compiled where nothing is cached yet.

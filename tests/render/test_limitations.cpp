@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+// A picture that will be empty is told before it is rendered; one that will not is not.
+#include <catch2/catch.hpp>
+
+#include "render/limitations.h"
+
+using namespace strahl;
+
+namespace {
+
+Scene scene_of(const std::string& integrator) {
+  Scene scene;
+  scene.integrator.name = integrator;
+  scene.shapes.emplace_back().geometry = Sphere{};
+  return scene;
+}
+
+/// What is said of an empty picture, or nothing.
+std::string emptiness(const Scene& scene) {
+  for (const Diagnostic& warning : limitations(scene))
+    if (warning.message.find("emits light") != std::string::npos ||
+        warning.message.find("no shape") != std::string::npos)
+      return warning.message;
+  return {};
+}
+
+const char* const lit_integrators[] = {"direct", "whitted", "path", "emission"};
+
+}  // namespace
+
+TEST_CASE("a scene without emitters is black where light is needed") {
+  for (const char* integrator : lit_integrators)
+    CHECK(emptiness(scene_of(integrator)).find(integrator) != std::string::npos);
+  for (const char* integrator : {"normals", "depth", "ao"}) CHECK(emptiness(scene_of(integrator)).empty());
+}
+
+TEST_CASE("whatever emits ends the warning") {
+  for (const char* integrator : lit_integrators) {
+    const bool is_lit = std::string(integrator) != "emission";
+    INFO(integrator);
+    Scene lamp = scene_of(integrator), sky = lamp, point = lamp, sun = lamp, mesh = lamp;
+    lamp.shapes.front().radiance = Rgb{0, 0, 1};
+    CHECK(emptiness(lamp).empty());
+    sky.lights.push_back({"", ConstantLight{}, {}});
+    CHECK(emptiness(sky).empty());
+    point.lights.push_back({"", PointLight{}, {}});
+    CHECK(emptiness(point).empty() == is_lit);  // No ray meets a point.
+    sun.lights.push_back({"", DirectionalLight{}, {}});
+    CHECK(emptiness(sun).empty() == is_lit);
+    Mesh glowing;
+    glowing.parts.push_back({0, Rgb{1, 1, 1}});
+    mesh.shapes.front().geometry = glowing;
+    CHECK(emptiness(mesh).empty());
+  }
+}
+
+TEST_CASE("an emitter of radiance 0 emits nothing") {
+  Scene scene = scene_of("path");
+  scene.shapes.front().radiance = Rgb{0, 0, 0};
+  scene.lights.push_back({"", PointLight{{}, {0, 0, 0}}, {}});
+  CHECK_FALSE(emptiness(scene).empty());
+}
+
+TEST_CASE("a scene without shapes, with and without instances") {
+  Scene scene = scene_of("normals");
+  scene.shapes.clear();
+  CHECK(emptiness(scene).find("no shape") != std::string::npos);
+  scene.groups.emplace_back().shapes.emplace_back();
+  CHECK_FALSE(emptiness(scene).empty());  // A group that nobody places.
+  scene.instances.emplace_back();
+  CHECK(emptiness(scene).empty());
+}
