@@ -37,6 +37,18 @@ void write(Image& sheet, int x, int y, const std::string& text) {
   }
 }
 
+/// Of a text, with the space after it.
+int written_width(const std::string& text) { return advance * static_cast<int>(text.size()); }
+
+/// A column holds its pictures and what is written above and below them, so that no text meets its neighbour's.
+int column_width(const std::vector<std::string>& columns, const std::vector<SheetRow>& rows) {
+  int width = rows.front().tiles.front().picture.width;
+  for (const std::string& column : columns) width = std::max(width, written_width(column));
+  for (const SheetRow& row : rows)
+    for (const SheetTile& tile : row.tiles) width = std::max(width, written_width(tile.caption));
+  return width;
+}
+
 void place(Image& sheet, int x, int y, const Image& tile) {
   for (int row = 0; row < tile.height; ++row)
     for (int column = 0; column < tile.width; ++column)
@@ -52,13 +64,14 @@ Image contact_sheet(const std::vector<std::string>& columns, const std::vector<S
   std::size_t longest = 0;
   for (const SheetRow& row : rows) longest = std::max(longest, row.label.size());
   const int left = advance * static_cast<int>(longest) + 2 * gap;
+  const int pitch = column_width(columns, rows) + gap;
   Image sheet;
-  sheet.width = left + static_cast<int>(columns.size()) * (width + gap);
+  sheet.width = left + static_cast<int>(columns.size()) * pitch;
   sheet.height = line + gap + static_cast<int>(rows.size()) * (height + line);
   sheet.data.assign(static_cast<std::size_t>(sheet.width) * static_cast<std::size_t>(sheet.height) * 3, paper);
 
   for (std::size_t column = 0; column < columns.size(); ++column)
-    write(sheet, left + static_cast<int>(column) * (width + gap), gap, columns[column]);
+    write(sheet, left + static_cast<int>(column) * pitch, gap, columns[column]);
   int y = line;
   for (const SheetRow& row : rows) {
     if (row.tiles.size() != columns.size()) throw std::logic_error("a row of a contact sheet with a gap");
@@ -69,7 +82,7 @@ Image contact_sheet(const std::vector<std::string>& columns, const std::vector<S
         throw std::logic_error("tiles of a contact sheet differ in size");
       place(sheet, x, y, tile.picture);
       write(sheet, x, y + height + zoom, tile.caption);
-      x += width + gap;
+      x += pitch;
     }
     y += height + line;
   }

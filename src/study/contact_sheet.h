@@ -19,8 +19,9 @@ struct SheetRow {
   std::vector<SheetTile> tiles;  ///< One a column.
 };
 
-/// Captions stand below, columns' labels above, rows' labels to the left. Letters and digits, space, '.', '+', '-';
-/// anything else is left blank. Throws std::logic_error where there is no tile, or one of another size.
+/// Captions stand below, columns' labels above, rows' labels to the left; columns are as wide as the widest of it.
+/// Letters and digits, space, '.', '+', '-'; anything else is left blank. Throws std::logic_error where there is no
+/// tile, or one of another size.
 [[nodiscard]] Image contact_sheet(const std::vector<std::string>& columns, const std::vector<SheetRow>& rows);
 
 }  // namespace strahl

@@ -45,8 +45,22 @@ TEST_CASE("labels and captions, in letters that there are") {
   CHECK(ink_of("", "", "1") == 4 * 8);
   CHECK(ink_of("a", "", "") == ink_of("A", "", ""));
   CHECK(ink_of("%", "", "") == 0);
-  // What does not fit is cut, not written elsewhere.
-  CHECK(ink_of("", "", "1111111111111111") < 16 * 4 * 8);
+  CHECK(ink_of("", "", "1111111111111111") == 16 * 4 * 8);
+}
+
+TEST_CASE("labels and captions wider than the pictures meet no neighbour") {
+  const std::vector<std::string> columns{"offset 100000", "offset 1e+07"};
+  const auto ink = [&](const std::string& left, const std::string& right, const std::string& caption) {
+    return pixels_of(contact_sheet({left, right}, {{"", {{tile(0.25F), caption}, {tile(0.5F), ""}}}}), 0.9F);
+  };
+  // Letters drawn over each other would share pixels, one cut off at the sheet's edge would lack some.
+  CHECK(ink(columns[0], columns[1], "") == ink(columns[0], "", "") + ink("", columns[1], ""));
+  CHECK(ink("", "", "0.000123456789") == ink("0.000123456789", "", ""));
+  const Image sheet = contact_sheet(columns, {{"", {{tile(0.25F), ""}, {tile(0.5F), ""}}}});
+  // A dark column of pixels between the two labels: row 4 to 13 is where they are written.
+  const int second = 8 + 8 * static_cast<int>(columns[0].size()) + 4;
+  for (int y = 4; y < 14; ++y) CHECK(sheet.at(second - 2, y, 0) != 0.9F);
+  CHECK(sheet.at(second, 16 + 10, 0) == 0.5F);
 }
 
 TEST_CASE("a sheet with gaps is refused") {
