@@ -8,6 +8,7 @@
 
 #include "cli/commands.h"
 #include "cli/console.h"
+#include "cli/distinct_files.h"
 #include "cli/output_file.h"
 #include "cli/progress_bar.h"
 #include "cli/scene_options.h"
@@ -177,9 +178,11 @@ ExitCode tune_device(const BenchOptions& options) {
 
 ExitCode bench(const BenchOptions& options) {
   if (options.tune) return tune_device(options);
+  require_distinct({{"--json", options.json}}, {{"--scene", options.scene}, {"--compare", options.compare}});
   if (!options.json.empty() && options.json != "-") require_writable(options.json);
   const Base base(options.compare);
   const Scene scene = scene_of(options.scene);
+  require_distinct({{"--json", options.json}}, scene_files(options.scene, scene.files));
   base.require_same_scene(scene.name);
   const Device device = Device::open(options.device);
   DeviceBench result;

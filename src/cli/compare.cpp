@@ -11,6 +11,8 @@
 
 #include "cli/commands.h"
 #include "cli/console.h"
+#include "cli/distinct_files.h"
+#include "cli/number_options.h"
 #include "cli/picture_files.h"
 #include "image/metrics.h"
 
@@ -68,6 +70,7 @@ Request requested(const CompareOptions& options) {
 
 ExitCode compare(const CompareOptions& options) {
   const Request request = requested(options);
+  require_distinct({{"--heatmap", options.heatmap}}, {{"picture A", options.a}, {"the reference B", options.b}});
   if (!options.heatmap.empty()) require_writable(PictureFiles{options.heatmap, {}, false});
 
   const Image a = read_image(options.a);
@@ -111,12 +114,14 @@ Command add_compare(CLI::App& app) {
   app.add_option("--heatmap-of", options->heatmap_of, "What instead: relmse, ssim, flip or hdrflip")
       ->type_name("NAME")
       ->needs(heatmap);
-  app.add_option(
-         "--ppd", options->pixels_per_degree,
-         "Pixels per degree of sight, for flip and hdrflip; default: 67.02, 0.7 m before a display that is 0.7 m "
-         "and 3840 pixels wide")
+  require_positive(
+      app.add_option(
+          "--ppd", options->pixels_per_degree,
+          "Pixels per degree of sight, for flip and hdrflip; default: 67.02, 0.7 m before a display that is 0.7 m "
+          "and 3840 pixels wide"))
       ->type_name("X");
-  app.add_option("--fail-above", options->bound, "Exit with 7 where the metric is worse than X")->type_name("X");
+  require_finite(app.add_option("--fail-above", options->bound, "Exit with 7 where the metric is worse than X"))
+      ->type_name("X");
   app.add_flag("--json", options->json, "For programs");
   app.footer(kCompareFooter);
   return [options] { return compare(*options); };

@@ -4,11 +4,13 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <filesystem>
 #include <memory>
 
 #include "cli/canary.h"
 #include "cli/commands.h"
 #include "cli/console.h"
+#include "cli/distinct_files.h"
 #include "cli/kernel_options.h"
 #include "cli/output_file.h"
 #include "cli/process_clock.h"
@@ -43,14 +45,29 @@ struct IntersectOptions {
   std::string stats;
 };
 
+/// A picture's name would promise a picture. What is no regular file has no ending to go by: a pipe, /dev/null.
+void require_npy(const std::string& path) {
+  std::error_code unknown;
+  const std::filesystem::file_status status = std::filesystem::status(path, unknown);
+  const bool is_stream = std::filesystem::exists(status) && !std::filesystem::is_regular_file(status);
+  if (is_stream || std::filesystem::path(path).extension() == ".npy") return;
+  throw UsageError(fmt::format("-o {}: hits are a NumPy matrix; name a file that ends in .npy", path));
+}
+
 ExitCode intersect(const IntersectOptions& options, const Invocation& invocation) {
   RenderSettings settings = settings_of(options.kernel);
   settings.coherent = options.coherent;
+  require_npy(options.output);
+  std::vector<NamedFile> inputs = scene_files(options.scene.path, {});
+  inputs.push_back({"--rays", options.rays});
+  const std::vector<NamedFile> outputs{{"-o", options.output}, {"--stats", options.stats}};
+  require_distinct(outputs, inputs);
   require_writable(options.output);
   if (!options.stats.empty() && options.stats != "-") require_writable(options.stats);
 
   double load_seconds = 0;
   const Scene scene = load(options.scene, load_seconds);
+  require_distinct(outputs, scene_files(options.scene.path, scene.files));
   const double rays_start = invocation.seconds();
   const std::vector<Ray> rays = rays_of(read_npy(options.rays), options.rays);
   load_seconds += invocation.seconds() - rays_start;

@@ -12,9 +12,11 @@
 #include "cli/console.h"
 #include "cli/dry_run.h"
 #include "cli/interrupt.h"
+#include "cli/number_options.h"
 #include "cli/output_file.h"
 #include "cli/process_clock.h"
 #include "cli/progress_bar.h"
+#include "cli/render_files.h"
 #include "cli/render_frames.h"
 #include "cli/render_goal.h"
 #include "cli/summary.h"
@@ -63,6 +65,7 @@ std::map<std::string, std::string> metadata_of(const RenderOptions& options, con
 void require_writable_outputs(const RenderOptions& options) {
   for (const std::string& path : {options.output, options.error_map})
     if (!path.empty()) static_cast<void>(image_format(path));
+  require_distinct_files(options, options.output, {});
   if (!options.error_map.empty()) require_writable(options.error_map);
   for (const std::string& path : {options.stats, options.dump_kernel})
     if (!path.empty() && path != "-") require_writable(path);
@@ -179,6 +182,7 @@ ExitCode render(const RenderOptions& options, const Invocation& invocation) {
     if (files.path.empty()) files.path = scene.name + ".png";
     require_writable(files);
   }
+  require_distinct_files(options, files.path, scene.files);
 
   const double opening = invocation.seconds();
   const Device device = Device::open(
@@ -238,9 +242,8 @@ void add_output_options(CLI::App& app, RenderOptions& options) {
   app.add_option("-o,--output", options.output, "Picture: .png, .exr or .pfm; default: the scene's name with .png")
       ->type_name("FILE")
       ->group(group);
-  app.add_option("--exposure", options.png.exposure, "PNG: brighter by so many stops")
+  require_between(app.add_option("--exposure", options.png.exposure, "PNG: brighter by so many stops"), -64, 64)
       ->type_name("STOPS")
-      ->check(CLI::Range(-64.0, 64.0).description(""))
       ->group(group);
   app.add_option("--png-bits", options.png.bits, "PNG: 8 or 16 bits a channel")
       ->type_name("N")

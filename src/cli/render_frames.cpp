@@ -10,12 +10,11 @@
 #include "cli/console.h"
 #include "cli/output_file.h"
 #include "cli/progress_bar.h"
+#include "cli/render_files.h"
 #include "render/median.h"
 
 namespace strahl::cli {
 namespace {
-
-std::string frame_path(const std::string& path, int frame) { return path_beside(path, fmt::format("{:04}", frame)); }
 
 double late_seconds(double time) { return 1.02 * time + 0.0005; }
 

@@ -10,11 +10,13 @@
 
 #include "cli/commands.h"
 #include "cli/console.h"
+#include "cli/distinct_files.h"
 #include "cli/output_file.h"
 #include "cli/picture_files.h"
 #include "cli/progress_bar.h"
 #include "cli/scene_options.h"
 #include "cli/scene_overrides.h"
+#include "render/limitations.h"
 #include "render/sampling.h"
 
 namespace strahl::cli {
@@ -67,6 +69,7 @@ std::string json_of(const StressStudy& study, const Scene& scene, const Device& 
 }
 
 ExitCode stress(const StressOptions& options, const Invocation& invocation) {
+  require_distinct({{"-o", options.output}, {"--json", options.json}}, scene_files(options.scene.path, {}));
   if (!options.json.empty() && options.json != "-") require_writable(options.json);
   double load_seconds = 0;
   Scene scene = load(options.scene, load_seconds);
@@ -74,7 +77,9 @@ ExitCode stress(const StressOptions& options, const Invocation& invocation) {
   overrides.width = options.width;
   overrides.spp = options.spp;
   apply(overrides, scene);
+  for (const Diagnostic& warning : limitations(scene)) say(warning.text());
   const std::string path = options.output.empty() ? scene.name + ".stress.png" : options.output;
+  require_distinct({{"-o", path}, {"--json", options.json}}, scene_files(options.scene.path, scene.files));
   require_writable(PictureFiles{path, {}, false});
 
   const Device device = Device::open(options.device);

@@ -5,10 +5,13 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <memory>
+#include <set>
 
 #include "cli/commands.h"
 #include "cli/console.h"
+#include "cli/distinct_files.h"
 #include "cli/interrupt.h"
 #include "cli/progress_bar.h"
 #include "cli/scene_options.h"
@@ -20,6 +23,7 @@
 #include "render/sampler_name.h"
 #include "render/sampling.h"
 #include "study/tradeoff/json.h"
+#include "study/tradeoff/store.h"
 
 namespace strahl::cli {
 namespace {
@@ -133,9 +137,27 @@ void warn_of_samples(const TradeoffStudy& study) {
                     saturated, invalid));
 }
 
+/// Throws UsageError where the study would write over the scene or the reference.
+void require_distinct_study(const TradeoffCommand& command, const std::string& folder, const Scene& scene) {
+  std::vector<NamedFile> inputs = scene_files(command.scene.path, scene.files);
+  inputs.push_back({"--reference", command.reference});
+  std::vector<NamedFile> outputs;
+  const std::filesystem::path study(folder);
+  for (const std::string& name : study_file_names())
+    outputs.push_back({"the study's " + name, (study / name).string()});
+  std::set<std::string> names;
+  for (const NamedFile& input : inputs) names.insert(std::filesystem::path(input.path).filename().string());
+  for (const std::string& name : names)  // Of the points' many files the one that has an input's name.
+    if (const std::filesystem::path path = study / study_points_name / name; std::filesystem::is_regular_file(path))
+      outputs.push_back({"a point of the study", path.string()});
+  require_distinct(outputs, inputs);
+}
+
 ExitCode tradeoff(const TradeoffCommand& command, const Invocation& invocation) {
   double load_seconds = 0;
   Scene scene = load(command.scene, load_seconds);
+  const std::string folder = command.folder.empty() ? scene.name + ".tradeoff" : command.folder;
+  require_distinct_study(command, folder, scene);
   resize(command, scene);
   for (const Diagnostic& warning : limitations(scene)) say(warning.text());
   const Device device = Device::open(command.device);
@@ -144,7 +166,7 @@ ExitCode tradeoff(const TradeoffCommand& command, const Invocation& invocation) 
   options.plan = plan_of(command, scene, tiers);
   options.seeds = command.seeds;
   options.reference_file = command.reference;
-  options.folder = command.folder.empty() ? scene.name + ".tradeoff" : command.folder;
+  options.folder = folder;
   options.restart = command.restart;
   options.scene_path = command.scene.path;
   options.command = invocation.command_line;

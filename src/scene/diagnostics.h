@@ -22,6 +22,7 @@ class Diagnostics {
   void append(const std::vector<Diagnostic>& others) { all_.insert(all_.end(), others.begin(), others.end()); }
   /// Files are reported in the order in which they were opened.
   void opened(const std::string& file) { files_.push_back(file); }
+  [[nodiscard]] const std::vector<std::string>& files() const { return files_; }
 
   [[nodiscard]] bool has_errors() const;
   /// By file, then line, then column.

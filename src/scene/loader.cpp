@@ -39,6 +39,7 @@ Scene scene_of_mesh(const std::string& path, const LoadOptions& options, Diagnos
   for (const auto& [name, value] : options.defines)
     diagnostics.unknown({path}, fmt::format("-D {}={}: a mesh has no parameters; it has no effect", name, value));
   MeshFile file = read_mesh(path, progress_of(path, options.progress));
+  for (const std::string& library : file.libraries) diagnostics.opened(library);
   diagnostics.append(file.warnings);
   Scene scene;
   scene.integrator.name = "normals";
@@ -67,6 +68,7 @@ LoadedScene load_scene(const std::string& path, const LoadOptions& options) {
   if (!diagnostics.has_errors()) diagnostics.append(validate(scene));
   if (diagnostics.has_errors()) throw SceneError(diagnostics.in_file_order());
   scene.name = std::filesystem::path(path).stem().string();
+  scene.files = diagnostics.files();
   return {std::move(scene), diagnostics.in_file_order()};
 }
 

@@ -29,6 +29,7 @@ struct MeshMaterial {
 struct MeshFile {
   Mesh mesh;  ///< `parts` stays empty; part_of_triangle holds indices into `materials` (empty where there are none).
   std::vector<MeshMaterial> materials;
+  std::vector<std::string> libraries;  ///< Paths of the MTL files that were read.
   std::size_t skipped_faces = 0;
   std::vector<Diagnostic> warnings;  ///< Skipped faces (counted, with the first one's place), missing MTL, ...
 };

@@ -99,6 +99,9 @@ class MtlReader {
 
 }  // namespace
 
-void read_mtl(const std::string& path, MtlLibrary& library) { MtlReader(path, library).read(); }
+void read_mtl(const std::string& path, MtlLibrary& library) {
+  library.files.push_back(path);
+  MtlReader(path, library).read();
+}
 
 }  // namespace strahl

@@ -14,6 +14,7 @@ namespace strahl {
 struct MtlLibrary {
   std::map<std::string, MeshMaterial> materials;
   std::vector<Diagnostic> diagnostics;
+  std::vector<std::string> files;  ///< Paths, in the order in which they were read.
 };
 
 /// Adds the materials of a file. What is wrong with it goes to the diagnostics; throws SceneError only where the file

@@ -225,6 +225,7 @@ class ObjReader {
     for (const std::string& warning : builder_->warnings()) source_.warn(nullptr, warning);
     file.skipped_faces = malformed_.count + degenerate_.count;
     file.warnings = source_.finish(library_.diagnostics);
+    file.libraries = library_.files;
     set_materials(file);
     return file;
   }

@@ -253,7 +253,8 @@ struct IntegratorSettings {
 };
 
 struct Scene {
-  std::string name;  ///< The file's stem; names the picture where no -o is given.
+  std::string name;                ///< The file's stem; names the picture where no -o is given.
+  std::vector<std::string> files;  ///< Every file that it was read from; none where a program made it.
   std::vector<Shape> shapes;
   std::vector<Group> groups;
   std::vector<Instance> instances;

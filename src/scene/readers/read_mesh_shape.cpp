@@ -41,6 +41,7 @@ Geometry read_mesh_shape(ShapeInput& input) {
     const MeshProgress progress = progress_of(*path, input.builder.mesh_progress);
     MeshFile file =
         properties.type() == "serialized" ? read_serialized(*path, index, progress) : read_mesh(*path, progress);
+    for (const std::string& library : file.libraries) diagnostics.opened(library);
     diagnostics.append(file.warnings);
     if (file.mesh.triangles.empty())
       diagnostics.error(properties.where("filename"), fmt::format("\"{}\" has no triangles", *path));

@@ -18,7 +18,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr char identity_name[] = "study.json", reference_name[] = "reference.exr";
+constexpr char identity_name[] = "study.json", reference_name[] = "reference.exr", json_name[] = "tradeoff.json",
+               table_name[] = "tradeoff.csv", report_name[] = "report.html";
 
 void write_text(const std::string& path, const std::string& text) {
   AtomicFile file(path);
@@ -44,9 +45,13 @@ std::optional<double> number(const std::map<std::string, std::string>& metadata,
 
 }  // namespace
 
+std::vector<std::string> study_file_names() {
+  return {identity_name, reference_name, reference_picture_name, table_name, json_name, report_name};
+}
+
 TradeoffStore::TradeoffStore(std::string folder, const StudyIdentity& identity, bool restart)
     : folder_(std::move(folder)), study_(identity.hash()) {
-  create(path("points"));
+  create(path(study_points_name));
   const std::string file = path(identity_name);
   const bool is_resumed = fs::exists(file) && !restart;
   const std::string difference = is_resumed ? identity.difference_from(read_file(file)) : "";
@@ -111,9 +116,9 @@ void TradeoffStore::publish(const TradeoffStudy& study) const {
     add(picture_name(point.setting));
     add(difference_name(point.setting));
   }
-  write_text(path("tradeoff.json"), json);
-  write_text(path("tradeoff.csv"), tradeoff_csv(study));
-  write_text(path("report.html"), html_report(json, pictures));
+  write_text(path(json_name), json);
+  write_text(path(table_name), tradeoff_csv(study));
+  write_text(path(report_name), html_report(json, pictures));
 }
 
 }  // namespace strahl

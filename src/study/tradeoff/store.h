@@ -6,11 +6,16 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "study/tradeoff/identity.h"
 #include "study/tradeoff/study.h"
 
 namespace strahl {
+
+/// Names of the files that a study writes into its folder, and of the folder of its points.
+[[nodiscard]] std::vector<std::string> study_file_names();
+inline constexpr char study_points_name[] = "points";
 
 class TradeoffStore {
  public:

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#include "cli/render_files.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <filesystem>
+#include <set>
+
+#include "cli/distinct_files.h"
+
+namespace strahl::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The picture and its layers (picture_files.cpp): EXR holds them itself.
+void add_picture(const RenderOptions& options, const std::string& name, const std::string& path,
+                 std::vector<NamedFile>& files) {
+  files.push_back({name, path});
+  if (image_format(path) == ImageFormat::exr) return;
+  for (const std::string& layer : std::set(options.kernel.aovs.begin(), options.kernel.aovs.end()))
+    files.push_back({"the picture of --aov " + layer, path_beside(path, layer)});
+}
+
+/// Links followed as far as they lead somewhere.
+std::string followed(const std::string& path) {
+  std::error_code unknown;
+  return fs::weakly_canonical(path, unknown).string();
+}
+
+/// The number in "out.0001.png", "out.0001.depth.png" for "out.png"; 0 where there is none.
+int frame_number(const std::string& picture, const std::string& path) {
+  const std::string stem = fs::path(picture).stem().string() + ".", name = fs::path(path).filename().string();
+  int number = 0;
+  if (name.starts_with(stem)) std::from_chars(name.data() + stem.size(), name.data() + name.size(), number);
+  return number;
+}
+
+}  // namespace
+
+std::string frame_path(const std::string& path, int frame) { return path_beside(path, fmt::format("{:04}", frame)); }
+
+void require_distinct_files(const RenderOptions& options, const std::string& picture,
+                            const std::vector<std::string>& scene_files) {
+  std::vector<NamedFile> outputs{
+      {"--error-map", options.error_map}, {"--stats", options.stats}, {"--dump-kernel", options.dump_kernel}};
+  const std::vector<NamedFile> inputs = cli::scene_files(options.scene.path, scene_files);
+  if (!picture.empty() && !options.goal.frames) {
+    add_picture(options, options.output.empty() ? "the picture" : "-o", picture, outputs);
+  } else if (!picture.empty()) {
+    // Of up to a million frames those that another file's name could be.
+    std::set<int> numbers;
+    for (const std::vector<NamedFile>& files : {outputs, inputs})
+      for (const NamedFile& file : files)
+        for (const std::string& path : {file.path, followed(file.path)}) numbers.insert(frame_number(picture, path));
+    for (const int number : numbers)
+      if (number >= 1 && number <= *options.goal.frames)
+        add_picture(options, fmt::format("frame {}", number), frame_path(picture, number), outputs);
+  }
+  require_distinct(outputs, inputs);
+}
+
+}  // namespace strahl::cli
