@@ -3,6 +3,7 @@
 // is IEEE 754, compares (src/device/canary.h). One program: each that PoCL builds costs it a third of a second by
 // itself.
 #include "math/vec3.h"
+#include "core/whole_loops.h"
 #include "kernels/canary_lanes.h"
 
 /// 0: LANES lanes only.
@@ -16,7 +17,8 @@
 #endif
 
 /// Work-item i: turns[2 i] turns around turns[2 i + 1] inner ones. Each takes a generator of full period one step on
-/// (D. Knuth, "The Art of Computer Programming", vol. 2, 1997, 3.3.4), so that its state tells how many were made.
+/// (D. Knuth, "The Art of Computer Programming", vol. 2, 1997, 3.3.4), so that its state, state[2 i], tells how many
+/// were made. state[2 i + 1]: whether the work-item itself can tell that all were.
 KERNEL void canary_loops(GLOBAL const uint* turns, GLOBAL uint* state) {
   int i = (int)get_global_id(0);
   uint x = 0u;
@@ -24,5 +26,6 @@ KERNEL void canary_loops(GLOBAL const uint* turns, GLOBAL uint* state) {
     x = x * 1664525u + 1013904223u;
     for (uint inner = 0u; inner < turns[2 * i + 1]; ++inner) x = x * 1664525u + 1013904223u;
   }
-  state[i] = x;
+  state[2 * i] = x;
+  state[2 * i + 1] = (uint)loops_were_whole();
 }

@@ -5,6 +5,7 @@
 #include "math/vec3.h"
 #include "lanes/lane_ops.h"
 #include "core/trace_one.h"
+#include "core/whole_loops.h"
 #if LANES != 1
 #include "accel/packet.h"
 #endif
@@ -50,7 +51,7 @@ ONCE_FN void LANED(find)(const Scene* scene, GLOBAL const real* in, GLOBAL const
   LANED(find_rays)(scene, in, left, count, stop_at_first, t, found);
 }
 
-/// found: FOUND_INTS ints a ray and its t, or with STOP_AT_FIRST 1 or 0 a ray alone.
+/// found: FOUND_INTS ints a ray and its t, or with STOP_AT_FIRST 1 or 0 a ray alone; FOUND_CUT where loops were ended.
 KERNEL LANE_HINT void find(GLOBAL const real* geometry, GLOBAL const real* shading, GLOBAL const int* index,
                            GLOBAL const real* rays, GLOBAL const int* left, GLOBAL real* t, GLOBAL int* found,
                            ulong count) {
@@ -62,4 +63,5 @@ KERNEL LANE_HINT void find(GLOBAL const real* geometry, GLOBAL const real* shadi
   LANED(find)
   (&scene, rays + first * RAY_REALS, left + first * LEFT_INTS, rays_there, STOP_AT_FIRST, t + first,
    found + first * ints);
+  if (HAS_LOOP_LIMIT && !loops_were_whole()) found[first * ints + (STOP_AT_FIRST ? 0 : FOUND_KIND)] = FOUND_CUT;
 }

@@ -8,6 +8,7 @@
 #include "lanes/lane_ops.h"
 #include "accel/traverse.h"
 #include "core/film.h"
+#include "core/whole_loops.h"
 #if PATH_LANES != LANES
 #undef LANES
 #define LANES PATH_LANES
@@ -64,10 +65,14 @@ FN int LANED(wanted)(const Scene* scene, const LANED(Paths) * path, const FirstS
   return is_exact ? FIND_NEAREST : FIND_NEAREST_ROUGHLY;
 }
 
-/// `times` samples, from `sample` on, all of that light.
-FN void add_to_film(const Scene* scene, GLOBAL long* pixel_sums, int film_sums, int sample, int times, real3 light) {
+/// `times` samples, from `sample` on, all of that light. done: as layout.h has it behind the counters.
+FN void add_to_film(const Scene* scene, GLOBAL long* pixel_sums, int film_sums, int sample, int times, real3 light,
+                    GLOBAL uint* done) {
   // The background's share of a picture need not touch the film.
-  if (light.x == R(0.0) && light.y == R(0.0) && light.z == R(0.0)) return;
+  if (light.x == R(0.0) && light.y == R(0.0) && light.z == R(0.0)) {
+    if (HAS_LOOP_LIMIT) *done = (uint)(sample + times);
+    return;
+  }
   FilmBins x = film_bins_of(film_value(scene, light.x, times));
   FilmBins y = film_bins_of(film_value(scene, light.y, times));
   FilmBins z = film_bins_of(film_value(scene, light.z, times));
@@ -77,11 +82,13 @@ FN void add_to_film(const Scene* scene, GLOBAL long* pixel_sums, int film_sums, 
     film_add(sums, x);
     film_add(sums + FILM_SUM_WORDS, y);
     film_add(sums + 2 * FILM_SUM_WORDS, z);
+    if (HAS_LOOP_LIMIT) *done = (uint)(i + 1);  // Each by itself: the device may end this loop, too.
   }
 }
 
-/// The pixel's samples, `times` each. sums: the pixel's in the film.
-FN void LANED(render_pixel)(Scene scene, Pixel pixel, FirstSample first, GLOBAL long* sums, int times) {
+/// The pixel's samples, `times` each. sums: the pixel's in the film; done: as in add_to_film.
+FN void LANED(render_pixel)(Scene scene, Pixel pixel, FirstSample first, GLOBAL long* sums, GLOBAL uint* done,
+                            int times) {
   int film_sums = scene.index[HEADER_SUMS];
   LANED(Paths) path;
   LANED(paths_none)(&path);
@@ -94,9 +101,10 @@ FN void LANED(render_pixel)(Scene scene, Pixel pixel, FirstSample first, GLOBAL 
       LANED(surface_step)(&scene, &path, &surfaces);
       if (HAS_AOV) first.lane = -1;
       for (uint ended = before & ~bits_w(path.alive); ended != 0u; ended &= ended - 1u) {
+        if (HAS_LOOP_LIMIT && !loops_were_whole()) break;
         int i = first_bit(ended), sample = get_int_w((PRIVATE const intw*)&path.sample.sample, i);
         real3 light = vec3(get_w(&path.radiance.x, i), get_w(&path.radiance.y, i), get_w(&path.radiance.z, i));
-        add_to_film(&scene, sums, film_sums, sample, times, light);
+        add_to_film(&scene, sums, film_sums, sample, times, light, done);
       }
       // A lane whose path has ended waits until an eighth of them have, or for nothing.
       is_full = pixel.next >= pixel.end || 8u * lanes_among(bits_w(~path.alive)) < LANES;
@@ -104,8 +112,9 @@ FN void LANED(render_pixel)(Scene scene, Pixel pixel, FirstSample first, GLOBAL 
   }
 }
 
-ONCE_FN void LANED(render_pixel_once)(Scene scene, Pixel pixel, FirstSample first, GLOBAL long* sums, int times) {
-  LANED(render_pixel)(scene, pixel, first, sums, times);
+ONCE_FN void LANED(render_pixel_once)(Scene scene, Pixel pixel, FirstSample first, GLOBAL long* sums, GLOBAL uint* done,
+                                      int times) {
+  LANED(render_pixel)(scene, pixel, first, sums, done, times);
 }
 
 /// What a short program gains by being compiled once it loses by the call.
@@ -129,21 +138,28 @@ KERNEL LANE_HINT_OF(SCENE_LANES) void render(GLOBAL const real* geometry, GLOBAL
   // Where nothing is drawn all samples of a pixel are the same one.
   int do_differ = SAMPLER_COUNT > 0;
   if (HAS_PIXEL_FILTER || HAS_COUNT_RAYS) do_differ = 1;
+  GLOBAL uint* done = counters + COUNTERS + slot;
+  int next = sample_first, end = sample_first + sample_count;
+  if (HAS_LOOP_LIMIT) next = min(max(next, (int)*done), end);  // What an earlier launch has left.
   Pixel pixel;
   pixel.x = x_first + column;
   pixel.y = y_first + row;
   pixel.width = width;
   pixel.height = height;
-  pixel.next = sample_first;
-  pixel.end = sample_first + (do_differ ? sample_count : 1);
+  pixel.next = next;
+  pixel.end = do_differ ? end : min(next + 1, end);
   FirstSample first;
   first.reals = aov_reals + slot * AOV_REALS;
   first.ints = aov_ints + slot * AOV_INTS;
-  first.lane = HAS_AOV && sample_first == 0 ? 0 : -1;
+  first.lane = HAS_AOV && next == 0 ? 0 : -1;
   GLOBAL long* sums = film + slot * (ulong)(index[HEADER_SUMS] * FILM_CHANNELS * FILM_SUM_WORDS);
-  int times = do_differ ? 1 : sample_count;
+  int times = do_differ ? 1 : end - next;
   if (IS_PROGRAM_LARGE)
-    LANED(render_pixel_once)(scene, pixel, first, sums, times);
+    LANED(render_pixel_once)(scene, pixel, first, sums, done, times);
   else
-    LANED(render_pixel)(scene, pixel, first, sums, times);
+    LANED(render_pixel)(scene, pixel, first, sums, done, times);
+  if (HAS_LOOP_LIMIT && (int)*done < end) {
+    count_event(&scene, COUNT_CUT);
+    if ((int)*done <= next) count_event(&scene, COUNT_STUCK);
+  }
 }

@@ -128,7 +128,20 @@ enum { FILM_SUBSUMS = 4, FILM_CHANNELS = 3, FILM_SUM_WORDS = 2 };
 enum { AOV_DEPTH = 0, AOV_NORMAL = 1, AOV_POSITION = 4, AOV_UV = 7, AOV_T = 9, AOV_RAY = 10, AOV_REALS = 18 };
 enum { AOV_SHAPE, AOV_PRIMITIVE, AOV_INTS };
 
-enum { COUNT_SATURATED, COUNT_INVALID, COUNT_SHADOW, COUNT_BOUNCE, COUNT_NODES, COUNT_PRIMITIVES, COUNTERS };
+// COUNT_CUT, COUNT_STUCK: work-items whose loops the device has ended before their last sample, or before their first;
+// programs with HAS_LOOP_LIMIT alone, whose counters are followed by a number a pixel of the film: its first sample that
+// is not in the film yet.
+enum {
+  COUNT_SATURATED,
+  COUNT_INVALID,
+  COUNT_SHADOW,
+  COUNT_BOUNCE,
+  COUNT_NODES,
+  COUNT_PRIMITIVES,
+  COUNT_CUT,
+  COUNT_STUCK,
+  COUNTERS
+};
 
 // strahl intersect: a ray and a hit.
 enum { RAY_O = 0, RAY_D = 3, RAY_T_MIN = 6, RAY_T_MAX = 7, RAY_REALS = 8 };
@@ -138,5 +151,7 @@ enum { LEFT_ID, LEFT_INSTANCE, LEFT_INTS };
 enum { HIT_INSTANCE, HIT_SHAPE, HIT_PRIMITIVE, HIT_INTS };
 // What is known of a hit before it is looked at: Nearest without its t.
 enum { FOUND_ID, FOUND_KIND, FOUND_SLOT, FOUND_INSTANCE, FOUND_INTS };
+// As kind of the first ray of a work-item: nothing is known, for the device has ended its loops before their time.
+enum { FOUND_CUT = -2 };
 
 #endif

@@ -189,6 +189,10 @@ CanaryReport run_as(const Device& device, Precision precision, const CanaryOptio
   report.tier.loop_turns = loops.limit();
   take(P::long_loops, finding_of(loops),
        report.tier.loop_turns ? fmt::format(" after {} turns", *report.tier.loop_turns) : "");
+  if (!loops.can_be_told()) {
+    report.tier.verdict = report.findings.back().verdict = refused;
+    report.tier.why += ", and which have come to their end cannot be told";
+  }
   return report;
 }
 

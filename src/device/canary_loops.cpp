@@ -25,9 +25,15 @@ std::optional<std::uint64_t> LoopTurns::limit() const {
   return least;
 }
 
+bool LoopTurns::can_be_told() const {
+  for (std::size_t i = 0; i < loop_cases.size(); ++i)
+    if (are_whole[i] != (made[i] == loop_cases[i].turns())) return false;
+  return true;
+}
+
 LoopTurns turns_made(const Device& device, const cl::Program& program) {
   std::array<cl_uint, 2 * loop_cases.size()> turns{};
-  std::array<cl_uint, loop_cases.size()> states{};
+  std::array<cl_uint, 2 * loop_cases.size()> states{};
   for (std::size_t i = 0; i < loop_cases.size(); ++i) {
     turns[2 * i] = loop_cases[i].outer;
     turns[2 * i + 1] = loop_cases[i].inner;
@@ -44,7 +50,10 @@ LoopTurns turns_made(const Device& device, const cl::Program& program) {
   });
   read_buffer(device, state_buffer, states.data(), sizeof states);
   LoopTurns result;
-  for (std::size_t i = 0; i < loop_cases.size(); ++i) result.made[i] = steps_to(states[i], loop_cases[i].turns());
+  for (std::size_t i = 0; i < loop_cases.size(); ++i) {
+    result.made[i] = steps_to(states[2 * i], loop_cases[i].turns());
+    result.are_whole[i] = states[2 * i + 1] != 0;
+  }
   return result;
 }
 

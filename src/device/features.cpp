@@ -162,6 +162,7 @@ Causes causes_of(const Scene& scene, const RenderSettings& settings) {
   if (!settings.aovs.empty()) call_for(causes, "AOV", "--aov", {});
   if (settings.estimate_error) call_for(causes, "ERROR_SUMS", "the estimate of the picture's error", {});
   if (settings.count_rays) call_for(causes, "COUNT_RAYS", "--stats-detail", {});
+  if (settings.loop_turns) call_for(causes, "LOOP_LIMIT", "a device that ends long loops", {});
   return causes;
 }
 
@@ -208,7 +209,7 @@ Features features_of(const Scene& scene, const RenderSettings& settings) {
     } else if (row.on) {
       row.why = cause->second.why;
       row.where = cause->second.where;
-    } else if (settings.generic && name != "COUNT_RAYS") {
+    } else if (settings.generic && name != "COUNT_RAYS" && name != "LOOP_LIMIT") {
       row.on = true;
       row.why = "--generic";
     }

@@ -23,6 +23,7 @@ const std::map<std::string, std::string>& needed() {
       {"OPENNESS", "integrator ao is nothing else; --integrator takes another one"},
       {"AOV", "--aov asks for it; leave that out"},
       {"COUNT_RAYS", "--stats-detail asks for it; leave that out"},
+      {"LOOP_LIMIT", "the device ends long loops, and a picture might be wrong without a word"},
       {"ERROR_SUMS", "--no-error leaves it out"},
   };
   return reasons;

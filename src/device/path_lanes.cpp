@@ -15,7 +15,8 @@ bool has_packet_body(const std::string& shape_kind) {
 }
 
 int path_lanes(const Features& features, const RenderSettings& settings, int lanes, bool has_tree, int spp) {
-  if (settings.precision == Precision::fp64) return 1;
+  // Where the device may end loops samples are counted one after the other.
+  if (settings.precision == Precision::fp64 || settings.loop_turns) return 1;
   if (settings.paths_in_lanes) return *settings.paths_in_lanes ? lanes : 1;
   if (has_tree || features.flag("INSTANCES") || 2 * spp < lanes) return 1;
   const auto& kinds = features.entries.at("shapes");

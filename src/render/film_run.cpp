@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "render/film_run.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <limits>
 
+#include "errors.h"
 #include "render/aov.h"
 #include "render/numeric_error.h"
 
@@ -69,12 +72,15 @@ void FilmRun::clear(int rows, bool aovs_too) {
       queue.enqueueFillBuffer(state_.aov_reals, cl_uint{0}, 0, state_.aov_real_bytes(pixels));
       queue.enqueueFillBuffer(state_.aov_ints, cl_int{-1}, 0, state_.aov_int_bytes(pixels));
     }
+    if (state_.done_bytes(pixels) > 0)
+      queue.enqueueFillBuffer(state_.counters, cl_uint{0}, layout::COUNTERS * sizeof(std::uint32_t),
+                              state_.done_bytes(pixels));
     return queue.finish();
   });
   result_.stats.seconds.readback += start.seconds();
 }
 
-void FilmRun::launch_and_count(const Launch& launch, int band_row) {
+FilmRun::Unfinished FilmRun::launch_once(const Launch& launch, int band_row) {
   RunStats& run = result_.stats;
   const std::vector<std::uint32_t> zero(layout::COUNTERS, 0);
   write_buffer(state_.device, state_.counters, zero.data(), zero.size() * sizeof(std::uint32_t));
@@ -92,15 +98,48 @@ void FilmRun::launch_and_count(const Launch& launch, int band_row) {
     *run.nodes_visited += counted[layout::COUNT_NODES];
     *run.primitives_tested += counted[layout::COUNT_PRIMITIVES];
   }
+  return {counted[layout::COUNT_CUT], counted[layout::COUNT_STUCK]};
+}
+
+/// Work-items go on where an earlier launch has left them; where none gets on, a part of them by itself, for those that
+/// run in step share their turns.
+void FilmRun::launch_to_end(const Launch& launch, int band_row) {
+  Unfinished left = launch_once(launch, band_row);
+  while (left.cut > left.stuck) left = launch_once(launch, band_row);
+  if (left.cut == 0) return;
+  Launch first = launch, second = launch;
+  if (launch.columns > 1) {
+    first.columns = launch.columns / 2;
+    second.columns -= first.columns;
+    second.column_first += first.columns;
+  } else if (launch.rows > 1) {
+    first.rows = launch.rows / 2;
+    second.rows -= first.rows;
+    second.row_first += first.rows;
+  } else {
+    throw NoDeviceError(fmt::format(
+        "{} ends the loops of a work-item after {} turns, and a sample of pixel {}, {} takes more; choose another "
+        "device (-d), a smaller max_depth (--max-depth) or fewer shapes",
+        state_.device.info().text(), state_.settings.loop_turns.value_or(0), state_.window.x0 + launch.column_first,
+        state_.window.y0 + launch.row_first));
+  }
+  launch_to_end(first, band_row);
+  launch_to_end(second, band_row);
+}
+
+double FilmRun::launch_and_count(const Launch& launch, int band_row) {
+  RunStats& run = result_.stats;
+  const double before = run.seconds.kernel;
+  launch_to_end(launch, band_row);
   film_.add_samples(launch);
   run.camera_rays += static_cast<std::uint64_t>(launch.columns) * static_cast<std::uint64_t>(launch.rows) *
                      static_cast<std::uint64_t>(launch.samples);
+  return run.seconds.kernel - before;
 }
 
 /// false: stopped by the callback or, in a pass of single samples, by the deadline.
 bool FilmRun::render_band(const Pass& pass, int row, int rows) {
-  LaunchPlan plan(width_, rows, pass.count, state_.settings.passes, state_.launch_overhead, state_.samples_a_launch,
-                  state_.samples_at_once);
+  LaunchPlan plan(width_, rows, pass.count, state_.settings.passes, state_.launch_overhead, state_.samples_at_once);
   if (state_.last_plan) plan.learn_from(*state_.last_plan);
   const double least = least_launch_seconds + state_.launch_overhead;
   bool carry_on = true;
@@ -114,8 +153,7 @@ bool FilmRun::render_band(const Pass& pass, int row, int rows) {
     Launch next = plan.next(std::max(least, left / 2));
     next.row_first += row;
     next.sample_first += pass.first;
-    launch_and_count(next, row);
-    plan.measured(result_.stats.kernel_runs.back());
+    plan.measured(launch_and_count(next, row));
     carry_on = report();
   }
   state_.last_plan = plan;

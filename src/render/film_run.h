@@ -23,7 +23,14 @@ class FilmRun {
   void clear(int rows, bool aovs_too);
   bool render_pass(const Pass& pass);
   bool render_band(const Pass& pass, int row, int rows);
-  void launch_and_count(const Launch& launch, int band_row);
+  /// Work-items of a launch whose loops the device has ended; `stuck`: those of them that have no sample more.
+  struct Unfinished {
+    std::uint32_t cut, stuck;
+  };
+  Unfinished launch_once(const Launch& launch, int band_row);
+  void launch_to_end(const Launch& launch, int band_row);
+  /// Kernel seconds.
+  double launch_and_count(const Launch& launch, int band_row);
   void read_band(int row, int rows);
   void read_aovs(int row, int rows);
   void read_film();

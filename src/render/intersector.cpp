@@ -93,6 +93,7 @@ struct Intersector::State {
   Device device;
   Precision precision;
   bool is_cached;
+  std::optional<std::uint64_t> loop_turns;
   std::function<ProgramSource(bool any_hit)> source;
   SceneBuffers buffers;
   std::array<std::optional<cl::Kernel>, 2> finders;  ///< Of the nearest hit, and of any.
@@ -103,16 +104,23 @@ struct Intersector::State {
   RunStats stats;
 
   State(const Device& d, const RenderSettings& settings)
-      : device(d), precision(settings.precision), is_cached(settings.cached_program) {}
+      : device(d), precision(settings.precision), is_cached(settings.cached_program), loop_turns(settings.loop_turns) {}
 
   [[nodiscard]] const ShapeRange& shapes_beside(const Ray& ray, std::size_t row) const;
   [[nodiscard]] std::int32_t left_id(const Ray& ray, std::size_t row) const;
   cl::Kernel& finder(bool any_hit);
   void run(cl::Kernel& kernel, const std::vector<cl::Buffer>& arguments, std::size_t count, std::size_t rays_an_item);
   void take_any(const cl::Buffer& found, std::size_t first, std::size_t count, std::vector<Hit>& hits);
+  [[nodiscard]] std::vector<std::size_t> cut_rays(const cl::Buffer& found, std::size_t count, bool any_hit) const;
+  /// Returns those of the chunk whose loops the device has ended; their hits are wrong.
   template <typename Real>
-  void trace_chunk(const std::vector<Ray>& rays, std::size_t first, std::size_t count, bool any_hit,
-                   std::vector<double>& run_seconds, std::vector<Hit>& hits);
+  std::vector<std::size_t> trace_chunk(const std::vector<Ray>& rays, std::size_t first, std::size_t count, bool any_hit,
+                                       std::vector<double>& run_seconds, std::vector<Hit>& hits);
+  template <typename Real>
+  void trace_again(const std::vector<Ray>& rays, const std::vector<std::size_t>& which, bool any_hit,
+                   std::vector<Hit>& hits);
+  template <typename Real>
+  void trace(const std::vector<Ray>& rays, bool any_hit, std::vector<double>& run_seconds, std::vector<Hit>& hits);
 };
 
 const ShapeRange& Intersector::State::shapes_beside(const Ray& ray, std::size_t row) const {
@@ -173,9 +181,22 @@ void Intersector::State::run(cl::Kernel& kernel, const std::vector<cl::Buffer>& 
   });
 }
 
+/// A work-item tells it with its first ray, of all of its rays.
+std::vector<std::size_t> Intersector::State::cut_rays(const cl::Buffer& found, std::size_t count, bool any_hit) const {
+  std::vector<std::size_t> cut;
+  if (!loop_turns) return cut;
+  const std::size_t ints = any_hit ? 1 : layout::FOUND_INTS, lanes = static_cast<std::size_t>(stats.lanes);
+  std::vector<std::int32_t> values(count * ints);
+  read_buffer(device, found, values.data(), values.size() * sizeof(std::int32_t));
+  for (std::size_t i = 0; i < count; ++i)
+    if (values[i / lanes * lanes * ints + (any_hit ? 0 : layout::FOUND_KIND)] == layout::FOUND_CUT) cut.push_back(i);
+  return cut;
+}
+
 template <typename Real>
-void Intersector::State::trace_chunk(const std::vector<Ray>& rays, std::size_t first, std::size_t count, bool any_hit,
-                                     std::vector<double>& run_seconds, std::vector<Hit>& hits) {
+std::vector<std::size_t> Intersector::State::trace_chunk(const std::vector<Ray>& rays, std::size_t first,
+                                                         std::size_t count, bool any_hit,
+                                                         std::vector<double>& run_seconds, std::vector<Hit>& hits) {
   const auto lanes = static_cast<std::size_t>(stats.lanes);
   const std::vector<Real> ray_reals = pack_rays<Real>(rays, first, count, lanes);
   std::vector<std::int32_t> left(blocks_of(count, lanes) * lanes * layout::LEFT_INTS, -1);
@@ -200,7 +221,12 @@ void Intersector::State::trace_chunk(const std::vector<Ray>& rays, std::size_t f
     run(find, {ray_buffer, left_buffer, t_buffer, found_buffer}, count, lanes);
     seconds += start.seconds();
   }
-  if (any_hit) return take_any(found_buffer, first, count, hits);
+  std::vector<std::size_t> cut = cut_rays(found_buffer, count, any_hit);
+  for (std::size_t& ray : cut) ray += first;
+  if (any_hit) {
+    take_any(found_buffer, first, count, hits);
+    return cut;
+  }
 
   const Stopwatch surface;
   const cl::Buffer hit_buffer = allocate(device, count * layout::HIT_REALS * sizeof(Real), "the hits");
@@ -226,6 +252,39 @@ void Intersector::State::trace_chunk(const std::vector<Ray>& rays, std::size_t f
     hit.primitive = ids[i * layout::HIT_INTS + layout::HIT_PRIMITIVE];
   }
   stats.seconds.readback += readback.seconds();
+  return cut;
+}
+
+/// Rays that were cut short, in launches of their own: fewer and fewer, for those that run in step share their turns.
+template <typename Real>
+void Intersector::State::trace_again(const std::vector<Ray>& rays, const std::vector<std::size_t>& which, bool any_hit,
+                                     std::vector<Hit>& hits) {
+  std::vector<Ray> few;
+  for (const std::size_t ray : which) few.push_back(rays[ray]);
+  std::vector<Hit> found(few.size());
+  std::vector<double> run_seconds(1, 0.0);
+  std::vector<std::size_t> cut = trace_chunk<Real>(few, 0, few.size(), any_hit, run_seconds, found);
+  for (std::size_t i = 0; i < which.size(); ++i) hits[which[i]] = found[i];
+  if (cut.empty()) return;
+  if (which.size() == 1)
+    throw NoDeviceError(
+        fmt::format("{} ends the loops of a work-item after {} turns, and ray {} takes more in this scene; choose "
+                    "another device (-d) or fewer shapes",
+                    device.info().text(), loop_turns.value_or(0), which.front()));
+  for (std::size_t& ray : cut) ray = which[ray];
+  const auto half = cut.begin() + static_cast<std::ptrdiff_t>((cut.size() + 1) / 2);
+  trace_again<Real>(rays, {cut.begin(), half}, any_hit, hits);
+  if (half != cut.end()) trace_again<Real>(rays, {half, cut.end()}, any_hit, hits);
+}
+
+template <typename Real>
+void Intersector::State::trace(const std::vector<Ray>& rays, bool any_hit, std::vector<double>& run_seconds,
+                               std::vector<Hit>& hits) {
+  for (std::size_t first = 0; first < rays.size(); first += chunk_rays) {
+    const std::size_t count = std::min(chunk_rays, rays.size() - first);
+    const std::vector<std::size_t> cut = trace_chunk<Real>(rays, first, count, any_hit, run_seconds, hits);
+    if (!cut.empty()) trace_again<Real>(rays, cut, any_hit, hits);
+  }
 }
 
 void Intersector::State::take_any(const cl::Buffer& found, std::size_t first, std::size_t count,
@@ -234,7 +293,7 @@ void Intersector::State::take_any(const cl::Buffer& found, std::size_t first, st
   std::vector<std::int32_t> is_hit(count);
   read_buffer(device, found, is_hit.data(), count * sizeof(std::int32_t));
   for (std::size_t i = 0; i < count; ++i)
-    if (is_hit[i] != 0) hits[first + i].t = 0;
+    if (is_hit[i] > 0) hits[first + i].t = 0;
   stats.seconds.readback += readback.seconds();
 }
 
@@ -245,9 +304,8 @@ Intersector::Intersector(const Device& device, const Scene& scene, const RenderS
   const Width width = width_on(device, settings);
   const Stopwatch start;
   const Features features = intersection_features(scene, settings);
-  const auto [has_tree, acceleration, loops] = choose_traversal(scene, features, settings, width, intersect_loops);
-  static_cast<void>(most_samples(device, loops, settings.loop_turns));
-  // Devices that end loops know how long single rays take.
+  const auto [has_tree, acceleration] = choose_traversal(scene, features, settings, width);
+  // Where the device may end loops each ray is to be as short as it can be.
   const bool packets = settings.coherent && width.lanes > 1 && !settings.loop_turns;
   s.source = [=, precision = settings.precision, has_tree = has_tree](bool any_hit) {
     const std::string root = fmt::format("kernels/intersect{}{}.cl", any_hit ? "_any" : "", packets ? "_packets" : "");
@@ -282,13 +340,10 @@ std::vector<Hit> Intersector::trace(const std::vector<Ray>& rays, bool any_hit, 
   State& s = *state_;
   std::vector<Hit> hits(rays.size());
   std::vector<double> run_seconds(static_cast<std::size_t>(std::max(repeat, 1)), 0.0);
-  for (std::size_t first = 0; first < rays.size(); first += chunk_rays) {
-    const std::size_t count = std::min(chunk_rays, rays.size() - first);
-    if (s.precision == Precision::fp64)
-      s.trace_chunk<double>(rays, first, count, any_hit, run_seconds, hits);
-    else
-      s.trace_chunk<float>(rays, first, count, any_hit, run_seconds, hits);
-  }
+  if (s.precision == Precision::fp64)
+    s.trace<double>(rays, any_hit, run_seconds, hits);
+  else
+    s.trace<float>(rays, any_hit, run_seconds, hits);
   s.stats.seconds.kernel = median(run_seconds);
   s.stats.kernel_runs = std::move(run_seconds);
   s.stats.camera_rays = rays.size();

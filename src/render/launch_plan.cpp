@@ -7,15 +7,14 @@
 namespace strahl {
 
 LaunchPlan::LaunchPlan(int columns, int rows, int samples, std::optional<int> passes, double overhead_seconds,
-                       int most_samples, int samples_at_once)
+                       int samples_at_once)
     : width_(columns),
       height_(rows),
       samples_(samples),
       passes_(passes),
       overhead_(overhead_seconds),
-      most_samples_(most_samples),
       samples_at_once_(samples_at_once) {
-  if (passes_) passes_ = std::clamp(std::max(*passes_, (samples - 1) / most_samples + 1), 1, samples);
+  if (passes_) passes_ = std::clamp(*passes_, 1, samples);
 }
 
 void LaunchPlan::choose_range() {
@@ -24,7 +23,7 @@ void LaunchPlan::choose_range() {
     range_ = static_cast<int>(end) - sample_;
   } else {
     const double frames = budget_ / (static_cast<double>(width_) * height_ * samples_at_once_);
-    const int most = std::min(samples_ - sample_, most_samples_);
+    const int most = samples_ - sample_;
     range_ = std::min(most, samples_at_once_ * static_cast<int>(std::clamp(frames, 1.0, static_cast<double>(most))));
   }
 }

@@ -26,10 +26,10 @@ class LaunchPlan {
 
   /// passes: split the samples into that many ranges regardless of time. overhead_seconds: what a launch without pixels
   /// takes; it counts neither as work nor into the target, or a slow start would shrink launches to nothing.
-  /// most_samples: in a range. samples_at_once: that a work-item takes together, so that fewer cost it as much; ranges
-  /// are multiples of it where the samples suffice.
+  /// samples_at_once: that a work-item takes together, so that fewer cost it as much; ranges are multiples of it where
+  /// the samples suffice.
   LaunchPlan(int columns, int rows, int samples, std::optional<int> passes, double overhead_seconds = 0,
-             int most_samples = std::numeric_limits<int>::max(), int samples_at_once = 1);
+             int samples_at_once = 1);
 
   [[nodiscard]] bool finished() const { return sample_ >= samples_; }
   /// most_seconds: what it may take at the most, as far as can be told.
@@ -45,7 +45,7 @@ class LaunchPlan {
   int width_, height_, samples_;
   std::optional<int> passes_;
   double overhead_;
-  int most_samples_, samples_at_once_;
+  int samples_at_once_;
   int pass_ = 0;
   int column_ = 0, row_ = 0;  ///< The first pixel not yet handed out in this range of samples.
   int sample_ = 0;            ///< First sample of the current range.

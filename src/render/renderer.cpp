@@ -27,9 +27,8 @@ void Renderer::State::prepare() {
   const Width width = width_on(device, settings);
   const Stopwatch start;
   features = features_of(scene, settings);
-  const auto traversal = choose_traversal(scene, features, settings, width, render_loops);
+  const auto traversal = choose_traversal(scene, features, settings, width);
   has_tree = traversal.has_tree;
-  samples_a_launch = most_samples(device, traversal.loops, settings.loop_turns);
   stats.lanes = width.lanes;
   const int paths = path_lanes_of(sampling.spp);
   // Lanes that wait for others in the end are few where there are several samples for each.
@@ -47,7 +46,7 @@ void Renderer::State::prepare() {
   film = allocate(device, pixels * film_bytes_per_pixel, "one band of the film");
   aov_reals = allocate(device, aov_real_bytes(pixels), "the auxiliary values");
   aov_ints = allocate(device, aov_int_bytes(pixels), "the auxiliary ids");
-  counters = allocate(device, layout::COUNTERS * sizeof(std::uint32_t), "the counters");
+  counters = allocate(device, layout::COUNTERS * sizeof(std::uint32_t) + done_bytes(pixels), "the counters");
   stats.seconds.bvh = buffers.tree.seconds;
   stats.seconds.upload = upload_start.seconds() - stats.seconds.bvh;
   stats.device_bytes = buffers.bytes + pixels * film_bytes_per_pixel + aov_real_bytes(pixels) + aov_int_bytes(pixels);

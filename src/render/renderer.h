@@ -43,14 +43,14 @@ class FilmRun;
 class Renderer {
  public:
   /// Validates, packs, builds the program and uploads. Throws SceneError, DeviceError, KernelBuildError, or
-  /// NoDeviceError where the device's memory cannot hold the scene and one row of the film, or its loops end too early
-  /// for the scene (RenderSettings::loop_turns).
+  /// NoDeviceError where the device's memory cannot hold the scene and one row of the film.
   Renderer(const Device& device, Scene scene, const RenderSettings& settings = {});
   ~Renderer();
   Renderer(Renderer&&) noexcept;
   Renderer& operator=(Renderer&&) noexcept;
 
-  /// Each call renders the picture anew. Throws UsageError for more samples than the film holds.
+  /// Each call renders the picture anew. Throws UsageError for more samples than the film holds, NoDeviceError where
+  /// the device ends loops before a sample is done (RenderSettings::loop_turns).
   [[nodiscard]] RenderResult render(const ProgressCallback& progress = {}, const RenderGoal& goal = {});
 
   [[nodiscard]] const Scene& scene() const;

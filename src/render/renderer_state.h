@@ -48,6 +48,11 @@ struct Renderer::State {
     return has_aov() ? pixels * layout::AOV_INTS * sizeof(std::int32_t) : 0;
   }
 
+  /// Behind the counters: the first sample of each pixel that is not in the film yet.
+  [[nodiscard]] std::size_t done_bytes(std::size_t pixels) const {
+    return features.flag("LOOP_LIMIT") ? pixels * sizeof(std::uint32_t) : 0;
+  }
+
   /// Rows whose film fits into one buffer.
   [[nodiscard]] int band_rows() const {
     const std::size_t row = static_cast<std::size_t>(window.width()) * film_bytes_per_pixel;
@@ -67,7 +72,6 @@ struct Renderer::State {
   std::optional<double> finish_seconds;  ///< From the last launch to the picture, as measured last.
   std::optional<LaunchPlan> last_plan;   ///< Of this picture or an earlier one: it knows the device's rate.
   bool has_tree = true;
-  int samples_a_launch = 0;
   int samples_at_once = 1;
   cl::Buffer film, aov_reals, aov_ints, counters;
 };

@@ -56,6 +56,7 @@ struct RenderSettings {
   bool error_map = false;     ///< The estimate of each pixel too.
   std::optional<int> passes;  ///< Split the samples into this many launches; none: by measured time.
   /// The device ends the loops of a work-item after so many turns in sum (TierVerdict::loop_turns); none: it does not.
+  /// Where it does, the program tells of every work-item whether that came to pass, which is then asked again.
   std::optional<std::uint64_t> loop_turns;
 };
 

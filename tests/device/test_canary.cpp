@@ -173,3 +173,16 @@ TEST_CASE("a device that ends long loops is known by it") {
   CHECK(rusticl.tier.why.find("ends loops after") != std::string::npos);
   CHECK_FALSE(run_canary(Device::open("pocl"), Precision::stable, one_lane).tier.loop_turns);
 }
+
+TEST_CASE("a device that ends loops so that no work-item can tell is refused") {
+  require_pocl_and_rusticl();
+  CanaryOptions options;
+  options.lanes = 1;
+  for (const std::string told : {"made == 3u", "made != 2u"}) {
+    options.change = [&](ProgramSource& source) {
+      const std::string right = "made == 2u";
+      source.text.replace(source.text.find(right), right.size(), told);
+    };
+    CHECK(run_canary(Device::open("pocl"), Precision::stable, options).tier.verdict == Verdict::refused);
+  }
+}

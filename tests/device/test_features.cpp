@@ -312,6 +312,14 @@ TEST_CASE("AOV and COUNT_RAYS are called for by options") {
   check_on(scene, counting, "COUNT_RAYS", 0, "--stats-detail");
 }
 
+TEST_CASE("LOOP_LIMIT: on devices that end long loops") {
+  const Scene scene = scene_of(Sphere{});
+  RenderSettings settings;
+  check_off(scene, settings, "LOOP_LIMIT");
+  settings.loop_turns = 65534;
+  check_on(scene, settings, "LOOP_LIMIT", 0, "a device that ends long loops");
+}
+
 TEST_CASE("ERROR_SUMS: wherever the error is to be estimated") {
   const Scene scene = scene_of(Sphere{});
   check_on(scene, {}, "ERROR_SUMS", 0, "the estimate of the picture's error");
@@ -358,7 +366,7 @@ TEST_CASE("--generic has everything on but the instrumented program's counters")
   settings.generic = true;
   for (const FeatureReport& row : features_of(scene, settings).report) {
     INFO(row.name);
-    CHECK(row.on == (row.name != "COUNT_RAYS"));
+    CHECK(row.on == (row.name != "COUNT_RAYS" && row.name != "LOOP_LIMIT"));
   }
   check_on(scene, settings, "shapes/disk", 0, "--generic");
   check_on(scene, settings, "shapes/sphere", 10, "a shape made of sphere primitives");

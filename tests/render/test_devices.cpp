@@ -58,7 +58,7 @@ TEST_CASE("paths between spheres, one of them a lamp, under a sky") {
 
 TEST_CASE("a mesh") { check_everywhere("shapes/mesh-obj.xml", Precision::stable, 16, 12, 2); }
 
-TEST_CASE("paths longer than a device's loops are refused, shorter ones are right") {
+TEST_CASE("long paths in a box of mirrors") {
   require_pocl_and_rusticl();
   Scene scene = small_scene(scene_folder / "accuracy/mirror-box.xml", 8, 6, 1);
   const Device device = Device::open("llvmpipe");
@@ -66,10 +66,8 @@ TEST_CASE("paths longer than a device's loops are refused, shorter ones are righ
   settings.precision = Precision::stable;
   settings.loop_turns = choose_tier(device, Precision::stable).tier.loop_turns;
   REQUIRE(settings.loop_turns);
-  CHECK_THROWS_AS(Renderer(device, scene, settings), NoDeviceError);
-  scene.integrator.max_depth = 50;
-  CHECK(same_bits(render("pocl", scene, settings), Renderer(device, scene, settings).render()));
   // As many samples as one launch could not take.
+  scene.integrator.max_depth = 50;
   scene.sampler.sample_count = 200;
   CHECK(same_bits(render("pocl", scene, settings), Renderer(device, scene, settings).render()));
 }
