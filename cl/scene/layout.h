@@ -129,8 +129,8 @@ enum { AOV_DEPTH = 0, AOV_NORMAL = 1, AOV_POSITION = 4, AOV_UV = 7, AOV_T = 9, A
 enum { AOV_SHAPE, AOV_PRIMITIVE, AOV_INTS };
 
 // COUNT_CUT, COUNT_STUCK: work-items whose loops the device has ended before their last sample, or before their first;
-// programs with HAS_LOOP_LIMIT alone, whose counters are followed by a number a pixel of the film: its first sample that
-// is not in the film yet.
+// programs with HAS_LOOP_LIMIT alone, whose counters are followed by a number a pixel of the film: its first sample
+// that is not in the film yet.
 enum {
   COUNT_SATURATED,
   COUNT_INVALID,

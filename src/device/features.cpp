@@ -33,16 +33,10 @@ void call_for(Causes& causes, const std::string& name, const std::string& why, c
 }
 
 struct ShapeKind {
-  std::string operator()(const Sphere&) const { return "sphere"; }
-  std::string operator()(const Plane&) const { return "plane"; }
-  std::string operator()(const Box&) const { return "box"; }
-  std::string operator()(const Triangle&) const { return "triangle"; }
-  std::string operator()(const Rectangle&) const { return "parallelogram"; }
-  std::string operator()(const Cube&) const { return "parallelogram"; }
-  std::string operator()(const Disk&) const { return "disk"; }
-  std::string operator()(const Cylinder&) const { return "cylinder"; }
-  std::string operator()(const Mesh&) const { return "triangle"; }
-  std::string operator()(const SphereCloud&) const { return "sphere"; }
+#define SHAPE_KIND(S, kind, area) \
+  std::string operator()(const S&) const { return #kind; }
+#include "kinds/shapes.def"
+#undef SHAPE_KIND
 };
 
 struct MaterialKind {

@@ -3,19 +3,15 @@
 #pragma once
 
 #include <array>
-#include <functional>
-#include <span>
+#include <optional>
 #include <string>
 
-#include "device/frame.h"
+#include "kinds/planes.h"
 
 namespace strahl {
 
 /// Planes that a primitive of the kind has in its block (cl/shapes/shapes.def); throws std::out_of_range.
 [[nodiscard]] int planes_of(const std::string& kind);
-
-/// Receives the planes of one primitive; positions are relative to the frame, still double.
-using PrimitiveSink = std::function<void(std::span<const double> planes)>;
 
 /// The planes' own order makes normals point inwards: a cube that is mirrored keeps the order of its corners, so that a
 /// mirrored scene has the same bits, and is flipped instead.

@@ -2,13 +2,9 @@
 // The same scene in other units, elsewhere, as in a mirror, in another order: pictures that must not change.
 #pragma once
 
-#include <functional>
-
-#include "scene/scene.h"
+#include "kinds/shapes.h"
 
 namespace strahl {
-
-using MapVec3 = std::function<Vec3(const Vec3&)>;
 
 /// `place` of every place, the camera's and the lamps' too; `vector` of every edge and axis that has a length.
 [[nodiscard]] Scene with_places(Scene scene, const MapVec3& place, const MapVec3& vector);

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// The items of an area light (cl/areas) and their areas, as a shape's file writes them (kinds/shapes.h).
+#pragma once
+
+#include <vector>
+
+#include "device/frame.h"
+
+namespace strahl::kinds {
+
+class AreaItems {
+ public:
+  AreaItems(const Frame& frame, bool is_flipped) : frame_(frame), is_flipped_(is_flipped) {}
+
+  /// Spanned by two edges, of which `share` emits; u x v is the shape's normal.
+  void flat(const Vec3& corner, const Vec3& u, const Vec3& v, double share) {
+    put(frame_.point(corner));
+    put(frame_.vector(u));
+    put(frame_.vector(v));
+    put((is_flipped_ ? -1.0 : 1.0) * normalized(cross(u, v)));
+    weights_.push_back(share * length(cross(frame_.vector(u), frame_.vector(v))));
+  }
+  void round(const std::vector<Vec3>& vectors, double area) {
+    for (const Vec3& v : vectors) put(v);
+    weights_.push_back(area);
+  }
+  void number(double x) { items_.push_back(x); }
+
+  [[nodiscard]] const Frame& frame() const { return frame_; }
+  [[nodiscard]] bool is_flipped() const { return is_flipped_; }
+  [[nodiscard]] std::vector<double>& items() { return items_; }
+  [[nodiscard]] std::vector<double>& weights() { return weights_; }
+
+ private:
+  void put(const Vec3& v) { items_.insert(items_.end(), {v.x, v.y, v.z}); }
+
+  const Frame& frame_;
+  bool is_flipped_;
+  std::vector<double> items_, weights_;
+};
+
+}  // namespace strahl::kinds

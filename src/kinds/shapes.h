@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+// All that the host asks of a kind of shape, in one place: a row of shapes.def and, for each, a file of shapes/ that
+// answers the questions below. The compiler names a row that is missing, the linker an answer.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "device/frame.h"
+#include "device/primitive_bounds.h"
+#include "kinds/area_items.h"
+#include "kinds/extent.h"
+#include "kinds/faults.h"
+#include "kinds/planes.h"
+
+namespace strahl {
+
+using MapVec3 = std::function<Vec3(const Vec3&)>;
+
+namespace kinds {
+
+/// Which way a mirrored shape's normals point.
+enum class Mirrored {
+  alike,
+  flipped,  ///< To the other side, as a cross product does: flip_normals turns them back.
+};
+
+#define SHAPE_KIND(S, kind, area)                                                \
+  int primitive_count(const S&);                                                 \
+  /** Adds what bounds it, if anything does. */                                  \
+  void extend(Extent&, const S&);                                                \
+  /** What must hold of its numbers. */                                          \
+  void check(Faults&, const S&);                                                 \
+  /** Primitive after primitive, as its kind's block planes hold it. */          \
+  void pack(const Planes&, const S&);                                            \
+  /** As pack_shapes.h has it. */                                                \
+  bool faces_inward(const S&);                                                   \
+  /** The nine reals that its kind's surface function calls its frame. */        \
+  std::optional<std::array<double, 9>> surface_frame(const S&, const Frame&);    \
+  /** Places to draw on it: of one part (0 for shapes without parts). */         \
+  void emit(AreaItems&, const S&, int part);                                     \
+  /** Whether those are flat primitives, all that it has, in its order. */       \
+  bool is_area_of_primitives(const S&);                                          \
+  /** As uv_rates.h has it, per unit of length of the world. */                  \
+  Vec2 uv_rates(const S&);                                                       \
+  /** point: of its places; vector: of its edges and axes that have a length. */ \
+  void move(S&, const MapVec3& point, const MapVec3& vector);                    \
+  /** Lengths that are neither. */                                               \
+  void scale(S&, double factor);                                                 \
+  /** Directions that are no edges of anything; flip_x: x becomes -x. */         \
+  Mirrored mirror(S&, const MapVec3& flip_x);
+#include "kinds/shapes.def"
+#undef SHAPE_KIND
+
+/// Boxes around a primitive of an entry of cl/shapes/shapes.def, from its planes, each the file of the shape of its
+/// name (a parallelogram's is the rectangle's). roundoff: what the planes were rounded by, of their size. None:
+/// unbounded.
+#define SHAPE(name, planes) std::optional<Bounds<double>> bounds_##name(const double* p, double roundoff);
+#include "../../cl/shapes/shapes.def"
+#undef SHAPE
+
+}  // namespace kinds
+}  // namespace strahl
