@@ -174,9 +174,11 @@ struct Kind {
   ExactAnswer (*ask)(const Asked&);
 };
 
-constexpr Kind kinds[] = {{"sphere", 4, sphere},     {"plane", 6, plane}, {"box", 6, box},
-                          {"triangle", 9, triangle}, {"disk", 7, disk},   {"parallelogram", 12, parallelogram},
-                          {"cylinder", 8, cylinder}};
+constexpr Kind kinds[] = {
+#define SHAPE(name, planes) {#name, planes, name},
+#include "../../cl/shapes/shapes.def"
+#undef SHAPE
+};
 
 const Kind& kind_of(const Question& q) {
   const auto* found = std::find_if(std::begin(kinds), std::end(kinds), [&](const Kind& k) { return q.kind == k.name; });

@@ -17,7 +17,11 @@ namespace {
 
 constexpr const char* families[] = {"sphere", "plane",     "checkerboard", "triangle", "box",
                                     "camera", "rectangle", "disk",         "cylinder"};
-constexpr const char* shape_kinds[] = {"sphere", "plane", "box", "triangle", "parallelogram", "disk", "cylinder"};
+constexpr const char* shape_kinds[] = {
+#define SHAPE(name, planes) #name,
+#include "../../cl/shapes/shapes.def"
+#undef SHAPE
+};
 
 bool is_shape(const std::string& word) {
   return std::find(std::begin(shape_kinds), std::end(shape_kinds), word) != std::end(shape_kinds);

@@ -101,13 +101,11 @@ Question draw_question(const std::string& kind, Law law, oracle::Random& random)
     const char* name;
     Question (*draw)(oracle::Random&, Law);
   };
-  static constexpr Kind kinds[] = {{"sphere", sphere_question},
-                                   {"plane", plane_question},
-                                   {"box", box_question},
-                                   {"triangle", triangle_question},
-                                   {"parallelogram", parallelogram_question},
-                                   {"disk", disk_question},
-                                   {"cylinder", cylinder_question}};
+  static constexpr Kind kinds[] = {
+#define SHAPE(name, planes) {#name, name##_question},
+#include "../../cl/shapes/shapes.def"
+#undef SHAPE
+  };
   const auto* found = std::find_if(std::begin(kinds), std::end(kinds), [&](const Kind& k) { return kind == k.name; });
   if (found == std::end(kinds)) throw std::logic_error("no questions are drawn about shapes of kind " + kind);
   Question q = found->draw(random, law);

@@ -11,6 +11,7 @@
 #include <optional>
 
 #include "campaign/progress.h"
+#include "device/kernel_source.h"
 #include "selftest/answer.h"
 #include "selftest/probe.h"
 #include "selftest/questions.h"
@@ -89,7 +90,8 @@ TEST_CASE("the copy over what was left is met") {
   test::require_pocl_and_rusticl();
   const Device device = Device::open(test::device_asked_for());
   const auto wanted = static_cast<std::size_t>(test::count_asked_for("STRAHL_CASES", 40000));
-  for (const std::string kind : {"sphere", "plane", "triangle", "parallelogram", "disk", "cylinder"}) {
+  for (const std::string& kind : list_entries("shapes")) {
+    if (kind == "box") continue;  // normal_at knows none of a box.
     Probe probe(device, kind, Precision::robust);
     Tally tally;
     std::size_t drawn = 0;

@@ -3,8 +3,11 @@
 // there twice or three times, so that the smallest id must win. And rays at their insides, edges and vertices.
 #pragma once
 
+#include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -14,10 +17,20 @@
 
 namespace strahl::test {
 
-/// "sphere", "plane", "box", "triangle", "rectangle", "cube", "disk", "cylinder", "mesh".
+/// "sphere", "plane", ...: every alternative of Geometry but clouds, whose primitives are the sphere's.
 inline const std::vector<std::string>& geometry_names() {
-  static const std::vector<std::string> names = {"sphere", "plane", "box",      "triangle", "rectangle",
-                                                 "cube",   "disk",  "cylinder", "mesh"};
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> all;
+    for (std::string name : {
+#define SHAPE_KIND(S, kind, area) #S,
+#include "kinds/shapes.def"
+#undef SHAPE_KIND
+         }) {
+      std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::tolower(c); });
+      if (name != "spherecloud") all.push_back(name);
+    }
+    return all;
+  }();
   return names;
 }
 
@@ -120,6 +133,7 @@ class SceneMaker {
     if (name == "rectangle") return Rectangle{at, u, v};
     const Vec3 w = rounded(2 * cross(u, v));
     if (name == "cube") return Cube{at, {u, v, w}};
+    if (name != "mesh") throw std::logic_error("no scene is made of shapes of kind " + name);
     // A pyramid without its base and a triangle without area.
     Mesh mesh;
     mesh.positions = {at, at + u, at + u + v, at + v, target(at + 0.5 * w)};

@@ -101,6 +101,7 @@ Geometry any_geometry(const std::string& name, oracle::Random& random) {
   if (name == "cube") return Cube{a, {b, c, any()}};
   if (name == "disk") return Disk{a, size * across, size * along};
   if (name == "cylinder") return Cylinder{a, a + size * (length(b) > 0 ? b : c), std::fabs(c.x), across};
+  if (name != "mesh") throw std::logic_error("no arbitrary shapes of kind " + name);
   Mesh mesh;
   mesh.positions = {a, b, c, any(), a};
   mesh.triangles = {{0, 1, 2}, {1, 2, 3}, {0, 0, 1}, {0, 4, 2}};
