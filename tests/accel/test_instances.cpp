@@ -38,7 +38,7 @@ std::vector<Ray> on_grid(std::vector<Ray> rays) {
 }
 
 /// One of every way to find a hit; programs for all kinds take long to compile.
-const std::vector<std::string> kinds = {"sphere", "plane", "box", "triangle"};
+const std::vector<std::string> kind_names = {"sphere", "plane", "box", "triangle"};
 
 int widest(Precision precision) { return precision == Precision::fp64 ? 8 : 16; }
 
@@ -76,7 +76,7 @@ Question question(int number, std::size_t rays) {
   Question q;
   q.scene = maker.scene(
       2 + 2 * number,
-      [&](int i) { return i % 4 == 0 ? moved_by(whole(maker.random())) : distorted(maker.random(), i); }, kinds);
+      [&](int i) { return i % 4 == 0 ? moved_by(whole(maker.random())) : distorted(maker.random(), i); }, kind_names);
   q.rays = maker.rays(rays);
   if (number % 5 == 4) {
     const Vec3 by{100003, -7001, 0.5};
@@ -115,7 +115,7 @@ void on_host(const Scene& scene, const Check& check) {
 TEST_CASE("Instances that are only moved are hit as their shapes would be, bit for bit") {
   InstancedMaker maker(7);
   const Scene scene = maker.scene(
-      40, [&](int) { return moved_by(whole(maker.random())); }, kinds);
+      40, [&](int) { return moved_by(whole(maker.random())); }, kind_names);
   const Scene flat = flattened(scene);
   const std::vector<Ray> rays = on_grid(maker.rays(40000));
   for (const Precision precision : {Precision::robust, Precision::fp64}) {
@@ -277,7 +277,7 @@ TEST_CASE("A hundred thousand instances of a group take its memory once") {
         for (std::size_t row = 0; row < 3; ++row) transform.m[row][3] += row == 0 ? by.x : row == 1 ? by.y : by.z;
         return transform;
       },
-      kinds);
+      kind_names);
   const std::vector<Ray> rays = maker.rays(2000);
   const Device on = device();
   Intersector trees(on, scene, settings_of(Precision::robust, 16, Acceleration::tree));
@@ -298,7 +298,7 @@ TEST_CASE("Rays name what they left in an instance that is there, and a shape of
       [](int i) {
         return moved_by({200.0 * i, 0, 0});
       },
-      kinds);
+      kind_names);
   const int shapes = static_cast<int>(scene.groups[0].shapes.size());
   Intersector intersector(device(), scene, settings_of(Precision::robust, 16, Acceleration::list));
   const auto left = [](int instance, int shape) {
