@@ -83,7 +83,7 @@ Looks looks_of(const Scene& scene) {
           normalized(camera.column(1)),
           std::tan(scene.camera.fov_degrees * std::numbers::pi / 360),
           static_cast<double>(scene.film.height) / scene.film.width,
-          diffuse->reflectance.r};
+          diffuse->reflectance.color.r};
 }
 
 std::string xml_text(const Scene& scene, const std::string& mesh_prefix) {

@@ -6,8 +6,9 @@ typedef struct {
   LANED(Rays) rays;   ///< The ways to the next surfaces.
   real3w radiance;    ///< Gathered so far.
   real3w throughput;  ///< Share of what comes along the ray that reaches the camera.
-  real3w from;        ///< The point that the ray has left; of meaning where density > 0.
+  real3w from;        ///< The point that the ray has left; undefined where density is 0.
   realw density;      ///< How densely the ray was drawn, per solid angle; 0: no light could have been drawn instead.
+  realw eta2;         ///< Square of the index of refraction where the ray runs over that at the camera.
   realw travelled;    ///< Length of the ways before the ray; kept only where there are textures.
   intw depth;         ///< Surfaces before the ray: 0 for a camera ray.
   LANED(SampleState) sample;
@@ -19,6 +20,7 @@ FN void LANED(paths_none)(LANED(Paths) * path) {
   path->alive = none_w();
   path->radiance = path->throughput = path->from = vec3_w(zero, zero, zero);
   path->density = path->travelled = zero;
+  path->eta2 = splat_w(R(1.0));
   path->depth = path->rays.left = path->rays.left_instance = path->rays.aim = splat_int_w(-1);
   path->rays.is_outward = splat_int_w(0);
   path->sample.sample = splat_uint_w(0u);
@@ -27,10 +29,8 @@ FN void LANED(paths_none)(LANED(Paths) * path) {
 #endif
 }
 
-/// Camera rays in the lanes of `which`, instead of paths that have ended.
-FN void LANED(paths_begin)(LANED(Paths) * path, maskw which, const LANED(Rays) * rays) {
-  realw one = splat_w(R(1.0)), zero = splat_w(R(0.0));
-  path->alive = path->alive | which;
+/// Goes on along those rays in the lanes of `which`.
+FN void LANED(paths_follow)(LANED(Paths) * path, maskw which, const LANED(Rays) * rays) {
 #if LANES == 1
   // Whole, for an array that a loop runs over stays in memory on PoCL: ten spheres take a fifth longer.
   if (which) path->rays = *rays;
@@ -41,9 +41,17 @@ FN void LANED(paths_begin)(LANED(Paths) * path, maskw which, const LANED(Rays) *
   path->rays.aim = sel_int_w(which, rays->aim, path->rays.aim);
   path->rays.is_outward = sel_int_w(which, rays->is_outward, path->rays.is_outward);
 #endif
+}
+
+/// Camera rays in the lanes of `which`, instead of paths that have ended.
+FN void LANED(paths_begin)(LANED(Paths) * path, maskw which, const LANED(Rays) * rays) {
+  realw one = splat_w(R(1.0)), zero = splat_w(R(0.0));
+  path->alive = path->alive | which;
+  LANED(paths_follow)(path, which, rays);
   path->radiance = sel3_w(which, vec3_w(zero, zero, zero), path->radiance);
   path->throughput = sel3_w(which, vec3_w(one, one, one), path->throughput);
   path->density = sel_w(which, zero, path->density);
+  path->eta2 = sel_w(which, one, path->eta2);
   path->travelled = sel_w(which, zero, path->travelled);
   path->depth = sel_int_w(which, splat_int_w(0), path->depth);
 }

@@ -57,7 +57,7 @@ FN void LANED(surface_to)(LANED(Surfaces) * to, int lane, const Surface* s, int 
 
 /// PART_... of each lane's part.
 FN intw LANED(part_entry)(const Scene* scene, const LANED(Surfaces) * s, int entry) {
-  return gather_int_w(scene->index + scene->index[HEADER_PARTS] + entry, s->part * PART_INTS);
+  return gather_int_w(scene->index + scene->index[HEADER_PARTS] + entry, s->part * (int)PART_INTS);
 }
 
 FN TexturePoint LANED(texture_point)(const LANED(Surfaces) * s, int lane) {

@@ -64,7 +64,7 @@ FN LANED(LightNumbers) LANED(numbers_for_light)(const Scene* scene, const LANED(
 
 /// One light of those that are taken, or one drawn of the others; is_shared: with ways that the material draws.
 FN real3w LANED(light_gain)(const Scene* scene, const LANED(Paths) * path, const LANED(Surfaces) * s,
-                            const LANED(Material) * m, maskw which, int i, int is_shared, LANED(LightSample) * light) {
+                            const LANED(Bsdf) * b, maskw which, int i, int is_shared, LANED(LightSample) * light) {
   int taken = scene->index[HEADER_LIGHTS_TAKEN];
   realw zero = splat_w(R(0.0));
   LANED(LightNumbers) numbers = LANED(no_numbers)();
@@ -78,7 +78,7 @@ FN real3w LANED(light_gain)(const Scene* scene, const LANED(Paths) * path, const
   *light = LANED(light_sample)(scene, which, lights, s->position, numbers);
   which = which & lt_w(zero, max3_w(light->irradiance));
   realw density, weight = splat_w(share);
-  real3w reflected = LANED(material_eval)(m, unit3_w(light->towards), &density);
+  real3w reflected = LANED(bsdf_eval)(b, unit3_w(light->towards), &density);
   reflected = mul3_w(reflected, light->irradiance);
   maskw is_drawn = lt_w(zero, light->density);
   if (is_shared) weight = sel_w(is_drawn, weight * LANED(balance)(light->density, weight * density), weight);
@@ -87,7 +87,7 @@ FN real3w LANED(light_gain)(const Scene* scene, const LANED(Paths) * path, const
 
 /// What shadow rays let through: one for each light that is taken and one for those that are drawn from; or one into
 /// the open.
-FN void LANED(add_lights)(const Scene* scene, LANED(Paths) * path, const LANED(Surfaces) * s, const LANED(Material) * m,
+FN void LANED(add_lights)(const Scene* scene, LANED(Paths) * path, const LANED(Surfaces) * s, const LANED(Bsdf) * b,
                           real3w wo, maskw which, int next) {
   int is_open = HAS_OPENNESS && (next & STEP_OPENNESS) != 0;
   int count = LIGHT_COUNT == 0 ? 0 : scene->index[HEADER_LIGHT_COUNT];
@@ -101,14 +101,11 @@ FN void LANED(add_lights)(const Scene* scene, LANED(Paths) * path, const LANED(S
       light = LANED(sky_sample)(scene, path, s, wo);
       reflected = light.irradiance;
     } else {
-      reflected = LANED(light_gain)(scene, path, s, m, which, i, next & STEP_SCATTER, &light);
+      reflected = LANED(light_gain)(scene, path, s, b, which, i, next & STEP_SCATTER, &light);
     }
     maskw lit = which & lt_w(splat_w(R(0.0)), max3_w(reflected));
     if (!any_w(lit)) continue;
-    LANED(Rays) shadow;
-    LANED(rays_leaving)(s, lit, light.towards, light.t_max, &shadow);
-    shadow.aim = light.aim;
-    if (HAS_COUNT_RAYS) count_events(scene, COUNT_SHADOW, lanes_among(bits_w(lit)));
-    LANED(path_add)(path, lit & ~LANED(meets_any)(scene, &shadow, lit), reflected);
+    maskw seen = LANED(sees_along)(scene, s, lit, light.towards, light.t_max, light.aim);
+    LANED(path_add)(path, seen, reflected);
   }
 }

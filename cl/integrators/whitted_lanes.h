@@ -4,7 +4,7 @@
 // places drawn on it alone. Emitters are hidden from the camera only. Depth counts as in Mitsuba: every mirror is one
 // more. Where it has no limit a path ends after WHITTED_LONGEST mirrors.
 
-enum { LANED(whitted_STEPS) = STEP_LIGHTS | STEP_MIRROR };
+enum { LANED(whitted_STEPS) = STEP_LIGHTS | STEP_DELTA };
 
 FN maskw LANED(whitted_step)(const Scene* scene, LANED(Paths) * path, const LANED(Surfaces) * s, PRIVATE int* next) {
   int max_depth = scene->index[HEADER_MAX_DEPTH];

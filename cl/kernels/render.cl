@@ -92,13 +92,15 @@ FN void LANED(render_pixel)(Scene scene, Pixel pixel, FirstSample first, GLOBAL 
   int film_sums = scene.index[HEADER_SUMS];
   LANED(Paths) path;
   LANED(paths_none)(&path);
+  LANED(Branches) branches;
+  branches.count = splat_int_w(0);
   while (pixel.next < pixel.end) {
     LANED(begin_paths)(&scene, &path, &pixel);
     int is_full;
     do {
       uint before = bits_w(path.alive);
       LANED(Surfaces) surfaces = LANED(find_surfaces)(&scene, &path, LANED(wanted)(&scene, &path, &first), &first);
-      LANED(surface_step)(&scene, &path, &surfaces);
+      LANED(surface_step)(&scene, &path, &surfaces, &branches);
       if (HAS_AOV) first.lane = -1;
       for (uint ended = before & ~bits_w(path.alive); ended != 0u; ended &= ended - 1u) {
         if (HAS_LOOP_LIMIT && !loops_were_whole()) break;

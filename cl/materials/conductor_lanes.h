@@ -1,30 +1,26 @@
 // SPDX-License-Identifier: MIT
 // Ideal mirror: the same share of the light at every angle. Parameters: specular reflectance r g b.
 
-/// No light that was drawn is reflected into any other direction but one.
-FN real3w LANED(conductor_eval)(real3w reflectance, real3w wi, real3w wo) {
-  (void)reflectance;
+FN void LANED(conductor_load)(const Scene* scene, const LANED(Surfaces) * s, intw rows, maskw which, LANED(Bsdf) * b) {
+  LANED(put_bsdf_color)(b, which, 0, LANED(parameter_at)(scene, s, which, rows, 0));
+}
+
+FN real3w LANED(conductor_eval)(const LANED(Bsdf) * b, real3w wi, PRIVATE realw* density) {
+  (void)b;
   (void)wi;
-  (void)wo;
+  *density = splat_w(R(0.0));
   return LANED(black)();
 }
 
-FN realw LANED(conductor_density)(real3w reflectance, real3w wi, real3w wo) {
-  (void)reflectance;
-  (void)wi;
-  (void)wo;
-  return splat_w(R(0.0));
-}
-
-FN LANED(MaterialSample) LANED(conductor_sample)(real3w reflectance, real3w wo, realw u, realw v) {
+FN LANED(BsdfSample) LANED(conductor_sample)(const LANED(Bsdf) * b, int lobes, realw number, realw u, realw v) {
+  (void)lobes;
+  (void)number;
   (void)u;
   (void)v;
-  LANED(MaterialSample) s;
-  realw zero = splat_w(R(0.0));
-  s.wi = vec3_w(-wo.x, -wo.y, wo.z);
-  s.weight = sel3_w(lt_w(zero, wo.z), reflectance, LANED(black)());
-  s.density = zero;
+  LANED(BsdfSample) s = LANED(no_way)(b);
+  s.wi = vec3_w(-b->wo.x, -b->wo.y, b->wo.z);
+  s.weight = sel3_w(lt_w(splat_w(R(0.0)), b->wo.z), LANED(bsdf_color)(b, 0), LANED(black)());
+  s.density = splat_w(R(1.0));
+  s.lobe = splat_int_w(LOBE_DELTA | LOBE_REFLECT);
   return s;
 }
-
-FN real3w LANED(conductor_mirror)(real3w reflectance) { return reflectance; }

@@ -86,8 +86,10 @@ enum {
   PART_INTS
 };
 
-// MATERIAL_TEXTURE: row of the texture table that the reflectance comes from; -1: it is the first 3 of its reals.
-enum { MATERIAL_KIND, MATERIAL_REALS, MATERIAL_TEXTURE, MATERIAL_TWOSIDED, MATERIAL_INTS };
+// From MATERIAL_SLOTS on a slot a parameter: >= 0: -> shading, 3 reals; else ~ row of the texture table. Those that the
+// material does not have are 0, which may be read.
+enum { MATERIAL_MOST_SLOTS = 4 };
+enum { MATERIAL_KIND, MATERIAL_TWOSIDED, MATERIAL_SLOTS, MATERIAL_INTS = MATERIAL_SLOTS + MATERIAL_MOST_SLOTS };
 enum { TEXTURE_KIND, TEXTURE_REALS, TEXTURE_INTS };
 // LIGHT_AREA to LIGHT_FIRST_ID are an area light's: AREA_sphere, ...; number of items; -> index, CHOICE_INTS an item;
 // scene-wide id of item 0 where the items are flat primitives in order, else -1.
@@ -136,6 +138,7 @@ enum {
   COUNT_INVALID,
   COUNT_SHADOW,
   COUNT_BOUNCE,
+  COUNT_BRANCHES,
   COUNT_NODES,
   COUNT_PRIMITIVES,
   COUNT_CUT,

@@ -14,7 +14,7 @@ enum {
 };
 
 enum {
-#define MATERIAL(name) MATERIAL_##name,
+#define MATERIAL(name, reals, lobes) MATERIAL_##name,
 #include "materials/materials.def"
 #undef MATERIAL
   MATERIAL_COUNT

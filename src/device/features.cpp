@@ -11,6 +11,7 @@
 #include "device/left_out.h"
 #include "device/pack_areas.h"
 #include "render/sampling.h"
+#include "scene/material_facts.h"
 
 namespace strahl {
 namespace {
@@ -37,11 +38,6 @@ struct ShapeKind {
   std::string operator()(const S&) const { return #kind; }
 #include "kinds/shapes.def"
 #undef SHAPE_KIND
-};
-
-struct MaterialKind {
-  std::string operator()(const Diffuse&) const { return "diffuse"; }
-  std::string operator()(const Conductor&) const { return "conductor"; }
 };
 
 struct TextureKind {
@@ -71,18 +67,24 @@ void shape_causes(const Scene& scene, const RenderSettings& settings, Causes& ca
                        settings.aovs.contains(Aov::normal);
   auto use_material = [&](int index, const SourceLocation& where) {
     const Material& material = material_at(scene, index);
-    const std::string kind = material_kind(material);
+    const MaterialFacts facts = material_facts(material);
     const SourceLocation& place = material.where.line > 0 ? material.where : where;
-    call_for(causes, "materials/" + kind, "material of type " + kind, place);
-    if (material.twosided) call_for(causes, "TWOSIDED", "a twosided material", place);
-    const int texture_index = material_texture(material);
-    if (texture_index < 0) return false;
-    const Texture& texture = scene.textures.at(static_cast<std::size_t>(texture_index));
-    const std::string pattern = texture_kind(texture);
-    if (!causes.allow("textures/" + pattern)) return false;
-    call_for(causes, "textures/" + pattern, "a reflectance from a texture of type " + pattern,
-             texture.where.line > 0 ? texture.where : place);
-    return true;
+    call_for(causes, "materials/" + facts.kind, "material of type " + facts.kind, place);
+    if (facts.is_twosided) call_for(causes, "TWOSIDED", "a twosided material", place);
+    if (scene.integrator.name == "whitted" &&
+        facts.has_lobe(lobes::LOBE_REFLECT | lobes::LOBE_TRANSMIT | lobes::LOBE_DELTA))
+      call_for(causes, "BRANCHES", "a material that reflects and transmits", place);
+    bool is_textured = false;
+    for (const MaterialSlot& slot : facts.slots) {
+      if (slot.texture < 0) continue;
+      const Texture& texture = scene.textures.at(static_cast<std::size_t>(slot.texture));
+      const std::string pattern = texture_kind(texture);
+      if (!causes.allow("textures/" + pattern)) continue;
+      call_for(causes, "textures/" + pattern, "a reflectance from a texture of type " + pattern,
+               texture.where.line > 0 ? texture.where : place);
+      is_textured = true;
+    }
+    return is_textured;
   };
   // Only the first cause of each is told: of a million spheres one is looked at.
   std::set<std::tuple<std::size_t, int, bool>> seen;
@@ -163,11 +165,7 @@ Causes causes_of(const Scene& scene, const RenderSettings& settings) {
 }  // namespace
 
 std::string shape_kind(const Shape& shape) { return std::visit(ShapeKind{}, shape.geometry); }
-std::string material_kind(const Material& material) { return std::visit(MaterialKind{}, material.bsdf); }
 std::string texture_kind(const Texture& texture) { return std::visit(TextureKind{}, texture.pattern); }
-int material_texture(const Material& material) {
-  return std::visit([](const auto& bsdf) { return bsdf.texture; }, material.bsdf);
-}
 std::string light_kind(const Light& light) { return std::visit(LightKind{}, light.emitter); }
 
 std::string sampler_entry(SamplerKind kind) { return kind == SamplerKind::independent ? "independent" : "sobol"; }

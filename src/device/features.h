@@ -32,13 +32,10 @@ struct Features {
 
 /// The list entry that a scene element is computed by: rectangle and cube are "parallelogram", a mesh "triangle".
 [[nodiscard]] std::string shape_kind(const Shape& shape);
-[[nodiscard]] std::string material_kind(const Material& material);
 [[nodiscard]] std::string light_kind(const Light& light);
 [[nodiscard]] std::string texture_kind(const Texture& texture);
 /// The entry of cl/samplers/samplers.def that a scene's numbers come from.
 [[nodiscard]] std::string sampler_entry(SamplerKind kind);
-/// Index of the texture that a material's reflectance comes from; -1: none.
-[[nodiscard]] int material_texture(const Material& material);
 
 /// Pure. settings.generic: everything on; settings.disabled: off all the same. Throws UsageError for what cannot be.
 [[nodiscard]] Features features_of(const Scene& scene, const RenderSettings& settings);

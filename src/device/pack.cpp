@@ -6,6 +6,7 @@
 #include <initializer_list>
 #include <limits>
 #include <span>
+#include <stdexcept>
 
 #include "device/cl_layout.h"
 #include "device/pack_areas.h"
@@ -80,8 +81,12 @@ class Packing {
     index(layout::HEADER_MATERIALS) = index_end();
     for (const Material& material : scene_.materials) {
       const PackedMaterial packed = packed_material(material, scene_, features_);
-      const int reflectance_at = put_rgb(packed.reflectance);
-      packed_.index.insert(packed_.index.end(), {packed.kind, reflectance_at, packed.texture, material.twosided});
+      packed_.index.insert(packed_.index.end(), {packed.kind, packed.is_twosided ? 1 : 0});
+      if (packed.slots.size() > layout::MATERIAL_MOST_SLOTS)
+        throw std::logic_error("a material has more parameters than MATERIAL_MOST_SLOTS");
+      for (const MaterialSlot& slot : packed.slots)
+        packed_.index.push_back(slot.texture < 0 ? put_shading(slot.reals) : ~slot.texture);
+      packed_.index.resize(packed_.index.size() + layout::MATERIAL_MOST_SLOTS - packed.slots.size(), 0);
     }
   }
 

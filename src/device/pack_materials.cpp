@@ -14,15 +14,15 @@ struct Mean {
 }  // namespace
 
 PackedMaterial packed_material(const Material& material, const Scene& scene, const Features& features) {
-  PackedMaterial packed;
-  packed.kind = features.entry_index("materials", material_kind(material));
-  packed.texture = material_texture(material);
-  packed.reflectance = std::visit([](const auto& bsdf) { return bsdf.reflectance; }, material.bsdf);
-  if (packed.texture < 0) return packed;
-  const Texture& texture = scene.textures[static_cast<std::size_t>(packed.texture)];
-  if (!features.has("textures", texture_kind(texture))) {
-    packed.texture = -1;
-    packed.reflectance = std::visit(Mean{}, texture.pattern);
+  const MaterialFacts facts = material_facts(material);
+  PackedMaterial packed{features.entry_index("materials", facts.kind), facts.is_twosided, facts.slots};
+  for (MaterialSlot& slot : packed.slots) {
+    if (slot.texture < 0) continue;
+    const Texture& texture = scene.textures[static_cast<std::size_t>(slot.texture)];
+    if (features.has("textures", texture_kind(texture))) continue;
+    const Rgb mean = std::visit(Mean{}, texture.pattern);
+    slot.texture = -1;
+    slot.reals = {mean.r, mean.g, mean.b};
   }
   return packed;
 }

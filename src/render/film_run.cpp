@@ -92,6 +92,7 @@ FilmRun::Unfinished FilmRun::launch_once(const Launch& launch, int band_row) {
   read_buffer(state_.device, state_.counters, counted.data(), counted.size() * sizeof(std::uint32_t));
   run.saturated_samples += counted[layout::COUNT_SATURATED];
   run.invalid_samples += counted[layout::COUNT_INVALID];
+  run.weak_branches += counted[layout::COUNT_BRANCHES];
   if (state_.settings.count_rays) {
     *run.shadow_rays += counted[layout::COUNT_SHADOW];
     *run.bounce_rays += counted[layout::COUNT_BOUNCE];

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "device/pack_areas.h"
+#include "scene/material_facts.h"
 
 namespace strahl {
 
@@ -70,8 +71,9 @@ std::vector<Diagnostic> limitations(const Scene& scene) {
     warnings.push_back({Severity::warning, where, std::move(message)});
   };
   for (const Material& material : scene.materials)
-    if (std::holds_alternative<Conductor>(material.bsdf) && is_direct)
-      warn(material.where, "this mirror shows emitters alone: integrator direct does not follow mirrors, whitted does");
+    if (material_facts(material).has_lobe(lobes::LOBE_DELTA) && is_direct)
+      warn(material.where,
+           "this material shows emitters alone: integrator direct does not follow mirrors and glass, whitted does");
   for (const Shape& shape : scene.shapes)
     if (emits(shape) && is_whitted && area_kind(shape.geometry).empty())
       warn(shape.radiance_where.line > 0 ? shape.radiance_where : shape.where,

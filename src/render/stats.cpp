@@ -61,6 +61,7 @@ std::string RunStats::json() const {
   json["longest_launch"] = longest_launch();
   json["rays"] = {
       {"camera", camera_rays}, {"shadow", count_or_null(shadow_rays)}, {"bounce", count_or_null(bounce_rays)}};
+  json["weak_branches"] = weak_branches;
   json["visits"] = {{"nodes", count_or_null(nodes_visited)}, {"primitives", count_or_null(primitives_tested)}};
   json["bytes"] = {{"device", device_bytes}, {"host", host_bytes}};
   json["device"] = device;

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <utility>
 
+#include "scene/material_facts.h"
 #include "scene/validate_geometry.h"
 #include "scene/xml_transform.h"
 
@@ -87,15 +88,24 @@ bool is_reflectance(const Rgb& c) {
   return inside(c.r) && inside(c.g) && inside(c.b);
 }
 
+void check_indices(const Material& material, Checker& check) {
+  const auto* glass = std::get_if<Dielectric>(&material.bsdf);
+  if (glass == nullptr) return;
+  const auto is_index_of_refraction = [](double ior) { return std::isfinite(ior) && ior > 0; };
+  check.require(is_index_of_refraction(glass->int_ior) && is_index_of_refraction(glass->ext_ior) &&
+                    is_index_of_refraction(glass->int_ior / glass->ext_ior),
+                "int_ior and ext_ior must be finite and greater than 0, and so must their ratio");
+}
+
 void check_material(const Material& material, const Scene& scene, Checker& check) {
   check.at(material.where);
-  std::visit(
-      [&](const auto& bsdf) {
-        check.require(is_reflectance(bsdf.reflectance), "the reflectance must lie in [0, 1]");
-        check.require(bsdf.texture == -1 || is_index(bsdf.texture, scene.textures.size()),
-                      "texture {} does not exist; there are {}", bsdf.texture, scene.textures.size());
-      },
-      material.bsdf);
+  for (const MaterialSlot& slot : material_facts(material).slots) {
+    const auto& [r, g, b] = slot.reals;
+    check.require(!slot.is_share || is_reflectance({r, g, b}), "{} must lie in [0, 1]", slot.name);
+    check.require(slot.texture == -1 || is_index(slot.texture, scene.textures.size()),
+                  "texture {} does not exist; there are {}", slot.texture, scene.textures.size());
+  }
+  check_indices(material, check);
 }
 
 void check_texture(const Texture& texture, Checker& check) {

@@ -110,7 +110,7 @@ TEST_CASE("Mirrors and textures count where a shape has them") {
   Scene scene = scene_of(Sphere{}, "whitted");
   scene.textures.push_back({"", Checkerboard{}, line(6)});
   scene.materials.push_back({"", Conductor{}, false, line(7)});
-  scene.materials.push_back({"", Diffuse{{}, 0}, false, line(8)});
+  scene.materials.push_back({"", Diffuse{{{}, 0}}, false, line(8)});
   for (const char* effect : {"materials/conductor", "textures/checkerboard"}) check_off(scene, {}, effect);
   scene.shapes[0].material = 1;
   check_on(scene, {}, "materials/conductor", 7, "material of type conductor");

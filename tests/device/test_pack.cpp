@@ -146,7 +146,7 @@ TEST_CASE("The header says what a program does not know: width, seed, depth") {
 
 TEST_CASE("Every shape has a part: its look and its frame") {
   Scene scene;
-  const int red = add(scene, Diffuse{{0.75, 0.5, 0.25}});
+  const int red = add(scene, Diffuse{{{0.75, 0.5, 0.25}}});
   add(scene, Box{{0, 0, 0}, {1, 1, 1}}, red);
   Shape lamp = emitting(Sphere{{0, 0, 0}, 1, {{{0, 1, 0}, {0, 0, 1}, {1, 0, 0}}}}, {3, 4, 5});
   lamp.flip_normals = true;
@@ -164,22 +164,21 @@ TEST_CASE("Every shape has a part: its look and its frame") {
   const Ints material =
       read.ints(read.header(layout::HEADER_MATERIALS) + red * layout::MATERIAL_INTS, layout::MATERIAL_INTS);
   CHECK(material[layout::MATERIAL_KIND] == 0);
-  CHECK(read.shading(material[layout::MATERIAL_REALS], 3) == Reals{0.75, 0.5, 0.25});
-  CHECK(material[layout::MATERIAL_TEXTURE] == -1);
+  CHECK(read.shading(material[layout::MATERIAL_SLOTS], 3) == Reals{0.75, 0.5, 0.25});
   CHECK(material[layout::MATERIAL_TWOSIDED] == 0);
 }
 
 TEST_CASE("A texture has its row, and shapes then say how fast u and v change") {
   Scene scene;
   scene.textures = {{"", Checkerboard{{1, 0.5, 0.25}, {0, 0.125, 0}, {2, 3, 4, 5, 6, 7}}, {}}};
-  const int tiles = add(scene, Conductor{{1, 1, 1}, 0});
+  const int tiles = add(scene, Conductor{{{1, 1, 1}, 0}});
   add(scene, Rectangle{{0, 0, 0}, {4, 0, 0}, {0, 2, 0}}, tiles);
   add(scene, Sphere{{0, 0, 0}, 2, {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}}, tiles);
   const Read<double> read(scene, {8, {}});
   const Ints material =
       read.ints(read.header(layout::HEADER_MATERIALS) + tiles * layout::MATERIAL_INTS, layout::MATERIAL_INTS);
   CHECK(material[layout::MATERIAL_KIND] == read.features.entry_index("materials", "conductor"));
-  CHECK(material[layout::MATERIAL_TEXTURE] == 0);
+  CHECK(material[layout::MATERIAL_SLOTS] == ~0);
   const Ints texture = read.ints(read.header(layout::HEADER_TEXTURES), layout::TEXTURE_INTS);
   CHECK(texture[layout::TEXTURE_KIND] == 0);
   CHECK(read.shading(texture[layout::TEXTURE_REALS], 12) == Reals{1, 0.5, 0.25, 0, 0.125, 0, 2, 3, 4, 5, 6, 7});

@@ -72,8 +72,10 @@ const std::map<std::string, std::string> macros = {
 /// Another entry of a list, registered as CONTRIBUTING.md says, `first` before all others or after them.
 void add_entry(const KernelCopy& kernels, const std::string& list, const std::string& name, bool first) {
   REQUIRE(macros.contains(list));
-  const bool has_number = list == "shapes" || list == "areas";
-  const std::string entry = macros.at(list) + "(" + name + (has_number ? ", 3)\n" : ")\n");
+  const std::map<std::string, std::string> further = {
+      {"shapes", ", 3"}, {"areas", ", 3"}, {"materials", ", 3, LOBE_GLOSSY"}};
+  const auto more = further.find(list);
+  const std::string entry = macros.at(list) + "(" + name + (more == further.end() ? "" : more->second) + ")\n";
   const std::string def = list + "/" + list + ".def";
   // Shapes have a file of either sort an entry, textures stand alone, all else is written in lanes.
   std::vector<std::pair<std::string, std::string>> edits;
@@ -97,7 +99,7 @@ TEST_CASE("Scenes that differ only in values share their program") {
   const std::vector<std::pair<std::string, std::function<void(Scene&)>>> edits = {
       {"colour of a material",
        [](Scene& s) {
-         s.materials.back().bsdf = Diffuse{{0.1, 0.2, 0.3}};
+         s.materials.back().bsdf = Diffuse{{{0.1, 0.2, 0.3}}};
        }},
       {"one material more", [](Scene& s) { s.materials.push_back(s.materials.back()); }},
       {"colour of a light",

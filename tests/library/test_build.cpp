@@ -11,17 +11,17 @@ TEST_CASE("A scene without anything in it is valid: grey default material, a cam
   const Scene scene;
   CHECK(validate(scene).empty());
   REQUIRE(scene.materials.size() == 1);
-  CHECK(std::get<Diffuse>(scene.materials[0].bsdf).reflectance == Rgb{0.5, 0.5, 0.5});
+  CHECK(std::get<Diffuse>(scene.materials[0].bsdf).reflectance.color == Rgb{0.5, 0.5, 0.5});
   CHECK_FALSE(scene.materials[0].twosided);
 }
 
 TEST_CASE("Whatever is added stands at the index that add returns") {
   Scene scene;
-  const int red = add(scene, Diffuse{{1, 0, 0}});
-  const int sheet = add(scene, Diffuse{{0, 1, 0}}, true);
+  const int red = add(scene, Diffuse{{{1, 0, 0}}});
+  const int sheet = add(scene, Diffuse{{{0, 1, 0}}}, true);
   CHECK(red == 1);
   CHECK(sheet == 2);
-  CHECK(std::get<Diffuse>(scene.materials[1].bsdf).reflectance == Rgb{1, 0, 0});
+  CHECK(std::get<Diffuse>(scene.materials[1].bsdf).reflectance.color == Rgb{1, 0, 0});
   CHECK_FALSE(scene.materials[1].twosided);
   CHECK(scene.materials[2].twosided);
 

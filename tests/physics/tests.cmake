@@ -11,3 +11,13 @@ target_compile_options(strahl_host_lights PRIVATE -O2 -Wno-psabi -Wno-int-in-boo
 foreach(name light_numbers)
   strahl_test(physics/test_${name}.cpp LABEL unit LIBS strahl_host_lights)
 endforeach()
+
+# cl/materials in every tier and width.
+add_library(strahl_host_bsdfs STATIC physics/bsdfs_stable.cpp physics/bsdfs_robust.cpp physics/bsdfs_double.cpp)
+set_target_properties(strahl_host_bsdfs PROPERTIES UNITY_BUILD OFF)
+target_include_directories(strahl_host_bsdfs PRIVATE ${PROJECT_SOURCE_DIR}/cl ${CMAKE_CURRENT_SOURCE_DIR})
+target_compile_options(strahl_host_bsdfs PRIVATE -O1 -Wno-psabi $<$<BOOL:${STRAHL_HOST_HAS_FMA}>:-mfma>)
+
+foreach(name materials fresnel)
+  strahl_test(physics/test_${name}.cpp LABEL unit LIBS strahl_host_bsdfs)
+endforeach()

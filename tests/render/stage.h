@@ -29,7 +29,7 @@ inline Scene stage(const std::vector<Geometry>& shapes, const Material& material
 
 inline Material diffuse(const Rgb& reflectance, bool twosided = false) {
   Material material;
-  material.bsdf = Diffuse{reflectance};
+  material.bsdf = Diffuse{{reflectance}};
   material.twosided = twosided;
   return material;
 }

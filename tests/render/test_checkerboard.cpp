@@ -12,7 +12,7 @@ namespace {
 Scene board(const std::array<double, 6>& to_uv) {
   Scene scene = stage({floor_plane()});
   scene.textures = {{"", Checkerboard{{1, 0.75, 0.5}, {0.25, 0.125, 0}, to_uv}, {}}};
-  scene.materials[0].bsdf = Conductor{{1, 1, 1}, 0};
+  scene.materials[0].bsdf = Conductor{{{1, 1, 1}, 0}};
   scene.integrator.name = "whitted";
   scene.lights = {light(ConstantLight{})};
   return scene;

@@ -30,9 +30,9 @@ Scene everything() {
   scene.sampler.sample_count = 8;
   scene.sampler.kind = SamplerKind::sobol;
   scene.textures.push_back({"", Checkerboard{{1, 0.5, 0}, {0, 0.5, 0.25}, {4, 0, 0, 0, 4, 0}}, {}});
-  const int board = add(scene, Diffuse{{0.1, 0.1, 0.1}, 0});
-  const int mirror = add(scene, Conductor{{0.9, 0.8, 0.7}});
-  const int both_sides = add(scene, Diffuse{{0.2, 0.9, 0.4}}, true);
+  const int board = add(scene, Diffuse{{{0.1, 0.1, 0.1}, 0}});
+  const int mirror = add(scene, Conductor{{{0.9, 0.8, 0.7}}});
+  const int both_sides = add(scene, Diffuse{{{0.2, 0.9, 0.4}}}, true);
   add(scene, Sphere{{0.9, 0.9, 0.6}, 0.5}, board);
   add(scene, sheet(), board);
   add(scene, Rectangle{{0.2, -1.5, 0.2}, {0, 1, 0.4}, {1, 0, 0.4}}, both_sides);  // Seen from behind.
@@ -66,7 +66,7 @@ TEST_CASE("a program without effects renders the scene without them") {
   Scene without = everything();
   without.instances.clear();
   without.lights.erase(without.lights.begin());
-  without.materials[1].bsdf = Diffuse{{0.5, 0.5, 0.125}};
+  without.materials[1].bsdf = Diffuse{{{0.5, 0.5, 0.125}}};
   without.materials[3].twosided = false;
   auto& mesh = std::get<Mesh>(without.shapes[2].geometry);
   mesh.normals.clear();

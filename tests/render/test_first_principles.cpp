@@ -85,7 +85,7 @@ TEST_CASE("a point on a sphere lies on the sphere, however long the ray") {
     const double bottom = 4.0137 + 0.0031 * i;
     Scene scene = stage({Plane{{0, 0, -1000}, {0, 0, 1}, {1, 0, 0}, {0, 1, 0}}});
     scene.materials[0].bsdf = Conductor{};
-    add(scene, Sphere{{0, 0, bottom + 0.01}, 0.01}, add(scene, Diffuse{{1, 1, 1}}));
+    add(scene, Sphere{{0, 0, bottom + 0.01}, 0.01}, add(scene, Diffuse{{{1, 1, 1}}}));
     add(scene, PointLight{{0, 0, bottom - 0.01}, {1e-4, 1e-4, 1e-4}});
     scene.camera.world_from_camera.m[0][0] = scene.camera.world_from_camera.m[1][1] = 0x1p-20;
     scene.integrator.name = "whitted";

@@ -12,7 +12,7 @@ namespace {
 
 Material mirror(const Rgb& reflectance, bool twosided = false) {
   Material material;
-  material.bsdf = Conductor{reflectance};
+  material.bsdf = Conductor{{reflectance}};
   material.twosided = twosided;
   return material;
 }

@@ -80,7 +80,7 @@ TEST_CASE("max_depth n is the light of n surfaces") {
 TEST_CASE("mirrors count as surfaces, and show what glows") {
   require_pocl_and_rusticl();
   Scene scene = furnace(room, 0.5, 4);
-  scene.materials[0].bsdf = Conductor{{0.5, 0.5, 0.5}};
+  scene.materials[0].bsdf = Conductor{{{0.5, 0.5, 0.5}}};
   const Image image = path_picture(scene).color;
   for (const float value : image.data) CHECK(value == 1.875F);
 }

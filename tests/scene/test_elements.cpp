@@ -17,7 +17,7 @@ Scene sensor(const std::string& inside, const std::string& type = "perspective")
 
 Rgb reflectance(const std::string& property) {
   return std::get<Diffuse>(load_body("<bsdf type=\"diffuse\">" + property + "</bsdf>").scene.materials.at(1).bsdf)
-      .reflectance;
+      .reflectance.color;
 }
 
 }  // namespace
@@ -140,7 +140,7 @@ TEST_CASE("lights") {
   CHECK(scene.shapes[0].radiance == Rgb{5, 5, 5});
   // As in Mitsuba: what emits and has no bsdf reflects nothing.
   const Material& black = scene.materials.at(static_cast<std::size_t>(scene.shapes[0].material));
-  CHECK(std::get<Diffuse>(black.bsdf).reflectance == Rgb{0, 0, 0});
+  CHECK(std::get<Diffuse>(black.bsdf).reflectance.color == Rgb{0, 0, 0});
   CHECK(scene.shapes[0].radiance_where.line == 3);
   CHECK(scene.shapes[0].radiance_where.column == 22);
 }
@@ -163,14 +163,47 @@ TEST_CASE("a scene without sensor is framed along -z") {
 
 TEST_CASE("a conductor is an ideal mirror") {
   const Material plain = load_body("<bsdf type=\"conductor\"/>").scene.materials.at(1);
-  CHECK(std::get<Conductor>(plain.bsdf).reflectance == Rgb{1, 1, 1});
+  CHECK(std::get<Conductor>(plain.bsdf).reflectance.color == Rgb{1, 1, 1});
   CHECK_FALSE(plain.twosided);
   const LoadedScene gold = load_body(
       "<bsdf type=\"twosided\"><bsdf type=\"conductor\"><string name=\"material\" value=\"none\"/>"
       "<rgb name=\"specular_reflectance\" value=\"1, .8, .3\"/></bsdf></bsdf>");
   CHECK(gold.warnings.empty());
-  CHECK(std::get<Conductor>(gold.scene.materials.at(1).bsdf).reflectance == Rgb{1, .8, .3});
+  CHECK(std::get<Conductor>(gold.scene.materials.at(1).bsdf).reflectance.color == Rgb{1, .8, .3});
   CHECK(gold.scene.materials.at(1).twosided);
+}
+
+TEST_CASE("a dielectric has indices by number or name, and shares of what it reflects and transmits") {
+  const auto glass = [](const std::string& inside) {
+    const LoadedScene loaded = load_body("<bsdf type=\"dielectric\">" + inside + "</bsdf>");
+    CHECK(loaded.warnings.empty());
+    return std::get<Dielectric>(loaded.scene.materials.at(1).bsdf);
+  };
+  CHECK(glass("").int_ior == 1.5046);
+  CHECK(glass("").ext_ior == 1.000277);
+  CHECK(glass("").reflectance.color == Rgb{1, 1, 1});
+  CHECK(glass("").transmittance.color == Rgb{1, 1, 1});
+  const Dielectric named = glass(
+      "<string name=\"int_ior\" value=\"Diamond\"/><float name=\"ext_ior\" value=\"1.25\"/>"
+      "<rgb name=\"specular_transmittance\" value=\"1, .5, .25\"/>"
+      "<texture type=\"checkerboard\" name=\"specular_reflectance\"/>");
+  CHECK(named.int_ior == 2.419);
+  CHECK(named.ext_ior == 1.25);
+  CHECK(named.transmittance.color == Rgb{1, .5, .25});
+  CHECK(named.reflectance.texture == 0);
+}
+
+TEST_CASE("indices of refraction that cannot be are errors with their place, and names are guessed") {
+  const auto problem = [](const std::string& inside) {
+    const std::vector<std::string> found = problems(around("<bsdf type=\"dielectric\">" + inside + "</bsdf>"));
+    REQUIRE(found.size() == 1);
+    return found[0];
+  };
+  CHECK(problem("<string name=\"int_ior\" value=\"diamnd\"/>") ==
+        "2:25: error: \"int_ior\" is \"diamnd\", which is no medium that strahl knows (did you mean \"diamond\"?); a "
+        "number > 0 will do");
+  CHECK(problem("<float name=\"ext_ior\" value=\"0\"/>").find("greater than 0") != std::string::npos);
+  CHECK(problem("<float name=\"int_ior\" value=\"-1.5\"/>").find("greater than 0") != std::string::npos);
 }
 
 TEST_CASE("a checkerboard in place of a reflectance, nested or by reference, read once") {
@@ -184,9 +217,9 @@ TEST_CASE("a checkerboard in place of a reflectance, nested or by reference, rea
   CHECK(loaded.warnings.empty());
   const Scene& scene = loaded.scene;
   REQUIRE(scene.textures.size() == 2);
-  CHECK(std::get<Diffuse>(scene.materials.at(1).bsdf).texture == 0);
-  CHECK(std::get<Conductor>(scene.materials.at(2).bsdf).texture == 0);
-  CHECK(std::get<Diffuse>(scene.materials.at(3).bsdf).texture == 1);
+  CHECK(std::get<Diffuse>(scene.materials.at(1).bsdf).reflectance.texture == 0);
+  CHECK(std::get<Conductor>(scene.materials.at(2).bsdf).reflectance.texture == 0);
+  CHECK(std::get<Diffuse>(scene.materials.at(3).bsdf).reflectance.texture == 1);
   const auto& board = std::get<Checkerboard>(scene.textures[0].pattern);
   CHECK(board.color0 == Rgb{1, .5, .25});
   CHECK(board.color1 == Rgb{.2, .2, .2});

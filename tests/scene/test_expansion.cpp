@@ -104,7 +104,7 @@ TEST_CASE("names of Mitsuba 0.x") {
   CHECK(loaded.scene.camera.world_from_camera.translation() == Vec3{0, 0, 5});
   CHECK(loaded.scene.sampler.sample_count == 9);
   CHECK(loaded.scene.integrator.hide_emitters);
-  CHECK(std::get<Diffuse>(loaded.scene.materials[1].bsdf).reflectance == Rgb{1, 0, 0});
+  CHECK(std::get<Diffuse>(loaded.scene.materials[1].bsdf).reflectance.color == Rgb{1, 0, 0});
   CHECK(problems("<scene version=\"2.1.0\"><sensor type=\"perspective\"><float name=\"nearClip\" value=\"1\"/></sensor>"
                  "</scene>") ==
         std::vector<std::string>{

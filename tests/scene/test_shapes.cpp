@@ -144,7 +144,7 @@ TEST_CASE("meshes") {
   REQUIRE(mesh(0).parts.size() == 1);
   CHECK(mesh(0).parts[0].radiance == Rgb{1, 2, 3});
   const Material& red = loaded.scene.materials.at(static_cast<std::size_t>(mesh(0).parts[0].material));
-  CHECK(std::get<Diffuse>(red.bsdf).reflectance == Rgb{.8, .1, .1});
+  CHECK(std::get<Diffuse>(red.bsdf).reflectance.color == Rgb{.8, .1, .1});
   CHECK(mesh(1).normals.empty());
   CHECK(mesh(1).parts.at(0).material == loaded.scene.shapes[1].material);
   CHECK(mesh(1).parts.at(0).radiance == Rgb{1, 2, 3});

@@ -28,8 +28,8 @@ const Unknown unknowns[] = {
     {"<shape type=\"sphere\"><shape type=\"disk\"/></shape>", "2:22", "has no use for a <shape>"},
     {"<shape type=\"sphere\"><medium type=\"homogeneous\" name=\"interior\"/></shape>", "2:22",
      "no use for a <medium>"},
-    {"<shape type=\"sphere\"><bsdf type=\"dielectric\"><float name=\"int_ior\" value=\"1.5\"/></bsdf></shape>", "2:22",
-     "unknown bsdf \"dielectric\"; a two-sided diffuse one of reflectance 0.5 takes its place"},
+    {"<shape type=\"sphere\"><bsdf type=\"principled\"><float name=\"roughness\" value=\"1\"/></bsdf></shape>", "2:22",
+     "unknown bsdf \"principled\"; a two-sided diffuse one of reflectance 0.5 takes its place"},
     {"<shape type=\"sphere\"><bsdf type=\"difuse\"/></shape>", "2:22", "did you mean \"diffuse\"?"},
     {"<shape type=\"sphere\"><emitter type=\"spot\"/></shape>", "2:22", "cannot be part of a shape"},
     {"<emitter type=\"envmap\"><string name=\"filename\" value=\"a.exr\"/></emitter>", "2:1",
@@ -44,6 +44,8 @@ const Unknown unknowns[] = {
      "the metal \"Au\" is not there yet; an ideal mirror"},
     {"<bsdf type=\"conductor\"><float name=\"eta\" value=\"1.5\"/></bsdf>", "2:24",
      "\"eta\" of <bsdf type=\"conductor\"> has no effect yet"},
+    {"<bsdf type=\"twosided\"><bsdf type=\"dielectric\"/></bsdf>", "2:1",
+     "twosided has no effect on what lets light through"},
     {"<bsdf type=\"diffuse\"><texture type=\"checkerboard\" name=\"reflectance\"><float name=\"colour0\" "
      "value=\"1\"/></texture></bsdf>",
      "2:70", "unknown parameter \"colour0\""},
@@ -72,17 +74,17 @@ TEST_CASE("substitutes keep what they can") {
   const Scene scene = load_body(
                           "<bsdf type=\"plastic\"><rgb name=\"diffuse_reflectance\" value=\".1 .2 .3\"/></bsdf>"
                           "<bsdf type=\"mask\"><bsdf type=\"diffuse\"><rgb name=\"reflectance\" value=\".4\"/></bsdf>"
-                          "</bsdf><bsdf type=\"dielectric\"/>")
+                          "</bsdf><bsdf type=\"principled\"/>")
                           .scene;
   REQUIRE(scene.materials.size() == 4);
-  CHECK(std::get<Diffuse>(scene.materials[1].bsdf).reflectance == Rgb{.1, .2, .3});
-  CHECK(std::get<Diffuse>(scene.materials[2].bsdf).reflectance == Rgb{.4, .4, .4});
-  CHECK(std::get<Diffuse>(scene.materials[3].bsdf).reflectance == Rgb{.5, .5, .5});
+  CHECK(std::get<Diffuse>(scene.materials[1].bsdf).reflectance.color == Rgb{.1, .2, .3});
+  CHECK(std::get<Diffuse>(scene.materials[2].bsdf).reflectance.color == Rgb{.4, .4, .4});
+  CHECK(std::get<Diffuse>(scene.materials[3].bsdf).reflectance.color == Rgb{.5, .5, .5});
 }
 
 TEST_CASE("a reflectance outside [0, 1] is clamped with a warning, strict or not") {
   const LoadedScene loaded = load_body("<bsdf type=\"diffuse\"><rgb name=\"reflectance\" value=\"2, .5, -1\"/></bsdf>");
-  CHECK(std::get<Diffuse>(loaded.scene.materials[1].bsdf).reflectance == Rgb{1, .5, 0});
+  CHECK(std::get<Diffuse>(loaded.scene.materials[1].bsdf).reflectance.color == Rgb{1, .5, 0});
   REQUIRE(loaded.warnings.size() == 1);
   CHECK(loaded.warnings[0].message == "\"reflectance\" is 2, 0.5, -1, outside [0, 1]; 1, 0.5, 0 is used");
 }

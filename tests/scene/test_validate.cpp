@@ -89,7 +89,15 @@ TEST_CASE("faults of geometry") {
 TEST_CASE("faults of everything else") {
   check_changed("material 1", [](Scene& s) { s.shapes[0].material = 1; });
   check_changed("radiance", [](Scene& s) { s.shapes[0].radiance = Rgb{-1, 0, 0}; });
-  check_changed("reflectance", [](Scene& s) { s.materials[0].bsdf = Diffuse{{2, 0, 0}}; });
+  check_changed("reflectance", [](Scene& s) { s.materials[0].bsdf = Diffuse{{{2, 0, 0}}}; });
+  check_changed("specular_transmittance", [](Scene& s) {
+    Dielectric glass;
+    glass.transmittance.color.g = -1;
+    s.materials[0].bsdf = glass;
+  });
+  for (const double ior : {0.0, -1.5, nan_value, 1e300 * 1e300})
+    check_changed("int_ior", [&](Scene& s) { s.materials[0].bsdf = Dielectric{ior}; });
+  check_changed("ratio", [](Scene& s) { s.materials[0].bsdf = Dielectric{1e-300, 1e300}; });
   check_changed("position", [](Scene& s) { s.lights.push_back({"", PointLight{{nan_value, 0, 0}, {}}, {}}); });
   check_changed("direction", [](Scene& s) { s.lights.push_back({"", DirectionalLight{{0, 0, 0}, {}}, {}}); });
   check_changed("one constant", [](Scene& s) { s.lights.assign(2, {"", ConstantLight{}, {}}); });

@@ -18,7 +18,7 @@ int added_material(const MeshMaterial& from, const Shape& shape, Scene& scene, D
   Material material;
   material.id = from.name;
   material.bsdf =
-      Diffuse{clamped_reflectance(from.reflectance, shape.where, fmt::format("Kd of {}", from.name), diagnostics)};
+      Diffuse{{clamped_reflectance(from.reflectance, shape.where, fmt::format("Kd of {}", from.name), diagnostics)}};
   material.twosided = true;
   material.where = shape.where;
   scene.materials.push_back(material);

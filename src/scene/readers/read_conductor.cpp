@@ -9,8 +9,7 @@ namespace strahl {
 
 Material read_conductor(Properties& properties, SceneBuilder& builder) {
   Material material;
-  const Reflectance reflectance = read_reflectance(properties, builder, "specular_reflectance", {1, 1, 1});
-  material.bsdf = Conductor{reflectance.color, reflectance.texture};
+  material.bsdf = Conductor{read_reflectance(properties, builder, "specular_reflectance", {1, 1, 1})};
   const std::string metal = properties.string("material").value_or("none");
   if (metal != "none")
     builder.diagnostics.unknown(

@@ -7,8 +7,7 @@ namespace strahl {
 
 Material read_diffuse(Properties& properties, SceneBuilder& builder) {
   Material material;
-  const Reflectance reflectance = read_reflectance(properties, builder, "reflectance", {0.5, 0.5, 0.5});
-  material.bsdf = Diffuse{reflectance.color, reflectance.texture};
+  material.bsdf = Diffuse{read_reflectance(properties, builder, "reflectance", {0.5, 0.5, 0.5})};
   return material;
 }
 

@@ -19,7 +19,7 @@ const PluginTable<MaterialReader>& material_readers() {
   return table;
 }
 
-/// Two-sided, since most of what is missing (glass, masks, radio materials) is seen from both sides.
+/// Two-sided, since most of what is missing (rough glass, masks, radio materials) is seen from both sides.
 Material substitute_for(Properties& properties, SceneBuilder& builder) {
   const std::string what = fmt::format("unknown bsdf \"{}\"{}", properties.type(),
                                        did_you_mean_plugin(material_readers(), properties.type()));
@@ -36,7 +36,7 @@ Material substitute_for(Properties& properties, SceneBuilder& builder) {
     if (!own) continue;
     builder.diagnostics.unknown(properties.where(),
                                 fmt::format("{}; a two-sided diffuse one with its {} takes its place", what, name));
-    material.bsdf = Diffuse{*own};
+    material.bsdf = Diffuse{{*own}};
     return material;
   }
   builder.diagnostics.unknown(properties.where(),

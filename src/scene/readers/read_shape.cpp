@@ -52,7 +52,7 @@ const XmlElement* only_one(const std::vector<const XmlElement*>& objects, const 
 int black_material(SceneBuilder& builder) {
   if (!builder.black_material) {
     Material black;
-    black.bsdf = Diffuse{{0, 0, 0}};
+    black.bsdf = Diffuse{{{0, 0, 0}}};
     builder.scene.materials.push_back(black);
     builder.black_material = static_cast<int>(builder.scene.materials.size()) - 1;
   }

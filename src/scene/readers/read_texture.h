@@ -14,12 +14,6 @@ using TextureReader = Texture (*)(Properties&);
 #include "scene/readers/textures.def"
 #undef TEXTURE
 
-/// A reflectance: one colour, or a texture.
-struct Reflectance {
-  Rgb color;
-  int texture = -1;  ///< Index into Scene::textures; -1: the colour holds everywhere.
-};
-
 /// The parameter `name`, or `absent`. A texture that strahl does not have is replaced with a warning.
 [[nodiscard]] Reflectance read_reflectance(Properties& properties, SceneBuilder& builder, const std::string& name,
                                            const Rgb& absent);

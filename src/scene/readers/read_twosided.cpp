@@ -2,6 +2,7 @@
 // <bsdf type="twosided">: the bsdf inside it, seen from both sides.
 #include <fmt/format.h>
 
+#include "scene/material_facts.h"
 #include "scene/readers/read_material.h"
 
 namespace strahl {
@@ -17,6 +18,11 @@ Material read_twosided(Properties& properties, SceneBuilder& builder) {
                                 "a bsdf of its own for the back is not supported yet; the first one is used for both");
   }
   Material material = material_of(*sides.front(), builder);
+  if (material_facts(material).has_lobe(lobes::LOBE_TRANSMIT)) {
+    builder.diagnostics.unknown(properties.where(),
+                                "twosided has no effect on what lets light through: both of its sides differ already");
+    return material;
+  }
   material.twosided = true;
   return material;
 }

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// How LANES points scatter light, and the ways on that are drawn from them: the records of all materials. Directions
+// are unit, point away from the surface and stand in its frame, z its normal. One width; no guard.
+#include "materials/active_bsdfs.h"
+
+typedef struct {
+  intw kind;            ///< MATERIAL_...
+  LANED(Frame) frame;   ///< z the shading normal; of a twosided material, that on the side of wo.
+  real3w wo;            ///< Where the light goes to.
+  real3w out;           ///< wo in the world, as the frame has not rounded it.
+  realw p[BSDF_REALS];  ///< The material's parameters at the point, from constants or textures.
+} LANED(Bsdf);
+
+typedef struct {
+  real3w wi;      ///< Where the light comes from.
+  real3w weight;  ///< f times |cos| over the density; black: no such way.
+  realw density;  ///< Per solid angle; of a delta lobe the chance that it was drawn.
+  realw eta;      ///< Index of refraction on the side of wi over that on the side of wo.
+  intw lobe;      ///< LOBE_..., a side and a spread: the one that was drawn.
+} LANED(BsdfSample);
+
+FN real3w LANED(black)(void) {
+  realw zero = splat_w(R(0.0));
+  return vec3_w(zero, zero, zero);
+}
+
+/// Three of the parameters.
+FN real3w LANED(bsdf_color)(const LANED(Bsdf) * b, int first) {
+  return vec3_w(b->p[first], b->p[first + 1], b->p[first + 2]);
+}
+
+FN void LANED(put_bsdf_color)(LANED(Bsdf) * b, maskw which, int first, real3w value) {
+  b->p[first] = sel_w(which, value.x, b->p[first]);
+  b->p[first + 1] = sel_w(which, value.y, b->p[first + 1]);
+  b->p[first + 2] = sel_w(which, value.z, b->p[first + 2]);
+}
+
+/// Lanes that drew a lobe of that side or spread.
+FN maskw LANED(is_lobe)(const LANED(BsdfSample) * s, int lobes) { return nonzero_w(s->lobe & splat_int_w(lobes)); }
+
+/// No way on.
+FN LANED(BsdfSample) LANED(no_way)(const LANED(Bsdf) * b) {
+  LANED(BsdfSample) s;
+  s.wi = b->wo;
+  s.weight = LANED(black)();
+  s.density = splat_w(R(0.0));
+  s.eta = splat_w(R(1.0));
+  s.lobe = splat_int_w(0);
+  return s;
+}

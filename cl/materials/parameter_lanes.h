@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// Parameters at points of surfaces: each is one int of the material's row, >= 0 an offset to constants, else ~ a row of
+// the texture table. One width; no guard.
+
+/// The points of textured lanes, where the materials ask.
+FN real3w LANED(textured_parameter)(const Scene* scene, const LANED(Surfaces) * s, maskw which, intw slot,
+                                    real3w value) {
+  for (uint lanes = bits_w(which); lanes != 0u; lanes &= lanes - 1u) {
+    int i = first_bit(lanes);
+    TexturePoint at = LANED(texture_point)(s, i);
+    real3 texel = texture_value(scene, ~get_int_w(&slot, i), &at);
+    put_w(&value.x, i, texel.x);
+    put_w(&value.y, i, texel.y);
+    put_w(&value.z, i, texel.z);
+  }
+  return value;
+}
+
+/// Up to three reals in the lanes of `which`; number: of the material's parameters. rows: offsets into the index.
+FN real3w LANED(parameter_at)(const Scene* scene, const LANED(Surfaces) * s, maskw which, intw rows, int number) {
+  intw slot = gather_int_w(scene->index + MATERIAL_SLOTS + number, rows);
+  if (TEXTURE_COUNT == 0) return gather3_w(scene->shading, slot);
+  maskw is_texture = lt_int_w(slot, splat_int_w(0));
+  real3w value = gather3_w(scene->shading, sel_int_w(is_texture, splat_int_w(0), slot));
+  return LANED(textured_parameter)(scene, s, which & s->hit & is_texture, slot, value);
+}

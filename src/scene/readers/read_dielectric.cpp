@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// <bsdf type="dielectric">: smooth glass. As in Mitsuba, indices are numbers or names.
+#include <fmt/format.h>
+
+#include "scene/did_you_mean.h"
+#include "scene/readers/read_material.h"
+#include "scene/readers/read_texture.h"
+#include "scene/readers/refractive_indices.h"
+
+namespace strahl {
+namespace {
+
+double read_index(Properties& properties, const char* name, double absent) {
+  const XmlElement* given = properties.peek(name);
+  if (given == nullptr || given->tag != "string") return properties.positive(name).value_or(absent);
+  const std::string medium = properties.string(name).value_or("");
+  if (const std::optional<double> index = refractive_index(medium)) return *index;
+  properties.diagnostics().error(properties.where(name),
+                                 fmt::format("\"{}\" is \"{}\", which is no medium that strahl knows{}; a number > 0 "
+                                             "will do",
+                                             name, medium, did_you_mean(medium, refractive_names())));
+  return absent;
+}
+
+}  // namespace
+
+Material read_dielectric(Properties& properties, SceneBuilder& builder) {
+  Dielectric glass;
+  glass.int_ior = read_index(properties, "int_ior", glass.int_ior);
+  glass.ext_ior = read_index(properties, "ext_ior", glass.ext_ior);
+  glass.reflectance = read_reflectance(properties, builder, "specular_reflectance", {1, 1, 1});
+  glass.transmittance = read_reflectance(properties, builder, "specular_transmittance", {1, 1, 1});
+  Material material;
+  material.bsdf = glass;
+  return material;
+}
+
+}  // namespace strahl

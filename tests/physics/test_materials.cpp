@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: MIT
+// What physics asks of every material of cl/materials/materials.def, in every tier and width: directions are drawn as
+// densely as is said (chi^2), densities integrate to what is not a delta lobe, weights are f |cos| over the density,
+// f is reciprocal, no energy is made (and none is lost where the material is lossless), delta lobes lead there and
+// back. A new entry needs one row in `rows`, nothing else. 2 s.
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <random>
+
+#include "physics/bsdf_tiers.h"
+
+using namespace strahl::test;
+
+namespace {
+
+#include "../../cl/materials/lobes.h"
+
+/// Parameters as Bsdf has them.
+struct Row {
+  std::vector<double> p;
+  bool is_lossless = false;
+};
+
+const std::map<std::string, std::vector<Row>>& rows() {
+  static const std::map<std::string, std::vector<Row>> of_material{
+      {"diffuse", {{{0.8, 0.5, 0.1}}, {{1, 1, 1}, true}, {{0, 0, 0}}}},
+      {"conductor", {{{0.9, 0.6, 0.3}}, {{1, 1, 1}, true}}},
+      {"dielectric",
+       {{{1, 1, 1, 1, 1, 1, 1.5}, true},
+        {{1, 1, 1, 1, 1, 1, 0.625}, true},
+        {{1, 1, 1, 1, 1, 1, 1}, true},
+        {{1, 1, 1, 1, 1, 1, 1.0001}, true},
+        {{0.5, 0.75, 1, 0.25, 1, 0.5, 2.5}}}},
+  };
+  return of_material;
+}
+
+/// Towards the camera: above and below, upright to grazing.
+std::vector<Triad> directions() {
+  std::vector<Triad> all;
+  for (const double cosine : {1.0, 0.9, 0.6, 0.3, 0.05, 1e-3, -0.02, -0.5, -0.95, -1.0}) {
+    const double sine = std::sqrt((1 - cosine) * (1 + cosine)), turn = 1 + 2 * cosine;
+    all.push_back({sine * std::cos(turn), sine * std::sin(turn), cosine});
+  }
+  return all;
+}
+
+/// Odd multiples of 2^-24: exact in either precision, within (0, 1).
+std::vector<Triad> random_numbers(std::size_t count) {
+  std::mt19937_64 engine(7);
+  const auto one = [&] { return (static_cast<double>(engine() >> 41) + 0.5) * 0x1p-23; };
+  std::vector<Triad> numbers(count);
+  for (Triad& triple : numbers) triple = {one(), one(), one()};
+  return numbers;
+}
+
+bool is_black(const Triad& v) { return v[0] == 0 && v[1] == 0 && v[2] == 0; }
+double largest(const Triad& v) { return std::max({v[0], v[1], v[2]}); }
+bool is_delta(const Way& way) { return (way.lobe & LOBE_DELTA) != 0; }
+
+/// visit(tier, kind, entry, row, wo, is_double)
+template <class Visit>
+void for_each_case(Visit visit) {
+  const std::vector<BsdfEntry> entries = bsdf_entries();
+  for (const BsdfTier& tier : bsdf_tiers())
+    for (std::size_t kind = 0; kind < entries.size(); ++kind) {
+      const BsdfEntry& entry = entries[kind];
+      if (!rows().contains(entry.name)) continue;  // The first test says so.
+      for (const Row& row : rows().at(entry.name))
+        for (const Triad& wo : directions()) {
+          INFO(tier.name << ", " << tier.lanes << " lanes, " << entry.name << " " << Catch::Detail::stringify(row.p)
+                         << ", wo " << Catch::Detail::stringify(wo));
+          visit(tier, static_cast<int>(kind), entry, row, wo);
+        }
+    }
+}
+
+TEST_CASE("every material has parameters here") {
+  for (const BsdfEntry& entry : bsdf_entries()) {
+    INFO("tests/physics/test_materials.cpp has no row for " << entry.name);
+    REQUIRE(rows().contains(entry.name));
+    for (const Row& row : rows().at(entry.name)) CHECK(static_cast<int>(row.p.size()) == entry.reals);
+    CHECK((entry.lobes & LOBE_SIDES) != 0);
+    CHECK((entry.lobes & LOBE_SPREADS) != 0);
+  }
+  CHECK(rows().size() == bsdf_entries().size());
+}
+
+TEST_CASE("directions are drawn as densely as is said, and densities integrate to what is no delta lobe") {
+  constexpr int rings = 8, sectors = 8, within = 12;
+  const std::vector<Triad> numbers = random_numbers(4000);
+  for_each_case([&](const BsdfTier& tier, int kind, const BsdfEntry& entry, const Row& row, const Triad& wo) {
+    if ((entry.lobes & LOBE_SPREADS) == LOBE_DELTA) return;
+    const std::vector<Way> ways = tier.sample(kind, row.p, wo, LOBES_ALL, numbers);
+    std::vector<double> hits(rings * sectors, 0), expected(rings * sectors, 0);
+    double deltas = 0;
+    for (const Way& way : ways) {
+      if (is_delta(way)) {
+        deltas += 1;
+        continue;
+      }
+      const double turn = std::atan2(way.wi[1], way.wi[0]) / (2 * std::numbers::pi);
+      const int ring = std::min(static_cast<int>((0.5 + 0.5 * way.wi[2]) * rings), rings - 1);
+      const int sector = static_cast<int>((turn + 1) * sectors) % sectors;
+      hits.at(static_cast<std::size_t>(ring * sectors + sector)) += 1;
+    }
+    std::vector<Triad> middles;
+    for (int i = 0; i < rings * within; ++i)
+      for (int j = 0; j < sectors * within; ++j) {
+        const double z = 2 * (i + 0.5) / (rings * within) - 1, r = std::sqrt((1 - z) * (1 + z));
+        const double turn = 2 * std::numbers::pi * (j + 0.5) / (sectors * within);
+        middles.push_back({r * std::cos(turn), r * std::sin(turn), z});
+      }
+    const std::vector<Scattered> found = tier.eval(kind, row.p, wo, middles);
+    double whole = 0;
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      const double share = found[i].density * 4 * std::numbers::pi / static_cast<double>(found.size());
+      const std::size_t ring = i / (sectors * within) / within, sector = i % (sectors * within) / within;
+      expected[ring * sectors + sector] += share * static_cast<double>(ways.size());
+      whole += share;
+    }
+    const bool scatters = std::any_of(ways.begin(), ways.end(), [](const Way& way) { return !is_black(way.weight); });
+    if (!scatters) {
+      if (largest({row.p[0], row.p[1], row.p[2]}) > 0) CHECK(whole == 0);
+      return;
+    }
+    CHECK(whole + deltas / static_cast<double>(ways.size()) == Approx(1).epsilon(5e-3));
+    double chi = 0;
+    int bins = 0;
+    for (std::size_t i = 0; i < hits.size(); ++i) {
+      if (expected[i] < 5) {
+        CHECK(hits[i] <= 5 + 5 * std::sqrt(expected[i] + 1));
+        continue;
+      }
+      chi += (hits[i] - expected[i]) * (hits[i] - expected[i]) / expected[i];
+      ++bins;
+    }
+    // Six standard deviations of chi^2 over its degrees of freedom.
+    if (bins > 1) CHECK(chi / bins < 1 + 6 * std::sqrt(2.0 / bins));
+  });
+}
+
+TEST_CASE("weights are f |cos| over the density, and f is reciprocal") {
+  const std::vector<Triad> numbers = random_numbers(64);
+  for_each_case([&](const BsdfTier& tier, int kind, const BsdfEntry& entry, const Row& row, const Triad& wo) {
+    if ((entry.lobes & LOBE_SPREADS) == LOBE_DELTA) return;
+    const double bound = 64 * roundoff(tier);
+    for (const Way& way : tier.sample(kind, row.p, wo, LOBES_ALL, numbers)) {
+      if (is_delta(way) || is_black(way.weight)) continue;
+      const Scattered there = tier.eval(kind, row.p, wo, {way.wi}).front();
+      const Scattered back = tier.eval(kind, row.p, way.wi, {wo}).front();
+      CHECK(there.density == Approx(way.density).epsilon(bound));
+      for (std::size_t i = 0; i < 3; ++i) {
+        CHECK(there.value[i] == Approx(way.weight[i] * way.density).epsilon(bound));
+        // Between media of different indices it is f / eta^2 that is reciprocal.
+        const double f = there.value[i] / std::fabs(way.wi[2]) * way.eta * way.eta;
+        CHECK(f == Approx(back.value[i] / std::fabs(wo[2])).epsilon(bound));
+      }
+    }
+  });
+}
+
+TEST_CASE("no material makes energy, and a lossless one loses none") {
+  const std::vector<Triad> numbers = random_numbers(1024);
+  for_each_case([&](const BsdfTier& tier, int kind, const BsdfEntry& entry, const Row& row, const Triad& wo) {
+    double sum = 0, squares = 0;
+    for (const Way& way : tier.sample(kind, row.p, wo, LOBES_ALL, numbers)) {
+      // Radiance over the index squared is what is kept.
+      const double share = largest(way.weight) * way.eta * way.eta;
+      CHECK(std::isfinite(share));
+      CHECK(*std::min_element(way.weight.begin(), way.weight.end()) >= 0);
+      sum += share;
+      squares += share * share;
+    }
+    const double n = static_cast<double>(numbers.size()), mean = sum / n;
+    const double noise = 4 * std::sqrt(std::max(squares / n - mean * mean, 0.0) / n) + 64 * roundoff(tier);
+    CHECK(mean <= 1 + noise);
+    const bool is_seen = wo[2] > 0 || (entry.lobes & LOBE_TRANSMIT) != 0;
+    if (row.is_lossless && is_seen) CHECK(mean >= 1 - noise);
+    if (!is_seen) CHECK(mean == 0);
+  });
+}
+
+TEST_CASE("delta lobes lead where mirrors and Snell's law do, back again, and carry together what one of them does") {
+  const std::vector<Triad> numbers = random_numbers(32);
+  for_each_case([&](const BsdfTier& tier, int kind, const BsdfEntry& entry, const Row& row, const Triad& wo) {
+    if ((entry.lobes & LOBE_DELTA) == 0) return;
+    const double u = roundoff(tier);
+    double together = 0;
+    for (const int side : {LOBE_REFLECT, LOBE_TRANSMIT}) {
+      if ((entry.lobes & side) == 0) continue;
+      const Way way = tier.sample(kind, row.p, wo, LOBE_DELTA | side, {{0.5, 0.5, 0.5}}).front();
+      if (is_black(way.weight)) continue;
+      CHECK(way.lobe == (LOBE_DELTA | side));
+      CHECK(way.density == 1);
+      CHECK((way.wi[2] > 0) == ((wo[2] > 0) == (side == LOBE_REFLECT)));
+      CHECK(std::hypot(way.wi[0], way.wi[1], way.wi[2]) == Approx(1).epsilon(4 * u));
+      for (std::size_t i = 0; i < 2; ++i) CHECK(way.wi[i] * way.eta == Approx(-wo[i]).margin(8 * u));
+      const Way back = tier.sample(kind, row.p, way.wi, LOBE_DELTA | side, {{0.5, 0.5, 0.5}}).front();
+      // The angle of what is refracted to a grazing way is known as well as its cosine is.
+      const double ratio = std::max(way.eta, 1 / way.eta);
+      const double known =
+          16 * u * ratio * ratio / std::max(std::fabs(way.wi[2]), 1e-3) / std::max(std::fabs(wo[2]), 1e-3);
+      for (std::size_t i = 0; i < 3; ++i) {
+        CHECK(back.wi[i] == Approx(wo[i]).margin(known));
+        CHECK(back.weight[i] * back.eta * back.eta == Approx(way.weight[i] * way.eta * way.eta).margin(known));
+      }
+      double chances = 0, drawn = 0;
+      for (const Way& one : tier.sample(kind, row.p, wo, LOBES_ALL, numbers)) {
+        if (one.lobe != way.lobe) continue;
+        drawn += 1;
+        chances = one.density;
+        CHECK(one.wi == way.wi);
+        for (std::size_t i = 0; i < 3; ++i)
+          CHECK(one.weight[i] * one.density == Approx(way.weight[i]).epsilon(8 * u).margin(4 * u));
+      }
+      if (drawn > 0) together += chances;
+    }
+    if (together > 0 && row.is_lossless && (wo[2] > 0.1 || (entry.lobes & LOBE_TRANSMIT) == 0))
+      CHECK(together <= 1 + 4 * u);
+  });
+}
+
+TEST_CASE("every width draws and tells what one lane does, to the bit") {
+  const std::vector<Triad> numbers = random_numbers(35),
+                           points{{0.3, 0.2, 0}, {0.3, 0.2, 0}, {0.8, 0.2, 0}, {0.1, 0.9, 0}, {0.4, 0.4, 0},
+                                  {0.9, 0.1, 0}, {0.6, 0.2, 0}, {0.7, 0.7, 0}, {0.2, 0.6, 0}};
+  std::map<std::string, BsdfTier> narrow;
+  for (const BsdfTier& tier : bsdf_tiers())
+    if (tier.lanes == 1) narrow.emplace(tier.name, tier);
+  for_each_case([&](const BsdfTier& tier, int kind, const BsdfEntry&, const Row& row, const Triad& wo) {
+    if (tier.lanes == 1) return;
+    const BsdfTier& one = narrow.at(tier.name);
+    const auto wide_ways = tier.sample(kind, row.p, wo, LOBES_ALL, numbers),
+               ways = one.sample(kind, row.p, wo, LOBES_ALL, numbers);
+    std::vector<Triad> wis;
+    for (std::size_t i = 0; i < ways.size(); ++i) {
+      CHECK(wide_ways[i].wi == ways[i].wi);
+      CHECK(wide_ways[i].weight == ways[i].weight);
+      CHECK(wide_ways[i].density == ways[i].density);
+      CHECK(wide_ways[i].eta == ways[i].eta);
+      CHECK(wide_ways[i].lobe == ways[i].lobe);
+      wis.push_back(ways[i].wi);
+    }
+    const auto wide = tier.eval(kind, row.p, wo, wis), values = one.eval(kind, row.p, wo, wis);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      CHECK(wide[i].value == values[i].value);
+      CHECK(wide[i].density == values[i].density);
+    }
+  });
+  // A parameter is a constant or a texture, lane by lane.
+  for (const BsdfTier& tier : bsdf_tiers()) {
+    const std::vector<Triad> found = tier.parameters(points);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      INFO(tier.name << ", " << tier.lanes << " lanes, point " << i);
+      const bool is_red = (points[i][0] > 0.5) == (points[i][1] > 0.5);
+      CHECK(found[i] == (i % 2 == 0 ? Triad{0, 0, 1} : is_red ? Triad{1, 0, 0} : Triad{0, 1, 0}));
+    }
+  }
+}
+
+}  // namespace
