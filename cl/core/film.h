@@ -44,4 +44,41 @@ FN FilmBins film_bins_of(real value) {
   return bins;
 }
 
+/// Adds `times` samples that are the same to one channel's sum, whatever they are.
+SELDOM_FN void film_add_slowly(const Scene* scene, GLOBAL long* sum, real value, int times) {
+  FilmBins bins = film_bins_of(film_value(scene, value, times));
+  bins.high *= times;
+  bins.low *= times;
+  film_add(sum, bins);
+}
+
+/// Adds a sample to one channel's sum. Most are not above the sum's top, and then two products with powers of two cut
+/// them as film_bins_of does: they are exact, and what a device flushes to zero is below the bins. Not in the outermost
+/// bins, where either may fail.
+FN void film_add_sample(const Scene* scene, GLOBAL long* sum, real value) {
+  long high = sum[0], low = sum[1];
+  int top = (int)(high & 3) << 2 | (int)(low & 3);
+  int exponent = (int)(real_to_bits(value) >> REAL_EXPONENT_SHIFT) & REAL_EXPONENT_MASK;
+  int bias = REAL_EXPONENT_MASK >> 1;
+  // The first sample, where its top is the one of most pictures.
+  if (top == 0 && exponent >= bias + FILM_BIN_BITS * (FILM_USUAL_TOP - 1) - FILM_ORIGIN &&
+      exponent < bias + FILM_BIN_BITS * FILM_USUAL_TOP - FILM_ORIGIN) {
+    top = FILM_USUAL_TOP;
+    high = top >> 2;
+    low = top & 3;
+  }
+  int end = bias - FILM_ORIGIN + top * FILM_BIN_BITS;  // The exponent field of the first number above.
+  if (top < FILM_LEAST_TOP || top > FILM_MOST_TOP || exponent >= end) {
+    film_add_slowly(scene, sum, value, 1);
+    return;
+  }
+  // 2^0 in units of the top's beginning.
+  real scale = bits_to_real((bitsr)(2 * bias - end + FILM_BIN_BITS) << REAL_EXPONENT_SHIFT);
+  real scaled = value * scale;
+  long above = (long)scaled;
+  real rest = scaled - (real)above;
+  sum[0] = high + above * 4;
+  sum[1] = low + (long)(rest * R(0x1p+40)) * 4;
+}
+
 #endif

@@ -13,8 +13,9 @@
 #define STRAHL_CORE_FILM_SUM_H
 
 /// FILM_ORIGIN: bin 1 begins at 2^-FILM_ORIGIN, below the smallest float; bin 8 ends at 2^140, above the largest. Bins
-/// meet at 2^-20 and 2^20, far from what most pictures show.
-enum { FILM_BIN_BITS = 40, FILM_ORIGIN = 180 };
+/// meet at 2^-20 and 2^20, far from what most pictures show: FILM_USUAL_TOP. Between the other two tops numbers can be
+/// cut in floating point (core/film.h).
+enum { FILM_BIN_BITS = 40, FILM_ORIGIN = 180, FILM_LEAST_TOP = 4, FILM_USUAL_TOP = 5, FILM_MOST_TOP = 7 };
 
 /// Pieces in bin `top` and in the one below, in units of 2^((top - 1) 40 - 180) and 2^((top - 2) 40 - 180). top 0:
 /// nothing.

@@ -65,6 +65,14 @@ FN int LANED(wanted)(const Scene* scene, const LANED(Paths) * path, const FirstS
   return is_exact ? FIND_NEAREST : FIND_NEAREST_ROUGHLY;
 }
 
+/// One sample; sums: how many of a pixel take turns.
+FN void add_sample(const Scene* scene, GLOBAL long* pixel_sums, int sums, int sample, real3 light) {
+  GLOBAL long* sum = pixel_sums + (sample & (sums - 1)) * (FILM_CHANNELS * FILM_SUM_WORDS);
+  film_add_sample(scene, sum, light.x);
+  film_add_sample(scene, sum + FILM_SUM_WORDS, light.y);
+  film_add_sample(scene, sum + 2 * FILM_SUM_WORDS, light.z);
+}
+
 /// `times` samples, from `sample` on, all of that light. done: as layout.h has it behind the counters.
 FN void add_to_film(const Scene* scene, GLOBAL long* pixel_sums, int film_sums, int sample, int times, real3 light,
                     GLOBAL uint* done) {
@@ -73,16 +81,27 @@ FN void add_to_film(const Scene* scene, GLOBAL long* pixel_sums, int film_sums, 
     if (HAS_LOOP_LIMIT) *done = (uint)(sample + times);
     return;
   }
-  FilmBins x = film_bins_of(film_value(scene, light.x, times));
-  FilmBins y = film_bins_of(film_value(scene, light.y, times));
-  FilmBins z = film_bins_of(film_value(scene, light.z, times));
-  for (int i = sample; i < sample + times; ++i) {
-    // One sum holds what four do: integers, so the mean is the same.
-    GLOBAL long* sums = pixel_sums + (HAS_ERROR_SUMS ? i & (film_sums - 1) : 0) * (FILM_CHANNELS * FILM_SUM_WORDS);
-    film_add(sums, x);
-    film_add(sums + FILM_SUM_WORDS, y);
-    film_add(sums + 2 * FILM_SUM_WORDS, z);
-    if (HAS_LOOP_LIMIT) *done = (uint)(i + 1);  // Each by itself: the device may end this loop, too.
+  // One sum holds what four do: the mean is the same.
+  int sums = HAS_ERROR_SUMS ? film_sums : 1;
+  if (HAS_LOOP_LIMIT) {
+    for (int i = sample; i < sample + times; ++i) {
+      add_sample(scene, pixel_sums, sums, i, light);
+      *done = (uint)(i + 1);  // Each by itself: the device may end this loop, too.
+    }
+    return;
+  }
+  if (times == 1) {
+    add_sample(scene, pixel_sums, sums, sample, light);
+    return;
+  }
+  for (int k = 0; k < sums; ++k) {
+    // Samples sample, sample + 1, ... of which every one in `sums` is the sum's.
+    int number = (sample + times - k + sums - 1) / sums - (sample - k + sums - 1) / sums;
+    GLOBAL long* sum = pixel_sums + k * (FILM_CHANNELS * FILM_SUM_WORDS);
+    if (number == 0) continue;
+    film_add_slowly(scene, sum, light.x, number);
+    film_add_slowly(scene, sum + FILM_SUM_WORDS, light.y, number);
+    film_add_slowly(scene, sum + 2 * FILM_SUM_WORDS, light.z, number);
   }
 }
 

@@ -97,7 +97,7 @@ nlohmann::ordered_json count(const Device& device, const Scene& scene, RenderSet
 /// A picture that is not what the scene says: said even with -q.
 void warn_of_samples(const RunStats& stats) {
   if (stats.saturated_samples > 0)
-    say(fmt::format("strahl: warning: {} sample channels were brighter than the film holds; its largest value counts",
+    say(fmt::format("strahl: warning: {} sample channels were beyond the largest float; they count as 3.4e38",
                     stats.saturated_samples));
   if (stats.invalid_samples > 0)
     say(fmt::format("strahl: warning: {} sample channels were not a number; they count as black",
@@ -158,7 +158,7 @@ void write_outputs(const RenderOptions& options, const PictureFiles& files, cons
   }
   if (!options.error_map.empty()) {
     if (!result.error)
-      say(fmt::format("strahl: warning: {} not written: a pixel has fewer than 4 samples", options.error_map));
+      say(fmt::format("strahl: warning: {} not written: {}", options.error_map, why_no_error(result.stats)));
     else
       write_error_map(options.error_map, result.standard_error, metadata);
   }

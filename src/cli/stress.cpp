@@ -23,8 +23,10 @@ namespace strahl::cli {
 namespace {
 
 constexpr const char* kStressFooter = R"(
-Renders the scene at scales of 1e-6 to 1e6 and at offsets of up to 1e7 along each axis, in every precision that the
-device has, and prints how far each picture is from the scene as it is in double. Exact numbers would give one picture.
+Renders the scene at scales of 1e-6 to 1e6, at offsets of up to 1e7 along each axis, by 1e-10 and 1e10 times the light,
+and with one more lamp that is far (1e7 times the scene's extent) or small (1e-7 of its distance), in every precision
+that the device has, and prints how far each picture is from the scene as it is in double, or with a lamp that is
+neither. Exact numbers would give one picture.
 
 Examples:
   strahl stress scene.xml                            writes scene.stress.png here
@@ -54,7 +56,12 @@ std::string table(const StressStudy& study) {
 
 std::string json_of(const StressStudy& study, const Scene& scene, const Device& device) {
   nlohmann::ordered_json stresses = nlohmann::ordered_json::array(), tiers = nlohmann::ordered_json::array();
-  for (const Stress& stress : all_stresses()) stresses.push_back({{"scale", stress.scale}, {"offset", stress.offset}});
+  for (const Stress& stress : all_stresses())
+    stresses.push_back({{"scale", stress.scale},
+                        {"offset", stress.offset},
+                        {"light", stress.light},
+                        {"far", stress.far},
+                        {"lamp", stress.lamp}});
   for (std::size_t i = 0; i < study.tiers.size(); ++i) {
     nlohmann::ordered_json errors = nlohmann::ordered_json::array();
     for (const StressCell& cell : study.cells[i]) errors.push_back(cell.rmse);

@@ -17,8 +17,13 @@ std::string time_summary(const PhaseSeconds& s) {
       std::max(0.0, s.other()));
 }
 
+std::string why_no_error(const RunStats& stats) {
+  if (stats.saturated_samples + stats.invalid_samples > 0) return "samples were not finite, see the warning";
+  return "a pixel has fewer than 4 samples, or --no-error";
+}
+
 std::string error_summary(const RunStats& stats, int png_bits) {
-  if (!stats.error) return "error not measured: a pixel has fewer than 4 samples, or --no-error";
+  if (!stats.error) return "error not measured: " + why_no_error(stats);
   const ErrorBudget& error = *stats.error;
   std::string text = fmt::format("RMSE {:.2g}, 95 %: {:.2g}–{:.2g} · noise {:.2g}", error.rmse(), error.rmse_low(),
                                  error.rmse_high(), error.noise.rmse);

@@ -132,7 +132,7 @@ void warn_of_samples(const TradeoffStudy& study) {
   }
   if (saturated + invalid > 0)
     say(
-        fmt::format("strahl: warning: {} sample channels were brighter than the film holds and {} were not a number; "
+        fmt::format("strahl: warning: {} sample channels were beyond the largest float and {} were not a number; "
                     "tradeoff.json says in which points",
                     saturated, invalid));
 }

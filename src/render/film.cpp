@@ -44,10 +44,11 @@ Image FilmSums::mean() const {
   float* out = image.data.data();
   for (const int count : samples) {
     for (int channel = 0; channel < layout::FILM_CHANNELS; ++channel, ++out) {
+      const std::int64_t* sum = pixel + channel * layout::FILM_SUM_WORDS;
+      std::int64_t total[layout::FILM_SUM_WORDS] = {sum[0], sum[1]};
       // Added up as the film adds, so that it does not matter which sub-sum a sample is in.
-      std::int64_t total[layout::FILM_SUM_WORDS] = {0, 0};
-      for (int sub = 0; sub < sub_sums; ++sub) {
-        const std::int64_t* sum = pixel + (sub * layout::FILM_CHANNELS + channel) * layout::FILM_SUM_WORDS;
+      for (int sub = 1; sub < sub_sums; ++sub) {
+        sum += layout::FILM_CHANNELS * layout::FILM_SUM_WORDS;
         film_add(total, film_bins(sum[0], sum[1]));
       }
       if (count > 0) *out = static_cast<float>(value_of(film_bins(total[0], total[1])) / count * unit);

@@ -210,7 +210,9 @@ void FilmRun::finish() {
   result_.color = film_.mean();
   result_.stats.seconds.readback += start.seconds();
   const Stopwatch estimating;
-  if (state_.settings.estimate_error) result_.error = estimate_error(film_);
+  // What was cut to the largest float, or to 0, is off by nobody knows how much.
+  const bool is_whole = result_.stats.saturated_samples + result_.stats.invalid_samples == 0;
+  if (state_.settings.estimate_error && is_whole) result_.error = estimate_error(film_);
   result_.standard_error.channels.clear();
   if (state_.settings.error_map) result_.standard_error = standard_error(film_);
   result_.stats.seconds.error += estimating.seconds();

@@ -2,7 +2,7 @@
 // The film's arithmetic of cl/core/film_sum.h for the host: one definition, used by both sides.
 #pragma once
 
-#include <cmath>
+#include <bit>
 #include <cstdint>
 
 namespace strahl {
@@ -16,9 +16,11 @@ static_assert(sizeof(long) == sizeof(std::int64_t), "cl/core/film_sum.h takes th
 
 /// Rounded twice at the most: each bin to 53 bits, and their sum.
 [[nodiscard]] inline double value_of(const FilmBins& bins) {
+  constexpr double bin = std::int64_t{1} << FILM_BIN_BITS;
   const int exponent = (bins.top - 2) * FILM_BIN_BITS - FILM_ORIGIN;
-  return std::ldexp(std::ldexp(static_cast<double>(bins.high), FILM_BIN_BITS) + static_cast<double>(bins.low),
-                    exponent);
+  // 2^exponent, for every pixel: std::ldexp is a tenth of the time that a picture of one sample takes.
+  const auto unit = std::bit_cast<double>(static_cast<std::uint64_t>(1023 + exponent) << 52);
+  return (static_cast<double>(bins.high) * bin + static_cast<double>(bins.low)) * unit;
 }
 
 }  // namespace strahl

@@ -31,7 +31,8 @@ struct RenderResult {
   Image aov;    ///< Layered channels ("depth.Z", "normal.X", ...); no channels where no AOV was asked for.
   /// R, G, B of each pixel's standard error, NaN where it is not known; no channels unless asked for.
   Image standard_error;
-  /// Of `color`; none where a pixel has too few samples, or nobody wants it (RenderSettings::estimate_error).
+  /// Of `color`; none where a pixel has too few samples, a sample was infinite or no number (RunStats), or nobody wants
+  /// it (RenderSettings::estimate_error).
   std::optional<ErrorEstimate> error;
   RunStats stats;
   Ending ending = Ending::samples;

@@ -67,7 +67,7 @@ struct RunStats {
   std::string program;                  ///< Hash, as `explain` prints it.
   std::optional<ErrorBudget> error;     ///< None: not measured.
   std::string ending;                   ///< ending_name of what ended the render.
-  std::uint64_t saturated_samples = 0;  ///< Sample channels that the film clamped (brighter than it can hold).
+  std::uint64_t saturated_samples = 0;  ///< Sample channels beyond the largest float, counted as it.
   std::uint64_t weak_branches = 0;      ///< Rays that whitted did not follow: weaker than 2^-20 of the camera ray.
   std::uint64_t invalid_samples = 0;    ///< NaN sample channels, counted as black.
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "scene/material_facts.h"
@@ -31,6 +32,10 @@ class Checker {
   void require_light(const Rgb& c, const char* what) {
     require(std::isfinite(c.r) && std::isfinite(c.g) && std::isfinite(c.b) && c.r >= 0 && c.g >= 0 && c.b >= 0,
             "the {} must be finite and not negative", what);
+    // What the film and a picture's floats hold, in every tier.
+    constexpr double most = std::numeric_limits<float>::max();
+    const double largest = std::max({c.r, c.g, c.b});
+    require(!std::isfinite(largest) || largest <= most, "the {} must be at most {:.3g}, the largest float", what, most);
   }
 
  private:

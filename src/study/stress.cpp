@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <map>
+
 #include "image/metrics.h"
 #include "render/renderer.h"
 #include "study/contact_sheet.h"
@@ -11,8 +13,27 @@
 namespace strahl {
 namespace {
 
+constexpr double widest_lamp = 1e-2, lamp_distance = 2;
+
 Scene stressed(const Scene& scene, const Stress& stress) {
+  if (stress.light != 1) return brightened(scene, stress.light);
+  if (stress.far != 0) return with_lamp(scene, stress.far, widest_lamp);
+  if (stress.lamp != 0) return with_lamp(scene, lamp_distance, stress.lamp);
   return translated(scaled(scene, stress.scale), {stress.offset, stress.offset, stress.offset});
+}
+
+/// What the picture would be with exact numbers: the scene as it is, or with as harmless a lamp as there is.
+Stress calm(const Stress& stress) {
+  Stress reference;
+  if (stress.far != 0) reference.far = 1e3;
+  if (stress.lamp != 0) reference.lamp = widest_lamp;
+  return reference;
+}
+
+/// What depends on no emitter is not divided.
+bool shows_light(const Scene& scene) {
+  const std::string& name = scene.integrator.name;
+  return name != "depth" && name != "normals" && name != "ao";
 }
 
 Image picture(const Device& device, const Scene& scene, Precision precision) {
@@ -25,12 +46,16 @@ Image picture(const Device& device, const Scene& scene, Precision precision) {
 
 std::string Stress::text() const {
   if (offset != 0) return fmt::format("offset {:g}", offset);
+  if (light != 1) return fmt::format("light {:g}", light);
+  if (far != 0) return fmt::format("far {:g}", far);
+  if (lamp != 0) return fmt::format("lamp {:g}", lamp);
   return scale == 1 ? "as it is" : fmt::format("scale {:g}", scale);
 }
 
 const std::vector<Stress>& all_stresses() {
-  static const std::vector<Stress> stresses{{1e-6, 0}, {1e-3, 0}, {1, 0},   {1e3, 0},
-                                            {1e6, 0},  {1, 1e3},  {1, 1e5}, {1, 1e7}};
+  static const std::vector<Stress> stresses{
+      {1e-6},           {1e-3},          {},           {1e3},         {1e6}, {1, 1e3}, {1, 1e5}, {1, 1e7},
+      {.light = 1e-10}, {.light = 1e10}, {.far = 1e7}, {.lamp = 1e-7}};
   return stresses;
 }
 
@@ -43,12 +68,19 @@ StressStudy study_stress(const Device& device, const Scene& scene, const StressP
     study.reference = Precision::robust;
   const int total = static_cast<int>(study.tiers.size() * all_stresses().size());
   int done = 0;
-  const Image reference = picture(device, scene, study.reference);
+  std::map<std::string, Image> references;
+  for (const Stress& stress : all_stresses()) {
+    const Stress reference = calm(stress);
+    if (!references.contains(reference.text()))
+      references[reference.text()] = picture(device, stressed(scene, reference), study.reference);
+  }
   for (const Precision tier : study.tiers) {
     std::vector<StressCell>& row = study.cells.emplace_back();
     for (const Stress& stress : all_stresses()) {
       Image image = picture(device, stressed(scene, stress), tier);
-      const double rmse = compare_images(image, reference, Metric::rmse);
+      if (stress.light != 1 && shows_light(scene))
+        for (float& value : image.data) value = static_cast<float>(value / stress.light);
+      const double rmse = compare_images(image, references.at(calm(stress).text()), Metric::rmse);
       row.push_back({std::move(image), rmse});
       if (progress) progress(++done, total);
     }

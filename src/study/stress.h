@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The same scene in other units and elsewhere, in every tier: pictures that would all be the same with exact numbers.
+// The same scene in other units and elsewhere, by more light, beside a far object, by a smaller lamp, in every tier:
+// pictures that would all be the same with exact numbers, but for the light's own factor. One at a time: what scales
+// together may hide what each does.
 #pragma once
 
 #include <functional>
@@ -13,15 +15,18 @@
 
 namespace strahl {
 
-/// Every length times `scale`, then every place moved by `offset` along each axis.
+/// Every length times `scale`, then every place moved by `offset` along each axis; or one of the others.
 struct Stress {
   double scale = 1;
   double offset = 0;
+  double light = 1;  ///< Every emitter so many times as bright; the picture is divided by it.
+  double far = 0;    ///< Not 0: a lamp so many extents of the scene behind the camera, held against one at 10^3.
+  double lamp = 0;   ///< Not 0: a lamp of that radius and constant power near the camera, held against one of 10^-2.
 
   [[nodiscard]] std::string text() const;  ///< "scale 1e-06", "offset 1e+07"; "as it is".
 };
 
-/// 10^-6 ... 10^6 about the origin, then size 1 at offsets up to 10^7.
+/// 10^-6 ... 10^6 about the origin, then size 1 at offsets up to 10^7, then light, far objects and lamps.
 [[nodiscard]] const std::vector<Stress>& all_stresses();
 
 struct StressCell {

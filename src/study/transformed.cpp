@@ -2,6 +2,9 @@
 #include "study/transformed.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
 #include <utility>
 
 namespace strahl {
@@ -61,6 +64,39 @@ Scene scaled(Scene scene, double factor) {
 Scene translated(Scene scene, const Vec3& by) {
   return with_places(
       std::move(scene), [&](const Vec3& p) { return p + by; }, [](const Vec3& v) { return v; });
+}
+
+Scene brightened(Scene scene, double factor) {
+  const auto brighten = [factor](Rgb& c) { c = {factor * c.r, factor * c.g, factor * c.b}; };
+  const auto brighten_shapes = [&](std::vector<Shape>& shapes) {
+    for (Shape& shape : shapes) {
+      if (shape.radiance) brighten(*shape.radiance);
+      if (auto* mesh = std::get_if<Mesh>(&shape.geometry))
+        for (MeshPart& part : mesh->parts)
+          if (part.radiance) brighten(*part.radiance);
+    }
+  };
+  brighten_shapes(scene.shapes);
+  for (Light& light : scene.lights) {
+    if (auto* lamp = std::get_if<PointLight>(&light.emitter)) brighten(lamp->intensity);
+    if (auto* sun = std::get_if<DirectionalLight>(&light.emitter)) brighten(sun->irradiance);
+    if (auto* sky = std::get_if<ConstantLight>(&light.emitter)) brighten(sky->radiance);
+  }
+  return scene;
+}
+
+Scene with_lamp(Scene scene, double distance, double radius) {
+  const Transform& camera = scene.camera.world_from_camera;
+  const Vec3 eye = camera.translation(), behind = -normalized(camera.column(2));
+  const std::optional<Box> box = bounds(scene);
+  const double extent = box ? length(box->max - box->min) + length(0.5 * (box->min + box->max) - eye) : 1;
+  const double radiance = 1 / (std::numbers::pi * radius * radius);
+  Shape lamp;
+  lamp.geometry = Sphere{eye + distance * extent * behind, distance * extent * radius};
+  lamp.radiance = Rgb{radiance, radiance, radiance};
+  if (scene.materials.empty()) scene.materials.emplace_back();
+  scene.shapes.push_back(lamp);
+  return scene;
 }
 
 Scene mirrored(Scene scene) {

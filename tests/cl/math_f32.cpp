@@ -32,7 +32,12 @@ float soft_fma(float a, float b, float c) { return f32::soft_fma(a, b, c); }
 float random_unit(float, std::uint32_t bits) { return f32::random_unit_1(bits); }
 void add_to_film(FilmWords& sum, float value, std::array<std::uint32_t, 4>* counts) {
   const f32::Scene scene{nullptr, nullptr, nullptr, counts->data()};
-  f32::film_add(sum.data(), f32::film_bins_of(f32::film_value(&scene, value, 1)));
+  f32::film_add_sample(&scene, sum.data(), value);
+}
+void add_by_integers(FilmWords& sum, float value, int times) {
+  std::array<std::uint32_t, 4> counts{};
+  const f32::Scene scene{nullptr, nullptr, nullptr, counts.data()};
+  f32::film_add_slowly(&scene, sum.data(), value, times);
 }
 
 }  // namespace strahl::test

@@ -37,7 +37,12 @@ std::array<std::uint32_t, 4> random4(std::uint32_t pixel, std::uint32_t sample, 
 double random_unit(double, std::uint32_t bits) { return f64::random_unit_1(bits); }
 void add_to_film(FilmWords& sum, double value, std::array<std::uint32_t, 4>* counts) {
   const f64::Scene scene{nullptr, nullptr, nullptr, counts->data()};
-  f64::film_add(sum.data(), f64::film_bins_of(f64::film_value(&scene, value, 1)));
+  f64::film_add_sample(&scene, sum.data(), value);
+}
+void add_by_integers(FilmWords& sum, double value, int times) {
+  std::array<std::uint32_t, 4> counts{};
+  const f64::Scene scene{nullptr, nullptr, nullptr, counts.data()};
+  f64::film_add_slowly(&scene, sum.data(), value, times);
 }
 
 }  // namespace strahl::test

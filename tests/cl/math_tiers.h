@@ -28,5 +28,8 @@ using FilmWords = std::array<std::int64_t, 2>;
 /// Adds one sample as the kernel does. counts: saturated, invalid.
 void add_to_film(FilmWords& sum, float value, std::array<std::uint32_t, 4>* counts);
 void add_to_film(FilmWords& sum, double value, std::array<std::uint32_t, 4>* counts);
+/// The same by integers alone, `times` times at once.
+void add_by_integers(FilmWords& sum, float value, int times);
+void add_by_integers(FilmWords& sum, double value, int times);
 
 }  // namespace strahl::test

@@ -147,6 +147,24 @@ TEMPLATE_TEST_CASE("order and split do not matter", "", float, double) {
   }
 }
 
+TEMPLATE_TEST_CASE("what is cut in floating point is what integers cut", "", float, double) {
+  Values<TestType> values;
+  for (int trial = 0; trial < 3000; ++trial) {
+    FilmWords sum{}, same{};
+    Counts counts{};
+    for (const TestType value : values.draw(20, trial % 2 == 0)) {
+      add_to_film(sum, value, &counts);
+      add_by_integers(same, value, 1);
+      REQUIRE(sum == same);
+    }
+  }
+  FilmWords once{}, often{};
+  add_by_integers(once, TestType(0.1), 4095);
+  Counts counts{};
+  for (int i = 0; i < 4095; ++i) add_to_film(often, TestType(0.1), &counts);
+  CHECK(once == often);
+}
+
 TEMPLATE_TEST_CASE("each sample loses less than 2^-40 of the largest: 4096 less than 2^-28 of their sum", "", float,
                    double) {
   Values<TestType> values;

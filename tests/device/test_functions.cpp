@@ -90,8 +90,7 @@ TEST_CASE("the film adds as on the host, whatever a device does to small numbers
       "#include \"core/film.h\"\n"
       "FN long2 film_sum(GLOBAL uint* counters, GLOBAL long* sum, real x, real y) {\n"
       "  Scene scene;\n  scene.counters = counters;\n"
-      "  film_add(sum, film_bins_of(film_value(&scene, x, 1)));\n"
-      "  film_add(sum, film_bins_of(film_value(&scene, y, 1)));\n"
+      "  film_add_sample(&scene, sum, x);\n  film_add_sample(&scene, sum, y);\n"
       "  return (long2)(sum[0], sum[1]);\n}\n";
   for (const char* device : {"pocl", "llvmpipe"}) {
     const auto sums = values<FilmWords>(sum, "long2", "film_sum(counters, work, x, y)", x, y, {}, device);

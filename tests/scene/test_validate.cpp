@@ -98,6 +98,11 @@ TEST_CASE("faults of everything else") {
   for (const double ior : {0.0, -1.5, nan_value, 1e300 * 1e300})
     check_changed("int_ior", [&](Scene& s) { s.materials[0].bsdf = Dielectric{ior}; });
   check_changed("ratio", [](Scene& s) { s.materials[0].bsdf = Dielectric{1e-300, 1e300}; });
+  check_changed("largest float", [](Scene& s) { s.shapes[0].radiance = Rgb{0, 1e300, 0}; });
+  check_changed("intensity must be at most", [](Scene& s) {
+    s.lights.resize(1);
+    s.lights[0].emitter = PointLight{{0, 0, 9}, {1e300, 1e300, 1e300}};
+  });
   check_changed("position", [](Scene& s) { s.lights.push_back({"", PointLight{{nan_value, 0, 0}, {}}, {}}); });
   check_changed("direction", [](Scene& s) { s.lights.push_back({"", DirectionalLight{{0, 0, 0}, {}}, {}}); });
   check_changed("one constant", [](Scene& s) { s.lights.assign(2, {"", ConstantLight{}, {}}); });
