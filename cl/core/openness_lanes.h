@@ -13,6 +13,6 @@ FN LANED(LightSample)
   real3w up = LANED(square_to_cosine_hemisphere)(LANED(random_between)(numbers.x), LANED(random_between)(numbers.y));
   sky.towards = LANED(from_frame)(&frame, up);
   sky.t_max = splat_w(scene->shading[scene->index[HEADER_REACH]]);
-  sky.irradiance = vec3_w(one, one, one);
+  sky.radiance = vec3_w(one, one, one);
   return sky;
 }

@@ -3,8 +3,9 @@
 // them, both weighted against each other. A program holds one traversal for shadows, here. One width; no guard.
 
 /// What comes along the paths' rays by itself: the surfaces' emission, or the background where nothing is hit.
-FN real3w LANED(radiance_along)(const Scene* scene, const LANED(Surfaces) * s) {
-  return sel3_w(s->hit, LANED(emitted_radiance)(scene, s), splat3_w(LANED(background_radiance)(scene)));
+FN real3w LANED(radiance_along)(const Scene* scene, const LANED(Paths) * path, const LANED(Surfaces) * s) {
+  real3w towards = LANED(real3_at)(path->rays.planes + RAY_PLANE_D);
+  return sel3_w(s->hit, LANED(emitted_radiance)(scene, s), LANED(background_radiance)(scene, towards));
 }
 
 /// hide_emitters hides from the camera alone.
@@ -26,7 +27,7 @@ FN realw LANED(balance)(realw density, realw other) {
 FN void LANED(path_add_light)(const Scene* scene, LANED(Paths) * path, const LANED(Surfaces) * s) {
   realw zero = splat_w(R(0.0));
   maskw shown = LANED(is_light_shown)(scene, path);
-  real3w radiance = LANED(radiance_along)(scene, s);
+  real3w radiance = LANED(radiance_along)(scene, path, s);
   maskw is_bright = shown & lt_w(zero, max3_w(radiance));
   if (!any_w(is_bright)) return;
   if (LIGHT_COUNT > 0) {
@@ -34,7 +35,9 @@ FN void LANED(path_add_light)(const Scene* scene, LANED(Paths) * path, const LAN
         sel_int_w(s->hit, LANED(part_entry)(scene, s, PART_LIGHT), splat_int_w(scene->index[HEADER_BACKGROUND]));
     maskw is_drawn = is_bright & lt_w(zero, path->density) & ~lt_int_w(lights, splat_int_w(0));
     if (any_w(is_drawn)) {
-      realw density = LANED(light_density)(scene, is_drawn, lights, path->from, s);
+      real3w ray = LANED(real3_at)(path->rays.planes + RAY_PLANE_D);
+      real3w towards = sel3_w(s->hit, sub3_w(s->position, path->from), ray);
+      realw density = LANED(light_density)(scene, is_drawn, lights, path->from, towards, s);
       density = density / splat_w((real)lights_drawn_from(scene));
       radiance = sel3_w(is_drawn, scale3_w(LANED(balance)(path->density, density), radiance), radiance);
     }
@@ -76,12 +79,11 @@ FN real3w LANED(light_gain)(const Scene* scene, const LANED(Paths) * path, const
     share = (real)lights_drawn_from(scene);
   }
   *light = LANED(light_sample)(scene, which, lights, s->position, numbers);
-  which = which & lt_w(zero, max3_w(light->irradiance));
-  realw density, weight = splat_w(share);
+  which = which & lt_w(zero, max3_w(light->radiance));
+  realw density, weight = splat_w(share), one = splat_w(R(1.0));
   real3w reflected = LANED(bsdf_eval)(b, unit3_w(light->towards), &density);
-  reflected = mul3_w(reflected, light->irradiance);
-  maskw is_drawn = lt_w(zero, light->density);
-  if (is_shared) weight = sel_w(is_drawn, weight * LANED(balance)(light->density, weight * density), weight);
+  reflected = mul3_w(reflected, scale3_w(one / light->density, light->radiance));
+  if (is_shared) weight = sel_w(light->is_delta, weight, weight * LANED(balance)(light->density, weight * density));
   return sel3_w(which, scale3_w(weight, reflected), vec3_w(zero, zero, zero));
 }
 
@@ -99,7 +101,7 @@ FN void LANED(add_lights)(const Scene* scene, LANED(Paths) * path, const LANED(S
     real3w reflected;
     if (HAS_OPENNESS && is_open) {
       light = LANED(sky_sample)(scene, path, s, wo);
-      reflected = light.irradiance;
+      reflected = light.radiance;
     } else {
       reflected = LANED(light_gain)(scene, path, s, b, which, i, next & STEP_SCATTER, &light);
     }

@@ -5,6 +5,6 @@ enum { LANED(emission_STEPS) = 0 };
 
 FN maskw LANED(emission_step)(const Scene* scene, LANED(Paths) * path, const LANED(Surfaces) * s, PRIVATE int* next) {
   (void)next;
-  LANED(path_add)(path, LANED(is_light_shown)(scene, path), LANED(radiance_along)(scene, s));
+  LANED(path_add)(path, LANED(is_light_shown)(scene, path), LANED(radiance_along)(scene, path, s));
   return none_w();
 }

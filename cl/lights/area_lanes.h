@@ -76,14 +76,13 @@ FN LANED(LightSample)
 #endif
   s.density = p.density;
   if (row[LIGHT_FIRST_ID] >= 0) s.aim = splat_int_w(row[LIGHT_FIRST_ID]) + item;
-  real3w radiance = splat3_w(load3(scene->shading + row[LIGHT_REALS] + AREA_RADIANCE));
-  s.irradiance = sel3_w(is_lit, scale3_w(one / p.density, radiance), s.irradiance);
+  s.radiance = sel3_w(is_lit, splat3_w(load3(scene->shading + row[LIGHT_REALS] + AREA_RADIANCE)), s.radiance);
   return s;
 }
 
-FN realw LANED(area_density)(const Scene* scene, GLOBAL const int* row, real3w from, const LANED(Surfaces) * s) {
+FN realw LANED(area_density)(const Scene* scene, GLOBAL const int* row, real3w from, real3w towards,
+                             const LANED(Surfaces) * s) {
   GLOBAL const real* params = scene->shading + row[LIGHT_REALS];
-  real3w towards = sub3_w(s->position, from);
   realw density = splat_w(R(0.0));
   switch (row[LIGHT_AREA]) {
 #define AREA(name, reals)                                                                   \
@@ -100,7 +99,9 @@ FN realw LANED(area_density)(const Scene* scene, GLOBAL const int* row, real3w f
   return sel_w(is_lit, density, splat_w(R(0.0)));
 }
 
-FN real3 LANED(area_background)(GLOBAL const real* params) {
-  (void)params;
-  return vec3(R(0.0), R(0.0), R(0.0));
+FN real3w LANED(area_background)(const Scene* scene, GLOBAL const int* row, real3w towards) {
+  (void)scene;
+  (void)row;
+  (void)towards;
+  return splat3_w(vec3(R(0.0), R(0.0), R(0.0)));
 }

@@ -9,16 +9,21 @@ FN LANED(LightSample)
   s.towards = LANED(square_to_sphere)(numbers.u, numbers.v);
   s.t_max = splat_w(REAL_MAX);
   s.density = splat_w(R(0.25) * ONE_OVER_PI);
-  s.irradiance = scale3_w(splat_w(R(1.0)) / s.density, splat3_w(load3(scene->shading + row[LIGHT_REALS])));
+  s.radiance = splat3_w(load3(scene->shading + row[LIGHT_REALS]));
   return s;
 }
 
-FN realw LANED(constant_density)(const Scene* scene, GLOBAL const int* row, real3w from, const LANED(Surfaces) * s) {
+FN realw LANED(constant_density)(const Scene* scene, GLOBAL const int* row, real3w from, real3w towards,
+                                 const LANED(Surfaces) * s) {
   (void)scene;
   (void)row;
   (void)from;
+  (void)towards;
   (void)s;
   return splat_w(R(0.25) * ONE_OVER_PI);
 }
 
-FN real3 LANED(constant_background)(GLOBAL const real* params) { return load3(params); }
+FN real3w LANED(constant_background)(const Scene* scene, GLOBAL const int* row, real3w towards) {
+  (void)towards;
+  return splat3_w(load3(scene->shading + row[LIGHT_REALS]));
+}

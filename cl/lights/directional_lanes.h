@@ -9,19 +9,24 @@ FN LANED(LightSample)
   LANED(LightSample) s = LANED(no_light)();
   s.towards = splat3_w(negate3(load3(params)));
   s.t_max = splat_w(REAL_MAX);
-  s.irradiance = splat3_w(load3(params + 3));
+  s.radiance = splat3_w(load3(params + 3));
+  s.is_delta = ~none_w();
   return s;
 }
 
-FN realw LANED(directional_density)(const Scene* scene, GLOBAL const int* row, real3w from, const LANED(Surfaces) * s) {
+FN realw LANED(directional_density)(const Scene* scene, GLOBAL const int* row, real3w from, real3w towards,
+                                    const LANED(Surfaces) * s) {
   (void)scene;
   (void)row;
   (void)from;
+  (void)towards;
   (void)s;
   return splat_w(R(0.0));
 }
 
-FN real3 LANED(directional_background)(GLOBAL const real* params) {
-  (void)params;
-  return vec3(R(0.0), R(0.0), R(0.0));
+FN real3w LANED(directional_background)(const Scene* scene, GLOBAL const int* row, real3w towards) {
+  (void)scene;
+  (void)row;
+  (void)towards;
+  return splat3_w(vec3(R(0.0), R(0.0), R(0.0)));
 }

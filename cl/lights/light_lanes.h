@@ -36,48 +36,50 @@ FN LANED(LightSample)
   return sample;
 }
 
-FN realw LANED(density_of_light)(const Scene* scene, int light, real3w from, const LANED(Surfaces) * s) {
+FN realw LANED(density_of_light)(const Scene* scene, int light, real3w from, real3w towards,
+                                 const LANED(Surfaces) * s) {
   GLOBAL const int* row = light_row(scene, light);
   switch (row[LIGHT_KIND]) {
 #define LIGHT(name)  \
   case LIGHT_##name: \
-    return LANED(name##_density)(scene, row, from, s);
+    return LANED(name##_density)(scene, row, from, towards, s);
 #include "lights/lights.def"
 #undef LIGHT
     default:
       (void)from;
+      (void)towards;
       (void)s;
       return splat_w(R(0.0));
   }
 }
 
 /// How densely light_sample draws the directions along which rays have found the lights, at s if they are surfaces.
-FN realw LANED(light_density)(const Scene* scene, maskw which, intw lights, real3w from, const LANED(Surfaces) * s) {
+FN realw LANED(light_density)(const Scene* scene, maskw which, intw lights, real3w from, real3w towards,
+                              const LANED(Surfaces) * s) {
   realw density = splat_w(R(0.0));
   for (uint lanes = bits_w(which); lanes != 0u;) {
     int light = get_int_w(&lights, first_bit(lanes));
     maskw of_light = ~nonzero_w(lights - splat_int_w(light));
-    density = sel_w(of_light, LANED(density_of_light)(scene, light, from, s), density);
+    density = sel_w(of_light, LANED(density_of_light)(scene, light, from, towards, s), density);
     lanes &= ~bits_w(of_light);
   }
   return density;
 }
 
 /// Radiance of rays that leave the scene.
-FN real3 LANED(background_radiance)(const Scene* scene) {
-  real3 none = vec3(R(0.0), R(0.0), R(0.0));
+FN real3w LANED(background_radiance)(const Scene* scene, real3w towards) {
+  real3w none = splat3_w(vec3(R(0.0), R(0.0), R(0.0)));
   int light = LIGHT_COUNT == 0 ? -1 : scene->index[HEADER_BACKGROUND];
   if (light < 0) return none;
   GLOBAL const int* row = light_row(scene, light);
-  GLOBAL const real* params = scene->shading + row[LIGHT_REALS];
-  (void)params;
   switch (row[LIGHT_KIND]) {
 #define LIGHT(name)  \
   case LIGHT_##name: \
-    return LANED(name##_background)(params);
+    return LANED(name##_background)(scene, row, towards);
 #include "lights/lights.def"
 #undef LIGHT
     default:
+      (void)towards;
       return none;
   }
 }

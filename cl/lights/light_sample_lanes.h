@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-// What points of surfaces learn of a light. One width; no guard.
+// What a point learns of a light that it draws. One width; no guard.
 
 typedef struct {
-  real3w towards;     ///< To the light; where it has a place, exactly to it: t = 1 is the light.
-  realw t_max;        ///< How far along `towards` the way must be free.
-  real3w irradiance;  ///< On a surface perpendicular to `towards`; zero: no light from there.
-  intw aim;           ///< Id of the flat primitive that the place is on; -1: none.
-  realw density;      ///< Of that direction, per solid angle; 0: it is the only one.
+  real3w towards;   ///< To the light; where it has a place, exactly to it: t = 1 is the light.
+  realw t_max;      ///< How far along `towards` the way must be free.
+  real3w radiance;  ///< From there; of a delta light the irradiance across `towards`. Zero: no light from there.
+  realw density;    ///< Of that direction, per solid angle, > 0 where there is light; of a delta light 1.
+  maskw is_delta;   ///< The light's only direction: no ray finds it, and it has no density over the sphere.
+  intw aim;         ///< Id of the flat primitive that the place is on; -1: none.
 } LANED(LightSample);
 
 /// What a light draws a place or a direction with, each number for one thing.
@@ -26,8 +27,10 @@ FN LANED(LightNumbers) LANED(no_numbers)(void) {
 FN LANED(LightSample) LANED(no_light)(void) {
   LANED(LightSample) s;
   realw zero = splat_w(R(0.0));
-  s.towards = s.irradiance = vec3_w(zero, zero, zero);
-  s.t_max = s.density = zero;
+  s.towards = s.radiance = vec3_w(zero, zero, zero);
+  s.t_max = zero;
+  s.density = splat_w(R(1.0));
+  s.is_delta = none_w();
   s.aim = splat_int_w(-1);
   return s;
 }
@@ -36,8 +39,9 @@ FN LANED(LightSample) LANED(no_light)(void) {
 FN LANED(LightSample) LANED(sel_light)(maskw m, LANED(LightSample) a, LANED(LightSample) b) {
   a.towards = sel3_w(m, a.towards, b.towards);
   a.t_max = sel_w(m, a.t_max, b.t_max);
-  a.irradiance = sel3_w(m, a.irradiance, b.irradiance);
-  a.aim = sel_int_w(m, a.aim, b.aim);
+  a.radiance = sel3_w(m, a.radiance, b.radiance);
   a.density = sel_w(m, a.density, b.density);
+  a.is_delta = (m & a.is_delta) | (~m & b.is_delta);
+  a.aim = sel_int_w(m, a.aim, b.aim);
   return a;
 }

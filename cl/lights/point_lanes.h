@@ -9,19 +9,24 @@ FN LANED(LightSample)
   s.towards = sub3_w(splat3_w(load3(params)), from);
   s.t_max = splat_w(R(1.0));
   realw inverse = splat_w(R(1.0)) / length3_w(s.towards);
-  s.irradiance = scale3_w(inverse, scale3_w(inverse, splat3_w(load3(params + 3))));
+  s.radiance = scale3_w(inverse, scale3_w(inverse, splat3_w(load3(params + 3))));
+  s.is_delta = ~none_w();
   return s;
 }
 
-FN realw LANED(point_density)(const Scene* scene, GLOBAL const int* row, real3w from, const LANED(Surfaces) * s) {
+FN realw LANED(point_density)(const Scene* scene, GLOBAL const int* row, real3w from, real3w towards,
+                              const LANED(Surfaces) * s) {
   (void)scene;
   (void)row;
   (void)from;
+  (void)towards;
   (void)s;
   return splat_w(R(0.0));
 }
 
-FN real3 LANED(point_background)(GLOBAL const real* params) {
-  (void)params;
-  return vec3(R(0.0), R(0.0), R(0.0));
+FN real3w LANED(point_background)(const Scene* scene, GLOBAL const int* row, real3w towards) {
+  (void)scene;
+  (void)row;
+  (void)towards;
+  return splat3_w(vec3(R(0.0), R(0.0), R(0.0)));
 }

@@ -20,8 +20,9 @@ struct DrawnLight {
   Triple<Real> towards;   ///< From the vertex.
   Real t_max;             ///< How far the way must be free, in units of `towards`.
   int id = -1;            ///< The flat primitive that the place is on; -1: none.
-  Triple<Real> radiance;  ///< Over the density: irradiance on a surface across the direction.
-  Real density;           ///< Per solid angle, of the light alone; 0: its direction is the only one.
+  Triple<Real> radiance;  ///< Of a delta light the irradiance across the direction.
+  Real density;           ///< Per solid angle, of the light alone.
+  bool is_delta = false;
 };
 
 /// By that sample of pixel 0 at a vertex `depth` surfaces behind the camera, which lies at `from`.

@@ -36,8 +36,9 @@ DrawnLight<tier::real> drawn_light(const HostBuffers<tier::real>& buffers, std::
   drawn.towards = {light.towards.x, light.towards.y, light.towards.z};
   drawn.t_max = light.t_max;
   drawn.id = light.aim;
-  drawn.radiance = {light.irradiance.x, light.irradiance.y, light.irradiance.z};
+  drawn.radiance = {light.radiance.x, light.radiance.y, light.radiance.z};
   drawn.density = light.density;
+  drawn.is_delta = light.is_delta != 0;
   return drawn;
 }
 
