@@ -13,10 +13,6 @@ FN maskw LANED(is_light_shown)(const Scene* scene, const LANED(Paths) * path) {
   return hides_emitters(scene) ? path->alive & lt_int_w(splat_int_w(0), path->depth) : path->alive;
 }
 
-FN int lights_drawn_from(const Scene* scene) {
-  return scene->index[HEADER_LIGHT_COUNT] - scene->index[HEADER_LIGHTS_TAKEN];
-}
-
 /// Of a direction that was drawn with `density` and could have been with `other`.
 FN realw LANED(balance)(realw density, realw other) {
   realw ratio = other / density, one = splat_w(R(1.0));
@@ -38,49 +34,29 @@ FN void LANED(path_add_light)(const Scene* scene, LANED(Paths) * path, const LAN
       real3w ray = LANED(real3_at)(path->rays.planes + RAY_PLANE_D);
       real3w towards = sel3_w(s->hit, sub3_w(s->position, path->from), ray);
       realw density = LANED(light_density)(scene, is_drawn, lights, path->from, towards, s);
-      density = density / splat_w((real)lights_drawn_from(scene));
+      density = density / LANED(light_rarity)(scene, lights, path->from);
       radiance = sel3_w(is_drawn, scale3_w(LANED(balance)(path->density, density), radiance), radiance);
     }
   }
   LANED(path_add)(path, is_bright, radiance);
 }
 
-/// One of the lights that are drawn from, all alike; of one light there is nothing to choose.
-FN intw LANED(chosen_light)(const Scene* scene, const LANED(Paths) * path) {
-  intw first = splat_int_w(scene->index[HEADER_LIGHTS_TAKEN]);
-  uint count = (uint)lights_drawn_from(scene);
-  if (count == 1u) return first;
-  uintw number = LANED(vertex_number)(scene, &path->sample, path->depth, USE_LIGHT);
-  return first + int_of_uint_w(high_product_w(number, splat_uint_w(count)));
-}
-
-/// What drawn lights draw places with; only a scene whose emitters have several items draws an item.
-FN LANED(LightNumbers) LANED(numbers_for_light)(const Scene* scene, const LANED(Paths) * path) {
-  LANED(LightNumbers) numbers = LANED(no_numbers)();
-  LANED(Random2) place = LANED(vertex_pair)(scene, &path->sample, path->depth, USE_PLACE);
-  numbers.u = LANED(random_between)(place.x);
-  numbers.v = LANED(random_between)(place.y);
-  if (AREA_COUNT > 0 && scene->index[HEADER_MOST_ITEMS] > 1)
-    numbers.item = LANED(vertex_number)(scene, &path->sample, path->depth, USE_ITEM);
-  return numbers;
-}
-
 /// One light of those that are taken, or one drawn of the others; is_shared: with ways that the material draws.
 FN real3w LANED(light_gain)(const Scene* scene, const LANED(Paths) * path, const LANED(Surfaces) * s,
                             const LANED(Bsdf) * b, maskw which, int i, int is_shared, LANED(LightSample) * light) {
   int taken = scene->index[HEADER_LIGHTS_TAKEN];
-  realw zero = splat_w(R(0.0));
+  realw zero = splat_w(R(0.0)), one = splat_w(R(1.0)), weight = one;
   LANED(LightNumbers) numbers = LANED(no_numbers)();
   intw lights = splat_int_w(i);
-  real share = R(1.0);
   if (i >= taken) {
-    numbers = LANED(numbers_for_light)(scene, path);
-    lights = LANED(chosen_light)(scene, path);
-    share = (real)lights_drawn_from(scene);
+    numbers = LANED(light_numbers)(scene, &path->sample, path->depth);
+    LANED(LightChoice) choice = LANED(choose_light)(scene, &path->sample, path->depth, s->position);
+    lights = choice.light;
+    weight = choice.rarity;
   }
   *light = LANED(light_sample)(scene, which, lights, s->position, numbers);
   which = which & lt_w(zero, max3_w(light->radiance));
-  realw density, weight = splat_w(share), one = splat_w(R(1.0));
+  realw density;
   real3w reflected = LANED(bsdf_eval)(b, unit3_w(light->towards), &density);
   reflected = mul3_w(reflected, scale3_w(one / light->density, light->radiance));
   if (is_shared) weight = sel_w(light->is_delta, weight, weight * LANED(balance)(light->density, weight * density));

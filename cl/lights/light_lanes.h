@@ -1,11 +1,20 @@
 // SPDX-License-Identifier: MIT
 // Dispatch over the active lights, light by light: the lanes of one are asked together. And the light that surfaces
 // emit. One width; no guard.
+#include "lights/light_table.h"
 #include "lights/light_sample_lanes.h"
 #include "lights/all_lanes.h"
+#include "choosers/chooser_lanes.h"
 
-FN GLOBAL const int* light_row(const Scene* scene, int light) {
-  return scene->index + scene->index[HEADER_LIGHTS] + light * LIGHT_INTS;
+/// What drawn lights draw places with at a vertex; only a scene whose emitters have several items draws an item.
+FN LANED(LightNumbers) LANED(light_numbers)(const Scene* scene, const LANED(SampleState) * sample, intw depth) {
+  LANED(LightNumbers) numbers = LANED(no_numbers)();
+  LANED(Random2) place = LANED(vertex_pair)(scene, sample, depth, USE_PLACE);
+  numbers.u = LANED(random_between)(place.x);
+  numbers.v = LANED(random_between)(place.y);
+  if (AREA_COUNT > 0 && scene->index[HEADER_MOST_ITEMS] > 1)
+    numbers.item = LANED(vertex_number)(scene, sample, depth, USE_ITEM);
+  return numbers;
 }
 
 FN LANED(LightSample) LANED(sample_of_light)(const Scene* scene, int light, real3w from, LANED(LightNumbers) numbers) {
@@ -83,9 +92,6 @@ FN real3w LANED(background_radiance)(const Scene* scene, real3w towards) {
       return none;
   }
 }
-
-/// The camera looks through what glows.
-FN int hides_emitters(const Scene* scene) { return HAS_HIDE_EMITTERS && scene->index[HEADER_HIDE_EMITTERS] != 0; }
 
 /// Radiance that surfaces emit against the rays' directions: on the side of their normals only.
 FN real3w LANED(emitted_radiance)(const Scene* scene, const LANED(Surfaces) * s) {

@@ -25,6 +25,7 @@ enum {
   HEADER_LIGHTS,     // -> index, LIGHT_INTS a light
   HEADER_LIGHT_COUNT,
   HEADER_LIGHTS_TAKEN,  // So many light every surface; of those after them one is drawn.
+  HEADER_CHOOSER,       // CHOOSER_uniform, ...: how that one is chosen.
   HEADER_MOST_ITEMS,    // Of a light; 0: no area lights.
   HEADER_BACKGROUND,    // The light that rays see that leave the scene; -1: none.
   HEADER_GLOWS,         // 1: a ray may find light by itself, from a surface or the background.

@@ -35,6 +35,13 @@ enum {
 };
 
 enum {
+#define CHOOSER(name) CHOOSER_##name,
+#include "choosers/choosers.def"
+#undef CHOOSER
+  CHOOSER_COUNT
+};
+
+enum {
 #define AREA(name, reals) AREA_##name,
 #include "areas/areas.def"
 #undef AREA

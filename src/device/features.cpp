@@ -133,6 +133,17 @@ bool draws(const std::string& integrator, const Causes& causes) {
          (is_lit(integrator) && (causes.contains("lights/constant") || causes.contains("EMISSION")));
 }
 
+/// The first light that is drawn, not taken by every surface.
+const Cause* drawn_light(const std::string& integrator, const Causes& causes) {
+  if (!is_lit(integrator)) return nullptr;
+  for (const char* kind : {"area", "constant", "point", "directional"}) {
+    const auto found = causes.first.find(std::string("lights/") + kind);
+    const bool is_lamp = std::string(kind) == "point" || std::string(kind) == "directional";
+    if (found != causes.first.end() && (integrator == "path" || !is_lamp)) return &found->second;
+  }
+  return nullptr;
+}
+
 Causes causes_of(const Scene& scene, const RenderSettings& settings) {
   Causes causes{left_out(settings.disabled), {}};
   shape_causes(scene, settings, causes);
@@ -143,6 +154,8 @@ Causes causes_of(const Scene& scene, const RenderSettings& settings) {
     if (seen) call_for(causes, "lights/" + kind, "an emitter of type " + kind, light.where);
   }
   const std::string& integrator = scene.integrator.name;
+  if (const Cause* drawn = drawn_light(integrator, causes))
+    call_for(causes, std::string("choosers/") + light_chooser, drawn->why, drawn->where);
   if (scene.integrator.hide_emitters && (causes.contains("EMISSION") || causes.contains("lights/constant")))
     call_for(causes, "HIDE_EMITTERS", "the integrator's hide_emitters", scene.integrator.where);
   call_for(causes, "integrators/" + integrator, "integrator " + integrator, scene.integrator.where);

@@ -36,6 +36,8 @@ struct Features {
 [[nodiscard]] std::string texture_kind(const Texture& texture);
 /// The entry of cl/samplers/samplers.def that a scene's numbers come from.
 [[nodiscard]] std::string sampler_entry(SamplerKind kind);
+/// The entry of cl/choosers/choosers.def that chooses among the lights that are drawn.
+inline constexpr const char* light_chooser = "uniform";
 
 /// Pure. settings.generic: everything on; settings.disabled: off all the same. Throws UsageError for what cannot be.
 [[nodiscard]] Features features_of(const Scene& scene, const RenderSettings& settings);

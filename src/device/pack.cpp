@@ -113,6 +113,7 @@ class Packing {
         index(layout::HEADER_BACKGROUND) = light_count(rows) - 1;
     area_lights(rows);
     index(layout::HEADER_LIGHT_COUNT) = light_count(rows);
+    index(layout::HEADER_CHOOSER) = features_.entry_index("choosers", light_chooser);
     index(layout::HEADER_LIGHTS_TAKEN) = scene_.integrator.name == "path" ? 0 : lamps;
     index(layout::HEADER_LIGHTS) = index_end();
     packed_.index.insert(packed_.index.end(), rows.begin(), rows.end());

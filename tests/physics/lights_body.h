@@ -29,10 +29,11 @@ DrawnLight<tier::real> drawn_light(const HostBuffers<tier::real>& buffers, std::
   paths_none_1(&path);
   path.depth = depth;
   path.sample = sample_begin_1(&scene, 0, sample);
-  const LightNumbers_1 numbers = numbers_for_light_1(&scene, &path);
+  const LightNumbers_1 numbers = light_numbers_1(&scene, &path.sample, depth);
   DrawnLight<real> drawn;
-  drawn.light = chosen_light_1(&scene, &path);
-  const LightSample_1 light = light_sample_1(&scene, ~0, drawn.light, vec3(from[0], from[1], from[2]), numbers);
+  const real3 at = vec3(from[0], from[1], from[2]);
+  drawn.light = choose_light_1(&scene, &path.sample, depth, at).light;
+  const LightSample_1 light = light_sample_1(&scene, ~0, drawn.light, at, numbers);
   drawn.towards = {light.towards.x, light.towards.y, light.towards.z};
   drawn.t_max = light.t_max;
   drawn.id = light.aim;

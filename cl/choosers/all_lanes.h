@@ -1,0 +1,3 @@
+// SPDX-License-Identifier: MIT
+// Every chooser. Only includes: a program holds the one that its scene calls for.
+#include "choosers/uniform_lanes.h"
