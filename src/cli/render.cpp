@@ -20,6 +20,7 @@
 #include "cli/render_frames.h"
 #include "cli/render_goal.h"
 #include "cli/summary.h"
+#include "kinds/integrators.h"
 #include "render/limitations.h"
 #include "render/renderer.h"
 #include "render/rounding_pilot.h"
@@ -176,7 +177,7 @@ ExitCode render(const RenderOptions& options, const Invocation& invocation) {
   apply(options.overrides, scene);
   for (const Diagnostic& warning : limitations(scene)) say(warning.text());
 
-  PictureFiles files{options.output, options.png, scene.integrator.name == "depth"};
+  PictureFiles files{options.output, options.png, kinds::integrator(scene.integrator.name).is_length};
   const bool only_values = options.overrides.pixel && options.output.empty();
   if (!only_values) {
     if (files.path.empty()) files.path = scene.name + ".png";

@@ -10,6 +10,8 @@
 
 #include "device/left_out.h"
 #include "device/pack_areas.h"
+#include "kinds/integrators.h"
+#include "kinds/lights.h"
 #include "render/sampling.h"
 #include "scene/material_facts.h"
 
@@ -24,6 +26,7 @@ struct Cause {
 struct Causes {
   std::set<std::string> left_out;
   std::map<std::string, Cause> first;  ///< That was found of each name.
+  bool background = false;             ///< A light that rays find where they leave the scene.
 
   [[nodiscard]] bool allow(const std::string& name) const { return !left_out.contains(name); }
   [[nodiscard]] bool contains(const std::string& name) const { return first.contains(name); }
@@ -44,34 +47,23 @@ struct TextureKind {
   std::string operator()(const Checkerboard&) const { return "checkerboard"; }
 };
 
-struct LightKind {
-  std::string operator()(const PointLight&) const { return "point"; }
-  std::string operator()(const DirectionalLight&) const { return "directional"; }
-  std::string operator()(const ConstantLight&) const { return "constant"; }
-};
-
-bool is_lit(const std::string& integrator) {
-  return integrator == "direct" || integrator == "whitted" || integrator == "path";
-}
-bool shows_light(const std::string& integrator) { return integrator == "emission" || is_lit(integrator); }
-
 const Material& material_at(const Scene& scene, int index) {
   return scene.materials.at(static_cast<std::size_t>(index));
 }
 
 void shape_causes(const Scene& scene, const RenderSettings& settings, Causes& causes) {
-  const bool lit = shows_light(scene.integrator.name);
-  const bool reflects = is_lit(scene.integrator.name);
+  const kinds::IntegratorFacts& integrator = kinds::integrator(scene.integrator.name);
+  const bool lit = integrator.shows_emission;
+  const bool reflects = integrator.is_lit();
   // Normals interpolated over a mesh reach the picture through lighting, the normals picture and its AOV.
-  const bool shading = reflects || scene.integrator.name == "normals" || scene.integrator.name == "ao" ||
-                       settings.aovs.contains(Aov::normal);
+  const bool shading = integrator.reads_shading || settings.aovs.contains(Aov::normal);
   auto use_material = [&](int index, const SourceLocation& where) {
     const Material& material = material_at(scene, index);
     const MaterialFacts facts = material_facts(material);
     const SourceLocation& place = material.where.line > 0 ? material.where : where;
     call_for(causes, "materials/" + facts.kind, "material of type " + facts.kind, place);
     if (facts.is_twosided) call_for(causes, "TWOSIDED", "a twosided material", place);
-    if (scene.integrator.name == "whitted" &&
+    if (integrator.follows == kinds::Follows::mirrors &&
         facts.has_lobe(lobes::LOBE_REFLECT | lobes::LOBE_TRANSMIT | lobes::LOBE_DELTA))
       call_for(causes, "BRANCHES", "a material that reflects and transmits", place);
     bool is_textured = false;
@@ -128,46 +120,51 @@ void shape_causes(const Scene& scene, const RenderSettings& settings, Causes& ca
 }
 
 /// Does a sample draw more than its place in the pixel?
-bool draws(const std::string& integrator, const Causes& causes) {
-  return integrator == "path" || integrator == "ao" ||
-         (is_lit(integrator) && (causes.contains("lights/constant") || causes.contains("EMISSION")));
+bool draws(const kinds::IntegratorFacts& integrator, const Causes& causes) {
+  return integrator.follows == kinds::Follows::paths || integrator.asks_openness ||
+         (integrator.is_lit() && (causes.contains("EMISSION") || causes.background));
 }
 
-/// The first light that is drawn, not taken by every surface.
-const Cause* drawn_light(const std::string& integrator, const Causes& causes) {
-  if (!is_lit(integrator)) return nullptr;
-  for (const char* kind : {"area", "constant", "point", "directional"}) {
-    const auto found = causes.first.find(std::string("lights/") + kind);
-    const bool is_lamp = std::string(kind) == "point" || std::string(kind) == "directional";
-    if (found != causes.first.end() && (integrator == "path" || !is_lamp)) return &found->second;
+/// Lights outside shapes, and what chooses among lights where any is drawn.
+void light_causes(const Scene& scene, Causes& causes) {
+  const kinds::IntegratorFacts& integrator = kinds::integrator(scene.integrator.name);
+  const Cause* drawn = nullptr;
+  const auto note = [&](const std::string& effect) {
+    const auto found = causes.first.find(effect);
+    if (found != causes.first.end() && drawn == nullptr) drawn = &found->second;
+  };
+  note("lights/area");
+  for (const Light& light : scene.lights) {
+    const kinds::LightFacts& facts = kinds::light(light);
+    if (!integrator.is_lit() && !(integrator.shows_emission && facts.is_background)) continue;
+    const std::string kind = facts.entry, effect = "lights/" + kind;
+    call_for(causes, effect, "an emitter of type " + kind, light.where);
+    causes.background = causes.background || (facts.is_background && causes.contains(effect));
+    if (!facts.is_delta || integrator.lamps == kinds::Lamps::drawn) note(effect);
   }
-  return nullptr;
+  if (integrator.is_lit() && drawn != nullptr)
+    call_for(causes, std::string("choosers/") + light_chooser, drawn->why, drawn->where);
 }
 
 Causes causes_of(const Scene& scene, const RenderSettings& settings) {
   Causes causes{left_out(settings.disabled), {}};
   shape_causes(scene, settings, causes);
   if (!scene.instances.empty()) call_for(causes, "INSTANCES", "an instance of a group", scene.instances.front().where);
-  for (const Light& light : scene.lights) {
-    const std::string kind = std::visit(LightKind{}, light.emitter);
-    const bool seen = is_lit(scene.integrator.name) || (scene.integrator.name == "emission" && kind == "constant");
-    if (seen) call_for(causes, "lights/" + kind, "an emitter of type " + kind, light.where);
-  }
+  light_causes(scene, causes);
   const std::string& integrator = scene.integrator.name;
-  if (const Cause* drawn = drawn_light(integrator, causes))
-    call_for(causes, std::string("choosers/") + light_chooser, drawn->why, drawn->where);
-  if (scene.integrator.hide_emitters && (causes.contains("EMISSION") || causes.contains("lights/constant")))
+  const kinds::IntegratorFacts& facts = kinds::integrator(integrator);
+  if (scene.integrator.hide_emitters && (causes.contains("EMISSION") || causes.background))
     call_for(causes, "HIDE_EMITTERS", "the integrator's hide_emitters", scene.integrator.where);
   call_for(causes, "integrators/" + integrator, "integrator " + integrator, scene.integrator.where);
   // Whatever the number of samples, which must not change the program; a filter of width 0 serves the centre by
   // default.
   const bool is_spread = scene.sampler.kind != SamplerKind::centre;
   if (is_spread) call_for(causes, "PIXEL_FILTER", "samples anywhere but at the pixels' centres", scene.sampler.where);
-  if (is_spread || draws(integrator, causes)) {
+  if (is_spread || draws(facts, causes)) {
     const std::string sampler = sampler_entry(resolve_sampling(scene).kind);
     call_for(causes, "samplers/" + sampler, "numbers that samples draw", scene.sampler.where);
   }
-  if (integrator == "ao") call_for(causes, "OPENNESS", "integrator ao", scene.integrator.where);
+  if (facts.asks_openness) call_for(causes, "OPENNESS", "integrator ao", scene.integrator.where);
   if (!settings.aovs.empty()) call_for(causes, "AOV", "--aov", {});
   if (settings.estimate_error) call_for(causes, "ERROR_SUMS", "the estimate of the picture's error", {});
   if (settings.count_rays) call_for(causes, "COUNT_RAYS", "--stats-detail", {});
@@ -179,7 +176,7 @@ Causes causes_of(const Scene& scene, const RenderSettings& settings) {
 
 std::string shape_kind(const Shape& shape) { return std::visit(ShapeKind{}, shape.geometry); }
 std::string texture_kind(const Texture& texture) { return std::visit(TextureKind{}, texture.pattern); }
-std::string light_kind(const Light& light) { return std::visit(LightKind{}, light.emitter); }
+std::string light_kind(const Light& light) { return kinds::light(light).entry; }
 
 std::string sampler_entry(SamplerKind kind) { return kind == SamplerKind::independent ? "independent" : "sobol"; }
 

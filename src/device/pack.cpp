@@ -16,6 +16,8 @@
 #include "device/pack_shapes.h"
 #include "device/shape_parts.h"
 #include "device/uv_rates.h"
+#include "kinds/integrators.h"
+#include "kinds/lights.h"
 #include "render/sampling.h"
 
 namespace strahl {
@@ -101,20 +103,23 @@ class Packing {
     }
   }
 
-  /// Point and directional lights first: direct and whitted take all of those, and draw one of the rest.
+  /// Delta lights first: those that are taken come before those that are drawn.
   void lights() {
     std::vector<std::int32_t> rows;
     index(layout::HEADER_BACKGROUND) = -1;
     for (const Light& light : scene_.lights)
-      if (!std::holds_alternative<ConstantLight>(light.emitter)) put_light(light, rows);
+      if (kinds::light(light).is_delta) put_light(light, rows);
     const auto lamps = light_count(rows);
-    for (const Light& light : scene_.lights)
-      if (std::holds_alternative<ConstantLight>(light.emitter) && put_light(light, rows))
+    for (const Light& light : scene_.lights) {
+      const kinds::LightFacts& facts = kinds::light(light);
+      if (!facts.is_delta && put_light(light, rows) && facts.is_background)
         index(layout::HEADER_BACKGROUND) = light_count(rows) - 1;
+    }
     area_lights(rows);
     index(layout::HEADER_LIGHT_COUNT) = light_count(rows);
     index(layout::HEADER_CHOOSER) = features_.entry_index("choosers", light_chooser);
-    index(layout::HEADER_LIGHTS_TAKEN) = scene_.integrator.name == "path" ? 0 : lamps;
+    index(layout::HEADER_LIGHTS_TAKEN) =
+        kinds::integrator(scene_.integrator.name).lamps == kinds::Lamps::drawn ? 0 : lamps;
     index(layout::HEADER_LIGHTS) = index_end();
     packed_.index.insert(packed_.index.end(), rows.begin(), rows.end());
   }
@@ -127,20 +132,8 @@ class Packing {
   bool put_light(const Light& light, std::vector<std::int32_t>& rows) {
     const int kind = features_.entry_index("lights", light_kind(light));
     if (kind < 0) return false;
-    std::vector<double> reals;
-    if (const auto* point = std::get_if<PointLight>(&light.emitter)) {
-      const Vec3 p = options_.frame.point(point->position);
-      const double area = options_.frame.scale * options_.frame.scale;
-      reals = {p.x, p.y, p.z, area * point->intensity.r, area * point->intensity.g, area * point->intensity.b};
-    } else if (const auto* sun = std::get_if<DirectionalLight>(&light.emitter)) {
-      const Vec3 d = normalized(sun->direction);
-      reals = {d.x, d.y, d.z, sun->irradiance.r, sun->irradiance.g, sun->irradiance.b};
-    } else {
-      const Rgb& radiance = std::get<ConstantLight>(light.emitter).radiance;
-      reals = {radiance.r, radiance.g, radiance.b};
-      glow(radiance);
-    }
-    rows.insert(rows.end(), {kind, put_shading(reals), 0, 0, 0, -1});
+    if (kinds::light_glows(light)) index(layout::HEADER_GLOWS) = 1;
+    rows.insert(rows.end(), {kind, put_shading(kinds::light_reals(light, options_.frame)), 0, 0, 0, -1});
     return true;
   }
 
@@ -361,7 +354,8 @@ class Packing {
 }  // namespace
 
 int most_surfaces(const IntegratorSettings& integrator) {
-  if (integrator.max_depth >= 0 || integrator.name != "path") return integrator.max_depth;
+  if (integrator.max_depth >= 0 || kinds::integrator(integrator.name).follows != kinds::Follows::paths)
+    return integrator.max_depth;
   constexpr int most = std::numeric_limits<int>::max();
   return std::min(integrator.rr_depth, most - layout::ROULETTE_LONGEST) + layout::ROULETTE_LONGEST;
 }

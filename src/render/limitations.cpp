@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "device/pack_areas.h"
+#include "kinds/integrators.h"
 #include "scene/material_facts.h"
 
 namespace strahl {
@@ -41,10 +42,9 @@ bool emits_light(const Light& light, bool must_be_seen) {
 std::optional<std::string> emptiness(const Scene& scene) {
   if (scene.shapes.empty() && scene.instances.empty())
     return "the scene has no shape: no ray hits anything; add a <shape>";
-  const std::vector<std::string> lit{"direct", "whitted", "path", "emission"};
-  const std::string& integrator = scene.integrator.name;
-  if (std::find(lit.begin(), lit.end(), integrator) == lit.end()) return std::nullopt;
-  const bool must_be_seen = integrator == "emission";
+  const kinds::IntegratorFacts& integrator = kinds::integrator(scene.integrator.name);
+  if (!integrator.shows_emission) return std::nullopt;
+  const bool must_be_seen = !integrator.is_lit();
   const auto shape_emits = [](const Shape& shape) { return emits_light(shape); };
   const auto light_emits = [&](const Light& light) { return emits_light(light, must_be_seen); };
   if (std::any_of(scene.shapes.begin(), scene.shapes.end(), shape_emits) ||
@@ -53,7 +53,7 @@ std::optional<std::string> emptiness(const Scene& scene) {
   return fmt::format(
       "nothing in the scene emits light{}: integrator {} makes a black picture; add an <emitter>, or see "
       "the shapes with --integrator normals or ao",
-      must_be_seen ? " that is seen" : "", integrator);
+      must_be_seen ? " that is seen" : "", scene.integrator.name);
 }
 
 }  // namespace
@@ -63,8 +63,8 @@ std::vector<Diagnostic> limitations(const Scene& scene) {
   if (const std::optional<std::string> why = emptiness(scene))
     warnings.push_back(
         {Severity::warning, scene.integrator.where.file.empty() ? scene.camera.where : scene.integrator.where, *why});
-  const std::string& integrator = scene.integrator.name;
-  const bool is_direct = integrator == "direct", is_whitted = integrator == "whitted";
+  const kinds::Follows follows = kinds::integrator(scene.integrator.name).follows;
+  const bool is_direct = follows == kinds::Follows::one_way, is_whitted = follows == kinds::Follows::mirrors;
   if (!(is_direct || is_whitted) || (scene.integrator.max_depth >= 0 && scene.integrator.max_depth < 2))
     return warnings;
   const auto warn = [&](const SourceLocation& where, std::string message) {

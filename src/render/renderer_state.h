@@ -9,6 +9,7 @@
 #include "device/cl_layout.h"
 #include "device/program_text.h"
 #include "device/scene_buffers.h"
+#include "kinds/integrators.h"
 #include "render/film.h"
 #include "render/launch_plan.h"
 #include "render/pass_plan.h"
@@ -38,7 +39,9 @@ struct Renderer::State {
   /// The textbook's renderer keeps the world's coordinates, whatever they cost it.
   [[nodiscard]] Frame frame() const { return settings.precision == Precision::fast ? Frame{} : camera_frame(scene); }
   /// Radiance is the same in every frame, but where it is a length.
-  [[nodiscard]] double radiance_unit() const { return scene.integrator.name == "depth" ? 1 / frame().scale : 1; }
+  [[nodiscard]] double radiance_unit() const {
+    return kinds::integrator(scene.integrator.name).is_length ? 1 / frame().scale : 1;
+  }
   [[nodiscard]] bool has_aov() const { return features.flag("AOV"); }
   [[nodiscard]] std::size_t real_bytes() const { return settings.precision == Precision::fp64 ? 8 : 4; }
   [[nodiscard]] std::size_t aov_real_bytes(std::size_t pixels) const {

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "render/sampling.h"
 
+#include "kinds/integrators.h"
+
 namespace strahl {
 
 ResolvedSampling resolve_sampling(const Scene& scene) {
   const SamplerSettings& stated = scene.sampler;
-  const bool noiseless =
-      scene.integrator.name == "emission" || scene.integrator.name == "depth" || scene.integrator.name == "normals";
+  const bool noiseless = kinds::integrator(scene.integrator.name).is_noiseless;
   // A stated sampler or more than one sample asks for antialiasing; otherwise one ray through each pixel's middle.
   const bool one_ray = noiseless && stated.sample_count.value_or(1) == 1;
   ResolvedSampling sampling{};

@@ -9,6 +9,7 @@
 #include <limits>
 #include <utility>
 
+#include "kinds/lights.h"
 #include "scene/material_facts.h"
 #include "scene/validate_geometry.h"
 #include "scene/xml_transform.h"
@@ -124,16 +125,7 @@ void check_texture(const Texture& texture, Checker& check) {
 
 void check_light(const Light& light, Checker& check) {
   check.at(light.where);
-  if (const auto* point = std::get_if<PointLight>(&light.emitter)) {
-    check.require(is_finite(point->position), "the position must be finite");
-    check.require_light(point->intensity, "intensity");
-  } else if (const auto* directional = std::get_if<DirectionalLight>(&light.emitter)) {
-    check.require(is_finite(directional->direction) && directional->direction != Vec3{},
-                  "the direction must be finite and not zero");
-    check.require_light(directional->irradiance, "irradiance");
-  } else {
-    check.require_light(std::get<ConstantLight>(light.emitter).radiance, "radiance");
-  }
+  for (const std::string& fault : kinds::light_faults(light)) check.require(false, "{}", fault);
 }
 
 void check_camera(const Camera& camera, Checker& check) {
@@ -173,12 +165,12 @@ std::vector<Diagnostic> validate(const Scene& scene) {
   check.require(!scene.materials.empty(), "materials[0], the default, is missing");
   for (const Material& material : scene.materials) check_material(material, scene, check);
   for (const Texture& texture : scene.textures) check_texture(texture, check);
-  int constants = 0;
+  int backgrounds = 0;
   for (const Light& light : scene.lights) {
     check_light(light, check);
-    constants += std::holds_alternative<ConstantLight>(light.emitter) ? 1 : 0;
-    check.require(constants <= 1 || !std::holds_alternative<ConstantLight>(light.emitter),
-                  "a scene has one constant emitter at most");
+    const bool is_background = kinds::light(light).is_background;
+    backgrounds += is_background ? 1 : 0;
+    check.require(backgrounds <= 1 || !is_background, "a scene has one constant emitter at most");
   }
   check_camera(scene.camera, check);
   check_film(scene.film, check);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "kinds/integrators.h"
 #include "scene/did_you_mean.h"
 #include "scene/properties.h"
 #include "scene/readers/readers.h"
@@ -12,7 +13,7 @@
 namespace strahl {
 
 IntegratorSettings read_integrator(const XmlElement& element, SceneBuilder& builder) {
-  static const std::vector<std::string> known{"emission", "depth", "normals", "direct", "whitted", "path", "ao"};
+  const std::vector<std::string>& known = kinds::integrator_names();
   Properties properties(element, builder.ids, builder.diagnostics);
   IntegratorSettings integrator;
   integrator.where = element.where;

@@ -2,6 +2,9 @@
 // Emitters outside shapes: point, directional, constant.
 #include <fmt/format.h>
 
+#include <algorithm>
+
+#include "kinds/lights.h"
 #include "scene/properties.h"
 #include "scene/readers/plugin_table.h"
 #include "scene/readers/readers.h"
@@ -44,17 +47,13 @@ Emitter read_constant(Properties& properties) { return ConstantLight{emission(pr
 
 const PluginTable<LightReader>& light_readers() {
   static const PluginTable<LightReader> table{
-#define LIGHT(type, reader) {#type, reader},
-#include "scene/readers/lights.def"
-#undef LIGHT
-  };
+      {"point", read_point}, {"directional", read_directional}, {"constant", read_constant}};
   return table;
 }
 
-bool has_constant(const Scene& scene) {
-  for (const Light& light : scene.lights)
-    if (std::holds_alternative<ConstantLight>(light.emitter)) return true;
-  return false;
+bool has_background(const Scene& scene) {
+  return std::any_of(scene.lights.begin(), scene.lights.end(),
+                     [](const Light& light) { return kinds::light(light).is_background; });
 }
 
 }  // namespace
@@ -74,7 +73,7 @@ void read_light(const XmlElement& element, SceneBuilder& builder) {
     return;
   }
   Light light{properties.id(), (*reader)(properties), element.where};
-  if (std::holds_alternative<ConstantLight>(light.emitter) && has_constant(builder.scene))
+  if (kinds::light(light).is_background && has_background(builder.scene))
     builder.diagnostics.error(element.where, "a scene has one constant emitter at most");
   properties.accept({"sampling_weight"});
   properties.report_unknown();

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "kinds/integrators.h"
 #include "render/sampler_name.h"
 
 namespace strahl {
@@ -26,9 +27,7 @@ bool TradeoffSetting::is_same_but_for_samples(const TradeoffSetting& other) cons
   return as_many == other;
 }
 
-bool has_depth(const IntegratorSettings& integrator) {
-  return integrator.name == "path" || integrator.name == "whitted";
-}
+bool has_depth(const IntegratorSettings& integrator) { return kinds::integrator(integrator.name).has_depth(); }
 
 Scene scene_of(Scene scene, const TradeoffSetting& setting) {
   scene.sampler.kind = setting.sampler;

@@ -11,6 +11,7 @@
 #include "image/file_bytes.h"
 #include "image/image_io.h"
 #include "image/metrics.h"
+#include "kinds/integrators.h"
 #include "render/stopwatch.h"
 #include "study/tradeoff/json.h"
 #include "study/tradeoff/measure.h"
@@ -27,7 +28,7 @@ std::string reference_identity(const TradeoffOptions& options) {
 
 /// Distances are shown divided by the largest; light as it is.
 double exposure_of(const Scene& scene, const Image& reference) {
-  if (scene.integrator.name != "depth") return 0;
+  if (!kinds::integrator(scene.integrator.name).is_length) return 0;
   const float largest = *std::max_element(reference.data.begin(), reference.data.end());
   return largest > 0 ? -std::log2(static_cast<double>(largest)) : 0;
 }

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// What the host has to know of each integrator, one row each (integrators.cpp). An entry of
+// cl/integrators/integrators.def without a row does not compile.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace strahl::kinds {
+
+/// Ways on from a surface.
+enum class Follows {
+  nothing,
+  one_way,  ///< One that the material draws, where emission alone counts.
+  mirrors,  ///< Mirrors, as far as they lead.
+  paths     ///< Ways that the material draws, until Russian roulette ends them.
+};
+
+/// Point and directional lights.
+enum class Lamps {
+  unused,
+  taken,  ///< All of them light every surface; of the other lights one is drawn.
+  drawn   ///< One of all lights is drawn.
+};
+
+struct IntegratorFacts {
+  const char* name;
+  Lamps lamps = Lamps::unused;  ///< Used by all that is lit: materials reflect.
+  Follows follows = Follows::nothing;
+  bool shows_emission = false;  ///< What emits is seen.
+  bool reads_shading = false;   ///< Interpolated normals change the picture.
+  bool asks_openness = false;   ///< Draws a way into the open.
+  bool is_noiseless = false;    ///< A ray's value is exact: one sample by default.
+  bool is_length = false;       ///< The picture is a distance, not light.
+
+  [[nodiscard]] bool is_lit() const { return lamps != Lamps::unused; }
+  /// max_depth limits more than the first surface's light.
+  [[nodiscard]] bool has_depth() const { return follows == Follows::mirrors || follows == Follows::paths; }
+};
+
+/// Throws std::logic_error for a name that is no entry.
+[[nodiscard]] const IntegratorFacts& integrator(const std::string& name);
+
+/// Every entry, in the list's order.
+[[nodiscard]] const std::vector<std::string>& integrator_names();
+
+}  // namespace strahl::kinds

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// What the host has to know of each kind of light outside shapes, one row each (lights.cpp). A kind of Light::emitter
+// without a row does not compile.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "scene/scene.h"
+
+namespace strahl {
+struct Frame;
+}
+
+namespace strahl::kinds {
+
+struct LightFacts {
+  const char* entry;           ///< Of cl/lights/lights.def.
+  bool is_delta = false;       ///< One direction at each point: no ray finds it (Lamps in kinds/integrators.h).
+  bool is_background = false;  ///< Rays that leave the scene find it; a scene has one at most.
+};
+
+[[nodiscard]] const LightFacts& light(const Light& light);
+
+/// Its parameters, as its file in cl/lights says, in the frame's units.
+[[nodiscard]] std::vector<double> light_reals(const Light& light, const Frame& frame);
+
+/// Whether any ray may find light from it.
+[[nodiscard]] bool light_glows(const Light& light);
+
+/// What is wrong with it, in words; empty where all is well.
+[[nodiscard]] std::vector<std::string> light_faults(const Light& light);
+
+}  // namespace strahl::kinds
