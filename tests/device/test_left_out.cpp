@@ -70,5 +70,6 @@ TEST_CASE("Effects that are unknown or needed cannot be disabled, and the messag
   CHECK_THAT(message("AOV"), Catch::Contains("--aov"));
   for (const std::string& list : list_folders())
     for (const std::string& entry : list_entries(list))
-      CHECK((message(list + "/" + entry).empty()) == (list != "integrators" && list != "samplers" && list != "choosers"));
+      CHECK((message(list + "/" + entry).empty()) ==
+            (list != "integrators" && list != "samplers" && list != "choosers"));
 }
