@@ -8,19 +8,45 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <mutex>
 
 #include "errors.h"
 
 namespace strahl::cli {
 
+namespace {
+
+std::mutex mutex;
+bool is_shown = false;  ///< There is a line that goes with the next one.
+
+void wipe() noexcept {
+  if (is_shown) std::fputs("\r\033[K", stderr);
+  is_shown = false;
+}
+
+}  // namespace
+
 void print(const std::string& text) {
+  const std::scoped_lock lock(mutex);
+  wipe();
   if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)
     throw Error(std::string("cannot write to standard output: ") + std::strerror(errno));
 }
 
 void say(const std::string& line) noexcept {
+  const std::scoped_lock lock(mutex);
+  wipe();
   std::fwrite(line.data(), 1, line.size(), stderr);
   std::fputc('\n', stderr);
+}
+
+void show_line(const std::string& line) noexcept {
+  const std::scoped_lock lock(mutex);
+  if (line.empty()) return wipe();
+  std::fputc('\r', stderr);
+  std::fwrite(line.data(), 1, line.size(), stderr);
+  std::fputs("\033[K", stderr);
+  is_shown = true;
 }
 
 void reserve_standard_streams() noexcept {

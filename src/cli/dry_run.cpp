@@ -1,91 +1,91 @@
 // SPDX-License-Identifier: MIT
 #include "cli/dry_run.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "cli/console.h"
 #include "cli/output_file.h"
+#include "cli/process_clock.h"
+#include "render/pilot.h"
+#include "render/rounding_pilot.h"
 #include "render/sampling.h"
+#include "render/stopwatch.h"
 
 namespace strahl::cli {
 namespace {
 
-constexpr int first_spp = 4;         ///< The fewest that tell an error.
-constexpr double pilot_share = 0.3;  ///< Seconds, for the second part of the pilot.
+using Json = nlohmann::ordered_json;
 
-struct Prediction {
-  double spp = 0, seconds = 0;
-  std::optional<double> rmse;
-};
-
-/// Two short renders: the second says what a sample takes, both together how the error falls with their number.
-struct Pilot {
-  double setup = 0;           ///< Seconds from the start of the process to the first sample.
-  double sample_seconds = 0;  ///< One of every pixel.
-  double finish = 0;          ///< From the last sample to the picture.
-  double spp = 0, rmse = 0;
-  double exponent = 0.5;  ///< rmse ~ spp^-exponent
-
-  [[nodiscard]] double rmse_at(double n) const { return rmse * std::pow(spp / n, exponent); }
-  [[nodiscard]] double seconds_at(double n, double end) const { return setup + n * sample_seconds + finish + end; }
-};
-
-Pilot pilot_of(Renderer& renderer, const Invocation& invocation) {
-  Pilot pilot;
-  pilot.setup = invocation.seconds();
-  RenderGoal goal;
-  const int first = std::max(first_spp, renderer.samples_at_once());
-  goal.spp = first;
-  const RenderResult few = renderer.render({}, goal);
-  const double few_seconds = few.stats.seconds.kernel / first;
-  goal.spp =
-      std::clamp(static_cast<int>(pilot_share / few_seconds) / first * first, 2 * first, std::max(64, 2 * first));
-  const RenderResult more = few_seconds * first > 2 * pilot_share ? few : renderer.render({}, goal);
-  pilot.spp = more.stats.spp;
-  pilot.sample_seconds = more.stats.seconds.kernel / pilot.spp;
-  pilot.finish = more.stats.seconds.readback + more.stats.seconds.error;
-  if (!more.error || !few.error) return pilot;
-  pilot.rmse = more.error->rmse;
-  if (pilot.spp > first && pilot.rmse > 0)
-    pilot.exponent = std::clamp(std::log(few.error->rmse / pilot.rmse) / std::log(pilot.spp / first), 0.45, 1.0);
-  return pilot;
+PredictedGoal goal_from(const RenderOptions& options, int scene_spp) {
+  PredictedGoal goal;
+  const bool is_open = options.goal.time || options.goal.max_error;
+  goal.spp = options.overrides.spp.value_or(is_open ? max_spp : scene_spp);
+  goal.max_error = options.goal.max_error;
+  if (options.goal.time) goal.seconds = duration_seconds(*options.goal.time);
+  return goal;
 }
 
-Prediction predict(const Pilot& pilot, const RenderGoal& goal, const std::optional<double>& time, int scene_spp,
-                   double end) {
-  double spp = goal.spp.value_or(time || goal.max_error ? max_spp : scene_spp);
-  if (goal.max_error && pilot.rmse > 0)
-    spp = std::min(spp,
-                   std::max(2.0 * first_spp, pilot.spp * std::pow(pilot.rmse / *goal.max_error, 1 / pilot.exponent)));
-  if (time) spp = std::min(spp, std::max(1.0, (*time - pilot.seconds_at(0, end)) / pilot.sample_seconds));
-  Prediction prediction{spp, pilot.seconds_at(spp, end), std::nullopt};
-  if (spp >= first_spp) prediction.rmse = pilot.rmse_at(spp);
-  return prediction;
+/// The dry run itself leaves the program and the canary's answers in the caches, so that the render only loads them.
+void set_start(const Renderer& renderer, const Preparation& preparation, double seconds, RunCosts& costs) {
+  costs.start = seconds;
+  const std::optional<double> built = renderer.build_seconds();
+  if (!built) return;
+  const Stopwatch loading;
+  const double reload = renderer.load_program_again() ? loading.seconds() : 0;
+  costs.start = std::max(0.0, seconds - *built - preparation.canary_seconds);
+  costs.start_more = 2 * reload + preparation.canary_seconds;
+}
+
+std::optional<ErrorLaw> law_of(const Pilot& pilot) {
+  if (pilot.looks.empty()) return std::nullopt;
+  return error_law(pilot.looks, pilot.common_spread);
+}
+
+void set_pilot(const Pilot& pilot, const Preparation& preparation, const PredictedGoal& goal, RunCosts& costs) {
+  costs.passes = pilot.passes;
+  costs.spread = pilot.spread;
+  costs.look = pilot.look_seconds;
+  costs.end = pilot.look_seconds + preparation.end_seconds + expected_exit_seconds();
+  costs.extra_share = goal.seconds ? 0 : rounding_share;
+}
+
+Json range_json(const Range& range) { return {{"low", range.low}, {"high", range.high}}; }
+
+Json json_of(const Prediction& p, const Pilot& pilot, const std::optional<ErrorLaw>& law) {
+  return {{"predicted",
+           {{"seconds", p.seconds.middle},
+            {"spp", p.spp.middle},
+            {"rmse", p.rmse ? Json(p.rmse->middle) : Json(nullptr)},
+            {"confidence", prediction_confidence},
+            {"seconds_interval", range_json(p.seconds)},
+            {"spp_interval", range_json(p.spp)},
+            {"rmse_interval", p.rmse ? range_json(*p.rmse) : Json(nullptr)}}},
+          {"pilot",
+           {{"spp", pilot.passes.back().samples},
+            {"sample_seconds", pilot.passes.back().seconds / pilot.passes.back().samples},
+            {"exponent", law ? Json(law->exponent / 2) : Json(nullptr)},
+            {"seconds", pilot.seconds},
+            {"share", pilot.share}}}};
 }
 
 }  // namespace
 
-ExitCode dry_run(Renderer& renderer, const RenderOptions& options, const Invocation& invocation, int scene_spp,
-                 double end_seconds) {
-  const Pilot pilot = pilot_of(renderer, invocation);
-  std::optional<double> time;
-  if (options.goal.time) time = duration_seconds(*options.goal.time);
-  const Prediction p = predict(pilot, goal_of(options, invocation, end_seconds), time, scene_spp, end_seconds);
-  const std::string error = p.rmse ? fmt::format("RMSE {:.2g}", *p.rmse) : "error not known with fewer than 4 samples";
-  print(fmt::format("{:.2f} s expected, {:.0f} samples a pixel, {}\n", p.seconds, p.spp, error));
-  if (!options.stats.empty())
-    write_text(
-        options.stats,
-        nlohmann::ordered_json{
-            {"predicted",
-             {{"seconds", p.seconds}, {"spp", p.spp}, {"rmse", p.rmse ? nlohmann::ordered_json(*p.rmse) : nullptr}}},
-            {"pilot", {{"spp", pilot.spp}, {"sample_seconds", pilot.sample_seconds}, {"exponent", pilot.exponent}}}}
-                .dump(2) +
-            "\n");
+ExitCode dry_run(Renderer& renderer, const RenderOptions& options, const Invocation& invocation,
+                 const Preparation& preparation) {
+  const PredictedGoal goal = goal_from(options, preparation.scene_spp);
+  RunCosts costs;
+  set_start(renderer, preparation, invocation.seconds(), costs);
+  const Pilot pilot = run_pilot(renderer, goal.spp, [&](const Pilot& so_far) {
+    if (so_far.passes.empty()) return pilot_seconds(0);
+    RunCosts known = costs;
+    set_pilot(so_far, preparation, goal, known);
+    return pilot_seconds(predict(law_of(so_far), known, goal).seconds.low);
+  });
+  set_pilot(pilot, preparation, goal, costs);
+  const std::optional<ErrorLaw> law = law_of(pilot);
+  const Prediction prediction = predict(law, costs, goal);
+  print(prediction_text(prediction));
+  if (!options.stats.empty()) write_text(options.stats, json_of(prediction, pilot, law).dump(2) + "\n");
   return ExitCode::ok;
 }
 

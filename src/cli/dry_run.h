@@ -3,12 +3,25 @@
 #pragma once
 
 #include "cli/render_goal.h"
+#include "render/prediction.h"
 
 namespace strahl::cli {
 
-/// Prints the prediction on standard output, as JSON with --stats. setup_seconds: of the process so far, the canary and
-/// the program included; end_seconds: what writing the picture will take.
+/// What is known of a run before its pilot.
+struct Preparation {
+  double canary_seconds = 0;
+  double end_seconds = 0;  ///< What writing the picture will take.
+  int scene_spp = 1;
+};
+
+/// Prints the prediction on standard output, as JSON with --stats.
 [[nodiscard]] ExitCode dry_run(Renderer& renderer, const RenderOptions& options, const Invocation& invocation,
-                               int scene_spp, double end_seconds);
+                               const Preparation& preparation);
+
+/// Seconds that a pilot may take whose render takes so many: a tenth, or a second where that is more.
+[[nodiscard]] double pilot_seconds(double render_seconds);
+
+/// Three lines: seconds, samples, RMSE, each with its interval, and how far to trust them.
+[[nodiscard]] std::string prediction_text(const Prediction& prediction);
 
 }  // namespace strahl::cli

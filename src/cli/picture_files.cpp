@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <filesystem>
 
 #include "cli/console.h"
@@ -17,22 +16,6 @@
 
 namespace strahl::cli {
 namespace {
-
-float largest_finite(const Image& image) {
-  float largest = 0;
-  for (const float value : image.data)
-    if (std::isfinite(value)) largest = std::max(largest, value);
-  return largest;
-}
-
-void say_losses(const std::string& path, const Image& image, const WriteReport& report, double exposure) {
-  if (report.invalid > 0)
-    say(fmt::format("{}: {} of {} values are not finite", path, report.invalid, image.data.size()));
-  if (report.clipped == 0) return;
-  const double stops = std::floor(-std::log2(largest_finite(image)));
-  const std::string remedy = stops < exposure ? fmt::format("; --exposure {:.0f} shows them", stops) : "";
-  say(fmt::format("{}: {} of {} values clipped at 1{}", path, report.clipped, image.data.size(), remedy));
-}
 
 /// All channels of both in one image: what an EXR file holds.
 Image merged(const Image& color, const Image& aov) {
@@ -53,15 +36,17 @@ Image merged(const Image& color, const Image& aov) {
   return all;
 }
 
-WriteReport write_color(const PictureFiles& files, Image color, bool is_png, bool quiet) {
+Written write_color(const PictureFiles& files, Image color, bool is_png, bool quiet) {
   if (is_png && files.scale_color) {
     const double largest = scale_to_largest(color, "depth.white");
     if (!quiet && largest > 0)
       say(fmt::format("{}: values divided by the largest, {:.6g}; .exr and .pfm keep them", files.path, largest));
   }
   const WriteReport report = write_image(color, files.path, files.png);
-  if (!quiet) say_losses(files.path, color, report, files.png.exposure);
-  return is_png && files.scale_color ? WriteReport{} : report;
+  if (!quiet && report.invalid > 0)
+    say(fmt::format("{}: {} of {} values are not finite", files.path, report.invalid, color.data.size()));
+  if (!is_png || files.scale_color) return {is_png ? WriteReport{} : report, std::nullopt};
+  return {report, clipping_of(color, files.png.exposure, files.lamps)};
 }
 
 }  // namespace
@@ -78,14 +63,14 @@ void require_writable(const PictureFiles& files) {
   require_writable(files.path);
 }
 
-WriteReport write(const PictureFiles& files, const RenderResult& result,
-                  const std::map<std::string, std::string>& metadata, bool quiet) {
+Written write(const PictureFiles& files, const RenderResult& result, const std::map<std::string, std::string>& metadata,
+              bool quiet) {
   const ImageFormat format = image_format(files.path);
   Image color = result.color;
   color.metadata = metadata;
   if (format == ImageFormat::exr) return write_color(files, merged(color, result.aov), false, quiet);
-  const WriteReport report = write_color(files, std::move(color), format == ImageFormat::png, quiet);
-  if (result.aov.data.empty()) return report;
+  const Written written = write_color(files, std::move(color), format == ImageFormat::png, quiet);
+  if (result.aov.data.empty()) return written;
   for (const std::string& name : layers(result.aov)) {
     Image values = layer(result.aov, name);
     values.metadata = metadata;
@@ -94,7 +79,7 @@ WriteReport write(const PictureFiles& files, const RenderResult& result,
     static_cast<void>(write_image(format == ImageFormat::png ? display(values, name) : plain(values),
                                   path_beside(files.path, name), as_they_are));
   }
-  return report;
+  return written;
 }
 
 void write_error_map(const std::string& path, const Image& standard_error,

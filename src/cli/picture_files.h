@@ -2,8 +2,11 @@
 // The files of a rendered picture: one, or with AOVs in a PNG or PFM one a layer beside it.
 #pragma once
 
+#include <optional>
 #include <string>
+#include <vector>
 
+#include "cli/clipping.h"
 #include "image/image_io.h"
 #include "render/renderer.h"
 
@@ -13,6 +16,13 @@ struct PictureFiles {
   std::string path;
   PngOptions png;
   bool scale_color = false;  ///< The picture's values are distances: a PNG shows them divided by the largest.
+  std::vector<Rgb> lamps{};  ///< lamps_of the scene.
+};
+
+/// What the picture has lost.
+struct Written {
+  WriteReport report;
+  std::optional<Clipping> clipping;  ///< None where the file has no white.
 };
 
 /// "out.depth.png" for "out.png" and "depth".
@@ -21,10 +31,10 @@ struct PictureFiles {
 /// Throws UsageError (extension) or Error (folder) where the picture could not be written.
 void require_writable(const PictureFiles& files);
 
-/// Writes the picture and its AOVs with `metadata`, and says on standard error what was clipped or scaled unless quiet.
-/// Returns what the picture has lost.
-WriteReport write(const PictureFiles& files, const RenderResult& result,
-                  const std::map<std::string, std::string>& metadata, bool quiet);
+/// Writes the picture and its AOVs with `metadata`, and says on standard error what was scaled or is no number, unless
+/// quiet.
+Written write(const PictureFiles& files, const RenderResult& result, const std::map<std::string, std::string>& metadata,
+              bool quiet);
 
 /// --error-map: the standard error itself (.exr, .pfm), or in false colours (.png).
 void write_error_map(const std::string& path, const Image& standard_error,

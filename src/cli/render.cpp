@@ -105,21 +105,13 @@ void warn_of_samples(const RunStats& stats) {
                     stats.invalid_samples));
 }
 
-void say_summary(const RenderOptions& options, const std::string& picture, const RenderResult& result) {
+void say_summary(const RenderOptions& options, const std::string& picture, const RenderResult& result,
+                 const Clipping& clipping) {
   if (options.scene.verbose) say(kernel_summary(result.stats));
   if (options.scene.quiet) return;
-  const RunStats& stats = result.stats;
-  const double samples = static_cast<double>(result.color.width) * result.color.height * stats.spp;
-  const std::string interrupted = result.complete ? ""
-                                                  : fmt::format(" · interrupted after {:.0f} % of the samples",
-                                                                100 * static_cast<double>(stats.camera_rays) / samples);
-  const std::string spp = stats.least_spp == stats.most_spp || !result.complete
-                              ? std::to_string(stats.spp)
-                              : fmt::format("{} to {}", stats.least_spp, stats.most_spp);
-  say(fmt::format("{}{}×{} · {} spp · {}{}", picture.empty() ? "" : picture + " ", result.color.width,
-                  result.color.height, spp, stats.device, interrupted));
   const int bits = !picture.empty() && image_format(picture) == ImageFormat::png ? options.png.bits : 0;
-  say(time_summary(stats.seconds) + " · " + error_summary(stats, bits));
+  const Billed billed{picture, result.color.width, result.color.height, result.complete, bits, clipping};
+  say(options.brief ? brief_bill(result.stats, billed) : bill(result.stats, billed));
 }
 
 /// What writing the pictures may take; 0 where no deadline wants to know.
@@ -134,28 +126,31 @@ double end_seconds(const RenderOptions& options, const PictureFiles& files, cons
   return seconds;
 }
 
-/// Builds a second program, which takes seconds where nothing is cached: for whoever asks for details, and where the
-/// picture took longer than that. With a deadline there is no time for it.
-void add_rounding(const RenderOptions& options, const Device& device, const Scene& scene,
+/// A twentieth of the run at the most, unless -v asks for details: it may have to build a second program. With a
+/// deadline there is no time for it.
+void add_rounding(const RenderOptions& options, const Invocation& invocation, const Device& device, const Scene& scene,
                   const RenderSettings& settings, RunStats& stats) {
-  const bool wanted = options.scene.verbose || !options.stats.empty() || stats.seconds.kernel > 2;
-  if (!stats.error || options.goal.time || !wanted) return;
+  if (!stats.error || options.goal.time) return;
   const Stopwatch start;
-  stats.error->rounding = rounding_rmse(device, scene, settings, stats.spp, stats.device_bytes);
+  std::optional<double> most;
+  if (!options.scene.verbose) most = rounding_share * invocation.seconds();
+  stats.error->rounding = rounding_rmse(device, scene, settings, stats, most);
   stats.seconds.error += start.seconds();
 }
 
 /// The files, and what is known of them afterwards.
-void write_outputs(const RenderOptions& options, const PictureFiles& files, const Invocation& invocation,
-                   RenderResult& result) {
+Clipping write_outputs(const RenderOptions& options, const PictureFiles& files, const Invocation& invocation,
+                       RenderResult& result) {
   const double start = invocation.seconds();
   const std::map<std::string, std::string> metadata = metadata_of(options, invocation, result);
+  Clipping clipping;
   if (!files.path.empty()) {
-    const WriteReport report = write(files, result, metadata, options.scene.quiet);
+    const Written written = write(files, result, metadata, options.scene.quiet);
     if (result.stats.error) {
-      result.stats.error->output = report.rounding_rmse;
-      result.stats.error->clipping = report.clipping_rmse;
+      result.stats.error->output = written.report.rounding_rmse;
+      result.stats.error->clipping = written.report.clipping_rmse;
     }
+    if (written.clipping) result.stats.clipped_pixels = (clipping = *written.clipping).share;
   }
   if (!options.error_map.empty()) {
     if (!result.error)
@@ -165,6 +160,7 @@ void write_outputs(const RenderOptions& options, const PictureFiles& files, cons
   }
   if (options.overrides.pixel) print_pixel(result.color);
   result.stats.seconds.encode = invocation.seconds() - start;
+  return clipping;
 }
 
 ExitCode render(const RenderOptions& options, const Invocation& invocation) {
@@ -177,7 +173,7 @@ ExitCode render(const RenderOptions& options, const Invocation& invocation) {
   apply(options.overrides, scene);
   for (const Diagnostic& warning : limitations(scene)) say(warning.text());
 
-  PictureFiles files{options.output, options.png, kinds::integrator(scene.integrator.name).is_length};
+  PictureFiles files{options.output, options.png, kinds::integrator(scene.integrator.name).is_length, lamps_of(scene)};
   const bool only_values = options.overrides.pixel && options.output.empty();
   if (!only_values) {
     if (files.path.empty()) files.path = scene.name + ".png";
@@ -185,6 +181,8 @@ ExitCode render(const RenderOptions& options, const Invocation& invocation) {
   }
   require_distinct_files(options, files.path, scene.files);
 
+  std::optional<ProgressBar> bar;
+  bar.emplace(options.goal.dry_run ? "dry run" : "render", !options.scene.quiet && !options.scene.no_progress);
   const double opening = invocation.seconds();
   const Device device = Device::open(
       options.device, {settings.precision == Precision::fp64 || settings.aovs.contains(Aov::numeric_error)});
@@ -200,29 +198,29 @@ ExitCode render(const RenderOptions& options, const Invocation& invocation) {
   if (!options.dump_kernel.empty()) write_text(options.dump_kernel, renderer.program_text());
 
   const InterruptGuard guard;
-  if (options.goal.frames) return render_frames(renderer, options, files, sampling.seed, guard);
-  const double end = end_seconds(options, files, window);
-  if (options.goal.dry_run) return dry_run(renderer, options, invocation, sampling.spp, end);
-  RenderResult result;
-  {
-    ProgressBar bar("render", !options.scene.quiet && !options.scene.no_progress);
-    result = renderer.render(
-        [&](const Progress& progress) {
-          bar.show(progress);
-          return !guard.interrupted();
-        },
-        goal_of(options, invocation, end));
+  if (options.goal.frames) {
+    bar.reset();
+    return render_frames(renderer, options, files, sampling.seed, guard);
   }
+  const double end = end_seconds(options, files, window);
+  if (options.goal.dry_run) return dry_run(renderer, options, invocation, {canary.seconds, end, sampling.spp});
+  RenderResult result = renderer.render(
+      [&](const Progress& progress) {
+        bar->show(progress);
+        return !guard.interrupted();
+      },
+      goal_of(options, invocation, end));
   canary.note_in(result.stats);
   result.stats.seconds.start = invocation.main_seconds;
   result.stats.seconds.device = device_seconds;
   result.stats.seconds.load = load_seconds;
-  write_outputs(options, files, invocation, result);
-  if (result.complete) add_rounding(options, device, renderer.scene(), settings, result.stats);
+  const Clipping clipping = write_outputs(options, files, invocation, result);
+  if (result.complete) add_rounding(options, invocation, device, renderer.scene(), settings, result.stats);
+  bar.reset();
   result.stats.seconds.exit = expected_exit_seconds();
   result.stats.seconds.total = invocation.seconds() + result.stats.seconds.exit;
   warn_of_samples(result.stats);
-  say_summary(options, files.path, result);
+  say_summary(options, files.path, result, clipping);
 
   if (!options.stats.empty()) {
     nlohmann::ordered_json detail;
@@ -260,6 +258,7 @@ void add_output_options(CLI::App& app, RenderOptions& options) {
   app.add_flag("--stats-detail", options.stats_detail, "Renders a second time with a program that counts, for --stats")
       ->needs(stats)
       ->group(group);
+  app.add_flag("--brief", options.brief, "Close with one line: file, seconds, samples, error")->group(group);
   app.add_option("--dump-kernel", options.dump_kernel,
                  "The exact OpenCL program with its options; - for standard output")
       ->type_name("FILE")

@@ -23,6 +23,7 @@ struct RenderOptions {
   PngOptions png;
   std::string stats;
   bool stats_detail = false;
+  bool brief = false;
   std::string dump_kernel;
 };
 

@@ -1,44 +1,97 @@
 // SPDX-License-Identifier: MIT
-// Statistics for people; for programs there is --stats.
 #include "cli/summary.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <utility>
 
 namespace strahl::cli {
-
-std::string time_summary(const PhaseSeconds& s) {
-  return fmt::format(
-      "{:.2f} s (start {:.2f} · device {:.2f} · load {:.2f} · bvh {:.2f} · program {:.2f} · upload {:.2f} · kernel "
-      "{:.2f} · readback {:.2f} · error "
-      "{:.2f} · encode {:.2f} · exit {:.2f} · other {:.2f})",
-      s.total, s.start, s.device, s.load, s.bvh, s.program, s.upload, s.kernel, s.readback, s.error, s.encode, s.exit,
-      std::max(0.0, s.other()));
-}
 
 std::string why_no_error(const RunStats& stats) {
   if (stats.saturated_samples + stats.invalid_samples > 0) return "samples were not finite, see the warning";
   return "a pixel has fewer than 4 samples, or --no-error";
 }
 
-std::string error_summary(const RunStats& stats, int png_bits) {
-  if (!stats.error) return "error not measured: " + why_no_error(stats);
+namespace {
+
+/// Phases that took less than this share of the time are billed together.
+constexpr double small_phase = 0.01;
+
+std::string rounding_text(const std::optional<double>& rounding) {
+  if (!rounding) return "not measured (-v does)";
+  return *rounding < 1e-6 ? "< 1e-6" : fmt::format("{:.2g}", *rounding);
+}
+
+std::string error_line(const RunStats& stats, int png_bits) {
+  if (!stats.error) return "  error    not measured: " + why_no_error(stats);
   const ErrorBudget& error = *stats.error;
-  std::string text = fmt::format("RMSE {:.2g}, 95 %: {:.2g}–{:.2g} · noise {:.2g}", error.rmse(), error.rmse_low(),
-                                 error.rmse_high(), error.noise.rmse);
-  if (png_bits > 0) text += fmt::format(" · {}-bit output {:.2g}", png_bits, error.output);
-  if (error.clipping > 0) text += fmt::format(" · clipped highlights {:.2g}", error.clipping);
-  if (!error.rounding)
-    text += " · float rounding not measured (-v)";
-  else if (*error.rounding < 1e-6)
-    text += " · float rounding < 1e-6";
-  else
-    text += fmt::format(" · float rounding {:.2g}", *error.rounding);
+  std::string text = fmt::format("  error    RMSE {:.2g} (95 %: {:.2g} to {:.2g}): noise {:.2g}", error.rmse(),
+                                 error.rmse_low(), error.rmse_high(), error.noise.rmse);
+  if (png_bits > 0) text += fmt::format(", {}-bit output {:.2g}", png_bits, error.output);
+  text += ", float rounding " + rounding_text(error.rounding);
   // Independent samples need four times as many; scrambled sequences at the most.
   if (error.noise.rmse > 0)
-    text += fmt::format(" · half the noise: {:.2f} s", stats.seconds.total + 3 * stats.seconds.kernel);
+    text += fmt::format("\n           half the noise: {:.2f} s at the most",
+                        stats.seconds.total + 3 * stats.seconds.kernel);
   return text;
+}
+
+std::string samples_text(const RunStats& stats, bool complete) {
+  return stats.least_spp == stats.most_spp || !complete ? std::to_string(stats.spp)
+                                                        : fmt::format("{} to {}", stats.least_spp, stats.most_spp);
+}
+
+std::string interrupted_text(const RunStats& stats, const Billed& billed) {
+  if (billed.complete) return {};
+  const double samples = static_cast<double>(billed.width) * billed.height * stats.spp;
+  return fmt::format(" · interrupted after {:.0f} % of the samples",
+                     100 * static_cast<double>(stats.camera_rays) / samples);
+}
+
+}  // namespace
+
+std::string time_summary(const PhaseSeconds& s) {
+  const std::array<std::pair<const char*, double>, 12> phases{{{"start", s.start},
+                                                               {"device", s.device},
+                                                               {"load", s.load},
+                                                               {"bvh", s.bvh},
+                                                               {"program", s.program},
+                                                               {"upload", s.upload},
+                                                               {"kernel", s.kernel},
+                                                               {"surface", s.surface},
+                                                               {"readback", s.readback},
+                                                               {"error", s.error},
+                                                               {"encode", s.encode},
+                                                               {"exit", s.exit}}};
+  std::string text = fmt::format("{:.2f} s: ", s.total);
+  double rest = s.total;
+  for (const auto& [name, seconds] : phases) {
+    if (seconds < small_phase * s.total || seconds == 0) continue;
+    text += fmt::format("{} {:.2f}, ", name, seconds);
+    rest -= seconds;
+  }
+  return text + fmt::format("other {:.2f}", std::max(0.0, rest));
+}
+
+std::string bill(const RunStats& stats, const Billed& billed) {
+  std::string text =
+      fmt::format("{}{}×{} · {} spp · {}{}\n  time     {}\n{}", billed.picture.empty() ? "" : billed.picture + " ",
+                  billed.width, billed.height, samples_text(stats, billed.complete), stats.device,
+                  interrupted_text(stats, billed), time_summary(stats.seconds), error_line(stats, billed.png_bits));
+  if (const std::string clipping = clipping_text(billed.clipping); !clipping.empty())
+    text += "\n  clipped  " + clipping;
+  return text;
+}
+
+std::string brief_bill(const RunStats& stats, const Billed& billed) {
+  std::string text = fmt::format("{}{:.2f} s · {} spp", billed.picture.empty() ? "" : billed.picture + " · ",
+                                 stats.seconds.total, samples_text(stats, billed.complete));
+  if (stats.error)
+    text += fmt::format(" · RMSE {:.2g} ({:.2g} to {:.2g})", stats.error->rmse(), stats.error->rmse_low(),
+                        stats.error->rmse_high());
+  return text + interrupted_text(stats, billed);
 }
 
 std::string kernel_summary(const RunStats& stats) {

@@ -1,22 +1,35 @@
 // SPDX-License-Identifier: MIT
-// The one line that closes a run: where the time went.
+// The lines that close a run, for people; for programs there is --stats.
 #pragma once
 
 #include <string>
 
+#include "cli/clipping.h"
 #include "render/stats.h"
 
 namespace strahl::cli {
 
-/// "0.42 s (load 0.01 · bvh 0.00 · ... · other 0.04)".
+/// What the statistics of a run do not know of its picture.
+struct Billed {
+  std::string picture;  ///< Its file; empty where none was written.
+  int width = 0, height = 0;
+  bool complete = true;
+  int png_bits = 0;  ///< 0 where the file keeps floats.
+  Clipping clipping;
+};
+
+/// "9.74 s: program 1.20, kernel 8.01, other 0.53": phases that took a hundredth of the time or more.
 [[nodiscard]] std::string time_summary(const PhaseSeconds& seconds);
 
 /// Why RunStats::error is none.
 [[nodiscard]] std::string why_no_error(const RunStats& stats);
 
-/// "RMSE 0.0042, 95 %: 0.0039-0.0045 · noise 0.0041 · 8-bit output 0.0011 · float rounding < 1e-6 · half the error:
-/// 6.9 s", or why there is none. png_bits: 0 where the file keeps floats.
-[[nodiscard]] std::string error_summary(const RunStats& stats, int png_bits);
+/// What was made, where the time went, how far off it is by cause, what more time would buy: a line each, without a
+/// newline at the end.
+[[nodiscard]] std::string bill(const RunStats& stats, const Billed& billed);
+
+/// The same in one line: file, seconds, samples, error.
+[[nodiscard]] std::string brief_bill(const RunStats& stats, const Billed& billed);
 
 /// What -v adds: device, program and whether it came from the cache, launches.
 [[nodiscard]] std::string kernel_summary(const RunStats& stats);

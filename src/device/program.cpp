@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "device/cl_code.h"
+#include "device/compiling.h"
 #include "device/program_cache.h"
 
 namespace strahl {
@@ -44,6 +45,7 @@ std::string dump(const std::string& name, const ProgramSource& source) {
 
 /// name: of the program, as `explain` prints it.
 cl::Program build_text(const Device& device, const ProgramSource& source, const std::string& program_name) {
+  const Compiling compiling;
   const std::string name = device.info().text();
   cl::Program program = checked(name, [&] { return cl::Program(device.context(), source.text); });
   try {
@@ -82,6 +84,10 @@ std::string driver_key(const Device& device) {
 std::string program_hash(const ProgramSource& source) {
   // The zero keeps "ab" + "c" apart from "a" + "bc".
   return fmt::format("{:016x}", fnv1a(source.options, fnv1a(std::string_view("\0", 1), fnv1a(source.text))));
+}
+
+bool is_program_cached(const Device& device, const ProgramSource& source) {
+  return !read_cached_binary(program_hash(source), cache_key(device, completed_for(device, source))).empty();
 }
 
 cl::Program build_program(const Device& device, const ProgramSource& asked, ProgramReport* report, bool is_cached) {

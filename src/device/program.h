@@ -46,6 +46,9 @@ struct ProgramReport {
 [[nodiscard]] cl::Program program_on(const Device& device, const ProgramSource& source, ProgramReport* report = nullptr,
                                      bool is_cached = true);
 
+/// Whether the cache holds a binary of this program, so that nothing has to be compiled for it.
+[[nodiscard]] bool is_program_cached(const Device& device, const ProgramSource& source);
+
 /// Removes every cached binary and every dumped source; returns how many binaries there were. Throws Error.
 std::size_t clear_program_cache();
 /// The directory in use; empty where there is none (no home directory): nothing is cached.

@@ -55,11 +55,17 @@ bool FilmRun::report() {
   if (!progress_) return true;
   const std::uint64_t done = result_.stats.camera_rays;
   const double pixels = static_cast<double>(film_.samples.size());
-  double total = pixels * (goal_.max_error ? passes_.expected() : spp_);
   const double seconds = watch_.seconds();
-  if (goal_.deadline)
-    total = std::min(total, static_cast<double>(done) * (seconds + std::max(0.0, seconds_left())) / seconds);
-  return progress_({done, std::max(done, static_cast<std::uint64_t>(total)), seconds});
+  std::optional<double> total = pixels * spp_;
+  if (goal_.max_error) {
+    total.reset();
+    if (passes_.expected()) total = pixels * *passes_.expected();
+  }
+  if (goal_.deadline) {
+    const double in_time = static_cast<double>(done) * (seconds + std::max(0.0, seconds_left())) / seconds;
+    total = std::min(total.value_or(in_time), in_time);
+  }
+  return progress_({done, total ? std::max(done, static_cast<std::uint64_t>(*total)) : 0, seconds});
 }
 
 void FilmRun::clear(int rows, bool aovs_too) {
@@ -280,6 +286,22 @@ RenderResult FilmRun::run() {
 }
 
 RenderResult Renderer::render(const ProgressCallback& progress, const RenderGoal& goal) {
+  if (!goal.rows) return FilmRun(*state_, goal, progress).run();
+  /// The window of some rows while they are rendered.
+  struct RowsOnly {
+    Window& window;
+    Window whole = window;
+    explicit RowsOnly(Window& w, const Rows& rows) : window(w) {
+      window.y0 += rows.first;
+      window.y1 = window.y0 + rows.count;
+    }
+    ~RowsOnly() { window = whole; }
+    RowsOnly(const RowsOnly&) = delete;
+    RowsOnly& operator=(const RowsOnly&) = delete;
+  };
+  if (goal.rows->first < 0 || goal.rows->count < 1 || goal.rows->first + goal.rows->count > state_->window.height())
+    throw UsageError("rows outside of the picture");
+  const RowsOnly only(state_->window, *goal.rows);
   return FilmRun(*state_, goal, progress).run();
 }
 

@@ -17,6 +17,12 @@ using Clock = std::chrono::steady_clock;
   return time + std::chrono::duration_cast<Clock::duration>(span);
 }
 
+/// Some rows of a picture, counted from its window's first.
+struct Rows {
+  int first = 0;
+  int count = 0;
+};
+
 /// Whatever holds first ends the render.
 struct RenderGoal {
   /// Samples a pixel; none: what the scene states, or with one of the two below as many as it takes.
@@ -26,6 +32,7 @@ struct RenderGoal {
   /// RMSE over linear RGB, all pixels and channels, as the film's sub-sums tell it (error_estimate.h).
   std::optional<double> max_error;
   std::optional<std::uint32_t> seed;  ///< None: the scene's.
+  std::optional<Rows> rows;           ///< A picture of these alone; none: the whole.
 
   [[nodiscard]] bool is_open() const { return deadline || max_error; }
 };

@@ -51,6 +51,7 @@ void PassPlan::estimated(const std::optional<ErrorEstimate>& error) {
     // whole.
     const double ratio = std::max(error->rmse / wanted, error->rmse_high / (tolerated * wanted));
     factor = std::clamp(0.8 * ratio * ratio, 1.15, 4.0);
+    expected_ = static_cast<int>(std::min(std::ceil(done_ * std::max(1.0, ratio * ratio)), static_cast<double>(spp_)));
   }
   const double next = std::ceil(done_ * factor / sums_a_pixel) * sums_a_pixel;
   check_at_ = static_cast<int>(std::min(next, static_cast<double>(spp_)));

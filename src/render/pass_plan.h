@@ -29,8 +29,8 @@ class PassPlan {
   /// A pass is over: does somebody have to tell the error?
   [[nodiscard]] bool wants_error() const { return goal_.max_error && done_ >= check_at_ && ending_ != Ending::error; }
   void estimated(const std::optional<ErrorEstimate>& error);
-  /// Samples of a pixel after which the error may be reached, as far as is known.
-  [[nodiscard]] int expected() const { return check_at_; }
+  /// Samples of a pixel that independent ones would need for the error, as far as is known; none before a first look.
+  [[nodiscard]] std::optional<int> expected() const { return expected_; }
   /// What made next() return none.
   [[nodiscard]] Ending ending() const { return ending_; }
 
@@ -39,6 +39,7 @@ class PassPlan {
   int spp_;
   int done_ = 0;      ///< Samples of every pixel.
   int check_at_ = 0;  ///< Samples at which to look at the error.
+  std::optional<int> expected_;
   Ending ending_ = Ending::samples;
 };
 

@@ -7,33 +7,38 @@
 #include <algorithm>
 #include <utility>
 
+#include "device/compiling.h"
 #include "device/path_lanes.h"
-#include "device/tuned_width.h"
 #include "render/renderer_state.h"
 #include "render/stopwatch.h"
-#include "render/traversal_choice.h"
 #include "scene/validate.h"
 
 namespace strahl {
 
+Renderer::State::Choice Renderer::State::choose_program() {
+  sampling = resolve_sampling(scene);
+  window = scene.film.window();
+  Choice choice{width_on(device, settings), {}, 1};
+  features = features_of(scene, settings);
+  choice.traversal = choose_traversal(scene, features, settings, choice.width);
+  has_tree = choice.traversal.has_tree;
+  stats.lanes = choice.width.lanes;
+  choice.paths = path_lanes_of(sampling.spp);
+  source = program_source("kernels/render.cl", features, settings.precision, choice.width.lanes, choice.width.tree,
+                          has_tree, choice.paths);
+  return choice;
+}
+
 void Renderer::State::prepare() {
   if (std::vector<Diagnostic> problems = validate(scene); !problems.empty()) throw SceneError(problems);
-  sampling = resolve_sampling(scene);
-  static_cast<void>(samples_of({}));
-  window = scene.film.window();
   if (settings.aovs.contains(Aov::numeric_error) && !device.info().fp64)
     throw NoDeviceError(fmt::format("the AOV numeric_error holds every hit against double precision, which {} has not",
                                     device.info().text()));
-  const Width width = width_on(device, settings);
   const Stopwatch start;
-  features = features_of(scene, settings);
-  const auto traversal = choose_traversal(scene, features, settings, width);
-  has_tree = traversal.has_tree;
-  stats.lanes = width.lanes;
-  const int paths = path_lanes_of(sampling.spp);
+  const auto [width, traversal, paths] = choose_program();
+  static_cast<void>(samples_of({}));
   // Lanes that wait for others in the end are few where there are several samples for each.
   samples_at_once = paths == 1 ? 1 : 4 * paths;
-  source = program_source("kernels/render.cl", features, settings.precision, width.lanes, width.tree, has_tree, paths);
   ProgramReport report;
   const cl::Program program = program_on(device, source, &report, settings.cached_program);
   kernel = checked(device.info().text(), [&] { return cl::Kernel(program, "render"); });
@@ -50,7 +55,7 @@ void Renderer::State::prepare() {
   stats.seconds.bvh = buffers.tree.seconds;
   stats.seconds.upload = upload_start.seconds() - stats.seconds.bvh;
   stats.device_bytes = buffers.bytes + pixels * film_bytes_per_pixel + aov_real_bytes(pixels) + aov_int_bytes(pixels);
-  stats.host_bytes = buffers.bytes;
+  stats.host_bytes = stats.scene_bytes = buffers.bytes;
 
   const Stopwatch warm_start;
   warm_up();
@@ -107,7 +112,10 @@ void Renderer::State::warm_up() {
   if (settings.work_group.x < 1 || settings.work_group.y < 1 || items > device.info().max_work_group)
     throw UsageError(fmt::format("--work-group {}x{}: {} allows 1 to {} work-items", settings.work_group.x,
                                  settings.work_group.y, device.info().text(), device.info().max_work_group));
-  launch({}, 0);
+  {
+    const Compiling compiling;
+    launch({}, 0);
+  }
   const Stopwatch start;
   launch({}, 0);
   launch_overhead = start.seconds();
@@ -124,6 +132,23 @@ Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 const Scene& Renderer::scene() const { return state_->scene; }
 
 std::string Renderer::program_text() const { return completed_for(state_->device, state_->source).text; }
+
+bool Renderer::is_program_cached(const Device& device, const Scene& scene, const RenderSettings& settings) {
+  State state(device, scene, settings);
+  static_cast<void>(state.choose_program());
+  return strahl::is_program_cached(device, state.source);
+}
+
+std::optional<double> Renderer::build_seconds() const {
+  if (state_->stats.program_from_cache) return std::nullopt;
+  return state_->stats.seconds.program;
+}
+
+bool Renderer::load_program_again() const {
+  if (!strahl::is_program_cached(state_->device, state_->source)) return false;
+  static_cast<void>(build_program(state_->device, state_->source));
+  return true;
+}
 
 bool Renderer::has_program_of(int spp) const { return state_->path_lanes_of(spp) == state_->stats.path_lanes; }
 

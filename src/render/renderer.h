@@ -19,7 +19,7 @@ namespace strahl {
 /// After each launch. samples_done / samples_total count pixel samples.
 struct Progress {
   std::uint64_t samples_done = 0;
-  std::uint64_t samples_total = 0;  ///< Expected, where a deadline or an error is the goal.
+  std::uint64_t samples_total = 0;  ///< Expected, where a deadline or an error is the goal; 0: not known yet.
   double seconds = 0;               ///< Since the first launch.
 };
 
@@ -58,6 +58,14 @@ class Renderer {
 
   /// The exact program: text with includes expanded, options in its first comment line.
   [[nodiscard]] std::string program_text() const;
+
+  /// Whether a renderer of this scene would find its program in the cache; else building one may take seconds.
+  [[nodiscard]] static bool is_program_cached(const Device& device, const Scene& scene, const RenderSettings& settings);
+
+  /// What compiling the program took, the driver's part at the first launch included; none where it was cached.
+  [[nodiscard]] std::optional<double> build_seconds() const;
+  /// Takes it from the cache as a later process would, to see how long that takes; false: it is not there.
+  bool load_program_again() const;
 
   /// Whether a renderer that is made for so many samples a pixel has this one's program: a picture is the same from
   /// either, and takes other time.

@@ -9,11 +9,13 @@
 #include "device/cl_layout.h"
 #include "device/program_text.h"
 #include "device/scene_buffers.h"
+#include "device/tuned_width.h"
 #include "kinds/integrators.h"
 #include "render/film.h"
 #include "render/launch_plan.h"
 #include "render/pass_plan.h"
 #include "render/renderer.h"
+#include "render/traversal_choice.h"
 
 namespace strahl {
 
@@ -66,6 +68,14 @@ struct Renderer::State {
   [[nodiscard]] int path_lanes_of(int spp) const;
   /// What the goal, the scene and the film make of it. Throws UsageError.
   [[nodiscard]] int samples_of(const RenderGoal& goal) const;
+  /// What the program depends on, and what depends on it.
+  struct Choice {
+    Width width;
+    TraversalChoice traversal;
+    int paths = 1;
+  };
+  /// Fills in `features` and `source`; nothing is built or uploaded.
+  Choice choose_program();
   void prepare();
   /// film_row: the film's first.
   void launch(const Launch& launch, int film_row);

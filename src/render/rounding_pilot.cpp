@@ -6,19 +6,29 @@
 #include <vector>
 
 #include "render/renderer.h"
+#include "render/stopwatch.h"
 
 namespace strahl {
 namespace {
 
-constexpr int seeds = 4;
-constexpr int samples = 4;     ///< Of each seed.
-constexpr int most_side = 40;  ///< Pixels.
+constexpr std::size_t least_seeds = 2;  ///< The fewest that tell what stays from what averages out.
+constexpr std::size_t most_seeds = 4;
+constexpr int samples = 4;      ///< Of each seed.
+constexpr int least_side = 12;  ///< Pixels.
+constexpr int most_side = 40;
 constexpr std::uint64_t most_bytes = std::uint64_t{64} << 20;
 
+/// A pilot's sample in both tiers, counted in samples of the run: double precision on one lane takes up to ten, and so
+/// do four samples where the run followed eight at a time.
+constexpr double cost_of_a_sample = 20;
+
+/// Seconds, where the run has built nothing that could be gone by: twice what the shipped scenes' slowest takes.
+constexpr double longest_build = 30;
+
 /// The same view with few pixels. A crop window shrinks with it.
-Scene small(Scene scene) {
+Scene small(Scene scene, int side) {
   const Window window = scene.film.window();
-  const double factor = std::min(1.0, static_cast<double>(most_side) / std::max(window.width(), window.height()));
+  const double factor = std::min(1.0, static_cast<double>(side) / std::max(window.width(), window.height()));
   const auto scaled = [&](int pixels) { return static_cast<int>(std::lround(pixels * factor)); };
   if (scene.film.crop)
     scene.film.crop = Window{scaled(window.x0), scaled(window.y0), std::max(scaled(window.x1), scaled(window.x0) + 1),
@@ -28,24 +38,65 @@ Scene small(Scene scene) {
   return scene;
 }
 
-std::vector<Image> pictures(const Device& device, const Scene& scene, const RenderSettings& settings) {
-  Renderer renderer(device, scene, settings);
-  std::vector<Image> all;
-  for (int seed = 0; seed < seeds; ++seed) {
-    RenderGoal goal;
-    goal.spp = samples;
-    goal.seed = static_cast<std::uint32_t>(seed);
-    all.push_back(renderer.render({}, goal).color);
-  }
-  return all;
+/// None where the time is over before the picture is done.
+std::optional<Image> picture(Renderer& renderer, std::size_t seed, const ProgressCallback& goes_on) {
+  RenderGoal goal;
+  goal.spp = samples;
+  goal.seed = static_cast<std::uint32_t>(seed);
+  RenderResult result = renderer.render(goes_on, goal);
+  if (!result.complete) return std::nullopt;
+  return std::move(result.color);
 }
+
+/// Sums over all values of the pictures' differences from their references.
+class Differences {
+ public:
+  void add(const Image& rounded, const Image& reference) {
+    sums_.resize(rounded.data.size(), 0.0);
+    for (std::size_t i = 0; i < sums_.size(); ++i) {
+      const double difference = static_cast<double>(rounded.data[i]) - static_cast<double>(reference.data[i]);
+      sums_[i] += difference;
+      squares_ += difference * difference;
+    }
+    ++seeds_;
+  }
+  [[nodiscard]] std::size_t seeds() const { return seeds_; }
+
+  [[nodiscard]] double rmse(int spp) const {
+    double square_of_sums = 0;
+    for (const double sum : sums_) square_of_sums += sum * sum;
+    const double n = static_cast<double>(seeds_);
+    // Products of two seeds' differences have nothing in common but what is the same in all.
+    const double lasting = std::max(0.0, (square_of_sums - squares_) / (n * (n - 1)));
+    const double fleeting = std::max(0.0, squares_ / n - lasting);
+    return std::sqrt((lasting + fleeting * samples / std::max(spp, 1)) / static_cast<double>(sums_.size()));
+  }
+
+ private:
+  std::vector<double> sums_;
+  double squares_ = 0;
+  std::size_t seeds_ = 0;
+};
 
 }  // namespace
 
-std::optional<double> rounding_rmse(const Device& device, const Scene& scene, const RenderSettings& settings, int spp,
-                                    std::uint64_t scene_bytes) {
-  if (!device.info().fp64 || settings.precision == Precision::fp64 || scene_bytes > most_bytes) return std::nullopt;
-  const Scene pilot = small(scene);
+int rounding_pilot_side(const RunStats& run, bool is_built, std::optional<double> most_seconds) {
+  if (!most_seconds) return most_side;
+  if (run.camera_rays == 0) return 0;
+  // Double precision builds in a third of the time that wider programs take; loading takes any program alike.
+  const bool is_known = is_built || !run.program_from_cache;
+  const double build = is_known ? run.seconds.program : std::max(run.seconds.program, longest_build);
+  const double left = *most_seconds - build - 2 * (run.seconds.upload + run.seconds.bvh);
+  const double pixel = static_cast<double>(least_seeds) * samples * cost_of_a_sample * run.seconds.kernel /
+                       static_cast<double>(run.camera_rays);
+  if (left < least_side * least_side * pixel) return 0;
+  return pixel > 0 ? static_cast<int>(std::min<double>(most_side, std::sqrt(left / pixel))) : most_side;
+}
+
+std::optional<double> rounding_rmse(const Device& device, const Scene& scene, const RenderSettings& settings,
+                                    const RunStats& run, std::optional<double> most_seconds) {
+  if (!device.info().fp64 || settings.precision == Precision::fp64 || run.scene_bytes > most_bytes) return std::nullopt;
+  const Stopwatch watch;
   RenderSettings tier = settings;
   tier.aovs.clear();
   tier.error_map = false;
@@ -54,23 +105,21 @@ std::optional<double> rounding_rmse(const Device& device, const Scene& scene, co
   exact.lanes = 1;  // Builds in a third of the time that wider programs take.
   exact.bvh_width.reset();
   exact.generic = false;
-  const std::vector<Image> rounded = pictures(device, pilot, tier);
-  const std::vector<Image> reference = pictures(device, pilot, exact);
-  double squares = 0, square_of_sums = 0;
-  const std::size_t values = rounded.front().data.size();
-  for (std::size_t i = 0; i < values; ++i) {
-    double sum = 0;
-    for (std::size_t k = 0; k < seeds; ++k) {
-      const double difference = static_cast<double>(rounded[k].data[i]) - static_cast<double>(reference[k].data[i]);
-      sum += difference;
-      squares += difference * difference;
-    }
-    square_of_sums += sum * sum;
+  const int side =
+      rounding_pilot_side(run, most_seconds && Renderer::is_program_cached(device, scene, exact), most_seconds);
+  if (side == 0) return std::nullopt;
+  const Scene pilot = small(scene, side);
+  const auto goes_on = [&](const Progress&) { return !most_seconds || watch.seconds() < *most_seconds; };
+  Renderer rounding(device, pilot, tier), reference(device, pilot, exact);
+  Differences differences;
+  for (std::size_t seed = 0; seed < most_seeds; ++seed) {
+    const std::optional<Image> rounded = picture(rounding, seed, goes_on);
+    const std::optional<Image> right = rounded ? picture(reference, seed, goes_on) : std::nullopt;
+    if (!right) break;
+    differences.add(*rounded, *right);
   }
-  // Products of two seeds' differences have nothing in common but what is the same in all.
-  const double lasting = std::max(0.0, (square_of_sums - squares) / (seeds * (seeds - 1.0)));
-  const double fleeting = std::max(0.0, squares / seeds - lasting);
-  return std::sqrt((lasting + fleeting * samples / std::max(spp, 1)) / static_cast<double>(values));
+  if (differences.seeds() < least_seeds) return std::nullopt;
+  return differences.rmse(run.spp);
 }
 
 }  // namespace strahl

@@ -83,6 +83,7 @@ std::string RunStats::json() const {
   json["most_spp"] = most_spp;
   json["ending"] = text_or_null(ending);
   json["error"] = error_or_null(error);
+  json["clipped_pixels"] = clipped_pixels ? Json(*clipped_pixels) : Json(nullptr);
   json["seed"] = seed;
   json["features"] = features;
   json["disabled"] = disabled;

@@ -49,6 +49,7 @@ struct RunStats {
   std::optional<std::uint64_t> nodes_visited;  ///< By all rays together, as `primitives_tested`.
   std::optional<std::uint64_t> primitives_tested;
   std::uint64_t device_bytes = 0;  ///< Allocated in device buffers at the most.
+  std::uint64_t scene_bytes = 0;   ///< Of them, the packed scene's.
   std::uint64_t host_bytes = 0;    ///< Packed scene plus film on the host.
   std::string device;
   std::string precision;
@@ -63,13 +64,14 @@ struct RunStats {
   int tree_width = 4;
   TreeStats tree;
   bool program_from_cache = false;
-  std::uint64_t program_bytes = 0;      ///< Of its binary.
-  std::string program;                  ///< Hash, as `explain` prints it.
-  std::optional<ErrorBudget> error;     ///< None: not measured.
-  std::string ending;                   ///< ending_name of what ended the render.
-  std::uint64_t saturated_samples = 0;  ///< Sample channels beyond the largest float, counted as it.
-  std::uint64_t weak_branches = 0;      ///< Rays that whitted did not follow: weaker than 2^-20 of the camera ray.
-  std::uint64_t invalid_samples = 0;    ///< NaN sample channels, counted as black.
+  std::uint64_t program_bytes = 0;       ///< Of its binary.
+  std::string program;                   ///< Hash, as `explain` prints it.
+  std::optional<ErrorBudget> error;      ///< None: not measured.
+  std::optional<double> clipped_pixels;  ///< Share of the pixels brighter than the file's white; none: it has no white.
+  std::string ending;                    ///< ending_name of what ended the render.
+  std::uint64_t saturated_samples = 0;   ///< Sample channels beyond the largest float, counted as it.
+  std::uint64_t weak_branches = 0;       ///< Rays that whitted did not follow: weaker than 2^-20 of the camera ray.
+  std::uint64_t invalid_samples = 0;     ///< NaN sample channels, counted as black.
 
   [[nodiscard]] double longest_launch() const;
   /// The documented JSON object, pretty-printed.

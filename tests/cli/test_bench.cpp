@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // `strahl bench` on a device: the table, the JSON, the comparison. 2 s.
+#include <fmt/format.h>
+
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
@@ -16,14 +18,14 @@ TEST_CASE("a table, JSON, and both beside an earlier run") {
   CHECK(contains(outcome.out, "ten, 11 primitives"));
   CHECK(contains(outcome.out, "diffuse"));
   CHECK(contains(outcome.out, "read, GB/s"));
-  CHECK_FALSE(contains(outcome.out, " x1."));
+  CHECK_FALSE(contains(outcome.out, "times as fast as"));
   json first = json::parse(read_text(folder.path("a.json")));
   for (const std::string kind : {"primary", "shadow", "diffuse"}) {
     CHECK(first["rays"][kind] > 1000);
-    for (const std::string tier : {"fast", "stable", "robust", "double"}) CHECK(first["mrays"][kind][tier] > 0.01);
+    for (const std::string tier : {"fast", "stable", "robust", "double"}) CHECK(first["mrays"][kind][tier] > 0);
   }
-  CHECK(first["bandwidth"]["read"] > 1e8);
-  CHECK(first["bandwidth"]["copy"] > 1e8);
+  CHECK(first["bandwidth"]["read"] > 0);
+  CHECK(first["bandwidth"]["copy"] > 0);
   CHECK(first["program_seconds"].size() == 4);
 
   for (auto& [kind, tiers] : first["mrays"].items())
@@ -32,7 +34,13 @@ TEST_CASE("a table, JSON, and both beside an earlier run") {
   const Outcome shown = folder.run(
       {"bench", "-d", "pocl", "--scene", "ten", "--pixels", "64", "--compare", "base.json", "--json", "b.json"});
   CHECK(contains(shown.out, "times as fast as"));
-  CHECK(contains(shown.out, "x1"));
+  // Whatever the second run measured, the ratios are of what it says it did.
+  const json second = json::parse(read_text(folder.path("b.json")));
+  for (const std::string kind : {"primary", "shadow", "diffuse"})
+    for (const std::string tier : {"fast", "stable", "robust", "double"}) {
+      const double ratio = second["mrays"][kind][tier].get<double>() / first["mrays"][kind][tier].get<double>();
+      CHECK(contains(shown.out, fmt::format(" x{:.2f}", ratio)));
+    }
 }
 
 TEST_CASE("the width that was measured best is used from then on") {

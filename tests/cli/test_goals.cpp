@@ -32,8 +32,8 @@ TEST_CASE("times that are none") {
 
 TEST_CASE("the bill: an error with its interval and its causes") {
   const Folder folder;
-  const Outcome outcome = folder.run(
-      {"render", room, "--width", "32", "--spp", "8", "-o", "a.png", "--stats", "a.json", "--error-map", "e.exr"});
+  const Outcome outcome = folder.run({"render", room, "--width", "32", "--spp", "8", "-o", "a.png", "--stats", "a.json",
+                                      "--error-map", "e.exr", "-v"});
   INFO(outcome.err);
   REQUIRE(outcome.code == 0);
   for (const char* part : {"RMSE ", "95 %", "noise ", "8-bit output ", "float rounding ", "half the noise: "})
@@ -91,15 +91,32 @@ TEST_CASE("frames against the clock") {
   CHECK_FALSE(first.data == strahl::read_image(folder.path("f.0002.exr")).data);
 }
 
-TEST_CASE("a prediction writes no picture") {
+TEST_CASE("rounding is not measured where that would take more than a twentieth of the run") {
+  const Folder folder;
+  // A cache of its own: the double program would have to be built.
+  const Outcome outcome =
+      folder.run({"render", room, "--width", "16", "--spp", "4", "-o", "a.exr", "--stats", "a.json"},
+                 {{"STRAHL_CACHE_DIR", folder.path("cache")}});
+  INFO(outcome.err);
+  REQUIRE(outcome.code == 0);
+  CHECK(contains(outcome.err, "float rounding not measured"));
+  CHECK(json_of(folder, "a.json").at("error").at("budget").at("float_rounding").is_null());
+}
+
+TEST_CASE("a prediction has intervals and writes no picture") {
   const Folder folder;
   const Outcome outcome =
       folder.run({"render", room, "--width", "32", "--spp", "64", "--dry-run", "--stats", "d.json"});
   INFO(outcome.err);
   CHECK(outcome.code == 0);
-  CHECK(contains(outcome.out, "64 samples a pixel"));
+  CHECK(contains(outcome.out, "samples  64 a pixel"));
+  CHECK(contains(outcome.out, "90 of 100"));
   CHECK(folder.files() == std::vector<std::string>{"d.json"});
   const Json predicted = json_of(folder, "d.json").at("predicted");
-  CHECK(predicted.at("rmse") > 0);
-  CHECK(predicted.at("seconds") > 0);
+  for (const std::string what : {"seconds", "spp", "rmse"}) {
+    CHECK(predicted.at(what) > 0);
+    CHECK(predicted.at(what + "_interval").at("low") <= predicted.at(what));
+    CHECK(predicted.at(what) <= predicted.at(what + "_interval").at("high"));
+  }
+  CHECK(json_of(folder, "d.json").at("pilot").at("seconds") > 0);
 }

@@ -30,7 +30,7 @@ TEST_CASE("without -o the scene's name gets .png") {
   const Outcome outcome = render(folder, {});
   CHECK(folder.files() == std::vector<std::string>{"scene.png", "scene.xml"});
   CHECK(outcome.out.empty());
-  CHECK(contains(outcome.err, "(start "));
+  CHECK(contains(outcome.err, "\n  time     "));
   CHECK(contains(outcome.err, "scene.png 32×24 · 1 spp"));
 }
 
@@ -55,13 +55,29 @@ TEST_CASE("EXR and PFM keep linear values") {
   }
 }
 
-TEST_CASE("clipping is stated with its remedy, and the remedy works") {
+TEST_CASE("clipped pixels are counted; a lamp in sight is no reason for another exposure") {
   const Folder folder;
-  CHECK(contains(render(folder, {}).err, "values clipped at 1; --exposure -2 shows them"));
+  const std::string bill = render(folder, {"--stats", "stats.json"}).err;
+  CHECK(contains(bill, "  clipped  "));
+  CHECK(contains(bill, "% of the pixels are brighter than white"));
+  CHECK_FALSE(contains(bill, "--exposure"));
+  CHECK_FALSE(contains(bill, "highlights"));
+  CHECK(contains(read_text(folder.path("stats.json")), "\"clipped_pixels\": 0."));
   CHECK_FALSE(contains(render(folder, {"--exposure", "-2"}).err, "clipped"));
   const Image image = strahl::read_image(folder.path("scene.png"));
   CHECK(image.at(16, 12, 0) == Approx(1.0).margin(0.01));
   CHECK(image.at(16, 12, 2) == Approx(0.25).margin(0.01));
+}
+
+TEST_CASE("the bill has a line for each question; --brief closes with one") {
+  const Folder folder;
+  const std::string bill = render(folder, {"--spp", "4"}).err;
+  for (const char* part : {"\n  time     ", "\n  error    ", "\n  clipped  "}) CHECK(contains(bill, part));
+  std::istringstream lines(bill);
+  for (std::string line; std::getline(lines, line);) CHECK(line.size() <= 160);
+  const std::string brief = render(folder, {"--brief", "--no-progress"}).err;
+  CHECK(std::count(brief.begin(), brief.end(), '\n') == 1);
+  CHECK(contains(brief, "scene.png · "));
 }
 
 TEST_CASE("size, crop and pixel") {

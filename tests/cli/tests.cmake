@@ -3,7 +3,11 @@
 foreach(test usage option_values distinct_files unreadable_inputs output_checks compare devices explain load_progress rays_file stats_json)
   strahl_test(cli/test_${test}.cpp LABEL unit SOURCES cli/program.cpp LIBS nlohmann_json::nlohmann_json)
 endforeach()
+strahl_test(cli/test_progress.cpp LABEL unit SOURCES ${PROJECT_SOURCE_DIR}/src/cli/progress_text.cpp
+            ${PROJECT_SOURCE_DIR}/src/cli/progress_bar.cpp ${PROJECT_SOURCE_DIR}/src/cli/console.cpp LIBS fmt::fmt)
+strahl_test(cli/test_summary.cpp LABEL unit SOURCES ${PROJECT_SOURCE_DIR}/src/cli/summary.cpp
+            ${PROJECT_SOURCE_DIR}/src/cli/clipping.cpp LIBS fmt::fmt)
 foreach(test driver_environment render goals interrupt stats intersect canary stress tradeoff bench explain_cost)
-  strahl_test(cli/test_${test}.cpp LABEL device SOURCES cli/program.cpp LIBS nlohmann_json::nlohmann_json)
+  strahl_test(cli/test_${test}.cpp LABEL device SOURCES cli/program.cpp LIBS nlohmann_json::nlohmann_json fmt::fmt)
 endforeach()
 strahl_runs_program(cli_tests)

@@ -6,6 +6,8 @@ foreach(name first_principles invariance launches closed_form terminator metamor
 endforeach()
 strahl_test(render/test_limitations.cpp LABEL unit)
 strahl_test(render/test_pass_plan.cpp LABEL unit)
+strahl_test(render/test_rounding_pilot.cpp LABEL unit)
+strahl_test(render/test_prediction.cpp LABEL unit)
 strahl_test(render/test_traversal_choice.cpp LABEL unit)
 # A program for every scene, compiled where nothing is cached yet.
 strahl_test(render/test_generic.cpp LABEL render TIMEOUT 400)

@@ -26,7 +26,7 @@ struct Run {
 Run selftest(std::vector<std::string> arguments) {
   const Folder folder;
   arguments.insert(arguments.begin(), "selftest");
-  arguments.insert(arguments.end(), {"--json", "-"});
+  arguments.insert(arguments.end(), {"--json", "-", "--no-progress"});
   const Outcome outcome = folder.run(arguments, {{"RUSTICL_ENABLE", "llvmpipe"}});
   INFO(outcome.err);
   REQUIRE((outcome.code == 0 || outcome.code == 7));

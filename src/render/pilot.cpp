@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: MIT
+#include "render/pilot.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <numeric>
+
+#include "render/stopwatch.h"
+
+namespace strahl {
+namespace {
+
+constexpr int first_spp = 8;          ///< Where the renderer looks at an error first.
+constexpr int least_spp = 4;          ///< That tell an error.
+constexpr int growth = 4;             ///< From look to look: all looks together take a third more than the last.
+constexpr double probe_share = 0.15;  ///< Of the pilot's time, to see whether the whole picture is quick.
+
+/// A strip shorter than this says more of launches than of samples; none is more than a sixteenth of the picture, and
+/// fewer than three strips say nothing of how they differ.
+constexpr double strip_seconds = 0.01;
+constexpr int least_strips = 16;
+constexpr std::size_t least_seen = 3;
+constexpr double unseen_spread = 0.5;
+
+/// What the same render's time varies by from run to run where the machine does nothing else.
+constexpr double repeat_spread = 0.05;
+
+/// Two-sided 95 % of the normal distribution, which ErrorEstimate's interval is of.
+constexpr double normal_quantile = 1.96;
+
+struct Timed {
+  RenderResult result;
+  double seconds = 0;  ///< Without what comes after the last sample.
+};
+
+Timed timed_render(Renderer& renderer, const RenderGoal& goal, const ProgressCallback& goes_on = {}) {
+  const Stopwatch watch;
+  Timed timed{renderer.render(goes_on, goal), 0};
+  const PhaseSeconds& seconds = timed.result.stats.seconds;
+  timed.seconds = watch.seconds() - seconds.readback - seconds.error;
+  return timed;
+}
+
+Look look_of(int spp, const ErrorEstimate& error) {
+  const double mse = error.rmse * error.rmse;
+  if (!(mse > 0)) return {static_cast<double>(spp), 0, 0, 1, 0};
+  const double spread = (error.rmse_high * error.rmse_high / mse - 1) / normal_quantile;
+  return {static_cast<double>(spp), mse, spread, error.rmse_high / error.rmse, spread};
+}
+
+double mean_of(const std::vector<double>& parts) {
+  return parts.empty() ? 0 : std::accumulate(parts.begin(), parts.end(), 0.0) / static_cast<double>(parts.size());
+}
+
+/// Relative standard deviation of the mean of equally large parts, which are `share` of the whole.
+double spread_of(const std::vector<double>& parts, double share) {
+  if (parts.size() < least_seen) return share < 1 ? unseen_spread : 0;
+  const double mean = mean_of(parts), n = static_cast<double>(parts.size());
+  double squares = 0;
+  for (const double part : parts) squares += (part - mean) * (part - mean);
+  return mean > 0 ? std::sqrt(squares / (n - 1) / n * std::max(0.0, 1 - share)) / mean : 0;
+}
+
+/// Strips of the picture, all with as many samples.
+struct Strips {
+  int spp = 0;
+  std::vector<double> seconds, errors, variances;  ///< Of each: mse, and the variance of that.
+
+  void add(const Timed& timed) {
+    seconds.push_back(timed.seconds);
+    if (!timed.result.error) return;
+    const Look look = look_of(spp, *timed.result.error);
+    errors.push_back(look.mse);
+    variances.push_back(look.mse * look.spread * look.mse * look.spread);
+  }
+  /// Relative standard deviation of the errors' mean by what the strips say of themselves.
+  [[nodiscard]] double own_spread() const {
+    const double mean = mean_of(errors);
+    return mean > 0 ? std::sqrt(mean_of(variances) / static_cast<double>(variances.size())) / mean : 0;
+  }
+};
+
+class PilotRun {
+ public:
+  PilotRun(Renderer& renderer, int most_spp, const std::function<double(const Pilot&)>& most_seconds)
+      : renderer_(renderer), most_spp_(most_spp), most_seconds_(most_seconds) {
+    spp_ = std::min(first_spp, most_spp);
+  }
+
+  Pilot run() {
+    const double most = most_seconds_(pilot_);
+    RenderGoal goal;
+    goal.spp = spp_;
+    const Timed first =
+        timed_render(renderer_, goal, [&](const Progress&) { return watch_.seconds() < probe_share * most; });
+    rows_ = first.result.color.height;
+    const double pixels = static_cast<double>(first.result.color.width) * rows_;
+    sample_seconds_ = first.seconds * pixels / std::max(1.0, static_cast<double>(first.result.stats.camera_rays));
+    if (first.result.complete && whole_is_quick()) {
+      add_whole(first, spp_);
+      whole_picture();
+    } else if (strips()) {
+      pilot_.looks.clear();
+      pilot_.passes.clear();
+      pilot_.share = 1;
+      pilot_.common_spread = 0;
+      whole_picture();
+    }
+    pilot_.seconds = watch_.seconds();
+    return pilot_;
+  }
+
+ private:
+  [[nodiscard]] double left() const { return most_seconds_(pilot_) - watch_.seconds(); }
+
+  /// Two looks at all of it: what one tells of the error's fall is nothing.
+  [[nodiscard]] bool whole_is_quick() const { return sample_seconds_ * std::min(most_spp_, growth * spp_) < left(); }
+
+  void add_whole(const Timed& timed, int spp) {
+    pilot_.passes.push_back({static_cast<double>(spp), timed.seconds});
+    pilot_.spread = repeat_spread;
+    const PhaseSeconds& seconds = timed.result.stats.seconds;
+    pilot_.look_seconds = seconds.readback + seconds.error;
+    if (timed.result.error) pilot_.looks.push_back(look_of(spp, *timed.result.error));
+    sample_seconds_ = timed.seconds / spp;
+  }
+
+  void whole_picture() {
+    int spp = pilot_.passes.empty() ? spp_ : growth * spp_;
+    while (spp <= most_spp_) {
+      const double fitting = left() / sample_seconds_;
+      const int last = pilot_.passes.empty() ? 0 : static_cast<int>(pilot_.passes.back().samples);
+      if (fitting < spp) spp = static_cast<int>(std::bit_floor(static_cast<unsigned>(std::max(fitting, 0.0))));
+      if (spp < 2 * last || spp == 0) break;
+      RenderGoal goal;
+      goal.spp = spp;
+      goal.seed = static_cast<std::uint32_t>(spp);  // Looks that share no samples differ by chance independently.
+      add_whole(timed_render(renderer_, goal), spp);
+      spp *= growth;
+    }
+  }
+
+  Timed render_strip(int strip, int rows, int spp) {
+    RenderGoal goal;
+    goal.spp = spp;
+    goal.seed = static_cast<std::uint32_t>(spp);
+    goal.rows = Rows{strip * rows, rows};
+    return timed_render(renderer_, goal);
+  }
+
+  /// Each with few samples, every fourth with more, until the time is over. true: the render takes so long that there
+  /// is time to look at all of the picture.
+  bool strips() {
+    const int most = std::min(most_spp_, growth * first_spp);
+    Strips few{std::clamp(most / growth, std::min(least_spp, most), most), {}, {}, {}};
+    Strips more{most, {}, {}, {}};
+    std::vector<double> paired;  // Errors of `few` where there are those of `more`.
+    const double row = sample_seconds_ / rows_ * few.spp;
+    const int rows = std::clamp(static_cast<int>(std::ceil(strip_seconds / row)), 1, std::max(1, rows_ / least_strips));
+    const int count = rows_ / rows;
+    const unsigned bits = static_cast<unsigned>(std::bit_width(static_cast<unsigned>(std::max(count - 1, 1))));
+    double seconds = most_seconds_(pilot_);
+    for (unsigned i = 0; i < (1U << bits); ++i) {
+      const int strip = reversed(i, bits);  // Radical inverses (van der Corput 1935): any first few are evenly spread.
+      if (strip >= count) continue;
+      const Timed timed = render_strip(strip, rows, few.spp);
+      few.add(timed);
+      if (more.spp > few.spp && few.seconds.size() % growth == 1) {
+        more.add(render_strip(strip, rows, more.spp));
+        if (!few.errors.empty()) paired.push_back(few.errors.back());
+      }
+      const std::size_t seen = few.seconds.size();
+      if (watch_.seconds() < seconds && seen < static_cast<std::size_t>(count)) continue;
+      const PhaseSeconds& s = timed.result.stats.seconds;
+      pilot_.look_seconds = (s.readback + s.error) * rows_ / rows;
+      pilot_.share = static_cast<double>(seen) * rows / rows_;
+      sum_up(few, more, paired, static_cast<double>(rows_) / rows);
+      seconds = most_seconds_(pilot_);
+      sample_seconds_ = pilot_.passes.back().seconds / pilot_.passes.back().samples;
+      if (sample_seconds_ * (few.spp + most) < seconds - watch_.seconds()) return true;
+      if (watch_.seconds() >= seconds && seen >= least_seen) return false;
+    }
+    return false;
+  }
+
+  static int reversed(unsigned value, unsigned bits) {
+    unsigned result = 0;
+    for (unsigned bit = 0; bit < bits; ++bit) result |= ((value >> bit) & 1U) << (bits - 1 - bit);
+    return static_cast<int>(result);
+  }
+
+  /// strips: that make up the picture.
+  void sum_up(const Strips& few, const Strips& more, const std::vector<double>& paired, double strips) {
+    pilot_.looks.clear();
+    pilot_.passes = {{static_cast<double>(few.spp), strips * mean_of(few.seconds)}};
+    pilot_.spread = std::hypot(repeat_spread, spread_of(few.seconds, pilot_.share));
+    if (!more.seconds.empty()) {
+      // The same strips with few samples say how much of the difference is the samples'.
+      double same = 0;
+      for (std::size_t i = 0; i < more.seconds.size(); ++i) same += few.seconds[i * growth];
+      const double factor = mean_of(more.seconds) * static_cast<double>(more.seconds.size()) / same;
+      pilot_.passes.push_back({static_cast<double>(more.spp), factor * pilot_.passes.front().seconds});
+    }
+    if (few.errors.empty()) return;
+    // Of the whole picture, which has more pixels than were looked at.
+    const double mse = mean_of(few.errors), own = few.own_spread(), told = own * std::sqrt(pilot_.share);
+    const double upper = std::sqrt(1 + normal_quantile * told);
+    pilot_.common_spread = spread_of(few.errors, pilot_.share);
+    pilot_.looks.push_back({static_cast<double>(few.spp), mse, own, upper, told});
+    const double before = mean_of(paired);
+    if (more.errors.empty() || !(before > 0)) return;
+    const double spread = std::hypot(more.own_spread(), own * std::sqrt(static_cast<double>(growth)));
+    pilot_.looks.push_back({static_cast<double>(more.spp), mse * mean_of(more.errors) / before, spread, upper, told});
+  }
+
+  Renderer& renderer_;
+  int most_spp_;
+  const std::function<double(const Pilot&)>& most_seconds_;
+  Stopwatch watch_;
+  Pilot pilot_;
+  int spp_ = first_spp;
+  int rows_ = 1;
+  double sample_seconds_ = 0;  ///< One of every pixel.
+};
+
+}  // namespace
+
+Pilot run_pilot(Renderer& renderer, int most_spp, const std::function<double(const Pilot&)>& most_seconds) {
+  return PilotRun(renderer, most_spp, most_seconds).run();
+}
+
+}  // namespace strahl
