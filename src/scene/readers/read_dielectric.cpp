@@ -10,16 +10,16 @@
 namespace strahl {
 namespace {
 
-double read_index(Properties& properties, const char* name, double absent) {
+double read_index(Properties& properties, const char* name, double otherwise) {
   const XmlElement* given = properties.peek(name);
-  if (given == nullptr || given->tag != "string") return properties.positive(name).value_or(absent);
+  if (given == nullptr || given->tag != "string") return properties.positive(name).value_or(otherwise);
   const std::string medium = properties.string(name).value_or("");
   if (const std::optional<double> index = refractive_index(medium)) return *index;
   properties.diagnostics().error(properties.where(name),
                                  fmt::format("\"{}\" is \"{}\", which is no medium that strahl knows{}; a number > 0 "
                                              "will do",
                                              name, medium, did_you_mean(medium, refractive_names())));
-  return absent;
+  return otherwise;
 }
 
 }  // namespace
