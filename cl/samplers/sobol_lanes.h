@@ -2,10 +2,10 @@
 // Owen-scrambled Sobol points, two dimensions a set, sets decorrelated by shuffling: B. Burley, "Practical Hash-based
 // Owen Scrambling", JCGT 9(4), 2020, with the hash of N. Vegdahl, "Building a Better LK Hash", 2021.
 //
-// A pixel's samples are one sequence, which is a (0, 2)-sequence in every set: of its first 2^m points one lies in every
-// elementary interval of area 2^-m (tests/cl/test_samplers.cpp). Pixels and sets have scrambles of their own. The order
-// of the samples is scrambled as well, so aligned blocks of 2^m samples are exchangeable; the error that is told rests
-// on it (render/block_law.h). One width; no guard.
+// A pixel's samples are one sequence, which is a (0, 2)-sequence in every set: of its first 2^m points one lies in
+// every elementary interval of area 2^-m (tests/cl/test_samplers.cpp). Pixels and sets have scrambles of their own. The
+// order of the samples is scrambled as well, so aligned blocks of 2^m samples are exchangeable; the error that is told
+// rests on it (render/block_law.h). One width; no guard.
 
 FN uintw LANED(reversed_bits)(uintw x) {
   x = (x >> 16) | (x << 16);

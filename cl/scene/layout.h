@@ -11,8 +11,8 @@
 enum {
   HEADER_WIDTH,  // pixels of a row of the whole picture
   HEADER_SEED,
-  HEADER_SUMS,        // The film's sums of a pixel: FILM_SUBSUMS or 1.
-  HEADER_BLOCKS,      // The first samples of the second, third and fourth sum; -1: sums take samples in turns.
+  HEADER_SUMS,    // The film's sums of a pixel: FILM_SUBSUMS or 1.
+  HEADER_BLOCKS,  // The first samples of the second, third and fourth sum; -1: sums take samples in turns.
   HEADER_BLOCKS_END = HEADER_BLOCKS + 2,
   HEADER_INTEGRATOR,  // INTEGRATOR_direct, ...
   HEADER_MAX_DEPTH,   // -1: no limit

@@ -97,7 +97,7 @@ TEST_CASE("coordinates, sets, pixels and seeds know nothing of each other") {
     std::vector<std::vector<double>> columns(8);
     // The same place in its sequence for every pixel: what is left is the scrambling.
     for (std::uint32_t pixel = 0; pixel < count; ++pixel) {
-      const Pair pairs[] = {sampler(pixel, 8, 1, 0), sampler(pixel, 8, 2, 0), sampler(pixel, 9, 1, 0),
+      const Pair pairs[] = {sampler(pixel, 8, 1, 0), sampler(pixel, 8, 2, 0), sampler(pixel, 8, 3, 0),
                             sampler(pixel, 8, 1, 1)};
       for (std::size_t k = 0; k < 8; ++k) columns[k].push_back(unit(pairs[k / 2][k % 2]));
     }

@@ -112,8 +112,12 @@ TEST_CASE("a sample is in the block of the film that the host takes it to be in"
   for (int i = 0; i < 100; ++i) samples.push_back(static_cast<float>(i));
   const strahl::SampleBlocks octaves = strahl::SampleBlocks::of_sequence(100);
   const auto in = [&](const std::string& header) {
-    return values<std::int32_t>("#include \"core/sample_blocks.h\"\n", "int",
-                                "block_of(&(SampleBlocks){4, " + header + "}, (int)x)", samples, {});
+    return values<std::int32_t>(
+        "#include \"core/sample_blocks.h\"\nFN int block_in(int second, int third, int fourth, int "
+        "sample) {\n  SampleBlocks blocks;\n  blocks.sums = 4;\n  blocks.second = second;\n"
+        "  blocks.third = third;\n  blocks.fourth = fourth;\n"
+        "  return block_of(&blocks, sample);\n}\n",
+        "int", "block_in(" + header + ", (int)x)", samples, {});
   };
   const auto& first = octaves.header();
   const auto blocks = in(std::to_string(first[0]) + ", " + std::to_string(first[1]) + ", " + std::to_string(first[2])),
