@@ -12,6 +12,9 @@ add_test(NAME acceptance_mitsuba_watertight
          COMMAND python3 -B ${CMAKE_CURRENT_LIST_DIR}/mitsuba_watertight.py $<TARGET_FILE:strahl-bin> 20000)
 set_tests_properties(acceptance_mitsuba_watertight PROPERTIES LABELS slow SKIP_RETURN_CODE 77 TIMEOUT 900)
 
+add_test(NAME acceptance_mitsuba_glass
+         COMMAND python3 -B ${CMAKE_CURRENT_LIST_DIR}/mitsuba_glass.py $<TARGET_FILE:strahl-bin>)
+set_tests_properties(acceptance_mitsuba_glass PROPERTIES LABELS slow SKIP_RETURN_CODE 77 TIMEOUT 1800)
 add_test(NAME acceptance_mitsuba_path
          COMMAND python3 -B ${CMAKE_CURRENT_LIST_DIR}/mitsuba_path.py $<TARGET_FILE:strahl-bin>)
 set_tests_properties(acceptance_mitsuba_path PROPERTIES LABELS slow SKIP_RETURN_CODE 77 TIMEOUT 1800)

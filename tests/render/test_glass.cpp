@@ -53,7 +53,8 @@ Cube plate(double angle) {
   return {-0.5 * (u + v + w), {u, v, w}};
 }
 
-Rectangle lamp_below() { return {{-300, -300, -290}, {600, 0, 0}, {0, 600, 0}}; }
+/// Not where a steep plate reflects to.
+Rectangle lamp_below() { return {{-20, -20, -290}, {40, 0, 0}, {0, 40, 0}}; }
 
 TEST_CASE("a plate lets through what remains after all reflections between its faces") {
   require_pocl_and_rusticl();
@@ -70,8 +71,14 @@ TEST_CASE("a plate lets through what remains after all reflections between its f
       scene.sampler.sample_count = 4;
       const Image drawn = color(with_integrator(scene, "path"));
       double sum = 0;
-      for (std::size_t i = 0; i < drawn.data.size(); i += 3) sum += static_cast<double>(drawn.data[i]);
-      CHECK(sum / (stage_size * stage_size) == Approx(through).margin(0.02));
+      int count = 0;
+      for (int y = 0; y < stage_size; ++y)
+        for (int x = 0; x < stage_size; ++x) {
+          if (std::fabs(stage_x(x)) > 0.8) continue;  // Farther out a steep plate lies behind the camera.
+          sum += static_cast<double>(drawn.at(x, y, 0));
+          ++count;
+        }
+      CHECK(sum / count == Approx(through).margin(0.03));
     }
   }
 }
