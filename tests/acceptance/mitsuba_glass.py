@@ -38,7 +38,7 @@ def main():
             parameters = {"depth": depth}
             reference = mitsuba_path.by_mitsuba(parameters, spp, range(renders))
             ours = mitsuba_path.by_strahl(sys.argv[1], parameters, spp, range(renders), "independent")
-            good &= mitsuba_path.compare(f"{scene}, depth {depth}", ours, reference)
+            good &= mitsuba_path.compare(f"{scene}, depth {depth}", ours, reference, 0.45)
     return 0 if good else 1
 
 

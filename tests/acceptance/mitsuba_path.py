@@ -48,7 +48,8 @@ def by_strahl(strahl, parameters, spp, seeds, sampler):
     return np.array(results, float)
 
 
-def compare(name, a, b):
+def compare(name, a, b, least=0.75):
+    """least: of t^2 over its expectation; rare bright samples make the noise seem larger than it is."""
     n = len(a)
     rounding = (1e-5 * b.mean(axis=0)) ** 2  # Blocks that show nothing but a lamp.
     va, vb = a.var(axis=0, ddof=1) / n + rounding, b.var(axis=0, ddof=1) / n + rounding
@@ -58,7 +59,7 @@ def compare(name, a, b):
     whole = (a.mean(axis=(1, 2)), b.mean(axis=(1, 2)))
     z = (whole[0].mean() - whole[1].mean()) / np.sqrt((whole[0].var(ddof=1) + whole[1].var(ddof=1)) / n)
     ratio = (t ** 2).mean() / expected
-    good = 0.75 < ratio < 1.3 and np.abs(t).max() < 6.5 and abs(z) < 4.5
+    good = least < ratio < 1.3 and np.abs(t).max() < 6.5 and abs(z) < 4.5
     print(f"{name:28} blocks {t.size}, t^2 over its expectation {ratio:.3f}, largest |t| {np.abs(t).max():.2f}, "
           f"whole {whole[0].mean():.5f} / {whole[1].mean():.5f}, t {z:+.2f}: {'same' if good else 'DIFFERENT'}")
     return good
