@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 // What is carried from the camera from surface to surface, one path a lane. One width; no guard.
 
+#include "core/counters.h"
+#include "core/interfaces_lanes.h"
+
 typedef struct {
   maskw alive;        ///< Paths that go on along `rays`.
   LANED(Rays) rays;   ///< The ways to the next surfaces.
@@ -11,6 +14,7 @@ typedef struct {
   realw eta2;         ///< Square of the index of refraction where the ray runs over that at the camera.
   realw travelled;    ///< Length of the ways before the ray; kept only where there are textures.
   intw depth;         ///< Surfaces before the ray: 0 for a camera ray.
+  LANED(Interfaces) within;  ///< Kept only where shapes have priorities.
   LANED(SampleState) sample;
 } LANED(Paths);
 
@@ -21,6 +25,12 @@ FN void LANED(paths_none)(LANED(Paths) * path) {
   path->radiance = path->throughput = path->from = vec3_w(zero, zero, zero);
   path->density = path->travelled = zero;
   path->eta2 = splat_w(R(1.0));
+  if (HAS_PRIORITY) {
+    for (int k = 0; k < LANED(INTERFACES_MOST); ++k) {
+      path->within.rank[k] = path->within.instance[k] = splat_int_w(-1);
+      path->within.ior[k] = zero;
+    }
+  }
   path->depth = path->rays.left = path->rays.left_instance = path->rays.aim = splat_int_w(-1);
   path->rays.is_outward = splat_int_w(0);
   path->sample.sample = splat_uint_w(0u);
@@ -47,6 +57,7 @@ FN void LANED(paths_follow)(LANED(Paths) * path, maskw which, const LANED(Rays) 
 FN void LANED(paths_begin)(LANED(Paths) * path, maskw which, const LANED(Rays) * rays) {
   realw one = splat_w(R(1.0)), zero = splat_w(R(0.0));
   path->alive = path->alive | which;
+  if (HAS_PRIORITY) LANED(interfaces_none)(which, &path->within);
   LANED(paths_follow)(path, which, rays);
   path->radiance = sel3_w(which, vec3_w(zero, zero, zero), path->radiance);
   path->throughput = sel3_w(which, vec3_w(one, one, one), path->throughput);

@@ -18,6 +18,7 @@ typedef struct {
   intw count;
   realw reals[LANED(BRANCHES_MOST)][LANED(BRANCH_REALS)];
   intw ints[LANED(BRANCHES_MOST)][LANED(BRANCH_INTS)];
+  LANED(Interfaces) within[LANED(BRANCHES_MOST)];  ///< Kept only where shapes have priorities.
 } LANED(Branches);
 
 FN void LANED(put_branch3)(LANED(Branches) * branches, int at, int plane, int lane, const real3w* v) {
@@ -34,7 +35,7 @@ FN void LANED(get_branch3)(const LANED(Branches) * branches, int at, int plane, 
 
 /// The rays along `way` wait in the lanes of `which`.
 FN void LANED(branch_off)(const LANED(Paths) * path, const LANED(Surfaces) * s, maskw which, real3w way, real3w share,
-                          realw eta2, LANED(Branches) * branches) {
+                          realw eta2, const LANED(Interfaces) * within, LANED(Branches) * branches) {
   LANED(Rays) rays;
   LANED(rays_leaving)(s, which, way, splat_w(REAL_MAX), &rays);
   real3w o = LANED(real3_at)(rays.planes + RAY_PLANE_O), d = LANED(real3_at)(rays.planes + RAY_PLANE_D);
@@ -49,13 +50,14 @@ FN void LANED(branch_off)(const LANED(Paths) * path, const LANED(Surfaces) * s, 
     put_int_w(&branches->ints[at][LANED(BRANCH_INSTANCE)], i, get_int_w(&rays.left_instance, i));
     put_int_w(&branches->ints[at][LANED(BRANCH_OUTWARD)], i, get_int_w(&rays.is_outward, i));
     put_int_w(&branches->ints[at][LANED(BRANCH_DEPTH)], i, get_int_w(&path->depth, i) + 1);
+    if (HAS_PRIORITY) LANED(copy_interfaces)(within, i, &branches->within[at]);
     put_int_w(&branches->count, i, at + 1);
   }
 }
 
 /// As path_scatter, along both ways: one of them at once.
 FN maskw LANED(path_branch)(const Scene* scene, LANED(Paths) * path, const LANED(Surfaces) * s, const LANED(Bsdf) * b,
-                            maskw which, LANED(Branches) * branches, real3w* on) {
+                            maskw which, const LANED(Crossing) * crossing, LANED(Branches) * branches, real3w* on) {
   realw zero = splat_w(R(0.0)), least = splat_w(BRANCH_LEAST);
   LANED(BsdfSample) back = LANED(bsdf_sample)(b, LOBE_DELTA | LOBE_REFLECT, zero, zero, zero);
   LANED(BsdfSample) through = LANED(bsdf_sample)(b, LOBE_DELTA | LOBE_TRANSMIT, zero, zero, zero);
@@ -73,7 +75,9 @@ FN maskw LANED(path_branch)(const Scene* scene, LANED(Paths) * path, const LANED
   maskw is_back = goes_back & (is_back_less | ~goes_through);
   if (any_w(splits)) {
     real3w way = sel3_w(is_back, through.wi, back.wi), share = sel3_w(is_back, through_share, back_share);
-    LANED(branch_off)(path, s, splits, way, share, sel_w(is_back, eta2, path->eta2), branches);
+    LANED(Interfaces) within = path->within;
+    if (HAS_PRIORITY) LANED(cross_interface)(scene, crossing, splits & LANED(goes_through)(crossing, s, way), &within);
+    LANED(branch_off)(path, s, splits, way, share, sel_w(is_back, eta2, path->eta2), &within, branches);
   }
   which = goes_back | goes_through;
   path->throughput = sel3_w(which, sel3_w(is_back, back_share, through_share), path->throughput);
@@ -103,6 +107,7 @@ FN void LANED(branches_resume)(const Scene* scene, LANED(Paths) * path, maskw wh
     put_int_w(&rays.left_instance, i, get_int_w(&branches->ints[at][LANED(BRANCH_INSTANCE)], i));
     put_int_w(&rays.is_outward, i, get_int_w(&branches->ints[at][LANED(BRANCH_OUTWARD)], i));
     put_int_w(&path->depth, i, get_int_w(&branches->ints[at][LANED(BRANCH_DEPTH)], i));
+    if (HAS_PRIORITY) LANED(copy_interfaces)(&branches->within[at], i, &path->within);
     put_int_w(&branches->count, i, at);
   }
   // The planes that were kept are prepared already, which preparing leaves as they are.

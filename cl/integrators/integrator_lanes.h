@@ -28,6 +28,7 @@ enum {
 #undef INTEGRATOR
 };
 
+#include "integrators/crossing_lanes.h"
 #include "integrators/scatter_lanes.h"
 #include "integrators/branches_lanes.h"
 
@@ -56,15 +57,25 @@ FN void LANED(surface_scatter)(const Scene* scene, LANED(Paths) * path, const LA
   if (any_w(on)) {
     real3w wo = unit3_w(negate3_w(d));
     LANED(Bsdf) b = LANED(bsdf_at)(scene, s, wo);
+    LANED(Crossing) crossing;
+    if (HAS_PRIORITY) {
+      crossing = LANED(crossing_of)(scene, &path->within, s, on, &b);
+      maskw unreal = crossing.which & ~crossing.is_real;
+      LANED(cross_interface)(scene, &crossing, unreal, &path->within);
+      passed = passed | unreal;
+      on = on & ~unreal;
+    }
     if ((LANED(STEPS) & (STEP_LIGHTS | STEP_OPENNESS)) && (next & (STEP_LIGHTS | STEP_OPENNESS)) != 0)
       LANED(add_lights)(scene, path, s, &b, wo, on, next);
     if (HAS_BRANCHES && (next & STEP_DELTA) != 0)
-      on = LANED(path_branch)(scene, path, s, &b, on, branches, &way);
+      on = LANED(path_branch)(scene, path, s, &b, on, &crossing, branches, &way);
     else if ((LANED(STEPS) & (STEP_DELTA | STEP_SCATTER)) && (next & (STEP_DELTA | STEP_SCATTER)) != 0)
       on = LANED(path_scatter)(scene, path, s, &b, on, next, &way);
     else
       on = none_w();
     if (HAS_COUNT_RAYS) count_events(scene, COUNT_BOUNCE, lanes_among(bits_w(on)));
+    if (HAS_PRIORITY)
+      LANED(cross_interface)(scene, &crossing, on & LANED(goes_through)(&crossing, s, way), &path->within);
     way = sel3_w(on, way, d);
     t_max = sel_w(on, splat_w(REAL_MAX), t_max);
     path->depth = sel_int_w(on, path->depth + splat_int_w(1), path->depth);

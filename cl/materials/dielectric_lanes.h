@@ -2,7 +2,8 @@
 // A smooth boundary between two media that absorb nothing: a share of the light is reflected (Fresnel), the rest is
 // refracted (Snell). Radiance that goes from one medium into the other scales by the square of their indices' ratio
 // (E. Veach, "Robust Monte Carlo Methods for Light Transport Simulation", 1997, section 5.2). Parameters: specular
-// reflectance r g b, specular transmittance r g b, index of refraction inside over outside.
+// reflectance r g b, specular transmittance r g b, index of refraction inside over outside; those of inside and of
+// outside, which count where overlapping glass is tracked (core/interfaces_lanes.h).
 #include "math/fresnel_lanes.h"
 
 enum { LANED(DIELECTRIC_TRANSMITTANCE) = 3, LANED(DIELECTRIC_ETA) = 6 };
@@ -10,8 +11,7 @@ enum { LANED(DIELECTRIC_TRANSMITTANCE) = 3, LANED(DIELECTRIC_ETA) = 6 };
 FN void LANED(dielectric_load)(const Scene* scene, const LANED(Surfaces) * s, intw rows, maskw which, LANED(Bsdf) * b) {
   LANED(put_bsdf_color)(b, which, 0, LANED(parameter_at)(scene, s, which, rows, 0));
   LANED(put_bsdf_color)(b, which, LANED(DIELECTRIC_TRANSMITTANCE), LANED(parameter_at)(scene, s, which, rows, 1));
-  realw eta = LANED(parameter_at)(scene, s, which, rows, 2).x;
-  b->p[LANED(DIELECTRIC_ETA)] = sel_w(which, eta, b->p[LANED(DIELECTRIC_ETA)]);
+  LANED(put_bsdf_color)(b, which, LANED(DIELECTRIC_ETA), LANED(parameter_at)(scene, s, which, rows, 2));
 }
 
 FN real3w LANED(dielectric_eval)(const LANED(Bsdf) * b, real3w wi, PRIVATE realw* density) {

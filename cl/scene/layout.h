@@ -86,6 +86,7 @@ enum {
   PART_NORMALS,   // -> shading, 9 reals a primitive of the shape; -1: none
   PART_UVS,       // -> shading, 6 reals a primitive of the shape; -1: none
   PART_UV_RATES,  // -> shading, 2 reals: change of tex_u and tex_v per unit of length; -1: no textures
+  PART_RANK,      // Among the shapes that have a priority, the lowest 0; -1: it has none.
   PART_INTS
 };
 
@@ -142,6 +143,7 @@ enum {
   COUNT_SHADOW,
   COUNT_BOUNCE,
   COUNT_BRANCHES,
+  COUNT_INTERFACES,
   COUNT_NODES,
   COUNT_PRIMITIVES,
   COUNT_CUT,

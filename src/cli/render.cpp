@@ -100,6 +100,11 @@ void warn_of_samples(const RunStats& stats) {
   if (stats.saturated_samples > 0)
     say(fmt::format("strahl: warning: {} sample channels were beyond the largest float; they count as 3.4e38",
                     stats.saturated_samples));
+  if (stats.lost_interfaces > 0)
+    say(fmt::format(
+        "strahl: warning: {} times a ray was within more than 8 shapes of glass that have a priority; what it "
+        "entered then was taken for air on the way out",
+        stats.lost_interfaces));
   if (stats.invalid_samples > 0)
     say(fmt::format("strahl: warning: {} sample channels were not a number; they count as black",
                     stats.invalid_samples));

@@ -83,7 +83,9 @@ void shape_causes(const Scene& scene, const RenderSettings& settings, Causes& ca
   const auto look_at = [&](const Shape& shape) {
     const auto* mesh = std::get_if<Mesh>(&shape.geometry);
     if (!causes.allow("shapes/" + shape_kind(shape))) return;
-    if (!mesh && !seen.emplace(shape.geometry.index(), shape.material, shape.radiance.has_value()).second) return;
+    if (!mesh && !!shape.priority &&
+        !seen.emplace(shape.geometry.index(), shape.material, shape.radiance.has_value()).second)
+      return;
     const std::string kind = shape_kind(shape);
     call_for(causes, "shapes/" + kind, "a shape made of " + kind + " primitives", shape.where);
     if (mesh && shading && !mesh->normals.empty())
@@ -100,6 +102,7 @@ void shape_causes(const Scene& scene, const RenderSettings& settings, Causes& ca
       call_for(causes, "EMISSION", "an area emitter", shape.radiance_where);
       emit(shape.radiance_where);
     }
+    if (reflects && shape.priority) call_for(causes, "PRIORITY", "a shape with a priority", shape.where);
     bool textured = false;
     if (reflects && !(mesh && !mesh->parts.empty())) textured = use_material(shape.material, shape.where);
     if (!mesh) return;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <initializer_list>
 #include <limits>
+#include <map>
 #include <span>
 #include <stdexcept>
 
@@ -185,7 +186,24 @@ class Packing {
     return at;
   }
 
+  /// Shapes by priority, of two alike the later first: places in that order are the ranks.
+  void rank_shapes() {
+    std::vector<std::pair<int, std::size_t>> order;
+    for (std::size_t i = 0; i < shapes_.size(); ++i)
+      if (shapes_[i]->priority) order.emplace_back(*shapes_[i]->priority, shapes_.size() - i);
+    std::sort(order.begin(), order.end());
+    for (std::size_t rank = 0; rank < order.size(); ++rank)
+      ranks_[shapes_[shapes_.size() - order[rank].second]] = checked_offset(rank);
+  }
+
+  int rank_of(const Shape& shape, const MeshPart& look) const {
+    const Material& material = scene_.materials.at(static_cast<std::size_t>(look.material));
+    const auto rank = ranks_.find(&shape);
+    return rank == ranks_.end() || !std::holds_alternative<Dielectric>(material.bsdf) ? -1 : rank->second;
+  }
+
   void parts() {
+    rank_shapes();
     index(layout::HEADER_PARTS) = index_end();
     put_parts(scene_.shapes, options_.frame);
     for (const Group& group : scene_.groups) put_parts(group.shapes, group_frame(group, options_.frame));
@@ -218,7 +236,7 @@ class Packing {
         const int light = light_of_part_[static_cast<std::size_t>(part_rows_)];
         packed_.index.insert(packed_.index.end(), {static_cast<int>(i), first_id, look.material, radiance_at, light,
                                                    shape.flip_normals != faces_inward(shape.geometry) ? 1 : 0, frame_at,
-                                                   normals_at, uvs_at, rates_at});
+                                                   normals_at, uvs_at, rates_at, rank_of(shape, look)});
         ++part_rows_;
       }
     }
@@ -347,6 +365,7 @@ class Packing {
   std::vector<std::int32_t> first_ids_;
   std::vector<int> first_part_, light_of_part_;
   int part_rows_ = 0;
+  std::map<const Shape*, int> ranks_;
   std::vector<PackedTree<Real>> groups_;
   std::vector<Real> instances_;  ///< INSTANCE_REALS each.
   std::vector<Bounds<Real>> instance_boxes_;

@@ -99,6 +99,7 @@ FilmRun::Unfinished FilmRun::launch_once(const Launch& launch, int band_row) {
   run.saturated_samples += counted[layout::COUNT_SATURATED];
   run.invalid_samples += counted[layout::COUNT_INVALID];
   run.weak_branches += counted[layout::COUNT_BRANCHES];
+  run.lost_interfaces += counted[layout::COUNT_INTERFACES];
   if (state_.settings.count_rays) {
     *run.shadow_rays += counted[layout::COUNT_SHADOW];
     *run.bounce_rays += counted[layout::COUNT_BOUNCE];

@@ -62,6 +62,7 @@ std::string RunStats::json() const {
   json["rays"] = {
       {"camera", camera_rays}, {"shadow", count_or_null(shadow_rays)}, {"bounce", count_or_null(bounce_rays)}};
   json["weak_branches"] = weak_branches;
+  json["lost_interfaces"] = lost_interfaces;
   json["visits"] = {{"nodes", count_or_null(nodes_visited)}, {"primitives", count_or_null(primitives_tested)}};
   json["bytes"] = {{"device", device_bytes}, {"host", host_bytes}};
   json["device"] = device;

@@ -71,6 +71,7 @@ struct RunStats {
   std::string ending;                    ///< ending_name of what ended the render.
   std::uint64_t saturated_samples = 0;   ///< Sample channels beyond the largest float, counted as it.
   std::uint64_t weak_branches = 0;       ///< Rays that whitted did not follow: weaker than 2^-20 of the camera ray.
+  std::uint64_t lost_interfaces = 0;     ///< Surfaces of glass with a priority that had no place among what is tracked.
   std::uint64_t invalid_samples = 0;     ///< NaN sample channels, counted as black.
 
   [[nodiscard]] double longest_launch() const;

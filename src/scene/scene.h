@@ -103,6 +103,7 @@ struct Shape {
   int material = 0;               ///< Index into Scene::materials.
   std::optional<Rgb> radiance;    ///< Area emitter: emitted on the side that the normal points to.
   bool flip_normals = false;      ///< Mitsuba's flip_normals: reverses the normal as built.
+  std::optional<int> priority;    ///< Of glass: where such shapes overlap the highest one is there. None: not tracked.
   SourceLocation where;           ///< The <shape> element.
   SourceLocation radiance_where;  ///< The <emitter> element inside it.
 };

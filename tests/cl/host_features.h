@@ -6,6 +6,7 @@
 #define HAS_EMISSION 1
 #define HAS_TWOSIDED 1
 #define HAS_BRANCHES 1
+#define HAS_PRIORITY 1
 #define HAS_SMOOTH_NORMALS 1
 #define HAS_MESH_UVS 1
 #define HAS_INSTANCES 1

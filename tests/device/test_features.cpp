@@ -128,6 +128,22 @@ TEST_CASE("Mirrors and textures count where a shape has them") {
   for (const char* effect : {"materials/diffuse", "textures/checkerboard", "MESH_UVS"}) check_off(scene, {}, effect);
 }
 
+TEST_CASE("BRANCHES and PRIORITY: glass, under whitted or by a shape's priority; it has two sides by itself") {
+  Scene scene = scene_of(Sphere{}, "path");
+  scene.materials.push_back({"glass", Dielectric{}, true, line(7)});
+  scene.shapes[0].material = 1;
+  for (const char* effect : {"BRANCHES", "PRIORITY", "TWOSIDED"}) check_off(scene, {}, effect);
+  check_on(scene, {}, "materials/dielectric", 7, "material of type dielectric");
+  scene.shapes[0].priority = 0;
+  check_on(scene, {}, "PRIORITY", 10, "a shape with a priority");
+  scene.integrator.name = "whitted";
+  check_on(scene, {}, "BRANCHES", 7, "a material that reflects and transmits");
+  scene.materials[1].bsdf = Conductor{};
+  check_off(scene, {}, "BRANCHES");
+  scene.integrator.name = "normals";
+  check_off(scene, {}, "PRIORITY");
+}
+
 TEST_CASE("TWOSIDED: a twosided material that a shape or a part of a mesh uses") {
   Scene scene = scene_of(Sphere{});
   scene.materials.push_back({"sheet", Diffuse{}, true, line(7)});

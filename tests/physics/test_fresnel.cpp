@@ -24,7 +24,8 @@ int dielectric() {
 
 Way way(const BsdfTier& tier, double cosine, double eta, int side) {
   const double sine = std::sqrt((1 - cosine) * (1 + cosine));
-  return tier.sample(dielectric(), {1, 1, 1, 1, 1, 1, eta}, {sine, 0, cosine}, LOBE_DELTA | side, {{0.5, 0.5, 0.5}})
+  return tier
+      .sample(dielectric(), {1, 1, 1, 1, 1, 1, eta, eta, 1}, {sine, 0, cosine}, LOBE_DELTA | side, {{0.5, 0.5, 0.5}})
       .front();
 }
 

@@ -301,6 +301,92 @@ TEST_CASE("whitted is a recursive walk along both ways") {
   }
 }
 
+// ---- priorities --------------------------------------------------------------------------------------------------
+
+Sphere ball(double radius, double z = 0) { return {{0, 0, z}, radius, {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}}; }
+
+int add_glass(Scene& scene, const Geometry& geometry, double int_ior, double ext_ior, std::optional<int> priority) {
+  scene.materials.push_back(glass(int_ior, ext_ior));
+  Shape shape;
+  shape.geometry = geometry;
+  shape.material = static_cast<int>(scene.materials.size()) - 1;
+  shape.priority = priority;
+  return add(scene, shape);
+}
+
+/// What comes through interfaces one behind the other, upright: reflections between all of them added.
+double through_layers(const std::vector<double>& indices) {
+  double t = 1, r = 0;
+  for (std::size_t i = 1; i < indices.size(); ++i) {
+    const double one = reflected(1, indices[i] / indices[i - 1]), most = 1 / (1 - r * one);
+    r = r + t * t * one * most;
+    // Reflectance of what was there, from behind, is the same: nothing absorbs.
+    t = t * (1 - one) * most;
+  }
+  return t;
+}
+
+TEST_CASE("where glass overlaps, the higher priority is there") {
+  require_pocl_and_rusticl();
+  const Box upper{{-100, -100, -0.1}, {100, 100, 0.1}}, lower{{-100, -100, -0.5}, {100, 100, 0}};
+  const auto picture = [&](std::optional<int> of_upper, std::optional<int> of_lower, const char* integrator,
+                           Precision precision) {
+    Scene scene = stage({});
+    add_glass(scene, upper, 2, 1, of_upper);
+    add_glass(scene, lower, 1.33, 1, of_lower);
+    add_lamp(scene, lamp_below(), {1, 1, 1});
+    return at_middle(color(with_integrator(scene, integrator), precision));
+  };
+  const double layers = through_layers({1, 2, 1.33, 1});
+  for (const Precision precision : exact_tiers)
+    for (const auto& [first, second] : {std::pair{2, 1}, {1, 2}, {7, 7}})
+      CHECK(picture(first, second, "whitted", precision) == Approx(layers).epsilon(1e-4));
+  // As written: into water as if from air, though within glass.
+  CHECK(picture({}, {}, "whitted", Precision::stable) < layers - 0.02);
+  CHECK(picture(1, {}, "whitted", Precision::stable) < layers - 0.02);
+}
+
+TEST_CASE("nested glass with priorities is what indices written for it are") {
+  require_pocl_and_rusticl();
+  Scene written = stage({});
+  add_lamp(written, Disk{{0.3, 0, -2.4}, {1, 0, 0}, {0, 1, 0}}, {1, 2, 4});
+  Scene tracked = written;
+  add_glass(written, ball(1.5), 1.5, 1, {});
+  add_glass(written, ball(0.8, 0.2), 1.33, 1.5, {});
+  add_glass(tracked, ball(1.5), 1.5, 1, 0);
+  add_glass(tracked, ball(0.8, 0.2), 1.33, 1, 1);
+  for (const char* integrator : {"whitted", "path"})
+    for (const Precision precision : exact_tiers) {
+      const Image a = color(with_integrator(written, integrator), precision);
+      const Image b = color(with_integrator(tracked, integrator), precision);
+      int off = 0;
+      for (std::size_t i = 0; i < a.data.size(); ++i) off += std::fabs(a.data[i] - b.data[i]) > 1e-3F ? 1 : 0;
+      INFO(integrator << " " << precision_name(precision));
+      CHECK(lit_pixels(a) > 300);
+      CHECK(off < 30);
+    }
+}
+
+TEST_CASE("two balls of one priority are one body") {
+  require_pocl_and_rusticl();
+  Scene scene = stage({});
+  add_glass(scene, ball(1, 0.5), 1.5, 1, 3);
+  add_glass(scene, ball(1, -0.5), 1.5, 1, 3);
+  add_lamp(scene, lamp_below(), {1, 1, 1});
+  CHECK(at_middle(color(with_integrator(scene, "whitted"))) == Approx(through_layers({1, 1.5, 1})).epsilon(2e-3));
+}
+
+TEST_CASE("a ray within more shapes than are tracked is told") {
+  require_pocl_and_rusticl();
+  for (const int shapes : {8, 9}) {
+    Scene scene = stage({});
+    for (int i = 0; i < shapes; ++i) add_glass(scene, ball(1.5 - 0.1 * i), 1.1 + 0.1 * i, 1, i);
+    add_lamp(scene, lamp_below(), {1, 1, 1});
+    const RenderResult result = stage_picture(with_integrator(scene, "whitted"), Precision::stable);
+    CHECK((result.stats.lost_interfaces > 0) == (shapes > 8));
+  }
+}
+
 TEST_CASE("direct says that glass will show emitters alone") {
   Scene scene = stage({floor_plane()}, glass(1.5));
   REQUIRE(limitations(scene).size() == 1);

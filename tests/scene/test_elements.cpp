@@ -193,6 +193,15 @@ TEST_CASE("a dielectric has indices by number or name, and shares of what it ref
   CHECK(named.reflectance.texture == 0);
 }
 
+TEST_CASE("glass may have a priority") {
+  const Scene scene = load_body(
+                          "<shape type=\"sphere\"><integer name=\"priority\" value=\"-3\"/><bsdf "
+                          "type=\"dielectric\"/></shape><shape type=\"sphere\"/>")
+                          .scene;
+  CHECK(scene.shapes.at(0).priority == -3);
+  CHECK_FALSE(scene.shapes.at(1).priority);
+}
+
 TEST_CASE("indices of refraction that cannot be are errors with their place, and names are guessed") {
   const auto problem = [](const std::string& inside) {
     const std::vector<std::string> found = problems(around("<bsdf type=\"dielectric\">" + inside + "</bsdf>"));

@@ -44,6 +44,8 @@ const Unknown unknowns[] = {
      "the metal \"Au\" is not there yet; an ideal mirror"},
     {"<bsdf type=\"conductor\"><float name=\"eta\" value=\"1.5\"/></bsdf>", "2:24",
      "\"eta\" of <bsdf type=\"conductor\"> has no effect yet"},
+    {"<shape type=\"sphere\"><integer name=\"priority\" value=\"1\"/></shape>", "2:22",
+     "ranks shapes of bsdf dielectric"},
     {"<bsdf type=\"twosided\"><bsdf type=\"dielectric\"/></bsdf>", "2:1",
      "twosided has no effect on what lets light through"},
     {"<bsdf type=\"diffuse\"><texture type=\"checkerboard\" name=\"reflectance\"><float name=\"colour0\" "

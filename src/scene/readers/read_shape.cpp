@@ -2,6 +2,8 @@
 // What all shapes share: id, to_world, flip_normals, a bsdf, an area emitter.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "scene/readers/plugin_table.h"
 #include "scene/readers/read_material.h"
 #include "scene/readers/shape_reader.h"
@@ -48,6 +50,16 @@ const XmlElement* only_one(const std::vector<const XmlElement*>& objects, const 
   return objects.empty() ? nullptr : objects.front();
 }
 
+bool has_glass(const Shape& shape, const Scene& scene) {
+  const auto is_glass = [&](int material) {
+    return std::holds_alternative<Dielectric>(scene.materials.at(static_cast<std::size_t>(material)).bsdf);
+  };
+  const auto* mesh = std::get_if<Mesh>(&shape.geometry);
+  if (mesh == nullptr || mesh->parts.empty()) return is_glass(shape.material);
+  return std::any_of(mesh->parts.begin(), mesh->parts.end(),
+                     [&](const MeshPart& part) { return is_glass(part.material); });
+}
+
 /// Of what emits and has no bsdf, as in Mitsuba: it reflects nothing.
 int black_material(SceneBuilder& builder) {
   if (!builder.black_material) {
@@ -73,6 +85,7 @@ void read_shape(const XmlElement& element, SceneBuilder& builder, std::vector<Sh
   shape.id = properties.id();
   shape.where = element.where;
   shape.flip_normals = properties.boolean("flip_normals").value_or(false);
+  shape.priority = properties.integer("priority");
   const XmlElement* bsdf = only_one(properties.objects("bsdf"), properties);
   const XmlElement* emitter = only_one(properties.objects("emitter"), properties);
   if (bsdf != nullptr) shape.material = material_index(*bsdf, builder);
@@ -81,6 +94,9 @@ void read_shape(const XmlElement& element, SceneBuilder& builder, std::vector<Sh
   const Transform to_world = properties.transform("to_world").value_or(Transform{});
   ShapeInput input{properties, to_world, shape, bsdf != nullptr, builder};
   shape.geometry = (*read_geometry)(input);
+  if (shape.priority && !has_glass(shape, builder.scene))
+    builder.diagnostics.unknown(properties.where("priority"),
+                                "\"priority\" has no effect here: it ranks shapes of bsdf dielectric alone");
   properties.report_unknown();
   shapes.push_back(std::move(shape));
 }
