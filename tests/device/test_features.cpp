@@ -9,7 +9,6 @@
 using namespace strahl;
 
 namespace {
-
 SourceLocation line(int number) { return {"scene.xml", number, 3}; }
 
 Mesh small_mesh() {
