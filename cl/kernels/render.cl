@@ -8,7 +8,6 @@
 #include "lanes/lane_ops.h"
 #include "accel/traverse.h"
 #include "core/film.h"
-#include "core/sample_blocks.h"
 #include "core/whole_loops.h"
 #if PATH_LANES != LANES
 #undef LANES
@@ -66,37 +65,38 @@ FN int LANED(wanted)(const Scene* scene, const LANED(Paths) * path, const FirstS
   return is_exact ? FIND_NEAREST : FIND_NEAREST_ROUGHLY;
 }
 
-/// One sample. One sum holds what four do: the mean is the same.
-FN void add_sample(const Scene* scene, GLOBAL long* pixel_sums, const SampleBlocks* blocks, int sample, real3 light) {
-  int block = HAS_ERROR_SUMS ? block_of(blocks, sample) : 0;
-  GLOBAL long* sum = pixel_sums + block * (FILM_CHANNELS * FILM_SUM_WORDS);
+/// One sample; sums: how many of a pixel take turns.
+FN void add_sample(const Scene* scene, GLOBAL long* pixel_sums, int sums, int sample, real3 light) {
+  GLOBAL long* sum = pixel_sums + (sample & (sums - 1)) * (FILM_CHANNELS * FILM_SUM_WORDS);
   film_add_sample(scene, sum, light.x);
   film_add_sample(scene, sum + FILM_SUM_WORDS, light.y);
   film_add_sample(scene, sum + 2 * FILM_SUM_WORDS, light.z);
 }
 
 /// `times` samples, from `sample` on, all of that light. done: as layout.h has it behind the counters.
-FN void add_to_film(const Scene* scene, GLOBAL long* pixel_sums, const SampleBlocks* blocks, int sample, int times,
-                    real3 light, GLOBAL uint* done) {
+FN void add_to_film(const Scene* scene, GLOBAL long* pixel_sums, int film_sums, int sample, int times, real3 light,
+                    GLOBAL uint* done) {
   // The background's share of a picture need not touch the film.
   if (light.x == R(0.0) && light.y == R(0.0) && light.z == R(0.0)) {
     if (HAS_LOOP_LIMIT) *done = (uint)(sample + times);
     return;
   }
+  // One sum holds what four do: the mean is the same.
+  int sums = HAS_ERROR_SUMS ? film_sums : 1;
   if (HAS_LOOP_LIMIT) {
     for (int i = sample; i < sample + times; ++i) {
-      add_sample(scene, pixel_sums, blocks, i, light);
+      add_sample(scene, pixel_sums, sums, i, light);
       *done = (uint)(i + 1);  // Each by itself: the device may end this loop, too.
     }
     return;
   }
   if (times == 1) {
-    add_sample(scene, pixel_sums, blocks, sample, light);
+    add_sample(scene, pixel_sums, sums, sample, light);
     return;
   }
-  int sums = HAS_ERROR_SUMS ? blocks->sums : 1;
   for (int k = 0; k < sums; ++k) {
-    int number = sums == 1 ? times : samples_in_block(blocks, k, sample + times) - samples_in_block(blocks, k, sample);
+    // Samples sample, sample + 1, ... of which every one in `sums` is the sum's.
+    int number = (sample + times - k + sums - 1) / sums - (sample - k + sums - 1) / sums;
     GLOBAL long* sum = pixel_sums + k * (FILM_CHANNELS * FILM_SUM_WORDS);
     if (number == 0) continue;
     film_add_slowly(scene, sum, light.x, number);
@@ -108,7 +108,7 @@ FN void add_to_film(const Scene* scene, GLOBAL long* pixel_sums, const SampleBlo
 /// The pixel's samples, `times` each. sums: the pixel's in the film; done: as in add_to_film.
 FN void LANED(render_pixel)(Scene scene, Pixel pixel, FirstSample first, GLOBAL long* sums, GLOBAL uint* done,
                             int times) {
-  SampleBlocks blocks = sample_blocks(&scene);
+  int film_sums = scene.index[HEADER_SUMS];
   LANED(Paths) path;
   LANED(paths_none)(&path);
   LANED(Branches) branches;
@@ -125,7 +125,7 @@ FN void LANED(render_pixel)(Scene scene, Pixel pixel, FirstSample first, GLOBAL 
         if (HAS_LOOP_LIMIT && !loops_were_whole()) break;
         int i = first_bit(ended), sample = get_int_w((PRIVATE const intw*)&path.sample.sample, i);
         real3 light = vec3(get_w(&path.radiance.x, i), get_w(&path.radiance.y, i), get_w(&path.radiance.z, i));
-        add_to_film(&scene, sums, &blocks, sample, times, light, done);
+        add_to_film(&scene, sums, film_sums, sample, times, light, done);
       }
       // A lane whose path has ended waits until an eighth of them have, or for nothing.
       is_full = pixel.next >= pixel.end || 8u * lanes_among(bits_w(~path.alive)) < LANES;

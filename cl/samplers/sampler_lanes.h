@@ -10,6 +10,7 @@ FN LANED(SampleState) LANED(sample_begin)(const Scene* scene, uint pixel, uintw 
   state.pixel = pixel;
   state.sample = sample;
   state.seed = (uint)scene->index[HEADER_SEED];
+  state.sequences = (uint)scene->index[HEADER_SUMS];
   state.reversed = state.key = splat_uint_w(0u);
   switch (scene->index[HEADER_SAMPLER]) {
 #define SAMPLER(name)            \

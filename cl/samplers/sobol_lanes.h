@@ -2,10 +2,10 @@
 // Owen-scrambled Sobol points, two dimensions a set, sets decorrelated by shuffling: B. Burley, "Practical Hash-based
 // Owen Scrambling", JCGT 9(4), 2020, with the hash of N. Vegdahl, "Building a Better LK Hash", 2021.
 //
-// A pixel's samples are one sequence, which is a (0, 2)-sequence in every set: of its first 2^m points one lies in
-// every elementary interval of area 2^-m (tests/cl/test_samplers.cpp). Pixels and sets have scrambles of their own. The
-// order of the samples is scrambled as well, so aligned blocks of 2^m samples are exchangeable; the error that is told
-// rests on it (render/block_law.h). One width; no guard.
+// FILM_SUBSUMS sequences, scrambled independently, are interleaved by the sample's number, so that the film's sub-sums
+// are independent estimates of the same picture. Where it keeps one sum there is one sequence: longer, so spread more
+// evenly. Each is a (0, 2)-sequence in every set: of its first 2^m points one lies in every elementary interval of area
+// 2^-m (tests/cl/test_samplers.cpp). Pixels, sets and sequences have scrambles of their own. One width; no guard.
 
 FN uintw LANED(reversed_bits)(uintw x) {
   x = (x >> 16) | (x << 16);
@@ -34,9 +34,9 @@ FN uintw LANED(sobol_second_reversed)(uintw index) {
 }
 
 FN void LANED(sobol_begin)(LANED(SampleState) * state) {
-  uintw none = splat_uint_w(0u);
-  state->reversed = LANED(reversed_bits)(state->sample);
-  state->key = LANED(random4)(state->pixel, none, none, state->seed).x;
+  uintw number = state->sequences == 1u ? state->sample : state->sample / (uint)FILM_SUBSUMS;
+  state->reversed = LANED(reversed_bits)(number);
+  state->key = LANED(random4)(state->pixel, state->sample & (state->sequences - 1u), splat_uint_w(0u), state->seed).x;
 }
 
 /// A hash of 32 bits: C. Wellons, "Prospecting for Hash Functions", 2018.

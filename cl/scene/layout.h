@@ -11,9 +11,7 @@
 enum {
   HEADER_WIDTH,  // pixels of a row of the whole picture
   HEADER_SEED,
-  HEADER_SUMS,    // The film's sums of a pixel: FILM_SUBSUMS or 1.
-  HEADER_BLOCKS,  // The first samples of the second, third and fourth sum; -1: sums take samples in turns.
-  HEADER_BLOCKS_END = HEADER_BLOCKS + 2,
+  HEADER_SUMS,        // The film's sums of a pixel, and the sequences that they are of: FILM_SUBSUMS or 1.
   HEADER_INTEGRATOR,  // INTEGRATOR_direct, ...
   HEADER_MAX_DEPTH,   // -1: no limit
   HEADER_RR_DEPTH,    // Surfaces after which Russian roulette begins.
@@ -125,7 +123,7 @@ enum { WHITTED_LONGEST = 1024 };
 // of the light that is left out is below 0.95^512 = 4e-12.
 enum { ROULETTE_LONGEST = 512 };
 
-// Film: FILM_SUBSUMS x 3 sums a pixel (core/sample_blocks.h), or 1 x 3, each of FILM_SUM_WORDS words of 64
+// Film: FILM_SUBSUMS x 3 sums a pixel (sample index mod FILM_SUBSUMS), or 1 x 3, each of FILM_SUM_WORDS words of 64
 // bits (core/film_sum.h), docs/decisions/0002-film.md.
 enum { FILM_SUBSUMS = 4, FILM_CHANNELS = 3, FILM_SUM_WORDS = 2 };
 

@@ -82,7 +82,8 @@ void add_program_options(CLI::App& app, KernelOptions& options) {
   app.add_flag("--generic", options.generic, "Every effect in the program, used or not; the picture does not change")
       ->group(kGroup);
   app.add_flag("--no-error", options.no_error,
-               "Keep one sum a pixel instead of four and tell no error; the picture does not change")
+               "Keep one sum a pixel instead of four and tell no error; sobol's samples are one sequence then, spread "
+               "more evenly")
       ->group(kGroup);
 }
 

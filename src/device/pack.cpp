@@ -69,7 +69,6 @@ class Packing {
     index(layout::HEADER_WIDTH) = scene_.film.width;
     index(layout::HEADER_SEED) = static_cast<std::int32_t>(sampling.seed);
     index(layout::HEADER_SUMS) = layout::FILM_SUBSUMS;
-    for (int at = layout::HEADER_BLOCKS; at <= layout::HEADER_BLOCKS_END; ++at) index(at) = -1;
     index(layout::HEADER_INTEGRATOR) = features_.entry_index("integrators", scene_.integrator.name);
     index(layout::HEADER_MAX_DEPTH) = most_surfaces(scene_.integrator);
     index(layout::HEADER_RR_DEPTH) = scene_.integrator.rr_depth;

@@ -5,10 +5,8 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 #include "device/cl_layout.h"
-#include "render/block_spread.h"
 #include "render/film.h"
 
 namespace strahl {
@@ -26,8 +24,6 @@ double quantile(double degrees_of_freedom) {
   return z + (z * z * z + z) / 4 * per + (5 * std::pow(z, 5) + 16 * z * z * z + 3 * z) / 96 * per * per;
 }
 
-double relative_square(double squared_error, double mean) { return squared_error / (mean * mean + 0.01); }
-
 using Colour = std::array<double, channels>;
 
 /// One pixel: mean, estimated squared error of the mean, and the variance of what the latter's sum over the channels
@@ -38,15 +34,15 @@ struct PixelError {
   double difference_variance = 0;
 };
 
-PixelError pixel_error(const FilmSums& film, std::size_t index) {
-  const int samples = film.samples[index];
+PixelError pixel_error(const FilmSums& film, std::size_t at) {
+  const int samples = film.samples[at];
   std::array<Colour, sub_sums> part{};
   std::array<double, sub_sums> count{};
   PixelError pixel;
   for (int k = 0; k < sub_sums; ++k) {
-    count[k] = film.blocks.sizes(samples)[static_cast<std::size_t>(k)];
+    count[k] = (samples - k + sub_sums - 1) / sub_sums;
     for (int c = 0; c < channels; ++c) {
-      const double sum = film.sub_sum(index, k, c);
+      const double sum = film.sub_sum(at, k, c);
       part[k][c] = sum / count[k];
       pixel.mean[c] += sum / samples;
     }
@@ -69,15 +65,17 @@ PixelError pixel_error(const FilmSums& film, std::size_t index) {
   return pixel;
 }
 
-/// Sums taken in turns: each is an independent estimate of the pixel.
-std::optional<ErrorEstimate> error_of_turns(const FilmSums& film) {
+}  // namespace
+
+std::optional<ErrorEstimate> estimate_error(const FilmSums& film) {
+  if (film.sub_sums < sub_sums) return std::nullopt;
   double squared = 0, relative = 0, variance = 0, variance_squared = 0;
-  for (std::size_t i = 0; i < film.samples.size(); ++i) {
-    if (film.samples[i] < sub_sums) return std::nullopt;
-    const PixelError pixel = pixel_error(film, i);
+  for (std::size_t at = 0; at < film.samples.size(); ++at) {
+    if (film.samples[at] < sub_sums) return std::nullopt;
+    const PixelError pixel = pixel_error(film, at);
     for (int c = 0; c < channels; ++c) {
       squared += pixel.squared[c];
-      relative += relative_square(pixel.squared[c], pixel.mean[c]);
+      relative += pixel.squared[c] / (pixel.mean[c] * pixel.mean[c] + 0.01);
     }
     variance += pixel.difference_variance;
     variance_squared += pixel.difference_variance * pixel.difference_variance;
@@ -91,59 +89,16 @@ std::optional<ErrorEstimate> error_of_turns(const FilmSums& film) {
                        relative / values};
 }
 
-/// Sums of consecutive blocks: what they tell, and what the realised error varies by, which is as much as a contrast.
-std::optional<ErrorEstimate> error_of_blocks(const FilmSums& film) {
-  const FilmSpread found = spread_of(film);
-  if (found.shares.empty()) return std::nullopt;
-  const auto& squares = found.spread.squares;
-  if (std::all_of(squares.begin(), squares.end(), [](double square) { return square <= 0; })) return ErrorEstimate{};
-  const SequenceError error = sequence_error(found.spread);
-  const double mse = std::exp(error.log_square) / channels;
-  const double half_width = quantile(found.freedom) * std::sqrt(error.variance + found.spread.relative_variance);
-  double relative = 0;
-  for (std::size_t i = 0; i < film.samples.size(); ++i)
-    for (int c = 0; c < channels; ++c) {
-      double mean = 0;
-      for (int block = 0; block < sub_sums; ++block) mean += film.sub_sum(i, block, c) / film.samples[i];
-      relative +=
-          relative_square(mse * static_cast<double>(found.shares[i * channels + static_cast<std::size_t>(c)]), mean);
-    }
-  return ErrorEstimate{std::sqrt(mse), std::sqrt(mse * std::exp(-half_width)), std::sqrt(mse * std::exp(half_width)),
-                       relative};
-}
-
-/// Standard errors that add up to the picture's.
-Image standard_error_of_blocks(const FilmSums& film, Image image) {
-  const std::optional<ErrorEstimate> error = error_of_blocks(film);
-  if (!error) {
-    image.data.assign(film.samples.size() * channels, std::numeric_limits<float>::quiet_NaN());
-    return image;
-  }
-  const double squares = error->rmse * error->rmse * static_cast<double>(film.samples.size()) * channels;
-  for (const float share : spread_of(film).shares)
-    image.data.push_back(static_cast<float>(std::sqrt(squares * static_cast<double>(share))));
-  return image;
-}
-
-}  // namespace
-
-std::optional<ErrorEstimate> estimate_error(const FilmSums& film) {
-  if (film.sub_sums < sub_sums) return std::nullopt;
-  return film.blocks.are_consecutive() ? error_of_blocks(film) : error_of_turns(film);
-}
-
 Image standard_error(const FilmSums& film) {
   Image image;
   image.width = film.width;
   image.height = film.height;
   image.data.reserve(film.samples.size() * channels);
-  if (film.sub_sums == sub_sums && film.blocks.are_consecutive())
-    return standard_error_of_blocks(film, std::move(image));
-  for (std::size_t i = 0; i < film.samples.size(); ++i) {
-    if (std::min(film.samples[i], film.sub_sums) < sub_sums) {
+  for (std::size_t at = 0; at < film.samples.size(); ++at) {
+    if (std::min(film.samples[at], film.sub_sums) < sub_sums) {
       image.data.insert(image.data.end(), channels, std::numeric_limits<float>::quiet_NaN());
     } else {
-      for (const double squared : pixel_error(film, i).squared)
+      for (const double squared : pixel_error(film, at).squared)
         image.data.push_back(static_cast<float>(std::sqrt(squared)));
     }
   }

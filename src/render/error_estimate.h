@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // How far a picture is from what infinitely many samples would show, told from the spread of the film's sub-sums alone.
 //
-// Independent samples fill a pixel's four sums in turns: independent estimates of it, whose variance estimates the
-// squared error of their mean. What the *realised* error differs from that estimate by is, for each pixel, a sum of
-// products of two different sums' deviations: its variance needs second moments only, whatever the samples'
-// distribution, and products over disjoint pairs of sums estimate it without bias. Of one sequence, the sums are blocks
-// that complement one another: block_law.h (docs/decisions/0011-error.md).
+// A pixel's four sub-sums are independent estimates of it, for every sampler (samplers/sobol_lanes.h). Their variance
+// estimates the squared error of their mean. What the *realised* error differs from that estimate by is, for each
+// pixel, a sum of products of two different sub-sums' deviations: its variance needs second moments only, whatever the
+// samples' distribution, and products over disjoint pairs of sub-sums estimate it without bias
+// (docs/decisions/0011-error.md).
 #pragma once
 
 #include <optional>
@@ -23,7 +23,7 @@ struct ErrorEstimate {
   double relmse = 0;                   ///< mean(squared error / (mean^2 + 0.01)).
 };
 
-/// None where a pixel has fewer samples than there are sums, or all of them in one block.
+/// None where a pixel has fewer samples than there are sub-sums.
 [[nodiscard]] std::optional<ErrorEstimate> estimate_error(const FilmSums& film);
 
 /// Standard error of each pixel and channel; NaN where a pixel has too few samples.

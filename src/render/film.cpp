@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "render/film.h"
 
-#include <algorithm>
-#include <array>
-
 #include "device/cl_layout.h"
 #include "render/film_sum.h"
 
@@ -36,24 +33,6 @@ double FilmSums::sub_sum(std::size_t pixel, int sub, int channel) const {
   const int sum = (sub * layout::FILM_CHANNELS + channel) * layout::FILM_SUM_WORDS;
   const std::int64_t* at = &words[pixel * words_per_pixel() + static_cast<std::size_t>(sum)];
   return unit * value_of(film_bins(at[0], at[1]));
-}
-
-void FilmSums::join_blocks(const SampleBlocks& later) {
-  std::array<int, SampleBlocks::count> target{};
-  for (int block = 0; block < SampleBlocks::count; ++block) target[block] = later.of(blocks.first(block));
-  constexpr std::size_t block_words = layout::FILM_CHANNELS * layout::FILM_SUM_WORDS;
-  std::array<std::int64_t, SampleBlocks::count * block_words> joined{};
-  for (std::size_t pixel = 0; pixel < samples.size(); ++pixel) {
-    joined.fill(0);
-    std::int64_t* own = &words[pixel * words_per_pixel()];
-    for (std::size_t block = 0; block < target.size(); ++block)
-      for (std::size_t word = 0; word < block_words; word += layout::FILM_SUM_WORDS) {
-        const std::int64_t* from = own + block * block_words + word;
-        film_add(&joined[static_cast<std::size_t>(target[block]) * block_words + word], film_bins(from[0], from[1]));
-      }
-    std::copy(joined.begin(), joined.end(), own);
-  }
-  blocks = later;
 }
 
 Image FilmSums::mean() const {

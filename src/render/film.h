@@ -8,12 +8,10 @@
 
 #include "image/image.h"
 #include "render/launch_plan.h"
-#include "render/sample_blocks.h"
 
 namespace strahl {
 
-/// Four sums of three channels a pixel, which hold the samples that `blocks` says, or one where nobody compares them;
-/// window coordinates.
+/// Four sub-sums (sample index mod 4) of three channels a pixel, or one where nobody compares them; window coordinates.
 struct FilmSums {
   int width = 0;
   int height = 0;
@@ -21,7 +19,6 @@ struct FilmSums {
   double unit = 1;                  ///< Radiance in what the kernels call 1.
   std::vector<std::int64_t> words;  ///< height x width x sub_sums x 3 x 2, as cl/core/film_sum.h has them.
   std::vector<int> samples;         ///< height x width: how many samples a pixel has.
-  SampleBlocks blocks;
 
   FilmSums(int width, int height, int sub_sums, double unit);
   [[nodiscard]] std::size_t words_per_pixel() const;
@@ -31,8 +28,6 @@ struct FilmSums {
   void add_words(int row, const std::vector<std::int64_t>& band);
   /// What the samples of a pixel that one sub-sum holds add up to, in radiance. pixel: counts along the window's rows.
   [[nodiscard]] double sub_sum(std::size_t pixel, int sub, int channel) const;
-  /// Joins consecutive blocks: each of `later` is made of whole blocks of those that there are.
-  void join_blocks(const SampleBlocks& later);
   /// Mean over all samples, the same whatever sub-sums they are in; a pixel without samples is black.
   [[nodiscard]] Image mean() const;
 };

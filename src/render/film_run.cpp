@@ -208,34 +208,7 @@ void FilmRun::read_film() {
   if (!is_one_band()) return;
   const Stopwatch start;
   read_buffer(state_.device, state_.film, film_.words.data(), film_bytes(film_.samples.size()));
-  if (!joined_.empty()) film_.add_words(0, joined_);
   result_.stats.seconds.readback += start.seconds();
-}
-
-void FilmRun::write_header() {
-  static_assert(layout::HEADER_SUMS == layout::HEADER_SEED + 1 && layout::HEADER_BLOCKS == layout::HEADER_SUMS + 1);
-  const std::array<int, 3>& first = film_.blocks.header();
-  const std::array<cl_int, 5> header = {static_cast<cl_int>(result_.stats.seed), film_.sub_sums, first[0], first[1],
-                                        first[2]};
-  checked(state_.device.info().text(), [&] {
-    return state_.device.queue().enqueueWriteBuffer(state_.buffers.index, CL_TRUE, layout::HEADER_SEED * sizeof(cl_int),
-                                                    sizeof header, header.data());
-  });
-}
-
-/// The next pass ends at so many samples. One that begins another octave of them needs a block: the oldest two are
-/// joined on the host, to which the film so far is moved.
-void FilmRun::begin_blocks(int samples) {
-  if (!film_.blocks.are_consecutive()) return;
-  const SampleBlocks next = SampleBlocks::of_sequence(samples);
-  if (next == film_.blocks) return;
-  read_film();
-  film_.join_blocks(next);
-  if (is_one_band()) {
-    joined_ = film_.words;
-    clear(height_, false);
-  }
-  write_header();
 }
 
 void FilmRun::finish() {
@@ -266,15 +239,17 @@ void FilmRun::measure_finish() {
 }
 
 RenderResult FilmRun::run() {
-  if (film_.sub_sums > 1 && state_.sampling.kind == SamplerKind::sobol)
-    film_.blocks = SampleBlocks::of_sequence(goal_.is_open() ? PassPlan::first_octaves : spp_);
-  write_header();
+  static_assert(layout::HEADER_SUMS == layout::HEADER_SEED + 1);
+  const std::array<cl_int, 2> header = {static_cast<cl_int>(result_.stats.seed), film_.sub_sums};
+  checked(state_.device.info().text(), [&] {
+    return state_.device.queue().enqueueWriteBuffer(state_.buffers.index, CL_TRUE, layout::HEADER_SEED * sizeof(cl_int),
+                                                    sizeof header, header.data());
+  });
   if (goal_.deadline && !state_.finish_seconds) measure_finish();
   bool carry_on = true;
   while (carry_on) {
     const std::optional<Pass> pass = passes_.next(sample_seconds_, seconds_left());
     if (!pass) break;
-    if (goal_.is_open() && pass->first > 0) begin_blocks(pass->first + pass->count);
     const Stopwatch start;
     carry_on = render_pass(*pass);
     sample_seconds_ = start.seconds() / pass->count;

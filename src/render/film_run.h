@@ -34,8 +34,6 @@ class FilmRun {
   void read_band(int row, int rows);
   void read_aovs(int row, int rows);
   void read_film();
-  void write_header();
-  void begin_blocks(int samples);
   void finish();
   void measure_finish();
 
@@ -46,7 +44,6 @@ class FilmRun {
   int width_, height_, band_rows_, spp_;
   PassPlan passes_;
   FilmSums film_;
-  std::vector<std::int64_t> joined_;  ///< Of one band: what has left the device, since its blocks were joined.
   std::vector<double> aov_reals_;
   std::vector<std::int32_t> aov_ints_;
   double sample_seconds_ = 0;  ///< What one sample of every pixel took in the last pass.

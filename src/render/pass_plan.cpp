@@ -2,13 +2,14 @@
 #include "render/pass_plan.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 
 #include "device/cl_layout.h"
 
 namespace strahl {
 namespace {
+
+constexpr int sums_a_pixel = layout::FILM_SUBSUMS;
 
 /// A pass of several samples is not ended part-way, so it has to be short beside what a deadline may be missed by.
 constexpr double uncut_seconds = 0.004;
@@ -18,7 +19,7 @@ constexpr double tolerated = 1.1;
 
 }  // namespace
 
-PassPlan::PassPlan(const RenderGoal& goal, int spp) : goal_(goal), spp_(spp), check_at_(first_octaves) {}
+PassPlan::PassPlan(const RenderGoal& goal, int spp) : goal_(goal), spp_(spp), check_at_(2 * sums_a_pixel) {}
 
 std::optional<Pass> PassPlan::next(double sample_seconds, double seconds_left) {
   if (ending_ == Ending::error) return std::nullopt;
@@ -28,10 +29,6 @@ std::optional<Pass> PassPlan::next(double sample_seconds, double seconds_left) {
     return std::nullopt;
   }
   int count = spp_ - done_;
-  if (goal_.is_open()) {
-    const auto octave = std::bit_ceil(static_cast<unsigned>(std::max(done_ + 1, first_octaves)));
-    count = std::min(count, static_cast<int>(octave) - done_);
-  }
   if (goal_.max_error) count = std::min(count, check_at_ - done_);
   if (goal_.deadline) {
     const double fitting = sample_seconds > 0 ? std::min(uncut_seconds, seconds_left / 4) / sample_seconds : 1;
@@ -56,10 +53,7 @@ void PassPlan::estimated(const std::optional<ErrorEstimate>& error) {
     factor = std::clamp(0.8 * ratio * ratio, 1.15, 4.0);
     expected_ = static_cast<int>(std::min(std::ceil(done_ * std::max(1.0, ratio * ratio)), static_cast<double>(spp_)));
   }
-  // An octave of which there is less than a quarter tells nothing.
-  const double step =
-      std::max(static_cast<double>(layout::FILM_SUBSUMS), std::bit_floor(static_cast<unsigned>(done_)) / 4.0);
-  const double next = std::ceil(done_ * factor / step) * step;
+  const double next = std::ceil(done_ * factor / sums_a_pixel) * sums_a_pixel;
   check_at_ = static_cast<int>(std::min(next, static_cast<double>(spp_)));
 }
 

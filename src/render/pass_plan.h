@@ -17,12 +17,9 @@ struct Pass {
 
 /// Without a deadline or an error to reach: one pass. With a deadline: passes so short that leaving one out, or ending
 /// one of a single sample part-way, wastes nothing and leaves pixels one sample apart at the most. With an error: up to
-/// where the error so far says that it may be reached. With either: no pass has samples of two octaves [2^k, 2^(k +
-/// 1)), so that the film's blocks can be joined in between (sample_blocks.h), but for the first ones, which are a pass.
+/// where the error so far says that it may be reached.
 class PassPlan {
  public:
-  static constexpr int first_octaves = 8;
-
   /// spp: samples at which the render is over whatever else holds.
   PassPlan(const RenderGoal& goal, int spp);
 

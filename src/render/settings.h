@@ -39,7 +39,7 @@ struct RenderSettings {
   bool generic = false;  ///< Every entry and flag in the program; the same picture, slower.
   /// Effects to leave out, as FeatureReport names them, though the scene calls for them (device/left_out.h).
   std::set<std::string> disabled;
-  bool estimate_error = true;  ///< Keeps four sums a pixel apart, whose spread tells its error.
+  bool estimate_error = true;  ///< Keeps four sums a pixel apart, whose spread estimates its error.
   bool cached_program = true;  ///< false: builds it whatever strahl's cache holds, to see how long that takes.
   bool count_rays = false;     ///< Instrumented program (--stats-detail): counts shadow and bounce rays.
   std::optional<int> lanes;    ///< 1, 8 or 16 (fp64: 1, 8) primitives at a time; none: by the device.

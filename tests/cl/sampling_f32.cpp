@@ -4,14 +4,26 @@
 
 namespace strahl::test {
 
-Pair sobol_pair(std::uint32_t pixel, std::uint32_t sample, std::uint32_t set, std::uint32_t seed) {
-  tier::SampleState_1 state{pixel, seed, sample, 0, 0};
+namespace {
+
+Pair sobol_of(std::uint32_t sequences, std::uint32_t pixel, std::uint32_t sample, std::uint32_t set,
+              std::uint32_t seed) {
+  tier::SampleState_1 state{pixel, seed, sequences, sample, 0, 0};
   tier::sobol_begin_1(&state);
   const tier::Random2_1 pair = tier::sobol_pair_1(&state, set);
   return {pair.x, pair.y};
 }
+
+}  // namespace
+
+Pair sobol_pair(std::uint32_t pixel, std::uint32_t sample, std::uint32_t set, std::uint32_t seed) {
+  return sobol_of(4, pixel, sample, set, seed);
+}
+Pair sobol_single_pair(std::uint32_t pixel, std::uint32_t sample, std::uint32_t set, std::uint32_t seed) {
+  return sobol_of(1, pixel, sample, set, seed);
+}
 Pair independent_pair(std::uint32_t pixel, std::uint32_t sample, std::uint32_t set, std::uint32_t seed) {
-  tier::SampleState_1 state{pixel, seed, sample, 0, 0};
+  tier::SampleState_1 state{pixel, seed, 1, sample, 0, 0};
   tier::independent_begin_1(&state);
   const tier::Random2_1 pair = tier::independent_pair_1(&state, set);
   return {pair.x, pair.y};

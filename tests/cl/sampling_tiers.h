@@ -12,6 +12,8 @@ using Pair = std::array<std::uint32_t, 2>;
 
 /// The samplers' points; the same in both tiers.
 Pair sobol_pair(std::uint32_t pixel, std::uint32_t sample, std::uint32_t set, std::uint32_t seed);
+/// Where the film keeps one sum.
+Pair sobol_single_pair(std::uint32_t pixel, std::uint32_t sample, std::uint32_t set, std::uint32_t seed);
 Pair independent_pair(std::uint32_t pixel, std::uint32_t sample, std::uint32_t set, std::uint32_t seed);
 
 template <class Real>

@@ -8,7 +8,6 @@
 #include "cl/math_tiers.h"
 #include "device/kernel_source.h"
 #include "device/program.h"
-#include "render/sample_blocks.h"
 #include "support/devices.h"
 
 using namespace strahl;
@@ -103,29 +102,6 @@ TEST_CASE("the film adds as on the host, whatever a device does to small numbers
       CAPTURE(device, x[i], y[i]);
       REQUIRE(sums[i] == expected);
     }
-  }
-}
-
-TEST_CASE("a sample is in the block of the film that the host takes it to be in") {
-  require_pocl_and_rusticl();
-  std::vector<float> samples;
-  for (int i = 0; i < 100; ++i) samples.push_back(static_cast<float>(i));
-  const strahl::SampleBlocks octaves = strahl::SampleBlocks::of_sequence(100);
-  const auto in = [&](const std::string& header) {
-    return values<std::int32_t>(
-        "#include \"core/sample_blocks.h\"\nFN int block_in(int second, int third, int fourth, int "
-        "sample) {\n  SampleBlocks blocks;\n  blocks.sums = 4;\n  blocks.second = second;\n"
-        "  blocks.third = third;\n  blocks.fourth = fourth;\n"
-        "  return block_of(&blocks, sample);\n}\n",
-        "int", "block_in(" + header + ", (int)x)", samples, {});
-  };
-  const auto& first = octaves.header();
-  const auto blocks = in(std::to_string(first[0]) + ", " + std::to_string(first[1]) + ", " + std::to_string(first[2])),
-             turns = in("-1, -1, -1");
-  for (int i = 0; i < 100; ++i) {
-    INFO(i);
-    CHECK(blocks[static_cast<std::size_t>(i)] == octaves.of(i));
-    CHECK(turns[static_cast<std::size_t>(i)] == i % 4);
   }
 }
 

@@ -28,8 +28,7 @@ TEST_CASE("with a deadline, passes of several samples are short") {
   CHECK(plan.next(0.001, 10)->count == 4);  // 4 ms.
   CHECK(plan.next(0.1, 10)->count == 1);    // Long ones are single, and may end part-way.
   CHECK(plan.next(0.001, 0.004)->count == 1);
-  CHECK(plan.next(0.001, 10)->count == 1);  // Up to the end of the octave, 8.
-  CHECK(plan.next(0.001, 10)->first == 8);
+  CHECK(plan.next(0.001, 10)->first == 7);
   CHECK_FALSE(plan.next(0.001, 0));
   CHECK(plan.ending() == Ending::deadline);
 }
@@ -40,14 +39,12 @@ TEST_CASE("an error is looked at where it may be reached") {
   PassPlan plan(goal, 100000);
   CHECK(plan.next(0, 1)->count == 8);
   REQUIRE(plan.wants_error());
-  plan.estimated(error_of(0.3));  // Nine times as many, but by no more than four at a time, and octave by octave.
-  CHECK(plan.next(0, 1)->count == 8);
-  CHECK_FALSE(plan.wants_error());
-  CHECK(plan.next(0, 1)->count == 16);
+  plan.estimated(error_of(0.3));  // Nine times as many, but by no more than four at a time.
+  CHECK(plan.next(0, 1)->count == 24);
   REQUIRE(plan.wants_error());
   plan.estimated(error_of(0.12));
   const int count = plan.next(0, 1)->count;
-  CHECK(count >= 8);  // A quarter of an octave at the least.
+  CHECK(count >= 4);
   CHECK(count <= 16);
   plan.estimated(error_of(0.099));
   CHECK_FALSE(plan.next(0, 1));

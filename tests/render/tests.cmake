@@ -8,7 +8,6 @@ strahl_test(render/test_limitations.cpp LABEL unit)
 strahl_test(render/test_pass_plan.cpp LABEL unit)
 strahl_test(render/test_rounding_pilot.cpp LABEL unit)
 strahl_test(render/test_prediction.cpp LABEL unit)
-strahl_test(render/test_block_law.cpp LABEL unit)
 strahl_test(render/test_traversal_choice.cpp LABEL unit)
 # A program for every scene, compiled where nothing is cached yet.
 strahl_test(render/test_generic.cpp LABEL render TIMEOUT 400)
@@ -38,4 +37,5 @@ set_tests_properties(render_test_oclgrind_every_scene PROPERTIES LABELS slow SKI
 
 add_test(NAME render_test_error_coverage_long COMMAND render_tests "-#" "[#test_error_coverage]")
 set_tests_properties(
-  render_test_error_coverage_long PROPERTIES LABELS slow TIMEOUT 7200 ENVIRONMENT STRAHL_COVERAGE=long)
+  render_test_error_coverage_long PROPERTIES LABELS slow TIMEOUT 3600
+                                             ENVIRONMENT "STRAHL_COVERAGE_SEEDS=200;STRAHL_COVERAGE_SPP=100000")
