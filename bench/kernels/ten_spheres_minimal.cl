@@ -10,6 +10,7 @@
 #include "core/film.h"
 #include "core/ray.h"
 #include "scene/scene.h"
+#include "shapes/ball.h"
 #include "shapes/edge_lanes.h"
 #if TIER_ROBUST
 #include "shapes/exact_scalar.h"

@@ -64,6 +64,7 @@ FN real3w LANED(delta_way)(const LANED(Bsdf) * b, const LANED(BsdfSample) * s) {
 /// A way on in one of `lobes`, drawn by number, u and v; wi comes out in the world.
 FN LANED(BsdfSample) LANED(bsdf_sample)(const LANED(Bsdf) * b, int lobes, realw number, realw u, realw v) {
   LANED(BsdfSample) s = LANED(no_way)(b);
+  (void)lobes;
   (void)number;
   (void)u;
   (void)v;

@@ -3,7 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <variant>
 
 #include "device/frame.h"
@@ -23,6 +25,10 @@ void require_light(Faults& faults, const Rgb& c, const char* what) {
       faults.push_back(fmt::format("the {} must be finite and not negative", what));
       return;
     }
+  // What the film and a picture's floats hold, in every tier.
+  constexpr double most = std::numeric_limits<float>::max();
+  if (std::max({c.r, c.g, c.b}) > most)
+    faults.push_back(fmt::format("the {} must be at most {:.3g}, the largest float", what, most));
 }
 
 /// facts; reals, faults and glows as in lights.h.

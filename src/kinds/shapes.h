@@ -27,6 +27,7 @@ enum class Mirrored {
   flipped,  ///< To the other side, as a cross product does: flip_normals turns them back.
 };
 
+// NOLINTBEGIN(bugprone-macro-parentheses): S is a type.
 #define SHAPE_KIND(S, kind, area)                                                \
   int primitive_count(const S&);                                                 \
   /** Adds what bounds it, if anything does. */                                  \
@@ -51,6 +52,7 @@ enum class Mirrored {
   void scale(S&, double factor);                                                 \
   /** Directions that are no edges of anything; flip_x: x becomes -x. */         \
   Mirrored mirror(S&, const MapVec3& flip_x);
+// NOLINTEND(bugprone-macro-parentheses)
 #include "kinds/shapes.def"
 #undef SHAPE_KIND
 

@@ -19,7 +19,7 @@ TEST_CASE("a sheet, a table and JSON") {
   CHECK(contains(outcome.out, "offset 1e+07"));
   CHECK(contains(outcome.err, "scene.stress.png"));
   const auto json = nlohmann::json::parse(read_text(folder.path("out.json")));
-  CHECK(json["stresses"].size() == 8);
+  CHECK(json["stresses"].size() == 12);
   REQUIRE(json["tiers"].size() == 4);
   CHECK(json["tiers"][2]["precision"] == "robust");
   CHECK(json["tiers"][3]["rmse"][2] == 0.0);

@@ -389,6 +389,7 @@ TEST_CASE("a ray within more shapes than are tracked is told") {
 
 TEST_CASE("direct says that glass will show emitters alone") {
   Scene scene = stage({floor_plane()}, glass(1.5));
+  scene.lights.push_back({"", ConstantLight{{1, 1, 1}}, {}});
   REQUIRE(limitations(scene).size() == 1);
   CHECK(limitations(scene)[0].message.find("whitted") != std::string::npos);
 }

@@ -142,6 +142,7 @@ TEST_CASE("without mirrors whitted is direct, bit for bit") {
 
 TEST_CASE("direct says that mirrors will show emitters alone") {
   Scene scene = stage({floor_plane()}, mirror({1, 1, 1}));
+  scene.lights.push_back({"", ConstantLight{{1, 1, 1}}, {}});
   REQUIRE(limitations(scene).size() == 1);
   CHECK(limitations(scene)[0].message.find("whitted") != std::string::npos);
   scene.integrator.name = "whitted";
