@@ -18,7 +18,7 @@ strahl_test(render/test_devices.cpp LABEL render TIMEOUT 900)
 strahl_test(render/test_loop_limit.cpp LABEL render TIMEOUT 300)
 
 add_test(NAME render_test_oclgrind COMMAND ${CMAKE_CURRENT_LIST_DIR}/test_oclgrind $<TARGET_FILE:strahl-bin>
-                                           ${PROJECT_SOURCE_DIR}/scenes/lecture/lit.xml)
+                                           ${PROJECT_SOURCE_DIR}/scenes/lecture/lit.xml ${PROJECT_SOURCE_DIR}/scenes/lecture/first-light.xml)
 set_tests_properties(render_test_oclgrind PROPERTIES LABELS oclgrind SKIP_RETURN_CODE 77 TIMEOUT 120)
 
 add_test(NAME render_test_metamorphic_all_scales COMMAND render_tests "another unit of length")
