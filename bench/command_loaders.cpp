@@ -11,7 +11,7 @@
 #include "bench/commands.h"
 #include "bench/mesh_files.h"
 #include "bench/race.h"
-#include "scene/mesh_file.h"
+#include "scene/meshes/mesh_file.h"
 
 namespace strahl::bench {
 namespace {

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "bench/workload.h"
-#include "device/device.h"
+#include "opencl/device.h"
 
 namespace strahl::bench {
 

@@ -5,8 +5,8 @@
 #include <cstdio>
 
 #include "bench/commands.h"
-#include "device/process_memory.h"
 #include "errors.h"
+#include "process_memory.h"
 
 using namespace strahl;
 

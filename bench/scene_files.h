@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "scene/scene.h"
+#include "scene/model/scene.h"
 
 namespace strahl::bench {
 

@@ -7,16 +7,17 @@
 #include <functional>
 
 #include "bench/race.h"
-#include "device/cl_layout.h"
-#include "device/pack.h"
-#include "device/pack_camera.h"
-#include "device/program_text.h"
-#include "device/scene_buffers.h"
-#include "device/tuned_width.h"
 #include "image/file_bytes.h"
+#include "opencl/program.h"
+#include "opencl/tuned_width.h"
+#include "packing/cl_layout.h"
+#include "packing/pack.h"
+#include "packing/pack_camera.h"
+#include "packing/scene_buffers.h"
+#include "program/program_text.h"
 #include "render/film.h"
 #include "render/renderer.h"
-#include "render/stopwatch.h"
+#include "stopwatch.h"
 #include "study/generated/scenes.h"
 
 namespace strahl::bench {
@@ -34,7 +35,7 @@ class Minimal {
     files[kRoot] = read_file(STRAHL_BENCH_FOLDER "/kernels/ten_spheres_minimal.cl");
     program_ = build_program(
         device, program_source(files, kRoot, features_of(scene, settings), settings.precision, lanes, lanes, false));
-    const Frame frame = settings.precision == Precision::fast ? Frame{} : camera_frame(scene);
+    const UploadFrame frame = settings.precision == Precision::fast ? UploadFrame{} : camera_frame(scene);
     const std::size_t width = static_cast<std::size_t>(lanes), count = scene.shapes.size();
     blocks_ = static_cast<int>((count + width - 1) / width);
     std::vector<Real> spheres(static_cast<std::size_t>(blocks_) * 4 * width, Real{0}), radiance;

@@ -3,9 +3,9 @@
 // one.
 #pragma once
 
-#include "device/device.h"
-#include "render/settings.h"
-#include "scene/scene.h"
+#include "opencl/device.h"
+#include "scene/model/scene.h"
+#include "settings/settings.h"
 
 namespace strahl::bench {
 

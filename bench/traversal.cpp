@@ -10,8 +10,9 @@
 #include "bench/peers/embree.h"
 #include "bench/peers/embree_tree.h"
 #include "bench/strahl_contender.h"
-#include "device/features.h"
 #include "errors.h"
+#include "kinds/entries.h"
+#include "program/features.h"
 #include "scene/loader.h"
 #include "study/generated/scenes.h"
 

@@ -5,7 +5,7 @@
 #include <functional>
 
 #include "bench/race.h"
-#include "device/device.h"
+#include "opencl/device.h"
 
 namespace strahl::bench {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "render/intersector.h"
-#include "scene/scene.h"
+#include "scene/model/scene.h"
 
 namespace strahl::bench {
 

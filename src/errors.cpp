@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "device/cl_code.h"
+#include "opencl/cl_code.h"
 
 namespace strahl {
 

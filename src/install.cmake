@@ -13,8 +13,8 @@ target_sources(
          FILES
          src/strahl.h
          src/errors.h
-         src/device/device.h
-         src/device/opencl.h
+         src/opencl/device.h
+         src/opencl/opencl.h
          src/image/channel.h
          src/image/flip.h
          src/image/image.h
@@ -26,15 +26,16 @@ target_sources(
          src/render/goal.h
          src/render/intersector.h
          src/render/renderer.h
-         src/render/sampling.h
-         src/render/settings.h
+         src/settings/sampling.h
+         src/settings/settings.h
          src/render/stats.h
-         src/scene/build.h
+         src/packing/tree_stats.h
+         src/scene/model/build.h
          src/scene/loader.h
-         src/scene/mesh_file.h
-         src/scene/scene.h
+         src/scene/meshes/mesh_file.h
+         src/scene/model/scene.h
          src/scene/validate.h
-         src/scene/vec.h)
+         src/scene/model/vec.h)
 install(
   TARGETS strahl
   EXPORT strahl

@@ -11,7 +11,7 @@
 #include "cli/app.h"
 #include "cli/console.h"
 #include "cli/process_clock.h"
-#include "device/process_memory.h"
+#include "process_memory.h"
 
 namespace {
 

@@ -3,14 +3,14 @@
 // pictures of them (Renderer, Image), and rays into them (Intersector, Ray, Hit). docs/example shows it at work.
 #pragma once
 
-#include "device/device.h"
 #include "errors.h"
 #include "image/image_io.h"
 #include "image/metrics.h"
 #include "image/npy.h"
+#include "opencl/device.h"
 #include "render/intersector.h"
 #include "render/renderer.h"
-#include "scene/build.h"
 #include "scene/loader.h"
-#include "scene/mesh_file.h"
+#include "scene/meshes/mesh_file.h"
+#include "scene/model/build.h"
 #include "scene/validate.h"

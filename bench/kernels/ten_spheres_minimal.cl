@@ -6,21 +6,21 @@
 #include "math/vec3.h"
 #include "lanes/lane_ops.h"
 #include "accel/packet_kinds.h"
-#include "core/candidates.h"
-#include "core/film.h"
-#include "core/ray.h"
-#include "scene/scene.h"
+#include "hits/candidates.h"
+#include "film/film.h"
+#include "rays/ray.h"
+#include "scene/model/scene.h"
 #include "shapes/ball.h"
-#include "shapes/edge_lanes.h"
+#include "shapes/polygon/edge_lanes.h"
 #if TIER_ROBUST
-#include "shapes/exact_scalar.h"
+#include "shapes/exact/exact_scalar.h"
 #endif
 #if !(TIER_ROBUST && LANES == 1)
 #include "accel/slabs_lanes.h"
 #endif
-#include "shapes/sphere_lanes.h"
+#include "shapes/sphere/sphere_lanes.h"
 
-/// camera_rays of core/camera_lanes.h for one ray through the pixel's middle.
+/// camera_rays of camera/camera_lanes.h for one ray through the pixel's middle.
 FN Ray ray_through(GLOBAL const real* camera, int width, int height, int x, int y) {
   real sx = (real)(2 * x + 1 - width) / (real)width, sy = (real)(2 * y + 1 - height) / (real)height;
   real3 o = fma3(sy, load3(camera + CAMERA_OY), fma3(sx, load3(camera + CAMERA_OX), load3(camera + CAMERA_O)));
@@ -39,8 +39,7 @@ KERNEL LANE_HINT void lanes(GLOBAL const real* camera, GLOBAL const real* sphere
   if (x >= width || y >= height) return;
   Ray ray = ray_through(camera, width, height, x, y);
   Nearest best = nearest_none(ray.t_max);
-  for (int b = 0; b < blocks; ++b)
-    LANED(sphere_block)(&ray, spheres + b * 4 * LANES, ids + b * LANES, b * LANES, &best);
+  for (int b = 0; b < blocks; ++b) sphere_block_w(&ray, spheres + b * 4 * LANES, ids + b * LANES, b * LANES, &best);
 #if TIER_ROBUST
   nearest_settle(&ray, &best, LANES);
 #endif

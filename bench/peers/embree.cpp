@@ -9,7 +9,7 @@
 #include <thread>
 
 #include "bench/peers/embree_scene.h"
-#include "render/stopwatch.h"
+#include "stopwatch.h"
 
 namespace strahl::bench {
 namespace {

@@ -6,7 +6,7 @@
 #include <cstring>
 
 #include "bench/peers/embree_solids.h"
-#include "render/stopwatch.h"
+#include "stopwatch.h"
 
 namespace strahl::bench {
 namespace {

@@ -7,7 +7,7 @@
 #include <memory>
 #include <type_traits>
 
-#include "scene/scene.h"
+#include "scene/model/scene.h"
 
 namespace strahl::bench {
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "bench/peers/embree_scene.h"
-#include "render/stopwatch.h"
+#include "stopwatch.h"
 
 namespace strahl::bench {
 namespace {

@@ -2,7 +2,7 @@
 // What Embree's builder makes of a scene's boxes: the yardstick for strahl's tree.
 #pragma once
 
-#include "scene/scene.h"
+#include "scene/model/scene.h"
 
 namespace strahl::bench {
 

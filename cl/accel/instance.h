@@ -4,8 +4,8 @@
 #ifndef STRAHL_ACCEL_INSTANCE_H
 #define STRAHL_ACCEL_INSTANCE_H
 
-#include "core/nearest.h"
-#include "core/ray.h"
+#include "hits/nearest.h"
+#include "rays/ray.h"
 #include "scene/scene.h"
 
 /// INSTANCE_REALS of them.
@@ -57,7 +57,7 @@ FN real mapped_component(GLOBAL const real* a, real3 v, real3 rest, real b) {
 }
 
 /// The ray in the group's frame until t_max, which is in units of the world's ray. `left` is an id in the group.
-FN Ray ray_into_group(const Ray* world, GLOBAL const real* placed, real t_max, int left) {
+FN Ray ray_into_group(const Ray* world, GLOBAL const real* placed, real t_max, int departed) {
   GLOBAL const real* a = placed + INSTANCE_TO_GROUP;
   real3 pivot = load3(placed + INSTANCE_PIVOT), b = load3(placed + INSTANCE_OFFSET);
   real zero = R(0.0);
@@ -68,7 +68,7 @@ FN Ray ray_into_group(const Ray* world, GLOBAL const real* placed, real t_max, i
                  mapped_component(a + 6, from, rest, b.z));
   real3 d = vec3(mapped_component(a, world->d, none, zero), mapped_component(a + 3, world->d, none, zero),
                  mapped_component(a + 6, world->d, none, zero));
-  Ray ray = ray_make(o, d, world->t_min, t_max, left);
+  Ray ray = ray_make(o, d, world->t_min, t_max, departed);
   ray.is_outward = world->is_outward;
   return ray;
 }
@@ -86,7 +86,7 @@ FN int is_within(const Place* place) { return place->instance >= 0; }
 
 FN Ray ray_of_world(const Ray* world) {
   Ray ray = *world;
-  if (HAS_INSTANCES && ray.left_instance >= 0) ray.left = -1;
+  if (HAS_INSTANCES && ray.departed_instance >= 0) ray.departed = -1;
   return ray;
 }
 
@@ -118,7 +118,7 @@ FN int enter_instance(const Scene* scene, const Ray* world, int reference, int f
   place->outside = *best;
   // Past the box all hits are at its end: then none of them may be left out before the nearest of them is known.
   real limit = best->t < span.leave ? best->t : REAL_MAX;
-  *ray = ray_into_group(world, placed, limit, world->left_instance == instance ? world->left : -1);
+  *ray = ray_into_group(world, placed, limit, world->departed_instance == instance ? world->departed : -1);
   ray_widen(ray, scene->geometry + place->group[GROUP_BOUNDS]);
   *best = nearest_none(ray->t_max);
   return 1;

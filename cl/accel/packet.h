@@ -4,7 +4,7 @@
 // P. Shirley, "Geometric and Arithmetic Culling Methods for Entire Ray Packets", 2006. The bounds come by the monotone
 // operations of slabs_lanes.h, so they lose no child that a ray meets; the second test is those operations themselves.
 // Hits are those of accel/traverse.h (docs/decisions/0010-packets.md). One width; no guard.
-#include "accel/packet_rays.h"
+#include "accel/packet_bounds.h"
 
 #if LANES == 8
 #define STACK_ENTRIES STACK_8
@@ -13,7 +13,7 @@
 #endif
 
 /// One axis of LANES boxes, for all rays at once: enter as early as the earliest, leave as late as the latest.
-FN LANED(Interval) LANED(clip_bounds)(LANED(Interval) t, realw near, realw far, LANED(Bounds) b) {
+FN Interval_w clip_bounds_w(Interval_w t, realw near, realw far, Bounds_w b) {
   realw lo = splat_w(b.inv_lo), hi = splat_w(b.inv_hi), slack = splat_w(b.slack);
   near = near - splat_w(b.o_near);
   far = far - splat_w(b.o_far);
@@ -23,18 +23,18 @@ FN LANED(Interval) LANED(clip_bounds)(LANED(Interval) t, realw near, realw far, 
 }
 
 /// Bit i: some ray may meet box i; t[i]: where it begins, at the earliest.
-FN uint LANED(may_meet)(const LANED(Packet) * p, real3w near, real3w far, PRIVATE real* t) {
-  LANED(Interval) slabs;
+FN uint may_meet_w(const Packet_w* p, real3w near, real3w far, PRIVATE real* t) {
+  Interval_w slabs;
   slabs.enter = splat_w(p->first);
   slabs.leave = splat_w(p->last);
-  slabs = LANED(clip_bounds)(slabs, near.x, far.x, p->x);
-  slabs = LANED(clip_bounds)(slabs, near.y, far.y, p->y);
-  slabs = LANED(clip_bounds)(slabs, near.z, far.z, p->z);
+  slabs = clip_bounds_w(slabs, near.x, far.x, p->x);
+  slabs = clip_bounds_w(slabs, near.y, far.y, p->y);
+  slabs = clip_bounds_w(slabs, near.z, far.z, p->z);
   store_w(slabs.enter, t);
   return bits_w(le_w(slabs.enter, slabs.leave));
 }
 
-FN uint LANED(may_meet_children)(const LANED(Packet) * p, GLOBAL const real* node, PRIVATE real* t) {
+FN uint may_meet_children_w(const Packet_w* p, GLOBAL const real* node, PRIVATE real* t) {
   int x = p->near_x, y = p->near_y, z = p->near_z;
   real3w near, far;
   near.x = load_w(node + x * LANES);
@@ -43,31 +43,31 @@ FN uint LANED(may_meet_children)(const LANED(Packet) * p, GLOBAL const real* nod
   far.x = load_w(node + (x ^ 1) * LANES);
   far.y = load_w(node + (y ^ 1) * LANES);
   far.z = load_w(node + (z ^ 1) * LANES);
-  return LANED(may_meet)(p, near, far, t);
+  return may_meet_w(p, near, far, t);
 }
 
 /// clip_slab of one box for every ray.
-FN LANED(Interval) LANED(clip_each)(LANED(Interval) t, real near, real far, realw o, realw inv, realw slack) {
+FN Interval_w clip_each_w(Interval_w t, real near, real far, realw o, realw inv, realw slack) {
   t.enter = max_w(fma_w(splat_w(near) - o, inv, -slack), t.enter);
   t.leave = min_w(fma_w(splat_w(far) - o, inv, slack), t.leave);
   return t;
 }
 
 /// The rays that meet a child; planes: its own, TREE_WIDTH apart.
-FN maskw LANED(meet_child)(const LANED(Packet) * p, GLOBAL const real* planes) {
+FN maskw meet_child_w(const Packet_w* p, GLOBAL const real* planes) {
   int x = p->near_x, y = p->near_y, z = p->near_z;
-  LANED(Interval) slabs;
+  Interval_w slabs;
   slabs.enter = p->t_min;
   slabs.leave = p->bound;
-  slabs = LANED(clip_each)(slabs, planes[x * LANES], planes[(x ^ 1) * LANES], p->o.x, p->inv.x, p->slack.x);
-  slabs = LANED(clip_each)(slabs, planes[y * LANES], planes[(y ^ 1) * LANES], p->o.y, p->inv.y, p->slack.y);
-  slabs = LANED(clip_each)(slabs, planes[z * LANES], planes[(z ^ 1) * LANES], p->o.z, p->inv.z, p->slack.z);
+  slabs = clip_each_w(slabs, planes[x * LANES], planes[(x ^ 1) * LANES], p->o.x, p->inv.x, p->slack.x);
+  slabs = clip_each_w(slabs, planes[y * LANES], planes[(y ^ 1) * LANES], p->o.y, p->inv.y, p->slack.y);
+  slabs = clip_each_w(slabs, planes[z * LANES], planes[(z ^ 1) * LANES], p->o.z, p->inv.z, p->slack.z);
   return le_w(slabs.enter, slabs.leave);
 }
 
-#include "shapes/packet_bodies_lanes.h"
+#include "shapes/packet/packet_bodies_lanes.h"
 
-FN void LANED(settle_one)(const Ray* ray, Nearest* best) {
+FN void settle_one_w(const Ray* ray, Nearest* best) {
 #if TIER_ROBUST
   nearest_settle(ray, best, LANES);
 #else
@@ -77,31 +77,31 @@ FN void LANED(settle_one)(const Ray* ray, Nearest* best) {
 }
 
 /// One ray from a reference on, NO_REFERENCE: through everything.
-SELDOM_FN void LANED(walk_alone)(const Scene* scene, const Ray* ray, int start, int stop_at_first, Nearest* best) {
+SELDOM_FN void walk_alone_w(const Scene* scene, const Ray* ray, int start, int stop_at_first, Nearest* best) {
   int want = stop_at_first ? FIND_ANY : FIND_NEAREST;
   if (HAS_TREE)
-    *best = LANED(walk)(scene, ray, start, *best, want);
+    *best = walk_w(scene, ray, start, *best, want);
   else
-    *best = LANED(meet_lists)(scene, ray, *best, want);
-  LANED(settle_one)(ray, best);
+    *best = meet_lists_w(scene, ray, *best, want);
+  settle_one_w(ray, best);
 }
 
 /// The instances of a leaf, or all that are listed, ray by ray.
-FN void LANED(packet_instances)(const Scene* scene, LANED(Packet) * p, int reference, maskw active) {
-  LANED(packet_settle)(scene, p);
-  LANED(NearestEach) each = LANED(packet_open)(p);
+FN void packet_instances_w(const Scene* scene, Packet_w* p, int reference, maskw active) {
+  packet_settle_w(scene, p);
+  NearestEach_w each = packet_open_w(p);
   for (uint lanes = bits_w(active); lanes != 0u; lanes &= lanes - 1u) {
     int lane = first_bit(lanes);
-    Ray ray = LANED(packet_ray)(p, lane);
-    Nearest best = LANED(nearest_of)(&each, lane);
-    if (!(p->stop_at_first && best.kind >= 0)) LANED(walk_alone)(scene, &ray, reference, p->stop_at_first, &best);
-    LANED(nearest_to)(&each, lane, best);
+    Ray ray = packet_ray_w(p, lane);
+    Nearest best = nearest_of_w(&each, lane);
+    if (!(p->stop_at_first && best.kind >= 0)) walk_alone_w(scene, &ray, reference, p->stop_at_first, &best);
+    nearest_to_w(&each, lane, best);
   }
-  LANED(packet_close)(p, &each);
+  packet_close_w(p, &each);
 }
 
 /// The blocks of a leaf, or all that its kind lists, for the rays of `active`.
-FN void LANED(packet_leaf)(const Scene* scene, LANED(Packet) * p, int reference, maskw active) {
+FN void packet_leaf_w(const Scene* scene, Packet_w* p, int reference, maskw active) {
   uint leaf = (uint)~reference;
   int kind = (int)(leaf & (REFERENCE_MOST_KINDS - 1)), first = (int)(leaf >> REFERENCE_BLOCK);
   int count = (int)(leaf >> REFERENCE_COUNT) & REFERENCE_MOST_BLOCKS;
@@ -113,31 +113,31 @@ FN void LANED(packet_leaf)(const Scene* scene, LANED(Packet) * p, int reference,
   (void)p;
   (void)active;
   for (int b = first; b < first + count; ++b, ids += LANES) {
-#define SHAPE(name, planes)                                                    \
-  if (SHAPE_COUNT == 1 || kind == SHAPE_##name) {                              \
-    GLOBAL const real* block = geometry + (ulong)b * ((planes)*LANES);         \
-    if (LANED(PACKET_BODY_##name) == PACKET_BODY_TRIANGLE) {                   \
-      LANED(polygon_packet)(scene, p, block, ids, b * LANES, kind, active, 3); \
-    } else if (LANED(PACKET_BODY_##name) == PACKET_BODY_PARALLELOGRAM) {       \
-      LANED(polygon_packet)(scene, p, block, ids, b * LANES, kind, active, 4); \
-    } else if (LANED(PACKET_BODY_##name) == PACKET_BODY_SPHERE) {              \
-      LANED(sphere_packet)(scene, p, block, ids, b * LANES, kind, active);     \
-    } else if (LANED(PACKET_BODY_##name) == PACKET_BODY_PLANE) {               \
-      LANED(plane_packet)(p, block, ids, b * LANES, kind, active);             \
-    } else {                                                                   \
-      uint lanes = bits_w(LANED(rays_near)(p, block, ids, kind, active));      \
-      if (lanes == 0u) continue;                                               \
-      LANED(NearestEach) each = LANED(packet_open)(p);                         \
-      for (; lanes != 0u; lanes &= lanes - 1u) {                               \
-        int lane = first_bit(lanes);                                           \
-        Nearest best = LANED(nearest_of)(&each, lane);                         \
-        Ray world = LANED(packet_ray)(p, lane), ray = ray_of_world(&world);    \
-        LANED(name##_block)(&ray, block, ids, b * LANES, &best);               \
-        LANED(settle_one)(&ray, &best);                                        \
-        LANED(nearest_to)(&each, lane, best);                                  \
-      }                                                                        \
-      LANED(packet_close)(p, &each);                                           \
-    }                                                                          \
+#define SHAPE(name, planes)                                              \
+  if (SHAPE_COUNT == 1 || kind == SHAPE_##name) {                        \
+    GLOBAL const real* block = geometry + (ulong)b * ((planes)*LANES);   \
+    if (PACKET_BODY_##name##_w == PACKET_BODY_TRIANGLE) {                \
+      polygon_packet_w(scene, p, block, ids, b* LANES, kind, active, 3); \
+    } else if (PACKET_BODY_##name##_w == PACKET_BODY_PARALLELOGRAM) {    \
+      polygon_packet_w(scene, p, block, ids, b* LANES, kind, active, 4); \
+    } else if (PACKET_BODY_##name##_w == PACKET_BODY_SPHERE) {           \
+      sphere_packet_w(scene, p, block, ids, b* LANES, kind, active);     \
+    } else if (PACKET_BODY_##name##_w == PACKET_BODY_PLANE) {            \
+      plane_packet_w(p, block, ids, b* LANES, kind, active);             \
+    } else {                                                             \
+      uint lanes = bits_w(rays_near_w(p, block, ids, kind, active));     \
+      if (lanes == 0u) continue;                                         \
+      NearestEach_w each = packet_open_w(p);                             \
+      for (; lanes != 0u; lanes &= lanes - 1u) {                         \
+        int lane = first_bit(lanes);                                     \
+        Nearest best = nearest_of_w(&each, lane);                        \
+        Ray world = packet_ray_w(p, lane), ray = ray_of_world(&world);   \
+        name##_block_w(&ray, block, ids, b* LANES, &best);               \
+        settle_one_w(&ray, &best);                                       \
+        nearest_to_w(&each, lane, best);                                 \
+      }                                                                  \
+      packet_close_w(p, &each);                                          \
+    }                                                                    \
   }
 #include "shapes/shapes.def"
 #undef SHAPE
@@ -145,16 +145,16 @@ FN void LANED(packet_leaf)(const Scene* scene, LANED(Packet) * p, int reference,
 }
 
 /// Rays that have hit something want no more.
-FN void LANED(packet_stop)(const Scene* scene, LANED(Packet) * p) {
-  LANED(packet_settle)(scene, p);
+FN void packet_stop_w(const Scene* scene, Packet_w* p) {
+  packet_settle_w(scene, p);
   maskw done = ~lt_int_w(p->kind, splat_int_w(0));
   p->t = sel_w(done, splat_w(-REAL_MAX), p->t);
   p->bound = min_w(p->t, p->bound);
 }
 
 /// Onto the stack, the nearest on top.
-FN void LANED(push_children)(PRIVATE int* waiting, PRIVATE real* waiting_t, PRIVATE int* top, int node, uint met,
-                             PRIVATE const real* t) {
+FN void push_children_w(PRIVATE int* waiting, PRIVATE real* waiting_t, PRIVATE int* top, int node, uint met,
+                        PRIVATE const real* t) {
   int bottom = *top;
   while (met != 0u) {
     int lane = first_bit(met), at = *top;
@@ -171,16 +171,16 @@ FN void LANED(push_children)(PRIVATE int* waiting, PRIVATE real* waiting_t, PRIV
 }
 
 /// What a packet may go through with one or two rays before its rays part.
-enum { LANED(PACKET_PATIENCE) = 24 };
+enum { PACKET_PATIENCE_w = 24 };
 
 /// All rays of a packet that packet_make has found alike. 0: they part too often, and what is found so far is not all.
-FN int LANED(packet_walk)(const Scene* scene, LANED(Packet) * p) {
+FN int packet_walk_w(const Scene* scene, Packet_w* p) {
   GLOBAL const real* nodes = scene->geometry + scene->index[HEADER_NODES];
   GLOBAL const int* children = scene->index + scene->index[HEADER_CHILDREN];
   maskw active = le_w(p->t_min, p->t);
   int waiting[STACK_ENTRIES];
   real waiting_t[STACK_ENTRIES];
-  int top = 0, patience = LANED(PACKET_PATIENCE), is_any = LANED(PACKET_OF_ANY_RAYS);
+  int top = 0, patience = PACKET_PATIENCE_w, is_any = PACKET_OF_ANY_RAYS_w;
   // First what is listed, kind by kind, then the tree.
   int kind = 0, kinds = SHAPE_COUNT + HAS_INSTANCES, reference = NO_REFERENCE;
   for (;;) {
@@ -192,14 +192,14 @@ FN int LANED(packet_walk)(const Scene* scene, LANED(Packet) * p) {
     }
     if (reference >= 0) {
       real t[LANES];
-      uint met = LANED(may_meet_children)(p, nodes + (ulong)reference * (NODE_PLANES * LANES), t);
-      LANED(push_children)(waiting, waiting_t, &top, reference, met, t);
+      uint met = may_meet_children_w(p, nodes + (ulong)reference * (NODE_PLANES * LANES), t);
+      push_children_w(waiting, waiting_t, &top, reference, met, t);
     } else {
       if (HAS_INSTANCES && leaf_kind(reference) == SHAPE_COUNT)
-        LANED(packet_instances)(scene, p, reference, active);
+        packet_instances_w(scene, p, reference, active);
       else
-        LANED(packet_leaf)(scene, p, reference, active);
-      if (p->stop_at_first) LANED(packet_stop)(scene, p);
+        packet_leaf_w(scene, p, reference, active);
+      if (p->stop_at_first) packet_stop_w(scene, p);
       if (!is_any) p->last = largest_w(p->bound);
       if (is_any ? !any_w(le_w(p->t_min, p->bound)) : p->last < p->first) return 1;
     }
@@ -209,12 +209,12 @@ FN int LANED(packet_walk)(const Scene* scene, LANED(Packet) * p) {
       --top;
       if (p->last < waiting_t[top]) continue;
       int child = waiting[top];
-      active = LANED(meet_child)(p, nodes + (ulong)(child / LANES) * (NODE_PLANES * LANES) + child % LANES);
+      active = meet_child_w(p, nodes + (ulong)(child / LANES) * (NODE_PLANES * LANES) + child % LANES);
       reference = children[child];
       uint met = bits_w(active), more = met & (met - 1u);
       if (met == 0u) continue;
       if ((more & (more - 1u)) != 0u) {
-        if (patience < LANED(PACKET_PATIENCE)) ++patience;
+        if (patience < PACKET_PATIENCE_w) ++patience;
       } else if (--patience == 0) {
         return 0;
       }
@@ -224,29 +224,29 @@ FN int LANED(packet_walk)(const Scene* scene, LANED(Packet) * p) {
 }
 
 /// Hits of LANES rays that are prepared and widened. want: FIND_...
-SELDOM_FN LANED(NearestEach) LANED(packet_traverse)(const Scene* scene, LANED(Rays) * rays, int want) {
-  LANED(Packet) p;
-  LANED(NearestEach) each;
+SELDOM_FN NearestEach_w packet_traverse_w(const Scene* scene, Rays_w* rays, int want) {
+  Packet_w p;
+  NearestEach_w each;
   int is_any = want == FIND_ANY;
-  LANED(packet_none)(&p);
-  each = LANED(packet_open)(&p);
+  packet_none_w(&p);
+  each = packet_open_w(&p);
   if (SHAPE_COUNT == 0) return each;
-  int found = LANED(packet_make)(&p, rays, is_any);
-  if (found == LANED(PACKET_DEAD)) return each;
+  int found = packet_make_w(&p, rays, is_any);
+  if (found == PACKET_DEAD_w) return each;
   int is_done = 0;
-  if (found == LANED(PACKET_ALIKE)) {
-    is_done = LANED(packet_walk)(scene, &p);
-    LANED(packet_finish)(scene, &p, is_done && want == FIND_NEAREST_ROUGHLY);
-    each = LANED(packet_open)(&p);
+  if (found == PACKET_ALIKE_w) {
+    is_done = packet_walk_w(scene, &p);
+    packet_finish_w(scene, &p, is_done && want == FIND_NEAREST_APPROXIMATELY);
+    each = packet_open_w(&p);
   }
   // Rays that need not be alike never part: their program has no walk for one alone.
-  int never_part = LANED(PACKET_OF_ANY_RAYS);
+  int never_part = PACKET_OF_ANY_RAYS_w;
   for (int i = 0; i < LANES && !is_done && !never_part; ++i) {
-    Nearest best = LANED(nearest_of)(&each, i);
-    Ray ray = LANED(ray_of)(rays, i);
+    Nearest best = nearest_of_w(&each, i);
+    Ray ray = ray_of_w(rays, i);
     if (best.kind < 0) best = nearest_none(ray.t_max);
-    if (!(is_any && best.kind >= 0)) LANED(walk_alone)(scene, &ray, NO_REFERENCE, is_any, &best);
-    LANED(nearest_to)(&each, i, best);
+    if (!(is_any && best.kind >= 0)) walk_alone_w(scene, &ray, NO_REFERENCE, is_any, &best);
+    nearest_to_w(&each, i, best);
   }
   return each;
 }

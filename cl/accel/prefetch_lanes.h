@@ -4,30 +4,30 @@
 // asks its compiler; elsewhere nothing happens. Nothing depends on it but time. One width; no guard.
 
 #if !ON_HOST && LANES != 1 && defined(__clang__) && defined(__x86_64__)
-enum { LANED(LINE_REALS) = 64 / sizeof(real) };
+enum { LINE_REALS_w = 64 / sizeof(real) };
 
-FN void LANED(prefetch_reals)(GLOBAL const real* p, int reals) {
+FN void prefetch_reals_w(GLOBAL const real* p, int reals) {
 #pragma unroll
-  for (int i = 0; i < reals; i += LANED(LINE_REALS)) __builtin_prefetch((PRIVATE const void*)(ulong)(p + i));
+  for (int i = 0; i < reals; i += LINE_REALS_w) __builtin_prefetch((PRIVATE const void*)(ulong)(p + i));
 }
-FN void LANED(prefetch_ints)(GLOBAL const int* p) { __builtin_prefetch((PRIVATE const void*)(ulong)p); }
+FN void prefetch_ints_w(GLOBAL const int* p) { __builtin_prefetch((PRIVATE const void*)(ulong)p); }
 #else
-FN void LANED(prefetch_reals)(GLOBAL const real* p, int reals) {
+FN void prefetch_reals_w(GLOBAL const real* p, int reals) {
   (void)p;
   (void)reals;
 }
-FN void LANED(prefetch_ints)(GLOBAL const int* p) { (void)p; }
+FN void prefetch_ints_w(GLOBAL const int* p) { (void)p; }
 #endif
 
-FN void LANED(prefetch_block)(const Scene* scene, int kind, ulong block, int reals) {
+FN void prefetch_block_w(const Scene* scene, int kind, ulong block, int reals) {
   GLOBAL const real* blocks = scene->geometry + scene_shape_row(scene, kind)[SHAPE_GEOMETRY];
-  LANED(prefetch_reals)(blocks + block * (ulong)reals, reals);
+  prefetch_reals_w(blocks + block * (ulong)reals, reals);
 }
 
 /// What a reference leads to: a node, or the first block of a leaf.
-FN void LANED(prefetch_child)(const Scene* scene, GLOBAL const real* nodes, int reference) {
+FN void prefetch_child_w(const Scene* scene, GLOBAL const real* nodes, int reference) {
   if (reference >= 0) {
-    LANED(prefetch_reals)(nodes + (ulong)reference * (NODE_PLANES * TREE_WIDTH), NODE_PLANES * TREE_WIDTH);
+    prefetch_reals_w(nodes + (ulong)reference * (NODE_PLANES * TREE_WIDTH), NODE_PLANES * TREE_WIDTH);
     return;
   }
   uint leaf = (uint)~reference;
@@ -35,7 +35,7 @@ FN void LANED(prefetch_child)(const Scene* scene, GLOBAL const real* nodes, int 
   (void)scene;  // A scene without shapes.
   (void)kind;
 #define SHAPE(name, planes) \
-  if (kind == SHAPE_##name) LANED(prefetch_block)(scene, kind, leaf >> REFERENCE_BLOCK, (planes)*LANES);
+  if (kind == SHAPE_##name) prefetch_block_w(scene, kind, leaf >> REFERENCE_BLOCK, (planes)*LANES);
 #include "shapes/shapes.def"
 #undef SHAPE
 }

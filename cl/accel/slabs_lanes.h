@@ -6,32 +6,32 @@
 
 typedef struct {
   realw enter, leave;
-} LANED(Interval);
+} Interval_w;
 
 /// One axis: near and far are the planes that the ray meets first and last.
-FN LANED(Interval) LANED(clip_slab)(LANED(Interval) t, realw near, realw far, real o, real inv, real slack) {
+FN Interval_w clip_slab_w(Interval_w t, realw near, realw far, real o, real inv, real slack) {
   t.enter = max_w(fma_w(near - splat_w(o), splat_w(inv), splat_w(-slack)), t.enter);
   t.leave = min_w(fma_w(far - splat_w(o), splat_w(inv), splat_w(slack)), t.leave);
   return t;
 }
 
 /// t, held within the slabs of the box lo ... hi.
-FN realw LANED(within_slabs)(const Ray* ray, realw t, realw lo_x, realw hi_x, realw lo_y, realw hi_y, realw lo_z,
-                             realw hi_z) {
-  LANED(Interval) slabs;
+FN realw within_slabs_w(const Ray* ray, realw t, realw lo_x, realw hi_x, realw lo_y, realw hi_y, realw lo_z,
+                        realw hi_z) {
+  Interval_w slabs;
   slabs.enter = splat_w(-REAL_MAX);
   slabs.leave = splat_w(REAL_MAX);
   int x = ray->near_x == 0, y = ray->near_y == 2, z = ray->near_z == 4;
-  slabs = LANED(clip_slab)(slabs, x ? lo_x : hi_x, x ? hi_x : lo_x, ray->o.x, ray->inv.x, ray->slack.x);
-  slabs = LANED(clip_slab)(slabs, y ? lo_y : hi_y, y ? hi_y : lo_y, ray->o.y, ray->inv.y, ray->slack.y);
-  slabs = LANED(clip_slab)(slabs, z ? lo_z : hi_z, z ? hi_z : lo_z, ray->o.z, ray->inv.z, ray->slack.z);
+  slabs = clip_slab_w(slabs, x ? lo_x : hi_x, x ? hi_x : lo_x, ray->o.x, ray->inv.x, ray->slack.x);
+  slabs = clip_slab_w(slabs, y ? lo_y : hi_y, y ? hi_y : lo_y, ray->o.y, ray->inv.y, ray->slack.y);
+  slabs = clip_slab_w(slabs, z ? lo_z : hi_z, z ? hi_z : lo_z, ray->o.z, ray->inv.z, ray->slack.z);
   t = sel_w(lt_w(t, slabs.enter), slabs.enter, t);
   return sel_w(lt_w(slabs.leave, t), slabs.leave, t);
 }
 
 /// t, held within the slabs of four corners, three planes of LANES reals each.
-FN realw LANED(within_corners)(const Ray* ray, realw t, GLOBAL const real* a, GLOBAL const real* b,
-                               GLOBAL const real* c, GLOBAL const real* d) {
+FN realw within_corners_w(const Ray* ray, realw t, GLOBAL const real* a, GLOBAL const real* b, GLOBAL const real* c,
+                          GLOBAL const real* d) {
   realw lo[3], hi[3];
   for (int axis = 0; axis < 3; ++axis) {
     realw pa = load_w(a + axis * LANES), pb = load_w(b + axis * LANES);
@@ -39,5 +39,5 @@ FN realw LANED(within_corners)(const Ray* ray, realw t, GLOBAL const real* a, GL
     lo[axis] = min_w(pd, min_w(pc, min_w(pb, pa)));
     hi[axis] = max_w(pd, max_w(pc, max_w(pb, pa)));
   }
-  return LANED(within_slabs)(ray, t, lo[0], hi[0], lo[1], hi[1], lo[2], hi[2]);
+  return within_slabs_w(ray, t, lo[0], hi[0], lo[1], hi[1], lo[2], hi[2]);
 }

@@ -6,12 +6,12 @@
 // among equal t the smallest id wins.
 #include "accel/instance.h"
 #include "accel/packet_kinds.h"
-#include "core/candidates.h"
-#include "core/counters.h"
+#include "hits/candidates.h"
+#include "scene/counters.h"
 #include "scene/scene.h"
-#include "shapes/edge_lanes.h"
+#include "shapes/polygon/edge_lanes.h"
 #if TIER_ROBUST
-#include "shapes/exact_scalar.h"
+#include "shapes/exact/exact_scalar.h"
 #endif
 #if !(TIER_ROBUST && LANES == 1)
 #include "accel/slabs_lanes.h"
@@ -19,20 +19,20 @@
 #include "lanes/double_word.h"
 #endif
 #if TIER_ROBUST
-#include "shapes/quadratic_lanes.h"
+#include "shapes/exact/quadratic_lanes.h"
 #endif
 #endif
 #if TIER_COMPENSATED
-#include "shapes/reach_lanes.h"
+#include "shapes/packet/reach_lanes.h"
 #endif
 #if TIER_ROBUST
-#include "shapes/box_robust_lanes.h"
-#include "shapes/polygon_robust_lanes.h"
+#include "shapes/box/box_robust_lanes.h"
+#include "shapes/polygon/polygon_robust_lanes.h"
 #elif TIER_FAST
-#include "shapes/moeller_fast_lanes.h"
+#include "shapes/polygon/moeller_fast_lanes.h"
 #endif
 #include "shapes/ball.h"
-#include "shapes/corners.h"
+#include "shapes/polygon/corners.h"
 // They need what is above them.
 #include "shapes/all_lanes.h"
 
@@ -60,8 +60,8 @@
 
 /// The nearest of the children that are met; the others go to the stack, the farthest first. waiting, waiting_t:
 /// references and where they begin, `top` of them. Plain arrays: the same in a struct took 15 % longer on PoCL.
-FN int LANED(nearest_child)(const Scene* scene, GLOBAL const real* nodes, PRIVATE int* waiting, PRIVATE real* waiting_t,
-                            PRIVATE int* top, GLOBAL const int* children, uint met, PRIVATE const real* t) {
+FN int nearest_child_w(const Scene* scene, GLOBAL const real* nodes, PRIVATE int* waiting, PRIVATE real* waiting_t,
+                       PRIVATE int* top, GLOBAL const int* children, uint met, PRIVATE const real* t) {
   int lane = first_bit(met);
   met &= met - 1u;
   int nearest = children[lane];
@@ -73,7 +73,7 @@ FN int LANED(nearest_child)(const Scene* scene, GLOBAL const real* nodes, PRIVAT
     met &= met - 1u;
     int child = children[lane];
     real child_t = t[lane];
-    LANED(prefetch_child)(scene, nodes, child);
+    prefetch_child_w(scene, nodes, child);
     if (child_t < nearest_t) {
       int other = nearest;
       real other_t = nearest_t;
@@ -96,33 +96,33 @@ FN int LANED(nearest_child)(const Scene* scene, GLOBAL const real* nodes, PRIVAT
 }
 
 #if TIER_ROBUST
-FN int LANED(body_puts_off)(int body) {
+FN int body_puts_off_w(int body) {
   if (body == PACKET_BODY_SPHERE) return SPHERES_WAIT;
   return body < PACKET_BODY_PLANE;
 }
 
 /// 1: some kind's hits are put off. Else a program has no arithmetic for it: some compilers take minutes over that.
 enum {
-  LANED(ANY_PUT_OFF) = 0
-#define SHAPE(name, planes)                                      \
-  | (((int)LANED(PACKET_BODY_##name) < (int)PACKET_BODY_PLANE) & \
-     ((int)SPHERES_WAIT | ((int)LANED(PACKET_BODY_##name) != (int)PACKET_BODY_SPHERE)))
+  ANY_PUT_OFF_w = 0
+#define SHAPE(name, planes)                                   \
+  | (((int)PACKET_BODY_##name##_w < (int)PACKET_BODY_PLANE) & \
+     ((int)SPHERES_WAIT | ((int)PACKET_BODY_##name##_w != (int)PACKET_BODY_SPHERE)))
 #include "shapes/shapes.def"
 #undef SHAPE
 };
 
-FN void LANED(settle)(const Ray* ray, Nearest* best) {
+FN void settle_w(const Ray* ray, Nearest* best) {
   (void)ray;
   (void)best;
-  if (LANED(ANY_PUT_OFF)) nearest_settle(ray, best, LANES);
+  if (ANY_PUT_OFF_w) nearest_settle(ray, best, LANES);
 }
 
 /// Whether hits of the kind are put off. Others want to find exact t.
-FN int LANED(puts_off)(int kind) {
+FN int puts_off_w(int kind) {
   int answer = 0;
   (void)kind;
 #define SHAPE(name, planes) \
-  if (kind == SHAPE_##name) answer = LANED(body_puts_off)(LANED(PACKET_BODY_##name));
+  if (kind == SHAPE_##name) answer = body_puts_off_w(PACKET_BODY_##name##_w);
 #include "shapes/shapes.def"
 #undef SHAPE
   return answer;
@@ -130,8 +130,7 @@ FN int LANED(puts_off)(int kind) {
 #endif
 
 /// The blocks of a leaf, or all that its kind lists in that place.
-FN void LANED(meet_leaf)(const Scene* scene, const Ray* ray, const Place* place, int reference, int want,
-                         Nearest* best) {
+FN void meet_leaf_w(const Scene* scene, const Ray* ray, const Place* place, int reference, int want, Nearest* best) {
   uint leaf = (uint)~reference;
   int kind = (int)(leaf & (REFERENCE_MOST_KINDS - 1)), first = (int)(leaf >> REFERENCE_BLOCK);
   int count = (int)(leaf >> REFERENCE_COUNT) & REFERENCE_MOST_BLOCKS;
@@ -143,18 +142,18 @@ FN void LANED(meet_leaf)(const Scene* scene, const Ray* ray, const Place* place,
   }
   GLOBAL const int* ids = scene->index + row[SHAPE_IDS] + first * LANES;
   GLOBAL const real* geometry = scene->geometry + row[SHAPE_GEOMETRY];
-  LANED(prefetch_ints)(ids);
+  prefetch_ints_w(ids);
   if (HAS_COUNT_RAYS) count_events(scene, COUNT_PRIMITIVES, primitives_among(ids, count * LANES));
   (void)ray;  // A scene without shapes.
   (void)geometry;
 #if TIER_ROBUST
-  if (SHAPE_COUNT > 1 && want != FIND_ANY && !LANED(puts_off)(kind)) LANED(settle)(ray, best);
+  if (SHAPE_COUNT > 1 && want != FIND_ANY && !puts_off_w(kind)) settle_w(ray, best);
 #endif
   for (int b = first; b < first + count && !(want == FIND_ANY && best->kind >= 0); ++b, ids += LANES) {
 #define SHAPE(name, planes)                                            \
   if (SHAPE_COUNT == 1 || kind == SHAPE_##name) {                      \
     GLOBAL const real* block = geometry + (ulong)b * ((planes)*LANES); \
-    LANED(name##_block)(ray, block, ids, b * LANES, best);             \
+    name##_block_w(ray, block, ids, b* LANES, best);                   \
   }
 #include "shapes/shapes.def"
 #undef SHAPE
@@ -163,7 +162,7 @@ FN void LANED(meet_leaf)(const Scene* scene, const Ray* ray, const Place* place,
 
 /// Everything that is listed, where nothing else is there: what the walk prepares for nodes costs a ray among ten
 /// spheres a seventh of its time, and a compiler half of its own. `best` is the nearest hit so far.
-FN Nearest LANED(meet_lists)(const Scene* scene, const Ray* ray, Nearest best, int want) {
+FN Nearest meet_lists_w(const Scene* scene, const Ray* ray, Nearest best, int want) {
   Place place;
   place.instance = -1;
   (void)scene;  // A scene without shapes.
@@ -171,7 +170,7 @@ FN Nearest LANED(meet_lists)(const Scene* scene, const Ray* ray, Nearest best, i
   (void)want;
 #define SHAPE(name, planes)                                   \
   if (scene_shape_row(scene, SHAPE_##name)[SHAPE_LISTED] > 0) \
-    LANED(meet_leaf)(scene, ray, &place, ~SHAPE_##name, want, &best);
+    meet_leaf_w(scene, ray, &place, ~SHAPE_##name, want, &best);
 #include "shapes/shapes.def"
 #undef SHAPE
   return best;
@@ -179,7 +178,7 @@ FN Nearest LANED(meet_lists)(const Scene* scene, const Ray* ray, Nearest best, i
 
 /// From a reference on, NO_REFERENCE: through everything; `best` is the nearest hit so far. world: widened by ray_widen
 /// or widen_rays. want: FIND_...; the last digits of t may be put off.
-FN Nearest LANED(walk)(const Scene* scene, const Ray* world, int start, Nearest best, int want) {
+FN Nearest walk_w(const Scene* scene, const Ray* world, int start, Nearest best, int want) {
   if (SHAPE_COUNT == 0) return best;
   Ray ray = ray_of_world(world);
   Place place;
@@ -216,11 +215,11 @@ FN Nearest LANED(walk)(const Scene* scene, const Ray* world, int start, Nearest 
       realw t[TREE_WIDTH / LANES];
       if (HAS_COUNT_RAYS) count_event(scene, COUNT_NODES);
       GLOBAL const real* node = nodes + (ulong)reference * (NODE_PLANES * TREE_WIDTH);
-      LANED(prefetch_ints)(children + (ulong)reference * TREE_WIDTH);
-      uint met = LANED(meet_children)(node, &ray, best.t, t);
+      prefetch_ints_w(children + (ulong)reference * TREE_WIDTH);
+      uint met = meet_children_w(node, &ray, best.t, t);
       if (met == 0u) break;
-      reference = LANED(nearest_child)(scene, nodes, waiting, waiting_t, &top, children + (ulong)reference * TREE_WIDTH,
-                                       met, (PRIVATE const real*)t);
+      reference = nearest_child_w(scene, nodes, waiting, waiting_t, &top, children + (ulong)reference * TREE_WIDTH, met,
+                                  (PRIVATE const real*)t);
     }
     if (HAS_INSTANCES && reference < 0 && leaf_kind(reference) == SHAPE_COUNT) {
       int next = next_instance(scene, reference);
@@ -229,7 +228,7 @@ FN Nearest LANED(walk)(const Scene* scene, const Ray* world, int start, Nearest 
         waiting_t[top++] = ray.t_min;
       }
 #if TIER_ROBUST
-      LANED(settle)(&ray, &best);
+      settle_w(&ray, &best);
 #endif
       if (enter_instance(scene, world, reference, top, &place, &ray, &best)) {
         if (place.group[GROUP_ROOT] != NO_REFERENCE) {
@@ -245,13 +244,13 @@ FN Nearest LANED(walk)(const Scene* scene, const Ray* world, int start, Nearest 
 #undef SHAPE
       }
     } else if (reference < 0) {
-      LANED(meet_leaf)(scene, &ray, &place, reference, want, &best);
+      meet_leaf_w(scene, &ray, &place, reference, want, &best);
       if (want == FIND_ANY && best.kind >= 0) break;
     }
     do {
       if (HAS_INSTANCES && is_within(&place) && top == place.floor) {
 #if TIER_ROBUST
-        LANED(settle)(&ray, &best);
+        settle_w(&ray, &best);
 #endif
         leave_instance(&place, &ray, &best);
         ray = ray_of_world(world);
@@ -264,20 +263,20 @@ FN Nearest LANED(walk)(const Scene* scene, const Ray* world, int start, Nearest 
   return best;
 }
 
-FN Nearest LANED(traverse)(const Scene* scene, const Ray* ray, int want) {
+FN Nearest traverse_w(const Scene* scene, const Ray* ray, int want) {
   Nearest best = nearest_none(ray->t_max);
   if (HAS_TREE)
-    best = LANED(walk)(scene, ray, NO_REFERENCE, best, want);
+    best = walk_w(scene, ray, NO_REFERENCE, best, want);
   else
-    best = LANED(meet_lists)(scene, ray, best, want);
+    best = meet_lists_w(scene, ray, best, want);
 #if TIER_ROBUST
   int is_round = best.points == 1;
-  if (want == FIND_NEAREST || (want == FIND_NEAREST_ROUGHLY && is_round)) LANED(settle)(ray, &best);
+  if (want == FIND_NEAREST || (want == FIND_NEAREST_APPROXIMATELY && is_round)) settle_w(ray, &best);
 #endif
   return best;
 }
 
-FN Ray LANED(widened)(const Scene* scene, const Ray* given) {
+FN Ray widened_w(const Scene* scene, const Ray* given) {
   Ray ray = *given;
   // Only boxes of nodes and of instances are met with it.
   int is_walked = HAS_INSTANCES || scene->index[HEADER_ROOT] != NO_REFERENCE;
@@ -285,26 +284,22 @@ FN Ray LANED(widened)(const Scene* scene, const Ray* given) {
   return ray;
 }
 
-/// As LANED(traverse), for programs that ask in several places.
-ONCE_FN Nearest LANED(traverse_once)(const Scene* scene, const Ray* ray, int want) {
-  return LANED(traverse)(scene, ray, want);
-}
+/// As traverse_w, for programs that ask in several places.
+ONCE_FN Nearest traverse_once_w(const Scene* scene, const Ray* ray, int want) { return traverse_w(scene, ray, want); }
 
 /// 1: a walk, or lists of many kinds; they are half of what a program compiles, and a call costs short lists a tenth.
 /// A constant, for a compiler that does not optimise (rusticl's) would take a function's answer for either.
-enum { LANED(IS_TRAVERSAL_LARGE) = (HAS_TREE != 0) | (SHAPE_COUNT > 2) };
+enum { IS_TRAVERSAL_LARGE_w = (HAS_TREE != 0) | (SHAPE_COUNT > 2) };
 
 /// want: FIND_...
-FN Nearest LANED(closest_hit)(const Scene* scene, const Ray* given, int want) {
-  Ray ray = LANED(widened)(scene, given);
-  if (LANED(IS_TRAVERSAL_LARGE)) return LANED(traverse_once)(scene, &ray, want);
-  return LANED(traverse)(scene, &ray, want);
+FN Nearest closest_hit_w(const Scene* scene, const Ray* given, int want) {
+  Ray ray = widened_w(scene, given);
+  if (IS_TRAVERSAL_LARGE_w) return traverse_once_w(scene, &ray, want);
+  return traverse_w(scene, &ray, want);
 }
 
 /// Is anything hit within [t_min, t_max]?
-FN int LANED(any_hit)(const Scene* scene, const Ray* given) {
-  return LANED(closest_hit)(scene, given, FIND_ANY).kind >= 0;
-}
+FN int any_hit_w(const Scene* scene, const Ray* given) { return closest_hit_w(scene, given, FIND_ANY).kind >= 0; }
 
 #undef STACK_ENTRIES
 #undef TREE_WIDTH

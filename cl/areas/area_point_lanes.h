@@ -5,27 +5,26 @@ typedef struct {
   real3w position;
   real3w normal;  ///< Unit, on the side that emits.
   realw density;  ///< Per solid angle; 0: its back is turned.
-} LANED(AreaPoint);
+} AreaPoint_w;
 
 /// Of a place drawn uniformly from the whole area.
-FN realw LANED(uniform_density)(GLOBAL const real* area, real3w towards, real3w normal) {
+FN realw uniform_density_w(GLOBAL const real* area, real3w towards, real3w normal) {
   realw zero = splat_w(R(0.0)), square = dot3_w(towards, towards), facing = -dot3_w(normal, towards);
   realw density = splat_w(area[AREA_INVERSE]) * (square * sqrt_w(square)) / facing;
   return sel_w(lt_w(zero, facing), density, zero);
 }
 
-FN LANED(AreaPoint) LANED(uniform_point)(GLOBAL const real* area, real3w from, real3w position, real3w normal) {
-  LANED(AreaPoint) p;
+FN AreaPoint_w uniform_point_w(GLOBAL const real* area, real3w from, real3w position, real3w normal) {
+  AreaPoint_w p;
   p.position = position;
   p.normal = normal;
-  p.density = LANED(uniform_density)(area, sub3_w(position, from), normal);
+  p.density = uniform_density_w(area, sub3_w(position, from), normal);
   return p;
 }
 
 /// Of a flat area: item is a place, two edges and the unit normal on the side that emits.
-FN LANED(AreaPoint)
-    LANED(flat_point)(GLOBAL const real* item, GLOBAL const real* area, real3w from, realw of_u, realw of_v) {
+FN AreaPoint_w flat_point_w(GLOBAL const real* item, GLOBAL const real* area, real3w from, realw of_u, realw of_v) {
   real3w edge_u = splat3_w(load3(item + 3)), edge_v = splat3_w(load3(item + 6));
   real3w position = add3_w(fma3_w(of_u, edge_u, scale3_w(of_v, edge_v)), splat3_w(load3(item)));
-  return LANED(uniform_point)(area, from, position, splat3_w(load3(item + 9)));
+  return uniform_point_w(area, from, position, splat3_w(load3(item + 9)));
 }

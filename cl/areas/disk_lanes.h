@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Disk: centre, two perpendicular radii, unit normal on the side that emits.
 
-FN LANED(AreaPoint) LANED(disk_point)(GLOBAL const real* item, GLOBAL const real* area, real3w from, realw u, realw v) {
-  LANED(Real2) weights = LANED(square_to_disk)(u, v);
-  return LANED(flat_point)(item, area, from, weights.x, weights.y);
+FN AreaPoint_w disk_point_w(GLOBAL const real* item, GLOBAL const real* area, real3w from, realw u, realw v) {
+  Real2_w weights = square_to_disk_w(u, v);
+  return flat_point_w(item, area, from, weights.x, weights.y);
 }
 
-FN realw LANED(disk_density)(GLOBAL const real* item, GLOBAL const real* area, real3w from, real3w towards,
-                             real3w normal) {
+FN realw disk_density_w(GLOBAL const real* item, GLOBAL const real* area, real3w from, real3w towards, real3w normal) {
   (void)item;
   (void)from;
-  return LANED(uniform_density)(area, towards, normal);
+  return uniform_density_w(area, towards, normal);
 }

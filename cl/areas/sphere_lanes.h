@@ -9,10 +9,10 @@ typedef struct {
   realw sine;   ///< Of half the opening; not below 1: from inside.
   realw less;   ///< 1 - its cosine.
   maskw is_outside;
-} LANED(SphereCone);
+} SphereCone_w;
 
-FN LANED(SphereCone) LANED(sphere_cone)(GLOBAL const real* item, real3w from) {
-  LANED(SphereCone) cone;
+FN SphereCone_w sphere_cone_w(GLOBAL const real* item, real3w from) {
+  SphereCone_w cone;
   real3w to_centre = sub3_w(splat3_w(load3(item)), from);
   realw zero = splat_w(R(0.0)), one = splat_w(R(1.0)), radius = splat_w(item[3]), distance = length3_w(to_centre);
   cone.axis = scale3_w(one / distance, to_centre);
@@ -24,16 +24,15 @@ FN LANED(SphereCone) LANED(sphere_cone)(GLOBAL const real* item, real3w from) {
   return cone;
 }
 
-FN realw LANED(sphere_cone_density)(GLOBAL const real* area, const LANED(SphereCone) * cone) {
+FN realw sphere_cone_density_w(GLOBAL const real* area, const SphereCone_w* cone) {
   return area[AREA_SIDE] > R(0.0) ? splat_w(R(0.5) * ONE_OVER_PI) / cone->less : splat_w(R(0.0));
 }
 
-FN LANED(AreaPoint)
-    LANED(sphere_point)(GLOBAL const real* item, GLOBAL const real* area, real3w from, realw u, realw v) {
+FN AreaPoint_w sphere_point_w(GLOBAL const real* item, GLOBAL const real* area, real3w from, realw u, realw v) {
   real3w centre = splat3_w(load3(item));
   realw zero = splat_w(R(0.0)), one = splat_w(R(1.0)), two = splat_w(R(2.0)), radius = splat_w(item[3]);
-  LANED(SphereCone) cone = LANED(sphere_cone)(item, from);
-  LANED(Real2) disk = LANED(square_to_disk)(u, v);
+  SphereCone_w cone = sphere_cone_w(item, from);
+  Real2_w disk = square_to_disk_w(u, v);
   realw square = fma_w(disk.x, disk.x, disk.y * disk.y);  // Share of the cone's solid angle.
   realw less = square * cone.less, cosine = one - less;
   // sin theta / sin theta_max = sqrt(square) ratio; the angle at the centre is asin of that, less theta.
@@ -41,16 +40,15 @@ FN LANED(AreaPoint)
   realw relative = fma_w(-square, ratio * ratio, one), foot = sqrt_w(sel_w(lt_w(zero, relative), relative, zero));
   realw across = ratio * fma_w(-foot, cone.sine, cosine);
   realw along = fma_w(foot, cosine, square * ratio * ratio * cone.sine);
-  LANED(Frame) frame = LANED(frame_around)(cone.axis);
-  LANED(AreaPoint) p;
-  p.normal = normalize3_w(LANED(from_frame)(&frame, vec3_w(across * disk.x, across * disk.y, -along)));
+  Frame_w frame = frame_around_w(cone.axis);
+  AreaPoint_w p;
+  p.normal = normalize3_w(from_frame_w(&frame, vec3_w(across * disk.x, across * disk.y, -along)));
   p.position = fma3_w(radius, p.normal, centre);
-  p.density = LANED(sphere_cone_density)(area, &cone);
+  p.density = sphere_cone_density_w(area, &cone);
   if (any_w(~cone.is_outside)) {
-    real3w outward = LANED(square_to_sphere)(u, v);
-    LANED(AreaPoint)
-    within =
-        LANED(uniform_point)(area, from, fma3_w(radius, outward, centre), scale3_w(splat_w(area[AREA_SIDE]), outward));
+    real3w outward = square_to_sphere_w(u, v);
+    AreaPoint_w within =
+        uniform_point_w(area, from, fma3_w(radius, outward, centre), scale3_w(splat_w(area[AREA_SIDE]), outward));
     p.normal = sel3_w(cone.is_outside, p.normal, within.normal);
     p.position = sel3_w(cone.is_outside, p.position, within.position);
     p.density = sel_w(cone.is_outside, p.density, within.density);
@@ -58,8 +56,8 @@ FN LANED(AreaPoint)
   return p;
 }
 
-FN realw LANED(sphere_density)(GLOBAL const real* item, GLOBAL const real* area, real3w from, real3w towards,
-                               real3w normal) {
-  LANED(SphereCone) cone = LANED(sphere_cone)(item, from);
-  return sel_w(cone.is_outside, LANED(sphere_cone_density)(area, &cone), LANED(uniform_density)(area, towards, normal));
+FN realw sphere_density_w(GLOBAL const real* item, GLOBAL const real* area, real3w from, real3w towards,
+                          real3w normal) {
+  SphereCone_w cone = sphere_cone_w(item, from);
+  return sel_w(cone.is_outside, sphere_cone_density_w(area, &cone), uniform_density_w(area, towards, normal));
 }

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Triangle: corner, edge u, edge v, unit normal on the side that emits.
 
-FN LANED(AreaPoint)
-    LANED(triangle_point)(GLOBAL const real* item, GLOBAL const real* area, real3w from, realw u, realw v) {
-  LANED(Real2) weights = LANED(square_to_triangle)(u, v);
-  return LANED(flat_point)(item, area, from, weights.x, weights.y);
+FN AreaPoint_w triangle_point_w(GLOBAL const real* item, GLOBAL const real* area, real3w from, realw u, realw v) {
+  Real2_w weights = square_to_triangle_w(u, v);
+  return flat_point_w(item, area, from, weights.x, weights.y);
 }
 
-FN realw LANED(triangle_density)(GLOBAL const real* item, GLOBAL const real* area, real3w from, real3w towards,
-                                 real3w normal) {
+FN realw triangle_density_w(GLOBAL const real* item, GLOBAL const real* area, real3w from, real3w towards,
+                            real3w normal) {
   (void)item;
   (void)from;
-  return LANED(uniform_density)(area, towards, normal);
+  return uniform_density_w(area, towards, normal);
 }

@@ -5,22 +5,21 @@
 typedef struct {
   intw light;    ///< Row of the light table.
   realw rarity;  ///< One over its chance: what is equally likely among n has exactly n, in every precision.
-} LANED(LightChoice);
+} LightChoice_w;
 
 #include "choosers/all_lanes.h"
 
 /// Of one light or more that are drawn from; where there is one, no number is drawn.
-FN LANED(LightChoice)
-    LANED(choose_light)(const Scene* scene, const LANED(SampleState) * sample, intw depth, real3w from) {
-  LANED(LightChoice) only;
+FN LightChoice_w choose_light_w(const Scene* scene, const SampleState_w* sample, intw depth, real3w from) {
+  LightChoice_w only;
   only.light = splat_int_w(scene->index[HEADER_LIGHTS_TAKEN]);
   only.rarity = splat_w(R(1.0));
   if (lights_drawn_from(scene) == 1) return only;
-  uintw number = LANED(vertex_number)(scene, sample, depth, USE_LIGHT);
+  uintw number = vertex_number_w(scene, sample, depth, USE_LIGHT);
   switch (scene->index[HEADER_CHOOSER]) {
 #define CHOOSER(name)  \
   case CHOOSER_##name: \
-    return LANED(name##_choose)(scene, from, number);
+    return name##_choose_w(scene, from, number);
 #include "choosers/choosers.def"
 #undef CHOOSER
     default:
@@ -31,11 +30,11 @@ FN LANED(LightChoice)
 }
 
 /// One over the chance that choose_light finds these lights at `from`.
-FN realw LANED(light_rarity)(const Scene* scene, intw lights, real3w from) {
+FN realw light_rarity_w(const Scene* scene, intw lights, real3w from) {
   switch (scene->index[HEADER_CHOOSER]) {
 #define CHOOSER(name)  \
   case CHOOSER_##name: \
-    return LANED(name##_rarity)(scene, lights, from);
+    return name##_rarity_w(scene, lights, from);
 #include "choosers/choosers.def"
 #undef CHOOSER
     default:

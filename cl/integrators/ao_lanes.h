@@ -2,10 +2,10 @@
 // Ambient occlusion: the share of ways from the first hit into the open (core/openness.h) that meet nothing within a
 // reach. Materials and lights do not count; black where nothing is hit.
 
-enum { LANED(ao_STEPS) = STEP_OPENNESS };
+enum { ao_STEPS_w = STEP_OPENNESS };
 
-FN maskw LANED(ao_step)(const Scene* scene, LANED(Paths) * path, const LANED(Surfaces) * s, PRIVATE int* next) {
+FN maskw ao_step_w(const Scene* scene, Paths_w* path, const Surfaces_w* s, PRIVATE int* next) {
   (void)scene;
-  *next = LANED(ao_STEPS);
+  *next = ao_STEPS_w;
   return path->alive & s->hit;
 }

@@ -8,60 +8,60 @@
 // end so are counted (COUNT_BRANCHES).
 
 #define BRANCH_LEAST R(0x1p-20)
-enum { LANED(BRANCHES_MOST) = HAS_BRANCHES ? 21 : 1 };
-enum { LANED(BRANCH_O) = 0, LANED(BRANCH_D) = 3, LANED(BRANCH_SHARE) = 6, LANED(BRANCH_ETA2) = 9 };
-enum { LANED(BRANCH_TRAVELLED) = 10, LANED(BRANCH_REALS) = 11 };
-enum { LANED(BRANCH_LEFT), LANED(BRANCH_INSTANCE), LANED(BRANCH_OUTWARD), LANED(BRANCH_DEPTH), LANED(BRANCH_INTS) };
+enum { BRANCHES_MOST_w = HAS_BRANCHES ? 21 : 1 };
+enum { BRANCH_O_w = 0, BRANCH_D_w = 3, BRANCH_SHARE_w = 6, BRANCH_ETA2_w = 9 };
+enum { BRANCH_TRAVELLED_w = 10, BRANCH_REALS_w = 11 };
+enum { BRANCH_LEFT_w, BRANCH_INSTANCE_w, BRANCH_OUTWARD_w, BRANCH_DEPTH_w, BRANCH_INTS_w };
 
 /// What waits of each lane, the latest last.
 typedef struct {
   intw count;
-  realw reals[LANED(BRANCHES_MOST)][LANED(BRANCH_REALS)];
-  intw ints[LANED(BRANCHES_MOST)][LANED(BRANCH_INTS)];
-  LANED(Interfaces) within[LANED(BRANCHES_MOST)];  ///< Kept only where shapes have priorities.
-} LANED(Branches);
+  realw reals[BRANCHES_MOST_w][BRANCH_REALS_w];
+  intw ints[BRANCHES_MOST_w][BRANCH_INTS_w];
+  Interfaces_w within[BRANCHES_MOST_w];  ///< Kept only where shapes have priorities.
+} Branches_w;
 
-FN void LANED(put_branch3)(LANED(Branches) * branches, int at, int plane, int lane, const real3w* v) {
+FN void put_branch3_w(Branches_w* branches, int at, int plane, int lane, const real3w* v) {
   put_w(&branches->reals[at][plane], lane, get_w(&v->x, lane));
   put_w(&branches->reals[at][plane + 1], lane, get_w(&v->y, lane));
   put_w(&branches->reals[at][plane + 2], lane, get_w(&v->z, lane));
 }
 
-FN void LANED(get_branch3)(const LANED(Branches) * branches, int at, int plane, int lane, real3w* v) {
+FN void get_branch3_w(const Branches_w* branches, int at, int plane, int lane, real3w* v) {
   put_w(&v->x, lane, get_w(&branches->reals[at][plane], lane));
   put_w(&v->y, lane, get_w(&branches->reals[at][plane + 1], lane));
   put_w(&v->z, lane, get_w(&branches->reals[at][plane + 2], lane));
 }
 
 /// The rays along `way` wait in the lanes of `which`.
-FN void LANED(branch_off)(const LANED(Paths) * path, const LANED(Surfaces) * s, maskw which, real3w way, real3w share,
-                          realw eta2, const LANED(Interfaces) * within, LANED(Branches) * branches) {
-  LANED(Rays) rays;
-  LANED(rays_leaving)(s, which, way, splat_w(REAL_MAX), &rays);
-  real3w o = LANED(real3_at)(rays.planes + RAY_PLANE_O), d = LANED(real3_at)(rays.planes + RAY_PLANE_D);
+FN void branch_off_w(const Paths_w* path, const Surfaces_w* s, maskw which, real3w way, real3w share, realw eta2,
+                     const Interfaces_w* within, Branches_w* branches) {
+  Rays_w rays;
+  rays_leaving_w(s, which, way, splat_w(REAL_MAX), &rays);
+  real3w o = real3_at_w(rays.planes + RAY_PLANE_O), d = real3_at_w(rays.planes + RAY_PLANE_D);
   for (uint lanes = bits_w(which); lanes != 0u; lanes &= lanes - 1u) {
     int i = first_bit(lanes), at = get_int_w(&branches->count, i);
-    LANED(put_branch3)(branches, at, LANED(BRANCH_O), i, &o);
-    LANED(put_branch3)(branches, at, LANED(BRANCH_D), i, &d);
-    LANED(put_branch3)(branches, at, LANED(BRANCH_SHARE), i, &share);
-    put_w(&branches->reals[at][LANED(BRANCH_ETA2)], i, get_w(&eta2, i));
-    put_w(&branches->reals[at][LANED(BRANCH_TRAVELLED)], i, get_w(&path->travelled, i));
-    put_int_w(&branches->ints[at][LANED(BRANCH_LEFT)], i, get_int_w(&rays.left, i));
-    put_int_w(&branches->ints[at][LANED(BRANCH_INSTANCE)], i, get_int_w(&rays.left_instance, i));
-    put_int_w(&branches->ints[at][LANED(BRANCH_OUTWARD)], i, get_int_w(&rays.is_outward, i));
-    put_int_w(&branches->ints[at][LANED(BRANCH_DEPTH)], i, get_int_w(&path->depth, i) + 1);
-    if (HAS_PRIORITY) LANED(copy_interfaces)(within, i, &branches->within[at]);
+    put_branch3_w(branches, at, BRANCH_O_w, i, &o);
+    put_branch3_w(branches, at, BRANCH_D_w, i, &d);
+    put_branch3_w(branches, at, BRANCH_SHARE_w, i, &share);
+    put_w(&branches->reals[at][BRANCH_ETA2_w], i, get_w(&eta2, i));
+    put_w(&branches->reals[at][BRANCH_TRAVELLED_w], i, get_w(&path->travelled, i));
+    put_int_w(&branches->ints[at][BRANCH_LEFT_w], i, get_int_w(&rays.departed, i));
+    put_int_w(&branches->ints[at][BRANCH_INSTANCE_w], i, get_int_w(&rays.departed_instance, i));
+    put_int_w(&branches->ints[at][BRANCH_OUTWARD_w], i, get_int_w(&rays.is_outward, i));
+    put_int_w(&branches->ints[at][BRANCH_DEPTH_w], i, get_int_w(&path->depth, i) + 1);
+    if (HAS_PRIORITY) copy_interfaces_w(within, i, &branches->within[at]);
     put_int_w(&branches->count, i, at + 1);
   }
 }
 
 /// As path_scatter, along both ways: one of them at once.
-FN maskw LANED(path_branch)(const Scene* scene, LANED(Paths) * path, const LANED(Surfaces) * s, const LANED(Bsdf) * b,
-                            maskw which, const LANED(Crossing) * crossing, LANED(Branches) * branches, real3w* on) {
+FN maskw path_branch_w(const Scene* scene, Paths_w* path, const Surfaces_w* s, const Bsdf_w* b, maskw which,
+                       const Crossing_w* crossing, Branches_w* branches, real3w* on) {
   realw zero = splat_w(R(0.0)), least = splat_w(BRANCH_LEAST);
-  LANED(BsdfSample) back = LANED(bsdf_sample)(b, LOBE_DELTA | LOBE_REFLECT, zero, zero, zero);
-  LANED(BsdfSample) through = LANED(bsdf_sample)(b, LOBE_DELTA | LOBE_TRANSMIT, zero, zero, zero);
-  LANED(keep_straight)(&through, *on);
+  BsdfSample_w back = bsdf_sample_w(b, LOBE_DELTA | LOBE_REFLECT, zero, zero, zero);
+  BsdfSample_w through = bsdf_sample_w(b, LOBE_DELTA | LOBE_TRANSMIT, zero, zero, zero);
+  keep_straight_w(&through, *on);
   real3w back_share = mul3_w(path->throughput, back.weight), through_share = mul3_w(path->throughput, through.weight);
   realw eta2 = path->eta2 * (through.eta * through.eta);
   realw back_light = max3_w(back_share) * path->eta2, through_light = max3_w(through_share) * eta2;
@@ -75,9 +75,9 @@ FN maskw LANED(path_branch)(const Scene* scene, LANED(Paths) * path, const LANED
   maskw is_back = goes_back & (is_back_less | ~goes_through);
   if (any_w(splits)) {
     real3w way = sel3_w(is_back, through.wi, back.wi), share = sel3_w(is_back, through_share, back_share);
-    LANED(Interfaces) within = path->within;
-    if (HAS_PRIORITY) LANED(cross_interface)(scene, crossing, splits & LANED(goes_through)(crossing, s, way), &within);
-    LANED(branch_off)(path, s, splits, way, share, sel_w(is_back, eta2, path->eta2), &within, branches);
+    Interfaces_w within = path->within;
+    if (HAS_PRIORITY) cross_interface_w(scene, crossing, splits & goes_through_w(crossing, s, way), &within);
+    branch_off_w(path, s, splits, way, share, sel_w(is_back, eta2, path->eta2), &within, branches);
   }
   which = goes_back | goes_through;
   path->throughput = sel3_w(which, sel3_w(is_back, back_share, through_share), path->throughput);
@@ -88,36 +88,36 @@ FN maskw LANED(path_branch)(const Scene* scene, LANED(Paths) * path, const LANED
 }
 
 /// Paths of `which` that have ended go on along what waits of them.
-FN void LANED(branches_resume)(const Scene* scene, LANED(Paths) * path, maskw which, LANED(Branches) * branches) {
+FN void branches_resume_w(const Scene* scene, Paths_w* path, maskw which, Branches_w* branches) {
   which = which & ~path->alive & lt_int_w(splat_int_w(0), branches->count);
   if (!any_w(which)) return;
   if (HAS_COUNT_RAYS) count_events(scene, COUNT_BOUNCE, lanes_among(bits_w(which)));
-  LANED(Rays) rays;
+  Rays_w rays;
   real3w o = path->throughput, d = o, share = o;
-  rays.left = rays.left_instance = rays.aim = splat_int_w(-1);
+  rays.departed = rays.departed_instance = rays.aim = splat_int_w(-1);
   rays.is_outward = splat_int_w(0);
   for (uint lanes = bits_w(which); lanes != 0u; lanes &= lanes - 1u) {
     int i = first_bit(lanes), at = get_int_w(&branches->count, i) - 1;
-    LANED(get_branch3)(branches, at, LANED(BRANCH_O), i, &o);
-    LANED(get_branch3)(branches, at, LANED(BRANCH_D), i, &d);
-    LANED(get_branch3)(branches, at, LANED(BRANCH_SHARE), i, &share);
-    put_w(&path->eta2, i, get_w(&branches->reals[at][LANED(BRANCH_ETA2)], i));
-    put_w(&path->travelled, i, get_w(&branches->reals[at][LANED(BRANCH_TRAVELLED)], i));
-    put_int_w(&rays.left, i, get_int_w(&branches->ints[at][LANED(BRANCH_LEFT)], i));
-    put_int_w(&rays.left_instance, i, get_int_w(&branches->ints[at][LANED(BRANCH_INSTANCE)], i));
-    put_int_w(&rays.is_outward, i, get_int_w(&branches->ints[at][LANED(BRANCH_OUTWARD)], i));
-    put_int_w(&path->depth, i, get_int_w(&branches->ints[at][LANED(BRANCH_DEPTH)], i));
-    if (HAS_PRIORITY) LANED(copy_interfaces)(&branches->within[at], i, &path->within);
+    get_branch3_w(branches, at, BRANCH_O_w, i, &o);
+    get_branch3_w(branches, at, BRANCH_D_w, i, &d);
+    get_branch3_w(branches, at, BRANCH_SHARE_w, i, &share);
+    put_w(&path->eta2, i, get_w(&branches->reals[at][BRANCH_ETA2_w], i));
+    put_w(&path->travelled, i, get_w(&branches->reals[at][BRANCH_TRAVELLED_w], i));
+    put_int_w(&rays.departed, i, get_int_w(&branches->ints[at][BRANCH_LEFT_w], i));
+    put_int_w(&rays.departed_instance, i, get_int_w(&branches->ints[at][BRANCH_INSTANCE_w], i));
+    put_int_w(&rays.is_outward, i, get_int_w(&branches->ints[at][BRANCH_OUTWARD_w], i));
+    put_int_w(&path->depth, i, get_int_w(&branches->ints[at][BRANCH_DEPTH_w], i));
+    if (HAS_PRIORITY) copy_interfaces_w(&branches->within[at], i, &path->within);
     put_int_w(&branches->count, i, at);
   }
   // The planes that were kept are prepared already, which preparing leaves as they are.
-  intw left = rays.left, left_instance = rays.left_instance, is_outward = rays.is_outward;
-  LANED(rays_make)(o, d, splat_w(R(0.0)), splat_w(REAL_MAX), which, &rays);
-  rays.left = left;
-  rays.left_instance = left_instance;
+  intw departed = rays.departed, departed_instance = rays.departed_instance, is_outward = rays.is_outward;
+  rays_make_w(o, d, splat_w(R(0.0)), splat_w(REAL_MAX), which, &rays);
+  rays.departed = departed;
+  rays.departed_instance = departed_instance;
   rays.is_outward = is_outward;
   rays.aim = splat_int_w(-1);
   path->throughput = sel3_w(which, share, path->throughput);
   path->alive = path->alive | which;
-  LANED(paths_follow)(path, which, &rays);
+  paths_follow_w(path, which, &rays);
 }

@@ -3,11 +3,11 @@
 // emits by one place drawn on it and one way drawn by the material, weighted as in path. Depth counts as in Mitsuba: 1
 // shows emission alone, 2 one bounce.
 
-enum { LANED(direct_STEPS) = STEP_LIGHTS | STEP_SCATTER };
+enum { direct_STEPS_w = STEP_LIGHTS | STEP_SCATTER };
 
-FN maskw LANED(direct_step)(const Scene* scene, LANED(Paths) * path, const LANED(Surfaces) * s, PRIVATE int* next) {
+FN maskw direct_step_w(const Scene* scene, Paths_w* path, const Surfaces_w* s, PRIVATE int* next) {
   int max_depth = scene->index[HEADER_MAX_DEPTH];
-  if (max_depth != 0) LANED(path_add_light)(scene, path, s);
+  if (max_depth != 0) path_add_light_w(scene, path, s);
   *next = STEP_LIGHTS | (scene->index[HEADER_GLOWS] != 0 ? STEP_SCATTER : 0);
   maskw on = path->alive & s->hit & lt_int_w(path->depth, splat_int_w(1));
   return max_depth >= 0 && max_depth < 2 ? none_w() : on;

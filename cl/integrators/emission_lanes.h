@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The first hit's own light, no lighting: "ray traced, self-luminous" of the course that strahl grew from.
 
-enum { LANED(emission_STEPS) = 0 };
+enum { emission_STEPS_w = 0 };
 
-FN maskw LANED(emission_step)(const Scene* scene, LANED(Paths) * path, const LANED(Surfaces) * s, PRIVATE int* next) {
+FN maskw emission_step_w(const Scene* scene, Paths_w* path, const Surfaces_w* s, PRIVATE int* next) {
   (void)next;
-  LANED(path_add)(path, LANED(is_light_shown)(scene, path), LANED(radiance_along)(scene, path, s));
+  path_add_w(path, is_light_shown_w(scene, path), radiance_along_w(scene, path, s));
   return none_w();
 }

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // One surface of each of LANES paths: dispatch over the active integrators, then light from lights and the way on, each
 // in one place for all integrators, so that a program holds one traversal for shadows and one for everything else.
-// core/find_lanes.h says what rays meet. One width; no guard.
-#include "core/counters.h"
+// hits/find_lanes.h says what rays meet. One width; no guard.
+#include "scene/counters.h"
 #include "lights/light_lanes.h"
 #include "materials/material_lanes.h"
-#include "core/openness_lanes.h"
-#include "core/pass_on_lanes.h"
-#include "core/visibility_lanes.h"
+#include "integrators/openness_lanes.h"
+#include "integrators/pass_on_lanes.h"
+#include "integrators/visibility_lanes.h"
 
 enum {
   STEP_LIGHTS = 1,    ///< Add what the lights throw on the surface.
@@ -22,8 +22,8 @@ enum {
 
 /// Whatever an active integrator may ask for: a program holds nothing else.
 enum {
-  LANED(STEPS) = 0
-#define INTEGRATOR(name) | (int)LANED(name##_STEPS)
+  STEPS_w = 0
+#define INTEGRATOR(name) | (int)name##_STEPS_w
 #include "integrators/integrators.def"
 #undef INTEGRATOR
 };
@@ -33,14 +33,13 @@ enum {
 #include "integrators/branches_lanes.h"
 
 /// As surface_step, but for what waits.
-FN void LANED(surface_scatter)(const Scene* scene, LANED(Paths) * path, const LANED(Surfaces) * s,
-                               LANED(Branches) * branches) {
+FN void surface_scatter_w(const Scene* scene, Paths_w* path, const Surfaces_w* s, Branches_w* branches) {
   int next = 0;
   maskw on = none_w();
   switch (scene->index[HEADER_INTEGRATOR]) {
-#define INTEGRATOR(name)                            \
-  case INTEGRATOR_##name:                           \
-    on = LANED(name##_step)(scene, path, s, &next); \
+#define INTEGRATOR(name)                       \
+  case INTEGRATOR_##name:                      \
+    on = name##_step_w(scene, path, s, &next); \
     break;
 #include "integrators/integrators.def"
 #undef INTEGRATOR
@@ -48,47 +47,45 @@ FN void LANED(surface_scatter)(const Scene* scene, LANED(Paths) * path, const LA
       break;
   }
   path->alive = on;
-  if (!LANED(STEPS)) return;
+  if (!STEPS_w) return;
   if (next == 0 || !any_w(on)) return;
-  real3w d = LANED(real3_at)(path->rays.planes + RAY_PLANE_D), way = d;
+  real3w d = real3_at_w(path->rays.planes + RAY_PLANE_D), way = d;
   realw t_max = path->rays.planes[RAY_PLANE_T_MAX] - s->t;
-  maskw passed = LANED(passes_on)(scene, path, s, on);
+  maskw passed = passes_on_w(scene, path, s, on);
   on = on & ~passed;
   if (any_w(on)) {
     real3w wo = unit3_w(negate3_w(d));
-    LANED(Bsdf) b = LANED(bsdf_at)(scene, s, wo);
-    LANED(Crossing) crossing;
+    Bsdf_w b = bsdf_at_w(scene, s, wo);
+    Crossing_w crossing;
     if (HAS_PRIORITY) {
-      crossing = LANED(crossing_of)(scene, &path->within, s, on, &b);
+      crossing = crossing_of_w(scene, &path->within, s, on, &b);
       maskw unreal = crossing.which & ~crossing.is_real;
-      LANED(cross_interface)(scene, &crossing, unreal, &path->within);
+      cross_interface_w(scene, &crossing, unreal, &path->within);
       passed = passed | unreal;
       on = on & ~unreal;
     }
-    if ((LANED(STEPS) & (STEP_LIGHTS | STEP_OPENNESS)) && (next & (STEP_LIGHTS | STEP_OPENNESS)) != 0)
-      LANED(add_lights)(scene, path, s, &b, wo, on, next);
+    if ((STEPS_w & (STEP_LIGHTS | STEP_OPENNESS)) && (next & (STEP_LIGHTS | STEP_OPENNESS)) != 0)
+      add_lights_w(scene, path, s, &b, wo, on, next);
     if (HAS_BRANCHES && (next & STEP_DELTA) != 0)
-      on = LANED(path_branch)(scene, path, s, &b, on, &crossing, branches, &way);
-    else if ((LANED(STEPS) & (STEP_DELTA | STEP_SCATTER)) && (next & (STEP_DELTA | STEP_SCATTER)) != 0)
-      on = LANED(path_scatter)(scene, path, s, &b, on, next, &way);
+      on = path_branch_w(scene, path, s, &b, on, &crossing, branches, &way);
+    else if ((STEPS_w & (STEP_DELTA | STEP_SCATTER)) && (next & (STEP_DELTA | STEP_SCATTER)) != 0)
+      on = path_scatter_w(scene, path, s, &b, on, next, &way);
     else
       on = none_w();
     if (HAS_COUNT_RAYS) count_events(scene, COUNT_BOUNCE, lanes_among(bits_w(on)));
-    if (HAS_PRIORITY)
-      LANED(cross_interface)(scene, &crossing, on & LANED(goes_through)(&crossing, s, way), &path->within);
+    if (HAS_PRIORITY) cross_interface_w(scene, &crossing, on & goes_through_w(&crossing, s, way), &path->within);
     way = sel3_w(on, way, d);
     t_max = sel_w(on, splat_w(REAL_MAX), t_max);
     path->depth = sel_int_w(on, path->depth + splat_int_w(1), path->depth);
   }
   path->alive = on | passed;
-  if (any_w(path->alive)) LANED(rays_leaving)(s, path->alive, way, t_max, &path->rays);
+  if (any_w(path->alive)) rays_leaving_w(s, path->alive, way, t_max, &path->rays);
 }
 
 /// Takes the paths that are alive over one surface each; those that are alive then are to be followed along their new
 /// rays.
-FN void LANED(surface_step)(const Scene* scene, LANED(Paths) * path, const LANED(Surfaces) * s,
-                            LANED(Branches) * branches) {
+FN void surface_step_w(const Scene* scene, Paths_w* path, const Surfaces_w* s, Branches_w* branches) {
   maskw before = path->alive;
-  LANED(surface_scatter)(scene, path, s, branches);
-  if (HAS_BRANCHES) LANED(branches_resume)(scene, path, before, branches);
+  surface_scatter_w(scene, path, s, branches);
+  if (HAS_BRANCHES) branches_resume_w(scene, path, before, branches);
 }

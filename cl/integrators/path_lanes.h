@@ -4,11 +4,11 @@
 // Guibas, "Optimally Combining Sampling Techniques for Monte Carlo Rendering", SIGGRAPH 1995. max_depth, rr_depth and
 // hide_emitters as in Mitsuba; the host states a max_depth where the scene has none (ROULETTE_LONGEST).
 
-enum { LANED(path_STEPS) = STEP_LIGHTS | STEP_SCATTER | STEP_ROULETTE };
+enum { path_STEPS_w = STEP_LIGHTS | STEP_SCATTER | STEP_ROULETTE };
 
-FN maskw LANED(path_step)(const Scene* scene, LANED(Paths) * path, const LANED(Surfaces) * s, PRIVATE int* next) {
+FN maskw path_step_w(const Scene* scene, Paths_w* path, const Surfaces_w* s, PRIVATE int* next) {
   int max_depth = scene->index[HEADER_MAX_DEPTH];
-  if (max_depth > 0) LANED(path_add_light)(scene, path, s);
-  *next = LANED(path_STEPS);
+  if (max_depth > 0) path_add_light_w(scene, path, s);
+  *next = path_STEPS_w;
   return path->alive & s->hit & lt_int_w(path->depth, splat_int_w(max_depth - 1));
 }

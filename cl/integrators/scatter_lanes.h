@@ -4,22 +4,22 @@
 // throughput times eta^2. One width; no guard.
 
 /// Through glass of equal indices rays go on as they came, to the bit: along d.
-FN void LANED(keep_straight)(LANED(BsdfSample) * way, real3w d) {
+FN void keep_straight_w(BsdfSample_w* way, real3w d) {
   if (!HAS_TRANSMISSION) return;
-  maskw is_delta = LANED(is_lobe)(way, LOBE_DELTA) & LANED(is_lobe)(way, LOBE_TRANSMIT);
+  maskw is_delta = is_lobe_w(way, LOBE_DELTA) & is_lobe_w(way, LOBE_TRANSMIT);
   way->wi = sel3_w(is_delta & eq_w(way->eta, splat_w(R(1.0))), d, way->wi);
 }
 
 /// The ways on, and the lanes of `which` that take them: the other paths end. Along one of all lobes, or of the delta
 /// lobes alone. on: the direction that the rays came along; there it gives back where they go.
-FN maskw LANED(path_scatter)(const Scene* scene, LANED(Paths) * path, const LANED(Surfaces) * s, const LANED(Bsdf) * b,
-                             maskw which, int next, real3w* on) {
-  int lobes = (LANED(STEPS) & STEP_SCATTER) && (next & STEP_SCATTER) != 0 ? LOBES_ALL : LOBES_DELTA;
-  LANED(Random2) numbers = LANED(vertex_pair)(scene, &path->sample, path->depth, USE_WAY);
-  realw u = LANED(random_between)(numbers.x), v = LANED(random_between)(numbers.y), one = splat_w(R(1.0));
-  realw number = LANED(random_between)(LANED(vertex_number)(scene, &path->sample, path->depth, USE_LOBE));
-  LANED(BsdfSample) way = LANED(bsdf_sample)(b, lobes, number, u, v);
-  LANED(keep_straight)(&way, *on);
+FN maskw path_scatter_w(const Scene* scene, Paths_w* path, const Surfaces_w* s, const Bsdf_w* b, maskw which, int next,
+                        real3w* on) {
+  int lobes = (STEPS_w & STEP_SCATTER) && (next & STEP_SCATTER) != 0 ? LOBES_ALL : LOBES_DELTA;
+  Random2_w numbers = vertex_pair_w(scene, &path->sample, path->depth, USE_WAY);
+  realw u = random_between_w(numbers.x), v = random_between_w(numbers.y), one = splat_w(R(1.0));
+  realw number = random_between_w(vertex_number_w(scene, &path->sample, path->depth, USE_LOBE));
+  BsdfSample_w way = bsdf_sample_w(b, lobes, number, u, v);
+  keep_straight_w(&way, *on);
   real3w throughput = mul3_w(path->throughput, way.weight);
   realw most = max3_w(throughput), eta2 = path->eta2;
   which = which & lt_w(splat_w(R(0.0)), most);
@@ -28,9 +28,9 @@ FN maskw LANED(path_scatter)(const Scene* scene, LANED(Paths) * path, const LANE
     most = most * eta2;
   }
   maskw is_risked = which & lt_int_w(splat_int_w(scene->index[HEADER_RR_DEPTH] - 2), path->depth);
-  if ((LANED(STEPS) & STEP_ROULETTE) && (next & STEP_ROULETTE) != 0 && any_w(is_risked)) {
+  if ((STEPS_w & STEP_ROULETTE) && (next & STEP_ROULETTE) != 0 && any_w(is_risked)) {
     realw limit = splat_w(R(0.95)), chance = sel_w(lt_w(most, limit), most, limit);
-    realw drawn = LANED(random_between)(LANED(vertex_number)(scene, &path->sample, path->depth, USE_ROULETTE));
+    realw drawn = random_between_w(vertex_number_w(scene, &path->sample, path->depth, USE_ROULETTE));
     which = which & ~(is_risked & le_w(chance, drawn));
     throughput = sel3_w(is_risked, scale3_w(one / chance, throughput), throughput);
   }
@@ -38,7 +38,7 @@ FN maskw LANED(path_scatter)(const Scene* scene, LANED(Paths) * path, const LANE
   path->eta2 = sel_w(which, eta2, path->eta2);
   path->from = sel3_w(which, s->position, path->from);
   realw density = way.density;
-  if (HAS_DELTA_LOBES) density = sel_w(LANED(is_lobe)(&way, LOBE_DELTA), splat_w(R(0.0)), density);
+  if (HAS_DELTA_LOBES) density = sel_w(is_lobe_w(&way, LOBE_DELTA), splat_w(R(0.0)), density);
   path->density = sel_w(which, density, path->density);
   *on = way.wi;
   return which;

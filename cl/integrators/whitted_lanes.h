@@ -4,12 +4,12 @@
 // places drawn on it alone. Emitters are hidden from the camera only. Depth counts as in Mitsuba: every mirror is one
 // more. Where it has no limit a path ends after WHITTED_LONGEST mirrors.
 
-enum { LANED(whitted_STEPS) = STEP_LIGHTS | STEP_DELTA };
+enum { whitted_STEPS_w = STEP_LIGHTS | STEP_DELTA };
 
-FN maskw LANED(whitted_step)(const Scene* scene, LANED(Paths) * path, const LANED(Surfaces) * s, PRIVATE int* next) {
+FN maskw whitted_step_w(const Scene* scene, Paths_w* path, const Surfaces_w* s, PRIVATE int* next) {
   int max_depth = scene->index[HEADER_MAX_DEPTH];
   if (max_depth < 0) max_depth = WHITTED_LONGEST + 1;
-  if (max_depth > 0) LANED(path_add_light)(scene, path, s);
-  *next = LANED(whitted_STEPS);
+  if (max_depth > 0) path_add_light_w(scene, path, s);
+  *next = whitted_STEPS_w;
   return path->alive & s->hit & lt_int_w(path->depth, splat_int_w(max_depth - 1));
 }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // What a device's arithmetic does, in LANES lanes and in one, and whether loops end where they should. The host, which
-// is IEEE 754, compares (src/device/canary.h). One program: each that PoCL builds costs it a third of a second by
+// is IEEE 754, compares (src/trust/canary.h). One program: each that PoCL builds costs it a third of a second by
 // itself.
 #include "math/vec3.h"
-#include "core/whole_loops.h"
+#include "kernels/whole_loops.h"
 #include "kernels/canary_lanes.h"
 
 /// 0: LANES lanes only.

@@ -5,13 +5,12 @@
 
 /// One work-item a ray.
 KERNEL LANE_HINT void describe(GLOBAL const real* geometry, GLOBAL const real* shading, GLOBAL const int* index,
-                               GLOBAL const real* rays, GLOBAL const int* left, GLOBAL const real* t,
+                               GLOBAL const real* rays, GLOBAL const int* departed, GLOBAL const real* t,
                                GLOBAL const int* found, GLOBAL real* hits, GLOBAL int* ids, ulong count) {
   ulong i = get_global_id(0);
   if (i >= count) return;
   Scene scene = scene_of(geometry, shading, index);
   ulong lane = i % LANES;
-  LANED(describe_one)
-  (&scene, rays + (i - lane) * RAY_REALS + lane, left + (i - lane) * LEFT_INTS + lane, t[i], found + i * FOUND_INTS,
-   hits + i * HIT_REALS, ids + i * HIT_INTS);
+  describe_one_w(&scene, rays + (i - lane) * RAY_REALS + lane, departed + (i - lane) * DEPARTED_INTS + lane, t[i],
+                 found + i * FOUND_INTS, hits + i * HIT_REALS, ids + i * HIT_INTS);
 }

@@ -7,8 +7,8 @@
 #include "math/vec3.h"
 #include "lanes/lane_ops.h"
 #include "accel/traverse.h"
-#include "core/film.h"
-#include "core/whole_loops.h"
+#include "film/film.h"
+#include "kernels/whole_loops.h"
 #if PATH_LANES != LANES
 #undef LANES
 #define LANES PATH_LANES
@@ -16,17 +16,17 @@
 #include "math/vec3_lanes.h"
 #include "math/sampling_lanes.h"
 #include "samplers/sampler_lanes.h"
-#include "core/rays_lanes.h"
+#include "rays/departing_lanes.h"
 #if LANES != 1
 #if TIER_ROBUST
-#include "shapes/settle_lanes.h"
+#include "shapes/exact/settle_lanes.h"
 #endif
 #include "accel/packet.h"
 #endif
-#include "core/surfaces_lanes.h"
-#include "core/camera_lanes.h"
-#include "core/paths_lanes.h"
-#include "core/find_lanes.h"
+#include "hits/surfaces_lanes.h"
+#include "camera/camera_lanes.h"
+#include "integrators/paths_lanes.h"
+#include "hits/find_lanes.h"
 #include "integrators/integrator_lanes.h"
 
 /// A pixel's samples: [next, end) have not begun yet.
@@ -35,7 +35,7 @@ typedef struct {
 } Pixel;
 
 /// Begins samples of the pixel in lanes where no path is alive, as far as there are any.
-FN void LANED(begin_paths)(const Scene* scene, LANED(Paths) * path, Pixel* pixel) {
+FN void begin_paths_w(const Scene* scene, Paths_w* path, Pixel* pixel) {
   GLOBAL const real* shading = scene->shading;
   GLOBAL const int* index = scene->index;
   intw numbers = int_of_uint_w(path->sample.sample), is_begun = splat_int_w(0);
@@ -44,25 +44,24 @@ FN void LANED(begin_paths)(const Scene* scene, LANED(Paths) * path, Pixel* pixel
     put_int_w(&is_begun, first_bit(idle), 1);
   }
   uint number = (uint)pixel->y * (uint)pixel->width + (uint)pixel->x;
-  path->sample = LANED(sample_begin)(scene, number, uint_of_int_w(numbers));
+  path->sample = sample_begin_w(scene, number, uint_of_int_w(numbers));
   realw dx = splat_w(R(0.0)), dy = dx;
   if (HAS_PIXEL_FILTER) {
-    LANED(Random2) bits = LANED(sample_pair)(scene, &path->sample, USE_PIXEL);
-    dx = LANED(filter_offset)(shading + index[HEADER_FILTER], LANED(random_unit)(bits.x));
-    dy = LANED(filter_offset)(shading + index[HEADER_FILTER], LANED(random_unit)(bits.y));
+    Random2_w bits = sample_pair_w(scene, &path->sample, USE_PIXEL);
+    dx = filter_offset_w(shading + index[HEADER_FILTER], random_unit_w(bits.x));
+    dy = filter_offset_w(shading + index[HEADER_FILTER], random_unit_w(bits.y));
   }
-  LANED(Rays) rays;
-  LANED(camera_rays)
-  (shading + index[HEADER_CAMERA], pixel->width, pixel->height, pixel->x, pixel->y, dx, dy, &rays);
-  LANED(paths_begin)(path, nonzero_w(is_begun), &rays);
+  Rays_w rays;
+  camera_rays_w(shading + index[HEADER_CAMERA], pixel->width, pixel->height, pixel->x, pixel->y, dx, dy, &rays);
+  paths_begin_w(path, nonzero_w(is_begun), &rays);
 }
 
 /// What is looked for: only who reports t or goes on behind a hit has need of its last digits.
-FN int LANED(wanted)(const Scene* scene, const LANED(Paths) * path, const FirstSample* first) {
+FN int wanted_w(const Scene* scene, const Paths_w* path, const FirstSample* first) {
   int is_exact = 0;
   if (HAS_AOV) is_exact = first->lane >= 0;
   if (HAS_EMISSION && hides_emitters(scene)) is_exact = any_w(path->alive & lt_int_w(path->depth, splat_int_w(1)));
-  return is_exact ? FIND_NEAREST : FIND_NEAREST_ROUGHLY;
+  return is_exact ? FIND_NEAREST : FIND_NEAREST_APPROXIMATELY;
 }
 
 /// One sample; sums: how many of a pixel take turns.
@@ -106,20 +105,19 @@ FN void add_to_film(const Scene* scene, GLOBAL long* pixel_sums, int film_sums, 
 }
 
 /// The pixel's samples, `times` each. sums: the pixel's in the film; done: as in add_to_film.
-FN void LANED(render_pixel)(Scene scene, Pixel pixel, FirstSample first, GLOBAL long* sums, GLOBAL uint* done,
-                            int times) {
+FN void render_pixel_w(Scene scene, Pixel pixel, FirstSample first, GLOBAL long* sums, GLOBAL uint* done, int times) {
   int film_sums = scene.index[HEADER_SUMS];
-  LANED(Paths) path;
-  LANED(paths_none)(&path);
-  LANED(Branches) branches;
+  Paths_w path;
+  paths_none_w(&path);
+  Branches_w branches;
   branches.count = splat_int_w(0);
   while (pixel.next < pixel.end) {
-    LANED(begin_paths)(&scene, &path, &pixel);
+    begin_paths_w(&scene, &path, &pixel);
     int is_full;
     do {
       uint before = bits_w(path.alive);
-      LANED(Surfaces) surfaces = LANED(find_surfaces)(&scene, &path, LANED(wanted)(&scene, &path, &first), &first);
-      LANED(surface_step)(&scene, &path, &surfaces, &branches);
+      Surfaces_w surfaces = find_surfaces_w(&scene, &path, wanted_w(&scene, &path, &first), &first);
+      surface_step_w(&scene, &path, &surfaces, &branches);
       if (HAS_AOV) first.lane = -1;
       for (uint ended = before & ~bits_w(path.alive); ended != 0u; ended &= ended - 1u) {
         if (HAS_LOOP_LIMIT && !loops_were_whole()) break;
@@ -133,9 +131,9 @@ FN void LANED(render_pixel)(Scene scene, Pixel pixel, FirstSample first, GLOBAL 
   }
 }
 
-ONCE_FN void LANED(render_pixel_once)(Scene scene, Pixel pixel, FirstSample first, GLOBAL long* sums, GLOBAL uint* done,
-                                      int times) {
-  LANED(render_pixel)(scene, pixel, first, sums, done, times);
+ONCE_FN void render_pixel_once_w(Scene scene, Pixel pixel, FirstSample first, GLOBAL long* sums, GLOBAL uint* done,
+                                 int times) {
+  render_pixel_w(scene, pixel, first, sums, done, times);
 }
 
 /// What a short program gains by being compiled once it loses by the call.
@@ -176,9 +174,9 @@ KERNEL LANE_HINT_OF(SCENE_LANES) void render(GLOBAL const real* geometry, GLOBAL
   GLOBAL long* sums = film + slot * (ulong)(index[HEADER_SUMS] * FILM_CHANNELS * FILM_SUM_WORDS);
   int times = do_differ ? 1 : end - next;
   if (IS_PROGRAM_LARGE)
-    LANED(render_pixel_once)(scene, pixel, first, sums, done, times);
+    render_pixel_once_w(scene, pixel, first, sums, done, times);
   else
-    LANED(render_pixel)(scene, pixel, first, sums, done, times);
+    render_pixel_w(scene, pixel, first, sums, done, times);
   if (HAS_LOOP_LIMIT && (int)*done < end) {
     count_event(&scene, COUNT_CUT);
     if ((int)*done <= next) count_event(&scene, COUNT_STUCK);

@@ -35,8 +35,8 @@ FN realw load_w(GLOBAL const real* p) { return LANE_VECTOR(vload)(0, p); }
 FN intw load_int_w(GLOBAL const int* p) { return LANE_VECTOR(vload)(0, p); }
 #ifdef __clang__
 // One store: vstore of PoCL's library is four.
-typedef realw LANED(RealsAnywhere) __attribute__((aligned(sizeof(real))));
-FN void store_w(realw a, PRIVATE real* p) { *(PRIVATE LANED(RealsAnywhere)*)p = a; }
+typedef realw RealsAnywhere_w __attribute__((aligned(sizeof(real))));
+FN void store_w(realw a, PRIVATE real* p) { *(PRIVATE RealsAnywhere_w*)p = a; }
 #else
 FN void store_w(realw a, PRIVATE real* p) { LANE_VECTOR(vstore)(a, 0, p); }
 #endif

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Names of the lane types and operations. LANED(x) is x_1, x_8 or x_16 by the value that LANES has where it is used,
-// so a body written once over realw, intw and maskw exists at every width. Every macro ends in _w or is a type: bare
-// names (any, select) would rewrite built-ins and standard headers for the rest of the unit.
+// Names that depend on the width. LANED(x) is x_1, x_8 or x_16 by the value that LANES has where it is used, so a body
+// written once over realw, intw and maskw exists at every width. Code says x_w, which lane_table.h turns into x_w_1,
+// x_w_8 or x_w_16. Bare names (any, select) would rewrite built-ins and standard headers for the rest of the unit.
 #ifndef STRAHL_LANE_NAMES_H
 #define STRAHL_LANE_NAMES_H
 
@@ -19,98 +19,9 @@
 #define realw LANED(realw)
 #define intw LANED(intw)
 #define maskw LANED(maskw)
-
-#define splat_w LANED(splat_w)
-#define splat_int_w LANED(splat_int_w)
-#define lt_w LANED(lt_w)
-#define le_w LANED(le_w)
-#define eq_w LANED(eq_w)
-#define sel_w LANED(sel_w)
-#define nonzero_w LANED(nonzero_w)
-#define finite_w LANED(finite_w)
-#define nan_w LANED(nan_w)
-#define power_of_two_w LANED(power_of_two_w)
-#define inverse_power_w LANED(inverse_power_w)
-#define max_w LANED(max_w)
-#define min_w LANED(min_w)
-#define fma_w LANED(fma_w)
-#define sqrt_w LANED(sqrt_w)
-#define difference_of_products_w LANED(difference_of_products_w)
-#define abs_w LANED(abs_w)
-#define bits_w LANED(bits_w)
-#define any_w LANED(any_w)
-#define load_w LANED(load_w)
-#define load_int_w LANED(load_int_w)
-#define store_w LANED(store_w)
-
-// lanes/lane_rays.h
 #define uintw LANED(uintw)
-#define splat_uint_w LANED(splat_uint_w)
-#define sel_int_w LANED(sel_int_w)
-#define lt_int_w LANED(lt_int_w)
-#define lt_uint_w LANED(lt_uint_w)
-#define none_w LANED(none_w)
-#define lane_numbers_w LANED(lane_numbers_w)
-#define first_lanes_w LANED(first_lanes_w)
-#define high_product_w LANED(high_product_w)
-#define real_of_uint_w LANED(real_of_uint_w)
-#define int_of_real_w LANED(int_of_real_w)
-#define uint_of_int_w LANED(uint_of_int_w)
-#define int_of_uint_w LANED(int_of_uint_w)
-#define gather_w LANED(gather_w)
-#define gather_int_w LANED(gather_int_w)
-#define read_w LANED(read_w)
-#define read_int_w LANED(read_int_w)
-#define store_int_w LANED(store_int_w)
-#define put_w LANED(put_w)
-#define put_int_w LANED(put_int_w)
-#define get_w LANED(get_w)
-#define get_int_w LANED(get_int_w)
-#define least_w LANED(least_w)
-#define largest_w LANED(largest_w)
-
-// math/vec3_lanes.h
 #define real3w LANED(real3w)
-#define vec3_w LANED(vec3_w)
-#define splat3_w LANED(splat3_w)
-#define gather3_w LANED(gather3_w)
-#define add3_w LANED(add3_w)
-#define sub3_w LANED(sub3_w)
-#define mul3_w LANED(mul3_w)
-#define scale3_w LANED(scale3_w)
-#define negate3_w LANED(negate3_w)
-#define fma3_w LANED(fma3_w)
-#define dot3_w LANED(dot3_w)
-#define cross3_w LANED(cross3_w)
-#define abs3_w LANED(abs3_w)
-#define max3_w LANED(max3_w)
-#define sel3_w LANED(sel3_w)
-#define unit3_w LANED(unit3_w)
-#define normalize3_w LANED(normalize3_w)
-#define length3_w LANED(length3_w)
 
-// lanes/double_word.h
-#define dw_w LANED(dw_w)
-#define sum3_w LANED(sum3_w)
-#define dw3_w LANED(dw3_w)
-#define two_sum_w LANED(two_sum_w)
-#define quick_two_sum_w LANED(quick_two_sum_w)
-#define two_prod_w LANED(two_prod_w)
-#define dw_negate_w LANED(dw_negate_w)
-#define dw_sel_w LANED(dw_sel_w)
-#define dw_add_w LANED(dw_add_w)
-#define dw_mul_w LANED(dw_mul_w)
-#define dw_scale_w LANED(dw_scale_w)
-#define dw_div_w LANED(dw_div_w)
-#define dw_sqrt_w LANED(dw_sqrt_w)
-#define sum3_begin_w LANED(sum3_begin_w)
-#define sum3_add_w LANED(sum3_add_w)
-#define sum3_round_w LANED(sum3_round_w)
-#define two_difference3_w LANED(two_difference3_w)
-#define dot_real3_w LANED(dot_real3_w)
-#define real_dot_real3_w LANED(real_dot_real3_w)
-#define dw_difference_of_products_w LANED(dw_difference_of_products_w)
-#define cross_real3_w LANED(cross_real3_w)
-#define dw_dot3_w LANED(dw_dot3_w)
+#include "lanes/lane_table.h"
 
 #endif

@@ -60,5 +60,5 @@ FN realw max_w(realw x, realw a) { return sel_w(lt_w(a, x), x, a); }
 FN realw min_w(realw x, realw a) { return sel_w(lt_w(x, a), x, a); }
 
 #include "lanes/lane_exponent.h"
-#include "lanes/lane_rays.h"
+#include "lanes/lane_access.h"
 #endif

@@ -5,7 +5,7 @@
 #include "areas/all_lanes.h"
 
 /// The items that the numbers choose: each with the share of its area to items / 2^32.
-FN intw LANED(area_item)(const Scene* scene, GLOBAL const int* row, uintw numbers) {
+FN intw area_item_w(const Scene* scene, GLOBAL const int* row, uintw numbers) {
   uint items = (uint)row[LIGHT_ITEMS];
   if (items == 1u) return splat_int_w(0);
   uintw item = high_product_w(numbers, splat_uint_w(items)), rest = numbers * items;
@@ -15,14 +15,13 @@ FN intw LANED(area_item)(const Scene* scene, GLOBAL const int* row, uintw number
   return sel_int_w(is_kept, int_of_uint_w(item), gather_int_w(choices + CHOICE_OTHER, choice));
 }
 
-FN LANED(AreaPoint)
-    LANED(area_point_of)(const Scene* scene, GLOBAL const int* row, real3w from, int item, realw u, realw v) {
+FN AreaPoint_w area_point_of_w(const Scene* scene, GLOBAL const int* row, real3w from, int item, realw u, realw v) {
   GLOBAL const real* params = scene->shading + row[LIGHT_REALS];
-  LANED(AreaPoint) none;
+  AreaPoint_w none;
   switch (row[LIGHT_AREA]) {
 #define AREA(name, reals) \
   case AREA_##name:       \
-    return LANED(name##_point)(params + AREA_ITEMS + item * (reals), params, from, u, v);
+    return name##_point_w(params + AREA_ITEMS + item * (reals), params, from, u, v);
 #include "areas/areas.def"
 #undef AREA
     default:
@@ -37,13 +36,12 @@ FN LANED(AreaPoint)
 }
 
 /// Item by item: those of one are drawn in lanes.
-FN LANED(AreaPoint)
-    LANED(area_point)(const Scene* scene, GLOBAL const int* row, real3w from, intw item, realw u, realw v) {
-  LANED(AreaPoint) p = LANED(area_point_of)(scene, row, from, get_int_w(&item, 0), u, v);
+FN AreaPoint_w area_point_w(const Scene* scene, GLOBAL const int* row, real3w from, intw item, realw u, realw v) {
+  AreaPoint_w p = area_point_of_w(scene, row, from, get_int_w(&item, 0), u, v);
   for (uint others = bits_w(nonzero_w(item - splat_int_w(get_int_w(&item, 0)))); others != 0u;) {
     int one = get_int_w(&item, first_bit(others));
     maskw of_one = ~nonzero_w(item - splat_int_w(one));
-    LANED(AreaPoint) other = LANED(area_point_of)(scene, row, from, one, u, v);
+    AreaPoint_w other = area_point_of_w(scene, row, from, one, u, v);
     p.position = sel3_w(of_one, other.position, p.position);
     p.normal = sel3_w(of_one, other.normal, p.normal);
     p.density = sel_w(of_one, other.density, p.density);
@@ -53,19 +51,18 @@ FN LANED(AreaPoint)
 }
 
 /// What rounds, of a place and of where it is seen from, and of the t at which a ray meets it: ways end so far before a
-/// surface, as rays begin off one (core/departure.h). And who is not that far before its plane is not lit by it: else a
+/// surface, as rays begin off one (hits/departure.h). And who is not that far before its plane is not lit by it: else a
 /// flat emitter would light itself, by rounding over the square of a distance that may be as small.
-FN realw LANED(area_rounding)(real3w position, real3w from) {
+FN realw area_rounding_w(real3w position, real3w from) {
   return splat_w(R(16.0) * real_roundoff()) * (max3_w(abs3_w(position)) + max3_w(abs3_w(from)));
 }
 
-FN LANED(LightSample)
-    LANED(area_sample)(const Scene* scene, GLOBAL const int* row, real3w from, LANED(LightNumbers) numbers) {
+FN LightSample_w area_sample_w(const Scene* scene, GLOBAL const int* row, real3w from, LightNumbers_w numbers) {
   realw zero = splat_w(R(0.0)), one = splat_w(R(1.0));
-  intw item = LANED(area_item)(scene, row, numbers.item);
-  LANED(AreaPoint) p = LANED(area_point)(scene, row, from, item, numbers.u, numbers.v);
-  realw bound = LANED(area_rounding)(p.position, from);
-  LANED(LightSample) s = LANED(no_light)();
+  intw item = area_item_w(scene, row, numbers.item);
+  AreaPoint_w p = area_point_w(scene, row, from, item, numbers.u, numbers.v);
+  realw bound = area_rounding_w(p.position, from);
+  LightSample_w s = no_light_w();
   s.towards = sub3_w(p.position, from);
   maskw is_lit = lt_w(zero, p.density) & lt_w(bound, -dot3_w(p.normal, s.towards));
 #if TIER_FAST
@@ -80,14 +77,13 @@ FN LANED(LightSample)
   return s;
 }
 
-FN realw LANED(area_density)(const Scene* scene, GLOBAL const int* row, real3w from, real3w towards,
-                             const LANED(Surfaces) * s) {
+FN realw area_density_w(const Scene* scene, GLOBAL const int* row, real3w from, real3w towards, const Surfaces_w* s) {
   GLOBAL const real* params = scene->shading + row[LIGHT_REALS];
   realw density = splat_w(R(0.0));
   switch (row[LIGHT_AREA]) {
-#define AREA(name, reals)                                                                   \
-  case AREA_##name:                                                                         \
-    density = LANED(name##_density)(params + AREA_ITEMS, params, from, towards, s->normal); \
+#define AREA(name, reals)                                                              \
+  case AREA_##name:                                                                    \
+    density = name##_density_w(params + AREA_ITEMS, params, from, towards, s->normal); \
     break;
 #include "areas/areas.def"
 #undef AREA
@@ -95,11 +91,11 @@ FN realw LANED(area_density)(const Scene* scene, GLOBAL const int* row, real3w f
       (void)params;
       break;
   }
-  maskw is_lit = lt_w(LANED(area_rounding)(s->position, from), -dot3_w(s->normal, towards));
+  maskw is_lit = lt_w(area_rounding_w(s->position, from), -dot3_w(s->normal, towards));
   return sel_w(is_lit, density, splat_w(R(0.0)));
 }
 
-FN real3w LANED(area_background)(const Scene* scene, GLOBAL const int* row, real3w towards) {
+FN real3w area_background_w(const Scene* scene, GLOBAL const int* row, real3w towards) {
   (void)scene;
   (void)row;
   (void)towards;

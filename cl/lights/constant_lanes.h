@@ -2,19 +2,18 @@
 // The same radiance from everywhere, seen by rays that leave the scene; every direction is drawn alike. Parameters:
 // radiance r g b.
 
-FN LANED(LightSample)
-    LANED(constant_sample)(const Scene* scene, GLOBAL const int* row, real3w from, LANED(LightNumbers) numbers) {
+FN LightSample_w constant_sample_w(const Scene* scene, GLOBAL const int* row, real3w from, LightNumbers_w numbers) {
   (void)from;
-  LANED(LightSample) s = LANED(no_light)();
-  s.towards = LANED(square_to_sphere)(numbers.u, numbers.v);
+  LightSample_w s = no_light_w();
+  s.towards = square_to_sphere_w(numbers.u, numbers.v);
   s.t_max = splat_w(REAL_MAX);
   s.density = splat_w(R(0.25) * ONE_OVER_PI);
   s.radiance = splat3_w(load3(scene->shading + row[LIGHT_REALS]));
   return s;
 }
 
-FN realw LANED(constant_density)(const Scene* scene, GLOBAL const int* row, real3w from, real3w towards,
-                                 const LANED(Surfaces) * s) {
+FN realw constant_density_w(const Scene* scene, GLOBAL const int* row, real3w from, real3w towards,
+                            const Surfaces_w* s) {
   (void)scene;
   (void)row;
   (void)from;
@@ -23,7 +22,7 @@ FN realw LANED(constant_density)(const Scene* scene, GLOBAL const int* row, real
   return splat_w(R(0.25) * ONE_OVER_PI);
 }
 
-FN real3w LANED(constant_background)(const Scene* scene, GLOBAL const int* row, real3w towards) {
+FN real3w constant_background_w(const Scene* scene, GLOBAL const int* row, real3w towards) {
   (void)towards;
   return splat3_w(load3(scene->shading + row[LIGHT_REALS]));
 }

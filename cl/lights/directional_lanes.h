@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Light from infinitely far away. Parameters: unit direction of travel x y z, irradiance r g b (W/m^2).
 
-FN LANED(LightSample)
-    LANED(directional_sample)(const Scene* scene, GLOBAL const int* row, real3w from, LANED(LightNumbers) numbers) {
+FN LightSample_w directional_sample_w(const Scene* scene, GLOBAL const int* row, real3w from, LightNumbers_w numbers) {
   GLOBAL const real* params = scene->shading + row[LIGHT_REALS];
   (void)from;
   (void)numbers;
-  LANED(LightSample) s = LANED(no_light)();
+  LightSample_w s = no_light_w();
   s.towards = splat3_w(negate3(load3(params)));
   s.t_max = splat_w(REAL_MAX);
   s.radiance = splat3_w(load3(params + 3));
@@ -14,8 +13,8 @@ FN LANED(LightSample)
   return s;
 }
 
-FN realw LANED(directional_density)(const Scene* scene, GLOBAL const int* row, real3w from, real3w towards,
-                                    const LANED(Surfaces) * s) {
+FN realw directional_density_w(const Scene* scene, GLOBAL const int* row, real3w from, real3w towards,
+                               const Surfaces_w* s) {
   (void)scene;
   (void)row;
   (void)from;
@@ -24,7 +23,7 @@ FN realw LANED(directional_density)(const Scene* scene, GLOBAL const int* row, r
   return splat_w(R(0.0));
 }
 
-FN real3w LANED(directional_background)(const Scene* scene, GLOBAL const int* row, real3w towards) {
+FN real3w directional_background_w(const Scene* scene, GLOBAL const int* row, real3w towards) {
   (void)scene;
   (void)row;
   (void)towards;

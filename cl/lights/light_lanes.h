@@ -7,51 +7,49 @@
 #include "choosers/chooser_lanes.h"
 
 /// What drawn lights draw places with at a vertex; only a scene whose emitters have several items draws an item.
-FN LANED(LightNumbers) LANED(light_numbers)(const Scene* scene, const LANED(SampleState) * sample, intw depth) {
-  LANED(LightNumbers) numbers = LANED(no_numbers)();
-  LANED(Random2) place = LANED(vertex_pair)(scene, sample, depth, USE_PLACE);
-  numbers.u = LANED(random_between)(place.x);
-  numbers.v = LANED(random_between)(place.y);
+FN LightNumbers_w light_numbers_w(const Scene* scene, const SampleState_w* sample, intw depth) {
+  LightNumbers_w numbers = no_numbers_w();
+  Random2_w place = vertex_pair_w(scene, sample, depth, USE_PLACE);
+  numbers.u = random_between_w(place.x);
+  numbers.v = random_between_w(place.y);
   if (AREA_COUNT > 0 && scene->index[HEADER_MOST_ITEMS] > 1)
-    numbers.item = LANED(vertex_number)(scene, sample, depth, USE_ITEM);
+    numbers.item = vertex_number_w(scene, sample, depth, USE_ITEM);
   return numbers;
 }
 
-FN LANED(LightSample) LANED(sample_of_light)(const Scene* scene, int light, real3w from, LANED(LightNumbers) numbers) {
+FN LightSample_w sample_of_light_w(const Scene* scene, int light, real3w from, LightNumbers_w numbers) {
   GLOBAL const int* row = light_row(scene, light);
   switch (row[LIGHT_KIND]) {
 #define LIGHT(name)  \
   case LIGHT_##name: \
-    return LANED(name##_sample)(scene, row, from, numbers);
+    return name##_sample_w(scene, row, from, numbers);
 #include "lights/lights.def"
 #undef LIGHT
     default:
       (void)from;
       (void)numbers;
-      return LANED(no_light)();
+      return no_light_w();
   }
 }
 
 /// lights: of the lanes of `which`.
-FN LANED(LightSample)
-    LANED(light_sample)(const Scene* scene, maskw which, intw lights, real3w from, LANED(LightNumbers) numbers) {
-  LANED(LightSample) sample = LANED(no_light)();
+FN LightSample_w light_sample_w(const Scene* scene, maskw which, intw lights, real3w from, LightNumbers_w numbers) {
+  LightSample_w sample = no_light_w();
   for (uint lanes = bits_w(which); lanes != 0u;) {
     int light = get_int_w(&lights, first_bit(lanes));
     maskw of_light = ~nonzero_w(lights - splat_int_w(light));
-    sample = LANED(sel_light)(of_light, LANED(sample_of_light)(scene, light, from, numbers), sample);
+    sample = sel_light_w(of_light, sample_of_light_w(scene, light, from, numbers), sample);
     lanes &= ~bits_w(of_light);
   }
   return sample;
 }
 
-FN realw LANED(density_of_light)(const Scene* scene, int light, real3w from, real3w towards,
-                                 const LANED(Surfaces) * s) {
+FN realw density_of_light_w(const Scene* scene, int light, real3w from, real3w towards, const Surfaces_w* s) {
   GLOBAL const int* row = light_row(scene, light);
   switch (row[LIGHT_KIND]) {
 #define LIGHT(name)  \
   case LIGHT_##name: \
-    return LANED(name##_density)(scene, row, from, towards, s);
+    return name##_density_w(scene, row, from, towards, s);
 #include "lights/lights.def"
 #undef LIGHT
     default:
@@ -63,20 +61,20 @@ FN realw LANED(density_of_light)(const Scene* scene, int light, real3w from, rea
 }
 
 /// How densely light_sample draws the directions along which rays have found the lights, at s if they are surfaces.
-FN realw LANED(light_density)(const Scene* scene, maskw which, intw lights, real3w from, real3w towards,
-                              const LANED(Surfaces) * s) {
+FN realw light_density_w(const Scene* scene, maskw which, intw lights, real3w from, real3w towards,
+                         const Surfaces_w* s) {
   realw density = splat_w(R(0.0));
   for (uint lanes = bits_w(which); lanes != 0u;) {
     int light = get_int_w(&lights, first_bit(lanes));
     maskw of_light = ~nonzero_w(lights - splat_int_w(light));
-    density = sel_w(of_light, LANED(density_of_light)(scene, light, from, towards, s), density);
+    density = sel_w(of_light, density_of_light_w(scene, light, from, towards, s), density);
     lanes &= ~bits_w(of_light);
   }
   return density;
 }
 
 /// Radiance of rays that leave the scene.
-FN real3w LANED(background_radiance)(const Scene* scene, real3w towards) {
+FN real3w background_radiance_w(const Scene* scene, real3w towards) {
   real3w none = splat3_w(vec3(R(0.0), R(0.0), R(0.0)));
   int light = LIGHT_COUNT == 0 ? -1 : scene->index[HEADER_BACKGROUND];
   if (light < 0) return none;
@@ -84,7 +82,7 @@ FN real3w LANED(background_radiance)(const Scene* scene, real3w towards) {
   switch (row[LIGHT_KIND]) {
 #define LIGHT(name)  \
   case LIGHT_##name: \
-    return LANED(name##_background)(scene, row, towards);
+    return name##_background_w(scene, row, towards);
 #include "lights/lights.def"
 #undef LIGHT
     default:
@@ -94,11 +92,11 @@ FN real3w LANED(background_radiance)(const Scene* scene, real3w towards) {
 }
 
 /// Radiance that surfaces emit against the rays' directions: on the side of their normals only.
-FN real3w LANED(emitted_radiance)(const Scene* scene, const LANED(Surfaces) * s) {
+FN real3w emitted_radiance_w(const Scene* scene, const Surfaces_w* s) {
   realw zero = splat_w(R(0.0));
   real3w radiance = vec3_w(zero, zero, zero);
   if (HAS_EMISSION) {
-    intw at = LANED(part_entry)(scene, s, PART_RADIANCE);
+    intw at = part_entry_w(scene, s, PART_RADIANCE);
     maskw emits = s->hit & lt_w(s->facing, zero) & ~lt_int_w(at, splat_int_w(0));
     if (any_w(emits)) {
       at = sel_int_w(emits, at, splat_int_w(0));

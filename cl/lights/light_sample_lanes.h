@@ -8,24 +8,24 @@ typedef struct {
   realw density;    ///< Of that direction, per solid angle, > 0 where there is light; of a delta light 1.
   maskw is_delta;   ///< The light's only direction: no ray finds it, and it has no density over the sphere.
   intw aim;         ///< Id of the flat primitive that the place is on; -1: none.
-} LANED(LightSample);
+} LightSample_w;
 
 /// What a light draws a place or a direction with, each number for one thing.
 typedef struct {
   uintw item;  ///< Which item; 0 where no light that is drawn has several.
   realw u, v;  ///< Within (0, 1).
-} LANED(LightNumbers);
+} LightNumbers_w;
 
 /// For lights that draw nothing.
-FN LANED(LightNumbers) LANED(no_numbers)(void) {
-  LANED(LightNumbers) numbers;
+FN LightNumbers_w no_numbers_w(void) {
+  LightNumbers_w numbers;
   numbers.item = splat_uint_w(0u);
   numbers.u = numbers.v = splat_w(R(0.5));
   return numbers;
 }
 
-FN LANED(LightSample) LANED(no_light)(void) {
-  LANED(LightSample) s;
+FN LightSample_w no_light_w(void) {
+  LightSample_w s;
   realw zero = splat_w(R(0.0));
   s.towards = s.radiance = vec3_w(zero, zero, zero);
   s.t_max = zero;
@@ -36,7 +36,7 @@ FN LANED(LightSample) LANED(no_light)(void) {
 }
 
 /// m ? a : b.
-FN LANED(LightSample) LANED(sel_light)(maskw m, LANED(LightSample) a, LANED(LightSample) b) {
+FN LightSample_w sel_light_w(maskw m, LightSample_w a, LightSample_w b) {
   a.towards = sel3_w(m, a.towards, b.towards);
   a.t_max = sel_w(m, a.t_max, b.t_max);
   a.radiance = sel3_w(m, a.radiance, b.radiance);

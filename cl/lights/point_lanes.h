@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Point light: intensity / distance^2. Parameters: position x y z, intensity r g b (W/sr).
 
-FN LANED(LightSample)
-    LANED(point_sample)(const Scene* scene, GLOBAL const int* row, real3w from, LANED(LightNumbers) numbers) {
+FN LightSample_w point_sample_w(const Scene* scene, GLOBAL const int* row, real3w from, LightNumbers_w numbers) {
   GLOBAL const real* params = scene->shading + row[LIGHT_REALS];
   (void)numbers;
-  LANED(LightSample) s = LANED(no_light)();
+  LightSample_w s = no_light_w();
   s.towards = sub3_w(splat3_w(load3(params)), from);
   s.t_max = splat_w(R(1.0));
   realw inverse = splat_w(R(1.0)) / length3_w(s.towards);
@@ -14,8 +13,7 @@ FN LANED(LightSample)
   return s;
 }
 
-FN realw LANED(point_density)(const Scene* scene, GLOBAL const int* row, real3w from, real3w towards,
-                              const LANED(Surfaces) * s) {
+FN realw point_density_w(const Scene* scene, GLOBAL const int* row, real3w from, real3w towards, const Surfaces_w* s) {
   (void)scene;
   (void)row;
   (void)from;
@@ -24,7 +22,7 @@ FN realw LANED(point_density)(const Scene* scene, GLOBAL const int* row, real3w 
   return splat_w(R(0.0));
 }
 
-FN real3w LANED(point_background)(const Scene* scene, GLOBAL const int* row, real3w towards) {
+FN real3w point_background_w(const Scene* scene, GLOBAL const int* row, real3w towards) {
   (void)scene;
   (void)row;
   (void)towards;

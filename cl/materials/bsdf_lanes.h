@@ -5,11 +5,11 @@
 
 typedef struct {
   intw kind;            ///< MATERIAL_...
-  LANED(Frame) frame;   ///< z the shading normal; of a twosided material, that on the side of wo.
+  Frame_w frame;        ///< z the shading normal; of a twosided material, that on the side of wo.
   real3w wo;            ///< Where the light goes to.
   real3w out;           ///< wo in the world, as the frame has not rounded it.
   realw p[BSDF_REALS];  ///< The material's parameters at the point, from constants or textures.
-} LANED(Bsdf);
+} Bsdf_w;
 
 typedef struct {
   real3w wi;      ///< Where the light comes from.
@@ -17,32 +17,30 @@ typedef struct {
   realw density;  ///< Per solid angle; of a delta lobe the chance that it was drawn.
   realw eta;      ///< Index of refraction on the side of wi over that on the side of wo.
   intw lobe;      ///< LOBE_..., a side and a spread: the one that was drawn.
-} LANED(BsdfSample);
+} BsdfSample_w;
 
-FN real3w LANED(black)(void) {
+FN real3w black_w(void) {
   realw zero = splat_w(R(0.0));
   return vec3_w(zero, zero, zero);
 }
 
 /// Three of the parameters.
-FN real3w LANED(bsdf_color)(const LANED(Bsdf) * b, int first) {
-  return vec3_w(b->p[first], b->p[first + 1], b->p[first + 2]);
-}
+FN real3w bsdf_color_w(const Bsdf_w* b, int first) { return vec3_w(b->p[first], b->p[first + 1], b->p[first + 2]); }
 
-FN void LANED(put_bsdf_color)(LANED(Bsdf) * b, maskw which, int first, real3w value) {
+FN void put_bsdf_color_w(Bsdf_w* b, maskw which, int first, real3w value) {
   b->p[first] = sel_w(which, value.x, b->p[first]);
   b->p[first + 1] = sel_w(which, value.y, b->p[first + 1]);
   b->p[first + 2] = sel_w(which, value.z, b->p[first + 2]);
 }
 
 /// Lanes that drew a lobe of that side or spread.
-FN maskw LANED(is_lobe)(const LANED(BsdfSample) * s, int lobes) { return nonzero_w(s->lobe & splat_int_w(lobes)); }
+FN maskw is_lobe_w(const BsdfSample_w* s, int lobes) { return nonzero_w(s->lobe & splat_int_w(lobes)); }
 
 /// No way on.
-FN LANED(BsdfSample) LANED(no_way)(const LANED(Bsdf) * b) {
-  LANED(BsdfSample) s;
+FN BsdfSample_w no_way_w(const Bsdf_w* b) {
+  BsdfSample_w s;
   s.wi = b->wo;
-  s.weight = LANED(black)();
+  s.weight = black_w();
   s.density = splat_w(R(0.0));
   s.eta = splat_w(R(1.0));
   s.lobe = splat_int_w(0);

@@ -3,11 +3,10 @@
 // the texture table. One width; no guard.
 
 /// The points of textured lanes, where the materials ask.
-FN real3w LANED(textured_parameter)(const Scene* scene, const LANED(Surfaces) * s, maskw which, intw slot,
-                                    real3w value) {
+FN real3w textured_parameter_w(const Scene* scene, const Surfaces_w* s, maskw which, intw slot, real3w value) {
   for (uint lanes = bits_w(which); lanes != 0u; lanes &= lanes - 1u) {
     int i = first_bit(lanes);
-    TexturePoint at = LANED(texture_point)(s, i);
+    TexturePoint at = texture_point_w(s, i);
     real3 texel = texture_value(scene, ~get_int_w(&slot, i), &at);
     put_w(&value.x, i, texel.x);
     put_w(&value.y, i, texel.y);
@@ -17,10 +16,10 @@ FN real3w LANED(textured_parameter)(const Scene* scene, const LANED(Surfaces) * 
 }
 
 /// Up to three reals in the lanes of `which`; number: of the material's parameters. rows: offsets into the index.
-FN real3w LANED(parameter_at)(const Scene* scene, const LANED(Surfaces) * s, maskw which, intw rows, int number) {
+FN real3w parameter_at_w(const Scene* scene, const Surfaces_w* s, maskw which, intw rows, int number) {
   intw slot = gather_int_w(scene->index + MATERIAL_SLOTS + number, rows);
   if (TEXTURE_COUNT == 0) return gather3_w(scene->shading, slot);
   maskw is_texture = lt_int_w(slot, splat_int_w(0));
   real3w value = gather3_w(scene->shading, sel_int_w(is_texture, splat_int_w(0), slot));
-  return LANED(textured_parameter)(scene, s, which & s->hit & is_texture, slot, value);
+  return textured_parameter_w(scene, s, which & s->hit & is_texture, slot, value);
 }

@@ -6,11 +6,11 @@
 typedef struct {
   realw reflectance;  ///< Within [0, 1]; 1 under total reflection.
   realw cosine;       ///< Of the transmitted direction against the normal of the far side; 0 under total reflection.
-} LANED(Fresnel);
+} Fresnel_w;
 
 /// c^2 + eta^2 - 1 to about a rounding, however near the critical angle: the squares and the sums keep what they round
 /// off (T. Dekker, "A Floating-Point Technique for Extending the Available Precision", 1971; D. Knuth's sum).
-FN realw LANED(fresnel_square)(realw c, realw eta) {
+FN realw fresnel_square_w(realw c, realw eta) {
   realw one = splat_w(R(1.0)), p = eta * eta, q = c * c;
   realw rest = fma_w(eta, eta, -p) + fma_w(c, c, -q);
   realw h = p - one, of_one = h - p, rest_h = (p - (h - of_one)) - (one + of_one);
@@ -20,9 +20,9 @@ FN realw LANED(fresnel_square)(realw c, realw eta) {
 
 /// c: cosine on the near side, within [0, 1]; eta: index of refraction of the far side over that of the near one.
 /// Finite for all of them, the critical angle and grazing light included; equal indices reflect nothing at any angle.
-FN LANED(Fresnel) LANED(fresnel)(realw c, realw eta) {
-  LANED(Fresnel) f;
-  realw zero = splat_w(R(0.0)), one = splat_w(R(1.0)), square = LANED(fresnel_square)(c, eta);
+FN Fresnel_w fresnel_w(realw c, realw eta) {
+  Fresnel_w f;
+  realw zero = splat_w(R(0.0)), one = splat_w(R(1.0)), square = fresnel_square_w(c, eta);
   maskw is_total = lt_w(square, zero), is_same = eq_w(eta, one);
   realw g = sqrt_w(sel_w(is_total, zero, square)), sum = g + c;
   maskw is_grazing = le_w(sum, zero);  // Not of equal indices, but for rounding: c so small that its square is 0.

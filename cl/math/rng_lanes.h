@@ -5,10 +5,10 @@
 
 typedef struct {
   uintw x, y, z, w;
-} LANED(Random4);
+} Random4_w;
 
-FN LANED(Random4) LANED(random4)(uint pixel, uintw sample, uintw dimension, uint seed) {
-  LANED(Random4) v;
+FN Random4_w random4_w(uint pixel, uintw sample, uintw dimension, uint seed) {
+  Random4_w v;
   v.x = splat_uint_w(pixel * 1664525u + 1013904223u);
   v.y = sample * 1664525u + 1013904223u;
   v.z = dimension * 1664525u + 1013904223u;
@@ -29,7 +29,7 @@ FN LANED(Random4) LANED(random4)(uint pixel, uintw sample, uintw dimension, uint
 }
 
 /// [0, 1), never 1: 24 bits in fp32 and 32 in fp64 are exact.
-FN realw LANED(random_unit)(uintw bits) {
+FN realw random_unit_w(uintw bits) {
 #if REAL_BITS == 64
   return real_of_uint_w(bits) * splat_w(R(0x1p-32));
 #else
@@ -38,7 +38,7 @@ FN realw LANED(random_unit)(uintw bits) {
 }
 
 /// (0, 1), neither end, symmetrically about the middle.
-FN realw LANED(random_between)(uintw bits) {
+FN realw random_between_w(uintw bits) {
 #if REAL_BITS == 64
   return (real_of_uint_w(bits) + splat_w(R(0.5))) * splat_w(R(0x1p-32));
 #else

@@ -8,26 +8,26 @@
 
 typedef struct {
   realw x, y;
-} LANED(Real2);
+} Real2_w;
 
 /// Uniform on the unit disk, squares about the middle onto circles.
 /// P. Shirley, K. Chiu, "A Low Distortion Map Between Disk and Square", Journal of Graphics Tools 2(3), 1997.
-FN LANED(Real2) LANED(square_to_disk)(realw u, realw v) {
-  LANED(Real2) p;
+FN Real2_w square_to_disk_w(realw u, realw v) {
+  Real2_w p;
   realw zero = splat_w(R(0.0)), one = splat_w(R(1.0)), two = splat_w(R(2.0));
   realw a = fma_w(two, u, -one), b = fma_w(two, v, -one);
   maskw is_wide = lt_w(abs_w(b), abs_w(a));
   realw radius = sel_w(is_wide, a, b), across = sel_w(is_wide, b, a);
   realw eighth = sel_w(eq_w(radius, zero), zero, splat_w(R(0.125)) * (across / radius));
-  LANED(SinCos) turned = LANED(sincos_eighth)(eighth);
+  SinCos_w turned = sincos_eighth_w(eighth);
   p.x = radius * sel_w(is_wide, turned.cosine, turned.sine);
   p.y = radius * sel_w(is_wide, turned.sine, turned.cosine);
   return p;
 }
 
 /// Unit, z > 0, density z / pi: N. Malley's method, the disk's points lifted onto the hemisphere.
-FN real3w LANED(square_to_cosine_hemisphere)(realw u, realw v) {
-  LANED(Real2) p = LANED(square_to_disk)(u, v);
+FN real3w square_to_cosine_hemisphere_w(realw u, realw v) {
+  Real2_w p = square_to_disk_w(u, v);
   realw rest = fma_w(-p.x, p.x, fma_w(-p.y, p.y, splat_w(R(1.0))));
   // The corners of the square are the horizon, which has no density; rounding must not lead below it.
   realw least = splat_w(R(2.0) * real_roundoff());
@@ -35,16 +35,16 @@ FN real3w LANED(square_to_cosine_hemisphere)(realw u, realw v) {
 }
 
 /// Unit, every direction alike: density 1 / (4 pi).
-FN real3w LANED(square_to_sphere)(realw u, realw v) {
+FN real3w square_to_sphere_w(realw u, realw v) {
   realw one = splat_w(R(1.0)), two = splat_w(R(2.0)), radius = two * sqrt_w(u * (one - u));
-  LANED(SinCos) turned = LANED(sincos_turns)(v);
+  SinCos_w turned = sincos_turns_w(v);
   return vec3_w(radius * turned.cosine, radius * turned.sine, fma_w(-two, u, one));
 }
 
 /// Weights of two of the corners, uniform over the triangle.
 /// E. Heitz, "A Low-Distortion Map Between Triangle and Square", 2019.
-FN LANED(Real2) LANED(square_to_triangle)(realw u, realw v) {
-  LANED(Real2) weights;
+FN Real2_w square_to_triangle_w(realw u, realw v) {
+  Real2_w weights;
   maskw is_first = lt_w(u, v);
   realw less = splat_w(R(0.5)) * sel_w(is_first, u, v);
   weights.x = sel_w(is_first, less, u - less);
@@ -55,11 +55,11 @@ FN LANED(Real2) LANED(square_to_triangle)(realw u, realw v) {
 /// Two unit vectors that make a right-handed frame with a third, z.
 typedef struct {
   real3w x, y, z;
-} LANED(Frame);
+} Frame_w;
 
 /// z: unit. T. Duff and others, "Building an Orthonormal Basis, Revisited", JCGT 6(1), 2017.
-FN LANED(Frame) LANED(frame_around)(real3w z) {
-  LANED(Frame) f;
+FN Frame_w frame_around_w(real3w z) {
+  Frame_w f;
   realw one = splat_w(R(1.0)), sign = sel_w(lt_w(z.z, splat_w(R(0.0))), -one, one);
   realw a = -one / (sign + z.z), b = z.x * z.y * a;
   f.x = vec3_w(fma_w(sign * z.x * z.x, a, one), sign * b, -sign * z.x);
@@ -68,10 +68,6 @@ FN LANED(Frame) LANED(frame_around)(real3w z) {
   return f;
 }
 
-FN real3w LANED(from_frame)(const LANED(Frame) * f, real3w a) {
-  return fma3_w(a.z, f->z, fma3_w(a.y, f->y, scale3_w(a.x, f->x)));
-}
+FN real3w from_frame_w(const Frame_w* f, real3w a) { return fma3_w(a.z, f->z, fma3_w(a.y, f->y, scale3_w(a.x, f->x))); }
 
-FN real3w LANED(to_frame)(const LANED(Frame) * f, real3w a) {
-  return vec3_w(dot3_w(a, f->x), dot3_w(a, f->y), dot3_w(a, f->z));
-}
+FN real3w to_frame_w(const Frame_w* f, real3w a) { return vec3_w(dot3_w(a, f->x), dot3_w(a, f->y), dot3_w(a, f->z)); }

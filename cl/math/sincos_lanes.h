@@ -12,7 +12,7 @@
 #define SINCOS_INTEGERS_FROM R(0x1p+52)
 
 // Relative error of the sine 2^-57.9, of the cosine 2^-59.2.
-FN realw LANED(sine_tail)(realw z) {
+FN realw sine_tail_w(realw z) {
   realw p = fma_w(z, splat_w(R(0x1.e3fbc8088ac84p+1)), splat_w(R(-0x1.e3008f6e25c46p+3)));
   p = fma_w(z, p, splat_w(R(0x1.5078300313c8cp+5)));
   p = fma_w(z, p, splat_w(R(-0x1.32d2cce31bcd9p+6)));
@@ -20,7 +20,7 @@ FN realw LANED(sine_tail)(realw z) {
   return fma_w(z, p, splat_w(R(-0x1.4abbce625be46p+5)));
 }
 
-FN realw LANED(cosine_tail)(realw z) {
+FN realw cosine_tail_w(realw z) {
   realw p = fma_w(z, splat_w(R(-0x1.b0340c645a70dp+0)), splat_w(R(0x1.f9c4ad833b377p+2)));
   p = fma_w(z, p, splat_w(R(-0x1.a6d1e238aff46p+4)));
   p = fma_w(z, p, splat_w(R(0x1.e1f50675b1d6ep+5)));
@@ -34,12 +34,12 @@ FN realw LANED(cosine_tail)(realw z) {
 #define SINCOS_INTEGERS_FROM R(0x1p+23)
 
 // 2^-27.9 and 2^-31.1.
-FN realw LANED(sine_tail)(realw z) {
+FN realw sine_tail_w(realw z) {
   realw p = fma_w(z, splat_w(R(-0x1.2db5d6p+6)), splat_w(R(0x1.465facp+6)));
   return fma_w(z, p, splat_w(R(-0x1.4abbbep+5)));
 }
 
-FN realw LANED(cosine_tail)(realw z) {
+FN realw cosine_tail_w(realw z) {
   realw p = fma_w(z, splat_w(R(0x1.d4f7f0p+5)), splat_w(R(-0x1.55b2b6p+6)));
   return fma_w(z, p, splat_w(R(0x1.03c1b0p+6)));
 }
@@ -47,27 +47,27 @@ FN realw LANED(cosine_tail)(realw z) {
 
 typedef struct {
   realw sine, cosine;
-} LANED(SinCos);
+} SinCos_w;
 
 /// Of f turns, |f| <= 1/8.
-FN LANED(SinCos) LANED(sincos_eighth)(realw f) {
-  LANED(SinCos) result;
+FN SinCos_w sincos_eighth_w(realw f) {
+  SinCos_w result;
   realw z = f * f, quadratic = splat_w(SINCOS_QUADRATIC);
   realw z_error = fma_w(f, f, -z);
-  realw tail = fma_w(z_error, quadratic, z * z * LANED(cosine_tail)(z));
-  realw rest = f * fma_w(z, LANED(sine_tail)(z), splat_w(SINCOS_TWO_PI_LOW));
+  realw tail = fma_w(z_error, quadratic, z * z * cosine_tail_w(z));
+  realw rest = f * fma_w(z, sine_tail_w(z), splat_w(SINCOS_TWO_PI_LOW));
   result.sine = fma_w(f, splat_w(SINCOS_TWO_PI_HIGH), rest);
   result.cosine = splat_w(R(1.0)) + fma_w(z, quadratic, tail);
   return result;
 }
 
 /// Of a finite angle in turns; exact at every multiple of a quarter.
-FN LANED(SinCos) LANED(sincos_turns)(realw turns) {
+FN SinCos_w sincos_turns_w(realw turns) {
   realw a = abs_w(turns), zero = splat_w(R(0.0)), one = splat_w(R(1.0)), from = splat_w(SINCOS_INTEGERS_FROM);
   // Adding the first number whose neighbours are 1 apart rounds to an integer; whatever is larger is one already.
   realw whole = sel_w(lt_w(a, from), (a + from) - from, a), part = a - whole;
   realw shift = splat_w(R(1.5)) * from, quarters = (splat_w(R(4.0)) * part + shift) - shift;
-  LANED(SinCos) result = LANED(sincos_eighth)(part - splat_w(R(0.25)) * quarters);  // Exact, as everything before it.
+  SinCos_w result = sincos_eighth_w(part - splat_w(R(0.25)) * quarters);  // Exact, as everything before it.
 
   // quarters: -2 ... 2, where -2 and 2 are the same half turn.
   maskw is_odd = eq_w(abs_w(quarters), one), is_half = eq_w(abs_w(quarters), splat_w(R(2.0)));

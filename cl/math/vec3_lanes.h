@@ -22,7 +22,7 @@ FN real3w vec3_w(realw x, realw y, realw z) {
 }
 
 /// Three planes of LANES reals.
-FN real3w LANED(load_planes3)(GLOBAL const real* planes) {
+FN real3w load_planes3_w(GLOBAL const real* planes) {
   return vec3_w(load_w(planes), load_w(planes + LANES), load_w(planes + 2 * LANES));
 }
 
@@ -52,6 +52,8 @@ FN real3w cross3_w(real3w a, real3w b) {
 
 FN real3w abs3_w(real3w a) { return vec3_w(abs_w(a.x), abs_w(a.y), abs_w(a.z)); }
 
+/// |x| + |y| + |z|.
+FN realw size1_w(real3w v) { return abs_w(v.x) + abs_w(v.y) + abs_w(v.z); }
 FN realw max3_w(real3w a) {
   realw m = sel_w(lt_w(a.x, a.y), a.y, a.x);
   return sel_w(lt_w(m, a.z), a.z, m);
@@ -68,20 +70,20 @@ FN real3w unit3_w(real3w v) {
 }
 
 /// The power of two that power_of_two_to_one divides by.
-FN realw LANED(largest_power)(real3w v) {
+FN realw largest_power_w(real3w v) {
   realw m = max3_w(abs3_w(v));
   return sel_w(lt_w(splat_w(R(0.0)), m), power_of_two_w(m), splat_w(R(1.0)));
 }
 
 FN real3w normalize3_w(real3w v) {
-  real3w w = scale3_w(inverse_power_w(LANED(largest_power)(v)), v);
+  real3w w = scale3_w(inverse_power_w(largest_power_w(v)), v);
   realw norm = sqrt_w(dot3_w(w, w));
   norm = sel_w(lt_w(splat_w(R(0.0)), norm), norm, splat_w(R(1.0)));
   return vec3_w(w.x / norm, w.y / norm, w.z / norm);
 }
 
 FN realw length3_w(real3w v) {
-  realw down = LANED(largest_power)(v);
+  realw down = largest_power_w(v);
   real3w w = scale3_w(inverse_power_w(down), v);
   return sqrt_w(dot3_w(w, w)) * down;
 }

@@ -8,8 +8,8 @@ typedef struct {
   uint sequences;  ///< FILM_SUBSUMS or 1, interleaved by the sample's number.
   uintw sample;
   uintw reversed, key;  ///< The sampler's own: what it prepares for all sets.
-} LANED(SampleState);
+} SampleState_w;
 
 typedef struct {
   uintw x, y;
-} LANED(Random2);
+} Random2_w;

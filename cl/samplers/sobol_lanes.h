@@ -7,7 +7,7 @@
 // evenly. Each is a (0, 2)-sequence in every set: of its first 2^m points one lies in every elementary interval of area
 // 2^-m (tests/cl/test_samplers.cpp). Pixels, sets and sequences have scrambles of their own. One width; no guard.
 
-FN uintw LANED(reversed_bits)(uintw x) {
+FN uintw reversed_bits_w(uintw x) {
   x = (x >> 16) | (x << 16);
   x = ((x >> 8) & 0x00ff00ffu) | ((x & 0x00ff00ffu) << 8);
   x = ((x >> 4) & 0x0f0f0f0fu) | ((x & 0x0f0f0f0fu) << 4);
@@ -16,7 +16,7 @@ FN uintw LANED(reversed_bits)(uintw x) {
 }
 
 /// Flips each bit by a hash of the bits below it: Owen's scrambling of a number whose bits stand in reverse.
-FN uintw LANED(scrambled_reverse)(uintw x, uintw seed) {
+FN uintw scrambled_reverse_w(uintw x, uintw seed) {
   x ^= x * 0x3d20adeau;
   x += seed;
   x *= (seed >> 16) | 1u;
@@ -25,7 +25,7 @@ FN uintw LANED(scrambled_reverse)(uintw x, uintw seed) {
 }
 
 /// The second dimension's bits in reverse: Pascal's triangle modulo 2, applied to the index in five steps.
-FN uintw LANED(sobol_second_reversed)(uintw index) {
+FN uintw sobol_second_reversed_w(uintw index) {
   index ^= (index & 0xaaaaaaaau) >> 1;
   index ^= (index & 0xccccccccu) >> 2;
   index ^= (index & 0xf0f0f0f0u) >> 4;
@@ -33,26 +33,25 @@ FN uintw LANED(sobol_second_reversed)(uintw index) {
   return index ^ index >> 16;
 }
 
-FN void LANED(sobol_begin)(LANED(SampleState) * state) {
+FN void sobol_begin_w(SampleState_w* state) {
   uintw number = state->sequences == 1u ? state->sample : state->sample / (uint)FILM_SUBSUMS;
-  state->reversed = LANED(reversed_bits)(number);
-  state->key = LANED(random4)(state->pixel, state->sample & (state->sequences - 1u), splat_uint_w(0u), state->seed).x;
+  state->reversed = reversed_bits_w(number);
+  state->key = random4_w(state->pixel, state->sample & (state->sequences - 1u), splat_uint_w(0u), state->seed).x;
 }
 
 /// A hash of 32 bits: C. Wellons, "Prospecting for Hash Functions", 2018.
-FN uintw LANED(mixed_bits)(uintw x) {
+FN uintw mixed_bits_w(uintw x) {
   x = (x ^ x >> 16) * 0x7feb352du;
   x = (x ^ x >> 15) * 0x846ca68bu;
   return x ^ x >> 16;
 }
 
-FN LANED(Random2) LANED(sobol_pair)(const LANED(SampleState) * state, uintw set) {
-  uintw seed = LANED(mixed_bits)(state->key + set * 0x9e3779b9u);
+FN Random2_w sobol_pair_w(const SampleState_w* state, uintw set) {
+  uintw seed = mixed_bits_w(state->key + set * 0x9e3779b9u);
   // The first dimension is the index in reverse, so the index's bits in reverse are that dimension's in order.
-  uintw index = LANED(reversed_bits)(LANED(scrambled_reverse)(state->reversed, seed));
-  LANED(Random2) pair;
-  pair.x = LANED(reversed_bits)(LANED(scrambled_reverse)(index, LANED(mixed_bits)(seed ^ 0x55555555u)));
-  pair.y = LANED(reversed_bits)(
-      LANED(scrambled_reverse)(LANED(sobol_second_reversed)(index), LANED(mixed_bits)(seed ^ 0xaaaaaaaau)));
+  uintw index = reversed_bits_w(scrambled_reverse_w(state->reversed, seed));
+  Random2_w pair;
+  pair.x = reversed_bits_w(scrambled_reverse_w(index, mixed_bits_w(seed ^ 0x55555555u)));
+  pair.y = reversed_bits_w(scrambled_reverse_w(sobol_second_reversed_w(index), mixed_bits_w(seed ^ 0xaaaaaaaau)));
   return pair;
 }

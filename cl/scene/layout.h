@@ -80,7 +80,7 @@ enum {
   PART_RADIANCE,  // -> shading, r g b; -1: does not emit
   PART_LIGHT,     // The light that it is; -1: none that could be drawn.
   PART_FLIP,      // 1: the normal is reversed
-  PART_FRAME,     // -> shading, 9 reals, meaning by kind; -1: none
+  PART_AXES,      // -> shading, 9 reals, meaning by kind; -1: none
   PART_NORMALS,   // -> shading, 9 reals a primitive of the shape; -1: none
   PART_UVS,       // -> shading, 6 reals a primitive of the shape; -1: none
   PART_UV_RATES,  // -> shading, 2 reals: change of tex_u and tex_v per unit of length; -1: no textures
@@ -124,7 +124,7 @@ enum { WHITTED_LONGEST = 1024 };
 enum { ROULETTE_LONGEST = 512 };
 
 // Film: FILM_SUBSUMS x 3 sums a pixel (sample index mod FILM_SUBSUMS), or 1 x 3, each of FILM_SUM_WORDS words of 64
-// bits (core/film_sum.h), docs/decisions/0002-film.md.
+// bits (film/film_sum.h), docs/decisions/0002-film.md.
 enum { FILM_SUBSUMS = 4, FILM_CHANNELS = 3, FILM_SUM_WORDS = 2 };
 
 // First-sample values of a pixel: depth, normal, position, uv, t and the ray that it belongs to (RAY_O ...); shape,
@@ -153,7 +153,7 @@ enum {
 enum { RAY_O = 0, RAY_D = 3, RAY_T_MIN = 6, RAY_T_MAX = 7, RAY_REALS = 8 };
 enum { HIT_T = 0, HIT_U = 1, HIT_V = 2, HIT_NORMAL = 3, HIT_REALS = 6 };
 // What the ray has left, -1: nothing, no instance.
-enum { LEFT_ID, LEFT_INSTANCE, LEFT_INTS };
+enum { DEPARTED_ID, DEPARTED_INSTANCE, DEPARTED_INTS };
 enum { HIT_INSTANCE, HIT_SHAPE, HIT_PRIMITIVE, HIT_INTS };
 // What is known of a hit before it is looked at: Nearest without its t.
 enum { FOUND_ID, FOUND_KIND, FOUND_SLOT, FOUND_INSTANCE, FOUND_INTS };

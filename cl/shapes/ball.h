@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Bounding balls. Every kind of shape states its own, LANED(x_ball) in shapes/x_lanes.h: rays of a packet that pass by
+// Bounding balls. Every kind of shape states its own, x_ball_w in shapes/x_lanes.h: rays of a packet that pass by
 // the ball are not asked about the shape (packet_near_lanes.h). The ball holds every point of the shape; the test is
 // tests/robust/test_balls.cpp.
 #ifndef STRAHL_SHAPES_BALL_H

@@ -4,9 +4,9 @@
 #define STRAHL_SHAPES_SHAPE_H
 
 #include "accel/instance.h"
-#include "core/departure.h"
-#include "core/nearest.h"
-#include "core/surface.h"
+#include "hits/departure.h"
+#include "hits/nearest.h"
+#include "hits/surface.h"
 #include "scene/scene.h"
 #include "shapes/all.h"
 
@@ -16,7 +16,7 @@ FN real3 interpolate3(GLOBAL const real* abc, real u, real v) {
   return fma3(v, load3(abc + 6), fma3(u, load3(abc + 3), scale3(w, load3(abc))));
 }
 
-/// A box keeps off its edges in its own frame (core/departure.h), where they lie along the axes.
+/// A box keeps off its edges in its own frame (hits/departure.h), where they lie along the axes.
 FN void surface_to_world(Surface* s) {
   if (!TIER_FAST && s->outline == OUTLINE_BOX) s->position = box_departure(s);
   s->position = point_to_world(s->placed, s->position);
@@ -47,7 +47,7 @@ FN Surface surface_at(const Scene* scene, const Ray* ray, const Nearest* hit, in
   s.outline = OUTLINE_NONE;
   s.prim = scene->geometry;
   s.stride = lanes;
-  int frame_at = part[PART_FRAME];
+  int frame_at = part[PART_AXES];
   GLOBAL const real* frame = scene->shading + (frame_at < 0 ? 0 : frame_at);
   (void)frame;
   (void)t;

@@ -11,7 +11,7 @@
 #include <sstream>
 
 #include "cli/console.h"
-#include "scene/did_you_mean.h"
+#include "did_you_mean.h"
 
 namespace strahl::cli {
 namespace {

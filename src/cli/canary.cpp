@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 
 #include "cli/console.h"
-#include "device/tier_choice.h"
-#include "render/stopwatch.h"
+#include "stopwatch.h"
+#include "trust/tier_choice.h"
 
 namespace strahl::cli {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The canary's verdict (device/tier_choice.h) as `render` and `intersect` use it.
+// The canary's verdict (trust/tier_choice.h) as `render` and `intersect` use it.
 #pragma once
 
 #include "cli/kernel_options.h"
-#include "device/device.h"
+#include "opencl/device.h"
 #include "render/stats.h"
 
 namespace strahl::cli {

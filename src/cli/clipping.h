@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "image/image.h"
-#include "scene/scene.h"
+#include "scene/model/scene.h"
 
 namespace strahl::cli {
 

@@ -9,8 +9,8 @@
 
 #include "cli/commands.h"
 #include "cli/console.h"
-#include "device/device.h"
-#include "device/program.h"
+#include "opencl/device.h"
+#include "opencl/program.h"
 
 namespace strahl::cli {
 namespace {

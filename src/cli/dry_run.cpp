@@ -8,8 +8,8 @@
 #include "cli/process_clock.h"
 #include "render/pilot.h"
 #include "render/rounding_pilot.h"
-#include "render/sampling.h"
-#include "render/stopwatch.h"
+#include "settings/sampling.h"
+#include "stopwatch.h"
 
 namespace strahl::cli {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "cli/number_options.h"
 #include "errors.h"
-#include "scene/parse_value.h"
+#include "scene/xml/parse_value.h"
 
 namespace strahl::cli {
 

@@ -8,9 +8,9 @@
 #include <charconv>
 #include <limits>
 
-#include "device/left_out.h"
-#include "device/program_text.h"
 #include "errors.h"
+#include "program/disabled.h"
+#include "program/program_text.h"
 
 namespace strahl::cli {
 namespace {
@@ -126,7 +126,7 @@ RenderSettings settings_of(const KernelOptions& options) {
   settings.generic = options.generic;
   settings.estimate_error = !options.no_error;
   settings.disabled.insert(options.disabled.begin(), options.disabled.end());
-  static_cast<void>(left_out(settings.disabled));  // Says what is wrong with it before a scene is loaded.
+  static_cast<void>(disabled_effects(settings.disabled));  // Says what is wrong with it before a scene is loaded.
   for (const std::string& name : options.aovs) settings.aovs.insert(aov_from_name(name));
   return settings;
 }

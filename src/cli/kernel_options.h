@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "render/settings.h"
+#include "settings/settings.h"
 
 namespace CLI {
 class App;

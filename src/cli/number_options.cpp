@@ -9,7 +9,7 @@
 #include <optional>
 #include <string>
 
-#include "scene/parse_value.h"
+#include "scene/xml/parse_value.h"
 
 namespace strahl::cli {
 namespace {

@@ -12,7 +12,7 @@
 #include "cli/display.h"
 #include "cli/output_file.h"
 #include "image/metrics.h"
-#include "render/stopwatch.h"
+#include "stopwatch.h"
 
 namespace strahl::cli {
 namespace {

@@ -8,7 +8,7 @@
 #include <csignal>
 
 #include "cli/console.h"
-#include "device/compiling.h"
+#include "opencl/compiling.h"
 
 namespace strahl::cli {
 namespace {

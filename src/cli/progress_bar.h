@@ -11,7 +11,7 @@
 
 #include "cli/progress_text.h"
 #include "render/renderer.h"
-#include "render/stopwatch.h"
+#include "stopwatch.h"
 
 namespace strahl::cli {
 

@@ -24,7 +24,7 @@
 #include "render/limitations.h"
 #include "render/renderer.h"
 #include "render/rounding_pilot.h"
-#include "render/stopwatch.h"
+#include "stopwatch.h"
 
 namespace strahl::cli {
 namespace {

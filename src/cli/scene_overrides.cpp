@@ -12,10 +12,10 @@
 #include <vector>
 
 #include "cli/console.h"
-#include "device/kernel_source.h"
-#include "render/sampler_name.h"
-#include "render/sampling.h"
-#include "scene/did_you_mean.h"
+#include "did_you_mean.h"
+#include "program/kernel_source.h"
+#include "settings/sampler_name.h"
+#include "settings/sampling.h"
 
 namespace strahl::cli {
 namespace {

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "scene/scene.h"
+#include "scene/model/scene.h"
 
 namespace CLI {
 class App;

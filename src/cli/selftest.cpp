@@ -12,8 +12,8 @@
 #include "cli/output_file.h"
 #include "cli/progress_bar.h"
 #include "cli/scene_options.h"
-#include "device/kernel_source.h"
-#include "scene/did_you_mean.h"
+#include "did_you_mean.h"
+#include "program/kernel_source.h"
 #include "selftest/faults.h"
 #include "selftest/report.h"
 

@@ -17,7 +17,7 @@
 #include "cli/scene_options.h"
 #include "cli/scene_overrides.h"
 #include "render/limitations.h"
-#include "render/sampling.h"
+#include "settings/sampling.h"
 
 namespace strahl::cli {
 namespace {

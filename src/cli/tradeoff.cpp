@@ -17,13 +17,13 @@
 #include "cli/scene_options.h"
 #include "cli/scene_overrides.h"
 #include "cli/tradeoff_table.h"
-#include "device/tier_choice.h"
 #include "image/image_io.h"
 #include "render/limitations.h"
-#include "render/sampler_name.h"
-#include "render/sampling.h"
+#include "settings/sampler_name.h"
+#include "settings/sampling.h"
 #include "study/tradeoff/json.h"
 #include "study/tradeoff/store.h"
+#include "trust/tier_choice.h"
 
 namespace strahl::cli {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "render/sampler_name.h"
+#include "settings/sampler_name.h"
 
 namespace strahl::cli {
 namespace {

@@ -4,13 +4,13 @@
 
 #include <vector>
 
-#include "device/frame.h"
+#include "kinds/upload_frame.h"
 
 namespace strahl::kinds {
 
 class AreaItems {
  public:
-  AreaItems(const Frame& frame, bool is_flipped) : frame_(frame), is_flipped_(is_flipped) {}
+  AreaItems(const UploadFrame& frame, bool is_flipped) : frame_(frame), is_flipped_(is_flipped) {}
 
   /// Spanned by two edges, of which `share` emits; u x v is the shape's normal.
   void flat(const Vec3& corner, const Vec3& u, const Vec3& v, double share) {
@@ -26,7 +26,7 @@ class AreaItems {
   }
   void number(double x) { items_.push_back(x); }
 
-  [[nodiscard]] const Frame& frame() const { return frame_; }
+  [[nodiscard]] const UploadFrame& frame() const { return frame_; }
   [[nodiscard]] bool is_flipped() const { return is_flipped_; }
   [[nodiscard]] std::vector<double>& items() { return items_; }
   [[nodiscard]] std::vector<double>& weights() { return weights_; }
@@ -34,7 +34,7 @@ class AreaItems {
  private:
   void put(const Vec3& v) { items_.insert(items_.end(), {v.x, v.y, v.z}); }
 
-  const Frame& frame_;
+  const UploadFrame& frame_;
   bool is_flipped_;
   std::vector<double> items_, weights_;
 };

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Parts of the boxes around primitives that several kinds have in common, in double: what rounds them to the device's
-// numbers does so outwards (device/primitive_bounds.cpp).
+// numbers does so outwards (packing/primitive_bounds.cpp).
 #pragma once
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "device/primitive_bounds.h"
+#include "kinds/bounds.h"
 
 namespace strahl::kinds {
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "scene/scene.h"
+#include "scene/model/scene.h"
 
 namespace strahl::kinds {
 

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "scene/vec.h"
+#include "scene/model/vec.h"
 
 namespace strahl::kinds {
 

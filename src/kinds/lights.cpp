@@ -8,7 +8,7 @@
 #include <limits>
 #include <variant>
 
-#include "device/frame.h"
+#include "kinds/upload_frame.h"
 
 namespace strahl::kinds {
 namespace {
@@ -38,7 +38,7 @@ struct Row;
 template <>
 struct Row<PointLight> {
   static constexpr LightFacts facts{.entry = "point", .is_delta = true};
-  static std::vector<double> reals(const PointLight& light, const Frame& frame) {
+  static std::vector<double> reals(const PointLight& light, const UploadFrame& frame) {
     const Vec3 p = frame.point(light.position);
     const double area = frame.scale * frame.scale;
     return {p.x, p.y, p.z, area * light.intensity.r, area * light.intensity.g, area * light.intensity.b};
@@ -53,7 +53,7 @@ struct Row<PointLight> {
 template <>
 struct Row<DirectionalLight> {
   static constexpr LightFacts facts{.entry = "directional", .is_delta = true};
-  static std::vector<double> reals(const DirectionalLight& light, const Frame&) {
+  static std::vector<double> reals(const DirectionalLight& light, const UploadFrame&) {
     const Vec3 d = normalized(light.direction);
     return {d.x, d.y, d.z, light.irradiance.r, light.irradiance.g, light.irradiance.b};
   }
@@ -68,7 +68,7 @@ struct Row<DirectionalLight> {
 template <>
 struct Row<ConstantLight> {
   static constexpr LightFacts facts{.entry = "constant", .is_background = true};
-  static std::vector<double> reals(const ConstantLight& light, const Frame&) {
+  static std::vector<double> reals(const ConstantLight& light, const UploadFrame&) {
     return {light.radiance.r, light.radiance.g, light.radiance.b};
   }
   static bool glows(const ConstantLight& light) {
@@ -91,7 +91,7 @@ const LightFacts& light(const Light& light) {
   return of_kind(light, [](auto row, const auto&) -> const LightFacts& { return decltype(row)::facts; });
 }
 
-std::vector<double> light_reals(const Light& light, const Frame& frame) {
+std::vector<double> light_reals(const Light& light, const UploadFrame& frame) {
   return of_kind(light, [&](auto row, const auto& emitter) { return row.reals(emitter, frame); });
 }
 

@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "scene/scene.h"
+#include "scene/model/scene.h"
 
 namespace strahl {
-struct Frame;
+struct UploadFrame;
 }
 
 namespace strahl::kinds {
@@ -23,7 +23,7 @@ struct LightFacts {
 [[nodiscard]] const LightFacts& light(const Light& light);
 
 /// Its parameters, as its file in cl/lights says, in the frame's units.
-[[nodiscard]] std::vector<double> light_reals(const Light& light, const Frame& frame);
+[[nodiscard]] std::vector<double> light_reals(const Light& light, const UploadFrame& frame);
 
 /// Whether any ray may find light from it.
 [[nodiscard]] bool light_glows(const Light& light);

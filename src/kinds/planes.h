@@ -7,7 +7,7 @@
 #include <functional>
 #include <span>
 
-#include "device/frame.h"
+#include "kinds/upload_frame.h"
 
 namespace strahl {
 
@@ -18,7 +18,7 @@ namespace kinds {
 
 /// One primitive's.
 struct PrimitivePlanes {
-  const Frame& frame;
+  const UploadFrame& frame;
   std::array<double, 12> values{};
   std::size_t size = 0;
 
@@ -32,7 +32,7 @@ struct PrimitivePlanes {
 };
 
 struct Planes {
-  const Frame& frame;
+  const UploadFrame& frame;
   const PrimitiveSink& sink;
 
   [[nodiscard]] PrimitivePlanes primitive() const { return PrimitivePlanes{frame}; }

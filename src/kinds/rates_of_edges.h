@@ -2,7 +2,7 @@
 // How fast the weights of two edges change over the parallelogram that they span.
 #pragma once
 
-#include "scene/vec.h"
+#include "scene/model/vec.h"
 
 namespace strahl::kinds {
 

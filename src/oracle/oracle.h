@@ -12,7 +12,7 @@
 #include <limits>
 
 #include "oracle/exact.h"
-#include "scene/vec.h"
+#include "scene/model/vec.h"
 
 namespace strahl::oracle {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "render/aov.h"
 
-#include "device/cl_layout.h"
+#include "packing/cl_layout.h"
 
 namespace strahl {
 namespace {
@@ -39,7 +39,7 @@ std::vector<std::string> aov_channels(const std::set<Aov>& aovs) {
 }
 
 Image aov_image(int width, int height, const std::set<Aov>& aovs, const std::vector<double>& reals,
-                const std::vector<std::int32_t>& ints, const Frame& frame) {
+                const std::vector<std::int32_t>& ints, const UploadFrame& frame) {
   Image image;
   image.width = width;
   image.height = height;

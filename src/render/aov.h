@@ -6,9 +6,9 @@
 #include <set>
 #include <vector>
 
-#include "device/frame.h"
 #include "image/image.h"
-#include "render/settings.h"
+#include "kinds/upload_frame.h"
+#include "settings/settings.h"
 
 namespace strahl {
 
@@ -19,6 +19,6 @@ namespace strahl {
 /// Raw values as cl/scene/layout.h orders them (AOV_REALS and AOV_INTS a pixel); positions and depths return to the
 /// world frame. With numeric_error, t has given way to its error (numeric_error.h).
 [[nodiscard]] Image aov_image(int width, int height, const std::set<Aov>& aovs, const std::vector<double>& reals,
-                              const std::vector<std::int32_t>& ints, const Frame& frame);
+                              const std::vector<std::int32_t>& ints, const UploadFrame& frame);
 
 }  // namespace strahl

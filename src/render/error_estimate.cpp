@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "device/cl_layout.h"
+#include "packing/cl_layout.h"
 #include "render/film.h"
 
 namespace strahl {

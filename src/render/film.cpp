@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "render/film.h"
 
-#include "device/cl_layout.h"
+#include "packing/cl_layout.h"
 #include "render/film_sum.h"
 
 namespace strahl {

@@ -17,7 +17,7 @@ struct FilmSums {
   int height = 0;
   int sub_sums = 1;                 ///< 1 or 4.
   double unit = 1;                  ///< Radiance in what the kernels call 1.
-  std::vector<std::int64_t> words;  ///< height x width x sub_sums x 3 x 2, as cl/core/film_sum.h has them.
+  std::vector<std::int64_t> words;  ///< height x width x sub_sums x 3 x 2, as cl/film/film_sum.h has them.
   std::vector<int> samples;         ///< height x width: how many samples a pixel has.
 
   FilmSums(int width, int height, int sub_sums, double unit);

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "render/renderer_state.h"
-#include "render/stopwatch.h"
+#include "stopwatch.h"
 
 namespace strahl {
 

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
-// The film's arithmetic of cl/core/film_sum.h for the host: one definition, used by both sides.
+// The film's arithmetic of cl/film/film_sum.h for the host: one definition, used by both sides.
 #pragma once
 
 #include <bit>
 #include <cstdint>
 
 namespace strahl {
-static_assert(sizeof(long) == sizeof(std::int64_t), "cl/core/film_sum.h takes the device's long");
+static_assert(sizeof(long) == sizeof(std::int64_t), "cl/film/film_sum.h takes the device's long");
 
 #define FN inline
 #define GLOBAL
-#include "../../cl/core/film_sum.h"
+#include "../../cl/film/film_sum.h"
 #undef FN
 #undef GLOBAL
 

@@ -10,15 +10,17 @@
 #include <set>
 #include <string>
 
-#include "device/cl_layout.h"
-#include "device/program_text.h"
-#include "device/scene_buffers.h"
-#include "device/tuned_width.h"
+#include "kinds/entries.h"
+#include "opencl/program.h"
+#include "opencl/tuned_width.h"
+#include "packing/cl_layout.h"
+#include "packing/scene_buffers.h"
+#include "program/program_text.h"
 #include "render/median.h"
-#include "render/sampling.h"
-#include "render/stopwatch.h"
 #include "render/traversal_choice.h"
 #include "scene/validate.h"
+#include "settings/sampling.h"
+#include "stopwatch.h"
 
 namespace strahl {
 
@@ -199,11 +201,11 @@ std::vector<std::size_t> Intersector::State::trace_chunk(const std::vector<Ray>&
                                                          std::vector<double>& run_seconds, std::vector<Hit>& hits) {
   const auto lanes = static_cast<std::size_t>(stats.lanes);
   const std::vector<Real> ray_reals = pack_rays<Real>(rays, first, count, lanes);
-  std::vector<std::int32_t> left(blocks_of(count, lanes) * lanes * layout::LEFT_INTS, -1);
+  std::vector<std::int32_t> left(blocks_of(count, lanes) * lanes * layout::DEPARTED_INTS, -1);
   for (std::size_t i = 0; i < count; ++i) {
-    std::int32_t* to = left.data() + i / lanes * lanes * layout::LEFT_INTS + i % lanes;
-    to[layout::LEFT_ID * lanes] = left_id(rays[first + i], first + i);
-    to[layout::LEFT_INSTANCE * lanes] = rays[first + i].instance;
+    std::int32_t* to = left.data() + i / lanes * lanes * layout::DEPARTED_INTS + i % lanes;
+    to[layout::DEPARTED_ID * lanes] = left_id(rays[first + i], first + i);
+    to[layout::DEPARTED_INSTANCE * lanes] = rays[first + i].instance;
   }
 
   const Stopwatch upload;
@@ -314,7 +316,7 @@ Intersector::Intersector(const Device& device, const Scene& scene, const RenderS
   s.stats.seconds.program = start.seconds();
   const Stopwatch upload;
   s.buffers =
-      upload_scene(device, scene, features, settings.precision, {width.lanes, Frame{}, width.tree, acceleration});
+      upload_scene(device, scene, features, settings.precision, {width.lanes, UploadFrame{}, width.tree, acceleration});
   s.first_ids = first_ids(scene);
   s.shapes_of_group = ranges_of(scene);
   for (const Instance& instance : scene.instances) s.group_of_instance.push_back(instance.group);

@@ -6,10 +6,10 @@
 #include <memory>
 #include <vector>
 
-#include "device/device.h"
-#include "render/settings.h"
+#include "opencl/device.h"
 #include "render/stats.h"
-#include "scene/scene.h"
+#include "scene/model/scene.h"
+#include "settings/settings.h"
 
 namespace strahl {
 

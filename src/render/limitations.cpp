@@ -6,9 +6,10 @@
 #include <algorithm>
 #include <optional>
 
-#include "device/pack_areas.h"
+#include "kinds/entries.h"
 #include "kinds/integrators.h"
-#include "scene/material_facts.h"
+#include "kinds/materials.h"
+#include "packing/pack_areas.h"
 
 namespace strahl {
 

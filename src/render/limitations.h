@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "scene/scene.h"
+#include "scene/model/scene.h"
 
 namespace strahl {
 

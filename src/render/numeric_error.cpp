@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "device/cl_layout.h"
+#include "packing/cl_layout.h"
 #include "render/intersector.h"
 
 namespace strahl {
@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t chunk_pixels = std::size_t{1} << 17;
 
 /// The direction stays, so that t changes by the frame's scale alone.
-Ray world_ray(const double* real, const Frame& frame) {
+Ray world_ray(const double* real, const UploadFrame& frame) {
   const auto vector = [real](int at) { return Vec3{real[at], real[at + 1], real[at + 2]}; };
   Ray ray;
   ray.origin = frame.origin + 1 / frame.scale * vector(layout::RAY_O);
@@ -33,7 +33,7 @@ double error(bool is_hit, double t, const Hit& exact) {
 
 }  // namespace
 
-void replace_t_by_its_error(const Device& device, const Scene& scene, const Frame& frame,
+void replace_t_by_its_error(const Device& device, const Scene& scene, const UploadFrame& frame,
                             const RenderSettings& of_picture, std::vector<double>& reals,
                             const std::vector<std::int32_t>& ints) {
   RenderSettings settings;

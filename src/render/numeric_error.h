@@ -6,17 +6,17 @@
 #include <cstdint>
 #include <vector>
 
-#include "device/device.h"
-#include "device/frame.h"
-#include "render/settings.h"
-#include "scene/scene.h"
+#include "kinds/upload_frame.h"
+#include "opencl/device.h"
+#include "scene/model/scene.h"
+#include "settings/settings.h"
 
 namespace strahl {
 
 /// reals, ints: as aov_image (aov.h) takes them. Every AOV_T becomes |t - t in double| in ulps of float of the latter:
 /// infinity where one of the two is a hit and the other none, 0 where neither is. The device must have fp64.
 /// of_picture: how it was rendered, of which what is disabled and the loops' end hold here too.
-void replace_t_by_its_error(const Device& device, const Scene& scene, const Frame& frame,
+void replace_t_by_its_error(const Device& device, const Scene& scene, const UploadFrame& frame,
                             const RenderSettings& of_picture, std::vector<double>& reals,
                             const std::vector<std::int32_t>& ints);
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "device/cl_layout.h"
+#include "packing/cl_layout.h"
 
 namespace strahl {
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "render/stopwatch.h"
+#include "stopwatch.h"
 
 namespace strahl {
 namespace {

@@ -7,11 +7,11 @@
 #include <algorithm>
 #include <utility>
 
-#include "device/compiling.h"
-#include "device/path_lanes.h"
+#include "opencl/compiling.h"
+#include "program/path_lanes.h"
 #include "render/renderer_state.h"
-#include "render/stopwatch.h"
 #include "scene/validate.h"
+#include "stopwatch.h"
 
 namespace strahl {
 

@@ -5,14 +5,14 @@
 #include <functional>
 #include <memory>
 
-#include "device/device.h"
 #include "image/image.h"
+#include "opencl/device.h"
 #include "render/error_estimate.h"
 #include "render/goal.h"
-#include "render/sampling.h"
-#include "render/settings.h"
 #include "render/stats.h"
-#include "scene/scene.h"
+#include "scene/model/scene.h"
+#include "settings/sampling.h"
+#include "settings/settings.h"
 
 namespace strahl {
 

@@ -6,11 +6,12 @@
 #include <functional>
 #include <vector>
 
-#include "device/cl_layout.h"
-#include "device/program_text.h"
-#include "device/scene_buffers.h"
-#include "device/tuned_width.h"
 #include "kinds/integrators.h"
+#include "opencl/program.h"
+#include "opencl/tuned_width.h"
+#include "packing/cl_layout.h"
+#include "packing/scene_buffers.h"
+#include "program/program_text.h"
 #include "render/film.h"
 #include "render/launch_plan.h"
 #include "render/pass_plan.h"
@@ -39,7 +40,9 @@ struct Renderer::State {
   State(const Device& d, Scene s, const RenderSettings& r) : device(d), scene(std::move(s)), settings(r) {}
 
   /// The textbook's renderer keeps the world's coordinates, whatever they cost it.
-  [[nodiscard]] Frame frame() const { return settings.precision == Precision::fast ? Frame{} : camera_frame(scene); }
+  [[nodiscard]] UploadFrame frame() const {
+    return settings.precision == Precision::fast ? UploadFrame{} : camera_frame(scene);
+  }
   /// Radiance is the same in every frame, but where it is a length.
   [[nodiscard]] double radiance_unit() const {
     return kinds::integrator(scene.integrator.name).is_length ? 1 / frame().scale : 1;

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "render/renderer.h"
-#include "render/stopwatch.h"
+#include "stopwatch.h"
 
 namespace strahl {
 namespace {

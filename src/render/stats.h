@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "packing/tree_stats.h"
 #include "render/error_budget.h"
 
 namespace strahl {
@@ -24,20 +25,11 @@ struct PhaseSeconds {
   }
 };
 
-/// What the canary (device/canary.h) said about the precision in use.
+/// What the canary (trust/canary.h) said about the precision in use.
 struct CanaryStats {
   std::string verdict;  ///< "holds" or "degraded".
   std::string why;      ///< Empty where it holds.
   std::string instead;  ///< Why it stands in for the default; empty where it does not.
-};
-
-/// What --stats reports of the tree.
-struct TreeStats {
-  double seconds = 0;            ///< To build it; filling the buffers not counted.
-  double sah_cost = 0;           ///< Of the binary tree, with leaves in blocks of `lanes`; 0: there is no tree.
-  std::uint64_t primitives = 0;  ///< In it.
-  std::uint64_t nodes = 0, leaves = 0;
-  std::uint64_t bytes = 0;  ///< Nodes and blocks, ids and parts.
 };
 
 struct RunStats {

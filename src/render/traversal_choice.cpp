@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "render/traversal_choice.h"
 
-#include "device/pack_tree.h"
+#include "packing/pack_tree.h"
 
 namespace strahl {
 

@@ -2,8 +2,8 @@
 // How a program finds what rays meet: in lists, or in a tree.
 #pragma once
 
-#include "device/features.h"
-#include "device/program_text.h"
+#include "program/features.h"
+#include "program/program_text.h"
 
 namespace strahl {
 

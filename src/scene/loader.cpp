@@ -6,15 +6,15 @@
 
 #include <filesystem>
 
-#include "scene/diagnostics.h"
-#include "scene/element_ids.h"
-#include "scene/framing.h"
-#include "scene/mesh_file.h"
+#include "scene/meshes/mesh_file.h"
+#include "scene/model/framing.h"
 #include "scene/readers/mesh_import.h"
-#include "scene/scene_builder.h"
 #include "scene/validate.h"
-#include "scene/xml_expand.h"
-#include "scene/xml_vocabulary.h"
+#include "scene/xml/diagnostics.h"
+#include "scene/xml/element_ids.h"
+#include "scene/xml/scene_builder.h"
+#include "scene/xml/xml_expand.h"
+#include "scene/xml/xml_vocabulary.h"
 
 namespace strahl {
 

@@ -10,9 +10,9 @@
 #include <utility>
 
 #include "kinds/lights.h"
-#include "scene/material_facts.h"
+#include "kinds/materials.h"
+#include "scene/model/transforms.h"
 #include "scene/validate_geometry.h"
-#include "scene/xml_transform.h"
 
 namespace strahl {
 

@@ -10,7 +10,7 @@
 
 #include "oracle/random.h"
 #include "render/intersector.h"
-#include "scene/scene.h"
+#include "scene/model/scene.h"
 #include "selftest/to_float.h"
 
 namespace strahl::selftest {

@@ -49,7 +49,7 @@ const std::vector<Definition>& definitions() {
          "return (negative & positive) | eq_w(a, zero) | eq_w(b, zero) | eq_w(c, zero);"}}},
       {{"forget-left", "the primitive just left is met again"},
        "",
-       {{"if (ray->left >= 0)", "if (ray->left >= INT_MAX_ID)"}, {"if (id != excluded)", "if (id >= 0)"}}},
+       {{"if (ray->departed >= 0)", "if (ray->departed >= INT_MAX_ID)"}, {"if (id != excluded)", "if (id >= 0)"}}},
   };
   return all;
 }

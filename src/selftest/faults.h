@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "device/program.h"
+#include "opencl/program.h"
 
 namespace strahl::selftest {
 

@@ -7,11 +7,12 @@
 #include <array>
 #include <stdexcept>
 
-#include "device/cl_layout.h"
-#include "device/pack_shapes.h"
-#include "device/program_text.h"
-#include "device/scene_buffers.h"
-#include "render/stopwatch.h"
+#include "opencl/program.h"
+#include "packing/cl_layout.h"
+#include "packing/pack_shapes.h"
+#include "packing/scene_buffers.h"
+#include "program/program_text.h"
+#include "stopwatch.h"
 
 namespace strahl::selftest {
 namespace {

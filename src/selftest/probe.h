@@ -9,10 +9,10 @@
 #include <string>
 #include <vector>
 
-#include "device/device.h"
-#include "device/program.h"
-#include "render/settings.h"
+#include "opencl/device.h"
+#include "opencl/program.h"
 #include "selftest/question.h"
+#include "settings/settings.h"
 
 namespace strahl::selftest {
 

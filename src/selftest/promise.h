@@ -6,7 +6,7 @@
 #include <string>
 
 #include "oracle/generators.h"
-#include "render/settings.h"
+#include "settings/settings.h"
 
 namespace strahl::selftest {
 

@@ -105,7 +105,7 @@ std::optional<Question> respawned(const Question& question, const Answer& answer
   }
   const double reach = length(q.ray.origin) * length(q.ray.direction) * length(normal);
   if (!(reach < 1e30) || !(length(normal) > 1e-30)) return std::nullopt;
-  // The textbook knows no primitive that was left; it leaves by a distance (cl/core/epsilon_fast.h).
+  // The textbook knows no primitive that was left; it leaves by a distance (cl/hits/epsilon_fast.h).
   if (precision == Precision::fast) q.ray.t_min = to_float(1e-4 / length(q.ray.direction));
   if (q.kind == "sphere")
     expect_of_sphere(q, precision);

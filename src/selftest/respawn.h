@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "oracle/random.h"
-#include "render/settings.h"
 #include "selftest/probe.h"
+#include "settings/settings.h"
 
 namespace strahl::selftest {
 

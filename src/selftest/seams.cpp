@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "device/pack_shapes.h"
+#include "packing/pack_shapes.h"
 #include "selftest/tally.h"
 
 namespace strahl::selftest {
@@ -21,7 +21,7 @@ void ask_seams(Probe& probe, const std::string& kind, const ClosedSurface& surfa
                std::uint64_t seed, Seams& seams) {
   Question whole;
   whole.kind = kind;
-  primitive_planes(surface.scene.shapes.front().geometry, Frame{}, [&](std::span<const double> planes) {
+  primitive_planes(surface.scene.shapes.front().geometry, UploadFrame{}, [&](std::span<const double> planes) {
     for (const double x : planes) whole.planes.push_back(to_float(x));
   });
   // So many questions at a time that all copies of the surface are a few megabytes.

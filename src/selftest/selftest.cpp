@@ -8,14 +8,14 @@
 #include <map>
 #include <memory>
 
-#include "device/kernel_source.h"
-#include "render/stopwatch.h"
+#include "program/kernel_source.h"
 #include "selftest/answer.h"
 #include "selftest/catalogue.h"
 #include "selftest/faults.h"
 #include "selftest/promise.h"
 #include "selftest/questions.h"
 #include "selftest/respawn.h"
+#include "stopwatch.h"
 
 namespace strahl::selftest {
 namespace {

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "device/canary.h"
 #include "selftest/seams.h"
 #include "selftest/tally.h"
+#include "trust/canary.h"
 
 namespace strahl::selftest {
 

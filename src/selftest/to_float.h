@@ -2,7 +2,7 @@
 // Numbers as a device of 32 bits holds them.
 #pragma once
 
-#include "scene/vec.h"
+#include "scene/model/vec.h"
 
 namespace strahl::selftest {
 

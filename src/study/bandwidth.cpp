@@ -4,9 +4,10 @@
 #include <algorithm>
 #include <vector>
 
-#include "device/program_text.h"
-#include "device/scene_buffers.h"
-#include "render/stopwatch.h"
+#include "opencl/program.h"
+#include "packing/scene_buffers.h"
+#include "program/program_text.h"
+#include "stopwatch.h"
 
 namespace strahl {
 namespace {

@@ -2,7 +2,7 @@
 // How fast a device moves memory.
 #pragma once
 
-#include "device/device.h"
+#include "opencl/device.h"
 
 namespace strahl {
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <optional>
 
-#include "device/features.h"
-#include "device/left_out.h"
+#include "program/disabled.h"
+#include "program/features.h"
 #include "render/median.h"
 
 namespace strahl {

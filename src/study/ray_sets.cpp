@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "device/cl_layout.h"
-#include "device/pack_camera.h"
+#include "packing/cl_layout.h"
+#include "packing/pack_camera.h"
 #include "study/generated/stage.h"
 #include "study/hashed.h"
 
@@ -72,7 +72,7 @@ const char* ray_kind_name(RayKind kind) {
 
 RaySet primary_rays(const Scene& scene) {
   const Film& film = scene.film;
-  const std::vector<double> camera = camera_reals(scene.camera, film, Frame{});
+  const std::vector<double> camera = camera_reals(scene.camera, film, UploadFrame{});
   const auto vec = [&camera](int at) {
     const double* v = &camera[static_cast<std::size_t>(at)];
     return Vec3{v[0], v[1], v[2]};

@@ -9,10 +9,10 @@
 #include <string>
 #include <vector>
 
-#include "device/device.h"
 #include "image/image.h"
-#include "render/settings.h"
-#include "scene/scene.h"
+#include "opencl/device.h"
+#include "scene/model/scene.h"
+#include "settings/settings.h"
 
 namespace strahl {
 

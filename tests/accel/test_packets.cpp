@@ -9,7 +9,7 @@
 
 #include "cl/instanced_scenes.h"
 #include "cl/same_bits.h"
-#include "device/path_lanes.h"
+#include "program/path_lanes.h"
 #include "support/devices.h"
 
 using namespace strahl;

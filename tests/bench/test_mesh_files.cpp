@@ -7,7 +7,7 @@
 
 #include "bench/mesh_files.h"
 #include "errors.h"
-#include "scene/mesh_file.h"
+#include "scene/meshes/mesh_file.h"
 
 using namespace strahl;
 

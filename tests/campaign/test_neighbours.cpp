@@ -11,7 +11,7 @@
 #include <optional>
 
 #include "campaign/progress.h"
-#include "device/kernel_source.h"
+#include "program/kernel_source.h"
 #include "selftest/answer.h"
 #include "selftest/probe.h"
 #include "selftest/questions.h"

@@ -10,7 +10,7 @@
 #include <iostream>
 
 #include "campaign/progress.h"
-#include "scene/xml_transform.h"
+#include "scene/model/transforms.h"
 #include "selftest/closed_meshes.h"
 #include "selftest/nearest.h"
 #include "support/devices.h"

@@ -20,7 +20,7 @@ namespace strahl::test {
 
 float atan2_turns(float y, float x) { return f32::atan2_turns(y, x); }
 void sincos_turns(float turns, float* sine, float* cosine) {
-  const f32::SinCos_1 turned = f32::sincos_turns_1(turns);
+  const f32::SinCos_w_1 turned = f32::sincos_turns_w_1(turns);
   *sine = turned.sine;
   *cosine = turned.cosine;
 }

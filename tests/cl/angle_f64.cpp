@@ -20,7 +20,7 @@ namespace strahl::test {
 
 double atan2_turns(double y, double x) { return f64::atan2_turns(y, x); }
 void sincos_turns(double turns, double* sine, double* cosine) {
-  const f64::SinCos_1 turned = f64::sincos_turns_1(turns);
+  const f64::SinCos_w_1 turned = f64::sincos_turns_w_1(turns);
   *sine = turned.sine;
   *cosine = turned.cosine;
 }

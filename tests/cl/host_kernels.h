@@ -16,7 +16,7 @@ struct HostBuffers {
   const std::int32_t* index;
 };
 
-/// lanes: 1, 8 or 16 in float, 1 or 8 in double; the width that the buffers were packed for. left: LEFT_INTS a
+/// lanes: 1, 8 or 16 in float, 1 or 8 in double; the width that the buffers were packed for. left: DEPARTED_INTS a
 /// ray.
 void host_intersect(int lanes, const HostBuffers<float>& scene, const float* rays, const std::int32_t* left,
                     std::size_t count, bool any_hit, float* hits, std::int32_t* ids);

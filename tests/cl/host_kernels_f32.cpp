@@ -13,17 +13,17 @@ namespace f32 {
 #define LANES 1
 #include "lanes/lane_ops.h"
 // Lanes come first: they define what the bodies are written in.
-#include "core/trace_one.h"
+#include "hits/trace_one.h"
 #undef LANES
 #define LANES 8
 #include "lanes/lane_ops.h"
 // As above.
-#include "core/trace_one.h"
+#include "hits/trace_one.h"
 #undef LANES
 #define LANES 16
 #include "lanes/lane_ops.h"
 // As above.
-#include "core/trace_one.h"
+#include "hits/trace_one.h"
 #undef LANES
 // They need the bodies.
 #include "support/host_rays.h"
@@ -38,11 +38,11 @@ void host_intersect(int lanes, const HostBuffers<float>& scene, const float* ray
     f32::host_rays(lanes, view, rays, left, count, any_hit, find, describe, hits, ids);
   };
   if (lanes == 16)
-    trace(f32::find_rays_16, f32::describe_one_16);
+    trace(f32::find_rays_w_16, f32::describe_one_w_16);
   else if (lanes == 8)
-    trace(f32::find_rays_8, f32::describe_one_8);
+    trace(f32::find_rays_w_8, f32::describe_one_w_8);
   else
-    trace(f32::find_rays_1, f32::describe_one_1);
+    trace(f32::find_rays_w_1, f32::describe_one_w_1);
 }
 
 }  // namespace strahl::test

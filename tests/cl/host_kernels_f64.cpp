@@ -13,12 +13,12 @@ namespace f64 {
 #define LANES 1
 #include "lanes/lane_ops.h"
 // Lanes come first: they define what the bodies are written in.
-#include "core/trace_one.h"
+#include "hits/trace_one.h"
 #undef LANES
 #define LANES 8
 #include "lanes/lane_ops.h"
 // As above.
-#include "core/trace_one.h"
+#include "hits/trace_one.h"
 #undef LANES
 // They need the bodies.
 #include "support/host_rays.h"
@@ -33,9 +33,9 @@ void host_intersect(int lanes, const HostBuffers<double>& scene, const double* r
     f64::host_rays(lanes, view, rays, left, count, any_hit, find, describe, hits, ids);
   };
   if (lanes == 8)
-    trace(f64::find_rays_8, f64::describe_one_8);
+    trace(f64::find_rays_w_8, f64::describe_one_w_8);
   else
-    trace(f64::find_rays_1, f64::describe_one_1);
+    trace(f64::find_rays_w_1, f64::describe_one_w_1);
 }
 
 }  // namespace strahl::test

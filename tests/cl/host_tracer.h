@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "cl/host_kernels.h"
-#include "device/cl_layout.h"
-#include "device/pack.h"
+#include "packing/cl_layout.h"
+#include "packing/pack.h"
 #include "render/intersector.h"
 
 namespace strahl::test {
@@ -24,13 +24,13 @@ template <class Real>
   if (scene.materials.empty()) scene.materials.emplace_back();
   RenderSettings settings;
   settings.generic = true;
-  return pack_scene<Real>(scene, features_of(scene, settings), {lanes, Frame{}, 0, acceleration});
+  return pack_scene<Real>(scene, features_of(scene, settings), {lanes, UploadFrame{}, 0, acceleration});
 }
 
 template <class Real>
 [[nodiscard]] Hit trace_on_host(const PackedScene<Real>& scene, int lanes, const Ray& ray, std::int32_t left_id,
                                 bool any_hit) {
-  const std::int32_t left[layout::LEFT_INTS] = {left_id, ray.instance};
+  const std::int32_t left[layout::DEPARTED_INTS] = {left_id, ray.instance};
   const std::array<double, layout::RAY_REALS> values{ray.origin.x,    ray.origin.y,    ray.origin.z, ray.direction.x,
                                                      ray.direction.y, ray.direction.z, ray.t_min,    ray.t_max};
   std::array<Real, layout::RAY_REALS> reals;

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "cl/mixed_scenes.h"
-#include "scene/build.h"
+#include "scene/model/build.h"
 #include "study/transformed.h"
 
 namespace strahl::test {

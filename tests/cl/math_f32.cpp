@@ -9,9 +9,9 @@
 #define REAL_BITS 32
 namespace f32 {
 #include "portable.h"
-// OpenCL's, for core/counters.h.
+// OpenCL's, for scene/counters.h.
 inline void atomic_inc(uint* counter) { ++*counter; }
-#include "core/film.h"
+#include "film/film.h"
 #include "math/soft_fma.h"
 #include "math/vec3.h"
 #define LANES 1
@@ -29,7 +29,7 @@ std::array<float, 3> normalize3(const std::array<float, 3>& v) {
 float length3(const std::array<float, 3>& v) { return f32::length3(f32::vec3(v[0], v[1], v[2])); }
 float difference_of_products(float a, float b, float c, float d) { return f32::difference_of_products(a, b, c, d); }
 float soft_fma(float a, float b, float c) { return f32::soft_fma(a, b, c); }
-float random_unit(float, std::uint32_t bits) { return f32::random_unit_1(bits); }
+float random_unit(float, std::uint32_t bits) { return f32::random_unit_w_1(bits); }
 void add_to_film(FilmWords& sum, float value, std::array<std::uint32_t, 4>* counts) {
   const f32::Scene scene{nullptr, nullptr, nullptr, counts->data()};
   f32::film_add_sample(&scene, sum.data(), value);

@@ -9,9 +9,9 @@
 #define REAL_BITS 64
 namespace f64 {
 #include "portable.h"
-// OpenCL's, for core/counters.h.
+// OpenCL's, for scene/counters.h.
 inline void atomic_inc(uint* counter) { ++*counter; }
-#include "core/film.h"
+#include "film/film.h"
 #include "math/vec3.h"
 #define LANES 1
 #include "lanes/lane_ops.h"
@@ -31,10 +31,10 @@ double difference_of_products(double a, double b, double c, double d) {
 }
 std::array<std::uint32_t, 4> random4(std::uint32_t pixel, std::uint32_t sample, std::uint32_t dimension,
                                      std::uint32_t seed) {
-  const f64::Random4_1 r = f64::random4_1(pixel, sample, dimension, seed);
+  const f64::Random4_w_1 r = f64::random4_w_1(pixel, sample, dimension, seed);
   return {r.x, r.y, r.z, r.w};
 }
-double random_unit(double, std::uint32_t bits) { return f64::random_unit_1(bits); }
+double random_unit(double, std::uint32_t bits) { return f64::random_unit_w_1(bits); }
 void add_to_film(FilmWords& sum, double value, std::array<std::uint32_t, 4>* counts) {
   const f64::Scene scene{nullptr, nullptr, nullptr, counts->data()};
   f64::film_add_sample(&scene, sum.data(), value);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// cl/math and cl/core/film.h of both tiers on the host, side by side; compiled in math_f32.cpp and math_f64.cpp.
+// cl/math and cl/film/film.h of both tiers on the host, side by side; compiled in math_f32.cpp and math_f64.cpp.
 #pragma once
 
 #include <array>
@@ -22,7 +22,7 @@ std::array<std::uint32_t, 4> random4(std::uint32_t pixel, std::uint32_t sample, 
 float random_unit(float tier, std::uint32_t bits);
 double random_unit(double tier, std::uint32_t bits);
 
-/// A channel's sum in the film: the words of cl/core/film_sum.h.
+/// A channel's sum in the film: the words of cl/film/film_sum.h.
 using FilmWords = std::array<std::int64_t, 2>;
 
 /// Adds one sample as the kernel does. counts: saturated, invalid.

@@ -13,7 +13,7 @@
 
 #include "oracle/generators.h"
 #include "render/intersector.h"
-#include "scene/scene.h"
+#include "scene/model/scene.h"
 
 namespace strahl::test {
 

@@ -9,7 +9,7 @@
 #include <span>
 
 #include "oracle/generators.h"
-#include "scene/scene.h"
+#include "scene/model/scene.h"
 
 namespace strahl::test {
 

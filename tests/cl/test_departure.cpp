@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where rays leave a surface (cl/core/departure.h), in float: not far from the point found, off every edge that a
+// Where rays leave a surface (cl/hits/departure.h), in float: not far from the point found, off every edge that a
 // neighbour may share, on the side that the ray goes to; where nothing touches, exactly at the point.
 #include <array>
 #include <catch2/catch.hpp>
@@ -18,9 +18,9 @@ namespace f32 {
 // Lanes come first: they define what the rest is written in.
 #include "math/vec3_lanes.h"
 // As above.
-#include "core/rays_lanes.h"
+#include "rays/departing_lanes.h"
 // As above.
-#include "core/surfaces_lanes.h"
+#include "hits/surfaces_lanes.h"
 }  // namespace f32
 
 namespace {
@@ -49,11 +49,11 @@ f32::Surface in_no_instance() {
 
 /// The ray that leaves s towards d.
 f32::Ray leaving(const f32::Surface& s, int id, real3 d) {
-  f32::Surfaces_1 surfaces = f32::surfaces_none_1();
-  f32::surface_to_1(&surfaces, 0, &s, id, 1);
-  f32::Rays_1 rays;
-  f32::rays_leaving_1(&surfaces, -1, d, 1, &rays);
-  return f32::ray_of_1(&rays, 0);
+  f32::Surfaces_w_1 surfaces = f32::surfaces_none_w_1();
+  f32::surface_to_w_1(&surfaces, 0, &s, id, 1);
+  f32::Rays_w_1 rays;
+  f32::rays_leaving_w_1(&surfaces, -1, d, 1, &rays);
+  return f32::ray_of_w_1(&rays, 0);
 }
 
 class Random {

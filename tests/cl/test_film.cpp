@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The film's arithmetic (cl/core/film.h, film_sum.h) of both tiers on the host against exact rationals: a float comes
+// The film's arithmetic (cl/film/film.h, film_sum.h) of both tiers on the host against exact rationals: a float comes
 // back whole, order and split do not matter, what is dropped has its bound, and 2^21 samples fit. Device:
 // test_functions.
 #include <gmpxx.h>

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/program.h"
-#include "device/kernel_source.h"
+#include "program/kernel_source.h"
 
 using namespace strahl_test;
 using Json = nlohmann::json;

@@ -5,7 +5,7 @@
 #include <future>
 
 #include "cli/progress_bar.h"
-#include "device/compiling.h"
+#include "opencl/compiling.h"
 
 namespace strahl::cli {
 namespace {

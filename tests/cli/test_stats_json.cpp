@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 
 #include "errors.h"
-#include "render/settings.h"
 #include "render/stats.h"
+#include "settings/settings.h"
 
 using Json = nlohmann::json;
 

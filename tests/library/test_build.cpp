@@ -2,7 +2,7 @@
 // Scenes built in C++: valid as they come, and what each function puts into them.
 #include <catch2/catch.hpp>
 
-#include "scene/build.h"
+#include "scene/model/build.h"
 #include "scene/validate.h"
 
 using namespace strahl;

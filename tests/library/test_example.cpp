@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "image/image_io.h"
-#include "scene/vec.h"
+#include "scene/model/vec.h"
 
 using namespace strahl;
 

@@ -10,8 +10,8 @@
 #include <fstream>
 #include <unordered_set>
 
-#include "device/kernel_source.h"
-#include "device/program_text.h"
+#include "program/kernel_source.h"
+#include "program/program_text.h"
 
 using namespace strahl;
 

@@ -9,8 +9,8 @@
 #include <string>
 
 #include "errors.h"
-#include "render/settings.h"
 #include "selftest/report.h"
+#include "settings/settings.h"
 
 using namespace strahl;
 

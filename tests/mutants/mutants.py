@@ -66,11 +66,18 @@ class Mutant:
         path = kernels / self.file
         text = path.read_text()
         for old, new in self.edits:
-            pattern = r"\n *".join(map(re.escape, old.split("\n")))
-            text, found = re.subn(pattern, lambda _: new, text)
+            text, found = re.subn(any_layout(old), lambda _: new, text)
             if found != 1:
                 raise Misfit(f"{self.place}: {self.name} no longer fits: cl/{self.file} has {found} times\n{old}")
         path.write_text(text)
+
+
+def any_layout(code):
+    """The code however its lines are broken: clang-format moves breaks where a name grows."""
+    tokens = re.findall(r"\w+|[^\w\s]", code)
+    pattern = "".join(re.escape(a) + (r"\s+" if re.match(r"\w", a[-1]) and re.match(r"\w", b[0]) else r"\s*")
+                      for a, b in zip(tokens, tokens[1:]))
+    return pattern + re.escape(tokens[-1])
 
 
 def read_mutants(path):

@@ -6,16 +6,16 @@
 // Each needs what is above it.
 #include "math/sampling_lanes.h"
 // As above.
-#include "core/rays_lanes.h"
+#include "rays/departing_lanes.h"
 // As above.
-#include "core/surfaces_lanes.h"
+#include "hits/surfaces_lanes.h"
 // As above.
 #include "materials/material_lanes.h"
 
-inline LANED(Bsdf) LANED(bsdf_of)(int kind, const std::vector<double>& p, const Triad& wo) {
-  LANED(Bsdf) b;
+inline Bsdf_w LANED(bsdf_of)(int kind, const std::vector<double>& p, const Triad& wo) {
+  Bsdf_w b;
   b.kind = splat_int_w(kind);
-  b.frame = LANED(frame_around)(splat3_w(vec3(R(0.0), R(0.0), R(1.0))));
+  b.frame = frame_around_w(splat3_w(vec3(R(0.0), R(0.0), R(1.0))));
   b.wo = b.out = splat3_w(vec3((real)wo[0], (real)wo[1], (real)wo[2]));
   for (std::size_t i = 0; i < BSDF_REALS; ++i) b.p[i] = splat_w(i < p.size() ? (real)p[i] : R(0.0));
   return b;
@@ -35,13 +35,13 @@ inline Triad LANED(lane_of)(const real3w& v, int lane) {
 
 inline std::vector<Scattered> LANED(eval_all)(int kind, const std::vector<double>& p, const Triad& wo,
                                               const std::vector<Triad>& wi) {
-  const LANED(Bsdf) b = LANED(bsdf_of)(kind, p, wo);
+  const Bsdf_w b = LANED(bsdf_of)(kind, p, wo);
   std::vector<Scattered> found(wi.size());
   for (std::size_t i = 0; i < wi.size(); i += LANES) {
     realw density;
     const real3w towards =
         vec3_w(LANED(component_of)(wi, i, 0), LANED(component_of)(wi, i, 1), LANED(component_of)(wi, i, 2));
-    const real3w value = LANED(bsdf_eval)(&b, towards, &density);
+    const real3w value = bsdf_eval_w(&b, towards, &density);
     for (int lane = 0; lane < LANES && i + (std::size_t)lane < wi.size(); ++lane)
       found[i + (std::size_t)lane] = {LANED(lane_of)(value, lane), get_w(&density, lane)};
   }
@@ -50,12 +50,11 @@ inline std::vector<Scattered> LANED(eval_all)(int kind, const std::vector<double
 
 inline std::vector<Way> LANED(sample_all)(int kind, const std::vector<double>& p, const Triad& wo, int lobes,
                                           const std::vector<Triad>& numbers) {
-  const LANED(Bsdf) b = LANED(bsdf_of)(kind, p, wo);
+  const Bsdf_w b = LANED(bsdf_of)(kind, p, wo);
   std::vector<Way> ways(numbers.size());
   for (std::size_t i = 0; i < numbers.size(); i += LANES) {
-    const LANED(BsdfSample) s =
-        LANED(bsdf_sample)(&b, lobes, LANED(component_of)(numbers, i, 0), LANED(component_of)(numbers, i, 1),
-                           LANED(component_of)(numbers, i, 2));
+    const BsdfSample_w s = bsdf_sample_w(&b, lobes, LANED(component_of)(numbers, i, 0),
+                                         LANED(component_of)(numbers, i, 1), LANED(component_of)(numbers, i, 2));
     for (int lane = 0; lane < LANES && i + (std::size_t)lane < numbers.size(); ++lane)
       ways[i + (std::size_t)lane] = {LANED(lane_of)(s.wi, lane), LANED(lane_of)(s.weight, lane),
                                      get_w(&s.density, lane), get_w(&s.eta, lane), get_int_w(&s.lobe, lane)};
@@ -77,14 +76,14 @@ inline std::vector<Triad> LANED(parameters_at)(const std::vector<Triad>& points)
   const Scene scene{nullptr, shading, index, nullptr};
   std::vector<Triad> found(points.size());
   for (std::size_t i = 0; i < points.size(); i += LANES) {
-    LANED(Surfaces) s = LANED(surfaces_none)();
+    Surfaces_w s = surfaces_none_w();
     s.hit = ~s.hit;
     s.tex_u = LANED(component_of)(points, i, 0);
     s.tex_v = LANED(component_of)(points, i, 1);
     intw row = splat_int_w(rows);
     for (int lane = 0; lane < LANES; ++lane)
       if ((i + (std::size_t)lane) % 2 == 1) put_int_w(&row, lane, rows + MATERIAL_INTS);
-    const real3w value = LANED(parameter_at)(&scene, &s, s.hit, row, 1);
+    const real3w value = parameter_at_w(&scene, &s, s.hit, row, 1);
     for (int lane = 0; lane < LANES && i + (std::size_t)lane < points.size(); ++lane)
       found[i + (std::size_t)lane] = LANED(lane_of)(value, lane);
   }

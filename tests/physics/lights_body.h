@@ -25,15 +25,15 @@ DrawnLight<tier::real> drawn_light(const HostBuffers<tier::real>& buffers, std::
                                    const Triple<tier::real>& from) {
   using namespace tier;
   const Scene scene{buffers.geometry, buffers.shading, buffers.index, nullptr};
-  Paths_1 path;
-  paths_none_1(&path);
+  Paths_w_1 path;
+  paths_none_w_1(&path);
   path.depth = depth;
-  path.sample = sample_begin_1(&scene, 0, sample);
-  const LightNumbers_1 numbers = light_numbers_1(&scene, &path.sample, depth);
+  path.sample = sample_begin_w_1(&scene, 0, sample);
+  const LightNumbers_w_1 numbers = light_numbers_w_1(&scene, &path.sample, depth);
   DrawnLight<real> drawn;
   const real3 at = vec3(from[0], from[1], from[2]);
-  drawn.light = choose_light_1(&scene, &path.sample, depth, at).light;
-  const LightSample_1 light = light_sample_1(&scene, ~0, drawn.light, at, numbers);
+  drawn.light = choose_light_w_1(&scene, &path.sample, depth, at).light;
+  const LightSample_w_1 light = light_sample_w_1(&scene, ~0, drawn.light, at, numbers);
   drawn.towards = {light.towards.x, light.towards.y, light.towards.z};
   drawn.t_max = light.t_max;
   drawn.id = light.aim;

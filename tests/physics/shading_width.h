@@ -12,22 +12,22 @@
 // As above.
 #include "samplers/sampler_lanes.h"
 // As above.
-#include "core/rays_lanes.h"
+#include "rays/departing_lanes.h"
 #if LANES != 1
 #if TIER_ROBUST
 // As above.
-#include "shapes/settle_lanes.h"
+#include "shapes/exact/settle_lanes.h"
 #endif
 // As above.
 #include "accel/packet.h"
 #endif
 // As above.
-#include "core/surfaces_lanes.h"
+#include "hits/surfaces_lanes.h"
 // As above.
-#include "core/camera_lanes.h"
+#include "camera/camera_lanes.h"
 // As above.
-#include "core/paths_lanes.h"
+#include "integrators/paths_lanes.h"
 // As above.
-#include "core/find_lanes.h"
+#include "hits/find_lanes.h"
 // As above.
 #include "integrators/integrator_lanes.h"

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "device/pack.h"
+#include "packing/pack.h"
 #include "physics/light_tiers.h"
 
 using namespace strahl;
@@ -66,7 +66,7 @@ template <class Real>
 std::vector<Draw> draws_on_mesh(const Scene& scene, std::uint32_t samples, std::vector<int>& of_light) {
   RenderSettings settings;
   settings.generic = true;
-  const PackedScene<Real> packed = pack_scene<Real>(scene, features_of(scene, settings), {1, Frame{}, 0});
+  const PackedScene<Real> packed = pack_scene<Real>(scene, features_of(scene, settings), {1, UploadFrame{}, 0});
   const HostBuffers<Real> buffers{packed.geometry.data(), packed.shading.data(), packed.index.data()};
   std::vector<Draw> draws;
   for (std::uint32_t i = 0; i < samples; ++i) {

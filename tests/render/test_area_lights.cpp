@@ -9,7 +9,7 @@
 #include <iostream>
 
 #include "render/stage.h"
-#include "scene/build.h"
+#include "scene/model/build.h"
 
 namespace strahl::test {
 namespace {

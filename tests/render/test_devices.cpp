@@ -5,10 +5,10 @@
 #include <catch2/catch.hpp>
 #include <iostream>
 
-#include "device/tier_choice.h"
 #include "errors.h"
 #include "render/stage.h"
-#include "scene/build.h"
+#include "scene/model/build.h"
+#include "trust/tier_choice.h"
 
 namespace strahl::test {
 namespace {

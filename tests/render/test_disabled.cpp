@@ -3,9 +3,9 @@
 // About 6 s where nothing is cached yet.
 #include <catch2/catch.hpp>
 
-#include "device/program_text.h"
+#include "program/program_text.h"
 #include "render/stage.h"
-#include "scene/build.h"
+#include "scene/model/build.h"
 
 namespace strahl::test {
 namespace {

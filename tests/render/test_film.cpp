@@ -7,7 +7,7 @@
 #include <random>
 
 #include "render/pictures.h"
-#include "scene/build.h"
+#include "scene/model/build.h"
 
 namespace strahl::test {
 namespace {

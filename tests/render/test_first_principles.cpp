@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "render/stage.h"
-#include "scene/build.h"
-#include "scene/xml_transform.h"
+#include "scene/model/build.h"
+#include "scene/model/transforms.h"
 
 namespace strahl::test {
 namespace {

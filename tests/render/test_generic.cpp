@@ -8,7 +8,7 @@
 #include <set>
 #include <vector>
 
-#include "device/features.h"
+#include "program/features.h"
 #include "render/pictures.h"
 
 namespace strahl::test {

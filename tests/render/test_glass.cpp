@@ -8,7 +8,7 @@
 
 #include "render/limitations.h"
 #include "render/stage.h"
-#include "scene/build.h"
+#include "scene/model/build.h"
 
 namespace strahl::test {
 namespace {

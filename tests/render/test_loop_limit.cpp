@@ -12,7 +12,7 @@
 namespace strahl::test {
 namespace {
 
-/// What the canary finds there (device/canary_loops.h).
+/// What the canary finds there (trust/canary_loops.h).
 constexpr std::uint64_t turns = 65534;
 
 RenderSettings watched() {

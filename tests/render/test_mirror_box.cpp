@@ -9,8 +9,8 @@
 #include <cstdlib>
 
 #include "render/pictures.h"
-#include "scene/build.h"
-#include "scene/xml_transform.h"
+#include "scene/model/build.h"
+#include "scene/model/transforms.h"
 
 namespace strahl::test {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "render/stage.h"
-#include "scene/build.h"
+#include "scene/model/build.h"
 
 namespace strahl::test {
 namespace {

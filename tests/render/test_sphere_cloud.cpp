@@ -5,7 +5,7 @@
 #include <random>
 
 #include "render/pictures.h"
-#include "scene/xml_transform.h"
+#include "scene/model/transforms.h"
 
 namespace strahl::test {
 namespace {

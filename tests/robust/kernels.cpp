@@ -25,17 +25,17 @@ namespace robust {
 #define LANES 1
 #include "lanes/lane_ops.h"
 // Lanes come first: they define what the bodies are written in.
-#include "core/trace_one.h"
+#include "hits/trace_one.h"
 #undef LANES
 #define LANES 8
 #include "lanes/lane_ops.h"
 // As above.
-#include "core/trace_one.h"
+#include "hits/trace_one.h"
 #undef LANES
 #define LANES 16
 #include "lanes/lane_ops.h"
 // As above.
-#include "core/trace_one.h"
+#include "hits/trace_one.h"
 #undef LANES
 // They need the bodies.
 #include "support/host_rays.h"
@@ -50,7 +50,7 @@ float robust_t(std::string_view kind, std::span<const float> planes, std::span<c
                                         ray[RAY_T_MAX], has_left ? id : -1);
   Nearest best = nearest_none(prepared.t_max);
 #define SHAPE(name, planes_of_kind) \
-  if (kind == #name) name##_block_1(&prepared, planes.data(), &id, 0, &best);
+  if (kind == #name) name##_block_w_1(&prepared, planes.data(), &id, 0, &best);
 #include "shapes/shapes.def"
 #undef SHAPE
   nearest_settle(&prepared, &best, 1);
@@ -62,7 +62,7 @@ std::array<float, 4> robust_ball(std::string_view kind, std::span<const float> p
   using namespace robust;
   robust::Ball ball{{}, -1};
 #define SHAPE(name, planes_of_kind) \
-  if (kind == #name) ball = name##_ball_1(planes.data());
+  if (kind == #name) ball = name##_ball_w_1(planes.data());
 #include "shapes/shapes.def"
 #undef SHAPE
   if (!(ball.radius >= 0)) throw std::logic_error("no ball of a kind of this name");
@@ -76,11 +76,11 @@ void robust_intersect(int lanes, const float* geometry, const float* shading, co
     robust::host_rays(lanes, view, rays, left, count, false, find, describe, hits, ids);
   };
   if (lanes == 16)
-    trace(robust::find_rays_16, robust::describe_one_16);
+    trace(robust::find_rays_w_16, robust::describe_one_w_16);
   else if (lanes == 8)
-    trace(robust::find_rays_8, robust::describe_one_8);
+    trace(robust::find_rays_w_8, robust::describe_one_w_8);
   else
-    trace(robust::find_rays_1, robust::describe_one_1);
+    trace(robust::find_rays_w_1, robust::describe_one_w_1);
 }
 
 }  // namespace strahl::test

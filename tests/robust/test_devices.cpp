@@ -4,8 +4,8 @@
 #include <catch2/catch.hpp>
 #include <set>
 
-#include "device/cl_layout.h"
-#include "device/pack.h"
+#include "packing/cl_layout.h"
+#include "packing/pack.h"
 #include "render/intersector.h"
 #include "robust/ask_host.h"
 #include "support/devices.h"
@@ -78,12 +78,12 @@ std::vector<Hit> trace_on_host(Scene scene, const std::vector<Ray>& rays, int la
   scene.materials.emplace_back();
   RenderSettings settings;
   settings.generic = true;
-  const auto packed = pack_scene<float>(scene, features_of(scene, settings), {lanes, Frame{}});
+  const auto packed = pack_scene<float>(scene, features_of(scene, settings), {lanes, UploadFrame{}});
   const std::vector<std::int64_t> ids = first_ids(scene);
   std::vector<Hit> hits;
   for (const Ray& ray : rays) {
     const auto reals = reals_of({ray.origin, ray.direction, ray.t_min, ray.t_max});
-    const std::int32_t left[layout::LEFT_INTS] = {
+    const std::int32_t left[layout::DEPARTED_INTS] = {
         ray.shape < 0 ? -1 : static_cast<std::int32_t>(ids.at(static_cast<std::size_t>(ray.shape))), -1};
     std::array<float, layout::HIT_REALS> out;
     std::array<std::int32_t, layout::HIT_INTS> found;

@@ -11,7 +11,7 @@
 #include <map>
 #include <string>
 
-#include "device/kernel_source.h"
+#include "program/kernel_source.h"
 #include "robust/ask_host.h"
 
 using namespace strahl;

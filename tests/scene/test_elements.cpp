@@ -3,8 +3,8 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "scene/parse_value.h"
 #include "scene/scene_text.h"
+#include "scene/xml/parse_value.h"
 
 using namespace strahl;
 using namespace strahl::test;

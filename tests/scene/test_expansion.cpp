@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "scene/scene_text.h"
-#include "scene/xml_upgrade.h"
+#include "scene/xml/xml_upgrade.h"
 
 using namespace strahl;
 using namespace strahl::test;

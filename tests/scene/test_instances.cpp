@@ -3,8 +3,8 @@
 #include <catch2/catch.hpp>
 #include <limits>
 
-#include "device/features.h"
-#include "scene/build.h"
+#include "program/features.h"
+#include "scene/model/build.h"
 #include "scene/one_problem.h"
 #include "scene/scene_text.h"
 #include "study/transformed.h"

@@ -2,7 +2,7 @@
 // Nothing is ignored silently: unknown plugins and parameters warn, with --strict they are errors.
 #include <catch2/catch.hpp>
 
-#include "scene/did_you_mean.h"
+#include "did_you_mean.h"
 #include "scene/scene_text.h"
 
 using namespace strahl;

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <random>
 
-#include "scene/vec.h"
+#include "scene/model/vec.h"
 
 using namespace strahl;
 

@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-#include "scene/mesh_file.h"
+#include "scene/meshes/mesh_file.h"
 
 namespace strahl::test {
 

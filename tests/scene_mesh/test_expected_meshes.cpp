@@ -11,7 +11,7 @@
 #include <sstream>
 #include <tuple>
 
-#include "scene/mesh_file.h"
+#include "scene/meshes/mesh_file.h"
 #include "support/needs.h"
 
 namespace {

@@ -6,7 +6,7 @@
 #include <random>
 #include <set>
 
-#include "scene/triangulate.h"
+#include "scene/meshes/triangulate.h"
 
 namespace strahl {
 namespace {

@@ -14,11 +14,11 @@ inline strahl::test::Nearest nearest_of(std::string_view kind, std::span<const d
   const std::vector<real> values(planes.begin(), planes.end()), r(given.begin(), given.end());
   const Ray ray = ray_make(load3(r.data() + RAY_O), load3(r.data() + RAY_D), r[RAY_T_MIN], r[RAY_T_MAX], left);
   Nearest best = nearest_none(ray.t_max);
-#define SHAPE(name, reals)                                             \
-  if (kind == #name)                                                   \
-    for (std::size_t i = 0; (i + 1) * reals <= values.size(); ++i) {   \
-      const int id = static_cast<int>(i);                              \
-      name##_block_1(&ray, values.data() + i * reals, &id, id, &best); \
+#define SHAPE(name, reals)                                               \
+  if (kind == #name)                                                     \
+    for (std::size_t i = 0; (i + 1) * reals <= values.size(); ++i) {     \
+      const int id = static_cast<int>(i);                                \
+      name##_block_w_1(&ray, values.data() + i * reals, &id, id, &best); \
     }
 #include "shapes/shapes.def"
 #undef SHAPE

@@ -5,7 +5,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "device/kernel_source.h"
+#include "program/kernel_source.h"
 #include "robust/ask_host.h"
 #include "selftest/probe.h"
 #include "support/devices.h"

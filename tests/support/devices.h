@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "device/device.h"
+#include "opencl/device.h"
 
 namespace strahl::test {
 

@@ -5,7 +5,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "scene/scene.h"
+#include "scene/model/scene.h"
 #include "study/generated/stage.h"
 
 namespace strahl::test {

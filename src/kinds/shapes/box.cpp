@@ -22,7 +22,7 @@ void pack(const Planes& to, const Box& b) {
 
 bool faces_inward(const Box&) { return false; }
 
-std::optional<std::array<double, 9>> surface_frame(const Box&, const Frame&) { return std::nullopt; }
+std::optional<std::array<double, 9>> surface_frame(const Box&, const UploadFrame&) { return std::nullopt; }
 
 void emit(AreaItems& items, const Box& b, int part) {
   const Vec3 size = b.max - b.min;

@@ -54,7 +54,7 @@ void pack(const Planes& to, const Cube& cube) {
 
 bool faces_inward(const Cube& cube) { return dot(cross(cube.edge[0], cube.edge[1]), cube.edge[2]) < 0; }
 
-std::optional<std::array<double, 9>> surface_frame(const Cube&, const Frame&) { return std::nullopt; }
+std::optional<std::array<double, 9>> surface_frame(const Cube&, const UploadFrame&) { return std::nullopt; }
 
 /// As pack has them: outwards where the edges are right-handed.
 void emit(AreaItems& items, const Cube& cube, int) {

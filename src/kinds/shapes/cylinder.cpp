@@ -33,7 +33,7 @@ void pack(const Planes& to, const Cylinder& c) {
 
 bool faces_inward(const Cylinder&) { return false; }
 
-std::optional<std::array<double, 9>> surface_frame(const Cylinder& c, const Frame&) {
+std::optional<std::array<double, 9>> surface_frame(const Cylinder& c, const UploadFrame&) {
   return nine(c.reference, cross(normalized(c.p1 - c.p0), c.reference), {});
 }
 

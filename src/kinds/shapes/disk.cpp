@@ -30,7 +30,7 @@ void pack(const Planes& to, const Disk& d) {
 
 bool faces_inward(const Disk&) { return false; }
 
-std::optional<std::array<double, 9>> surface_frame(const Disk& d, const Frame& frame) {
+std::optional<std::array<double, 9>> surface_frame(const Disk& d, const UploadFrame& frame) {
   const Vec3 u = frame.vector(d.axis_u), v = frame.vector(d.axis_v);
   const double inverse = 1 / dot(u, u);
   return nine(inverse * u, inverse * v, {});

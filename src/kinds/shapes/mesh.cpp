@@ -54,7 +54,7 @@ void pack(const Planes& to, const Mesh& mesh) {
 
 bool faces_inward(const Mesh&) { return false; }
 
-std::optional<std::array<double, 9>> surface_frame(const Mesh&, const Frame&) { return std::nullopt; }
+std::optional<std::array<double, 9>> surface_frame(const Mesh&, const UploadFrame&) { return std::nullopt; }
 
 void emit(AreaItems& items, const Mesh& mesh, int part) {
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {

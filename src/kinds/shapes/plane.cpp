@@ -17,7 +17,7 @@ double largest(const Vec3& v) { return std::max({std::fabs(v.x), std::fabs(v.y),
 
 /// In a shifted frame the plane's point nearest the frame's origin: cancellation happens here, in double. In the world
 /// frame the point as given, which may be exactly representable.
-Vec3 anchor(const Frame& frame, const Plane& p) {
+Vec3 anchor(const UploadFrame& frame, const Plane& p) {
   if (frame.origin == Vec3{}) return p.point;
   const Vec3 n = normalized(p.normal);
   return frame.origin + dot(n, p.point - frame.origin) * n;
@@ -45,7 +45,7 @@ void pack(const Planes& to, const Plane& p) {
 bool faces_inward(const Plane&) { return false; }
 
 /// Duals of u and v within the plane: dot with them gives the coordinates.
-std::optional<std::array<double, 9>> surface_frame(const Plane& p, const Frame& frame) {
+std::optional<std::array<double, 9>> surface_frame(const Plane& p, const UploadFrame& frame) {
   const Vec3 u = frame.vector(p.u), v = frame.vector(p.v);
   const double uu = dot(u, u), uv = dot(u, v), vv = dot(v, v);
   const double inverse = 1 / (uu * vv - uv * uv);

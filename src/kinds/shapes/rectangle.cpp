@@ -24,7 +24,7 @@ void pack(const Planes& to, const Rectangle& r) {
 
 bool faces_inward(const Rectangle&) { return false; }
 
-std::optional<std::array<double, 9>> surface_frame(const Rectangle&, const Frame&) { return std::nullopt; }
+std::optional<std::array<double, 9>> surface_frame(const Rectangle&, const UploadFrame&) { return std::nullopt; }
 
 void emit(AreaItems& items, const Rectangle& r, int) { items.flat(r.corner, r.edge_u, r.edge_v, 1); }
 

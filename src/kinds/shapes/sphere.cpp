@@ -21,7 +21,7 @@ void pack(const Planes& to, const Sphere& s) { to.put(to.primitive().point(s.cen
 
 bool faces_inward(const Sphere&) { return false; }
 
-std::optional<std::array<double, 9>> surface_frame(const Sphere& s, const Frame&) {
+std::optional<std::array<double, 9>> surface_frame(const Sphere& s, const UploadFrame&) {
   return nine(s.frame[0], s.frame[1], s.frame[2]);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Spheres alike but for place and size, a primitive each. One that emits is a part (device/shape_parts.h).
+// Spheres alike but for place and size, a primitive each. One that emits is a part (packing/shape_parts.h).
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -31,7 +31,7 @@ void pack(const Planes& to, const SphereCloud& cloud) {
 
 bool faces_inward(const SphereCloud&) { return false; }
 
-std::optional<std::array<double, 9>> surface_frame(const SphereCloud& c, const Frame&) {
+std::optional<std::array<double, 9>> surface_frame(const SphereCloud& c, const UploadFrame&) {
   return nine(c.frame[0], c.frame[1], c.frame[2]);
 }
 

@@ -19,7 +19,7 @@ void pack(const Planes& to, const Triangle& t) { to.put(to.primitive().point(t.p
 
 bool faces_inward(const Triangle&) { return false; }
 
-std::optional<std::array<double, 9>> surface_frame(const Triangle&, const Frame&) { return std::nullopt; }
+std::optional<std::array<double, 9>> surface_frame(const Triangle&, const UploadFrame&) { return std::nullopt; }
 
 void emit(AreaItems& items, const Triangle& t, int) { items.flat(t.p0, t.p1 - t.p0, t.p2 - t.p0, 0.5); }
 

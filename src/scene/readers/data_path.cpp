@@ -4,7 +4,7 @@
 #include "image/file_bytes.h"
 #include "scene/readers/mesh_import.h"
 #include "scene/readers/shape_reader.h"
-#include "scene/xml_expand.h"
+#include "scene/xml/xml_expand.h"
 
 namespace strahl {
 

@@ -8,7 +8,7 @@
 #include <cctype>
 #include <filesystem>
 
-#include "scene/color_value.h"
+#include "scene/xml/color_value.h"
 
 namespace strahl {
 

@@ -4,10 +4,10 @@
 
 #include <string>
 
-#include "scene/diagnostics.h"
 #include "scene/loader.h"
-#include "scene/mesh_file.h"
-#include "scene/scene.h"
+#include "scene/meshes/mesh_file.h"
+#include "scene/model/scene.h"
+#include "scene/xml/diagnostics.h"
 
 namespace strahl {
 

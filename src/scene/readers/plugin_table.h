@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "scene/did_you_mean.h"
+#include "did_you_mean.h"
 
 namespace strahl {
 

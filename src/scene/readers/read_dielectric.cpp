@@ -2,7 +2,7 @@
 // <bsdf type="dielectric">: smooth glass. As in Mitsuba, indices are numbers or names.
 #include <fmt/format.h>
 
-#include "scene/did_you_mean.h"
+#include "did_you_mean.h"
 #include "scene/readers/read_material.h"
 #include "scene/readers/read_texture.h"
 #include "scene/readers/refractive_indices.h"

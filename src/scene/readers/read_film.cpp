@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "scene/properties.h"
 #include "scene/readers/readers.h"
+#include "scene/xml/properties.h"
 
 namespace strahl {
 

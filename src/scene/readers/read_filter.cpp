@@ -2,9 +2,9 @@
 // <rfilter>: box, tent, gaussian.
 #include <fmt/format.h>
 
-#include "scene/properties.h"
 #include "scene/readers/plugin_table.h"
 #include "scene/readers/readers.h"
+#include "scene/xml/properties.h"
 
 namespace strahl {
 

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <limits>
 
+#include "did_you_mean.h"
 #include "kinds/integrators.h"
-#include "scene/did_you_mean.h"
-#include "scene/properties.h"
 #include "scene/readers/readers.h"
+#include "scene/xml/properties.h"
 
 namespace strahl {
 

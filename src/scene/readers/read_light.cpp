@@ -5,9 +5,9 @@
 #include <algorithm>
 
 #include "kinds/lights.h"
-#include "scene/properties.h"
 #include "scene/readers/plugin_table.h"
 #include "scene/readers/readers.h"
+#include "scene/xml/properties.h"
 
 namespace strahl {
 

@@ -2,8 +2,8 @@
 // <bsdf> elements as materials; one reader each, registered in materials.def.
 #pragma once
 
-#include "scene/properties.h"
-#include "scene/scene_builder.h"
+#include "scene/xml/properties.h"
+#include "scene/xml/scene_builder.h"
 
 namespace strahl {
 

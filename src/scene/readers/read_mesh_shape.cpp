@@ -5,7 +5,7 @@
 
 #include <limits>
 
-#include "scene/mesh_file.h"
+#include "scene/meshes/mesh_file.h"
 #include "scene/readers/mesh_import.h"
 #include "scene/readers/shape_reader.h"
 

@@ -2,7 +2,7 @@
 // <shape type="plane">, infinite: point + normal; Hesse normal + d (normal . x = d); or parametric point + u, v.
 #include <fmt/format.h>
 
-#include "scene/build.h"
+#include "scene/model/build.h"
 #include "scene/readers/shape_reader.h"
 
 namespace strahl {

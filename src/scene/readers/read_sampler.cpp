@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <limits>
 
-#include "scene/did_you_mean.h"
-#include "scene/properties.h"
+#include "did_you_mean.h"
 #include "scene/readers/readers.h"
+#include "scene/xml/properties.h"
 
 namespace strahl {
 

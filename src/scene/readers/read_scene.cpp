@@ -2,11 +2,11 @@
 // The children of <scene>, kind by kind, each in file order.
 #include <fmt/format.h>
 
-#include "scene/framing.h"
-#include "scene/properties.h"
+#include "scene/model/framing.h"
 #include "scene/readers/read_material.h"
 #include "scene/readers/readers.h"
 #include "scene/readers/shape_reader.h"
+#include "scene/xml/properties.h"
 
 namespace strahl {
 

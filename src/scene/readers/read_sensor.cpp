@@ -5,10 +5,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "scene/parse_value.h"
-#include "scene/properties.h"
 #include "scene/readers/plugin_table.h"
 #include "scene/readers/readers.h"
+#include "scene/xml/parse_value.h"
+#include "scene/xml/properties.h"
 
 namespace strahl {
 

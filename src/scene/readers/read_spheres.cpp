@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // <shape type="spheres">: as many spheres as a PLY file has vertices with a radius; to_world as for one sphere.
+#include "scene/meshes/sphere_file.h"
 #include "scene/readers/mesh_import.h"
 #include "scene/readers/shape_reader.h"
-#include "scene/sphere_file.h"
 
 namespace strahl {
 

@@ -2,8 +2,8 @@
 // <texture> elements; one reader each, registered in textures.def.
 #pragma once
 
-#include "scene/properties.h"
-#include "scene/scene_builder.h"
+#include "scene/xml/properties.h"
+#include "scene/xml/scene_builder.h"
 
 namespace strahl {
 

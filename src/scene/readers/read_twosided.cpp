@@ -2,7 +2,7 @@
 // <bsdf type="twosided">: the bsdf inside it, seen from both sides.
 #include <fmt/format.h>
 
-#include "scene/material_facts.h"
+#include "kinds/materials.h"
 #include "scene/readers/read_material.h"
 
 namespace strahl {

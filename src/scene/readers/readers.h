@@ -2,7 +2,7 @@
 // The readers of what is no shape and no material.
 #pragma once
 
-#include "scene/scene_builder.h"
+#include "scene/xml/scene_builder.h"
 
 namespace strahl {
 

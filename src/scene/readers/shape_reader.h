@@ -4,9 +4,9 @@
 
 #include <optional>
 
-#include "scene/properties.h"
-#include "scene/scene.h"
-#include "scene/scene_builder.h"
+#include "scene/model/scene.h"
+#include "scene/xml/properties.h"
+#include "scene/xml/scene_builder.h"
 
 namespace strahl {
 

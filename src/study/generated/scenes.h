@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "scene/scene.h"
+#include "scene/model/scene.h"
 
 namespace strahl {
 

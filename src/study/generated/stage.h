@@ -2,7 +2,7 @@
 // What the generated scenes have in common: camera, film, one lamp, coordinates that a float holds.
 #pragma once
 
-#include "scene/scene.h"
+#include "scene/model/scene.h"
 
 namespace strahl {
 

@@ -5,9 +5,10 @@
 
 #include <nlohmann/json.hpp>
 
-#include "device/pack.h"
-#include "device/program_cache.h"
-#include "device/program_text.h"
+#include "opencl/program.h"
+#include "opencl/program_cache.h"
+#include "packing/pack.h"
+#include "program/program_text.h"
 
 namespace strahl {
 namespace {

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "device/device.h"
+#include "opencl/device.h"
 #include "study/tradeoff/setting.h"
 
 namespace strahl {

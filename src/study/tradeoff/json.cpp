@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "errors.h"
-#include "render/sampler_name.h"
+#include "settings/sampler_name.h"
 
 namespace strahl {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "render/median.h"
-#include "render/stopwatch.h"
+#include "stopwatch.h"
 
 namespace strahl {
 std::optional<MeasuredPoint> measure_point(Renderer& renderer, const TradeoffSetting& setting, int seeds,

@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "errors.h"
-#include "render/sampling.h"
+#include "settings/sampling.h"
 
 namespace strahl {
 namespace {
@@ -20,7 +20,7 @@ int reach(const Depth& depth) { return !depth || *depth < 0 ? std::numeric_limit
 bool is_shallower(const Depth& a, const Depth& b) { return reach(a) < reach(b); }
 
 template <class T>
-bool holds(const std::vector<T>& values, const T& value) {
+bool lists(const std::vector<T>& values, const T& value) {
   return std::find(values.begin(), values.end(), value) != values.end();
 }
 
@@ -29,7 +29,7 @@ template <class T>
 void drop_repeats(std::vector<T>& values) {
   std::vector<T> once;
   for (const T& value : values)
-    if (!holds(once, value)) once.push_back(value);
+    if (!lists(once, value)) once.push_back(value);
   values = once;
 }
 
@@ -68,8 +68,8 @@ TradeoffPlan plan_tradeoff(const IntegratorSettings& integrator, TradeoffAxes ax
   settle(axes, integrator);
   const Depth own = has_depth(integrator) ? Depth(integrator.max_depth) : Depth();
   TradeoffPlan plan;
-  plan.centre = {holds(axes.precisions, Precision::robust) ? Precision::robust : axes.precisions.back(),
-                 axes.samplers.front(), holds(axes.depths, own) ? own : axes.depths.back(), axes.spps.back(), false};
+  plan.centre = {lists(axes.precisions, Precision::robust) ? Precision::robust : axes.precisions.back(),
+                 axes.samplers.front(), lists(axes.depths, own) ? own : axes.depths.back(), axes.spps.back(), false};
   plan.reference = plan.centre;
   plan.reference.precision = reference_precision;
   plan.reference.sampler = SamplerKind::sobol;

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "kinds/integrators.h"
-#include "render/sampler_name.h"
+#include "settings/sampler_name.h"
 
 namespace strahl {
 namespace {

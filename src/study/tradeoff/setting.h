@@ -5,8 +5,8 @@
 #include <optional>
 #include <string>
 
-#include "render/settings.h"
-#include "scene/scene.h"
+#include "scene/model/scene.h"
+#include "settings/settings.h"
 
 namespace strahl {
 

@@ -6,13 +6,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "device/program_cache.h"
 #include "image/comparable.h"
 #include "image/file_bytes.h"
 #include "image/image_io.h"
 #include "image/metrics.h"
 #include "kinds/integrators.h"
-#include "render/stopwatch.h"
+#include "opencl/program_cache.h"
+#include "stopwatch.h"
 #include "study/tradeoff/json.h"
 #include "study/tradeoff/measure.h"
 #include "study/tradeoff/store.h"

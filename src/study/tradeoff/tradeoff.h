@@ -6,7 +6,7 @@
 #include <map>
 #include <string>
 
-#include "device/device.h"
+#include "opencl/device.h"
 #include "study/tradeoff/plan.h"
 #include "study/tradeoff/study.h"
 

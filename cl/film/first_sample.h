@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// What is reported of a pixel's first sample beside the picture (scene/layout.h, AOV_...).
+#ifndef STRAHL_CORE_FIRST_SAMPLE_H
+#define STRAHL_CORE_FIRST_SAMPLE_H
+
+#include "hits/surface.h"
+#include "scene/layout.h"
+
+typedef struct {
+  GLOBAL real* reals;
+  GLOBAL int* ints;
+  int lane;  ///< Of the paths that are being followed; -1: it is not among them.
+} FirstSample;
+
+FN void store_first_sample(const FirstSample* first, const Ray* ray, int hit, real t, const Surface* s) {
+  GLOBAL real* reals = first->reals;
+  GLOBAL int* ints = first->ints;
+  for (int i = 0; i < AOV_REALS; ++i) reals[i] = R(0.0);
+  ints[AOV_SHAPE] = -1;
+  ints[AOV_PRIMITIVE] = -1;
+  GLOBAL real* traced = reals + AOV_RAY;
+  store3(ray->o, traced + RAY_O);
+  store3(ray->d, traced + RAY_D);
+  traced[RAY_T_MIN] = ray->t_min;
+  traced[RAY_T_MAX] = ray->t_max;
+  if (!hit) return;
+  reals[AOV_T] = t;
+  reals[AOV_DEPTH] = length3(sub3(s->position, ray->o));
+  store3(s->shading, reals + AOV_NORMAL);
+  store3(s->position, reals + AOV_POSITION);
+  reals[AOV_UV] = s->tex_u;
+  reals[AOV_UV + 1] = s->tex_v;
+  ints[AOV_SHAPE] = s->shape;
+  ints[AOV_PRIMITIVE] = s->primitive;
+}
+
+#endif

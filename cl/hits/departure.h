@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+// Rays that leave a surface: the one place that decides where they begin.
+//
+// The primitive that is left is excluded by its id and round shapes are met again at their analytic other root, so a
+// ray begins exactly at the point found, with no offset and no epsilon. Outwards they are not met again, which the
+// normal knows even where the point was rounded to the other side of the shape.
+//
+// Flat polygons and boxes have neighbours that touch them: a point within rounding of a shared edge may lie outside of
+// the neighbour, and a ray from there would leave a closed room. So
+//   - polygons: the point moves off the edges that are nearer than b, within the plane, and by b along the normal to
+//     the side that the ray goes to. b = 7/4 u (max |p_i| + size) bounds the rounding of a point interpolated over
+//     corners ("Solving Self-Intersection Artifacts in DirectX Raytracing", NVIDIA, 2023, has u |p0| + 3 u extent along
+//     the normal alone). The whole way is at most 4 u (max |p_i| + size) but for rounding;
+//   - boxes: the coordinate across the face is the face's, exactly; the other two stay strictly between the faces.
+// In an instance the world's face of a box is no plane of its own any more: there it is left like a polygon, by a bound
+// that what the instance rounds is added to.
+// Rays leave in lanes (hits/surfaces_lanes.h). The fast tier leaves from the point found, by its epsilon
+// (hits/epsilon_fast.h). A polygon that is narrower than 4 b keeps its point as far from its edges as fits. Held by
+// tests/render/test_mirror_box.cpp and tests/cl/test_departure.cpp.
+#ifndef STRAHL_CORE_DEPARTURE_H
+#define STRAHL_CORE_DEPARTURE_H
+
+#include "accel/instance.h"
+#include "rays/ray.h"
+#include "hits/surface.h"
+#include "shapes/polygon/corners.h"
+
+FN real larger_of(real a, real b) { return a > b ? a : b; }
+
+/// `move` and what the point p + from is short of the distance `bound` from the line a b; `within` is a corner across.
+FN real3 off_edge(real3 move, real3 p, real3 from, real3 a, real3 b, real3 within, real3 normal, real bound) {
+  real3 inward = normalize3(cross3(normal, sub3(b, a)));
+  real height = dot3(inward, sub3(within, a));
+  if (height < R(0.0)) {  // The normal was turned by flip_normals.
+    inward = negate3(inward);
+    height = -height;
+  }
+  real room = R(0.25) * height;
+  real missing = (bound < room ? bound : room) - dot3(inward, add3(sub3(p, a), from));
+  return missing > R(0.0) ? fma3(missing, inward, move) : move;
+}
+
+/// In the world.
+FN real3 outline_corner(const Surface* s, int k) {
+  real3 p = corner_load(s->prim, s->stride, k);
+  if (HAS_INSTANCES && s->instance >= 0) p = point_to_world(s->placed, p);
+  return p;
+}
+
+/// What a point within `reach` of the origin may be off its surface, and a little more.
+FN real departure_bound(const Surface* s, real reach) {
+  if (HAS_INSTANCES && s->instance >= 0) reach += s->placed[INSTANCE_ERROR];
+  return R(1.75) * real_roundoff() * reach;
+}
+
+/// 1: certainly farther than the bound from every edge, rounding included, so that there is nothing to move off. The
+/// height over an edge is its weight times twice the area over its length, which is at most 2 sqrt(3) size.
+FN int is_amid(const Surface* s, real3 e, real3 f, real size, real bound) {
+  real least = s->u < s->v ? s->u : s->v;
+  real u_rest = R(1.0) - s->u, v_rest = R(1.0) - s->v, both_rest = u_rest - s->v;
+  if (s->outline == OUTLINE_TRIANGLE) {
+    least = both_rest < least ? both_rest : least;
+  } else {
+    least = u_rest < least ? u_rest : least;
+    least = v_rest < least ? v_rest : least;
+  }
+  real3 n = vec3(e.y * f.z - e.z * f.y, e.z * f.x - e.x * f.z, e.x * f.y - e.y * f.x);
+  real across = real_abs(dot3(s->normal, n));
+  return least * across > R(16.0) * bound * size;
+}
+
+/// Where rays leave a surface: from `point`, moved by `move` and by `bound` along the normal to the side that the ray
+/// goes to.
+typedef struct {
+  real3 point, move;
+  real bound;
+} Departure;
+
+FN void polygon_departure(const Surface* s, Departure* departure) {
+  int corners = s->outline == OUTLINE_TRIANGLE ? 3 : 4;
+  real3 p = s->position, first = outline_corner(s, 0);
+  real3 e = sub3(outline_corner(s, 1), first), f = sub3(outline_corner(s, corners - 1), first);
+  real size = larger_of(max3(abs3(e)), max3(abs3(f)));
+  real bound = departure_bound(s, max3(abs3(p)) + size);
+  departure->bound = bound;
+  if (is_amid(s, e, f, size, bound)) return;
+  // Off all edges at once: one after the other, a move off one leads over the other in a sharp corner. Then once more
+  // by what is missing there. The point itself is rounded once, at the end.
+  real3 move = departure->move;
+  for (int pass = 0; pass < 2; ++pass) {
+    real3 from = move;
+    for (int k = 0; k < corners; ++k) {
+      real3 a = outline_corner(s, k), b = outline_corner(s, (k + 1) % corners);
+      real3 within = outline_corner(s, (k + 2) % corners);
+      move = off_edge(move, p, from, a, b, within, s->normal, bound);
+    }
+  }
+  departure->move = move;
+}
+
+/// x, strictly between the faces lo and hi where there is room for it.
+FN real between_faces(real x, real lo, real hi) {
+  real u2 = R(2.0) * real_roundoff(), size = hi - lo;
+  real first = lo + u2 * (real_abs(lo) + size), last = hi - u2 * (real_abs(hi) + size);
+  if (!(first < last)) return x;
+  return x < first ? first : (x > last ? last : x);
+}
+
+FN real3 box_departure(const Surface* s) {
+  real3 p = s->position, n = s->normal, inside;
+  real zero = R(0.0);
+  inside = vec3(between_faces(p.x, s->prim[0], s->prim[s->stride]),
+                between_faces(p.y, s->prim[2 * s->stride], s->prim[3 * s->stride]),
+                between_faces(p.z, s->prim[4 * s->stride], s->prim[5 * s->stride]));
+  return vec3(n.x != zero ? p.x : inside.x, n.y != zero ? p.y : inside.y, n.z != zero ? p.z : inside.z);
+}
+
+FN Departure departure_of(const Surface* s) {
+  Departure departure;
+  real zero = R(0.0);
+  departure.point = s->position;
+  departure.move = vec3(zero, zero, zero);
+  departure.bound = zero;
+  if (!TIER_FAST && s->outline == OUTLINE_BOX) {
+    if (HAS_INSTANCES && s->instance >= 0)
+      departure.bound = departure_bound(s, max3(abs3(s->position)));
+    else
+      departure.point = box_departure(s);
+  }
+  if (!TIER_FAST && (s->outline == OUTLINE_TRIANGLE || s->outline == OUTLINE_PARALLELOGRAM))
+    polygon_departure(s, &departure);
+  return departure;
+}
+
+#endif

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+// What the rays of LANES paths meet, in a scene packed for SCENE_LANES. One width; no guard.
+#include "film/first_sample.h"
+#include "textures/footprint.h"
+#include "shapes/shape.h"
+
+/// Of the width that the scene was packed for.
+#define SCENE_LANED(name) SCENE_LANED_EXPAND(name, SCENE_LANES)
+#define SCENE_LANED_EXPAND(name, lanes) SCENE_LANED_PASTE(name, lanes)
+#define SCENE_LANED_PASTE(name, lanes) name##_w_##lanes
+
+/// The surface where a path's ray ends, for shading.
+FN void take_surface_w(const Scene* scene, Paths_w* path, int lane, const Ray* ray, const Nearest* nearest,
+                       const FirstSample* first, Surfaces_w* to) {
+  int is_hit = nearest->kind >= 0;
+  Surface s = surface_none();
+  if (is_hit) {
+    s = surface_at(scene, ray, nearest, SCENE_LANES);
+    if (TEXTURE_COUNT > 0) {
+      real travelled = get_w(&path->travelled, lane) + length3(sub3(s.position, ray->o));
+      put_w(&path->travelled, lane, travelled);
+      s.footprint = pixel_footprint(scene, travelled, &s, ray->d);
+    }
+    surface_to_w(to, lane, &s, nearest->id, nearest->t);
+  }
+  if (HAS_AOV && lane == first->lane) store_first_sample(first, ray, is_hit, nearest->t, &s);
+}
+
+#if LANES == 1
+/// want: FIND_NEAREST or FIND_NEAREST_ROUGHLY.
+FN Surfaces_w find_surfaces_w(const Scene* scene, Paths_w* path, int want, const FirstSample* first) {
+  Surfaces_w s = surfaces_none_w();
+  Ray ray = ray_of_w(&path->rays, 0);
+  Nearest nearest = SCENE_LANED(closest_hit)(scene, &ray, want);
+  s.hit = -(int)(nearest.kind >= 0);
+  take_surface_w(scene, path, 0, &ray, &nearest, first, &s);
+  return s;
+}
+
+/// The lanes of `which` whose rays meet anything within their range.
+FN maskw meets_any_w(const Scene* scene, Rays_w* rays, maskw which) {
+  Ray ray = ray_of_w(rays, 0);
+  return which & -(int)(SCENE_LANED(any_hit)(scene, &ray) != 0);
+}
+#else
+/// As widened_w of accel/traverse.h.
+FN void widen_w(const Scene* scene, Rays_w* rays) {
+  int is_walked = HAS_INSTANCES || scene->index[HEADER_ROOT] != NO_REFERENCE;
+  GLOBAL const real* reach = scene->geometry + scene->index[HEADER_BOUNDS];
+  maskw has_departed = nonzero_w(rays->departed + splat_int_w(1));
+  if (HAS_TREE && is_walked) widen_rays_w(has_departed, rays->planes, reach);
+}
+
+#include "shapes/polygon/flat_surfaces_lanes.h"
+
+/// Fills what can be done in lanes, and says where nothing is left to do.
+FN maskw plain_surfaces_w(const Scene* scene, const Rays_w* rays, const NearestEach_w* each, Surfaces_w* s) {
+  FlatHits_w hits;
+  (void)scene;  // A scene without shapes.
+  realw kz = rays->planes[RAY_PLANE_SHEAR];
+  hits.o = real3_at_w(rays->planes + RAY_PLANE_O);
+  hits.d = real3_at_w(rays->planes + RAY_PLANE_D);
+  hits.shear_x = rays->planes[RAY_PLANE_SHEAR + 1];
+  hits.shear_y = rays->planes[RAY_PLANE_SHEAR + 2];
+  hits.is_x = eq_w(kz, splat_w(R(0.0)));
+  hits.is_y = eq_w(kz, splat_w(R(1.0)));
+  hits.t = read_w(each->t);
+  hits.kind = read_int_w(each->kind);
+  hits.slot = read_int_w(each->slot);
+  hits.id = read_int_w(each->id);
+  maskw which = s->hit, plain = none_w();
+  if (HAS_INSTANCES) which = which & lt_int_w(read_int_w(each->instance), splat_int_w(0));
+#define SHAPE(name, planes)                                                   \
+  if (PACKET_BODY_##name##_w == PACKET_BODY_TRIANGLE)                         \
+    plain = plain | flat_surfaces_w(scene, &hits, which, SHAPE_##name, 3, s); \
+  else if (PACKET_BODY_##name##_w == PACKET_BODY_PARALLELOGRAM)               \
+    plain = plain | flat_surfaces_w(scene, &hits, which, SHAPE_##name, 4, s);
+#include "shapes/shapes.def"
+#undef SHAPE
+  return plain | ~s->hit;
+}
+
+FN Surfaces_w find_surfaces_w(const Scene* scene, Paths_w* path, int want, const FirstSample* first) {
+  Surfaces_w s = surfaces_none_w();
+  widen_w(scene, &path->rays);
+  NearestEach_w each = packet_traverse_w(scene, &path->rays, want);
+  s.hit = path->alive & ~lt_int_w(read_int_w(each.kind), splat_int_w(0));
+  maskw single = path->alive;
+  int is_reported = HAS_AOV && first->lane >= 0;
+  if (TEXTURE_COUNT == 0 && !is_reported) single = single & ~plain_surfaces_w(scene, &path->rays, &each, &s);
+  for (uint lanes = bits_w(single); lanes != 0u; lanes &= lanes - 1u) {
+    int lane = first_bit(lanes);
+    Ray ray = ray_of_w(&path->rays, lane);
+    Nearest nearest = nearest_of_w(&each, lane);
+    take_surface_w(scene, path, lane, &ray, &nearest, first, &s);
+  }
+  return s;
+}
+
+FN maskw meets_any_w(const Scene* scene, Rays_w* rays, maskw which) {
+  widen_w(scene, rays);
+  NearestEach_w each = packet_traverse_w(scene, rays, FIND_ANY);
+  return which & ~lt_int_w(read_int_w(each.kind), splat_int_w(0));
+}
+#endif

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// What is known of the point that a ray has hit. Frame: the one the scene was uploaded in.
+#ifndef STRAHL_CORE_SURFACE_H
+#define STRAHL_CORE_SURFACE_H
+
+#include "rays/ray.h"
+#include "math/vec3.h"
+
+/// What the surface ends at, and so may share with a neighbour; ROUND: a convex curved surface, which ends at nothing
+/// (hits/departure.h).
+enum { OUTLINE_NONE, OUTLINE_TRIANGLE, OUTLINE_PARALLELOGRAM, OUTLINE_BOX, OUTLINE_ROUND };
+
+typedef struct {
+  real3 position;           ///< On the surface to rounding, not o + t d where the shape knows better.
+  real3 normal;             ///< Unit, geometric, as built.
+  real3 shading;            ///< Unit: interpolated vertex normals where there are any.
+  real u, v;                ///< The shape's own parameters (docs/scene-format.md).
+  real tex_u, tex_v;        ///< Texture coordinates: the mesh's uvs where there are any, else u, v.
+  real footprint;           ///< How wide the pixel is here; set only where there are textures (textures/footprint.h).
+  int outline;              ///< OUTLINE_...
+  real facing;              ///< Below 0: the ray comes from the normal's side. Known before the normal is.
+  int is_flipped;           ///< 1: the normal points the other way than the shape has it.
+  GLOBAL const real* prim;  ///< Its planes, `stride` apart.
+  int stride;
+  int shape;                  ///< Index in file order.
+  int primitive;              ///< Within the shape.
+  int part;                   ///< Row of the part table.
+  int instance;               ///< That it belongs to; -1: none.
+  GLOBAL const real* placed;  ///< Its INSTANCE_REALS, of meaning where there is one. `prim` is in the group's frame.
+} Surface;
+
+/// Where nothing is hit. Left undefined, PoCL would carry it from work-item to work-item in memory.
+FN Surface surface_none(void) {
+  Surface s;
+  s.position = s.normal = s.shading = vec3(R(0.0), R(0.0), R(0.0));
+  s.u = s.v = s.tex_u = s.tex_v = s.footprint = s.facing = R(0.0);
+  s.outline = OUTLINE_NONE;
+  s.is_flipped = s.stride = s.shape = s.primitive = s.part = 0;
+  s.instance = -1;
+  s.prim = s.placed = 0;
+  return s;
+}
+
+FN real3 ray_at(const Ray* ray, real t) { return fma3(t, ray->d, ray->o); }
+
+/// Where a shape is so large or small that its own numbers leave the range of real, the ray's take their place: nothing
+/// that is reported is infinite or NaN (test_arbitrary_bits).
+FN void surface_keep_finite(const Ray* ray, Surface* s) {
+  if (!is_finite3(s->position)) s->position = ray->o;
+  if (!is_finite3(s->normal)) s->normal = normalize3(negate3(ray->d));
+  if (!(s->facing < R(0.0) || R(0.0) <= s->facing)) s->facing = -R(1.0);
+  if (!real_is_finite(s->u)) s->u = R(0.0);
+  if (!real_is_finite(s->v)) s->v = R(0.0);
+}
+
+#endif

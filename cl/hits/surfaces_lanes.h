@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+// What the shading of LANES paths knows of the points that their rays have hit, and how rays leave them. Frame: the one
+// the scene was uploaded in. One width; no guard.
+#include "hits/departure.h"
+#include "textures/texture.h"
+
+typedef struct {
+  maskw hit;  ///< The other lanes are of no meaning, but for `part`, which is a row of the table.
+  realw t;    ///< In units of the ray's prepared direction.
+  real3w position, normal, shading;  ///< As in hits/surface.h.
+  realw facing;
+  realw tex_u, tex_v, footprint;  ///< Kept only where there are textures.
+  intw part, id, instance;        ///< id: the primitive's, scene-wide.
+  intw is_round, is_flipped;      ///< Kept only where a surface may be round.
+  real3w point, move;             ///< As in hits/departure.h.
+  realw bound;
+} Surfaces_w;
+
+FN void put_real3_w(PRIVATE real3w* to, int lane, real3 v) {
+  put_w(&to->x, lane, v.x);
+  put_w(&to->y, lane, v.y);
+  put_w(&to->z, lane, v.z);
+}
+
+FN Surfaces_w surfaces_none_w(void) {
+  Surfaces_w s;
+  realw zero = splat_w(R(0.0));
+  s.hit = none_w();
+  s.t = s.facing = s.tex_u = s.tex_v = s.footprint = s.bound = zero;
+  s.position = s.normal = s.shading = s.point = s.move = vec3_w(zero, zero, zero);
+  s.part = s.id = s.is_round = s.is_flipped = splat_int_w(0);
+  s.instance = splat_int_w(-1);
+  return s;
+}
+
+FN void surface_to_w(Surfaces_w* to, int lane, const Surface* s, int id, real t) {
+  Departure departure = departure_of(s);
+  put_w(&to->t, lane, t);
+  put_real3_w(&to->position, lane, s->position);
+  put_real3_w(&to->normal, lane, s->normal);
+  put_real3_w(&to->shading, lane, s->shading);
+  put_w(&to->facing, lane, s->facing);
+  if (TEXTURE_COUNT > 0) {
+    put_w(&to->tex_u, lane, s->tex_u);
+    put_w(&to->tex_v, lane, s->tex_v);
+    put_w(&to->footprint, lane, s->footprint);
+  }
+  put_int_w(&to->part, lane, s->part);
+  put_int_w(&to->id, lane, id);
+  if (HAS_INSTANCES) put_int_w(&to->instance, lane, s->instance);
+  put_int_w(&to->is_round, lane, s->outline == OUTLINE_ROUND);
+  put_int_w(&to->is_flipped, lane, s->is_flipped);
+  put_real3_w(&to->point, lane, departure.point);
+  put_real3_w(&to->move, lane, departure.move);
+  put_w(&to->bound, lane, departure.bound);
+}
+
+/// PART_... of each lane's part.
+FN intw part_entry_w(const Scene* scene, const Surfaces_w* s, int entry) {
+  return gather_int_w(scene->index + scene->index[HEADER_PARTS] + entry, s->part * (int)PART_INTS);
+}
+
+FN TexturePoint texture_point_w(const Surfaces_w* s, int lane) {
+  TexturePoint at;
+  at.part = get_int_w(&s->part, lane);
+  at.u = get_w(&s->tex_u, lane);
+  at.v = get_w(&s->tex_v, lane);
+  at.footprint = get_w(&s->footprint, lane);
+  return at;
+}
+
+/// From the surfaces towards d, until t_max, in the lanes of `which`; the others can hit nothing.
+FN void rays_leaving_w(const Surfaces_w* s, maskw which, real3w d, realw t_max, Rays_w* rays) {
+  realw zero = splat_w(R(0.0)), one = splat_w(R(1.0)), cosine = dot3_w(d, s->normal);
+  realw off = sel_w(lt_w(cosine, zero), -s->bound, s->bound);
+  real3w moved = add3_w(s->point, fma3_w(off, s->normal, s->move));
+  real3w from = sel3_w(lt_w(zero, s->bound), moved, s->point);
+  rays_make_w(from, d, sel_w(which, zero, one), sel_w(which, t_max, -one), which, rays);
+  rays->departed = s->id;
+  rays->departed_instance = s->instance;
+  rays->aim = splat_int_w(-1);
+  maskw outwards = ~lt_w(cosine, zero), inwards = ~lt_w(zero, cosine), is_flipped = nonzero_w(s->is_flipped);
+  maskw is_outward = nonzero_w(s->is_round) & ((is_flipped & inwards) | (~is_flipped & outwards));
+  rays->is_outward = sel_int_w(is_outward, splat_int_w(1), splat_int_w(0));
+}

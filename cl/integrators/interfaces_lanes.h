@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+// Nested and overlapping glass: what a ray is within, shape by shape. Where several shapes that have a priority
+// overlap, the one of the highest is there; the surfaces of the others are looked through. J. Schmidt, B. Budge,
+// "Simple Nested Dielectrics in Ray Traced Images", Journal of Graphics Tools 7(2), 2002. Shapes without a priority are
+// not tracked.
+//
+// The host turns priorities into ranks, of which no two are alike (scene/layout.h, PART_RANK). Sides are those of the
+// geometric normal, so that a ray is out of what it has left, whatever normals it is shaded with. One width; no guard.
+
+enum { INTERFACES_MOST_w = HAS_PRIORITY ? 8 : 1 };
+
+/// What the ray is within, in no order.
+typedef struct {
+  intw rank[INTERFACES_MOST_w];  ///< -1: free.
+  intw instance[INTERFACES_MOST_w];
+  realw ior[INTERFACES_MOST_w];
+} Interfaces_w;
+
+/// A surface of a shape that has a rank.
+typedef struct {
+  maskw which;     ///< Lanes that are at one.
+  maskw is_entry;  ///< The ray comes from outside of that shape.
+  maskw is_real;   ///< Something changes there: nothing of a higher rank is around it.
+  intw rank, instance;
+  realw ior;      ///< Of the shape.
+  realw other;    ///< Of what is there without it; undefined where nothing else is.
+  maskw is_amid;  ///< Something else is.
+} Crossing_w;
+
+FN void interfaces_none_w(maskw which, Interfaces_w* within) {
+  for (int k = 0; k < INTERFACES_MOST_w; ++k) within->rank[k] = sel_int_w(which, splat_int_w(-1), within->rank[k]);
+}
+
+FN maskw is_same_shape_w(const Interfaces_w* within, int k, const Crossing_w* c) {
+  return ~nonzero_w(within->rank[k] - c->rank) & ~nonzero_w(within->instance[k] - c->instance);
+}
+
+FN Crossing_w crossing_at_w(const Scene* scene, const Interfaces_w* within, const Surfaces_w* s, maskw which,
+                            realw ior) {
+  Crossing_w c;
+  c.rank = part_entry_w(scene, s, PART_RANK);
+  c.instance = s->instance;
+  c.which = which & ~lt_int_w(c.rank, splat_int_w(0));
+  c.is_entry = lt_w(s->facing, splat_w(R(0.0)));
+  c.ior = c.other = ior;
+  intw highest = splat_int_w(-1);
+  for (int k = 0; k < INTERFACES_MOST_w; ++k) {
+    maskw is_more = lt_int_w(highest, within->rank[k]) & ~is_same_shape_w(within, k, &c);
+    highest = sel_int_w(is_more, within->rank[k], highest);
+    c.other = sel_w(is_more, within->ior[k], c.other);
+  }
+  c.is_amid = ~lt_int_w(highest, splat_int_w(0));
+  c.is_real = lt_int_w(highest, c.rank);
+  return c;
+}
+
+/// The lanes of `which` have gone through the surface.
+FN void cross_interface_w(const Scene* scene, const Crossing_w* c, maskw which, Interfaces_w* within) {
+  maskw enters = c->which & which & c->is_entry, leaves = c->which & which & ~c->is_entry;
+  for (int k = 0; k < INTERFACES_MOST_w; ++k) {
+    within->rank[k] = sel_int_w(leaves & is_same_shape_w(within, k, c), splat_int_w(-1), within->rank[k]);
+    maskw takes = enters & lt_int_w(within->rank[k], splat_int_w(0));
+    within->rank[k] = sel_int_w(takes, c->rank, within->rank[k]);
+    within->instance[k] = sel_int_w(takes, c->instance, within->instance[k]);
+    within->ior[k] = sel_w(takes, c->ior, within->ior[k]);
+    enters = enters & ~takes;
+  }
+  // What has found no place will be taken for a way out of nothing: the picture is wrong there, and is told to be.
+  if (any_w(enters)) count_events(scene, COUNT_INTERFACES, lanes_among(bits_w(enters)));
+}
+
+/// Lanes whose ways on, in the world, are on the other side of the surface.
+FN maskw goes_through_w(const Crossing_w* c, const Surfaces_w* s, real3w way) {
+  maskw is_inwards = lt_w(dot3_w(way, s->normal), splat_w(R(0.0)));
+  return (c->is_entry & is_inwards) | (~c->is_entry & ~is_inwards);
+}
+
+FN void copy_interfaces_w(const Interfaces_w* from, int lane, Interfaces_w* to) {
+  for (int k = 0; k < INTERFACES_MOST_w; ++k) {
+    put_int_w(&to->rank[k], lane, get_int_w(&from->rank[k], lane));
+    put_int_w(&to->instance[k], lane, get_int_w(&from->instance[k], lane));
+    put_w(&to->ior[k], lane, get_w(&from->ior[k], lane));
+  }
+}

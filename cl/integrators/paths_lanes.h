@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+// What is carried from the camera from surface to surface, one path a lane. One width; no guard.
+
+#include "scene/counters.h"
+#include "integrators/interfaces_lanes.h"
+
+typedef struct {
+  maskw alive;          ///< Paths that go on along `rays`.
+  Rays_w rays;          ///< The ways to the next surfaces.
+  real3w radiance;      ///< Gathered so far.
+  real3w throughput;    ///< Share of what comes along the ray that reaches the camera.
+  real3w from;          ///< The point that the ray has left; undefined where density is 0.
+  realw density;        ///< How densely the ray was drawn, per solid angle; 0: no light could have been drawn instead.
+  realw eta2;           ///< Square of the index of refraction where the ray runs over that at the camera.
+  realw travelled;      ///< Length of the ways before the ray; kept only where there are textures.
+  intw depth;           ///< Surfaces before the ray: 0 for a camera ray.
+  Interfaces_w within;  ///< Kept only where shapes have priorities.
+  SampleState_w sample;
+} Paths_w;
+
+/// No path yet.
+FN void paths_none_w(Paths_w* path) {
+  realw zero = splat_w(R(0.0));
+  path->alive = none_w();
+  path->radiance = path->throughput = path->from = vec3_w(zero, zero, zero);
+  path->density = path->travelled = zero;
+  path->eta2 = splat_w(R(1.0));
+  if (HAS_PRIORITY) {
+    for (int k = 0; k < INTERFACES_MOST_w; ++k) {
+      path->within.rank[k] = path->within.instance[k] = splat_int_w(-1);
+      path->within.ior[k] = zero;
+    }
+  }
+  path->depth = path->rays.departed = path->rays.departed_instance = path->rays.aim = splat_int_w(-1);
+  path->rays.is_outward = splat_int_w(0);
+  path->sample.sample = splat_uint_w(0u);
+#if LANES != 1
+  for (int k = 0; k < RAY_PLANES; ++k) path->rays.planes[k] = zero;
+#endif
+}
+
+/// Goes on along those rays in the lanes of `which`.
+FN void paths_follow_w(Paths_w* path, maskw which, const Rays_w* rays) {
+#if LANES == 1
+  // Whole, for an array that a loop runs over stays in memory on PoCL: ten spheres take a fifth longer.
+  if (which) path->rays = *rays;
+#else
+  for (int k = 0; k < RAY_PLANES; ++k) path->rays.planes[k] = sel_w(which, rays->planes[k], path->rays.planes[k]);
+  path->rays.departed = sel_int_w(which, rays->departed, path->rays.departed);
+  path->rays.departed_instance = sel_int_w(which, rays->departed_instance, path->rays.departed_instance);
+  path->rays.aim = sel_int_w(which, rays->aim, path->rays.aim);
+  path->rays.is_outward = sel_int_w(which, rays->is_outward, path->rays.is_outward);
+#endif
+}
+
+/// Camera rays in the lanes of `which`, instead of paths that have ended.
+FN void paths_begin_w(Paths_w* path, maskw which, const Rays_w* rays) {
+  realw one = splat_w(R(1.0)), zero = splat_w(R(0.0));
+  path->alive = path->alive | which;
+  if (HAS_PRIORITY) interfaces_none_w(which, &path->within);
+  paths_follow_w(path, which, rays);
+  path->radiance = sel3_w(which, vec3_w(zero, zero, zero), path->radiance);
+  path->throughput = sel3_w(which, vec3_w(one, one, one), path->throughput);
+  path->density = sel_w(which, zero, path->density);
+  path->eta2 = sel_w(which, one, path->eta2);
+  path->travelled = sel_w(which, zero, path->travelled);
+  path->depth = sel_int_w(which, splat_int_w(0), path->depth);
+}
+
+FN void path_add_w(Paths_w* path, maskw which, real3w radiance) {
+  path->radiance = sel3_w(which, add3_w(path->radiance, mul3_w(path->throughput, radiance)), path->radiance);
+}

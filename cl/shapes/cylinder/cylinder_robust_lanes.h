@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+// Ray against LANES open cylinders, robust tier: the sphere's form in two dimensions, for f x v and d x v instead of f
+// and d, v the axis. v is a rounded unit vector and taken at its word: the mantle is |f x v| = r |v|, from
+// (p - p0).v = 0 to length v.v, so neither radius nor direction depends on |v| being 1.
+// (f x v) x (d x v) = (f . (d x v)) v, hence the discriminant is v.v times a r^2 - (f . (d x v))^2.
+// A ray parallel to the axis misses. The cylinder just left: the other root, -2 b / a.
+
+/// Lanes whose axis the line may pass within r. Distance times |d x v|, all off by less than 16 u; NaN passes.
+FN maskw near_axis_w(const Ray* ray, dw3_w f, realw vx, realw vy, realw vz, realw r) {
+  realw dx = splat_w(ray->d.x), dy = splat_w(ray->d.y), dz = splat_w(ray->d.z);
+  realw nx = difference_of_products_w(dy, vz, dz, vy);
+  realw ny = difference_of_products_w(dz, vx, dx, vz);
+  realw nz = difference_of_products_w(dx, vy, dy, vx);
+  realw distance = fma_w(f.z.hi, nz, fma_w(f.y.hi, ny, f.x.hi * nx));
+  realw limit = fma_w(splat_w(R(0x1p-19)), abs_w(f.x.hi) + abs_w(f.y.hi) + abs_w(f.z.hi), r);
+  realw squared = limit * limit * fma_w(nz, nz, fma_w(ny, ny, nx * nx)) + splat_w(R(0x1p-120));
+  return ~lt_w(squared, distance * distance);
+}
+
+FN void cylinder_block_w(const Ray* ray, GLOBAL const real* block, GLOBAL const int* ids, int slot, Nearest* best) {
+  dw3_w f = two_difference3_w(splat_w(ray->o.x), splat_w(ray->o.y), splat_w(ray->o.z), load_w(block),
+                              load_w(block + LANES), load_w(block + 2 * LANES));
+  realw vx = load_w(block + 3 * LANES), vy = load_w(block + 4 * LANES), vz = load_w(block + 5 * LANES);
+  realw length = load_w(block + 6 * LANES), r = load_w(block + 7 * LANES);
+  maskw candidate = within_reach_w(ray, best, f.x.hi, f.y.hi, f.z.hi, r + length) & near_axis_w(ray, f, vx, vy, vz, r);
+  maskw departed = candidate & ~candidate;
+  if (ray->departed >= 0) departed = is_departed_w(ids, ray);
+  if (!any_w(candidate | departed)) return;
+
+  realw dx = splat_w(ray->d.x), dy = splat_w(ray->d.y), dz = splat_w(ray->d.z), zero = splat_w(R(0.0));
+  dw3_w across, from = cross_real3_w(f, vx, vy, vz);
+  across.x = sum3_round_w(sum3_begin_w(dy, vz, -dz, vy));
+  across.y = sum3_round_w(sum3_begin_w(dz, vx, -dx, vz));
+  across.z = sum3_round_w(sum3_begin_w(dx, vy, -dy, vx));
+  dw_w v2 = real_dot_real3_w(vx, vy, vz, vx, vy, vz), r2 = two_prod_w(r, r);
+  dw_w a = dw_dot3_w(across, across), b = dw_dot3_w(from, across), apart = dw_dot3_w(f, across);
+  dw_w c = dw_add_w(dw_dot3_w(from, from), dw_negate_w(dw_mul_w(r2, v2)));
+  dw_w discriminant = dw_mul_w(v2, dw_add_w(dw_mul_w(a, r2), dw_negate_w(dw_mul_w(apart, apart))));
+  maskw hit = le_w(zero, discriminant.hi) & lt_w(zero, a.hi);
+
+  Roots_w roots = quadratic_roots_w(a, b, c, discriminant);
+  dw_w o_along = dot_real3_w(f, vx, vy, vz), d_along = real_dot_real3_w(dx, dy, dz, vx, vy, vz);
+  dw_w end = dw_negate_w(dw_scale_w(v2, length));
+  dw_w along = dw_add_w(o_along, dw_mul_w(roots.near, d_along));
+  maskw near_hit =
+      le_w(splat_w(ray->t_min), roots.near.hi) & le_w(zero, along.hi) & le_w(dw_add_w(along, end).hi, zero);
+  dw_w t = dw_sel_w(near_hit, roots.near, roots.far);
+
+  dw_w other = dw_scale_w(dw_div_w(b, a), splat_w(-R(2.0)));
+  t = dw_sel_w(departed, other, t);
+  along = dw_add_w(o_along, dw_mul_w(t, d_along));
+  hit = (hit & ~departed) | (departed & lt_w(zero, other.hi));
+  if (ray->departed >= 0) hit = hit & (~departed | within_cylinder_slabs_w(ray, block, t.hi));
+  if (ray->is_outward) hit = hit & ~departed;
+  hit = hit & le_w(zero, along.hi) & le_w(dw_add_w(along, end).hi, zero);
+  take_nearest_w(hit & in_range_w(t.hi, ray, best), t.hi, ids, -1, SHAPE_cylinder, slot, best);
+}

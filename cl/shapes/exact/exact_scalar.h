@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// What a program of any width needs at one lane besides: the arithmetic of candidates, which lanes have found and which
+// are few. Its answers do not depend on the width, and a candidate costs less than a block. Robust tier.
+#ifndef STRAHL_SHAPES_EXACT_SCALAR_H
+#define STRAHL_SHAPES_EXACT_SCALAR_H
+
+#if LANES == 16
+#undef LANES
+#define LANES 1
+#include "lanes/lane_ops.h"
+#include "shapes/exact/exact_bodies.h"
+#undef LANES
+#define LANES 16
+#elif LANES == 8
+#undef LANES
+#define LANES 1
+#include "lanes/lane_ops.h"
+#include "shapes/exact/exact_bodies.h"
+#undef LANES
+#define LANES 8
+#else
+#include "shapes/exact/exact_bodies.h"
+#endif
+
+#endif

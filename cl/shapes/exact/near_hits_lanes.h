@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// Rays whose hits are known but for the last digits of t, one a lane, robust tier. One width; no guard.
+
+typedef struct {
+  real3w o, d;
+  realw t_min, dd, dd_rest, dd_inverse, shear_z;  ///< As in rays/ray.h.
+  maskw is_x, is_y;                               ///< Lanes whose largest axis is x or y.
+} ExactRays_w;
+
+/// p - q, exactly.
+FN dw3_w exact_difference_w(real3w p, real3w q) { return two_difference3_w(p.x, p.y, p.z, q.x, q.y, q.z); }
+
+#if LANES == 1
+/// Not returned: Oclgrind 21.10 knows nothing of what LLVM notes down of a struct that is returned and stays in memory.
+FN void exact_ray(const Ray* ray, ExactRays_w* one) {
+  one->o = ray->o;
+  one->d = ray->d;
+  one->t_min = ray->t_min;
+  one->dd = ray->dd;
+  one->dd_rest = ray->dd_rest;
+  one->dd_inverse = ray->dd_inverse;
+  one->shear_z = ray->shear_z;
+  one->is_x = ~nonzero_w(ray->kz);
+  one->is_y = ~nonzero_w(ray->kz - 1);
+}
+#endif

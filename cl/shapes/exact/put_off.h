@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+// Hits whose exact t is put off, robust tier, one lane. Which of two is nearer is mostly plain from their t to a few
+// digits, so the exact t is found out for those that are too near to each other, and in the end for the one that is
+// left, if anybody asks: LANES rays at a time where there are as many (settle_lanes.h). The answer is that of exact t
+// throughout. No guard: the width of a primitive's planes is a parameter.
+
+/// Where a program has one lane nothing is settled in lanes, so spheres are decided at once: some of its compilers take
+/// minutes over their arithmetic, wherever it stands once more.
+#if defined(SCENE_LANES) && SCENE_LANES == 1
+enum { SPHERES_WAIT = 0 };
+#else
+enum { SPHERES_WAIT = 1 };
+#endif
+
+/// Of a candidate that the ray meets: t roughly, between what bounds it lies, and where to look.
+typedef struct {
+  real approximate, least, most;
+  GLOBAL const real* prim;
+  int points;  ///< As in hits/nearest.h.
+} HitAbout;
+
+/// A sphere that the line passes through for certain. 0: not for certain after t_min. k, off, inside: of it, as
+/// sphere_roughly has them.
+FN int sphere_about(const Ray* ray, real k, real off, real inside, HitAbout* at) {
+  real about;
+  maskw is_after = sphere_approximately_w(ray->t_min, ray->dd_inverse, k, off, inside, &at->approximate, &about);
+  at->least = at->approximate - about;
+  at->most = at->approximate + about;
+  return is_after != 0;
+}
+
+ONCE_FN real exact_t(const Ray* ray, real approximate, GLOBAL const real* prim, int points, int stride) {
+  if (SPHERES_WAIT && points == 1) return sphere_exact_t(ray, prim, stride);
+  return polygon_exact_t(ray, approximate, prim, points, stride);
+}
+
+/// From here on t is exact.
+FN void nearest_settle(const Ray* ray, Nearest* best, int stride) {
+  if (best->points == 0) return;
+  best->t = best->t_least = exact_t(ray, best->approximate, best->prim, best->points, stride);
+  best->points = 0;
+}
+
+FN void nearest_put_off(const Ray* ray, Nearest* best, const HitAbout* at, int stride, int id, int kind, int slot) {
+  if (best->t < at->least) return;
+  if (ray->t_min <= at->least && at->most < best->t_least) {
+    best->t = at->most;
+    best->t_least = at->least;
+    best->approximate = at->approximate;
+    best->prim = at->prim;
+    best->points = at->points;
+    best->id = id;
+    best->kind = kind;
+    best->slot = slot;
+    if (HAS_INSTANCES) best->instance = -1;
+    return;
+  }
+  for (;;) {  // The best one, if it waits, then the candidate: the arithmetic stands once.
+    int waits = best->points != 0;
+    real t = exact_t(ray, waits ? best->approximate : at->approximate, waits ? best->prim : at->prim,
+                     waits ? best->points : at->points, stride);
+    if (!waits) {
+      if (ray->t_min <= t) nearest_take(best, t, id, kind, slot);
+      return;
+    }
+    best->t = best->t_least = t;
+    best->points = 0;
+  }
+}

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+// Exact t of hits that were put off (put_off.h), LANES rays at a time, each with a primitive of its own. Robust tier,
+// more than one lane. One width; no guard.
+#include "shapes/exact/near_hits_lanes.h"
+#include "shapes/polygon/polygon_exact_lanes.h"
+#include "shapes/sphere/sphere_exact_lanes.h"
+
+/// Hits that wait, one a lane.
+typedef struct {
+  maskw which;  ///< Lanes that have one, and of it
+  intw kind, slot;
+  realw approximate;
+} PutOff_w;
+
+FN void exact_rays_w(const Rays_w* rays, ExactRays_w* exact) {
+  PRIVATE const realw* planes = rays->planes;
+  exact->o = real3_at_w(planes + RAY_PLANE_O);
+  exact->d = real3_at_w(planes + RAY_PLANE_D);
+  exact->t_min = planes[RAY_PLANE_T_MIN];
+  exact->dd = planes[RAY_PLANE_DD];
+  exact->dd_rest = planes[RAY_PLANE_DD + 1];
+  exact->dd_inverse = planes[RAY_PLANE_DD + 2];
+  exact->shear_z = planes[RAY_PLANE_SHEAR + 3];
+  exact->is_x = eq_w(planes[RAY_PLANE_SHEAR], splat_w(R(0.0)));
+  exact->is_y = eq_w(planes[RAY_PLANE_SHEAR], splat_w(R(1.0)));
+}
+
+FN real3w read3_w(PRIVATE const real* planes) {
+  return vec3_w(read_w(planes), read_w(planes + LANES), read_w(planes + 2 * LANES));
+}
+
+/// t of one kind. put_off->which: its lanes, not none; other lanes are of no meaning.
+FN realw settled_kind_w(const Scene* scene, const Rays_w* rays, const PutOff_w* put_off, int kind, int body,
+                        int planes) {
+  maskw which = put_off->which, plain;
+  uint lanes = bits_w(which);
+  GLOBAL const real* geometry = scene->geometry + scene_shape_row(scene, kind)[SHAPE_GEOMETRY];
+  real each[12 * LANES];
+  int slots[LANES], first = first_bit(lanes);
+  store_int_w(put_off->slot, slots);
+  for (int i = 0; i < LANES; ++i) {
+    int slot = slots[(lanes >> i & 1u) != 0u ? i : first];
+    GLOBAL const real* prim = geometry + (ulong)(slot / LANES) * (ulong)(planes * LANES) + slot % LANES;
+    for (int k = 0; k < planes; ++k) each[k * LANES + i] = prim[k * LANES];
+  }
+  ExactRays_w exact;
+  exact_rays_w(rays, &exact);
+  realw approximate = put_off->approximate, t;
+  real3w a = read3_w(each);
+  if (body == PACKET_BODY_SPHERE) {
+    t = sphere_root_w(&exact, a.x, a.y, a.z, read_w(each + 3 * LANES), which, &plain);
+  } else {
+    real3w b = read3_w(each + 3 * LANES), c = read3_w(each + 6 * LANES);
+    if (body == PACKET_BODY_TRIANGLE) {
+      t = triangle_t_w(&exact, approximate, a, b, c, &plain);
+    } else {
+      real3w d = read3_w(each + 9 * LANES);
+      t = plane_t_w(&exact, approximate, a, b, d, &plain);
+      t = within_polygon_w(&exact, t, a, b, d, c);
+    }
+  }
+  uint others = body == PACKET_BODY_SPHERE ? 0u : bits_w(which & ~plain);
+  if (others == 0u) return t;
+  real ts[LANES], approximates[LANES];
+  store_w(t, ts);
+  store_w(approximate, approximates);
+  int points = body == PACKET_BODY_TRIANGLE ? 3 : 4;
+  for (; others != 0u; others &= others - 1u) {
+    int i = first_bit(others), slot = slots[i];
+    GLOBAL const real* prim = geometry + (ulong)(slot / LANES) * (ulong)(planes * LANES) + slot % LANES;
+    Ray ray = ray_of_w(rays, i);
+    ts[i] = exact_t(&ray, approximates[i], prim, points, LANES);
+  }
+  return read_w(ts);
+}
+
+/// Lanes of put_off->which: the exact t. Others are of no meaning.
+SELDOM_FN realw settled_w(const Scene* scene, const Rays_w* rays, const PutOff_w* put_off) {
+  realw t = put_off->approximate;
+  PutOff_w kind = *put_off;
+  (void)scene;  // A scene of other kinds.
+  (void)rays;
+  (void)kind;
+#define SHAPE(name, planes)                                                                                            \
+  if (body_puts_off_w(PACKET_BODY_##name##_w)) {                                                                       \
+    kind.which = put_off->which & ~nonzero_w(put_off->kind - splat_int_w(SHAPE_##name));                               \
+    realw of_kind = t;                                                                                                 \
+    if (any_w(kind.which)) of_kind = settled_kind_w(scene, rays, &kind, SHAPE_##name, PACKET_BODY_##name##_w, planes); \
+    t = sel_w(kind.which, of_kind, t);                                                                                 \
+  }
+#include "shapes/shapes.def"
+#undef SHAPE
+  return t;
+}

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+// Surfaces of LANES flat polygons, one a lane: surface_at of shapes/shape.h and departure_of of hits/departure.h for
+// the plain case, operation by operation. Whatever is not plain (in an instance, smooth, near an edge, not finite) is
+// left to those. One width; no guard.
+
+/// What is asked of each lane: its ray, and the polygon that it has hit at t.
+typedef struct {
+  real3w o, d;
+  realw shear_x, shear_y, t;
+  maskw is_x, is_y;  ///< Lanes whose largest axis of d is x, y.
+  intw kind, slot, id;
+} FlatHits_w;
+
+/// Reals of a plane, LANES apart, of each lane's polygon.
+FN real3w gather_corner_w(GLOBAL const real* polygons, intw at, int corner) {
+  GLOBAL const real* planes = polygons + 3 * corner * SCENE_LANES;
+  return vec3_w(gather_w(planes, at), gather_w(planes + SCENE_LANES, at), gather_w(planes + 2 * SCENE_LANES, at));
+}
+
+/// shear_point of shapes/polygon/edges.h.
+FN Real2_w shear_each_w(const FlatHits_w* hits, real3w p) {
+  Real2_w v;
+  real3w q = sub3_w(p, hits->o);
+  realw z = sel_w(hits->is_x, q.x, sel_w(hits->is_y, q.y, q.z));
+  v.x = fma_w(-hits->shear_x, z, sel_w(hits->is_x, q.y, sel_w(hits->is_y, q.z, q.x)));
+  v.y = fma_w(-hits->shear_y, z, sel_w(hits->is_x, q.z, sel_w(hits->is_y, q.x, q.y)));
+  return v;
+}
+
+FN realw edge_each_w(Real2_w a, Real2_w b) { return difference_of_products_w(b.x, a.y, b.y, a.x); }
+
+FN realw within_one_w(realw x) {
+  realw zero = splat_w(R(0.0)), one = splat_w(R(1.0));
+  return sel_w(lt_w(zero, x), sel_w(lt_w(x, one), x, one), zero);
+}
+
+FN maskw finite3_w(real3w v) { return finite_w(v.x) & finite_w(v.y) & finite_w(v.z); }
+
+/// Fills the lanes of `which`, whose polygons have so many corners, and says which of them were plain.
+FN maskw flat_surfaces_w(const Scene* scene, const FlatHits_w* hits, maskw which, int kind, int corners,
+                         Surfaces_w* s) {
+  which = which & ~nonzero_w(hits->kind - splat_int_w(kind));
+  if (!any_w(which)) return which;
+  GLOBAL const int* row = scene_shape_row(scene, kind);
+  GLOBAL const real* polygons = scene->geometry + row[SHAPE_GEOMETRY];
+  intw slot = sel_int_w(which, hits->slot, splat_int_w(0));
+  intw lane = slot % SCENE_LANES, at = (slot - lane) * (3 * corners) + lane;
+  intw part = gather_int_w(scene->index + row[SHAPE_IDS] + row[SHAPE_BLOCKS] * SCENE_LANES, slot);
+  part = sel_int_w(which, part, s->part);
+  s->part = part;
+  real3w a = gather_corner_w(polygons, at, 0), b = gather_corner_w(polygons, at, 1);
+  real3w last = gather_corner_w(polygons, at, corners - 1), e = sub3_w(b, a), f = sub3_w(last, a);
+  Real2_w sa = shear_each_w(hits, a), sb = shear_each_w(hits, b), sl = shear_each_w(hits, last);
+  realw ea = edge_each_w(sb, sl), eb = edge_each_w(sl, sa), el = edge_each_w(sa, sb), sum = ea + eb + el;
+  realw u = within_one_w(eb / sum), v = within_one_w(el / sum), one = splat_w(R(1.0)), zero = splat_w(R(0.0));
+  real3w p = add3_w(fma3_w(u, e, scale3_w(v, f)), a);
+  real3w normal = normalize3_w(cross3_w(e, f));
+  realw facing = dot3_w(normal, hits->d);
+#if TIER_FAST
+  p = fma3_w(hits->t, hits->d, hits->o);
+#endif
+  maskw plain = which & finite3_w(p) & finite3_w(normal) & finite_w(facing);
+
+  // departure_bound, is_amid.
+  real3w wide_e = abs3_w(e), wide_f = abs3_w(f);
+  realw size_e = max3_w(wide_e), size_f = max3_w(wide_f), size = sel_w(lt_w(size_f, size_e), size_e, size_f);
+  realw bound = splat_w(R(1.75) * real_roundoff()) * (max3_w(abs3_w(p)) + size);
+  if (TIER_FAST) {
+    bound = zero;
+  } else {
+    realw least = sel_w(lt_w(u, v), u, v), u_rest = one - u, v_rest = one - v, both_rest = u_rest - v;
+    if (corners == 3) {
+      least = sel_w(lt_w(both_rest, least), both_rest, least);
+    } else {
+      least = sel_w(lt_w(u_rest, least), u_rest, least);
+      least = sel_w(lt_w(v_rest, least), v_rest, least);
+    }
+    real3w n = vec3_w(e.y * f.z - e.z * f.y, e.z * f.x - e.x * f.z, e.x * f.y - e.y * f.x);
+    realw across = abs_w(dot3_w(normal, n));
+    plain = plain & lt_w(splat_w(R(16.0)) * bound * size, least * across);
+  }
+  if (HAS_SMOOTH_NORMALS) plain = plain & lt_int_w(part_entry_w(scene, s, PART_NORMALS), splat_int_w(0));
+
+  maskw is_flipped = nonzero_w(part_entry_w(scene, s, PART_FLIP));
+  normal = sel3_w(is_flipped, negate3_w(normal), normal);
+  s->t = sel_w(plain, hits->t, s->t);
+  s->position = sel3_w(plain, p, s->position);
+  s->normal = sel3_w(plain, normal, s->normal);
+  s->shading = sel3_w(plain, normal, s->shading);
+  s->facing = sel_w(plain, sel_w(is_flipped, -facing, facing), s->facing);
+  s->id = sel_int_w(plain, hits->id, s->id);
+  s->point = sel3_w(plain, p, s->point);
+  s->bound = sel_w(plain, bound, s->bound);
+  return plain;
+}

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// polygon_exact_lanes.h for one ray and one polygon in a block, robust tier, one lane. prim: the polygon's own planes,
+// `stride` apart.
+
+FN real3 corner_of(GLOBAL const real* prim, int corner, int stride) {
+  GLOBAL const real* at = prim + 3 * corner * stride;
+  return vec3(at[0], at[stride], at[2 * stride]);
+}
+
+/// t, held within the box of four corners.
+FN real within_box_of(const Ray* ray, real t, real3 a, real3 b, real3 c, real3 d) {
+  real3 lo = vec3(min_w(d.x, min_w(c.x, min_w(b.x, a.x))), min_w(d.y, min_w(c.y, min_w(b.y, a.y))),
+                  min_w(d.z, min_w(c.z, min_w(b.z, a.z))));
+  real3 hi = vec3(max_w(d.x, max_w(c.x, max_w(b.x, a.x))), max_w(d.y, max_w(c.y, max_w(b.y, a.y))),
+                  max_w(d.z, max_w(c.z, max_w(b.z, a.z))));
+  return within_slabs_w(ray, t, lo.x, hi.x, lo.y, hi.y, lo.z, hi.z);
+}
+
+/// t, of a polygon of 3 or 4 corners. Where the ray grazes it, or it is all but a line, t is held within its box, and
+/// always within its range along the ray's largest axis.
+FN real polygon_exact_t(const Ray* ray, real approximate, GLOBAL const real* prim, int corners, int stride) {
+  ExactRays_w one;
+  exact_ray(ray, &one);
+  real3 a = corner_of(prim, 0, stride), b = corner_of(prim, 1, stride), opposite = corner_of(prim, 2, stride);
+  maskw plain;
+  if (corners == 3) {
+    real t = triangle_t_w(&one, approximate, a, b, opposite, &plain);
+    if (plain) return t;
+  }
+  real3 c = corner_of(prim, corners - 1, stride);
+  real t = plane_t_w(&one, approximate, a, b, c, &plain);
+  if (!plain) t = within_box_of(ray, t, a, b, c, opposite);
+  return within_polygon_w(&one, t, a, b, c, opposite);
+}

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: MIT
+// LANES rays against one sphere at a time of a block: sphere_lanes.h with the roles exchanged, the same operations. One
+// width; no guard.
+
+#if TIER_FAST
+/// Of x from any ray's origin, along one axis.
+FN realw farthest_square_w(realw x, Bounds_w b) {
+  realw far = max_w(abs_w(x - splat_w(b.o_near)), abs_w(x - splat_w(b.o_far)));
+  return far * far;
+}
+#endif
+
+/// Spheres of a block that some ray may meet.
+FN uint may_meet_spheres_w(const Packet_w* p, GLOBAL const real* block, GLOBAL const int* ids) {
+  uint there = bits_w(nonzero_w(load_int_w(ids) - splat_int_w(-1)));
+  int is_any = PACKET_OF_ANY_RAYS_w;
+  if (is_any) return there;
+  realw r = load_w(block + 3 * LANES), cx = load_w(block), cy = load_w(block + LANES), cz = load_w(block + 2 * LANES);
+#if TIER_FAST
+  // The textbook's discriminant may be off by some 12 u of the square of the distance.
+  realw ff = farthest_square_w(cx, p->x) + farthest_square_w(cy, p->y) + farthest_square_w(cz, p->z);
+  r = sqrt_w(fma_w(r, r, splat_w(R(0x1p-20)) * ff));
+#endif
+  realw rx = p->near_x == 0 ? -r : r, ry = p->near_y == 2 ? -r : r, rz = p->near_z == 4 ? -r : r;
+  real3w near, far;
+  near.x = cx + rx;
+  near.y = cy + ry;
+  near.z = cz + rz;
+  far.x = cx - rx;
+  far.y = cy - ry;
+  far.z = cz - rz;
+  real t[LANES];
+  return there & may_meet_w(p, near, far, t);
+}
+
+#if TIER_ROBUST
+/// clip_each where rays need not be alike.
+FN Interval_w clip_unlike_w(Interval_w t, real lo, real hi, realw o, realw inv, realw slack) {
+  maskw is_backward = lt_w(inv, splat_w(R(0.0)));
+  realw near = sel_w(is_backward, splat_w(hi), splat_w(lo)), far = sel_w(is_backward, splat_w(lo), splat_w(hi));
+  t.enter = max_w(fma_w(near - o, inv, -slack), t.enter);
+  t.leave = min_w(fma_w(far - o, inv, slack), t.leave);
+  return t;
+}
+
+/// The sphere that the lanes of `left` have just left, at its other root, as sphere_root has it.
+SELDOM_FN void left_sphere_w(Packet_w* p, GLOBAL const real* prim, int id, int kind, int slot, maskw departed) {
+  real x = prim[0], y = prim[LANES], z = prim[2 * LANES], r = prim[3 * LANES];
+  ExactRays_w exact;
+  exact_rays_w(p->rays, &exact);
+  dw3_w f = two_difference3_w(p->o.x, p->o.y, p->o.z, splat_w(x), splat_w(y), splat_w(z));
+  realw t = sphere_root_across_w(&exact, f);
+  Interval_w slabs;
+  slabs.enter = splat_w(-REAL_MAX);
+  slabs.leave = splat_w(REAL_MAX);
+  slabs = clip_unlike_w(slabs, x - r, x + r, p->o.x, p->inv.x, p->slack.x);
+  slabs = clip_unlike_w(slabs, y - r, y + r, p->o.y, p->inv.y, p->slack.y);
+  slabs = clip_unlike_w(slabs, z - r, z + r, p->o.z, p->inv.z, p->slack.z);
+  maskw hit = departed & lt_w(splat_w(R(0.0)), t) & le_w(slabs.enter, t) & le_w(t, slabs.leave);
+  hit = hit & le_w(p->t_min, t) & le_w(t, p->t);
+  if (any_w(hit)) packet_take_w(p, hit, t, splat_int_w(id), splat_int_w(kind), splat_int_w(slot));
+}
+
+/// A sphere that the lanes of `asked` may meet, and have not left, at its exact t.
+SELDOM_FN void exact_sphere_w(Packet_w* p, GLOBAL const real* prim, int id, int kind, int slot, maskw asked) {
+  ExactRays_w exact;
+  exact_rays_w(p->rays, &exact);
+  maskw met;
+  realw t = sphere_root_w(&exact, splat_w(prim[0]), splat_w(prim[LANES]), splat_w(prim[2 * LANES]),
+                          splat_w(prim[3 * LANES]), asked, &met);
+  maskw hit = asked & met & le_w(p->t_min, t) & le_w(t, p->t);
+  if (any_w(hit)) packet_take_w(p, hit, t, splat_int_w(id), splat_int_w(kind), splat_int_w(slot));
+}
+#endif
+
+FN void sphere_packet_w(const Scene* scene, Packet_w* p, GLOBAL const real* block, GLOBAL const int* ids, int slot,
+                        int kind, maskw active) {
+  (void)scene;
+  realw dx = p->d.x, dy = p->d.y, dz = p->d.z, zero = splat_w(R(0.0));
+#if TIER_FAST
+  realw a = dx * dx + dy * dy + dz * dz, scale = splat_w(R(0.5)) / a;
+#elif !TIER_ROBUST
+  realw a = fma_w(dz, dz, fma_w(dy, dy, dx * dx));
+#endif
+  for (uint prims = may_meet_spheres_w(p, block, ids); prims != 0u; prims &= prims - 1u) {
+    int i = first_bit(prims);
+    GLOBAL const real* prim = block + i;
+    realw r = splat_w(prim[3 * LANES]), fx = p->o.x - splat_w(prim[0]), fy = p->o.y - splat_w(prim[LANES]);
+    realw fz = p->o.z - splat_w(prim[2 * LANES]);
+#if TIER_FAST
+    realw b = splat_w(R(2.0)) * (fx * dx + fy * dy + fz * dz);
+    realw c = fx * fx + fy * fy + fz * fz - r * r;
+    realw discriminant = b * b - splat_w(R(4.0)) * a * c;
+    maskw hit = active & le_w(zero, discriminant);
+    if (!any_w(hit)) continue;
+    realw root = sqrt_w(discriminant), near = (-b - root) * scale, far = (root - b) * scale;
+    realw t = sel_w(le_w(p->t_min, near), near, far);
+    hit = hit & le_w(p->t_min, t) & le_w(t, p->t);
+    if (any_w(hit)) packet_take_w(p, hit, t, splat_int_w(ids[i]), splat_int_w(kind), splat_int_w(slot + i));
+#elif TIER_ROBUST
+    // sphere_in_reach of sphere_robust_lanes.h.
+    realw tiny = splat_w(R(0x1p-120));
+    realw b = fma_w(fz, dz, fma_w(fy, dy, fx * dx)), k = -b * p->dd_inverse;
+    realw lx = fma_w(k, dx, fx), ly = fma_w(k, dy, fy), lz = fma_w(k, dz, fz);
+    realw size = abs_w(fx) + abs_w(fy) + abs_w(fz);
+    realw off = fma_w(splat_w(R(0x1p-19)), size, tiny), limit = r + off;
+    realw apart = fma_w(lz, lz, fma_w(ly, ly, lx * lx)), reach = fma_w(r, p->t_per_length, off);
+    maskw met =
+        active & ~(lt_w(fma_w(limit, limit, tiny), apart) | lt_w(p->bound, k - reach) | lt_w(k + reach, p->t_min));
+    maskw departed = none_w();
+    if (p->has_departed) {
+      departed = active & packet_departed_w(p, ids[i]);
+      met = met & ~departed;
+      departed = departed & ~(p->outward | lt_w(off, b));
+      if (any_w(departed)) left_sphere_w(p, prim, ids[i], kind, slot + i, departed);
+    }
+    if (!any_w(met)) continue;
+
+    // Those that the line passes through for certain: apart is off by less than 16 u |f| r and 4 u of r^2, or if that
+    // does not do, from f - c as it is, by 8 u of r^2.
+    realw rr = r * r, inside = rr - apart;
+    maskw sure = met & le_w(splat_w(R(0x1p-14)) * r * (size + r), inside);
+    if (any_w(met & ~sure & lt_w(zero, inside))) {
+      dw3_w f =
+          two_difference3_w(p->o.x, p->o.y, p->o.z, splat_w(prim[0]), splat_w(prim[LANES]), splat_w(prim[2 * LANES]));
+      lx = lx + f.x.lo;
+      ly = ly + f.y.lo;
+      lz = lz + f.z.lo;
+      inside = rr - fma_w(lz, lz, fma_w(ly, ly, lx * lx));
+      sure = met & le_w(splat_w(R(0x1p-6)) * rr, inside);
+    }
+    realw t, about;
+    sure = sure & sphere_approximately_w(p->t_min, p->dd_inverse, k, off, inside, &t, &about);
+    met = met & ~sure;
+    sure = sure & ~lt_w(p->bound, t - about);
+    if (any_w(sure))
+      packet_put_off_w(scene, p, sure, sure, t, t - about, t + about, splat_int_w(ids[i]), kind, splat_int_w(slot + i));
+    if (any_w(met)) exact_sphere_w(p, prim, ids[i], kind, slot + i, met);
+#else
+    realw b = fma_w(fz, dz, fma_w(fy, dy, fx * dx));
+    realw k = b / a;
+    realw lx = fma_w(-k, dx, fx), ly = fma_w(-k, dy, fy), lz = fma_w(-k, dz, fz);
+    realw r2 = r * r;
+    realw d = r2 - fma_w(lz, lz, fma_w(ly, ly, lx * lx));
+    maskw hit = le_w(zero, d), departed = none_w();
+    if (p->has_departed) departed = packet_departed_w(p, ids[i]);
+    if (!any_w(active & (hit | departed))) continue;
+    realw root = sqrt_w(a * max_w(d, zero));
+    realw q = -b - sel_w(lt_w(b, zero), -root, root);
+    realw c = fma_w(fz, fz, fma_w(fy, fy, fx * fx)) - r2;
+    realw t0 = q / a, t1 = c / q;
+    realw near = sel_w(lt_w(t1, t0), t1, t0), far = sel_w(lt_w(t1, t0), t0, t1);
+    realw t = sel_w(le_w(p->t_min, near), near, far);
+    realw other = splat_w(-R(2.0)) * k;
+    t = sel_w(departed, other, t);
+    hit = (hit & ~departed) | (departed & ~p->outward & lt_w(zero, other));
+#if REAL_BITS == 64
+    real sx = prim[0], sy = prim[LANES], sz = prim[2 * LANES], sr = prim[3 * LANES];
+    Interval_w slabs;
+    slabs.enter = splat_w(-REAL_MAX);
+    slabs.leave = splat_w(REAL_MAX);
+    int x = p->near_x == 0, y = p->near_y == 2, z = p->near_z == 4;
+    slabs = clip_each_w(slabs, x ? sx - sr : sx + sr, x ? sx + sr : sx - sr, p->o.x, p->inv.x, p->slack.x);
+    slabs = clip_each_w(slabs, y ? sy - sr : sy + sr, y ? sy + sr : sy - sr, p->o.y, p->inv.y, p->slack.y);
+    slabs = clip_each_w(slabs, z ? sz - sr : sz + sr, z ? sz + sr : sz - sr, p->o.z, p->inv.z, p->slack.z);
+    realw within = sel_w(lt_w(t, slabs.enter), slabs.enter, t);
+    within = sel_w(lt_w(slabs.leave, within), slabs.leave, within);
+    hit = hit & (~departed | eq_w(within, t));
+    t = within;
+#endif
+    hit = hit & active & le_w(p->t_min, t) & le_w(t, p->t);
+    if (any_w(hit)) packet_take_w(p, hit, t, splat_int_w(ids[i]), splat_int_w(kind), splat_int_w(slot + i));
+#endif
+  }
+}

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// What is known of each kind of material, in one place: its name, its lobes, its parameters as the kernels read them.
+// Features, packing, validation and warnings ask here.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "scene/model/scene.h"
+
+namespace strahl {
+
+namespace lobes {
+#include "../../cl/materials/lobes.h"
+}
+
+/// A parameter: a slot of the material's row (cl/scene/layout.h).
+struct MaterialSlot {
+  const char* name;             ///< As in scene files.
+  std::array<double, 3> reals;  ///< What the kernels read where there is no texture.
+  int texture = -1;             ///< Index into Scene::textures; -1: none.
+  bool is_share = true;         ///< A share of the light: within [0, 1].
+};
+
+struct MaterialFacts {
+  std::string kind;  ///< An entry of cl/materials/materials.def.
+  int lobes = 0;     ///< lobes::LOBE_...: those that it may have.
+  std::vector<MaterialSlot> slots;
+  bool is_twosided = false;  ///< Its back looks as its front does.
+
+  [[nodiscard]] bool has_lobe(int lobe) const { return (lobes & lobe) == lobe; }
+};
+
+[[nodiscard]] MaterialFacts material_facts(const Material& material);
+
+/// Some lobe of some material of the scene has all of these.
+[[nodiscard]] bool has_lobe(const Scene& scene, int lobe);
+
+}  // namespace strahl

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// Where and at what size a scene is uploaded. The shift and the power of two are taken out in double, before anything
+// is rounded: pictures depend neither on where a scene stands nor on its unit of length.
+#pragma once
+
+#include "scene/model/scene.h"
+
+namespace strahl {
+
+struct UploadFrame {
+  Vec3 origin;       ///< In the world.
+  double scale = 1;  ///< Frame units per world unit, a power of two.
+
+  [[nodiscard]] Vec3 point(const Vec3& world) const { return scale * (world - origin); }
+  [[nodiscard]] Vec3 vector(const Vec3& world) const { return scale * world; }
+};
+
+/// The camera's place, and a scale at which what it may see is at most 2^13 away: products of three lengths then stay
+/// within fp32 for primitives down to 10^-11 of that.
+[[nodiscard]] UploadFrame camera_frame(const Scene& scene);
+
+}  // namespace strahl

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+// Finding and opening an OpenCL device.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "opencl/opencl.h"
+
+namespace strahl {
+
+/// What is known of a device before it is opened.
+struct DeviceInfo {
+  int platform_index = 0;
+  int device_index = 0;  ///< Within its platform.
+  std::string platform;  ///< "Portable Computing Language"
+  std::string name;
+  std::string vendor;
+  std::string version;  ///< CL_DEVICE_VERSION
+  std::string driver;
+  std::string type;  ///< "CPU", "GPU", "accelerator", "custom"
+  bool fp64 = false;
+  bool correctly_rounded_option = false;  ///< Knows -cl-fp32-correctly-rounded-divide-sqrt.
+  bool fma = false;                       ///< In single precision; else programs compute it (cl/math/soft_fma.h).
+  unsigned compute_units = 0;
+  unsigned clock_mhz = 0;
+  std::uint64_t global_memory = 0;   ///< bytes
+  std::uint64_t max_allocation = 0;  ///< bytes
+  std::size_t max_work_group = 0;
+  unsigned native_vector_width = 0;  ///< CL_DEVICE_NATIVE_VECTOR_WIDTH_FLOAT
+  bool available = true;             ///< The driver says so, has a compiler, and speaks OpenCL 1.2 or later.
+
+  /// "0:1 llvmpipe (rusticl)".
+  [[nodiscard]] std::string text() const;
+};
+
+struct PlatformInfo {
+  int index = 0;
+  std::string name;
+  std::string version;
+  std::vector<DeviceInfo> devices;
+  std::string skipped;  ///< Why the platform offers nothing; empty where it does.
+  std::string note;     ///< What is other than its driver has it by default; mostly empty.
+};
+
+/// Every platform, the broken and empty ones too, with the reason. Never throws for a platform's fault.
+[[nodiscard]] std::vector<PlatformInfo> list_platforms();
+
+class ProgramShelf;
+
+/// What a render asks of a device.
+struct DeviceNeeds {
+  bool fp64 = false;
+};
+
+/// An open device: one context, one in-order queue with profiling.
+class Device {
+ public:
+  /// selector: "" (fastest GPU, else CPU), "0", "0:1", "cpu", "gpu", or part of a platform's or device's name,
+  /// case-insensitive; "pocl" and "intel" name platforms only. A platform's name goes before a device's; of several
+  /// devices the best is taken: GPU before CPU, then compute units times clock. Opens only the platform asked for.
+  /// For PoCL, sets POCL_WORK_GROUP_SPECIALIZATION=0 unless the environment has it, so that cached programs are whole.
+  /// Throws NoDeviceError: what is missing, what to install, which devices would do.
+  static Device open(const std::string& selector, const DeviceNeeds& needs = {});
+
+  [[nodiscard]] const DeviceInfo& info() const { return info_; }
+  [[nodiscard]] const cl::Context& context() const { return context_; }
+  [[nodiscard]] const cl::Device& device() const { return device_; }
+  [[nodiscard]] const cl::CommandQueue& queue() const { return queue_; }
+  /// Copies of a device share it.
+  [[nodiscard]] ProgramShelf& programs() const { return *programs_; }
+
+ private:
+  DeviceInfo info_;
+  cl::Device device_;
+  cl::Context context_;
+  cl::CommandQueue queue_;
+  std::shared_ptr<ProgramShelf> programs_;
+};
+
+}  // namespace strahl

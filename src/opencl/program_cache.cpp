@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+// Files: magic, key size, binary size, FNV-1a of all that follows, key, binary; integers as this machine has them.
+#include "opencl/program_cache.h"
+
+#include <fmt/format.h>
+#include <stdlib.h>  // NOLINT(modernize-deprecated-headers): mkstemp is POSIX
+#include <unistd.h>
+
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <string_view>
+
+#include "opencl/program.h"
+
+namespace strahl {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Header {
+  char magic[8] = {'s', 't', 'r', 'a', 'h', 'l', 'P', '1'};
+  std::uint64_t key_size = 0;
+  std::uint64_t binary_size = 0;
+  std::uint64_t checksum = 0;
+};
+static_assert(sizeof(Header) == 32);
+
+const char* set_variable(const char* name) {
+  const char* value = std::getenv(name);
+  return value != nullptr && *value != 0 ? value : nullptr;
+}
+
+fs::path cached_file(const std::string& name, const std::string& key) {
+  return fs::path(program_cache_directory()) / fmt::format("{}-{:016x}.program", name, fnv1a(key));
+}
+
+}  // namespace
+
+std::string program_cache_directory() {
+  if (const char* directory = set_variable("STRAHL_CACHE_DIR")) return directory;
+  // A relative XDG_CACHE_HOME is invalid and to be ignored (XDG Base Directory Specification).
+  if (const char* cache = set_variable("XDG_CACHE_HOME"); cache != nullptr && *cache == '/') {
+    return (fs::path(cache) / "strahl").string();
+  }
+  if (const char* home = set_variable("HOME")) return (fs::path(home) / ".cache" / "strahl").string();
+  return {};
+}
+
+std::vector<unsigned char> read_cached_binary(const std::string& name, const std::string& key) {
+  if (program_cache_directory().empty()) return {};
+  const fs::path file = cached_file(name, key);
+  std::ifstream in(file, std::ios::binary);
+  Header header;
+  if (!in.read(reinterpret_cast<char*>(&header), sizeof header)) return {};
+  std::error_code failed;
+  const std::uintmax_t size = fs::file_size(file, failed);
+  if (failed || std::memcmp(header.magic, Header().magic, sizeof header.magic) != 0 || header.key_size != key.size() ||
+      size < sizeof header + key.size() || header.binary_size != size - sizeof header - key.size()) {
+    return {};
+  }
+  std::string found(key.size(), 0);
+  std::vector<unsigned char> binary(header.binary_size);
+  in.read(found.data(), static_cast<std::streamsize>(found.size()));
+  in.read(reinterpret_cast<char*>(binary.data()), static_cast<std::streamsize>(binary.size()));
+  const std::string_view bytes(reinterpret_cast<const char*>(binary.data()), binary.size());
+  if (!in || found != key || header.checksum != fnv1a(bytes, fnv1a(key))) return {};
+  return binary;
+}
+
+void write_cached_binary(const std::string& name, const std::string& key, const std::vector<unsigned char>& binary) {
+  if (program_cache_directory().empty() || binary.empty()) return;
+  const fs::path file = cached_file(name, key);
+  std::error_code failed;
+  fs::create_directories(file.parent_path(), failed);
+  std::string temporary = file.string() + ".XXXXXX";
+  const int descriptor = mkstemp(temporary.data());
+  if (descriptor < 0) return;
+  close(descriptor);
+
+  std::string payload = key;
+  payload.append(binary.begin(), binary.end());
+  Header header;
+  header.key_size = key.size();
+  header.binary_size = binary.size();
+  header.checksum = fnv1a(payload);
+  std::ofstream out(temporary, std::ios::binary);
+  out.write(reinterpret_cast<const char*>(&header), sizeof header);
+  out.write(payload.data(), static_cast<std::streamsize>(payload.size()));
+  out.close();
+  if (out) fs::rename(temporary, file, failed);
+  if (!out || failed) fs::remove(temporary, failed);
+}
+
+std::string failed_program_path(const std::string& name) {
+  std::error_code failed;
+  const fs::path cache = program_cache_directory();
+  if (!cache.empty()) fs::create_directories(cache, failed);
+  const bool usable = !cache.empty() && access(cache.c_str(), W_OK) == 0;
+  return ((usable ? cache : fs::temp_directory_path()) / (name + ".failed.cl")).string();
+}
+
+std::size_t clear_program_cache() {
+  const fs::path cache = program_cache_directory();
+  if (!fs::is_directory(cache)) return 0;
+  std::size_t removed = 0;
+  try {
+    const std::vector<fs::directory_entry> entries(fs::directory_iterator(cache), fs::directory_iterator{});
+    for (const fs::directory_entry& entry : entries) {
+      const std::string name = entry.path().filename().string();
+      const bool is_binary = name.ends_with(".program");
+      const bool is_cut_short = name.find(".program.") != std::string::npos;
+      if (!is_binary && !is_cut_short && !name.ends_with(".failed.cl")) continue;
+      fs::remove(entry.path());
+      if (is_binary) ++removed;
+    }
+  } catch (const fs::filesystem_error& error) {
+    throw Error(fmt::format("the program cache cannot be cleared: {}", error.what()));
+  }
+  return removed;
+}
+
+}  // namespace strahl

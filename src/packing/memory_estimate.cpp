@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#include "packing/memory_estimate.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <string>
+
+#include "errors.h"
+#include "kinds/entries.h"
+#include "packing/cl_layout.h"
+#include "packing/pack_shapes.h"
+
+namespace strahl {
+namespace {
+
+constexpr std::uint64_t bytes_of_ids = 8;                        // a primitive's id and part
+constexpr std::uint64_t reals_of_normals = 9, reals_of_uvs = 6;  // a triangle's, corner by corner
+
+std::uint64_t mebibytes(std::uint64_t bytes) { return (bytes + (1U << 20) - 1) >> 20; }
+
+}  // namespace
+
+MemoryNeed least_memory(const Scene& scene, const Features& features, Precision precision, int lanes) {
+  const std::uint64_t real = precision == Precision::fp64 ? sizeof(double) : sizeof(float);
+  const auto block = static_cast<std::uint64_t>(lanes);
+  std::map<std::string, std::uint64_t> primitives;
+  MemoryNeed need;
+  for_each_shape(scene, [&](const Shape& shape) {
+    const auto count = static_cast<std::uint64_t>(primitive_count(shape));
+    primitives[shape_kind(shape)] += count;
+    const auto* mesh = std::get_if<Mesh>(&shape.geometry);
+    if (mesh == nullptr) return;
+    if (!mesh->normals.empty() && features.flag("SMOOTH_NORMALS")) need.shading += count * reals_of_normals * real;
+    if (!mesh->uvs.empty() && features.flag("MESH_UVS")) need.shading += count * reals_of_uvs * real;
+  });
+  for (const auto& [kind, count] : primitives) {
+    const std::uint64_t slots = (count + block - 1) / block * block;
+    need.geometry += slots * static_cast<std::uint64_t>(planes_of(kind)) * real;
+    need.index += slots * bytes_of_ids;
+  }
+  const std::uint64_t instances = scene.instances.size();
+  need.geometry += instances * layout::INSTANCE_REALS * real;
+  need.index += instances * sizeof(std::int32_t);
+  return need;
+}
+
+void require_memory(const MemoryNeed& need, const DeviceInfo& device, Precision precision) {
+  const std::uint64_t largest = std::max({need.geometry, need.shading, need.index});
+  if (need.total() <= device.global_memory && largest <= device.max_allocation) return;
+  throw NoDeviceError(fmt::format(
+      "the scene takes at least {} MiB (geometry {}, normals and texture coordinates {}, tables {}); {} has {} MiB, {} "
+      "MiB in one buffer. Choose a device with more memory (-d){}, or simplify the meshes",
+      mebibytes(need.total()), mebibytes(need.geometry), mebibytes(need.shading), mebibytes(need.index), device.text(),
+      device.global_memory >> 20, device.max_allocation >> 20,
+      precision == Precision::fp64 ? ", a --precision other than double, which takes half" : ""));
+}
+
+}  // namespace strahl

@@ -1,0 +1,399 @@
+// SPDX-License-Identifier: MIT
+// Offsets are ints: a buffer holds at most 2^31 elements.
+#include "packing/pack.h"
+
+#include <algorithm>
+#include <initializer_list>
+#include <limits>
+#include <map>
+#include <span>
+#include <stdexcept>
+
+#include "kinds/entries.h"
+#include "kinds/integrators.h"
+#include "kinds/lights.h"
+#include "packing/cl_layout.h"
+#include "packing/pack_areas.h"
+#include "packing/pack_camera.h"
+#include "packing/pack_instances.h"
+#include "packing/pack_materials.h"
+#include "packing/pack_shapes.h"
+#include "packing/shape_parts.h"
+#include "packing/uv_rates.h"
+#include "settings/sampling.h"
+
+namespace strahl {
+namespace {
+
+int checked_offset(std::size_t size) {
+  if (size > static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max()))
+    throw Error("the scene is too large: a device buffer would hold more than 2^31 numbers");
+  return static_cast<int>(size);
+}
+
+template <typename Real>
+class Packing {
+ public:
+  Packing(const Scene& scene, const Features& features, const PackOptions& options)
+      : scene_(scene), features_(features), options_(options) {
+    for (const std::int64_t id : first_ids(scene)) first_ids_.push_back(static_cast<std::int32_t>(id));
+    for_each_shape(scene, [&](const Shape& shape) { shapes_.push_back(&shape); });
+    for (const std::string& kind : list_entries("shapes"))
+      if (features.has("shapes", kind)) kinds_.push_back(kind);
+    const std::size_t rows = kinds_.size() + (features.flag("INSTANCES") ? 1 : 0);
+    packed_.index.resize(layout::HEADER_INTS + rows * layout::SHAPE_INTS, 0);
+  }
+
+  PackedScene<Real> run() {
+    header();
+    materials();
+    textures();
+    lights();
+    parts();
+    shapes();
+    return std::move(packed_);
+  }
+
+ private:
+  int put_shading(std::initializer_list<double> values) { return put_shading(std::span(values)); }
+  int put_shading(std::span<const double> values) {
+    const int at = checked_offset(packed_.shading.size());
+    for (const double value : values) packed_.shading.push_back(static_cast<Real>(value));
+    return at;
+  }
+  int put_rgb(const Rgb& c) { return put_shading({c.r, c.g, c.b}); }
+  std::int32_t& index(int at) { return packed_.index[static_cast<std::size_t>(at)]; }
+  int index_end() const { return checked_offset(packed_.index.size()); }
+
+  void header() {
+    const ResolvedSampling sampling = resolve_sampling(scene_);
+    index(layout::HEADER_WIDTH) = scene_.film.width;
+    index(layout::HEADER_SEED) = static_cast<std::int32_t>(sampling.seed);
+    index(layout::HEADER_SUMS) = layout::FILM_SUBSUMS;
+    index(layout::HEADER_INTEGRATOR) = features_.entry_index("integrators", scene_.integrator.name);
+    index(layout::HEADER_MAX_DEPTH) = most_surfaces(scene_.integrator);
+    index(layout::HEADER_RR_DEPTH) = scene_.integrator.rr_depth;
+    index(layout::HEADER_REACH) = put_shading({std::min(options_.frame.scale * scene_.integrator.max_distance,
+                                                        static_cast<double>(std::numeric_limits<Real>::max()))});
+    index(layout::HEADER_SAMPLER) = features_.entry_index("samplers", sampler_entry(sampling.kind));
+    index(layout::HEADER_HIDE_EMITTERS) = scene_.integrator.hide_emitters ? 1 : 0;
+    index(layout::HEADER_CAMERA) = put_shading(camera_reals(scene_.camera, scene_.film, options_.frame));
+    index(layout::HEADER_FILTER) = put_shading(filter_quantiles(scene_.film.filter, sampling.kind));
+  }
+
+  void materials() {
+    index(layout::HEADER_MATERIALS) = index_end();
+    for (const Material& material : scene_.materials) {
+      const PackedMaterial packed = packed_material(material, scene_, features_);
+      packed_.index.insert(packed_.index.end(), {packed.kind, packed.is_twosided ? 1 : 0});
+      if (packed.slots.size() > layout::MATERIAL_MOST_SLOTS)
+        throw std::logic_error("a material has more parameters than MATERIAL_MOST_SLOTS");
+      for (const MaterialSlot& slot : packed.slots)
+        packed_.index.push_back(slot.texture < 0 ? put_shading(slot.reals) : ~slot.texture);
+      packed_.index.resize(packed_.index.size() + layout::MATERIAL_MOST_SLOTS - packed.slots.size(), 0);
+    }
+  }
+
+  void textures() {
+    index(layout::HEADER_TEXTURES) = index_end();
+    for (const Texture& texture : scene_.textures) {
+      const auto& board = std::get<Checkerboard>(texture.pattern);
+      packed_.index.push_back(features_.entry_index("textures", texture_kind(texture)));
+      packed_.index.push_back(put_rgb(board.color0));
+      put_rgb(board.color1);
+      put_shading(board.to_uv);
+    }
+  }
+
+  /// Delta lights first: those that are taken come before those that are drawn.
+  void lights() {
+    std::vector<std::int32_t> rows;
+    index(layout::HEADER_BACKGROUND) = -1;
+    for (const Light& light : scene_.lights)
+      if (kinds::light(light).is_delta) put_light(light, rows);
+    const auto lamps = light_count(rows);
+    for (const Light& light : scene_.lights) {
+      const kinds::LightFacts& facts = kinds::light(light);
+      if (!facts.is_delta && put_light(light, rows) && facts.is_background)
+        index(layout::HEADER_BACKGROUND) = light_count(rows) - 1;
+    }
+    area_lights(rows);
+    index(layout::HEADER_LIGHT_COUNT) = light_count(rows);
+    index(layout::HEADER_CHOOSER) = features_.entry_index("choosers", light_chooser);
+    index(layout::HEADER_LIGHTS_TAKEN) =
+        kinds::integrator(scene_.integrator.name).lamps == kinds::Lamps::drawn ? 0 : lamps;
+    index(layout::HEADER_LIGHTS) = index_end();
+    packed_.index.insert(packed_.index.end(), rows.begin(), rows.end());
+  }
+
+  static int light_count(const std::vector<std::int32_t>& rows) {
+    return static_cast<int>(rows.size()) / layout::LIGHT_INTS;
+  }
+
+  /// False where the program has no use for it.
+  bool put_light(const Light& light, std::vector<std::int32_t>& rows) {
+    const int kind = features_.entry_index("lights", light_kind(light));
+    if (kind < 0) return false;
+    if (kinds::light_glows(light)) index(layout::HEADER_GLOWS) = 1;
+    rows.insert(rows.end(), {kind, put_shading(kinds::light_reals(light, options_.frame)), 0, 0, 0, -1});
+    return true;
+  }
+
+  void glow(const Rgb& radiance) {
+    if (radiance.r > 0 || radiance.g > 0 || radiance.b > 0) index(layout::HEADER_GLOWS) = 1;
+  }
+
+  /// One for each part that emits and has an area that can be drawn from; light_of_part_ for each part of the scene.
+  void area_lights(std::vector<std::int32_t>& rows) {
+    const int kind = features_.has("lights", "area") ? features_.entry_index("lights", "area") : -1;
+    for (std::size_t i = 0; i < shapes_.size(); ++i) {
+      const Shape& shape = *shapes_[i];
+      const bool glows = features_.flag("EMISSION") && features_.has("shapes", shape_kind(shape));
+      const bool is_drawn = kind >= 0 && features_.has("areas", area_kind(shape.geometry));
+      for (int part = 0; part < part_count(shape); ++part) {
+        light_of_part_.push_back(-1);
+        const std::optional<Rgb> radiance = look_of_part(shape, part).radiance;
+        if (!radiance || !glows) continue;
+        glow(*radiance);
+        if (!is_drawn) continue;
+        const std::optional<EmittingArea> area = emitting_area(shape, part, options_.frame);
+        if (!area) continue;
+        light_of_part_.back() = light_count(rows);
+        std::vector<double> reals = {radiance->r, radiance->g, radiance->b, 1 / area->size, area->side};
+        reals.insert(reals.end(), area->items.begin(), area->items.end());
+        const int items = checked_offset(area->choices.size());
+        index(layout::HEADER_MOST_ITEMS) = std::max(index(layout::HEADER_MOST_ITEMS), items);
+        const int choice_at = index_end();
+        for (const Choice& choice : area->choices) {
+          packed_.index.push_back(static_cast<std::int32_t>(choice.limit));
+          packed_.index.push_back(choice.other);
+        }
+        rows.insert(rows.end(), {kind, put_shading(reals), features_.entry_index("areas", area_kind(shape.geometry)),
+                                 items, choice_at, is_area_of_primitives(shape.geometry) ? first_ids_[i] : -1});
+      }
+    }
+  }
+
+  /// Per-corner attributes of a mesh, three corners a triangle; -1 where the program has no use for them.
+  template <typename Vector, typename Components>
+  int put_corners(const Mesh& mesh, const std::vector<Vector>& attribute, bool wanted, Components components) {
+    if (!wanted || attribute.empty()) return -1;
+    const int at = checked_offset(packed_.shading.size());
+    for (const auto& triangle : mesh.triangles)
+      for (const int corner : triangle)
+        for (const double x : components(attribute[static_cast<std::size_t>(corner)]))
+          packed_.shading.push_back(static_cast<Real>(x));
+    return at;
+  }
+
+  /// Shapes by priority, of two alike the later first: places in that order are the ranks.
+  void rank_shapes() {
+    std::vector<std::pair<int, std::size_t>> order;
+    for (std::size_t i = 0; i < shapes_.size(); ++i)
+      if (shapes_[i]->priority) order.emplace_back(*shapes_[i]->priority, shapes_.size() - i);
+    std::sort(order.begin(), order.end());
+    for (std::size_t rank = 0; rank < order.size(); ++rank)
+      ranks_[shapes_[shapes_.size() - order[rank].second]] = checked_offset(rank);
+  }
+
+  int rank_of(const Shape& shape, const MeshPart& look) const {
+    const Material& material = scene_.materials.at(static_cast<std::size_t>(look.material));
+    const auto rank = ranks_.find(&shape);
+    return rank == ranks_.end() || !std::holds_alternative<Dielectric>(material.bsdf) ? -1 : rank->second;
+  }
+
+  void parts() {
+    rank_shapes();
+    index(layout::HEADER_PARTS) = index_end();
+    put_parts(scene_.shapes, options_.frame);
+    for (const Group& group : scene_.groups) put_parts(group.shapes, group_frame(group, options_.frame));
+  }
+
+  /// Of shapes whose indices begin with 0.
+  void put_parts(const std::vector<Shape>& shapes, const UploadFrame& frame_in_use) {
+    for (std::size_t i = 0; i < shapes.size(); ++i) {
+      const Shape& shape = shapes[i];
+      const std::int32_t first_id = first_ids_[first_part_.size()];
+      first_part_.push_back(part_rows_);
+      int frame_at = -1, normals_at = -1, uvs_at = -1;
+      if (const auto frame = surface_frame(shape.geometry, frame_in_use)) frame_at = put_shading(*frame);
+      int rates_at = -1;
+      if (has_textures_) {
+        const Vec2 rates = uv_rates(shape.geometry, frame_in_use);
+        rates_at = put_shading({rates.x, rates.y});
+      }
+      if (const auto* mesh = std::get_if<Mesh>(&shape.geometry)) {
+        normals_at = put_corners(*mesh, mesh->normals, features_.flag("SMOOTH_NORMALS"), [](const Vec3& n) {
+          return std::array{n.x, n.y, n.z};
+        });
+        uvs_at = put_corners(*mesh, mesh->uvs, features_.flag("MESH_UVS"), [](const Vec2& uv) {
+          return std::array{uv.x, uv.y};
+        });
+      }
+      for (int part = 0; part < part_count(shape); ++part) {
+        const MeshPart look = look_of_part(shape, part);
+        const int radiance_at = look.radiance ? put_rgb(*look.radiance) : -1;
+        const int light = light_of_part_[static_cast<std::size_t>(part_rows_)];
+        packed_.index.insert(packed_.index.end(), {static_cast<int>(i), first_id, look.material, radiance_at, light,
+                                                   shape.flip_normals != faces_inward(shape.geometry) ? 1 : 0, frame_at,
+                                                   normals_at, uvs_at, rates_at, rank_of(shape, look)});
+        ++part_rows_;
+      }
+    }
+  }
+
+  /// Every primitive of one kind among `shapes`, the first of which is number `first` of all.
+  KindList<Real> primitives_of(const std::string& kind, const std::vector<Shape>& shapes, std::size_t first,
+                               const UploadFrame& frame) {
+    KindList<Real> list;
+    list.kind = kind;
+    list.planes = planes_of(kind);
+    std::size_t count = 0;
+    for (const Shape& shape : shapes)
+      if (shape_kind(shape) == kind) count += static_cast<std::size_t>(primitive_count(shape));
+    list.values.reserve(count * static_cast<std::size_t>(list.planes));
+    list.ids.reserve(count);
+    list.parts.reserve(count);
+    for (std::size_t i = 0; i < shapes.size(); ++i) {
+      const Shape& shape = shapes[i];
+      if (shape_kind(shape) != kind) continue;
+      std::int32_t primitive = 0;
+      primitive_planes(shape.geometry, frame, [&](std::span<const double> values) {
+        for (const double value : values) list.values.push_back(static_cast<Real>(value));
+        list.ids.push_back(first_ids_[first + i] + primitive);
+        list.parts.push_back(first_part_[first + i] + part_of_primitive(shape, primitive));
+        ++primitive;
+      });
+    }
+    return list;
+  }
+
+  std::vector<KindList<Real>> lists_of(const std::vector<Shape>& shapes, std::size_t first, const UploadFrame& frame) {
+    std::vector<KindList<Real>> lists;
+    for (const std::string& kind : kinds_) lists.push_back(primitives_of(kind, shapes, first, frame));
+    return lists;
+  }
+
+  int put_geometry(const std::vector<Real>& values) {
+    const int at = checked_offset(packed_.geometry.size());
+    packed_.geometry.insert(packed_.geometry.end(), values.begin(), values.end());
+    return at;
+  }
+  int put_index(const std::vector<std::int32_t>& values) {
+    const int at = index_end();
+    packed_.index.insert(packed_.index.end(), values.begin(), values.end());
+    return at;
+  }
+
+  /// A tree for every group, and what the kernels know of every instance, in order.
+  void groups(TreeOptions& options) {
+    if (!has_instances_) return;
+    const int entries = options.stack;
+    options.stack = entries / 2;
+    std::size_t first = scene_.shapes.size();
+    int need = 0;
+    for (const Group& group : scene_.groups) {
+      const UploadFrame frame = group_frame(group, options_.frame);
+      groups_.push_back(pack_tree<Real>(lists_of(group.shapes, first, frame), {}, options));
+      first += group.shapes.size();
+      need = std::max(need, groups_.back().stack_need);
+    }
+    options.stack = entries - need - 1;
+    instances_.reserve(scene_.instances.size() * layout::INSTANCE_REALS);
+    for (const Instance& instance : scene_.instances) {
+      const auto group = static_cast<std::size_t>(instance.group);
+      const UploadFrame frame = group_frame(scene_.groups[group], options_.frame);
+      const auto reals = instance_reals<Real>(frame_from_group(instance, frame, options_.frame), groups_[group].box());
+      instances_.insert(instances_.end(), reals.begin(), reals.end());
+      std::copy_n(reals.begin() + layout::INSTANCE_BOX, 6, instance_boxes_.emplace_back().begin());
+    }
+  }
+
+  void put_instances(PackedTree<Real>& tree, int width) {
+    std::vector<std::int32_t> rows;
+    for (const PackedTree<Real>& group : groups_) {
+      const AppendedTree appended = append_tree(tree, group, width);
+      rows.push_back(index_end());
+      put_index({appended.root, put_geometry(group.reach)});
+      for (const auto& listed : appended.listed) put_index({listed.begin(), listed.end()});
+    }
+    const int row = layout::HEADER_INTS + static_cast<int>(kinds_.size()) * layout::SHAPE_INTS;
+    const int count = checked_offset(scene_.instances.size());
+    const int geometry_at = put_geometry(instances_), groups_at = index_end();
+    for (const Instance& instance : scene_.instances)
+      packed_.index.push_back(std::int32_t{rows[static_cast<std::size_t>(instance.group)]});
+    index(row + layout::SHAPE_BLOCKS) = count;
+    index(row + layout::SHAPE_GEOMETRY) = geometry_at;
+    index(row + layout::SHAPE_IDS) = groups_at;
+    index(row + layout::SHAPE_LISTED) = tree.lists_instances ? count : 0;
+  }
+
+  void shapes() {
+    const int width = options_.lanes > 1 ? options_.lanes : options_.tree_width == 0 ? 4 : options_.tree_width;
+    TreeOptions options{width, options_.acceleration, stack_entries(width)};
+    groups(options);
+    PackedTree<Real> tree = pack_tree<Real>(lists_of(scene_.shapes, 0, options_.frame), instance_boxes_, options);
+    if (has_instances_) put_instances(tree, width);
+    int row = layout::HEADER_INTS;
+    for (const PackedKind<Real>& kind : tree.kinds) {
+      index(row + layout::SHAPE_BLOCKS) = checked_offset(kind.ids.size() / static_cast<std::size_t>(options_.lanes));
+      index(row + layout::SHAPE_GEOMETRY) = put_geometry(kind.blocks);
+      index(row + layout::SHAPE_LISTED) = kind.listed;
+      const int ids_at = put_index(kind.ids);
+      index(row + layout::SHAPE_IDS) = ids_at;
+      put_index(kind.parts);
+      row += layout::SHAPE_INTS;
+    }
+    index(layout::HEADER_ROOT) = tree.root;
+    index(layout::HEADER_NODES) = put_geometry(tree.nodes);
+    index(layout::HEADER_BOUNDS) = put_geometry(tree.reach);
+    const int children_at = put_index(tree.children);
+    index(layout::HEADER_CHILDREN) = children_at;
+    checked_offset(packed_.geometry.size());
+    checked_offset(packed_.index.size());
+    packed_.tree = tree.stats;
+  }
+
+  const Scene& scene_;
+  const Features& features_;
+  const PackOptions& options_;
+  PackedScene<Real> packed_;
+  bool has_textures_ = !features_.entries.at("textures").empty() && !scene_.textures.empty();
+  bool has_instances_ = features_.flag("INSTANCES") && !scene_.instances.empty();
+  std::vector<const Shape*> shapes_;  ///< As for_each_shape has them.
+  std::vector<std::string> kinds_;    ///< Active ones.
+  std::vector<std::int32_t> first_ids_;
+  std::vector<int> first_part_, light_of_part_;
+  int part_rows_ = 0;
+  std::map<const Shape*, int> ranks_;
+  std::vector<PackedTree<Real>> groups_;
+  std::vector<Real> instances_;  ///< INSTANCE_REALS each.
+  std::vector<Bounds<Real>> instance_boxes_;
+};
+
+}  // namespace
+
+int most_surfaces(const IntegratorSettings& integrator) {
+  if (integrator.max_depth >= 0 || kinds::integrator(integrator.name).follows != kinds::Follows::paths)
+    return integrator.max_depth;
+  constexpr int most = std::numeric_limits<int>::max();
+  return std::min(integrator.rr_depth, most - layout::ROULETTE_LONGEST) + layout::ROULETTE_LONGEST;
+}
+
+std::vector<std::int64_t> first_ids(const Scene& scene) {
+  std::vector<std::int64_t> first = {0};
+  for_each_shape(scene, [&](const Shape& shape) { first.push_back(first.back() + primitive_count(shape)); });
+  if (first.back() >= std::numeric_limits<std::int32_t>::max())
+    throw Error("the scene has more than 2^31 - 1 primitives");
+  return first;
+}
+
+template <typename Real>
+PackedScene<Real> pack_scene(const Scene& scene, const Features& features, const PackOptions& options) {
+  return Packing<Real>(scene, features, options).run();
+}
+
+template PackedScene<float> pack_scene(const Scene&, const Features&, const PackOptions&);
+template PackedScene<double> pack_scene(const Scene&, const Features&, const PackOptions&);
+
+}  // namespace strahl

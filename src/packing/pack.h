@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+// From the scene (double, world frame) to the three buffers of cl/scene/layout.h, rounded once, relative to a frame.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "kinds/upload_frame.h"
+#include "packing/pack_tree.h"
+#include "program/features.h"
+#include "scene/model/scene.h"
+
+namespace strahl {
+
+/// What packing depends on besides the scene.
+struct PackOptions {
+  int lanes = 1;
+  UploadFrame frame;   ///< The camera's for render, the world for intersect and the fast tier.
+  int tree_width = 0;  ///< 2 or 4 where lanes is 1 (0: 4), else lanes.
+  Acceleration acceleration = Acceleration::automatic;
+};
+
+template <typename Real>
+struct PackedScene {
+  std::vector<Real> geometry;
+  std::vector<Real> shading;
+  std::vector<std::int32_t> index;
+  TreeStats tree;
+
+  [[nodiscard]] std::size_t bytes() const {
+    return (geometry.size() + shading.size()) * sizeof(Real) + index.size() * sizeof(std::int32_t);
+  }
+};
+
+/// Instantiated for float and double.
+template <typename Real>
+[[nodiscard]] PackedScene<Real> pack_scene(const Scene& scene, const Features& features, const PackOptions& options);
+
+/// Scene-wide id of primitive 0 of every shape, those of groups after the scene's own, and one past the last.
+[[nodiscard]] std::vector<std::int64_t> first_ids(const Scene& scene);
+
+/// max_depth as the kernels take it: where the scene has none, path has one that leaves nothing of note out
+/// (cl/scene/layout.h, ROULETTE_LONGEST).
+[[nodiscard]] int most_surfaces(const IntegratorSettings& integrator);
+
+/// FILM_CELLS + 1 quantiles of a pixel filter in pixels, antisymmetric; all 0 for the centre sampler.
+[[nodiscard]] std::vector<double> filter_quantiles(const Filter& filter, SamplerKind sampler);
+
+}  // namespace strahl

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#include "packing/pack_areas.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "kinds/shapes.h"
+#include "packing/pack_shapes.h"
+
+namespace strahl {
+
+std::vector<Choice> alias_table(const std::vector<double>& weights) {
+  const double mean = std::accumulate(weights.begin(), weights.end(), 0.0) / static_cast<double>(weights.size());
+  std::vector<double> rest(weights.size());
+  std::vector<std::size_t> small, large;
+  for (std::size_t i = 0; i < weights.size(); ++i) {
+    rest[i] = weights[i] / mean;
+    (rest[i] < 1 ? small : large).push_back(i);
+  }
+  std::vector<Choice> table(weights.size());
+  for (std::size_t i = 0; i < table.size(); ++i) table[i].other = static_cast<std::int32_t>(i);
+  while (!small.empty() && !large.empty()) {
+    const std::size_t less = small.back(), more = large.back();
+    small.pop_back();
+    table[less] = {static_cast<std::uint32_t>(std::ldexp(rest[less], 32)), static_cast<std::int32_t>(more)};
+    rest[more] -= 1 - rest[less];
+    if (rest[more] < 1) {
+      large.pop_back();
+      small.push_back(more);
+    }
+  }
+  return table;
+}
+
+bool is_area_of_primitives(const Geometry& geometry) {
+  return std::visit([](const auto& shape) { return kinds::is_area_of_primitives(shape); }, geometry);
+}
+
+std::optional<EmittingArea> emitting_area(const Shape& shape, int part, const UploadFrame& frame) {
+  kinds::AreaItems items(frame, shape.flip_normals != faces_inward(shape.geometry));
+  std::visit([&](const auto& geometry) { kinds::emit(items, geometry, part); }, shape.geometry);
+  std::vector<double>& weights = items.weights();
+  for (double& weight : weights)
+    if (!std::isfinite(weight)) weight = 0;
+  EmittingArea area;
+  area.size = std::accumulate(weights.begin(), weights.end(), 0.0);
+  if (!(area.size > 0 && std::isfinite(area.size))) return std::nullopt;
+  area.side = items.is_flipped() ? -1 : 1;
+  area.items = std::move(items.items());
+  area.choices = alias_table(weights);
+  return area;
+}
+
+}  // namespace strahl

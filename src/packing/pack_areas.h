@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// What the kernels draw places on an emitter from: its items (cl/areas) and a table that draws one in proportion to its
+// area.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "kinds/upload_frame.h"
+#include "scene/model/scene.h"
+
+namespace strahl {
+
+/// A row of an alias table: with a number of 32 bits below the limit the row's own item, else the other.
+struct Choice {
+  std::uint32_t limit = 0xffffffff;
+  std::int32_t other = 0;
+};
+
+/// Draws an item in proportion to its weight: all of them, one at least, finite and not negative, their sum positive.
+/// A. Walker's method with M. Vose's table, "A Linear Algorithm for Generating Random Numbers with a Given
+/// Distribution", IEEE Transactions on Software Engineering 17(9), 1991.
+[[nodiscard]] std::vector<Choice> alias_table(const std::vector<double>& weights);
+
+/// In the frame's units.
+struct EmittingArea {
+  double size = 0;            ///< > 0.
+  double side = 1;            ///< 1: emits outwards, -1: inwards (round shapes; flat ones turn their normal).
+  std::vector<double> items;  ///< As the entry's file says.
+  std::vector<Choice> choices;
+};
+
+/// Whether the items are flat primitives, all that the shape has, in its order.
+[[nodiscard]] bool is_area_of_primitives(const Geometry& geometry);
+
+/// Of one part of a shape (0 for shapes without parts); none where there is no area to draw from.
+[[nodiscard]] std::optional<EmittingArea> emitting_area(const Shape& shape, int part, const UploadFrame& frame);
+
+}  // namespace strahl

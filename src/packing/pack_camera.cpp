@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#include "packing/pack_camera.h"
+
+#include <cmath>
+
+#include "packing/cl_layout.h"
+
+namespace strahl {
+namespace {
+
+/// Half the opening's tangent, across the picture's width.
+double tan_half_width(const Camera& camera, const Film& film) {
+  // Through long double, so that tan(45 degrees) is 1.
+  const long double half = static_cast<long double>(camera.fov_degrees) * std::acos(-1.0L) / 360.0L;
+  const double tangent = static_cast<double>(std::tan(half));
+  const double width = film.width, height = film.height;
+  const bool wide = width >= height;
+  switch (camera.fov_axis) {
+    case FovAxis::x:
+      return tangent;
+    case FovAxis::y:
+      return tangent * width / height;
+    case FovAxis::diagonal:
+      return tangent * width / std::hypot(width, height);
+    case FovAxis::smaller:
+      return wide ? tangent * width / height : tangent;
+    case FovAxis::larger:
+      return wide ? tangent : tangent * width / height;
+  }
+  return tangent;
+}
+
+}  // namespace
+
+std::vector<double> camera_reals(const Camera& camera, const Film& film, const UploadFrame& frame) {
+  const Transform& world = camera.world_from_camera;
+  const Vec3 forward = world.column(2);
+  // A distance along the viewing axis is 1 in t: directions are given per unit of depth.
+  const double depth = 1 / length(forward);
+  const Vec3 right = -(world.column(0)), down = -(world.column(1));
+  const double aspect = static_cast<double>(film.height) / film.width;
+
+  Vec3 o = frame.point(world.translation()), ox, oy, d = depth * forward, dx, dy;
+  if (camera.projection == Projection::perspective) {
+    const double tangent = tan_half_width(camera, film);
+    dx = (tangent * depth) * right;
+    dy = (tangent * aspect * depth) * down;
+    d = d + 2 * camera.principal_point_offset_x * dx + 2 * camera.principal_point_offset_y * dy;
+  } else {
+    ox = frame.vector(right);
+    oy = frame.vector(aspect * down);
+  }
+  std::vector<double> reals(layout::CAMERA_REALS, 0.0);
+  auto put = [&](int at, const Vec3& v) {
+    reals[static_cast<std::size_t>(at)] = v.x;
+    reals[static_cast<std::size_t>(at + 1)] = v.y;
+    reals[static_cast<std::size_t>(at + 2)] = v.z;
+  };
+  put(layout::CAMERA_O, o);
+  put(layout::CAMERA_OX, ox);
+  put(layout::CAMERA_OY, oy);
+  put(layout::CAMERA_D, d);
+  put(layout::CAMERA_DX, dx);
+  put(layout::CAMERA_DY, dy);
+  reals[layout::CAMERA_NEAR] = frame.scale * camera.near_clip;
+  reals[layout::CAMERA_FAR] = frame.scale * camera.far_clip;
+  return reals;
+}
+
+}  // namespace strahl

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+// The camera as the affine map of cl/camera/camera_lanes.h.
+#pragma once
+
+#include <vector>
+
+#include "kinds/upload_frame.h"
+
+namespace strahl {
+
+/// CAMERA_REALS values. Picture coordinates run from -1 to 1, x to the right and y down, over the whole film.
+[[nodiscard]] std::vector<double> camera_reals(const Camera& camera, const Film& film, const UploadFrame& frame);
+
+}  // namespace strahl

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+#include "packing/pack_instances.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace strahl {
+namespace {
+
+/// The multiple of a power of two not below twice `half` that is nearest to x: few digits, and 0 where 0 is near.
+double few_digits(double x, double half) {
+  if (!(half > 0) || !std::isfinite(half) || !std::isfinite(x)) return 0;
+  const double step = std::ldexp(1.0, std::ilogb(half) + 2);
+  return step * std::nearbyint(x / step);
+}
+
+Vec3 pivot_of(const Vec3& lo, const Vec3& hi) {
+  const Vec3 center = 0.5 * (lo + hi);
+  const double half = 0.5 * largest_component(hi - lo);
+  return {few_digits(center.x, half), few_digits(center.y, half), few_digits(center.z, half)};
+}
+
+Vec3 absolute(const Vec3& v) { return {std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}; }
+
+/// The linear part with the magnitudes of its numbers.
+Transform magnitudes(Transform transform) {
+  for (auto& row : transform.m) {
+    for (double& x : row) x = std::fabs(x);
+    row[3] = 0;
+  }
+  return transform;
+}
+
+template <typename Real>
+Vec3 rounded(const Vec3& v) {
+  const auto round = [](double x) { return static_cast<double>(static_cast<Real>(x)); };
+  return {round(v.x), round(v.y), round(v.z)};
+}
+
+template <typename Real>
+void put(InstanceReals<Real>& reals, int at, const Vec3& v) {
+  for (const double x : {v.x, v.y, v.z}) reals[static_cast<std::size_t>(at++)] = static_cast<Real>(x);
+}
+
+template <typename Real>
+void put_linear(InstanceReals<Real>& reals, int at, const Transform& transform) {
+  for (int row = 0; row < 3; ++row) {
+    const auto& m = transform.m[static_cast<std::size_t>(row)];
+    put(reals, at + 3 * row, {m[0], m[1], m[2]});
+  }
+}
+
+}  // namespace
+
+UploadFrame group_frame(const Group& group, const UploadFrame& scene) {
+  const std::optional<Box> box = bounds(group);
+  if ((scene.origin == Vec3{} && scene.scale == 1) || !box) return {};
+  UploadFrame frame{pivot_of(box->min, box->max), 1};
+  const double extent =
+      std::max(largest_component(box->min - frame.origin), largest_component(box->max - frame.origin));
+  if (extent > 0 && std::isfinite(extent)) frame.scale = std::ldexp(1.0, -std::ilogb(extent));
+  return frame;
+}
+
+Transform frame_from_group(const Instance& instance, const UploadFrame& group, const UploadFrame& scene) {
+  Transform map = instance.world_from_group;
+  const Vec3 origin = scene.point(map.point(group.origin));
+  for (auto& row : map.m)
+    for (std::size_t i = 0; i < 3; ++i) row[i] *= scene.scale / group.scale;
+  map.m[0][3] = origin.x;
+  map.m[1][3] = origin.y;
+  map.m[2][3] = origin.z;
+  return map;
+}
+
+template <typename Real>
+InstanceReals<Real> instance_reals(const Transform& frame_from_group, const Bounds<Real>& box) {
+  const Vec3 lo{double(box[0]), double(box[2]), double(box[4])}, hi{double(box[1]), double(box[3]), double(box[5])};
+  const Vec3 pivot_in_group = pivot_of(lo, hi), pivot_exact = frame_from_group.point(pivot_in_group);
+  const Vec3 pivot = rounded<Real>(pivot_exact);
+  // Rounded first: what the kernels compute with is the instance, and all else follows from it.
+  Transform to_group = frame_from_group.inverse();
+  for (auto& row : to_group.m) {
+    for (std::size_t i = 0; i < 3; ++i) row[i] = static_cast<double>(static_cast<Real>(row[i]));
+    row[3] = 0;
+  }
+  const Vec3 offset = rounded<Real>(pivot_in_group + to_group.vector(pivot - pivot_exact));
+  const Transform to_frame = to_group.inverse();
+
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  Vec3 least{infinite, infinite, infinite}, most = -least;
+  for (unsigned corner = 0; corner < 8; ++corner) {
+    const Vec3 in_group{(corner & 1U) != 0 ? hi.x : lo.x, (corner & 2U) != 0 ? hi.y : lo.y,
+                        (corner & 4U) != 0 ? hi.z : lo.z};
+    const Vec3 p = pivot + to_frame.vector(in_group - offset);
+    least = {std::min(least.x, p.x), std::min(least.y, p.y), std::min(least.z, p.z)};
+    most = {std::max(most.x, p.x), std::max(most.y, p.y), std::max(most.z, p.z)};
+  }
+
+  // What is rounded when a point of the instance is mapped: within the group, and before that on the way there.
+  const Vec3 in_group =
+      absolute(offset) + Vec3{std::max(std::fabs(lo.x), std::fabs(hi.x)), std::max(std::fabs(lo.y), std::fabs(hi.y)),
+                              std::max(std::fabs(lo.z), std::fabs(hi.z))};
+  const Vec3 around = 0.5 * (most - least) + absolute(0.5 * (most + least) - pivot);
+  const Transform there = magnitudes(to_group), back = magnitudes(to_frame);
+  const double error = 2 * largest_component(back.vector(in_group + there.vector(around)));
+
+  InstanceReals<Real> reals;
+  // Outwards by more than the corners and the mapping of rays that begin nearby round.
+  const double out = 4 * std::numeric_limits<Real>::epsilon() * (error + largest_component(absolute(pivot) + around));
+  const Bounds<Real> outer = rounded_outwards<Real>(least - Vec3{out, out, out}, most + Vec3{out, out, out});
+  std::copy(outer.begin(), outer.end(), reals.begin() + layout::INSTANCE_BOX);
+  put(reals, layout::INSTANCE_PIVOT, pivot);
+  put_linear(reals, layout::INSTANCE_TO_GROUP, to_group);
+  put(reals, layout::INSTANCE_OFFSET, offset);
+  put_linear(reals, layout::INSTANCE_TO_WORLD, to_frame);
+  reals[layout::INSTANCE_ERROR] = static_cast<Real>(error);
+  reals[layout::INSTANCE_SHRINK] = static_cast<Real>(std::cbrt(std::fabs(to_group.determinant())));
+  return reals;
+}
+
+template InstanceReals<float> instance_reals(const Transform&, const Bounds<float>&);
+template InstanceReals<double> instance_reals(const Transform&, const Bounds<double>&);
+
+}  // namespace strahl

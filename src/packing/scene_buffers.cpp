@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#include "packing/scene_buffers.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "packing/memory_estimate.h"
+
+namespace strahl {
+namespace {
+
+template <typename T>
+cl::Buffer upload(const Device& device, const std::vector<T>& values, const std::string& what) {
+  cl::Buffer buffer = allocate(device, values.size() * sizeof(T), what);
+  if (!values.empty()) write_buffer(device, buffer, values.data(), values.size() * sizeof(T));
+  return buffer;
+}
+
+template <typename Real>
+SceneBuffers upload_as(const Device& device, const Scene& scene, const Features& features, const PackOptions& options) {
+  const PackedScene<Real> packed = pack_scene<Real>(scene, features, options);
+  const std::uint64_t memory = device.info().global_memory;
+  if (packed.bytes() > memory)
+    throw NoDeviceError(fmt::format("the scene needs {} MiB and {} has {} MiB: choose a device with more memory (-d)",
+                                    packed.bytes() >> 20, device.info().text(), memory >> 20));
+  SceneBuffers buffers;
+  buffers.geometry = upload(device, packed.geometry, "the scene's geometry");
+  buffers.shading = upload(device, packed.shading, "the scene's shading data");
+  buffers.index = upload(device, packed.index, "the scene's tables");
+  buffers.bytes = packed.bytes();
+  buffers.tree = packed.tree;
+  return buffers;
+}
+
+}  // namespace
+
+cl::Buffer allocate(const Device& device, std::size_t bytes, const std::string& what) {
+  bytes = std::max<std::size_t>(bytes, 16);
+  if (bytes > device.info().max_allocation)
+    throw NoDeviceError(fmt::format("{} needs a buffer of {} MiB and {} allows {} MiB: choose another device (-d)",
+                                    what, bytes >> 20, device.info().text(), device.info().max_allocation >> 20));
+  return checked(device.info().text(), [&] { return cl::Buffer(device.context(), CL_MEM_READ_WRITE, bytes); });
+}
+
+void write_buffer(const Device& device, const cl::Buffer& buffer, const void* data, std::size_t bytes) {
+  checked(device.info().text(), [&] { return device.queue().enqueueWriteBuffer(buffer, CL_TRUE, 0, bytes, data); });
+}
+
+void read_buffer(const Device& device, const cl::Buffer& buffer, void* data, std::size_t bytes) {
+  checked(device.info().text(), [&] { return device.queue().enqueueReadBuffer(buffer, CL_TRUE, 0, bytes, data); });
+}
+
+SceneBuffers upload_scene(const Device& device, const Scene& scene, const Features& features, Precision precision,
+                          const PackOptions& options) {
+  require_memory(least_memory(scene, features, precision, options.lanes), device.info(), precision);
+  return precision == Precision::fp64 ? upload_as<double>(device, scene, features, options)
+                                      : upload_as<float>(device, scene, features, options);
+}
+
+}  // namespace strahl

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#include "program/disabled.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <map>
+#include <vector>
+
+#include "did_you_mean.h"
+#include "errors.h"
+#include "program/kernel_source.h"
+
+namespace strahl {
+namespace {
+
+/// Lists and flags that --disable refuses.
+const std::map<std::string, std::string>& needed() {
+  static const std::map<std::string, std::string> reasons = {
+      {"integrators", "a picture needs its integrator; --integrator takes another one"},
+      {"samplers", "samples draw their numbers from it; --sampler takes another one"},
+      {"BRANCHES", "integrator whitted follows glass by it; --integrator path draws one way of two"},
+      {"choosers", "lights are drawn by it"},
+      {"OPENNESS", "integrator ao is nothing else; --integrator takes another one"},
+      {"AOV", "--aov asks for it; leave that out"},
+      {"COUNT_RAYS", "--stats-detail asks for it; leave that out"},
+      {"LOOP_LIMIT", "the device ends long loops, and a picture might be wrong without a word"},
+      {"ERROR_SUMS", "--no-error leaves it out"},
+  };
+  return reasons;
+}
+
+std::vector<std::string> all_effects() {
+  std::vector<std::string> names;
+  for (const std::string& list : list_folders())
+    for (const std::string& entry : list_entries(list)) names.push_back(list + "/" + entry);
+  for (const auto& [name, purpose] : list_features()) names.push_back(name);
+  return names;
+}
+
+std::string reason(const std::string& name) {
+  const auto found = needed().find(name.substr(0, name.find('/')));
+  return found == needed().end() ? "" : found->second;
+}
+
+}  // namespace
+
+std::string needed_because(const std::string& name) {
+  std::vector<std::string> names = all_effects();
+  if (std::find(names.begin(), names.end(), name) == names.end()) {
+    const std::string hint = did_you_mean(name, names);
+    std::erase_if(names, [](const std::string& known) { return !reason(known).empty(); });
+    throw UsageError(
+        fmt::format("there is no effect \"{}\"{}; these can be left out: {}", name, hint, fmt::join(names, ", ")));
+  }
+  return reason(name);
+}
+
+std::set<std::string> disabled_effects(const std::set<std::string>& disabled) {
+  std::set<std::string> names = disabled;
+  for (const std::string& name : disabled)
+    if (const std::string why = needed_because(name); !why.empty())
+      throw UsageError(fmt::format("{} cannot be left out: {}", name, why));
+  if (names.contains("EMISSION")) names.insert("lights/area");
+  if (names.contains("lights/area"))
+    for (const std::string& area : list_entries("areas")) names.insert("areas/" + area);
+  return names;
+}
+
+}  // namespace strahl

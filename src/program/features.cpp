@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: MIT
+// One predicate per entry and flag; the first element that calls for an effect is the one reported.
+#include "program/features.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <stdexcept>
+#include <tuple>
+
+#include "kinds/entries.h"
+#include "kinds/integrators.h"
+#include "kinds/lights.h"
+#include "kinds/materials.h"
+#include "program/disabled.h"
+#include "settings/sampling.h"
+
+namespace strahl {
+namespace {
+
+struct Cause {
+  std::string why;
+  SourceLocation where;
+};
+
+struct Causes {
+  std::set<std::string> left_out;
+  std::map<std::string, Cause> first;  ///< That was found of each name.
+  bool background = false;             ///< A light that rays find where they leave the scene.
+
+  [[nodiscard]] bool allow(const std::string& name) const { return !left_out.contains(name); }
+  [[nodiscard]] bool contains(const std::string& name) const { return first.contains(name); }
+};
+
+void call_for(Causes& causes, const std::string& name, const std::string& why, const SourceLocation& where) {
+  if (causes.allow(name)) causes.first.try_emplace(name, Cause{why, where});
+}
+
+const Material& material_at(const Scene& scene, int index) {
+  return scene.materials.at(static_cast<std::size_t>(index));
+}
+
+void shape_causes(const Scene& scene, const RenderSettings& settings, Causes& causes) {
+  const kinds::IntegratorFacts& integrator = kinds::integrator(scene.integrator.name);
+  const bool lit = integrator.shows_emission;
+  const bool reflects = integrator.is_lit();
+  // Normals interpolated over a mesh reach the picture through lighting, the normals picture and its AOV.
+  const bool shading = integrator.reads_shading || settings.aovs.contains(Aov::normal);
+  auto use_material = [&](int index, const SourceLocation& where) {
+    const Material& material = material_at(scene, index);
+    const MaterialFacts facts = material_facts(material);
+    const SourceLocation& place = material.where.line > 0 ? material.where : where;
+    call_for(causes, "materials/" + facts.kind, "material of type " + facts.kind, place);
+    if (facts.is_twosided) call_for(causes, "TWOSIDED", "a twosided material", place);
+    if (integrator.follows == kinds::Follows::mirrors &&
+        facts.has_lobe(lobes::LOBE_REFLECT | lobes::LOBE_TRANSMIT | lobes::LOBE_DELTA))
+      call_for(causes, "BRANCHES", "a material that reflects and transmits", place);
+    bool is_textured = false;
+    for (const MaterialSlot& slot : facts.slots) {
+      if (slot.texture < 0) continue;
+      const Texture& texture = scene.textures.at(static_cast<std::size_t>(slot.texture));
+      const std::string pattern = texture_kind(texture);
+      if (!causes.allow("textures/" + pattern)) continue;
+      call_for(causes, "textures/" + pattern, "a reflectance from a texture of type " + pattern,
+               texture.where.line > 0 ? texture.where : place);
+      is_textured = true;
+    }
+    return is_textured;
+  };
+  // Only the first cause of each is told: of a million spheres one is looked at.
+  std::set<std::tuple<std::size_t, int, bool>> seen;
+  const auto look_at = [&](const Shape& shape) {
+    const auto* mesh = std::get_if<Mesh>(&shape.geometry);
+    if (!causes.allow("shapes/" + shape_kind(shape))) return;
+    if (!mesh && !!shape.priority &&
+        !seen.emplace(shape.geometry.index(), shape.material, shape.radiance.has_value()).second)
+      return;
+    const std::string kind = shape_kind(shape);
+    call_for(causes, "shapes/" + kind, "a shape made of " + kind + " primitives", shape.where);
+    if (mesh && shading && !mesh->normals.empty())
+      call_for(causes, "SMOOTH_NORMALS", "a mesh with vertex normals", shape.where);
+    if (mesh && settings.aovs.contains(Aov::uv) && !mesh->uvs.empty())
+      call_for(causes, "MESH_UVS", "a mesh with texture coordinates, for --aov uv", shape.where);
+    auto emit = [&](const SourceLocation& where) {
+      const std::string area = area_kind(shape.geometry);
+      if (!reflects || area.empty() || !causes.allow("areas/" + area)) return;
+      call_for(causes, "areas/" + area, "an area emitter on a " + kind, where);
+      call_for(causes, "lights/area", "an area emitter", where);
+    };
+    if (lit && shape.radiance) {
+      call_for(causes, "EMISSION", "an area emitter", shape.radiance_where);
+      emit(shape.radiance_where);
+    }
+    if (reflects && shape.priority) call_for(causes, "PRIORITY", "a shape with a priority", shape.where);
+    bool textured = false;
+    if (reflects && !(mesh && !mesh->parts.empty())) textured = use_material(shape.material, shape.where);
+    if (!mesh) return;
+    for (const MeshPart& part : mesh->parts) {
+      if (lit && part.radiance) {
+        call_for(causes, "EMISSION", "a mesh material that emits", shape.where);
+        emit(shape.where);
+      }
+      if (reflects && use_material(part.material, shape.where)) textured = true;
+    }
+    if (textured && !mesh->uvs.empty())
+      call_for(causes, "MESH_UVS", "a mesh with texture coordinates, for its texture", shape.where);
+  };
+  for (const Shape& shape : scene.shapes) look_at(shape);
+  if (!causes.allow("INSTANCES")) return;
+  for (const Group& group : scene.groups)
+    for (const Shape& shape : group.shapes) look_at(shape);
+}
+
+/// Does a sample draw more than its place in the pixel?
+bool draws(const kinds::IntegratorFacts& integrator, const Causes& causes) {
+  return integrator.follows == kinds::Follows::paths || integrator.asks_openness ||
+         (integrator.is_lit() && (causes.contains("EMISSION") || causes.background));
+}
+
+/// Lights outside shapes, and what chooses among lights where any is drawn.
+void light_causes(const Scene& scene, Causes& causes) {
+  const kinds::IntegratorFacts& integrator = kinds::integrator(scene.integrator.name);
+  const Cause* drawn = nullptr;
+  const auto note = [&](const std::string& effect) {
+    const auto found = causes.first.find(effect);
+    if (found != causes.first.end() && drawn == nullptr) drawn = &found->second;
+  };
+  note("lights/area");
+  for (const Light& light : scene.lights) {
+    const kinds::LightFacts& facts = kinds::light(light);
+    if (!integrator.is_lit() && !(integrator.shows_emission && facts.is_background)) continue;
+    const std::string kind = facts.entry, effect = "lights/" + kind;
+    call_for(causes, effect, "an emitter of type " + kind, light.where);
+    causes.background = causes.background || (facts.is_background && causes.contains(effect));
+    if (!facts.is_delta || integrator.lamps == kinds::Lamps::drawn) note(effect);
+  }
+  if (integrator.is_lit() && drawn != nullptr)
+    call_for(causes, std::string("choosers/") + light_chooser, drawn->why, drawn->where);
+}
+
+Causes causes_of(const Scene& scene, const RenderSettings& settings) {
+  Causes causes{disabled_effects(settings.disabled), {}};
+  shape_causes(scene, settings, causes);
+  if (!scene.instances.empty()) call_for(causes, "INSTANCES", "an instance of a group", scene.instances.front().where);
+  light_causes(scene, causes);
+  const std::string& integrator = scene.integrator.name;
+  const kinds::IntegratorFacts& facts = kinds::integrator(integrator);
+  if (scene.integrator.hide_emitters && (causes.contains("EMISSION") || causes.background))
+    call_for(causes, "HIDE_EMITTERS", "the integrator's hide_emitters", scene.integrator.where);
+  call_for(causes, "integrators/" + integrator, "integrator " + integrator, scene.integrator.where);
+  // Whatever the number of samples, which must not change the program; a filter of width 0 serves the centre by
+  // default.
+  const bool is_spread = scene.sampler.kind != SamplerKind::centre;
+  if (is_spread) call_for(causes, "PIXEL_FILTER", "samples anywhere but at the pixels' centres", scene.sampler.where);
+  if (is_spread || draws(facts, causes)) {
+    const std::string sampler = sampler_entry(resolve_sampling(scene).kind);
+    call_for(causes, "samplers/" + sampler, "numbers that samples draw", scene.sampler.where);
+  }
+  if (facts.asks_openness) call_for(causes, "OPENNESS", "integrator ao", scene.integrator.where);
+  if (!settings.aovs.empty()) call_for(causes, "AOV", "--aov", {});
+  if (settings.estimate_error) call_for(causes, "ERROR_SUMS", "the estimate of the picture's error", {});
+  if (settings.count_rays) call_for(causes, "COUNT_RAYS", "--stats-detail", {});
+  if (settings.loop_turns) call_for(causes, "LOOP_LIMIT", "a device that ends long loops", {});
+  return causes;
+}
+
+}  // namespace
+
+bool Features::has(const std::string& list, const std::string& entry) const {
+  const auto found = entries.find(list);
+  return found != entries.end() && found->second.contains(entry);
+}
+
+bool Features::flag(const std::string& name) const {
+  const auto found = std::find_if(flags.begin(), flags.end(), [&](const auto& flag) { return flag.first == name; });
+  if (found == flags.end()) throw std::logic_error("features.def has no " + name);
+  return found->second;
+}
+
+int Features::entry_index(const std::string& list, const std::string& entry) const {
+  int index = 0;
+  for (const std::string& name : list_entries(list)) {
+    if (name == entry) return has(list, entry) ? index : -1;
+    if (has(list, name)) ++index;
+  }
+  throw std::logic_error(list + " has no entry " + entry);
+}
+
+Features features_of(const Scene& scene, const RenderSettings& settings) {
+  const Causes causes = causes_of(scene, settings);
+  Features features;
+  auto report = [&](const std::string& name, const std::string& purpose) {
+    const auto cause = causes.first.find(name);
+    FeatureReport row{name, cause != causes.first.end(), purpose, {}};
+    if (!causes.allow(name)) {
+      row.why = "--disable";
+    } else if (row.on) {
+      row.why = cause->second.why;
+      row.where = cause->second.where;
+    } else if (settings.generic && name != "COUNT_RAYS" && name != "LOOP_LIMIT") {
+      row.on = true;
+      row.why = "--generic";
+    }
+    features.report.push_back(row);
+    return row.on;
+  };
+  for (const std::string& list : list_folders()) {
+    auto& active = features.entries[list];
+    for (const std::string& entry : list_entries(list))
+      if (report(list + "/" + entry, {})) active.insert(entry);
+  }
+  for (const auto& [name, purpose] : list_features()) features.flags.emplace_back(name, report(name, purpose));
+  return features;
+}
+
+}  // namespace strahl

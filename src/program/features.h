@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// Which effects a scene calls for: the one place that decides what goes into a program.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "program/kernel_source.h"
+#include "scene/model/scene.h"
+#include "settings/settings.h"
+
+namespace strahl {
+
+/// One effect, on or off, and the scene element that called for it.
+struct FeatureReport {
+  std::string name;  ///< "shapes/sphere" for an entry of a list, "AOV" for a flag of features.def.
+  bool on = false;
+  std::string why;       ///< "shape of type sphere", or what the flag is for.
+  SourceLocation where;  ///< The element (or option) that called for it; empty where off or a default.
+};
+
+struct Features {
+  ActiveEntries entries;                            ///< Active entries of every list.
+  std::vector<std::pair<std::string, bool>> flags;  ///< Every flag of features.def, in its order.
+  std::vector<FeatureReport> report;                ///< All of them, lists first, each in file order.
+
+  [[nodiscard]] bool has(const std::string& list, const std::string& entry) const;
+  [[nodiscard]] bool flag(const std::string& name) const;
+  /// Number of an entry among the active ones, as the program's enumerators count; -1 where it is not active.
+  [[nodiscard]] int entry_index(const std::string& list, const std::string& entry) const;
+};
+
+/// The entry of cl/choosers/choosers.def that chooses among the lights that are drawn.
+inline constexpr const char* light_chooser = "uniform";
+
+/// Pure. settings.generic: everything on; settings.disabled: off all the same. Throws UsageError for what cannot be.
+[[nodiscard]] Features features_of(const Scene& scene, const RenderSettings& settings);
+
+}  // namespace strahl

@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: MIT
+// The include expander: recursive descent over lines, with `#line` wherever the file changes.
+#include "program/kernel_source.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <regex>
+#include <stdexcept>
+
+#include "program/kernel_lines.h"
+#include "program/lane_table.h"
+
+namespace strahl {
+
+namespace {
+
+std::string folder_of(const std::string& path) {
+  const auto slash = path.rfind('/');
+  return slash == std::string::npos ? "" : path.substr(0, slash);
+}
+
+std::string list_of(const std::string& folder) {
+  return fmt::format("{}/{}.def", folder, folder.substr(folder.rfind('/') + 1));
+}
+
+bool is_list(const std::string& path) { return !folder_of(path).empty() && path == list_of(folder_of(path)); }
+
+[[noreturn]] void fail(const std::string& path, std::size_t line, const std::string& what) {
+  throw std::logic_error(fmt::format("{}:{}: {}", path, line, what));
+}
+
+/// "sphere" of `SHAPE(sphere, ...)`; empty for a line without code.
+std::string entry_name(const std::string& path, std::size_t line, const std::string& bare) {
+  static const std::regex entry(R"([A-Za-z_]\w*\s*\(\s*([A-Za-z_]\w*)\s*(?:,.*)?\))");
+  if (bare.empty()) return {};
+  std::smatch match;
+  if (!std::regex_match(bare, match, entry)) {
+    fail(path, line, "a list holds comments and entries NAME(entry, ...) only");
+  }
+  return match[1];
+}
+
+/// Its lines stand in a text as far as the text uses their names.
+const std::string lane_table = "lanes/lane_table.h";
+
+class Expander {
+ public:
+  Expander(const KernelFiles& files, const ActiveEntries& active) : files_(files), active_(active) {
+    for (const std::string& folder : list_folders(files)) {
+      const std::vector<std::string> entries = list_entries(files, folder);
+      entries_[folder] = {entries.begin(), entries.end()};
+    }
+    for (const auto& [folder, names] : active) {
+      if (!entries_.contains(folder)) throw std::logic_error(fmt::format("there is no list {}", list_of(folder)));
+      for (const std::string& name : names) {
+        if (!entries_[folder].contains(name)) {
+          throw std::logic_error(fmt::format("{} has no entry \"{}\"", list_of(folder), name));
+        }
+      }
+    }
+  }
+
+  std::string expand(const std::string& root) {
+    if (!files_.contains(root)) throw std::logic_error(fmt::format("there is no kernel file \"{}\"", root));
+    add_file(root);
+    if (table_at_) text_.insert(*table_at_, used_lane_names(files_.at(lane_table), text_));
+    return std::move(text_);
+  }
+
+ private:
+  void add_file(const std::string& path) {
+    const std::vector<KernelLine> lines = kernel_lines(files_.at(path));
+    const std::string guard = include_guard(lines);
+    if (!guard.empty() && conditionals_ == 0) present_.insert(path);
+    open_.push_back(path);
+    if (!guard.empty()) --conditionals_;  // its own #ifndef is true where the file is not present yet
+    const std::string name = path.substr(path.rfind('/') + 1);
+    if (path.ends_with(".def")) {
+      add_def(path, lines);
+    } else if (name == "all.h" || name == "all_lanes.h") {
+      add_include_list(path, lines, guard);
+    } else {
+      add_code(path, lines);
+    }
+    if (!guard.empty()) ++conditionals_;
+    open_.pop_back();
+  }
+
+  void add_code(const std::string& path, const std::vector<KernelLine>& lines) {
+    add_line_directive(path, 1);
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      const std::string include = included_path(lines[i].bare);
+      conditionals_ += conditional_step(lines[i].bare);
+      if (directive(lines[i].bare) == std::pair<std::string, std::string>("pragma", "once")) {
+        fail(path, i + 1, "kernel files use an include guard (#ifndef), not #pragma once");
+      }
+      if (include.empty()) {
+        text_ += lines[i].text + '\n';
+      } else if (is_wanted(path, i + 1, include)) {
+        if (include == lane_table)
+          table_at_ = text_.size();
+        else
+          add_file(include);
+        add_line_directive(path, i + 2);
+      } else {
+        text_ += '\n';
+      }
+    }
+  }
+
+  /// Comments stay out, so that a list may be annotated without a program's text changing.
+  void add_def(const std::string& path, const std::vector<KernelLine>& lines) {
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      if (lines[i].bare.empty()) continue;
+      if (is_list(path) && !is_active(folder_of(path), entry_name(path, i + 1, lines[i].bare))) continue;
+      text_ += lines[i].bare + '\n';
+    }
+  }
+
+  void add_include_list(const std::string& path, const std::vector<KernelLine>& lines, const std::string& guard) {
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      if (lines[i].bare.empty()) continue;
+      const std::string include = included_path(lines[i].bare);
+      const int step = conditional_step(lines[i].bare);
+      conditionals_ += step;
+      if (!include.empty()) {
+        if (is_wanted(path, i + 1, include)) add_file(include);
+      } else if (!guard.empty() && (step != 0 || lines[i].bare.ends_with(guard))) {
+        text_ += lines[i].bare + '\n';
+      } else {
+        fail(path, i + 1, "all.h and all_lanes.h hold comments and includes only");
+      }
+    }
+  }
+
+  bool is_active(const std::string& folder, const std::string& entry) const {
+    const auto names = active_.find(folder);
+    return names == active_.end() || names->second.contains(entry);
+  }
+
+  /// Whether an include puts anything into the text; throws where it cannot be followed.
+  bool is_wanted(const std::string& path, std::size_t line, const std::string& include) const {
+    if (!files_.contains(include)) {
+      fail(path, line, fmt::format("includes \"{}\", which is not below cl/ (includes are relative to cl/)", include));
+    }
+    if (std::find(open_.begin(), open_.end(), include) != open_.end()) {
+      fail(path, line, fmt::format("includes \"{}\", which is being included: {}", include, fmt::join(open_, " > ")));
+    }
+    if (present_.contains(include)) return false;
+    // An entry's own files: shapes/sphere/sphere.h as well as materials/diffuse.h.
+    const std::string folder = folder_of(include), parent = folder_of(folder);
+    for (const std::string ending : {"_lanes.h", ".h"}) {
+      if (!include.ends_with(ending)) continue;
+      const std::string entry = include.substr(folder.size() + 1, include.size() - folder.size() - 1 - ending.size());
+      const std::string owner = folder == parent + '/' + entry ? parent : folder;
+      const auto list = entries_.find(owner);
+      if (list != entries_.end() && list->second.contains(entry)) return is_active(owner, entry);
+    }
+    return true;
+  }
+
+  void add_line_directive(const std::string& path, std::size_t line) {
+    text_ += fmt::format("#line {} \"{}\"\n", line, path);
+  }
+
+  const KernelFiles& files_;
+  const ActiveEntries& active_;
+  std::map<std::string, std::set<std::string>> entries_;
+  std::set<std::string> present_;        ///< Guarded files that stand in the text outside every #if.
+  std::vector<std::string> open_;        ///< From the root to the file being expanded.
+  std::optional<std::size_t> table_at_;  ///< Where the names that depend on the width go.
+  int conditionals_ = 0;                 ///< #ifs open around the current line, guards of open files not counted.
+  std::string text_;
+};
+
+}  // namespace
+
+std::vector<std::string> list_entries(const KernelFiles& files, const std::string& folder) {
+  const std::string path = list_of(folder);
+  const auto list = files.find(path);
+  if (list == files.end()) throw std::logic_error(fmt::format("there is no list {}", path));
+  std::vector<std::string> names;
+  std::size_t number = 0;
+  for (const KernelLine& line : kernel_lines(list->second)) {
+    const std::string name = entry_name(path, ++number, line.bare);
+    if (!name.empty()) names.push_back(name);
+  }
+  return names;
+}
+
+std::vector<std::pair<std::string, std::string>> list_features(const KernelFiles& files) {
+  static const std::regex feature(R"(FEATURE\(\s*(\w+)\s*,\s*\"([^\"\\]*)\"\s*\))");
+  const std::string path = "features.def";
+  const auto list = files.find(path);
+  if (list == files.end()) throw std::logic_error(fmt::format("there is no list {}", path));
+  std::vector<std::pair<std::string, std::string>> features;
+  std::size_t number = 0;
+  for (const KernelLine& line : kernel_lines(list->second)) {
+    ++number;
+    if (line.bare.empty()) continue;
+    std::smatch match;
+    if (!std::regex_match(line.bare, match, feature)) fail(path, number, "expected FEATURE(NAME, \"why\")");
+    features.emplace_back(match[1], match[2]);
+  }
+  return features;
+}
+
+std::vector<std::string> list_folders(const KernelFiles& files) {
+  std::vector<std::string> folders;
+  for (const auto& [path, text] : files) {
+    if (is_list(path)) folders.push_back(folder_of(path));
+  }
+  return folders;
+}
+
+std::string expand_kernel(const KernelFiles& files, const std::string& root, const ActiveEntries& active) {
+  return Expander(files, active).expand(root);
+}
+
+std::vector<std::string> list_entries(const std::string& folder) { return list_entries(kernel_files(), folder); }
+std::vector<std::pair<std::string, std::string>> list_features() { return list_features(kernel_files()); }
+std::vector<std::string> list_folders() { return list_folders(kernel_files()); }
+std::string expand_kernel(const std::string& root, const ActiveEntries& active) {
+  return expand_kernel(kernel_files(), root, active);
+}
+
+}  // namespace strahl

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#include "program/program_text.h"
+
+#include <fmt/format.h>
+
+namespace strahl {
+
+ProgramSource program_source(const std::string& root, const Features& features, Precision precision, int lanes,
+                             int tree_width, bool has_tree, int path_lanes) {
+  return program_source(kernel_files(), root, features, precision, lanes, tree_width, has_tree, path_lanes);
+}
+
+ProgramSource program_source(const KernelFiles& files, const std::string& root, const Features& features,
+                             Precision precision, int lanes, int tree_width, bool has_tree, int path_lanes) {
+  ProgramSource source;
+  source.options = "-cl-std=CL1.2";
+  if (precision == Precision::fast) source.options += " -cl-fast-relaxed-math";
+  source.text = fmt::format("// strahl {} · {} · precision {} · lanes {} · {}\n", STRAHL_VERSION, root,
+                            precision_name(precision), lanes, source.options);
+  source.text += fmt::format("#define REAL_BITS {}\n", precision == Precision::fp64 ? 64 : 32);
+  source.text += fmt::format("#define TIER_ROBUST {}\n", precision == Precision::robust ? 1 : 0);
+  source.text += fmt::format("#define TIER_FAST {}\n", precision == Precision::fast ? 1 : 0);
+  source.text += fmt::format("#define LANES {0}\n#define SCENE_LANES {0}\n#define PATH_LANES {1}\n", lanes, path_lanes);
+  if (lanes == 1 && tree_width == 2) source.text += "#define SCALAR_TREE_WIDTH 2\n";
+  source.text += fmt::format("#define HAS_TREE {}\n", has_tree ? 1 : 0);
+  for (const auto& [name, on] : features.flags) source.text += fmt::format("#define HAS_{} {}\n", name, on ? 1 : 0);
+  source.text += expand_kernel(files, root, features.entries);
+  return source;
+}
+
+Width width_of(const RenderSettings& settings, unsigned native_vector_width) {
+  if (settings.bvh_width) return {*settings.bvh_width >= 8 ? *settings.bvh_width : 1, *settings.bvh_width};
+  const int lanes = settings.lanes.value_or(default_lanes(native_vector_width, settings.precision));
+  return {lanes, lanes == 1 ? 4 : lanes};
+}
+
+int default_lanes(unsigned native_vector_width, Precision precision) {
+  if (native_vector_width >= 16) return precision == Precision::fp64 ? 8 : 16;
+  return native_vector_width >= 8 ? 8 : 1;
+}
+
+}  // namespace strahl

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+// Splits an mtllib line into file names by looking which of them exist.
+#include "scene/meshes/mtl_library_finder.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+#include <sstream>
+
+namespace strahl {
+namespace {
+
+constexpr std::size_t most_words_in_a_name = 16;  // keeps a line of many words from asking for many^2 files
+
+std::string with_plain_blanks(std::string name) {
+  for (std::size_t i = 0; (i = name.find("\\ ", i)) != std::string::npos; ++i) name.erase(i, 1);
+  return name;
+}
+
+std::optional<std::string> existing_file(const std::filesystem::path& folder, const std::string& name) {
+  std::string plain = with_plain_blanks(name);
+  if (plain.find('\0') != std::string::npos) return std::nullopt;
+  std::string slashed = plain;
+  std::ranges::replace(slashed, '\\', '/');
+  for (const std::string& candidate : {plain, slashed}) {
+    const std::filesystem::path path = folder / candidate;
+    std::error_code code;
+    if (std::filesystem::is_regular_file(path, code)) return path.string();
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::vector<std::string> MtlLibraryFinder::read(const std::string& obj_path, const std::string& names,
+                                                MtlLibrary& library) {
+  const std::filesystem::path folder = std::filesystem::path(obj_path).parent_path();
+  std::vector<std::string> words, missing;
+  std::istringstream stream(names);
+  for (std::string word; stream >> word;) words.push_back(word);
+  // Words that end in a backslash were one name in any case.
+  for (std::size_t i = 0; i + 1 < words.size();) {
+    if (!words[i].ends_with('\\')) {
+      ++i;
+      continue;
+    }
+    words[i] += ' ' + words[i + 1];
+    words.erase(words.begin() + static_cast<std::ptrdiff_t>(i) + 1);
+  }
+  for (std::size_t i = 0; i < words.size();) {
+    std::optional<std::string> file;
+    std::size_t n = std::min(words.size() - i, most_words_in_a_name);
+    for (; n > 0; --n) {
+      std::string name = words[i];
+      for (std::size_t k = 1; k < n; ++k) name += ' ' + words[i + k];
+      if ((file = existing_file(folder, name))) break;
+    }
+    if (!file) {
+      missing.push_back(with_plain_blanks(words[i]));
+    } else if (done_.insert(*file).second) {
+      read_mtl(*file, library);
+    }
+    i += std::max<std::size_t>(n, 1);
+  }
+  if (words.empty()) missing.emplace_back();
+  return missing;
+}
+
+}  // namespace strahl

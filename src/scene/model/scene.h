@@ -1,0 +1,298 @@
+// SPDX-License-Identifier: MIT
+// The scene: plain structs, always double, world frame, right-handed. Nothing here knows OpenCL.
+//
+// Readers (loader.h) fill it and validate it; a program that builds one by hand calls validate() (validate.h).
+// Shapes keep the order of the file: their index is the `shape` column of `strahl intersect`. Groups and instances are
+// no shapes and have indices of their own.
+#pragma once
+
+#include <array>
+#include <limits>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "errors.h"
+#include "scene/model/vec.h"
+
+namespace strahl {
+
+// ---- shapes -------------------------------------------------------------------------------------------------
+// Each: world-frame geometry; u, v as documented in docs/scene-format.md.
+
+/// Centre and radius > 0. The frame (x, y, z; orthonormal) orients u, v only.
+struct Sphere {
+  Vec3 center;
+  double radius = 1;
+  std::array<Vec3, 3> frame{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+};
+
+/// Spheres alike but for place and size, a primitive each.
+struct SphereCloud {
+  struct Ball {
+    Vec3 center;
+    double radius = 1;
+  };
+  std::vector<Ball> spheres;
+  std::array<Vec3, 3> frame{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};  ///< As of a Sphere, the same for all.
+};
+
+/// Infinite plane through `point`. `normal` has any length > 0 and is kept as given. `u`, `v` span its 2-D frame.
+struct Plane {
+  Vec3 point;
+  Vec3 normal{0, 1, 0};
+  Vec3 u{1, 0, 0};
+  Vec3 v{0, 0, -1};
+};
+
+/// Axis-aligned box, min <= max in every axis (flat boxes are allowed).
+struct Box {
+  Vec3 min, max;
+};
+
+/// Geometric normal along (p1 - p0) x (p2 - p0).
+struct Triangle {
+  Vec3 p0, p1, p2;
+};
+
+/// Parallelogram corner + s edge_u + t edge_v, 0 <= s, t <= 1; normal along edge_u x edge_v.
+struct Rectangle {
+  Vec3 corner, edge_u, edge_v;
+};
+
+/// Parallelepiped corner + sum s_i edge[i], 0 <= s_i <= 1. Six faces, normals outward whatever the handedness.
+struct Cube {
+  Vec3 corner;
+  std::array<Vec3, 3> edge;
+};
+
+/// Centre, two perpendicular axes of equal length (the radius); normal along axis_u x axis_v.
+struct Disk {
+  Vec3 center, axis_u, axis_v;
+};
+
+/// Open cylinder around the segment p0 -> p1, radius > 0; `reference` (unit, perpendicular to the axis) is u = 0.
+struct Cylinder {
+  Vec3 p0, p1;
+  double radius = 1;
+  Vec3 reference{1, 0, 0};
+};
+
+/// What a group of a mesh's triangles looks like (OBJ usemtl).
+struct MeshPart {
+  int material = -1;  ///< Index into Scene::materials.
+  std::optional<Rgb> radiance;
+};
+
+/// Triangles over shared vertices; `normals` and `uvs` are empty or as long as `positions`.
+struct Mesh {
+  std::vector<Vec3> positions;
+  std::vector<Vec3> normals;  ///< Unit; empty: shade with the face normal.
+  std::vector<Vec2> uvs;
+  std::vector<std::array<int, 3>> triangles;
+  std::vector<MeshPart> parts;        ///< Empty: the shape's own material and radiance hold everywhere.
+  std::vector<int> part_of_triangle;  ///< As long as `triangles` where parts is not empty.
+};
+
+using Geometry = std::variant<Sphere, Plane, Box, Triangle, Rectangle, Cube, Disk, Cylinder, Mesh, SphereCloud>;
+
+struct Shape {
+  std::string id;
+  Geometry geometry;
+  int material = 0;               ///< Index into Scene::materials.
+  std::optional<Rgb> radiance;    ///< Area emitter: emitted on the side that the normal points to.
+  bool flip_normals = false;      ///< Mitsuba's flip_normals: reverses the normal as built.
+  std::optional<int> priority;    ///< Of glass: where such shapes overlap the highest one is there. None: not tracked.
+  SourceLocation where;           ///< The <shape> element.
+  SourceLocation radiance_where;  ///< The <emitter> element inside it.
+};
+
+/// Shapes that instances place, in a frame of their own. They are no part of the scene themselves. Neither planes nor
+/// emitters are among them. `shape` and `primitive` of a hit count within the group.
+struct Group {
+  std::string id;
+  std::vector<Shape> shapes;
+  SourceLocation where;  ///< The <shape type="shapegroup"> element.
+};
+
+/// A group, placed. Its index in Scene::instances is the `instance` column of `strahl intersect`. Normals go through
+/// the inverse transpose, whatever the handedness: what faces outwards in the group does in the world.
+struct Instance {
+  std::string id;
+  int group = 0;  ///< Index into Scene::groups.
+  Transform world_from_group;
+  SourceLocation where;
+};
+
+/// Number of primitives of a shape as `strahl intersect` counts them: cube 6, mesh its triangles, cloud its spheres,
+/// others 1.
+[[nodiscard]] int primitive_count(const Shape& shape);
+
+// ---- appearance ---------------------------------------------------------------------------------------------
+
+/// Squares of 1/2 by 1/2 of u' = m0 u + m1 v + m2, v' = m3 u + m4 v + m5.
+struct Checkerboard {
+  Rgb color0{0.4, 0.4, 0.4};
+  Rgb color1{0.2, 0.2, 0.2};
+  std::array<double, 6> to_uv{1, 0, 0, 0, 1, 0};
+};
+
+/// A colour that varies over a surface.
+struct Texture {
+  std::string id;
+  std::variant<Checkerboard> pattern;
+  SourceLocation where;
+};
+
+/// A share of the light, within [0, 1].
+struct Reflectance {
+  Rgb color;
+  int texture = -1;  ///< Index into Scene::textures, whose colour then takes this one's place; -1: none.
+};
+
+/// Lambertian reflectance rho.
+struct Diffuse {
+  Reflectance reflectance{{0.5, 0.5, 0.5}};
+};
+
+/// Ideal mirror that reflects the same share at every angle.
+struct Conductor {
+  Reflectance reflectance{{1, 1, 1}};
+};
+
+/// Smooth boundary between two media that absorb nothing. Indices of refraction, > 0: behind the normal, before it.
+struct Dielectric {
+  double int_ior = 1.5046;    ///< bk7
+  double ext_ior = 1.000277;  ///< air
+  Reflectance reflectance{{1, 1, 1}};
+  Reflectance transmittance{{1, 1, 1}};
+};
+
+/// What holds for each of them: kinds/materials.h.
+struct Material {
+  std::string id;
+  std::variant<Diffuse, Conductor, Dielectric> bsdf;
+  bool twosided = false;  ///< false: black from behind, as in Mitsuba. Of what transmits light it says nothing.
+  SourceLocation where;
+};
+
+// ---- lights (emitters that are not shapes) --------------------------------------------------------------------
+
+struct PointLight {
+  Vec3 position;
+  Rgb intensity{1, 1, 1};  ///< W/sr.
+};
+
+struct DirectionalLight {
+  Vec3 direction{0, 0, 1};  ///< The way the light travels, any length > 0.
+  Rgb irradiance{1, 1, 1};  ///< W/m^2 on a plane perpendicular to it.
+};
+
+/// Radiance of every ray that leaves the scene.
+struct ConstantLight {
+  Rgb radiance{1, 1, 1};
+};
+
+struct Light {
+  std::string id;
+  std::variant<PointLight, DirectionalLight, ConstantLight> emitter;
+  SourceLocation where;
+};
+
+// ---- camera, film, sampling -----------------------------------------------------------------------------------
+
+enum class Projection { perspective, orthographic };
+enum class FovAxis { x, y, diagonal, smaller, larger };
+
+/// Camera frame as Mitsuba's: looks along +z, y up, +x to the LEFT of the picture. world_from_camera may scale.
+/// Orthographic: the picture spans [-1, 1] in x of the camera frame; size comes from world_from_camera.
+struct Camera {
+  Projection projection = Projection::perspective;
+  Transform world_from_camera;
+  double fov_degrees = 50;  ///< Opening angle along fov_axis (a stated fov; a focal_length is converted).
+  FovAxis fov_axis = FovAxis::x;
+  /// As Mitsuba 3.9 computes it: every ray of a perspective camera goes where the ray this many picture widths to its
+  /// right (heights below it) would go.
+  double principal_point_offset_x = 0;
+  double principal_point_offset_y = 0;
+  double near_clip = 0;  ///< Distances along the viewing axis. Default: nothing is clipped (Mitsuba: 1e-2 … 1e4).
+  double far_clip = std::numeric_limits<double>::infinity();
+  SourceLocation where;
+};
+
+enum class FilterKind { box, tent, gaussian };
+
+/// Pixel reconstruction filter; samples are drawn from it.
+struct Filter {
+  FilterKind kind = FilterKind::gaussian;
+  double radius = 0;  ///< Pixels. 0: the kind's own (box 0.5, tent 1, gaussian 4 stddev).
+  double stddev = 0.5;
+};
+
+/// Pixels [x0, x1) x [y0, y1) of the full picture; y down.
+struct Window {
+  int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+  [[nodiscard]] int width() const { return x1 - x0; }
+  [[nodiscard]] int height() const { return y1 - y0; }
+  friend bool operator==(const Window&, const Window&) = default;
+};
+
+struct Film {
+  int width = 768;
+  int height = 576;
+  std::optional<Window> crop;  ///< None: the whole picture.
+  Filter filter;
+  SourceLocation where;
+  [[nodiscard]] Window window() const { return crop ? *crop : Window{0, 0, width, height}; }
+};
+
+/// centre: rays through the pixels' middles; what else a sample draws comes from sobol.
+enum class SamplerKind { independent, sobol, centre };
+
+struct SamplerSettings {
+  std::optional<SamplerKind> kind;  ///< None: the integrator's default.
+  std::optional<int> sample_count;
+  std::optional<int> seed;
+  SourceLocation where;
+};
+
+struct IntegratorSettings {
+  std::string name = "direct";  ///< An entry of cl/integrators/integrators.def.
+  int max_depth = -1;           ///< -1: no limit. Mitsuba's count: 1 = emission only, 2 = one bounce.
+  int rr_depth = 5;             ///< Surfaces after which Russian roulette begins, at least 1; path only.
+  bool hide_emitters = false;
+  double max_distance = std::numeric_limits<double>::infinity();  ///< How far ao looks, > 0.
+  SourceLocation where;
+};
+
+struct Scene {
+  std::string name;                ///< The file's stem; names the picture where no -o is given.
+  std::vector<std::string> files;  ///< Every file that it was read from; none where a program made it.
+  std::vector<Shape> shapes;
+  std::vector<Group> groups;
+  std::vector<Instance> instances;
+  std::vector<Material> materials{Material{}};  ///< Index 0 is the default: diffuse 0.5, one-sided, as in Mitsuba.
+  std::vector<Texture> textures;
+  std::vector<Light> lights;
+  Camera camera;
+  Film film;
+  SamplerSettings sampler;
+  IntegratorSettings integrator;
+};
+
+/// Axis-aligned bounds of everything bounded; none where there is nothing bounded. Of an instance it is those of its
+/// group's bounds, turned.
+[[nodiscard]] std::optional<Box> bounds(const Scene& scene);
+/// In the group's own frame.
+[[nodiscard]] std::optional<Box> bounds(const Group& group);
+
+/// The scene's own shapes, then those of its groups.
+template <class Visit>
+void for_each_shape(const Scene& scene, Visit visit) {
+  for (const Shape& shape : scene.shapes) visit(shape);
+  for (const Group& group : scene.groups)
+    for (const Shape& shape : group.shapes) visit(shape);
+}
+
+}  // namespace strahl

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+// Rotations by Rodrigues' formula, exact for multiples of 90 degrees around a coordinate axis.
+#include "scene/model/transforms.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace strahl {
+namespace {
+
+// A cross product or determinant of unit vectors carries a few roundings of 2^-53 each; 16 of them decide nothing.
+constexpr double rounding = 16 * 0x1p-53;
+
+}  // namespace
+
+std::pair<double, double> sin_cos_degrees(double degrees) {
+  const double turn = std::remainder(degrees, 360.0);
+  const double quarter = std::nearbyint(turn / 90.0);
+  const double rest = (turn - 90.0 * quarter) * (std::numbers::pi / 180.0);
+  const double s = std::sin(rest), c = std::cos(rest);
+  switch ((static_cast<int>(quarter) % 4 + 4) % 4) {
+    case 0:
+      return {s, c};
+    case 1:
+      return {c, -s};
+    case 2:
+      return {-s, -c};
+    default:
+      return {-c, s};
+  }
+}
+
+Transform rotation(const Vec3& axis, double degrees) {
+  const auto [s, c] = sin_cos_degrees(degrees);
+  const Vec3 a = normalized(axis);
+  const double k = 1 - c;
+  return Transform{{{{c + a.x * a.x * k, a.x * a.y * k - a.z * s, a.x * a.z * k + a.y * s, 0},
+                     {a.y * a.x * k + a.z * s, c + a.y * a.y * k, a.y * a.z * k - a.x * s, 0},
+                     {a.z * a.x * k - a.y * s, a.z * a.y * k + a.x * s, c + a.z * a.z * k, 0}}}};
+}
+
+std::optional<Transform> look_at(const Vec3& origin, const Vec3& target, const Vec3& up) {
+  if (origin == target || up == Vec3{} || !is_finite(target - origin)) return std::nullopt;
+  const Vec3 forward = normalized(target - origin);
+  const Vec3 side = cross(normalized(up), forward);
+  if (length(side) <= rounding) return std::nullopt;
+  const Vec3 left = normalized(side);
+  const Vec3 upward = cross(forward, left);
+  return Transform{{{{left.x, upward.x, forward.x, origin.x},
+                     {left.y, upward.y, forward.y, origin.y},
+                     {left.z, upward.z, forward.z, origin.z}}}};
+}
+
+std::string singular_because(const Transform& transform) {
+  const Vec3 x = transform.column(0), y = transform.column(1), z = transform.column(2);
+  const double lengths[] = {length(x), length(y), length(z)};
+  const double shortest = *std::min_element(lengths, lengths + 3), longest = *std::max_element(lengths, lengths + 3);
+  if (shortest == 0) return "a column is zero";
+  if (!std::isfinite(longest) || longest < std::numeric_limits<double>::min())
+    return "its numbers are too large or too small to be inverted";
+  if (shortest <= rounding * longest)
+    return fmt::format("the longest of its columns measures {:.3g}, the shortest {:.3g}, which is nothing beside it",
+                       longest, shortest);
+  const bool is_flat = std::abs(dot(cross(normalized(x), normalized(y)), normalized(z))) <= rounding;
+  return is_flat ? "its columns lie in one plane" : "";
+}
+
+}  // namespace strahl

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// Transforms that scenes are built with.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "scene/model/vec.h"
+
+namespace strahl {
+
+/// Sine and cosine; quarter turns come out exact, so that a scene turned by 90 degrees stays axis-aligned.
+[[nodiscard]] std::pair<double, double> sin_cos_degrees(double degrees);
+
+/// Counter-clockwise by `degrees` around `axis` (any length > 0).
+[[nodiscard]] Transform rotation(const Vec3& axis, double degrees);
+
+/// Origin at `origin`, +z towards `target`, +y as near to `up` as can be, +x to the left. None where the view
+/// direction is zero or parallel to `up`.
+[[nodiscard]] std::optional<Transform> look_at(const Vec3& origin, const Vec3& target, const Vec3& up);
+
+/// Why the linear part has no inverse in double; empty where it has one. It has none where |det| of its unit columns is
+/// within rounding of 0, where the shortest column is within rounding of 0 beside the longest, or where the longest is
+/// no normal number of double.
+[[nodiscard]] std::string singular_because(const Transform& transform);
+[[nodiscard]] inline bool is_singular(const Transform& transform) { return !singular_because(transform).empty(); }
+
+}  // namespace strahl

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// What the readers of one scene file share: the scene being built, the ids, the problems found.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "scene/loader.h"
+#include "scene/model/scene.h"
+#include "scene/xml/diagnostics.h"
+#include "scene/xml/element_ids.h"
+#include "scene/xml/xml_element.h"
+
+namespace strahl {
+
+struct SceneBuilder {
+  Scene scene;
+  std::string file;  ///< The main scene file.
+  const ElementIds& ids;
+  Diagnostics& diagnostics;
+  const LoadProgress& mesh_progress;
+
+  // read_material.cpp: a bsdf that several shapes refer to is read once.
+  std::map<const XmlElement*, Material> materials;
+  std::map<const XmlElement*, int> material_indices;
+  std::set<const XmlElement*> materials_being_read;
+  std::optional<int> black_material;                 ///< read_shape.cpp, once it is needed.
+  std::map<const XmlElement*, int> texture_indices;  ///< read_texture.cpp, likewise.
+  std::map<const XmlElement*, int> group_indices;    ///< read_group.cpp, likewise.
+};
+
+/// Reads all that a checked <scene> holds into builder.scene.
+void read_scene(const XmlElement& root, SceneBuilder& builder);
+
+}  // namespace strahl

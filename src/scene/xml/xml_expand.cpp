@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: MIT
+// Defaults, substitution and includes in document order. Replaced text is not searched again, and its length is
+// limited, so that a hostile file cannot grow without bound.
+#include "scene/xml/xml_expand.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cstring>
+#include <filesystem>
+#include <set>
+#include <utility>
+
+#include "did_you_mean.h"
+#include "scene/xml/xml_file.h"
+#include "scene/xml/xml_upgrade.h"
+
+namespace strahl {
+
+namespace {
+
+constexpr std::size_t longest_value = std::size_t{1} << 16;
+constexpr int most_includes = 1000;
+
+bool is_name_char(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
+
+std::vector<std::string> names_of(const std::map<std::string, std::string>& values) {
+  std::vector<std::string> names;
+  names.reserve(values.size());
+  for (const auto& [name, value] : values) names.push_back(name);
+  return names;
+}
+
+std::string canonical_path(const std::string& path) {
+  std::error_code fault;
+  const std::filesystem::path canonical = std::filesystem::weakly_canonical(path, fault);
+  return fault ? path : canonical.string();
+}
+
+class Expander {
+ public:
+  Expander(std::string main_file, const std::map<std::string, std::string>& defines, XmlPool& pool,
+           Diagnostics& diagnostics)
+      : main_file_(std::move(main_file)), defines_(defines), values_(defines), pool_(pool), diagnostics_(diagnostics) {}
+
+  [[nodiscard]] XmlElement* read(const std::string& path, const SourceLocation& referrer) {
+    const std::string canonical = canonical_path(path);
+    if (std::find(open_.begin(), open_.end(), canonical) != open_.end()) {
+      diagnostics_.error(referrer, fmt::format("\"{}\" includes itself; break the cycle", path));
+      return nullptr;
+    }
+    XmlElement* root = read_xml_file(path, referrer, pool_, diagnostics_);
+    if (root == nullptr) return nullptr;
+    upgrade_to_version_3(*root, pool_, diagnostics_);
+    open_.push_back(canonical);
+    static_cast<void>(substitute_attributes(*root));
+    expand_children(*root);
+    open_.pop_back();
+    return root;
+  }
+
+  void report_unused_defines() {
+    for (const auto& [name, value] : defines_) {
+      if (used_.count(name) != 0) continue;
+      std::vector<std::string> known(used_.begin(), used_.end());
+      known.insert(known.end(), defaults_.begin(), defaults_.end());
+      diagnostics_.unknown({main_file_}, fmt::format("-D {}={}: the scene does not use ${}{}; it has no effect", name,
+                                                     value, name, did_you_mean(name, known)));
+    }
+  }
+
+ private:
+  void expand_children(XmlElement& element) {
+    XmlElement* given = std::exchange(element.first_child, nullptr);
+    XmlElement** end = &element.first_child;
+    while (given != nullptr) {
+      XmlElement& child = *std::exchange(given, given->next_sibling);
+      child.next_sibling = nullptr;
+      if (!substitute_attributes(child)) continue;  // Reported; what lacks its value is left out.
+      if (child.tag == "default") {
+        add_default(child);
+      } else if (child.tag == "include") {
+        *end = include(child);
+      } else {
+        expand_children(child);
+        *end = &child;
+      }
+      while (*end != nullptr) end = &(*end)->next_sibling;
+    }
+  }
+
+  void add_default(const XmlElement& element) {
+    const std::optional<std::string_view> name = element.attribute("name");
+    const std::optional<std::string_view> value = element.attribute("value");
+    if (!name || !value || name->empty()) {
+      diagnostics_.error(element.where, "<default> needs the attributes name and value");
+      return;
+    }
+    defaults_.emplace(*name);
+    values_.emplace(*name, *value);
+  }
+
+  /// The first of those that take the place of an <include>; null where none do.
+  [[nodiscard]] XmlElement* include(const XmlElement& element) {
+    const std::optional<std::string_view> name = element.attribute("filename");
+    if (!name) {
+      diagnostics_.error(element.where, "<include> needs the attribute filename");
+      return nullptr;
+    }
+    if (++includes_ > most_includes) {
+      if (includes_ == most_includes + 1)
+        diagnostics_.error(element.where, fmt::format("more than {} includes", most_includes));
+      return nullptr;
+    }
+    XmlElement* root = read(resolve_path(*name, *element.where.file, main_file_), element.where);
+    return root != nullptr && root->tag == "scene" ? root->first_child : root;
+  }
+
+  [[nodiscard]] bool substitute_attributes(XmlElement& element) {
+    bool ok = true;
+    for (XmlAttribute& attribute : element.attributes)
+      if (std::strchr(attribute.value, '$') != nullptr) ok = substitute(attribute, element.where) && ok;
+    return ok;
+  }
+
+  [[nodiscard]] bool substitute(XmlAttribute& attribute, const XmlPlace& where) {
+    const std::string_view text = attribute.value;
+    std::string result;
+    bool ok = true;
+    for (std::size_t i = 0; i < text.size();) {
+      if (text[i] != '$') {
+        result += text[i++];
+        continue;
+      }
+      const std::size_t begin = i + 1;
+      for (i = begin; i < text.size() && is_name_char(text[i]);) ++i;
+      const std::string name(text.substr(begin, i - begin));
+      used_.insert(name);
+      const auto found = values_.find(name);
+      if (found == values_.end()) {
+        report_undefined(name, where);
+        ok = false;
+      } else {
+        result += found->second;
+      }
+      if (result.size() > longest_value) {
+        diagnostics_.error(where, fmt::format("${} makes the text longer than {} bytes", name, longest_value));
+        return false;
+      }
+    }
+    attribute.value = pool_.keep(std::move(result)).c_str();
+    return ok;
+  }
+
+  void report_undefined(const std::string& name, const XmlPlace& where) {
+    diagnostics_.error(
+        where, fmt::format("${} is not defined{}; give it a <default name=\"{}\"> before this place or -D {}=...", name,
+                           did_you_mean(name, names_of(values_)), name, name));
+  }
+
+  std::string main_file_;
+  const std::map<std::string, std::string>& defines_;
+  std::map<std::string, std::string> values_;
+  std::set<std::string> used_;
+  std::set<std::string> defaults_;
+  std::vector<std::string> open_;  ///< Canonical paths of the files being expanded, outermost first.
+  int includes_ = 0;
+  XmlPool& pool_;
+  Diagnostics& diagnostics_;
+};
+
+}  // namespace
+
+XmlElement* read_expanded_xml(const std::string& path, const std::map<std::string, std::string>& defines, XmlPool& pool,
+                              Diagnostics& diagnostics) {
+  Expander expander(path, defines, pool, diagnostics);
+  XmlElement* root = expander.read(path, {});
+  if (root != nullptr) expander.report_unused_defines();
+  return root;
+}
+
+std::string resolve_path(std::string_view name, const std::string& asking_file, const std::string& main_file) {
+  namespace fs = std::filesystem;
+  const fs::path beside_asking = fs::path(asking_file).parent_path() / name;
+  const fs::path beside_main = fs::path(main_file).parent_path() / name;
+  std::error_code ignored;
+  const bool only_beside_main = !fs::exists(beside_asking, ignored) && fs::exists(beside_main, ignored);
+  return (only_beside_main ? beside_main : beside_asking).lexically_normal().string();
+}
+
+}  // namespace strahl

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+// One table; the language is Mitsuba 3's, with <srgb> of 0.x.
+#include "scene/xml/xml_vocabulary.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string_view>
+#include <unordered_map>
+
+#include "did_you_mean.h"
+
+namespace strahl {
+
+namespace {
+
+struct Tag {
+  std::string name;
+  std::vector<std::string> required;
+  std::vector<std::string> optional;
+  bool has_children = false;
+};
+
+const std::vector<Tag>& vocabulary() {
+  static const std::vector<Tag> tags = [] {
+    std::vector<Tag> all{
+        {"scene", {}, {"version", "type", "id"}, true},
+        {"ref", {"id"}, {"name"}},
+        {"alias", {"id", "as"}, {}},
+        {"transform", {"name"}, {}, true},
+        {"translate", {}, {"x", "y", "z", "value"}},
+        {"scale", {}, {"x", "y", "z", "value"}},
+        {"rotate", {"angle"}, {"x", "y", "z", "value"}},
+        {"lookat", {"origin", "target"}, {"up"}},
+        {"matrix", {"value"}, {}},
+        {"point", {"name"}, {"x", "y", "z", "value"}},
+        {"vector", {"name"}, {"x", "y", "z", "value"}},
+        {"spectrum", {}, {"name", "value", "filename", "type", "id"}, true},
+        {"blackbody", {}, {"name", "temperature", "scale"}},
+    };
+    for (const char* value : {"float", "integer", "boolean", "string", "rgb", "srgb"})
+      all.push_back({value, {"name", "value"}, {}});
+    for (const char* object : {"integrator", "sensor", "film", "rfilter", "sampler", "bsdf", "shape", "emitter",
+                               "texture", "medium", "phase", "volume"})
+      all.push_back({object, {"type"}, {"id", "name"}, true});
+    return all;
+  }();
+  return tags;
+}
+
+const Tag* find_tag(std::string_view name) {
+  static const std::unordered_map<std::string_view, const Tag*> tags = [] {
+    std::unordered_map<std::string_view, const Tag*> all;
+    for (const Tag& tag : vocabulary()) all.emplace(tag.name, &tag);
+    return all;
+  }();
+  const auto found = tags.find(name);
+  return found == tags.end() ? nullptr : found->second;
+}
+
+std::string unknown_tag(std::string_view name) {
+  std::vector<std::string> known;
+  for (const Tag& tag : vocabulary()) known.push_back(tag.name);
+  return fmt::format("unknown element <{}>{}; it is ignored", name, did_you_mean(name, known));
+}
+
+void check_attributes(const XmlElement& element, const Tag& tag, Diagnostics& diagnostics) {
+  const auto is_in = [](const std::vector<std::string>& names, std::string_view name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+  };
+  for (const auto& [key, value] : element.attributes) {
+    if (is_in(tag.required, key) || is_in(tag.optional, key)) continue;
+    std::vector<std::string> known = tag.required;
+    known.insert(known.end(), tag.optional.begin(), tag.optional.end());
+    diagnostics.unknown(element.where, fmt::format("unknown attribute \"{}\" of <{}>{}; it is ignored", key,
+                                                   element.tag, did_you_mean(key, known)));
+  }
+}
+
+bool has_required(const XmlElement& element, const Tag& tag, Diagnostics& diagnostics) {
+  bool complete = true;
+  for (const std::string& name : tag.required) {
+    if (element.attribute(name)) continue;
+    diagnostics.error(element.where, fmt::format("<{}> needs the attribute {}", element.tag, name));
+    complete = false;
+  }
+  return complete;
+}
+
+/// False: the element is to be removed.
+bool check(XmlElement& element, Diagnostics& diagnostics) {
+  const Tag* tag = find_tag(element.tag);
+  if (tag == nullptr) {
+    diagnostics.unknown(element.where, unknown_tag(element.tag));
+    return false;
+  }
+  check_attributes(element, *tag, diagnostics);
+  if (!has_required(element, *tag, diagnostics)) return false;
+  if (!tag->has_children && element.first_child != nullptr) {
+    diagnostics.unknown(element.first_child->where,
+                        fmt::format("<{}> cannot contain other elements; they are ignored", element.tag));
+    element.first_child = nullptr;
+  }
+  for (XmlElement** place = &element.first_child; XmlElement* child = *place;) {
+    if (child->tag == "scene") diagnostics.error(child->where, "<scene> can only be the root");
+    if (child->tag != "scene" && check(*child, diagnostics)) {
+      place = &child->next_sibling;
+    } else {
+      *place = child->next_sibling;
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+bool check_vocabulary(XmlElement& root, Diagnostics& diagnostics) {
+  if (root.tag == "scene") return check(root, diagnostics);
+  diagnostics.error(root.where,
+                    fmt::format("the root is <{}>; a scene begins with <scene version=\"3.0.0\">", root.tag));
+  return false;
+}
+
+bool is_object_tag(std::string_view tag) {
+  const Tag* known = find_tag(tag);
+  return known != nullptr && !known->required.empty() && known->required.front() == "type";
+}
+
+}  // namespace strahl

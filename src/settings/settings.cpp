@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+// Names of precisions and AOVs, as the command line and the files spell them.
+#include "settings/settings.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+#include <utility>
+
+#include "errors.h"
+
+namespace strahl {
+namespace {
+
+constexpr std::array<std::pair<const char*, Precision>, 4> kPrecisions{{
+    {"fast", Precision::fast},
+    {"stable", Precision::stable},
+    {"robust", Precision::robust},
+    {"double", Precision::fp64},
+}};
+
+constexpr std::array<std::pair<const char*, Aov>, 7> kAovs{{
+    {"depth", Aov::depth},
+    {"normal", Aov::normal},
+    {"position", Aov::position},
+    {"uv", Aov::uv},
+    {"shape_id", Aov::shape_id},
+    {"primitive_id", Aov::primitive_id},
+    {"numeric_error", Aov::numeric_error},
+}};
+
+template <typename Table>
+auto by_name(const Table& table, const char* what, const std::string& name) {
+  std::string known;
+  for (const auto& [text, value] : table) {
+    if (name == text) return value;
+    known += fmt::format("{}{}", known.empty() ? "" : ", ", text);
+  }
+  throw UsageError(fmt::format("unknown {} \"{}\"; known: {}", what, name, known));
+}
+
+}  // namespace
+
+Precision precision_from_name(const std::string& name) { return by_name(kPrecisions, "precision", name); }
+
+const char* precision_name(Precision precision) {
+  const auto* entry = std::find_if(kPrecisions.begin(), kPrecisions.end(),
+                                   [precision](const auto& known) { return known.second == precision; });
+  if (entry == kPrecisions.end()) throw std::logic_error("a precision without a name");
+  return entry->first;
+}
+
+Aov aov_from_name(const std::string& name) { return by_name(kAovs, "AOV", name); }
+
+}  // namespace strahl

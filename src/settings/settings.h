@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+// How a scene is computed, apart from what the scene itself says.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <set>
+#include <string>
+
+namespace strahl {
+
+/// Kernel variants of one source (docs/numerics.md). fast: the textbook's forms, world frame, relaxed maths. stable:
+/// fp32, published stable forms, contraction off. robust: fp32, exact or compensated. fp64: the forms of stable in
+/// double, planes and disks compensated.
+enum class Precision { fast, stable, robust, fp64 };
+
+[[nodiscard]] Precision precision_from_name(const std::string& name);  ///< "robust", ...; throws UsageError.
+[[nodiscard]] const char* precision_name(Precision precision);
+
+/// How rays find primitives; automatic: a tree where there are enough of them. The hits do not depend on it in robust
+/// and double.
+enum class Acceleration { automatic, list, tree };
+
+/// Values of the first sample of each pixel, beside the picture.
+/// numeric_error: how far the hit's t is off, in ulps of float (render/numeric_error.h).
+enum class Aov { depth, normal, position, uv, shape_id, primitive_id, numeric_error };
+
+[[nodiscard]] Aov aov_from_name(const std::string& name);  ///< Throws UsageError that lists the names.
+
+/// Work-items per group, x times y.
+struct WorkGroup {
+  int x = 64;
+  int y = 1;
+};
+
+struct RenderSettings {
+  Precision precision = Precision::robust;
+  std::set<Aov> aovs;
+  bool generic = false;  ///< Every entry and flag in the program; the same picture, slower.
+  /// Effects to leave out, as FeatureReport names them, though the scene calls for them (program/disabled.h).
+  std::set<std::string> disabled;
+  bool estimate_error = true;  ///< Keeps four sums a pixel apart, whose spread estimates its error.
+  bool cached_program = true;  ///< false: builds it whatever strahl's cache holds, to see how long that takes.
+  bool count_rays = false;     ///< Instrumented program (--stats-detail): counts shadow and bounce rays.
+  std::optional<int> lanes;    ///< 1, 8 or 16 (fp64: 1, 8) primitives at a time; none: by the device.
+  /// 2, 4, 8 or 16 children a node (fp64: up to 8); 8 and 16 test as many primitives at a time and so are `lanes`, 2
+  /// and 4 mean one. None: by `lanes`, 4 for 1.
+  std::optional<int> bvh_width;
+  Acceleration acceleration = Acceleration::automatic;
+  /// Renderer: as many samples of a pixel as `lanes` are followed at a time (not in fp64). None: by the scene.
+  std::optional<bool> paths_in_lanes;
+  /// Intersector: neighbouring rays are alike, so `lanes` of them go through the tree together. The hits do not depend
+  /// on it.
+  bool coherent = false;
+  WorkGroup work_group;
+  bool error_map = false;     ///< The estimate of each pixel too.
+  std::optional<int> passes;  ///< Split the samples into this many launches; none: by measured time.
+  /// The device ends the loops of a work-item after so many turns in sum (TierVerdict::loop_turns); none: it does not.
+  /// Where it does, the program tells of every work-item whether that came to pass, which is then asked again.
+  std::optional<std::uint64_t> loop_turns;
+};
+
+}  // namespace strahl

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+// Finding and opening real devices: PoCL and rusticl, which may not be missing.
+#include <catch2/catch.hpp>
+
+#include "errors.h"
+#include "opencl/device.h"
+#include "support/devices.h"
+
+using namespace strahl;
+
+namespace {
+
+DeviceInfo opened(const std::string& selector, DeviceNeeds needs = {}) { return Device::open(selector, needs).info(); }
+
+const PlatformInfo& platform_named(const std::vector<PlatformInfo>& platforms, const std::string& name) {
+  for (const PlatformInfo& platform : platforms) {
+    if (platform.name == name) return platform;
+  }
+  throw std::runtime_error("no platform " + name);
+}
+
+std::string refusal(const std::string& selector, DeviceNeeds needs = {}) {
+  try {
+    opened(selector, needs);
+  } catch (const NoDeviceError& error) {
+    CHECK(error.exit_code() == ExitCode::no_device);
+    return error.what();
+  }
+  return "opened";
+}
+
+}  // namespace
+
+TEST_CASE("Platforms are listed with their devices or the reason why there are none") {
+  test::require_pocl_and_rusticl();
+  const auto platforms = list_platforms();
+  for (const PlatformInfo& platform : platforms) {
+    INFO(platform.name);
+    CHECK(platform.devices.empty() != platform.skipped.empty());
+  }
+  const DeviceInfo& pocl = platform_named(platforms, "Portable Computing Language").devices.at(0);
+  CHECK(pocl.type == "CPU");
+  CHECK(pocl.fp64);
+  CHECK(pocl.available);
+  CHECK(pocl.compute_units > 0);
+  CHECK(pocl.global_memory > (1u << 20));
+  CHECK(pocl.max_allocation <= pocl.global_memory);
+  CHECK(pocl.max_work_group > 0);
+  CHECK(pocl.native_vector_width > 0);
+  CHECK(pocl.version.rfind("OpenCL ", 0) == 0);
+  CHECK_FALSE(platform_named(platforms, "rusticl").devices.at(0).fp64);
+}
+
+TEST_CASE("A device is opened by platform, by device, by type and by index") {
+  test::require_pocl_and_rusticl();
+  const DeviceInfo pocl = opened("pocl");
+  CHECK(pocl.platform == "Portable Computing Language");
+  const DeviceInfo llvmpipe = opened("LLVMpipe");
+  CHECK(llvmpipe.platform == "rusticl");
+  CHECK(opened("rusticl").name == llvmpipe.name);
+  CHECK(opened("cpu").type == "CPU");
+  CHECK_FALSE(opened("").name.empty());
+  const std::string platform = std::to_string(llvmpipe.platform_index);
+  CHECK(opened(platform).name == llvmpipe.name);
+  CHECK(opened(platform + ":0").name == llvmpipe.name);
+  CHECK(llvmpipe.text() == platform + ":0 " + llvmpipe.name + " (rusticl)");
+}
+
+TEST_CASE("An open device computes, and its queue measures") {
+  test::require_pocl_and_rusticl();
+  for (const std::string& selector : test::present_devices()) {
+    INFO(selector);
+    const Device device = Device::open(selector);
+    const std::vector<int> sent = {1, 2, 3};
+    std::vector<int> received(3);
+    const cl::Buffer buffer(device.context(), CL_MEM_READ_WRITE, 12);
+    cl::Event event;
+    device.queue().enqueueWriteBuffer(buffer, CL_TRUE, 0, 12, sent.data());
+    device.queue().enqueueReadBuffer(buffer, CL_TRUE, 0, 12, received.data(), nullptr, &event);
+    CHECK(received == sent);
+    CHECK(event.getProfilingInfo<CL_PROFILING_COMMAND_END>() >= event.getProfilingInfo<CL_PROFILING_COMMAND_START>());
+  }
+}
+
+TEST_CASE("PoCL launches what a program's binary holds, unless the user wants otherwise") {
+  test::require_pocl_and_rusticl();
+  const auto setting = [] { return std::string(std::getenv("POCL_WORK_GROUP_SPECIALIZATION")); };
+  unsetenv("POCL_WORK_GROUP_SPECIALIZATION");
+  opened("pocl");
+  CHECK(setting() == "0");
+  setenv("POCL_WORK_GROUP_SPECIALIZATION", "1", 1);
+  opened("pocl");
+  CHECK(setting() == "1");
+}
+
+TEST_CASE("An unknown selector is answered with what there is") {
+  test::require_pocl_and_rusticl();
+  const std::string message = refusal("quantum");
+  CHECK_THAT(message, Catch::Contains("no OpenCL device matches \"quantum\""));
+  CHECK_THAT(message, Catch::Contains(opened("pocl").text()));
+  CHECK_THAT(message, Catch::Contains(opened("llvmpipe").text()));
+  CHECK_THAT(message, Catch::Contains("pocl-opencl-icd"));
+  CHECK_THAT(refusal("0:99"), Catch::Contains("no OpenCL device matches \"0:99\""));
+}
+
+TEST_CASE("Double precision is refused where it is missing, and the message names who has it") {
+  test::require_pocl_and_rusticl();
+  const std::string message = refusal("llvmpipe", {.fp64 = true});
+  CHECK_THAT(message, Catch::Contains("no double precision (fp64)"));
+  CHECK_THAT(message, Catch::Contains(opened("llvmpipe").text()));
+  CHECK_THAT(message, Catch::Contains("these have it:\n"));
+  CHECK_THAT(message, Catch::Contains(opened("pocl").text()));
+  CHECK(opened("pocl", {.fp64 = true}).fp64);
+  CHECK(opened("", {.fp64 = true}).fp64);
+}

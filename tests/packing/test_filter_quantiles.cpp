@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+// The tables that samples are drawn from, against the filters' own distributions.
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <functional>
+
+#include "packing/cl_layout.h"
+#include "packing/pack.h"
+
+using namespace strahl;
+
+namespace {
+
+constexpr int cells = layout::FILTER_CELLS;
+
+std::vector<double> quantiles(const Filter& filter) { return filter_quantiles(filter, SamplerKind::independent); }
+
+/// Simpson's rule; the densities are smooth on [from, to].
+double integral(const std::function<double(double)>& f, double from, double to) {
+  constexpr int steps = 2000;
+  const double h = (to - from) / steps;
+  double sum = f(from) + f(to);
+  for (int i = 1; i < steps; ++i) sum += (i % 2 == 1 ? 4 : 2) * f(from + i * h);
+  return sum * h / 3;
+}
+
+/// Every quantile has its share of the density below it.
+void check_distribution(const std::vector<double>& q, const std::function<double(double)>& density, double radius) {
+  REQUIRE(q.size() == cells + 1);
+  CHECK(q.back() == Approx(radius).epsilon(1e-6));  // where the density is 0, the quantile is known to half the digits
+  const double whole = 2 * integral(density, 0, radius);
+  for (int i = 0; i <= cells; i += 16) {
+    INFO("quantile " << i);
+    const double x = q[static_cast<std::size_t>(i)];
+    const double below = 0.5 + std::copysign(integral(density, 0, std::abs(x)), x) / whole;
+    CHECK(below == Approx(static_cast<double>(i) / cells).margin(1e-10));
+  }
+}
+
+}  // namespace
+
+TEST_CASE("Tables are antisymmetric to the bit and ascend") {
+  for (const Filter& filter : {Filter{FilterKind::box, 0, 0.5}, Filter{FilterKind::box, 1.7, 0.5},
+                               Filter{FilterKind::tent, 0, 0.5}, Filter{FilterKind::tent, 2.5, 0.5},
+                               Filter{FilterKind::gaussian, 0, 0.5}, Filter{FilterKind::gaussian, 1.5, 0.8}}) {
+    const std::vector<double> q = quantiles(filter);
+    REQUIRE(q.size() == cells + 1);
+    CHECK(q[cells / 2] == 0);
+    for (std::size_t i = 0; i < cells; ++i) {
+      CHECK(q[i] == -q[cells - i]);
+      CHECK(q[i] < q[i + 1]);
+    }
+  }
+}
+
+TEST_CASE("The box's quantiles are exact") {
+  const std::vector<double> q = quantiles({FilterKind::box, 0, 0.5}), wide = quantiles({FilterKind::box, 2, 0.5});
+  for (int i = 0; i <= cells; ++i) {
+    const double share = static_cast<double>(i) / cells;
+    CHECK(q[static_cast<std::size_t>(i)] == share - 0.5);
+    CHECK(wide[static_cast<std::size_t>(i)] == 4 * share - 2);
+  }
+}
+
+TEST_CASE("The tent's quantiles follow its density") {
+  for (const double radius : {1.0, 2.5}) {
+    const Filter filter{FilterKind::tent, radius == 1 ? 0 : radius, 0.5};
+    check_distribution(
+        quantiles(filter), [&](double x) { return 1 - x / radius; }, radius);
+  }
+}
+
+TEST_CASE("The gaussian's quantiles follow its density, lowered so that it ends in 0") {
+  struct Case {
+    Filter filter;
+    double radius;
+  };
+  for (const Case& c : {Case{{FilterKind::gaussian, 0, 0.5}, 2.0}, Case{{FilterKind::gaussian, 0, 1.25}, 5.0},
+                        Case{{FilterKind::gaussian, 1.5, 0.8}, 1.5}}) {
+    const auto bell = [&](double x) { return std::exp(-x * x / (2 * c.filter.stddev * c.filter.stddev)); };
+    check_distribution(
+        quantiles(c.filter), [&](double x) { return bell(x) - bell(c.radius); }, c.radius);
+  }
+}
+
+TEST_CASE("The centre sampler's table holds zeros") {
+  const std::vector<double> q = filter_quantiles({}, SamplerKind::centre);
+  CHECK(q.size() == cells + 1);
+  CHECK(std::all_of(q.begin(), q.end(), [](double x) { return x == 0; }));
+}

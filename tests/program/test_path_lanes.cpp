@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+// When samples of a pixel are followed in lanes: where everything is listed, of kinds that packets may hold, in
+// single precision, and a pixel has samples enough that differ.
+#include <catch2/catch.hpp>
+#include <map>
+
+#include "program/kernel_source.h"
+#include "program/path_lanes.h"
+#include "scene/loader.h"
+#include "scene/model/build.h"
+#include "settings/sampling.h"
+
+namespace strahl {
+namespace {
+
+int lanes_of(const Scene& scene, const RenderSettings& settings = {}, bool has_tree = false) {
+  return path_lanes(features_of(scene, settings), settings, 16, has_tree, resolve_sampling(scene).spp);
+}
+
+TEST_CASE("kinds with a body for packets, as the kernels have them") {
+  const std::map<std::string, bool> expected = {{"sphere", true},       {"plane", true}, {"triangle", true},
+                                                {"box", false},         {"disk", false}, {"cylinder", false},
+                                                {"parallelogram", true}};
+  for (const std::string& kind : list_entries("shapes")) {
+    INFO(kind);
+    CHECK(has_packet_body(kind) == expected.at(kind));
+  }
+}
+
+TEST_CASE("paths go in lanes where they need not part") {
+  const Scene scene = load_scene(STRAHL_SOURCE_DIR "/scenes/cornell/cornell-box.xml").scene;
+  CHECK(lanes_of(scene) == 16);
+  CHECK(lanes_of(scene, {}, true) == 1);
+  RenderSettings settings;
+  settings.precision = Precision::fp64;
+  CHECK(lanes_of(scene, settings) == 1);
+  settings = {};
+  settings.paths_in_lanes = false;
+  CHECK(lanes_of(scene, settings) == 1);
+  settings.paths_in_lanes = true;
+  CHECK(lanes_of(scene, settings, true) == 16);
+
+  Scene with_disk = scene;
+  add(with_disk, Disk{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
+  CHECK(lanes_of(with_disk) == 16);
+  settings = {};
+  settings.precision = Precision::stable;
+  CHECK(lanes_of(scene, settings) == 16);
+  CHECK(lanes_of(with_disk, settings) == 1);
+  Scene few = scene;
+  few.sampler.sample_count = 7;
+  CHECK(lanes_of(few) == 1);
+  few.sampler.sample_count = 8;
+  CHECK(lanes_of(few) == 16);
+  Scene alike = load_scene(STRAHL_SOURCE_DIR "/scenes/lecture/lit.xml").scene;
+  alike.sampler.kind = SamplerKind::centre;
+  CHECK(lanes_of(alike) == 1);
+}
+
+}  // namespace
+}  // namespace strahl

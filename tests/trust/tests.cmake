@@ -1,0 +1,2 @@
+# SPDX-License-Identifier: MIT
+strahl_test(trust/test_canary.cpp LABEL device)
