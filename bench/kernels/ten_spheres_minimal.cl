@@ -9,7 +9,7 @@
 #include "hits/candidates.h"
 #include "film/film.h"
 #include "rays/ray.h"
-#include "scene/model/scene.h"
+#include "scene/scene.h"
 #include "shapes/ball.h"
 #include "shapes/polygon/edge_lanes.h"
 #if TIER_ROBUST

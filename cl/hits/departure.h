@@ -10,7 +10,8 @@
 //   - polygons: the point moves off the edges that are nearer than b, within the plane, and by b along the normal to
 //     the side that the ray goes to. b = 7/4 u (max |p_i| + size) bounds the rounding of a point interpolated over
 //     corners ("Solving Self-Intersection Artifacts in DirectX Raytracing", NVIDIA, 2023, has u |p0| + 3 u extent along
-//     the normal alone). The whole way is at most 4 u (max |p_i| + size) but for rounding;
+//     the normal alone). The whole way is at most 4 u (max |p_i| + size) but for rounding. A point of a large polygon
+//     that is known better (shapes/polygon/near_point.h) moves by its own bound, far from edges;
 //   - boxes: the coordinate across the face is the face's, exactly; the other two stay strictly between the faces.
 // In an instance the world's face of a box is no plane of its own any more: there it is left like a polygon, by a bound
 // that what the instance rounds is added to.
@@ -83,7 +84,11 @@ FN void polygon_departure(const Surface* s, Departure* departure) {
   real size = larger_of(max3(abs3(e)), max3(abs3(f)));
   real bound = departure_bound(s, max3(abs3(p)) + size);
   departure->bound = bound;
-  if (is_amid(s, e, f, size, bound)) return;
+  if (is_amid(s, e, f, size, bound)) {
+    int is_placed = HAS_INSTANCES && s->instance >= 0;
+    if (R(0.0) < s->off && !is_placed) departure->bound = s->off;
+    return;
+  }
   // Off all edges at once: one after the other, a move off one leads over the other in a sharp corner. Then once more
   // by what is missing there. The point itself is rounded once, at the end.
   real3 move = departure->move;

@@ -18,6 +18,7 @@ typedef struct {
   real tex_u, tex_v;        ///< Texture coordinates: the mesh's uvs where there are any, else u, v.
   real footprint;           ///< How wide the pixel is here; set only where there are textures (textures/footprint.h).
   int outline;              ///< OUTLINE_...
+  real off;                 ///< What the position may be off its plane where that is known; 0: as its outline has it.
   real facing;              ///< Below 0: the ray comes from the normal's side. Known before the normal is.
   int is_flipped;           ///< 1: the normal points the other way than the shape has it.
   GLOBAL const real* prim;  ///< Its planes, `stride` apart.
@@ -33,7 +34,7 @@ typedef struct {
 FN Surface surface_none(void) {
   Surface s;
   s.position = s.normal = s.shading = vec3(R(0.0), R(0.0), R(0.0));
-  s.u = s.v = s.tex_u = s.tex_v = s.footprint = s.facing = R(0.0);
+  s.u = s.v = s.tex_u = s.tex_v = s.footprint = s.facing = s.off = R(0.0);
   s.outline = OUTLINE_NONE;
   s.is_flipped = s.stride = s.shape = s.primitive = s.part = 0;
   s.instance = -1;

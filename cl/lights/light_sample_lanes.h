@@ -7,7 +7,7 @@ typedef struct {
   real3w radiance;  ///< From there; of a delta light the irradiance across `towards`. Zero: no light from there.
   realw density;    ///< Of that direction, per solid angle, > 0 where there is light; of a delta light 1.
   maskw is_delta;   ///< The light's only direction: no ray finds it, and it has no density over the sphere.
-  intw aim;         ///< Id of the flat primitive that the place is on; -1: none.
+  intw aim;         ///< Id of the primitive that the place is on; -1: none.
 } LightSample_w;
 
 /// What a light draws a place or a direction with, each number for one thing.

@@ -94,7 +94,7 @@ enum { MATERIAL_MOST_SLOTS = 4 };
 enum { MATERIAL_KIND, MATERIAL_TWOSIDED, MATERIAL_SLOTS, MATERIAL_INTS = MATERIAL_SLOTS + MATERIAL_MOST_SLOTS };
 enum { TEXTURE_KIND, TEXTURE_REALS, TEXTURE_INTS };
 // LIGHT_AREA to LIGHT_FIRST_ID are an area light's: AREA_sphere, ...; number of items; -> index, CHOICE_INTS an item;
-// scene-wide id of item 0 where the items are flat primitives in order, else -1.
+// scene-wide id of item 0 where the items are primitives in order, else -1.
 enum { LIGHT_KIND, LIGHT_REALS, LIGHT_AREA, LIGHT_ITEMS, LIGHT_CHOICE, LIGHT_FIRST_ID, LIGHT_INTS };
 // An item is kept where a number of 32 bits is below the limit, else the other one is taken (A. Walker, "An Efficient
 // Method for Generating Discrete Random Variables with General Distributions", ACM TOMS 3(3), 1977).

@@ -43,7 +43,7 @@ FN Surface surface_at(const Scene* scene, const Ray* ray, const Nearest* hit, in
   s.shape = part[PART_SHAPE];
   s.primitive = hit->id - part[PART_FIRST_ID];
   s.position = s.normal = within.o;
-  s.facing = s.u = s.v = R(0.0);
+  s.facing = s.off = s.u = s.v = R(0.0);
   s.outline = OUTLINE_NONE;
   s.prim = scene->geometry;
   s.stride = lanes;

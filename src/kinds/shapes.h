@@ -42,7 +42,7 @@ enum class Mirrored {
   std::optional<std::array<double, 9>> surface_frame(const S&, const UploadFrame&); \
   /** Places to draw on it: of one part (0 for shapes without parts). */            \
   void emit(AreaItems&, const S&, int part);                                        \
-  /** Whether those are flat primitives, all that it has, in its order. */          \
+  /** Whether those are primitives, all that it has, in its order. */               \
   bool is_area_of_primitives(const S&);                                             \
   /** As uv_rates.h has it, per unit of length of the world. */                     \
   Vec2 uv_rates(const S&);                                                          \

@@ -32,7 +32,7 @@ struct EmittingArea {
   std::vector<Choice> choices;
 };
 
-/// Whether the items are flat primitives, all that the shape has, in its order.
+/// Whether the items are primitives, all that the shape has, in its order: then none is in the way of itself.
 [[nodiscard]] bool is_area_of_primitives(const Geometry& geometry);
 
 /// Of one part of a shape (0 for shapes without parts); none where there is no area to draw from.

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 strahl_test(cl/test_angle.cpp LABEL unit LIBS strahl_oracle SOURCES cl/angle_f32.cpp cl/angle_f64.cpp)
 set_source_files_properties(cl/test_angle.cpp cl/angle_f32.cpp cl/angle_f64.cpp cl/test_departure.cpp
+                            cl/test_near_point.cpp
                             PROPERTIES INCLUDE_DIRECTORIES ${PROJECT_SOURCE_DIR}/cl)
 
 # The dialect on the host. Apart from libstrahl, whose headers have the same names: only cl/ and tests/ are on the path.
@@ -20,6 +21,7 @@ target_include_directories(strahl_host_kernels PRIVATE ${PROJECT_SOURCE_DIR}/cl 
 target_compile_options(strahl_host_kernels PRIVATE -O2 -Wno-psabi $<$<BOOL:${STRAHL_HOST_HAS_FMA}>:-mfma>)
 
 strahl_test(cl/test_departure.cpp LABEL unit)
+strahl_test(cl/test_near_point.cpp LABEL unit)
 foreach(name departed film math samplers sampling soft_fma)
   strahl_test(cl/test_${name}.cpp LABEL unit LIBS strahl_host_kernels strahl_oracle)
 endforeach()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-foreach(name first_principles invariance launches closed_form terminator metamorphic mirrors checkerboard
+foreach(name first_principles large_ground invariance launches closed_form terminator metamorphic mirrors checkerboard
              mirror_box numeric_error accuracy_scenes area_lights path paths_in_lanes ao disabled error_coverage goals
              sphere_cloud film glass)
   strahl_test(render/test_${name}.cpp LABEL render)

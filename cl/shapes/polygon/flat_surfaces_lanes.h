@@ -36,6 +36,32 @@ FN realw within_one_w(realw x) {
 
 FN maskw finite3_w(real3w v) { return finite_w(v.x) & finite_w(v.y) & finite_w(v.z); }
 
+typedef struct {
+  maskw which;  ///< Lanes whose point is nearer to its plane than the one interpolated over corners.
+  real3w p;
+  realw off;
+} NearPoint_w;
+
+/// take_near_point of shapes/polygon/near_point.h. bound: of the point interpolated.
+FN NearPoint_w near_point_w(const FlatHits_w* hits, real3w a, real3w e, real3w f, real3w normal, realw facing,
+                            realw size, realw across, realw bound) {
+  NearPoint_w near;
+  real3w d = abs3_w(hits->d);
+  near.p = a;
+  near.off = bound;
+  near.which = lt_w(splat_w(R(32.0)) * fma_w(hits->t, max3_w(d), max3_w(abs3_w(hits->o))), size);
+  if (!any_w(near.which)) return near;
+  real3w way = sub3_w(a, hits->o);
+  real3w sizes = vec3_w(abs_w(e.y * f.z) + abs_w(e.z * f.y), abs_w(e.z * f.x) + abs_w(e.x * f.z),
+                        abs_w(e.x * f.y) + abs_w(e.y * f.x));
+  realw t = dot3_w(normal, way) / facing;
+  near.p = fma3_w(t, hits->d, hits->o);
+  realw rounded = fma_w(abs_w(t), dot3_w(sizes, d), dot3_w(sizes, abs3_w(way))) / across;
+  near.off = splat_w(real_roundoff()) * fma_w(splat_w(R(16.0)), rounded, splat_w(R(2.0)) * max3_w(abs3_w(near.p)));
+  near.which = near.which & lt_w(near.off, bound) & finite3_w(near.p);
+  return near;
+}
+
 /// Fills the lanes of `which`, whose polygons have so many corners, and says which of them were plain.
 FN maskw flat_surfaces_w(const Scene* scene, const FlatHits_w* hits, maskw which, int kind, int corners,
                          Surfaces_w* s) {
@@ -68,6 +94,11 @@ FN maskw flat_surfaces_w(const Scene* scene, const FlatHits_w* hits, maskw which
   if (TIER_FAST) {
     bound = zero;
   } else {
+    real3w n = vec3_w(e.y * f.z - e.z * f.y, e.z * f.x - e.x * f.z, e.x * f.y - e.y * f.x);
+    realw across = abs_w(dot3_w(normal, n));
+    NearPoint_w near = near_point_w(hits, a, e, f, normal, facing, size, across, bound);
+    p = sel3_w(near.which, near.p, p);
+    bound = splat_w(R(1.75) * real_roundoff()) * (max3_w(abs3_w(p)) + size);
     realw least = sel_w(lt_w(u, v), u, v), u_rest = one - u, v_rest = one - v, both_rest = u_rest - v;
     if (corners == 3) {
       least = sel_w(lt_w(both_rest, least), both_rest, least);
@@ -75,9 +106,8 @@ FN maskw flat_surfaces_w(const Scene* scene, const FlatHits_w* hits, maskw which
       least = sel_w(lt_w(u_rest, least), u_rest, least);
       least = sel_w(lt_w(v_rest, least), v_rest, least);
     }
-    real3w n = vec3_w(e.y * f.z - e.z * f.y, e.z * f.x - e.x * f.z, e.x * f.y - e.y * f.x);
-    realw across = abs_w(dot3_w(normal, n));
     plain = plain & lt_w(splat_w(R(16.0)) * bound * size, least * across);
+    bound = sel_w(near.which & lt_w(zero, near.off), near.off, bound);
   }
   if (HAS_SMOOTH_NORMALS) plain = plain & lt_int_w(part_entry_w(scene, s, PART_NORMALS), splat_int_w(0));
 

@@ -17,5 +17,7 @@ FN void sphere_block_w(const Ray* ray, GLOBAL const real* block, GLOBAL const in
   realw root = sqrt_w(discriminant), scale = splat_w(R(0.5)) / a;
   realw near = (-b - root) * scale, far = (root - b) * scale;
   realw t = sel_w(le_w(splat_w(ray->t_min), near), near, far);
+  // A lamp that is smaller than what t rounds would shade itself.
+  hit = hit & nonzero_w(load_int_w(ids) - splat_int_w(ray->aim));
   take_nearest_w(hit & in_range_w(t, ray, best), t, ids, -1, SHAPE_sphere, slot, best);
 }

@@ -43,7 +43,7 @@ FN Interval_w clip_unlike_w(Interval_w t, real lo, real hi, realw o, realw inv, 
   return t;
 }
 
-/// The sphere that the lanes of `left` have just left, at its other root, as sphere_root has it.
+/// The sphere that the lanes of `departed` have just left, at its other root, as sphere_root has it.
 SELDOM_FN void left_sphere_w(Packet_w* p, GLOBAL const real* prim, int id, int kind, int slot, maskw departed) {
   real x = prim[0], y = prim[LANES], z = prim[2 * LANES], r = prim[3 * LANES];
   ExactRays_w exact;
@@ -95,7 +95,7 @@ FN void sphere_packet_w(const Scene* scene, Packet_w* p, GLOBAL const real* bloc
     if (!any_w(hit)) continue;
     realw root = sqrt_w(discriminant), near = (-b - root) * scale, far = (root - b) * scale;
     realw t = sel_w(le_w(p->t_min, near), near, far);
-    hit = hit & le_w(p->t_min, t) & le_w(t, p->t);
+    hit = hit & le_w(p->t_min, t) & le_w(t, p->t) & nonzero_w(p->aim - splat_int_w(ids[i]));
     if (any_w(hit)) packet_take_w(p, hit, t, splat_int_w(ids[i]), splat_int_w(kind), splat_int_w(slot + i));
 #elif TIER_ROBUST
     // sphere_in_reach of sphere_robust_lanes.h.

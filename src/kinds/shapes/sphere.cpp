@@ -31,7 +31,7 @@ void emit(AreaItems& items, const Sphere& s, int) {
   items.number(radius);
 }
 
-bool is_area_of_primitives(const Sphere&) { return false; }
+bool is_area_of_primitives(const Sphere&) { return true; }
 
 Vec2 uv_rates(const Sphere& s) {
   const double turn = 2 * std::numbers::pi;
