@@ -35,8 +35,8 @@ FN void store_found_w(const Nearest* hit, int i, int stop_at_first, GLOBAL real*
 }
 
 /// Rays are given in blocks of LANES, RAY_REALS planes a block, and LEFT_INTS planes of what they left. count: rays
-/// of the block, the rest of it is of no meaning. found: FOUND_INTS ints a ray, or with stop_at_first one, 1 or 0; t: a
-/// real a ray, of no meaning where nothing is hit.
+/// of the block, the rest of it is undefined. found: FOUND_INTS ints a ray, or with stop_at_first one, 1 or 0; t: a
+/// real a ray, undefined where nothing is hit.
 FN void find_rays_w(const Scene* scene, GLOBAL const real* in, GLOBAL const int* departed, int count, int stop_at_first,
                     GLOBAL real* t, GLOBAL int* found) {
   Rays_w rays;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The checks before any comparison. A number of no meaning must not come out of pictures that cannot be compared.
+// The checks before any comparison. Pictures that cannot be compared must not give a number.
 #include "image/comparable.h"
 
 #include <fmt/format.h>

@@ -7,7 +7,7 @@
 
 namespace strahl {
 
-/// root: "kernels/render.cl". tree_width: 2 or 4 where `lanes` is 1 (0: 4), of no meaning elsewhere. has_tree: false
+/// root: "kernels/render.cl". tree_width: 2 or 4 where `lanes` is 1 (0: 4), ignored elsewhere. has_tree: false
 /// for scenes that are packed into lists alone (calls_for_tree). path_lanes: 1 or `lanes`, of render.cl. Equal
 /// features, precision and widths give equal text, whatever the scene's values.
 [[nodiscard]] ProgramSource program_source(const std::string& root, const Features& features, Precision precision,

@@ -65,7 +65,7 @@ double spread_of(const std::vector<double>& parts, double share) {
 /// Strips of the picture, all with as many samples.
 struct Strips {
   int spp = 0;
-  std::vector<double> seconds, errors, variances;  ///< Of each: mse, and the variance of that.
+  std::vector<double> seconds{}, errors{}, variances{};  ///< Of each: mse, and the variance of that.
 
   void add(const Timed& timed) {
     seconds.push_back(timed.seconds);
@@ -149,13 +149,13 @@ class PilotRun {
     return timed_render(renderer_, goal);
   }
 
-  /// Each with few samples, every fourth with more, until the time is over. true: the render takes so long that there
+  /// Each with few samples, one of four with more, until the time is over. true: the render takes so long that there
   /// is time to look at all of the picture.
   bool strips() {
     const int most = std::min(most_spp_, growth * first_spp);
-    Strips few{std::clamp(most / growth, std::min(least_spp, most), most), {}, {}, {}};
-    Strips more{most, {}, {}, {}};
-    std::vector<double> paired;  // Errors of `few` where there are those of `more`.
+    Strips few{std::clamp(most / growth, std::min(least_spp, most), most)};
+    Strips more{most};
+    Strips paired{few.spp};  // Those of `few` where there are those of `more`.
     const double row = sample_seconds_ / rows_ * few.spp;
     const int rows = std::clamp(static_cast<int>(std::ceil(strip_seconds / row)), 1, std::max(1, rows_ / least_strips));
     const int count = rows_ / rows;
@@ -165,11 +165,11 @@ class PilotRun {
       const int strip = reversed(i, bits);  // Radical inverses (van der Corput 1935): any first few are evenly spread.
       if (strip >= count) continue;
       const Timed timed = render_strip(strip, rows, few.spp);
-      few.add(timed);
-      if (more.spp > few.spp && few.seconds.size() % growth == 1) {
+      if (more.spp > few.spp && is_looked_at_twice(few.seconds.size())) {
+        paired.add(timed);
         more.add(render_strip(strip, rows, more.spp));
-        if (!few.errors.empty()) paired.push_back(few.errors.back());
       }
+      few.add(timed);
       const std::size_t seen = few.seconds.size();
       if (watch_.seconds() < seconds && seen < static_cast<std::size_t>(count)) continue;
       const PhaseSeconds& s = timed.result.stats.seconds;
@@ -184,6 +184,10 @@ class PilotRun {
     return false;
   }
 
+  /// One of four in a row, each time the next of the four: in the order of radical inverses always the first of them
+  /// would be in the picture's first quarter.
+  static bool is_looked_at_twice(std::size_t number) { return number % growth == number / growth % growth; }
+
   static int reversed(unsigned value, unsigned bits) {
     unsigned result = 0;
     for (unsigned bit = 0; bit < bits; ++bit) result |= ((value >> bit) & 1U) << (bits - 1 - bit);
@@ -191,15 +195,13 @@ class PilotRun {
   }
 
   /// strips: that make up the picture.
-  void sum_up(const Strips& few, const Strips& more, const std::vector<double>& paired, double strips) {
+  void sum_up(const Strips& few, const Strips& more, const Strips& paired, double strips) {
     pilot_.looks.clear();
     pilot_.passes = {{static_cast<double>(few.spp), strips * mean_of(few.seconds)}};
     pilot_.spread = std::hypot(repeat_spread, spread_of(few.seconds, pilot_.share));
     if (!more.seconds.empty()) {
       // The same strips with few samples say how much of the difference is the samples'.
-      double same = 0;
-      for (std::size_t i = 0; i < more.seconds.size(); ++i) same += few.seconds[i * growth];
-      const double factor = mean_of(more.seconds) * static_cast<double>(more.seconds.size()) / same;
+      const double factor = mean_of(more.seconds) / mean_of(paired.seconds);
       pilot_.passes.push_back({static_cast<double>(more.spp), factor * pilot_.passes.front().seconds});
     }
     if (few.errors.empty()) return;
@@ -208,7 +210,7 @@ class PilotRun {
     const double upper = std::sqrt(1 + normal_quantile * told);
     pilot_.common_spread = spread_of(few.errors, pilot_.share);
     pilot_.looks.push_back({static_cast<double>(few.spp), mse, own, upper, told});
-    const double before = mean_of(paired);
+    const double before = mean_of(paired.errors);
     if (more.errors.empty() || !(before > 0)) return;
     const double spread = std::hypot(more.own_spread(), own * std::sqrt(static_cast<double>(growth)));
     pilot_.looks.push_back({static_cast<double>(more.spp), mse * mean_of(more.errors) / before, spread, upper, told});

@@ -29,7 +29,7 @@ FN real3w read3_w(PRIVATE const real* planes) {
   return vec3_w(read_w(planes), read_w(planes + LANES), read_w(planes + 2 * LANES));
 }
 
-/// t of one kind. put_off->which: its lanes, not none; other lanes are of no meaning.
+/// t of one kind. put_off->which: its lanes, not none; other lanes are undefined.
 FN realw settled_kind_w(const Scene* scene, const Rays_w* rays, const PutOff_w* put_off, int kind, int body,
                         int planes) {
   maskw which = put_off->which, plain;
@@ -74,7 +74,7 @@ FN realw settled_kind_w(const Scene* scene, const Rays_w* rays, const PutOff_w* 
   return read_w(ts);
 }
 
-/// Lanes of put_off->which: the exact t. Others are of no meaning.
+/// Lanes of put_off->which: the exact t. Others are undefined.
 SELDOM_FN realw settled_w(const Scene* scene, const Rays_w* rays, const PutOff_w* put_off) {
   realw t = put_off->approximate;
   PutOff_w kind = *put_off;

@@ -71,8 +71,8 @@ FN realw row_with_w(PRIVATE const real3w* n, PRIVATE const realw* c, int i, real
 }
 
 /// Puts off what the rays of `active` hit for certain, and the nearest for certain. Returns the polygons that are open
-/// to some rays: open[i] has those of polygon i. No branch depends on what is hit: it would come too late to be
-/// foretold.
+/// to some rays: open[i] has those of polygon i. No branch depends on what is hit: the
+/// processor would mispredict it.
 FN uint meet_coordinates_w(const Scene* scene, Packet_w* p, GLOBAL const real* block, GLOBAL const int* ids, uint there,
                            int slot, int kind, maskw active, int corners, PRIVATE maskw* open) {
   PolygonCoordinates_w frames = polygon_coordinates_w(p, block, there, corners);
