@@ -257,6 +257,7 @@
 #define meet_children_w LANED(meet_children_w)
 #define meet_coordinates_w LANED(meet_coordinates_w)
 #define meet_edges_w LANED(meet_edges_w)
+#define meet_leaf_once_w LANED(meet_leaf_once_w)
 #define meet_leaf_w LANED(meet_leaf_w)
 #define meet_lists_w LANED(meet_lists_w)
 #define meets_any_w LANED(meets_any_w)
