@@ -13,7 +13,7 @@
 #endif
 
 /// 1: the textbook's formulas in the files named *_fast*, contraction and relaxed maths allowed: what the others are
-/// compared with. The program's text defines it; the host has no such tier.
+/// compared with. The program's text defines it; of the host only tests/physics has this tier.
 #ifndef TIER_FAST
 #define TIER_FAST 0
 #endif

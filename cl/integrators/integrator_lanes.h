@@ -7,15 +7,8 @@
 #include "materials/material_lanes.h"
 #include "integrators/openness_lanes.h"
 #include "integrators/pass_on_lanes.h"
+#include "integrators/steps.h"
 #include "integrators/visibility_lanes.h"
-
-enum {
-  STEP_LIGHTS = 1,    ///< Add what the lights throw on the surface.
-  STEP_DELTA = 2,     ///< Follow the material's delta lobes.
-  STEP_SCATTER = 4,   ///< Follow a way that the material draws; drawn lights then share their work with it.
-  STEP_ROULETTE = 8,  ///< Perhaps not.
-  STEP_OPENNESS = 16  ///< Add white if a way into the open meets nothing.
-};
 
 #include "integrators/direct_light_lanes.h"
 #include "integrators/all_lanes.h"

@@ -10,7 +10,7 @@ FN intw area_item_w(const Scene* scene, GLOBAL const int* row, uintw numbers) {
   if (items == 1u) return splat_int_w(0);
   uintw item = high_product_w(numbers, splat_uint_w(items)), rest = numbers * items;
   GLOBAL const int* choices = scene->index + row[LIGHT_CHOICE];
-  intw choice = int_of_uint_w(item) * CHOICE_INTS;
+  intw choice = int_of_uint_w(item) * (int)CHOICE_INTS;
   maskw is_kept = lt_uint_w(rest, uint_of_int_w(gather_int_w(choices + CHOICE_LIMIT, choice)));
   return sel_int_w(is_kept, int_of_uint_w(item), gather_int_w(choices + CHOICE_OTHER, choice));
 }

@@ -20,7 +20,7 @@ FN real checker_integral(real x) {
 /// The wave at x, or its mean over a box of the given width around x.
 FN real checker_wave(real x, real width) {
   real spacing = R(4.0) * real_roundoff() * real_abs(x);
-  if (!(width > spacing)) width = spacing;
+  if (width < spacing) width = spacing;
   real zero = R(0.0);
   if (!real_is_finite(width) || !real_is_finite(x)) return zero;
   if (!(width > R(0.25))) return x - real_floor(x) > R(0.5) ? -R(1.0) : R(1.0);

@@ -1,8 +1,20 @@
 // SPDX-License-Identifier: MIT
 // From the sampler to the integrator, for the width LANES, as kernels/render.cl includes it. No guard: once a width.
 #undef SCENE_LANES
-#define SCENE_LANES LANES
+// The number: for a while LANES is another (shapes/exact/exact_scalar.h).
+#if LANES == 16
+#define SCENE_LANES 16
+#elif LANES == 8
+#define SCENE_LANES 8
+#else
+#define SCENE_LANES 1
+#endif
 #include "lanes/lane_ops.h"
+#if TIER_FAST
+// The built-ins of OpenCL C that this tier alone has.
+inline realw fmin(realw a, realw b) { return sel_w(lt_w(b, a), b, a); }
+inline realw fmax(realw a, realw b) { return sel_w(lt_w(a, b), b, a); }
+#endif
 // Lanes come first: they define what the rest is written in. Each needs what is above it.
 #include "accel/traverse.h"
 // As above.

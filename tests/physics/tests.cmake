@@ -21,3 +21,18 @@ target_compile_options(strahl_host_bsdfs PRIVATE -O1 -Wno-psabi $<$<BOOL:${STRAH
 foreach(name materials fresnel)
   strahl_test(physics/test_${name}.cpp LABEL unit LIBS strahl_host_bsdfs)
 endforeach()
+
+# cl/lights, areas, choosers, textures, packets and integrators in every tier.
+add_library(strahl_host_transport STATIC physics/transport_fast.cpp physics/transport_stable.cpp
+            physics/transport_robust.cpp physics/transport_double.cpp)
+set_target_properties(strahl_host_transport PROPERTIES UNITY_BUILD OFF)
+target_include_directories(strahl_host_transport PRIVATE ${PROJECT_SOURCE_DIR}/cl ${CMAKE_CURRENT_SOURCE_DIR})
+# -Wno-maybe-uninitialized: a ray's way back from an instance is there only where it has gone into one.
+target_compile_options(strahl_host_transport PRIVATE -O1 -Wno-psabi -Wno-int-in-bool-context -Wno-enum-compare
+                       -Wno-deprecated-enum-enum-conversion -Wno-maybe-uninitialized
+                       $<$<BOOL:${STRAHL_HOST_HAS_FMA}>:-mfma>)
+
+foreach(name areas lights choosers textures integrators)
+  strahl_test(physics/test_${name}.cpp LABEL unit LIBS strahl_host_transport)
+endforeach()
+strahl_test(physics/test_packets.cpp LABEL unit LIBS strahl_host_transport strahl_oracle)

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+// What is asked of every entry of cl/choosers/choosers.def, in every tier and width: chances sum to 1 over the lights
+// that are drawn, lights are drawn as often as that (chi^2), and what is drawn and what is told agree. A new entry
+// needs one row in `chooser_rows`.
+#include <functional>
+
+#include "physics/transport_scenes.h"
+
+using namespace strahl;
+using namespace strahl::test;
+
+namespace {
+
+struct ChooserRow {
+  std::string entry;  ///< Of choosers.def.
+  /// Makes a scene of so many lights one that calls for the entry.
+  std::function<void(Scene&)> call_for;
+};
+
+std::vector<ChooserRow> chooser_rows() {
+  return {{"uniform", [](Scene&) {}}};
+}
+
+const std::vector<std::string> chooser_entries = {
+#define CHOOSER(name) #name,
+#include "../../cl/choosers/choosers.def"
+#undef CHOOSER
+};
+
+/// Lamps, and spheres of the sort that a chooser may tell apart: near and far, bright and dark.
+Scene scene_of_lights(int lamps, int spheres) {
+  Scene scene = empty_scene();
+  for (int i = 0; i < lamps; ++i) scene.lights.emplace_back().emitter = PointLight{{1.0 * i, 2, 0}, {1.0 + i, 1, 1}};
+  for (int i = 0; i < spheres; ++i) {
+    Shape& shape = scene.shapes.emplace_back();
+    shape.geometry = Sphere{{0, 3.0 * i, 5}, 0.25 + 0.01 * i};
+    shape.radiance = Rgb{1, 1.0 + i, 0.5};
+  }
+  return scene;
+}
+
+struct Count {
+  int lamps, spheres;
+  const char* integrator;  ///< direct takes the lamps, path draws them.
+};
+
+/// visit(tier, scene, first of those that are drawn, one past the last)
+template <class Visit>
+void for_each_chooser(Visit visit) {
+  for (const ChooserRow& row : chooser_rows())
+    for (const Count& count : {Count{0, 1, "path"}, Count{3, 4, "path"}, Count{3, 4, "direct"}, Count{0, 100, "path"}})
+      for (const TransportTier& tier : transport_tiers()) {
+        Scene scene = scene_of_lights(count.lamps, count.spheres);
+        scene.integrator.name = count.integrator;
+        row.call_for(scene);
+        INFO(tier.name << ", " << tier.lanes << " lanes, " << row.entry << ", " << count.lamps << " lamps, "
+                       << count.spheres << " spheres, " << count.integrator);
+        const TierScene packed(scene, tier);
+        visit(tier, packed, packed.index(layout::HEADER_LIGHTS_TAKEN), packed.index(layout::HEADER_LIGHT_COUNT));
+      }
+}
+
+const Triad at{0.5, 1, 0.25};
+
+TEST_CASE("every chooser has a row") {
+  for (const ChooserRow& row : chooser_rows()) {
+    const auto entry = std::find(chooser_entries.begin(), chooser_entries.end(), row.entry);
+    INFO("choosers.def has no " << row.entry);
+    REQUIRE(entry != chooser_entries.end());
+    Scene scene = scene_of_lights(1, 2);
+    row.call_for(scene);
+    CHECK(TierScene(scene, true, 1).index(layout::HEADER_CHOOSER) == entry - chooser_entries.begin());
+  }
+  for (const std::string& entry : chooser_entries) {
+    INFO("tests/physics/test_choosers.cpp has no row for " << entry);
+    const std::vector<ChooserRow> rows = chooser_rows();
+    CHECK(std::any_of(rows.begin(), rows.end(), [&](const ChooserRow& row) { return row.entry == entry; }));
+  }
+}
+
+TEST_CASE("chances sum to 1, and lights are drawn as often as that") {
+  constexpr std::uint32_t samples = 8192;
+  for_each_chooser([&](const TransportTier& tier, const TierScene& scene, int first, int end) {
+    std::vector<double> counts(static_cast<std::size_t>(end), 0), expected = counts;
+    double whole = 0;
+    for (int light = first; light < end; ++light) {
+      const double chance = 1 / tier.rarity(scene.buffers(), light, at);
+      CHECK(chance > 0);
+      expected[static_cast<std::size_t>(light)] = chance * samples;
+      whole += chance;
+    }
+    CHECK(whole == Approx(1).epsilon(4 * roundoff(tier) * (end - first)));
+    for (const LightPick& pick : tier.pick(scene.buffers(), at, samples)) {
+      REQUIRE(pick.light >= first);
+      REQUIRE(pick.light < end);
+      CHECK(pick.rarity == pick.told);
+      counts[static_cast<std::size_t>(pick.light)] += 1;
+    }
+    hold_counts(counts, expected);
+  });
+}
+
+}  // namespace

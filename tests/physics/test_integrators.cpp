@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+// What every entry of cl/integrators/integrators.def makes of light that is known in closed form, in every tier: a ball
+// that reflects half of a white sky, and a hollow ball that emits one half and reflects the other (a furnace). Every
+// width has the bits of one lane, sample by sample. A new entry needs one row in `integrator_rows`.
+#include "physics/transport_scenes.h"
+
+using namespace strahl;
+using namespace strahl::test;
+
+namespace {
+
+struct IntegratorRow {
+  std::string entry;  ///< Of integrators.def.
+  Triad ball, sky;    ///< Along a ray that meets the ball's nearest point, and past it.
+  Triad furnace;      ///< From the hollow ball's middle along x.
+};
+
+std::vector<IntegratorRow> integrator_rows() {
+  const Triad none{0, 0, 0}, half{0.5, 0.5, 0.5}, white{1, 1, 1}, once{0.75, 0.75, 0.75};
+  return {{"emission", none, white, half},
+          {"depth", {2, 2, 2}, none, white},
+          {"normals", {0.5, 0.5, 1}, none, {0, 0.5, 0.5}},
+          {"direct", half, white, once},
+          {"whitted", half, white, once},
+          {"path", half, white, white},
+          {"ao", white, none, none}};
+}
+
+const std::vector<std::string> integrator_entries = {
+#define INTEGRATOR(name) #name,
+#include "../../cl/integrators/integrators.def"
+#undef INTEGRATOR
+};
+
+Scene unit_ball(const std::string& integrator) {
+  Scene scene = empty_scene();
+  scene.integrator.name = integrator;
+  scene.shapes.emplace_back().geometry = Sphere{};
+  return scene;
+}
+
+Scene ball_under_sky(const std::string& integrator) {
+  Scene scene = unit_ball(integrator);
+  scene.lights.emplace_back().emitter = ConstantLight{{1, 1, 1}};
+  return scene;
+}
+
+Scene furnace(const std::string& integrator) {
+  Scene scene = unit_ball(integrator);
+  scene.shapes.front().flip_normals = true;
+  scene.shapes.front().radiance = Rgb{0.5, 0.5, 0.5};
+  return scene;
+}
+
+const double far_off = 1e30;
+const GivenRay at_ball{{0, 0, 3}, {0, 0, -1}, 0, far_off}, past_ball{{0, 0, 3}, {1, 0, 0}, 0, far_off},
+    from_middle{{0, 0, 0}, {1, 0, 0}, 0, far_off};
+constexpr std::uint32_t samples = 2048;
+
+void hold_radiance(const char* what, const TransportTier& tier, const Scene& scene, const GivenRay& ray,
+                   const Triad& expected) {
+  INFO(what);
+  const std::vector<Triad> found = tier.radiance(TierScene(scene, tier).buffers(), ray, samples);
+  for (std::size_t k = 0; k < 3; ++k) {
+    std::vector<double> values;
+    for (const Triad& one : found) values.push_back(one[k]);
+    const Mean mean = mean_of(values);
+    CHECK(mean.value == Approx(expected[k]).margin(5 * mean.noise + 1000 * roundoff(tier)));
+    // Noise is no excuse for what is far off.
+    CHECK(mean.noise < 0.05);
+  }
+}
+
+TEST_CASE("every integrator has a row") {
+  for (const std::string& entry : integrator_entries) {
+    INFO("tests/physics/test_integrators.cpp has no row for " << entry);
+    const std::vector<IntegratorRow> rows = integrator_rows();
+    CHECK(std::any_of(rows.begin(), rows.end(), [&](const IntegratorRow& row) { return row.entry == entry; }));
+  }
+  CHECK(integrator_rows().size() == integrator_entries.size());
+}
+
+TEST_CASE("integrators make of a white sky and of a furnace what the closed form does") {
+  for (const IntegratorRow& row : integrator_rows())
+    for (const TransportTier& tier : transport_tiers()) {
+      INFO(tier.name << ", " << tier.lanes << " lanes, " << row.entry);
+      hold_radiance("ball", tier, ball_under_sky(row.entry), at_ball, row.ball);
+      hold_radiance("sky", tier, ball_under_sky(row.entry), past_ball, row.sky);
+      hold_radiance("furnace", tier, furnace(row.entry), from_middle, row.furnace);
+    }
+}
+
+TEST_CASE("every width makes of a sample what one lane does, to the bit") {
+  std::map<std::string, TransportTier> narrow;
+  for (const TransportTier& tier : transport_tiers())
+    if (tier.lanes == 1) narrow.emplace(tier.name, tier);
+  for (const IntegratorRow& row : integrator_rows())
+    for (const TransportTier& tier : transport_tiers()) {
+      if (tier.lanes == 1) continue;
+      INFO(tier.name << ", " << tier.lanes << " lanes, " << row.entry);
+      const TransportTier& one = narrow.at(tier.name);
+      for (const Scene& scene : {ball_under_sky(row.entry), furnace(row.entry)})
+        CHECK(tier.radiance(TierScene(scene, tier).buffers(), at_ball, 99) ==
+              one.radiance(TierScene(scene, one).buffers(), at_ball, 99));
+    }
+}
+
+}  // namespace

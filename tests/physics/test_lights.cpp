@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: MIT
+// What physics asks of every entry of cl/lights/lights.def, in every tier: directions are drawn as densely as a ray
+// that finds the light is told (chi^2), that density integrates to what is drawn, both ways see the same radiance,
+// their mean is the light's fluence in closed form; a light of one direction is a delta and nothing else; rays see no
+// light beside it. A new entry needs one row in `light_rows`; lights with an area are asked about every row of
+// area_rows.h.
+#include <set>
+
+#include "physics/area_rows.h"
+#include "physics/transport_scenes.h"
+
+using namespace strahl;
+using namespace strahl::test;
+
+namespace {
+
+struct LightRow {
+  std::string entry;  ///< Of lights.def.
+  std::string what;
+  std::function<void(Scene&)> put;
+  bool is_delta;
+  std::vector<Vec3> froms;
+  /// What all directions bring together, in the first channel.
+  std::function<double(const Vec3& from)> fluence;
+};
+
+template <class Emitter>
+std::function<void(Scene&)> put_lamp(const Emitter& emitter) {
+  return [=](Scene& scene) { scene.lights.emplace_back().emitter = emitter; };
+}
+
+std::vector<LightRow> light_rows() {
+  const std::vector<Vec3> froms = {{0, 0, 0}, {3, -1, 2}, {1000, 0, -2000}};
+  const Vec3 lamp{1, 2, 3};
+  std::vector<LightRow> rows = {
+      {"point", "", put_lamp(PointLight{lamp, {2, 1, 0.5}}), true, froms,
+       [=](const Vec3& from) { return 2 / dot(lamp - from, lamp - from); }},
+      {"directional", "", put_lamp(DirectionalLight{{1, -2, 0.5}, {2, 1, 0.5}}), true, froms,
+       [](const Vec3&) { return 2; }},
+      {"constant", "", put_lamp(ConstantLight{{2, 1, 0.5}}), false, froms,
+       [](const Vec3&) { return 8 * std::numbers::pi; }},
+  };
+  for (const AreaRow& row : area_rows())
+    rows.push_back({"area", row.entry, [=](Scene& scene) { scene.shapes.push_back(emitting_shape(row)); }, false,
+                    row.froms, [=](const Vec3& from) { return 2 * row.solid_angle(from); }});
+  return rows;
+}
+
+const std::vector<std::string> light_entries = {
+#define LIGHT(name) #name,
+#include "../../cl/lights/lights.def"
+#undef LIGHT
+};
+
+Scene scene_of_light(const LightRow& row) {
+  Scene scene = empty_scene();
+  row.put(scene);
+  return scene;
+}
+
+/// visit(tier, row, scene, from)
+template <class Visit>
+void for_each_light(Visit visit) {
+  for (const LightRow& row : light_rows())
+    for (const TransportTier& tier : transport_tiers()) {
+      const TierScene scene(scene_of_light(row), tier);
+      for (const Vec3& from : row.froms) {
+        INFO(tier.name << ", " << tier.lanes << " lanes, " << row.entry << " " << row.what << " from " << from.x << " "
+                       << from.y << " " << from.z);
+        visit(tier, row, scene, from);
+      }
+    }
+}
+
+bool is_lit(const LightDraw& drawn) { return drawn.radiance[0] > 0; }
+
+std::vector<Vec3> lit_directions(const std::vector<LightDraw>& drawn) {
+  std::vector<Vec3> directions;
+  for (const LightDraw& one : drawn)
+    if (is_lit(one)) directions.push_back(normalized(vec(one.towards)));
+  return directions;
+}
+
+/// Cells of equal solid angle of a cone around directions.
+class Cone {
+ public:
+  static constexpr int rings = 6, sectors = 12, within = 12;
+
+  explicit Cone(const std::vector<Vec3>& directions) {
+    Vec3 sum{};
+    for (const Vec3& d : directions) sum = sum + d;
+    axis_ = normalized(sum);
+    across_ = orthonormal_basis(axis_);
+    for (const Vec3& d : directions) less_ = std::max(less_, less(d));
+    less_ = less_ > 1 ? 2 : 1.1 * less_;
+  }
+  /// The cell, each with `parts` x `parts` cells of its own.
+  [[nodiscard]] std::size_t cell(const Vec3& d) const {
+    const int ring = std::min(static_cast<int>(less(d) / less_ * rings), rings - 1);
+    const int sector =
+        std::min(static_cast<int>(turn_of(dot(d, across_[0]), dot(d, across_[1])) * sectors), sectors - 1);
+    return static_cast<std::size_t>(ring * sectors + sector);
+  }
+  [[nodiscard]] std::vector<Triad> middles() const {
+    std::vector<Triad> all;
+    for (int i = 0; i < rings * within; ++i)
+      for (int j = 0; j < sectors * within; ++j) {
+        const double l = less_ * (i + 0.5) / (rings * within), sine = std::sqrt(l * (2 - l));
+        const double turn = 2 * std::numbers::pi * (j + 0.5) / (sectors * within);
+        all.push_back(triad((1 - l) * axis_ + sine * std::cos(turn) * across_[0] + sine * std::sin(turn) * across_[1]));
+      }
+    return all;
+  }
+  [[nodiscard]] double solid_angle() const { return 2 * std::numbers::pi * less_; }
+
+ private:
+  /// 1 - cos, by the chord.
+  [[nodiscard]] double less(const Vec3& d) const { return 0.5 * dot(d - axis_, d - axis_); }
+
+  Vec3 axis_;
+  std::array<Vec3, 2> across_;
+  double less_ = 0;
+};
+
+TEST_CASE("every light has a row") {
+  std::set<std::string> rows;
+  for (const LightRow& row : light_rows()) {
+    rows.insert(row.entry);
+    const auto entry = std::find(light_entries.begin(), light_entries.end(), row.entry);
+    INFO("lights.def has no " << row.entry);
+    REQUIRE(entry != light_entries.end());
+    const TierScene scene(scene_of_light(row), true, 1);
+    REQUIRE(scene.index(layout::HEADER_LIGHT_COUNT) == 1);
+    CHECK(scene.light(0, layout::LIGHT_KIND) == entry - light_entries.begin());
+  }
+  for (const std::string& entry : light_entries) {
+    INFO("tests/physics/test_lights.cpp has no row for " << entry);
+    CHECK(rows.contains(entry));
+  }
+}
+
+TEST_CASE("directions are drawn as densely as rays that find the light are told") {
+  const std::vector<PlaceNumbers> numbers = place_numbers(4000);
+  for_each_light([&](const TransportTier& tier, const LightRow& row, const TierScene& scene, const Vec3& from) {
+    if (row.is_delta || tier.lanes > 1) return;
+    const std::vector<Vec3> directions = lit_directions(tier.draw(scene.buffers(), 0, triad(from), numbers));
+    REQUIRE(directions.size() > numbers.size() / 4);
+    const Cone cone(directions);
+    std::vector<double> counts(Cone::rings * Cone::sectors, 0), expected(counts.size(), 0);
+    for (const Vec3& d : directions) counts.at(cone.cell(d)) += 1;
+    const std::vector<Triad> middles = cone.middles();
+    const std::vector<Sight> seen = tier.look(scene.buffers(), triad(from), middles);
+    const double n = static_cast<double>(numbers.size());
+    double whole = 0, beside = 0;
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+      if (seen[i].light < 0) beside += seen[i].radiance[0];
+      const double share = seen[i].density * cone.solid_angle() / static_cast<double>(seen.size());
+      expected.at(cone.cell(vec(middles[i]))) += share * n;
+      whole += share;
+    }
+    CHECK(beside == 0);
+    const double drawn = static_cast<double>(directions.size()) / n;
+    CHECK(whole == Approx(drawn).margin(0.01 + 5 * std::sqrt(drawn * (1 - drawn) / n)));
+    // Rounding that moves a far-off place by as much as a cell is no law of light.
+    if (length(from) * roundoff(tier) < 1e-6) hold_counts(counts, expected);
+  });
+}
+
+TEST_CASE("what draws a light and what finds it see the same radiance at the same density") {
+  const std::vector<PlaceNumbers> numbers = place_numbers(500);
+  for_each_light([&](const TransportTier& tier, const LightRow& row, const TierScene& scene, const Vec3& from) {
+    if (row.is_delta) return;
+    const std::vector<LightDraw> all = tier.draw(scene.buffers(), 0, triad(from), numbers);
+    std::vector<LightDraw> drawn;
+    std::vector<Triad> directions;
+    for (const LightDraw& one : all) {
+      CHECK_FALSE(one.is_delta);
+      if (!is_lit(one)) continue;
+      CHECK(one.density > 0);
+      drawn.push_back(one);
+      directions.push_back(triad(normalized(vec(one.towards))));
+    }
+    const std::vector<Sight> seen = tier.look(scene.buffers(), triad(from), directions);
+    int missed = 0;
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+      // Rounding leads past an edge now and then, or onto the back there.
+      if (seen[i].light != 0 || seen[i].radiance[0] == 0) {
+        ++missed;
+        continue;
+      }
+      CHECK(seen[i].radiance == drawn[i].radiance);
+      const double far_off = 1 + length(from) / 4;
+      CHECK(seen[i].density == Approx(drawn[i].density).epsilon(2000 * roundoff(tier) * far_off));
+    }
+    CHECK(missed <= static_cast<int>(seen.size()) / 50);
+  });
+}
+
+TEST_CASE("drawn radiance over its density is the light's fluence") {
+  const std::vector<PlaceNumbers> numbers = place_numbers(4000);
+  for_each_light([&](const TransportTier& tier, const LightRow& row, const TierScene& scene, const Vec3& from) {
+    std::vector<double> shares;
+    for (const LightDraw& one : tier.draw(scene.buffers(), 0, triad(from), numbers)) {
+      shares.push_back(is_lit(one) ? one.radiance[0] / one.density : 0);
+      // The colour is the light's.
+      CHECK(one.radiance[1] == Approx(one.radiance[0] / 2).epsilon(4 * roundoff(tier)));
+      CHECK(one.radiance[2] == Approx(one.radiance[0] / 4).epsilon(4 * roundoff(tier)));
+    }
+    const Mean mean = mean_of(shares);
+    const double fluence = row.fluence(from);
+    CHECK(mean.value == Approx(fluence).margin(5 * mean.noise + 64 * roundoff(tier) * fluence));
+  });
+}
+
+TEST_CASE("a light of one direction is a delta, which no ray finds") {
+  const std::vector<PlaceNumbers> numbers = place_numbers(16);
+  for_each_light([&](const TransportTier& tier, const LightRow& row, const TierScene& scene, const Vec3& from) {
+    const std::vector<LightDraw> drawn = tier.draw(scene.buffers(), 0, triad(from), numbers);
+    for (const LightDraw& one : drawn) CHECK(one.is_delta == row.is_delta);
+    if (!row.is_delta) return;
+    for (const LightDraw& one : drawn) {
+      CHECK(one.density == 1);
+      CHECK(one.towards == drawn.front().towards);
+    }
+    CHECK(tier.density(scene.buffers(), 0, triad(from), drawn.front().towards) == 0);
+    for (const Triad& towards : {drawn.front().towards, Triad{1, 0, 0}, Triad{0, -1, 0}}) {
+      const Sight seen = tier.look(scene.buffers(), triad(from), {towards}).front();
+      CHECK(seen.light == -1);
+      CHECK(seen.radiance == Triad{0, 0, 0});
+    }
+  });
+}
+
+TEST_CASE("every width draws and finds lights as one lane does, to the bit") {
+  const std::vector<PlaceNumbers> numbers = place_numbers(35);
+  std::map<std::string, TransportTier> narrow;
+  for (const TransportTier& tier : transport_tiers())
+    if (tier.lanes == 1) narrow.emplace(tier.name, tier);
+  for_each_light([&](const TransportTier& tier, const LightRow& row, const TierScene& scene, const Vec3& from) {
+    if (tier.lanes == 1) return;
+    const TransportTier& one = narrow.at(tier.name);
+    const TierScene narrow_scene(scene_of_light(row), one);
+    const auto wide = tier.draw(scene.buffers(), 0, triad(from), numbers),
+               drawn = one.draw(narrow_scene.buffers(), 0, triad(from), numbers);
+    std::vector<Triad> directions;
+    for (std::size_t i = 0; i < drawn.size(); ++i) {
+      CHECK(wide[i].towards == drawn[i].towards);
+      CHECK(wide[i].radiance == drawn[i].radiance);
+      CHECK(wide[i].t_max == drawn[i].t_max);
+      CHECK(wide[i].density == drawn[i].density);
+      CHECK(wide[i].is_delta == drawn[i].is_delta);
+      CHECK(wide[i].aim == drawn[i].aim);
+      directions.push_back(drawn[i].towards);
+    }
+    const auto wide_seen = tier.look(scene.buffers(), triad(from), directions),
+               seen = one.look(narrow_scene.buffers(), triad(from), directions);
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+      CHECK(wide_seen[i].light == seen[i].light);
+      CHECK(wide_seen[i].radiance == seen[i].radiance);
+      if (seen[i].light >= 0) CHECK(wide_seen[i].density == seen[i].density);
+    }
+  });
+}
+
+}  // namespace

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+// One tier of transport_tiers.h; needs REAL_BITS and TIER_.... No guard: once a unit.
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+
+#include "cl/host_features.h"
+#include "physics/transport_tiers.h"
+
+#define HAS_HIDE_EMITTERS 1
+#define HAS_ERROR_SUMS 1
+#define HAS_WIDE_BODIES (REAL_BITS == 32 && !TIER_FAST)
+// Walks stand once, as they do where lanes are wide: the unit compiles in a fraction of the time.
+#define SCENE_LANES 16
+
+namespace strahl::test {
+// Internal to the unit: the tiers' headers give their functions the same names.
+namespace {
+namespace tier {
+#include "portable.h"
+// The ground of what follows.
+#include "math/vec3.h"
+#include "scene/scene.h"
+
+inline Scene scene_of(const TierBuffers& buffers) {
+  return {static_cast<const real*>(buffers.geometry), static_cast<const real*>(buffers.shading), buffers.index,
+          nullptr};
+}
+
+// What is wider than the processor's registers costs the compiler as much as all the rest: lanes where bodies of their
+// own want them, the widest for packets alone, in the tier that is meant for use. The widest first: it decides for all
+// of them whether spheres wait (shapes/exact/put_off.h).
+#if TIER_ROBUST
+#define LANES 16
+#include "physics/packets_width.h"
+#undef LANES
+#endif
+#if HAS_WIDE_BODIES
+#define LANES 8
+#include "physics/transport_width.h"
+#undef LANES
+#endif
+#define LANES 1
+#include "physics/transport_width.h"
+#undef LANES
+
+inline std::vector<Triad> texture_values(const TierBuffers& buffers, int texture,
+                                         const std::vector<TexturePlace>& points) {
+  const Scene scene = scene_of(buffers);
+  std::vector<Triad> found;
+  found.reserve(points.size());
+  for (const TexturePlace& point : points) {
+    const TexturePoint at{0, (real)point.u, (real)point.v, (real)point.footprint};
+    const real3 value = texture_value(&scene, texture, &at);
+    found.push_back({value.x, value.y, value.z});
+  }
+  return found;
+}
+
+inline std::vector<TransportTier> transport(const char* name) {
+#define QUESTIONS(lanes)                                                                               \
+  {                                                                                                    \
+    name, lanes, draw_light_##lanes, area_places_##lanes, look_along_##lanes, density_towards_##lanes, \
+        pick_lights_##lanes, rarity_of_##lanes, texture_values, radiance_along_##lanes                 \
+  }
+  return {
+    QUESTIONS(1),
+#if HAS_WIDE_BODIES
+        QUESTIONS(8)
+#endif
+  };
+#undef QUESTIONS
+}
+
+#if HAS_WIDE_BODIES
+inline PacketTier packets(const char* name) {
+  return {name,
+          find_alone_1,
+          {{8, find_packets_8},
+#if TIER_ROBUST
+           {16, find_packets_16}
+#endif
+          }};
+}
+#endif
+}  // namespace tier
+}  // namespace
+}  // namespace strahl::test

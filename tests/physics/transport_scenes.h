@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+// Scenes for the questions of transport_tiers.h, and the numbers that they are asked with.
+#pragma once
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+#include <random>
+#include <variant>
+#include <vector>
+
+#include "packing/cl_layout.h"
+#include "packing/pack.h"
+#include "physics/transport_tiers.h"
+
+namespace strahl::test {
+
+[[nodiscard]] inline Triad triad(const Vec3& v) { return {v.x, v.y, v.z}; }
+[[nodiscard]] inline Vec3 vec(const Triad& v) { return {v[0], v[1], v[2]}; }
+
+/// A scene as a tier reads it.
+class TierScene {
+ public:
+  TierScene(const Scene& scene, bool is_double, int lanes) {
+    RenderSettings settings;
+    settings.generic = true;
+    const Features features = features_of(scene, settings);
+    const PackOptions options{lanes, UploadFrame{}, 0};
+    if (is_double)
+      packed_ = pack_scene<double>(scene, features, options);
+    else
+      packed_ = pack_scene<float>(scene, features, options);
+  }
+  TierScene(const Scene& scene, const TransportTier& tier)
+      : TierScene(scene, std::string(tier.name) == "double", tier.lanes) {}
+
+  [[nodiscard]] TierBuffers buffers() const {
+    return std::visit(
+        [](const auto& packed) {
+          return TierBuffers{packed.geometry.data(), packed.shading.data(), packed.index.data()};
+        },
+        packed_);
+  }
+  [[nodiscard]] int index(int at) const {
+    return std::visit([&](const auto& packed) { return packed.index.at(static_cast<std::size_t>(at)); }, packed_);
+  }
+  /// LIGHT_... of a row of the table of lights.
+  [[nodiscard]] int light(int row, int entry) const {
+    return index(index(layout::HEADER_LIGHTS) + row * layout::LIGHT_INTS + entry);
+  }
+
+ private:
+  std::variant<PackedScene<float>, PackedScene<double>> packed_;
+};
+
+/// All lights are drawn.
+[[nodiscard]] inline Scene empty_scene() {
+  Scene scene;
+  scene.integrator.name = "path";
+  scene.sampler.kind = SamplerKind::independent;
+  scene.sampler.sample_count = 16;
+  return scene;
+}
+
+/// u and v: odd multiples of 2^-24, exact in either precision, within (0, 1).
+[[nodiscard]] inline std::vector<PlaceNumbers> place_numbers(std::size_t count) {
+  std::mt19937_64 engine(11);
+  const auto one = [&] { return (static_cast<double>(engine() >> 41) + 0.5) * 0x1p-23; };
+  std::vector<PlaceNumbers> numbers(count);
+  for (PlaceNumbers& n : numbers) n = {static_cast<std::uint32_t>(engine()), one(), one()};
+  return numbers;
+}
+
+/// Of counts against what is expected: chi^2 over the bins that expect five or more, within six standard deviations.
+inline void hold_counts(const std::vector<double>& counts, const std::vector<double>& expected) {
+  double chi = 0;
+  int bins = 0;
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    if (expected[i] < 5) {
+      CHECK(counts[i] <= 5 + 5 * std::sqrt(expected[i] + 1));
+      continue;
+    }
+    chi += (counts[i] - expected[i]) * (counts[i] - expected[i]) / expected[i];
+    ++bins;
+  }
+  if (bins > 1) CHECK(chi / bins < 1 + 6 * std::sqrt(2.0 / bins));
+}
+
+/// Mean and its standard deviation.
+struct Mean {
+  double value, noise;
+};
+
+[[nodiscard]] inline Mean mean_of(const std::vector<double>& values) {
+  const double n = static_cast<double>(values.size()), mean = std::accumulate(values.begin(), values.end(), 0.0) / n;
+  double squares = 0;
+  for (const double x : values) squares += (x - mean) * (x - mean);
+  return {mean, std::sqrt(squares) / n};
+}
+
+}  // namespace strahl::test

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+// cl/lights, areas, choosers, textures, packets and integrators on the host, tiers and widths side by side;
+// compiled in transport_<tier>.cpp with every entry and feature active, so scenes are packed with
+// RenderSettings::generic, for the tier's width.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace strahl::test {
+
+using Triad = std::array<double, 3>;
+
+/// The buffers of cl/scene/layout.h, in the tier's reals.
+struct TierBuffers {
+  const void* geometry;
+  const void* shading;
+  const std::int32_t* index;
+};
+
+/// What a light draws a place or a direction with.
+struct PlaceNumbers {
+  std::uint32_t item;
+  double u, v;
+};
+
+/// What a point learns of a light that it draws: cl/lights/light_sample_lanes.h.
+struct LightDraw {
+  Triad towards, radiance;
+  double t_max, density;
+  bool is_delta;
+  int aim;
+};
+
+/// A place on a light that has an area: cl/areas/area_point_lanes.h.
+struct AreaDraw {
+  Triad position, normal;
+  double density;
+};
+
+/// What a direction leads to.
+struct Sight {
+  Triad radiance;
+  int light;       ///< -1: none that could be drawn.
+  double density;  ///< How densely that light draws the direction.
+  Triad position;  ///< Where light < 0 of no meaning, and of the background.
+};
+
+struct LightPick {
+  int light;
+  double rarity, told;  ///< As drawn, and as told of the light that was drawn.
+};
+
+struct TexturePlace {
+  double u, v, footprint;
+};
+
+struct GivenRay {
+  Triad o, d;
+  double t_min, t_max;
+  int departed = -1;  ///< Scene-wide id of the primitive that it leaves.
+};
+
+struct FoundHit {
+  double t;
+  int id, kind;  ///< kind -1: nothing is hit, and no more is known.
+};
+
+struct TransportTier {
+  const char* name;
+  int lanes;
+  std::vector<LightDraw> (*draw)(const TierBuffers& scene, int light, const Triad& from,
+                                 const std::vector<PlaceNumbers>& numbers);
+  /// Of a light of kind `area`.
+  std::vector<AreaDraw> (*places)(const TierBuffers& scene, int light, const Triad& from,
+                                  const std::vector<PlaceNumbers>& numbers);
+  /// As an integrator's ray sees it that has been drawn by a material.
+  std::vector<Sight> (*look)(const TierBuffers& scene, const Triad& from, const std::vector<Triad>& directions);
+  /// The density of a light in a direction that leads to none of its surfaces.
+  double (*density)(const TierBuffers& scene, int light, const Triad& from, const Triad& direction);
+  /// By `count` samples of pixel 0.
+  std::vector<LightPick> (*pick)(const TierBuffers& scene, const Triad& from, std::uint32_t count);
+  double (*rarity)(const TierBuffers& scene, int light, const Triad& from);
+  /// On part 0.
+  std::vector<Triad> (*texture)(const TierBuffers& scene, int texture, const std::vector<TexturePlace>& points);
+  /// Radiance along the ray by the scene's integrator, sample by sample of pixel 0.
+  std::vector<Triad> (*radiance)(const TierBuffers& scene, const GivenRay& ray, std::uint32_t samples);
+};
+
+/// Nearest, or any. The scene is packed for as many lanes as there are.
+using FindHits = std::vector<FoundHit> (*)(const TierBuffers& scene, const std::vector<GivenRay>& rays, bool any);
+
+struct PacketTier {
+  const char* name;
+  FindHits alone;                   ///< Ray by ray, at width 1.
+  std::map<int, FindHits> packets;  ///< By the number of lanes.
+};
+
+/// Half the distance from 1 to the next larger number.
+[[nodiscard]] inline double roundoff(const TransportTier& tier) {
+  return std::string(tier.name) == "double" ? 0x1p-53 : 0x1p-24;
+}
+
+[[nodiscard]] std::vector<TransportTier> transport_fast();
+[[nodiscard]] std::vector<TransportTier> transport_stable();
+[[nodiscard]] std::vector<TransportTier> transport_robust();
+[[nodiscard]] std::vector<TransportTier> transport_double();
+[[nodiscard]] PacketTier packets_stable();
+[[nodiscard]] PacketTier packets_robust();
+
+[[nodiscard]] inline std::vector<TransportTier> transport_tiers() {
+  std::vector<TransportTier> all;
+  for (const auto& tiers : {transport_fast(), transport_stable(), transport_robust(), transport_double()})
+    all.insert(all.end(), tiers.begin(), tiers.end());
+  return all;
+}
+
+}  // namespace strahl::test

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: MIT
+// The questions of transport_tiers.h at one width; no guard. Within the tier's namespace.
+#include "physics/packets_width.h"
+
+inline Triad LANED(triad_at)(const real3w& v, int lane) {
+  return {get_w(&v.x, lane), get_w(&v.y, lane), get_w(&v.z, lane)};
+}
+
+inline LightNumbers_w LANED(numbers_at)(const std::vector<PlaceNumbers>& all, std::size_t first) {
+  LightNumbers_w numbers = no_numbers_w();
+  intw item = splat_int_w(0);
+  LANED(for_lanes)
+  (first, all.size(), [&](std::size_t i, int lane) {
+    put_int_w(&item, lane, (int)all[i].item);
+    put_w(&numbers.u, lane, (real)all[i].u);
+    put_w(&numbers.v, lane, (real)all[i].v);
+  });
+  numbers.item = uint_of_int_w(item);
+  return numbers;
+}
+
+inline std::vector<LightDraw> LANED(draw_light)(const TierBuffers& buffers, int light, const Triad& from,
+                                                const std::vector<PlaceNumbers>& numbers) {
+  const Scene scene = scene_of(buffers);
+  std::vector<LightDraw> drawn(numbers.size());
+  for (std::size_t first = 0; first < numbers.size(); first += LANES) {
+    const LightSample_w s = light_sample_w(&scene, ~none_w(), splat_int_w(light), LANED(splat_triad)(from),
+                                           LANED(numbers_at)(numbers, first));
+    const uint deltas = bits_w(s.is_delta);
+    LANED(for_lanes)
+    (first, numbers.size(), [&](std::size_t i, int lane) {
+      drawn[i] = {LANED(triad_at)(s.towards, lane), LANED(triad_at)(s.radiance, lane), get_w(&s.t_max, lane),
+                  get_w(&s.density, lane),          (deltas >> lane & 1u) != 0u,       get_int_w(&s.aim, lane)};
+    });
+  }
+  return drawn;
+}
+
+inline std::vector<AreaDraw> LANED(area_places)(const TierBuffers& buffers, int light, const Triad& from,
+                                                const std::vector<PlaceNumbers>& numbers) {
+  const Scene scene = scene_of(buffers);
+  const int* row = light_row(&scene, light);
+  std::vector<AreaDraw> drawn(numbers.size());
+  for (std::size_t first = 0; first < numbers.size(); first += LANES) {
+    const LightNumbers_w drawing = LANED(numbers_at)(numbers, first);
+    const AreaPoint_w p = area_point_w(&scene, row, LANED(splat_triad)(from), area_item_w(&scene, row, drawing.item),
+                                       drawing.u, drawing.v);
+    LANED(for_lanes)
+    (first, numbers.size(), [&](std::size_t i, int lane) {
+      drawn[i] = {LANED(triad_at)(p.position, lane), LANED(triad_at)(p.normal, lane), get_w(&p.density, lane)};
+    });
+  }
+  return drawn;
+}
+
+inline std::vector<Sight> LANED(look_along)(const TierBuffers& buffers, const Triad& at,
+                                            const std::vector<Triad>& directions) {
+  const Scene scene = scene_of(buffers);
+  const FirstSample unreported{nullptr, nullptr, -1};
+  const real3w from = LANED(splat_triad)(at);
+  std::vector<Sight> seen(directions.size());
+  for (std::size_t first = 0; first < directions.size(); first += LANES) {
+    real3w d = LANED(splat_triad)({0, 0, 1});
+    LANED(for_lanes)
+    (first, directions.size(), [&](std::size_t i, int lane) {
+      put_real3_w(&d, lane, vec3((real)directions[i][0], (real)directions[i][1], (real)directions[i][2]));
+    });
+    const Rays_w rays = LANED(rays_from)(from, d, splat_w(R(0.0)), splat_w(REAL_MAX), splat_int_w(-1));
+    Paths_w path;
+    paths_none_w(&path);
+    paths_begin_w(&path, ~none_w(), &rays);
+    const Surfaces_w s = find_surfaces_w(&scene, &path, FIND_NEAREST, &unreported);
+    const real3w radiance = radiance_along_w(&scene, &path, &s);
+    // As path_add_light does.
+    const intw lights =
+        sel_int_w(s.hit, part_entry_w(&scene, &s, PART_LIGHT), splat_int_w(scene.index[HEADER_BACKGROUND]));
+    const real3w towards = sel3_w(s.hit, sub3_w(s.position, from), d);
+    const realw density = light_density_w(&scene, ~lt_int_w(lights, splat_int_w(0)), lights, from, towards, &s);
+    LANED(for_lanes)
+    (first, directions.size(), [&](std::size_t i, int lane) {
+      seen[i] = {LANED(triad_at)(radiance, lane), get_int_w(&lights, lane), get_w(&density, lane),
+                 LANED(triad_at)(s.position, lane)};
+    });
+  }
+  return seen;
+}
+
+inline double LANED(density_towards)(const TierBuffers& buffers, int light, const Triad& from, const Triad& direction) {
+  const Scene scene = scene_of(buffers);
+  const Surfaces_w none = surfaces_none_w();
+  const realw density = light_density_w(&scene, ~none_w(), splat_int_w(light), LANED(splat_triad)(from),
+                                        LANED(splat_triad)(direction), &none);
+  return get_w(&density, LANES - 1);
+}
+
+inline std::vector<LightPick> LANED(pick_lights)(const TierBuffers& buffers, const Triad& at, std::uint32_t count) {
+  const Scene scene = scene_of(buffers);
+  const real3w from = LANED(splat_triad)(at);
+  std::vector<LightPick> picked(count);
+  for (std::uint32_t first = 0; first < count; first += LANES) {
+    const SampleState_w sample = sample_begin_w(&scene, 0u, lane_numbers_w() + first);
+    const LightChoice_w choice = choose_light_w(&scene, &sample, splat_int_w(0), from);
+    const realw told = light_rarity_w(&scene, choice.light, from);
+    LANED(for_lanes)
+    (first, count, [&](std::size_t i, int lane) {
+      picked[i] = {get_int_w(&choice.light, lane), get_w(&choice.rarity, lane), get_w(&told, lane)};
+    });
+  }
+  return picked;
+}
+
+inline double LANED(rarity_of)(const TierBuffers& buffers, int light, const Triad& from) {
+  const Scene scene = scene_of(buffers);
+  const realw rarity = light_rarity_w(&scene, splat_int_w(light), LANED(splat_triad)(from));
+  return get_w(&rarity, LANES - 1);
+}
+
+/// As kernels/render.cl follows the samples of a pixel, but that all begin and end together.
+inline std::vector<Triad> LANED(radiance_along)(const TierBuffers& buffers, const GivenRay& ray,
+                                                std::uint32_t samples) {
+  uint counters[COUNTERS] = {};
+  Scene scene = scene_of(buffers);
+  scene.counters = counters;
+  const FirstSample unreported{nullptr, nullptr, -1};
+  const Rays_w rays = LANED(rays_at)({ray}, 0);
+  std::vector<Triad> found(samples);
+  for (std::uint32_t first = 0; first < samples; first += LANES) {
+    Paths_w path;
+    paths_none_w(&path);
+    Branches_w branches;
+    branches.count = splat_int_w(0);
+    path.sample = sample_begin_w(&scene, 0u, lane_numbers_w() + first);
+    paths_begin_w(&path, ~none_w(), &rays);
+    while (any_w(path.alive)) {
+      const Surfaces_w s = find_surfaces_w(&scene, &path, FIND_NEAREST_APPROXIMATELY, &unreported);
+      surface_step_w(&scene, &path, &s, &branches);
+    }
+    LANED(for_lanes)(first, samples, [&](std::size_t i, int lane) { found[i] = LANED(triad_at)(path.radiance, lane); });
+  }
+  return found;
+}
