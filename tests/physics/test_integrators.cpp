@@ -18,7 +18,7 @@ struct IntegratorRow {
 std::vector<IntegratorRow> integrator_rows() {
   const Triad none{0, 0, 0}, half{0.5, 0.5, 0.5}, white{1, 1, 1}, once{0.75, 0.75, 0.75};
   return {{"emission", none, white, half},
-          {"depth", {2, 2, 2}, none, white},
+          {"depth", {2, 2, 2}, none, {2, 2, 2}},
           {"normals", {0.5, 0.5, 1}, none, {0, 0.5, 0.5}},
           {"direct", half, white, once},
           {"whitted", half, white, once},
@@ -32,28 +32,29 @@ const std::vector<std::string> integrator_entries = {
 #undef INTEGRATOR
 };
 
-Scene unit_ball(const std::string& integrator) {
+/// Of radius 2: places on it are no normals.
+Scene ball(const std::string& integrator) {
   Scene scene = empty_scene();
   scene.integrator.name = integrator;
-  scene.shapes.emplace_back().geometry = Sphere{};
+  scene.shapes.emplace_back().geometry = Sphere{{0, 0, 0}, 2};
   return scene;
 }
 
 Scene ball_under_sky(const std::string& integrator) {
-  Scene scene = unit_ball(integrator);
+  Scene scene = ball(integrator);
   scene.lights.emplace_back().emitter = ConstantLight{{1, 1, 1}};
   return scene;
 }
 
 Scene furnace(const std::string& integrator) {
-  Scene scene = unit_ball(integrator);
+  Scene scene = ball(integrator);
   scene.shapes.front().flip_normals = true;
   scene.shapes.front().radiance = Rgb{0.5, 0.5, 0.5};
   return scene;
 }
 
 const double far_off = 1e30;
-const GivenRay at_ball{{0, 0, 3}, {0, 0, -1}, 0, far_off}, past_ball{{0, 0, 3}, {1, 0, 0}, 0, far_off},
+const GivenRay at_ball{{0, 0, 4}, {0, 0, -1}, 0, far_off}, past_ball{{0, 0, 4}, {1, 0, 0}, 0, far_off},
     from_middle{{0, 0, 0}, {1, 0, 0}, 0, far_off};
 constexpr std::uint32_t samples = 2048;
 

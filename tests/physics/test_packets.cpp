@@ -52,7 +52,7 @@ std::vector<GivenRay> bundles(SceneMaker& maker, std::size_t count) {
   std::vector<GivenRay> rays;
   std::size_t number = 0;
   for (const Ray& leader : maker.rays(count / 16)) {
-    const double width = std::pow(10.0, -1.0 * static_cast<double>(number++ % 5)), size = length(leader.direction);
+    const double width = std::pow(10.0, -1.0 - static_cast<double>(number++ % 5)), size = length(leader.direction);
     const auto by = [&] { return width * Vec3{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)}; };
     for (int k = 0; k < 16; ++k) {
       Ray ray = leader;
