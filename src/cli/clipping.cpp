@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kinds/lights.h"
+
 namespace strahl::cli {
 namespace {
 
@@ -35,7 +37,7 @@ std::vector<Rgb> lamps_of(const Scene& scene) {
       for (const MeshPart& part : mesh->parts) add(part.radiance);
   });
   for (const Light& light : scene.lights)
-    if (const auto* sky = std::get_if<ConstantLight>(&light.emitter)) add(sky->radiance);
+    if (kinds::light_glows(light)) add(kinds::light_colour(light));
   return lamps;
 }
 

@@ -2,26 +2,23 @@
 #include "kinds/entries.h"
 
 #include "kinds/lights.h"
+#include "kinds/textures.h"
 
 namespace strahl {
 namespace {
 
 struct ShapeEntry {
-#define SHAPE_KIND(S, kind, area) \
+#define SHAPE_KIND(S, kind, area, types) \
   std::string operator()(const S&) const { return #kind; }
 #include "kinds/shapes.def"
 #undef SHAPE_KIND
 };
 
 struct AreaEntry {
-#define SHAPE_KIND(S, kind, area) \
+#define SHAPE_KIND(S, kind, area, types) \
   std::string operator()(const S&) const { return #area; }
 #include "kinds/shapes.def"
 #undef SHAPE_KIND
-};
-
-struct TextureEntry {
-  std::string operator()(const Checkerboard&) const { return "checkerboard"; }
 };
 
 }  // namespace
@@ -35,7 +32,7 @@ std::string area_kind(const Geometry& geometry) {
 
 std::string light_kind(const Light& light) { return kinds::light(light).entry; }
 
-std::string texture_kind(const Texture& texture) { return std::visit(TextureEntry{}, texture.pattern); }
+std::string texture_kind(const Texture& texture) { return kinds::texture(texture).entry; }
 
 std::string sampler_entry(SamplerKind kind) { return kind == SamplerKind::independent ? "independent" : "sobol"; }
 

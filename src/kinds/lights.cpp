@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 #include <variant>
 
 #include "kinds/upload_frame.h"
@@ -31,19 +32,24 @@ void require_light(Faults& faults, const Rgb& c, const char* what) {
     faults.push_back(fmt::format("the {} must be at most {:.3g}, the largest float", what, most));
 }
 
-/// facts; reals, faults and glows as in lights.h.
+void multiply(Rgb& colour, double by) { colour = {by * colour.r, by * colour.g, by * colour.b}; }
+
+/// facts; colour, the member that light_colour() returns; the other questions of lights.h.
 template <typename Emitter>
 struct Row;
 
 template <>
 struct Row<PointLight> {
   static constexpr LightFacts facts{.entry = "point", .is_delta = true};
+  static constexpr auto colour = &PointLight::intensity;
   static std::vector<double> reals(const PointLight& light, const UploadFrame& frame) {
     const Vec3 p = frame.point(light.position);
     const double area = frame.scale * frame.scale;
     return {p.x, p.y, p.z, area * light.intensity.r, area * light.intensity.g, area * light.intensity.b};
   }
-  static bool glows(const PointLight&) { return false; }
+  static void move(PointLight& light, const MapVec3& point) { light.position = point(light.position); }
+  static void scale(PointLight& light, double factor) { multiply(light.intensity, factor * factor); }
+  static void mirror(PointLight&, const MapVec3&) {}
   static void check(const PointLight& light, Faults& faults) {
     require(faults, is_finite(light.position), "the position must be finite");
     require_light(faults, light.intensity, "intensity");
@@ -53,11 +59,14 @@ struct Row<PointLight> {
 template <>
 struct Row<DirectionalLight> {
   static constexpr LightFacts facts{.entry = "directional", .is_delta = true};
+  static constexpr auto colour = &DirectionalLight::irradiance;
   static std::vector<double> reals(const DirectionalLight& light, const UploadFrame&) {
     const Vec3 d = normalized(light.direction);
     return {d.x, d.y, d.z, light.irradiance.r, light.irradiance.g, light.irradiance.b};
   }
-  static bool glows(const DirectionalLight&) { return false; }
+  static void move(DirectionalLight&, const MapVec3&) {}
+  static void scale(DirectionalLight&, double) {}
+  static void mirror(DirectionalLight& light, const MapVec3& flip_x) { light.direction = flip_x(light.direction); }
   static void check(const DirectionalLight& light, Faults& faults) {
     require(faults, is_finite(light.direction) && light.direction != Vec3{},
             "the direction must be finite and not zero");
@@ -68,20 +77,23 @@ struct Row<DirectionalLight> {
 template <>
 struct Row<ConstantLight> {
   static constexpr LightFacts facts{.entry = "constant", .is_background = true};
+  static constexpr auto colour = &ConstantLight::radiance;
   static std::vector<double> reals(const ConstantLight& light, const UploadFrame&) {
     return {light.radiance.r, light.radiance.g, light.radiance.b};
   }
-  static bool glows(const ConstantLight& light) {
-    return light.radiance.r > 0 || light.radiance.g > 0 || light.radiance.b > 0;
-  }
+  static void move(ConstantLight&, const MapVec3&) {}
+  static void scale(ConstantLight&, double) {}
+  static void mirror(ConstantLight&, const MapVec3&) {}
   static void check(const ConstantLight& light, Faults& faults) { require_light(faults, light.radiance, "radiance"); }
 };
 
 /// ask(row, emitter) of the light's kind.
-template <typename Ask>
-decltype(auto) of_kind(const Light& light, Ask ask) {
+template <typename AnyLight, typename Ask>
+decltype(auto) of_kind(AnyLight& light, Ask ask) {
   return std::visit(
-      [&]<typename Emitter>(const Emitter& emitter) -> decltype(auto) { return ask(Row<Emitter>{}, emitter); },
+      [&]<typename Emitter>(Emitter& emitter) -> decltype(auto) {
+        return ask(Row<std::remove_const_t<Emitter>>{}, emitter);
+      },
       light.emitter);
 }
 
@@ -95,8 +107,31 @@ std::vector<double> light_reals(const Light& light, const UploadFrame& frame) {
   return of_kind(light, [&](auto row, const auto& emitter) { return row.reals(emitter, frame); });
 }
 
-bool light_glows(const Light& light) {
-  return of_kind(light, [](auto row, const auto& emitter) { return row.glows(emitter); });
+const Rgb& light_colour(const Light& light) {
+  return of_kind(light, [](auto row, const auto& emitter) -> const Rgb& { return emitter.*row.colour; });
+}
+
+Rgb& light_colour(Light& light) {
+  return of_kind(light, [](auto row, auto& emitter) -> Rgb& { return emitter.*row.colour; });
+}
+
+bool gives_light(const Light& light) {
+  const Rgb& colour = light_colour(light);
+  return colour.r > 0 || colour.g > 0 || colour.b > 0;
+}
+
+bool light_glows(const Light& light_asked) { return !light(light_asked).is_delta && gives_light(light_asked); }
+
+void move(Light& light, const MapVec3& point) {
+  of_kind(light, [&](auto row, auto& emitter) { row.move(emitter, point); });
+}
+
+void scale(Light& light, double factor) {
+  of_kind(light, [&](auto row, auto& emitter) { row.scale(emitter, factor); });
+}
+
+void mirror(Light& light, const MapVec3& flip_x) {
+  of_kind(light, [&](auto row, auto& emitter) { row.mirror(emitter, flip_x); });
 }
 
 std::vector<std::string> light_faults(const Light& light) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "kinds/map_vec3.h"
 #include "scene/model/scene.h"
 
 namespace strahl {
@@ -25,8 +26,19 @@ struct LightFacts {
 /// Its parameters, as its file in cl/lights says, in the frame's units.
 [[nodiscard]] std::vector<double> light_reals(const Light& light, const UploadFrame& frame);
 
+/// What it gives: intensity, irradiance or radiance.
+[[nodiscard]] const Rgb& light_colour(const Light& light);
+[[nodiscard]] Rgb& light_colour(Light& light);
+[[nodiscard]] bool gives_light(const Light& light);
 /// Whether any ray may find light from it.
 [[nodiscard]] bool light_glows(const Light& light);
+
+/// point: of its places.
+void move(Light& light, const MapVec3& point);
+/// What a scene's unit of length is a factor of: surfaces stay as bright as they are.
+void scale(Light& light, double factor);
+/// Its directions; flip_x: x becomes -x.
+void mirror(Light& light, const MapVec3& flip_x);
 
 /// What is wrong with it, in words; empty where all is well.
 [[nodiscard]] std::vector<std::string> light_faults(const Light& light);

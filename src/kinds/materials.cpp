@@ -3,6 +3,7 @@
 #include "kinds/materials.h"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 namespace strahl {
@@ -21,8 +22,16 @@ MaterialSlot slot(const char* name, const Reflectance& share) {
   return {name, {share.color.r, share.color.g, share.color.b}, share.texture};
 }
 
-MaterialFacts facts(const char* kind, std::vector<MaterialSlot> slots) {
-  return {kind, lobes_of(kind), std::move(slots)};
+MaterialFacts facts(const char* kind, std::vector<MaterialSlot> slots, std::vector<std::string> faults = {}) {
+  return {kind, lobes_of(kind), std::move(slots), std::move(faults)};
+}
+
+std::vector<std::string> faults_of(const Dielectric& glass) {
+  const auto is_index_of_refraction = [](double ior) { return std::isfinite(ior) && ior > 0; };
+  if (is_index_of_refraction(glass.int_ior) && is_index_of_refraction(glass.ext_ior) &&
+      is_index_of_refraction(glass.int_ior / glass.ext_ior))
+    return {};
+  return {"int_ior and ext_ior must be finite and greater than 0, and so must their ratio"};
 }
 
 /// The slots stand in the order in which the kernels number them.
@@ -34,9 +43,11 @@ struct Facts {
     return facts("conductor", {slot("specular_reflectance", bsdf.reflectance)});
   }
   MaterialFacts operator()(const Dielectric& bsdf) const {
-    return facts("dielectric", {slot("specular_reflectance", bsdf.reflectance),
-                                slot("specular_transmittance", bsdf.transmittance),
-                                {"int_ior", {bsdf.int_ior / bsdf.ext_ior, bsdf.int_ior, bsdf.ext_ior}, -1, false}});
+    return facts("dielectric",
+                 {slot("specular_reflectance", bsdf.reflectance),
+                  slot("specular_transmittance", bsdf.transmittance),
+                  {"int_ior", {bsdf.int_ior / bsdf.ext_ior, bsdf.int_ior, bsdf.ext_ior}, -1, false}},
+                 faults_of(bsdf));
   }
 };
 
@@ -47,6 +58,8 @@ MaterialFacts material_facts(const Material& material) {
   facts.is_twosided = material.twosided && !facts.has_lobe(lobes::LOBE_TRANSMIT);
   return facts;
 }
+
+bool transmits(const Material& material) { return material_facts(material).has_lobe(lobes::LOBE_TRANSMIT); }
 
 bool has_lobe(const Scene& scene, int lobe) {
   return std::any_of(scene.materials.begin(), scene.materials.end(),

@@ -20,19 +20,22 @@ struct MaterialSlot {
   const char* name;             ///< As in scene files.
   std::array<double, 3> reals;  ///< What the kernels read where there is no texture.
   int texture = -1;             ///< Index into Scene::textures; -1: none.
-  bool is_share = true;         ///< A share of the light: within [0, 1].
+  bool is_share = true;         ///< A share of the light: within [0, 1]. Of the others MaterialFacts has the faults.
 };
 
 struct MaterialFacts {
   std::string kind;  ///< An entry of cl/materials/materials.def.
   int lobes = 0;     ///< lobes::LOBE_...: those that it may have.
   std::vector<MaterialSlot> slots;
-  bool is_twosided = false;  ///< Its back looks as its front does.
+  std::vector<std::string> faults;  ///< What is wrong with it, in words, beside its shares.
+  bool is_twosided = false;         ///< Its back looks as its front does.
 
   [[nodiscard]] bool has_lobe(int lobe) const { return (lobes & lobe) == lobe; }
 };
 
 [[nodiscard]] MaterialFacts material_facts(const Material& material);
+
+[[nodiscard]] bool transmits(const Material& material);
 
 /// Some lobe of some material of the scene has all of these.
 [[nodiscard]] bool has_lobe(const Scene& scene, int lobe);

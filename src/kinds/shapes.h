@@ -4,7 +4,6 @@
 #pragma once
 
 #include <array>
-#include <functional>
 #include <optional>
 #include <string>
 
@@ -12,14 +11,11 @@
 #include "kinds/bounds.h"
 #include "kinds/extent.h"
 #include "kinds/faults.h"
+#include "kinds/map_vec3.h"
 #include "kinds/planes.h"
 #include "kinds/upload_frame.h"
 
-namespace strahl {
-
-using MapVec3 = std::function<Vec3(const Vec3&)>;
-
-namespace kinds {
+namespace strahl::kinds {
 
 /// Which way a mirrored shape's normals point.
 enum class Mirrored {
@@ -28,7 +24,7 @@ enum class Mirrored {
 };
 
 // NOLINTBEGIN(bugprone-macro-parentheses): S is a type.
-#define SHAPE_KIND(S, kind, area)                                                   \
+#define SHAPE_KIND(S, kind, area, types)                                            \
   int primitive_count(const S&);                                                    \
   /** Adds what bounds it, if anything does. */                                     \
   void extend(Extent&, const S&);                                                   \
@@ -63,5 +59,4 @@ enum class Mirrored {
 #include "../../cl/shapes/shapes.def"
 #undef SHAPE
 
-}  // namespace kinds
-}  // namespace strahl
+}  // namespace strahl::kinds

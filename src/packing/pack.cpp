@@ -12,6 +12,7 @@
 #include "kinds/entries.h"
 #include "kinds/integrators.h"
 #include "kinds/lights.h"
+#include "kinds/textures.h"
 #include "packing/cl_layout.h"
 #include "packing/pack_areas.h"
 #include "packing/pack_camera.h"
@@ -97,11 +98,9 @@ class Packing {
   void textures() {
     index(layout::HEADER_TEXTURES) = index_end();
     for (const Texture& texture : scene_.textures) {
-      const auto& board = std::get<Checkerboard>(texture.pattern);
-      packed_.index.push_back(features_.entry_index("textures", texture_kind(texture)));
-      packed_.index.push_back(put_rgb(board.color0));
-      put_rgb(board.color1);
-      put_shading(board.to_uv);
+      const kinds::TextureFacts facts = kinds::texture(texture);
+      packed_.index.push_back(features_.entry_index("textures", facts.entry));
+      packed_.index.push_back(put_shading(facts.reals));
     }
   }
 
@@ -199,7 +198,7 @@ class Packing {
   int rank_of(const Shape& shape, const MeshPart& look) const {
     const Material& material = scene_.materials.at(static_cast<std::size_t>(look.material));
     const auto rank = ranks_.find(&shape);
-    return rank == ranks_.end() || !std::holds_alternative<Dielectric>(material.bsdf) ? -1 : rank->second;
+    return rank == ranks_.end() || !transmits(material) ? -1 : rank->second;
   }
 
   void parts() {

@@ -47,13 +47,8 @@ Features intersection_features(const Scene& scene, const RenderSettings& setting
     if (!kinds.insert(shape_kind(shape)).second) return;
     Shape& first = bare.shapes.emplace_back();
     first.where = shape.where;
-    // Of what may be large only the kind.
-    if (std::holds_alternative<Mesh>(shape.geometry))
-      first.geometry = Mesh{};
-    else if (std::holds_alternative<SphereCloud>(shape.geometry))
-      first.geometry = SphereCloud{};
-    else
-      first.geometry = shape.geometry;
+    // The kind alone: the numbers may be many.
+    first.geometry = std::visit([]<typename Kind>(const Kind&) -> Geometry { return Kind{}; }, shape.geometry);
   });
   if (!scene.instances.empty()) bare.instances.push_back(scene.instances.front());
   RenderSettings plain = settings;

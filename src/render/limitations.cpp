@@ -8,6 +8,7 @@
 
 #include "kinds/entries.h"
 #include "kinds/integrators.h"
+#include "kinds/lights.h"
 #include "kinds/materials.h"
 #include "packing/pack_areas.h"
 
@@ -33,10 +34,7 @@ bool emits_light(const Shape& shape) {
 
 /// Emission is what is seen of emitters: points and directions are not.
 bool emits_light(const Light& light, bool must_be_seen) {
-  if (const auto* constant = std::get_if<ConstantLight>(&light.emitter)) return is_light(constant->radiance);
-  if (must_be_seen) return false;
-  const auto* point = std::get_if<PointLight>(&light.emitter);
-  return is_light(point != nullptr ? point->intensity : std::get<DirectionalLight>(light.emitter).irradiance);
+  return must_be_seen ? kinds::light_glows(light) : kinds::gives_light(light);
 }
 
 /// Why the picture will be empty; none where it will not.

@@ -9,8 +9,10 @@
 #include <limits>
 #include <utility>
 
+#include "kinds/entries.h"
 #include "kinds/lights.h"
 #include "kinds/materials.h"
+#include "kinds/textures.h"
 #include "scene/model/transforms.h"
 #include "scene/validate_geometry.h"
 
@@ -70,7 +72,7 @@ void check_group(const Group& group, const Scene& scene, Checker& check, std::ve
   for (const Shape& shape : group.shapes) {
     check_shape(shape, scene, check, found);
     check.at(shape.where);
-    check.require(!std::holds_alternative<Plane>(shape.geometry),
+    check.require(!area_kind(shape.geometry).empty(),
                   "an infinite plane cannot be part of a shapegroup; use a rectangle, or place it outside");
     const Mesh* mesh = std::get_if<Mesh>(&shape.geometry);
     const auto emits = [](const MeshPart& part) { return part.radiance.has_value(); };
@@ -94,33 +96,21 @@ bool is_reflectance(const Rgb& c) {
   return inside(c.r) && inside(c.g) && inside(c.b);
 }
 
-void check_indices(const Material& material, Checker& check) {
-  const auto* glass = std::get_if<Dielectric>(&material.bsdf);
-  if (glass == nullptr) return;
-  const auto is_index_of_refraction = [](double ior) { return std::isfinite(ior) && ior > 0; };
-  check.require(is_index_of_refraction(glass->int_ior) && is_index_of_refraction(glass->ext_ior) &&
-                    is_index_of_refraction(glass->int_ior / glass->ext_ior),
-                "int_ior and ext_ior must be finite and greater than 0, and so must their ratio");
-}
-
 void check_material(const Material& material, const Scene& scene, Checker& check) {
   check.at(material.where);
-  for (const MaterialSlot& slot : material_facts(material).slots) {
+  const MaterialFacts facts = material_facts(material);
+  for (const MaterialSlot& slot : facts.slots) {
     const auto& [r, g, b] = slot.reals;
     check.require(!slot.is_share || is_reflectance({r, g, b}), "{} must lie in [0, 1]", slot.name);
     check.require(slot.texture == -1 || is_index(slot.texture, scene.textures.size()),
                   "texture {} does not exist; there are {}", slot.texture, scene.textures.size());
   }
-  check_indices(material, check);
+  for (const std::string& fault : facts.faults) check.require(false, "{}", fault);
 }
 
 void check_texture(const Texture& texture, Checker& check) {
   check.at(texture.where);
-  const auto& board = std::get<Checkerboard>(texture.pattern);
-  check.require(is_reflectance(board.color0) && is_reflectance(board.color1),
-                "the colours of a texture must lie in [0, 1]");
-  check.require(std::all_of(board.to_uv.begin(), board.to_uv.end(), [](double x) { return std::isfinite(x); }),
-                "to_uv must be finite");
+  for (const std::string& fault : kinds::texture(texture).faults) check.require(false, "{}", fault);
 }
 
 void check_light(const Light& light, Checker& check) {

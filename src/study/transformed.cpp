@@ -7,6 +7,8 @@
 #include <optional>
 #include <utility>
 
+#include "kinds/lights.h"
+
 namespace strahl {
 namespace {
 
@@ -35,8 +37,7 @@ Scene with_places(Scene scene, const MapVec3& place, const MapVec3& vector) {
       set_column(world, static_cast<std::size_t>(column), vector(world.column(column)));
     set_column(world, 3, place(world.translation()));
   }
-  for (Light& light : scene.lights)
-    if (auto* lamp = std::get_if<PointLight>(&light.emitter)) lamp->position = place(lamp->position);
+  for (Light& light : scene.lights) kinds::move(light, place);
   set_column(scene.camera.world_from_camera, 3, place(scene.camera.world_from_camera.translation()));
   return scene;
 }
@@ -45,11 +46,7 @@ Scene scaled(Scene scene, double factor) {
   const auto scale = [factor](const Vec3& v) { return factor * v; };
   scene = with_places(std::move(scene), scale, scale);
   for (Shape& shape : scene.shapes) std::visit([&](auto& geometry) { kinds::scale(geometry, factor); }, shape.geometry);
-  for (Light& light : scene.lights)
-    if (auto* lamp = std::get_if<PointLight>(&light.emitter)) {
-      const double area = factor * factor;
-      lamp->intensity = {area * lamp->intensity.r, area * lamp->intensity.g, area * lamp->intensity.b};
-    }
+  for (Light& light : scene.lights) kinds::scale(light, factor);
   Camera& camera = scene.camera;
   // An orthographic camera's window is as wide as its axes are long; a perspective one's axes have no size.
   if (camera.projection == Projection::orthographic)
@@ -77,11 +74,7 @@ Scene brightened(Scene scene, double factor) {
     }
   };
   brighten_shapes(scene.shapes);
-  for (Light& light : scene.lights) {
-    if (auto* lamp = std::get_if<PointLight>(&light.emitter)) brighten(lamp->intensity);
-    if (auto* sun = std::get_if<DirectionalLight>(&light.emitter)) brighten(sun->irradiance);
-    if (auto* sky = std::get_if<ConstantLight>(&light.emitter)) brighten(sky->radiance);
-  }
+  for (Light& light : scene.lights) brighten(kinds::light_colour(light));
   return scene;
 }
 
@@ -102,8 +95,7 @@ Scene with_lamp(Scene scene, double distance, double radius) {
 Scene mirrored(Scene scene) {
   scene = with_places(std::move(scene), flipped, flipped);
   for (Shape& shape : scene.shapes) mirror_orientation(shape);
-  for (Light& light : scene.lights)
-    if (auto* sun = std::get_if<DirectionalLight>(&light.emitter)) sun->direction = flipped(sun->direction);
+  for (Light& light : scene.lights) kinds::mirror(light, flipped);
   Transform& world = scene.camera.world_from_camera;
   for (const int column : {0, 1, 2}) {
     const Vec3 axis = flipped(world.column(column));

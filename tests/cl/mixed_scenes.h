@@ -22,7 +22,7 @@ inline const std::vector<std::string>& geometry_names() {
   static const std::vector<std::string> names = [] {
     std::vector<std::string> all;
     for (std::string name : {
-#define SHAPE_KIND(S, kind, area) #S,
+#define SHAPE_KIND(S, kind, area, types) #S,
 #include "kinds/shapes.def"
 #undef SHAPE_KIND
          }) {

@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: MIT
-strahl_test(kinds/test_shape_kinds.cpp LABEL unit)
+strahl_test(kinds/test_readers.cpp LABEL unit)

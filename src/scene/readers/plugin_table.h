@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// From the type="..." of a plugin to its reader. The .def files beside this one are the only registration.
+// From the type="..." of a plugin to its reader. The lists of entries (cl/*/*.def, kinds/shapes.def) are the only
+// registration.
 #pragma once
 
 #include <string>

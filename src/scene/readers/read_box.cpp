@@ -16,7 +16,7 @@ bool is_axis_aligned(const Vec3& v) {
 
 }  // namespace
 
-Geometry read_box(ShapeInput& input) {
+Geometry read_geometry(ShapeInput& input, const Box&) {
   Properties& properties = input.properties;
   const std::optional<Vec3> min = properties.required_vector("min"), max = properties.required_vector("max");
   if (!min || !max) return Box{};

@@ -4,7 +4,7 @@
 
 namespace strahl {
 
-Geometry read_cube(ShapeInput& input) {
+Geometry read_geometry(ShapeInput& input, const Cube&) {
   const Transform& t = input.world_from_object;
   return Cube{t.point({-1, -1, -1}), {2.0 * t.column(0), 2.0 * t.column(1), 2.0 * t.column(2)}};
 }

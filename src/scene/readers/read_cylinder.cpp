@@ -4,7 +4,7 @@
 
 namespace strahl {
 
-Geometry read_cylinder(ShapeInput& input) {
+Geometry read_geometry(ShapeInput& input, const Cylinder&) {
   Properties& properties = input.properties;
   const Vec3 p0 = properties.vector("p0").value_or(Vec3{0, 0, 0});
   const Vec3 p1 = properties.vector("p1").value_or(Vec3{0, 0, 1});

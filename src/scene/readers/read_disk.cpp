@@ -4,7 +4,7 @@
 
 namespace strahl {
 
-Geometry read_disk(ShapeInput& input) {
+Geometry read_geometry(ShapeInput& input, const Disk&) {
   const Transform& t = input.world_from_object;
   const Vec3 x = t.column(0), y = t.column(1);
   if (!are_equally_long(x, y) || !are_perpendicular(x, y)) {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Emitters outside shapes: point, directional, constant.
+// Emitters outside shapes: a reader for each entry of the kernels' list, which the compiler names where it is missing.
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "kinds/lights.h"
 #include "scene/readers/plugin_table.h"
@@ -14,7 +15,8 @@ namespace strahl {
 namespace {
 
 using Emitter = decltype(Light::emitter);
-using LightReader = Emitter (*)(Properties&);
+/// None for what is no light by itself.
+using LightReader = std::optional<Emitter> (*)(Properties&);
 
 /// A vector parameter, or what to_world makes of its default; both at once is an error.
 std::optional<Transform> transform_instead_of(const std::string& name, Properties& properties) {
@@ -29,13 +31,13 @@ Rgb emission(Properties& properties, const std::string& name) {
   return properties.color(name, ColorUse::emission, {1, 1, 1}).value_or(Rgb{1, 1, 1});
 }
 
-Emitter read_point(Properties& properties) {
+std::optional<Emitter> read_point(Properties& properties) {
   const Vec3 position = properties.vector("position").value_or(Vec3{});
   const std::optional<Transform> to_world = transform_instead_of("position", properties);
   return PointLight{to_world ? to_world->translation() : position, emission(properties, "intensity")};
 }
 
-Emitter read_directional(Properties& properties) {
+std::optional<Emitter> read_directional(Properties& properties) {
   const Vec3 direction = properties.vector("direction").value_or(Vec3{0, 0, 1});
   const std::optional<Transform> to_world = transform_instead_of("direction", properties);
   if (direction == Vec3{})
@@ -43,11 +45,21 @@ Emitter read_directional(Properties& properties) {
   return DirectionalLight{to_world ? to_world->column(2) : direction, emission(properties, "irradiance")};
 }
 
-Emitter read_constant(Properties& properties) { return ConstantLight{emission(properties, "radiance")}; }
+std::optional<Emitter> read_constant(Properties& properties) { return ConstantLight{emission(properties, "radiance")}; }
+
+/// Read with the shapes that refer to it.
+std::optional<Emitter> read_area(Properties& properties) {
+  if (properties.id().empty())
+    properties.diagnostics().unknown(properties.where(), "an area emitter belongs inside a <shape>; it is left out");
+  return std::nullopt;
+}
 
 const PluginTable<LightReader>& light_readers() {
   static const PluginTable<LightReader> table{
-      {"point", read_point}, {"directional", read_directional}, {"constant", read_constant}};
+#define LIGHT(name) {#name, read_##name},
+#include "../../../cl/lights/lights.def"
+#undef LIGHT
+  };
   return table;
 }
 
@@ -61,18 +73,15 @@ bool has_background(const Scene& scene) {
 void read_light(const XmlElement& element, SceneBuilder& builder) {
   Properties properties(element, builder.ids, builder.diagnostics);
   const std::string_view type = properties.type();
-  if (type == "area") {
-    if (properties.id().empty())
-      builder.diagnostics.unknown(element.where, "an area emitter belongs inside a <shape>; it is left out");
-    return;
-  }
   const LightReader* reader = find_plugin(light_readers(), type);
   if (reader == nullptr) {
     builder.diagnostics.unknown(element.where, fmt::format("unknown emitter \"{}\"{}; it is left out", type,
                                                            did_you_mean_plugin(light_readers(), type)));
     return;
   }
-  Light light{properties.id(), (*reader)(properties), element.where};
+  const std::optional<Emitter> emitter = (*reader)(properties);
+  if (!emitter) return;
+  Light light{properties.id(), *emitter, element.where};
   if (kinds::light(light).is_background && has_background(builder.scene))
     builder.diagnostics.error(element.where, "a scene has one constant emitter at most");
   properties.accept({"sampling_weight"});

@@ -12,10 +12,10 @@ namespace {
 
 const PluginTable<MaterialReader>& material_readers() {
   static const PluginTable<MaterialReader> table{
-#define MATERIAL(type, reader) {#type, reader},
-#include "scene/readers/materials.def"
+#define MATERIAL(name, reals, lobes) {#name, read_##name},
+#include "../../../cl/materials/materials.def"
 #undef MATERIAL
-  };
+      {"twosided", read_twosided}};
   return table;
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// <bsdf> elements as materials; one reader each, registered in materials.def.
+// <bsdf> elements as materials: a reader for each entry of the kernels' list, which the linker names where it is
+// missing.
 #pragma once
 
 #include "scene/xml/properties.h"
@@ -10,9 +11,11 @@ namespace strahl {
 /// Fills `bsdf` and `twosided`; the rest is done by material_of().
 using MaterialReader = Material (*)(Properties&, SceneBuilder&);
 
-#define MATERIAL(type, reader) Material reader(Properties& properties, SceneBuilder& builder);
-#include "scene/readers/materials.def"
+#define MATERIAL(name, reals, lobes) Material read_##name(Properties& properties, SceneBuilder& builder);
+#include "../../../cl/materials/materials.def"
 #undef MATERIAL
+/// No material of its own: it changes the one inside it.
+Material read_twosided(Properties& properties, SceneBuilder& builder);
 
 /// The material that a <bsdf> describes; each element is read once. An unknown type is replaced with a warning.
 [[nodiscard]] Material material_of(const XmlElement& bsdf, SceneBuilder& builder);

@@ -28,7 +28,7 @@ void to_world(Mesh& mesh, const Transform& world_from_object) {
 
 }  // namespace
 
-Geometry read_mesh_shape(ShapeInput& input) {
+Geometry read_geometry(ShapeInput& input, const Mesh&) {
   Properties& properties = input.properties;
   Diagnostics& diagnostics = input.builder.diagnostics;
   const bool face_normals = properties.boolean("face_normals").value_or(false);

@@ -43,7 +43,7 @@ void report_conflict(Properties& properties) {
 
 }  // namespace
 
-Geometry read_plane(ShapeInput& input) {
+Geometry read_geometry(ShapeInput& input, const Plane&) {
   Properties& properties = input.properties;
   report_conflict(properties);
   const bool spanned = properties.has("u") || properties.has("v");

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <sstream>
 
+#include "kinds/materials.h"
 #include "scene/readers/plugin_table.h"
 #include "scene/readers/read_material.h"
 #include "scene/readers/shape_reader.h"
@@ -12,12 +14,25 @@ namespace strahl {
 
 namespace {
 
+using ShapeReader = Geometry (*)(ShapeInput&);
+
+template <class S>
+Geometry read_as(ShapeInput& input) {
+  return read_geometry(input, S{});
+}
+
 const PluginTable<ShapeReader>& shape_readers() {
-  static const PluginTable<ShapeReader> table{
-#define SHAPE(type, reader) {#type, reader},
-#include "scene/readers/shapes.def"
-#undef SHAPE
-  };
+  static const PluginTable<ShapeReader> table = [] {
+    PluginTable<ShapeReader> readers;
+    const auto add = [&](const char* types, ShapeReader reader) {
+      std::istringstream words(types);
+      for (std::string type; words >> type;) readers.emplace_back(type, reader);
+    };
+#define SHAPE_KIND(S, kind, area, types) add(types, read_as<S>);
+#include "kinds/shapes.def"
+#undef SHAPE_KIND
+    return readers;
+  }();
   return table;
 }
 
@@ -51,9 +66,7 @@ const XmlElement* only_one(const std::vector<const XmlElement*>& objects, const 
 }
 
 bool has_glass(const Shape& shape, const Scene& scene) {
-  const auto is_glass = [&](int material) {
-    return std::holds_alternative<Dielectric>(scene.materials.at(static_cast<std::size_t>(material)).bsdf);
-  };
+  const auto is_glass = [&](int material) { return transmits(scene.materials.at(static_cast<std::size_t>(material))); };
   const auto* mesh = std::get_if<Mesh>(&shape.geometry);
   if (mesh == nullptr || mesh->parts.empty()) return is_glass(shape.material);
   return std::any_of(mesh->parts.begin(), mesh->parts.end(),
@@ -75,8 +88,8 @@ int black_material(SceneBuilder& builder) {
 
 void read_shape(const XmlElement& element, SceneBuilder& builder, std::vector<Shape>& shapes) {
   Properties properties(element, builder.ids, builder.diagnostics);
-  const ShapeReader* read_geometry = find_plugin(shape_readers(), properties.type());
-  if (read_geometry == nullptr) {
+  const ShapeReader* reader = find_plugin(shape_readers(), properties.type());
+  if (reader == nullptr) {
     builder.diagnostics.unknown(element.where, fmt::format("unknown shape \"{}\"{}; it is left out", properties.type(),
                                                            did_you_mean(properties.type(), shape_types())));
     return;
@@ -93,7 +106,7 @@ void read_shape(const XmlElement& element, SceneBuilder& builder, std::vector<Sh
   if (bsdf == nullptr && shape.radiance) shape.material = black_material(builder);
   const Transform to_world = properties.transform("to_world").value_or(Transform{});
   ShapeInput input{properties, to_world, shape, bsdf != nullptr, builder};
-  shape.geometry = (*read_geometry)(input);
+  shape.geometry = (*reader)(input);
   if (shape.priority && !has_glass(shape, builder.scene))
     builder.diagnostics.unknown(properties.where("priority"),
                                 "\"priority\" has no effect here: it ranks shapes of bsdf dielectric alone");

@@ -22,7 +22,7 @@ std::optional<Sphere> placed_sphere(Sphere sphere, const ShapeInput& input) {
   return sphere;
 }
 
-Geometry read_sphere(ShapeInput& input) {
+Geometry read_geometry(ShapeInput& input, const Sphere&) {
   Sphere sphere;
   sphere.center = input.properties.vector("center").value_or(Vec3{});
   sphere.radius = input.properties.positive("radius").value_or(1.0);

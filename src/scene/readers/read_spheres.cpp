@@ -6,7 +6,7 @@
 
 namespace strahl {
 
-Geometry read_spheres(ShapeInput& input) {
+Geometry read_geometry(ShapeInput& input, const SphereCloud&) {
   Diagnostics& diagnostics = input.builder.diagnostics;
   const std::optional<std::string> path = data_path(input, "ply");
   const std::optional<Sphere> unit = placed_sphere(Sphere{}, input);

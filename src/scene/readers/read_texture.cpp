@@ -10,8 +10,8 @@ namespace {
 
 const PluginTable<TextureReader>& texture_readers() {
   static const PluginTable<TextureReader> table{
-#define TEXTURE(type, reader) {#type, reader},
-#include "scene/readers/textures.def"
+#define TEXTURE(name) {#name, read_##name},
+#include "../../../cl/textures/textures.def"
 #undef TEXTURE
   };
   return table;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// <texture> elements; one reader each, registered in textures.def.
+// <texture> elements: a reader for each entry of the kernels' list, which the linker names where it is missing.
 #pragma once
 
 #include "scene/xml/properties.h"
@@ -10,8 +10,8 @@ namespace strahl {
 /// Fills `pattern`; the rest is done by read_reflectance().
 using TextureReader = Texture (*)(Properties&);
 
-#define TEXTURE(type, reader) Texture reader(Properties& properties);
-#include "scene/readers/textures.def"
+#define TEXTURE(name) Texture read_##name(Properties& properties);
+#include "../../../cl/textures/textures.def"
 #undef TEXTURE
 
 /// The parameter `name`, or `absent`. A texture that strahl does not have is replaced with a warning.

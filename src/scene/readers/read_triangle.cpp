@@ -4,7 +4,7 @@
 
 namespace strahl {
 
-Geometry read_triangle(ShapeInput& input) {
+Geometry read_geometry(ShapeInput& input, const Triangle&) {
   Properties& properties = input.properties;
   const auto p0 = properties.required_vector("p0"), p1 = properties.required_vector("p1"),
              p2 = properties.required_vector("p2");

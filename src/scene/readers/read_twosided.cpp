@@ -18,7 +18,7 @@ Material read_twosided(Properties& properties, SceneBuilder& builder) {
                                 "a bsdf of its own for the back is not supported yet; the first one is used for both");
   }
   Material material = material_of(*sides.front(), builder);
-  if (material_facts(material).has_lobe(lobes::LOBE_TRANSMIT)) {
+  if (transmits(material)) {
     builder.diagnostics.unknown(properties.where(),
                                 "twosided has no effect on what lets light through: both of its sides differ already");
     return material;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the reader of a shape's geometry gets and gives; one read_<shape>.cpp each, registered in shapes.def.
+// What the reader of a shape's geometry gets and gives; one read_<shape>.cpp each.
 #pragma once
 
 #include <optional>
@@ -18,12 +18,11 @@ struct ShapeInput {
   SceneBuilder& builder;
 };
 
-/// World-frame geometry. After an error (in the diagnostics) any geometry: the scene is not used then.
-using ShapeReader = Geometry (*)(ShapeInput&);
-
-#define SHAPE(type, reader) Geometry reader(ShapeInput& input);
-#include "scene/readers/shapes.def"
-#undef SHAPE
+/// World-frame geometry, for the types that shapes.def names in the row of S. After an error (in the diagnostics) any
+/// geometry: the scene is not used then. The linker names a row without its reader.
+#define SHAPE_KIND(S, kind, area, types) Geometry read_geometry(ShapeInput& input, const S&);
+#include "kinds/shapes.def"
+#undef SHAPE_KIND
 
 /// One <shape>: geometry, material, emitter; appended to `shapes`. A type that is unknown is reported and left out.
 void read_shape(const XmlElement& element, SceneBuilder& builder, std::vector<Shape>& shapes);

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+
+#include "scene/model/vec.h"
+
+namespace strahl {
+
+/// What becomes of a place, an edge or a direction when a scene is moved, scaled or mirrored.
+using MapVec3 = std::function<Vec3(const Vec3&)>;
+
+}  // namespace strahl

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+// Every entry of the kernels' lists can be written in a scene file and stands in a scene of scenes/: one without its
+// reader or its scene is named here.
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <set>
+
+#include "kinds/entries.h"
+#include "kinds/materials.h"
+#include "program/features.h"
+#include "scene/scene_text.h"
+
+namespace strahl {
+namespace {
+
+using Names = std::set<std::string>;
+
+Names entries(const std::string& list) {
+  const std::vector<std::string> names = list_entries(list);
+  return {names.begin(), names.end()};
+}
+
+/// What the scenes of scenes/ are made of.
+struct Used {
+  Names shapes, materials, lights, textures, areas, integrators;
+  std::set<std::size_t> geometries;
+
+  void add(const Scene& scene) {
+    for_each_shape(scene, [&](const Shape& shape) {
+      shapes.insert(shape_kind(shape));
+      geometries.insert(shape.geometry.index());
+      if (!shape.radiance) return;
+      lights.insert("area");
+      if (const std::string area = area_kind(shape.geometry); !area.empty()) areas.insert(area);
+    });
+    for (const Material& material : scene.materials) materials.insert(material_facts(material).kind);
+    for (const Light& light : scene.lights) lights.insert(light_kind(light));
+    for (const Texture& texture : scene.textures) textures.insert(texture_kind(texture));
+    integrators.insert(scene.integrator.name);
+  }
+};
+
+Used used_by_scenes() {
+  Used used;
+  for (const auto& file : std::filesystem::recursive_directory_iterator(STRAHL_SOURCE_DIR "/scenes"))
+    if (file.path().extension() == ".xml") used.add(load_scene(file.path().string()).scene);
+  return used;
+}
+
+Used of_body(const std::string& body) {
+  Used used;
+  used.add(test::load_body(body).scene);
+  return used;
+}
+
+TEST_CASE("every entry stands in a scene") {
+  const Used used = used_by_scenes();
+  CHECK(used.shapes == entries("shapes"));
+  CHECK(used.materials == entries("materials"));
+  CHECK(used.textures == entries("textures"));
+  CHECK(used.areas == entries("areas"));
+  CHECK(used.lights == entries("lights"));
+  for (std::size_t i = 0; i < std::variant_size_v<Geometry>; ++i) {
+    // A cloud is spheres of one file, which no scene has use for.
+    if (i == Geometry(SphereCloud{}).index()) continue;
+    INFO("alternative " << i << " of Geometry");
+    CHECK(used.geometries.contains(i));
+  }
+}
+
+TEST_CASE("every entry has a reader, by its own name") {
+  for (const std::string& name : list_entries("materials")) {
+    INFO(name);
+    CHECK(of_body("<shape type=\"sphere\"><bsdf type=\"" + name + "\"/></shape>").materials.contains(name));
+  }
+  for (const std::string& name : list_entries("lights")) {
+    INFO(name);
+    const std::string emitter = "<emitter type=\"" + name + "\"/>";
+    CHECK(of_body(name == "area" ? "<shape type=\"sphere\">" + emitter + "</shape>" : emitter).lights == Names{name});
+  }
+  for (const std::string& name : list_entries("textures")) {
+    INFO(name);
+    CHECK(of_body("<shape type=\"sphere\"><bsdf type=\"diffuse\"><texture name=\"reflectance\" type=\"" + name +
+                  "\"/></bsdf></shape>")
+              .textures == Names{name});
+  }
+  for (const std::string& name : list_entries("integrators")) {
+    INFO(name);
+    CHECK(of_body("<integrator type=\"" + name + "\"/>").integrators == Names{name});
+  }
+}
+
+TEST_CASE("every row of shapes names kinds that the kernels have, and all of them") {
+  Names kinds, areas;
+#define SHAPE_KIND(S, kind, area, types) \
+  kinds.insert(#kind);                   \
+  areas.insert(#area);
+#include "kinds/shapes.def"
+#undef SHAPE_KIND
+  areas.erase("none");
+  CHECK(kinds == entries("shapes"));
+  CHECK(areas == entries("areas"));
+}
+
+}  // namespace
+}  // namespace strahl
