@@ -9,6 +9,9 @@
 
 #include "oracle/oracle.h"
 #include "oracle/random.h"
+#include "program/kernel_source.h"
+#include "selftest/questions.h"
+#include "selftest/shape_proof.h"
 
 namespace strahl::bench {
 namespace {
@@ -37,6 +40,16 @@ Meets by(Answer answer, const Shape& shape) {
   return [=](const oracle::Ray& ray) { return answer(ray, shape, oracle::Arithmetic::filtered).hit; };
 }
 
+/// Of a kind that the lines below do not know.
+Drawn by_proof(const std::string& kind, Random& random) {
+  selftest::Question q = selftest::draw_question(kind, oracle::Law::aimed, random);
+  const auto is_met = [q](const oracle::Ray& ray) mutable {
+    q.ray = ray;
+    return selftest::exact_answer(q).hit;
+  };
+  return {selftest::proof_of(kind).geometry(q.planes.data()), is_met};
+}
+
 Drawn draw(const std::string& name, Random& random) {
   const Vec3 at = point(random, 4);
   if (name == "sphere") {
@@ -63,16 +76,23 @@ Drawn draw(const std::string& name, Random& random) {
     const double radius = size(random);
     return {Disk{at, radius * u, radius * v}, by(oracle::disk, oracle::Disk{at, u, v, radius})};
   }
-  const Vec3 e = point(random, 1), f = point(random, 1);
-  if (name == "triangle")
-    return {Triangle{at, at + e, at + f}, by(oracle::triangle, oracle::Triangle{at, at + e, at + f})};
-  return {Rectangle{at, e, f}, by(oracle::parallelogram, oracle::Parallelogram{at, e, f})};
+  if (name == "triangle" || name == "rectangle") {
+    const Vec3 e = point(random, 1), f = point(random, 1);
+    if (name == "triangle")
+      return {Triangle{at, at + e, at + f}, by(oracle::triangle, oracle::Triangle{at, at + e, at + f})};
+    return {Rectangle{at, e, f}, by(oracle::parallelogram, oracle::Parallelogram{at, e, f})};
+  }
+  return by_proof(name, random);
 }
 
 }  // namespace
 
 const std::vector<std::string>& primitive_names() {
-  static const std::vector<std::string> names{"sphere", "cylinder", "plane", "disk", "triangle", "rectangle", "box"};
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> kinds = list_entries("shapes");
+    std::replace(kinds.begin(), kinds.end(), std::string("parallelogram"), std::string("rectangle"));
+    return kinds;
+  }();
   return names;
 }
 

@@ -6,7 +6,7 @@
 
 namespace strahl::bench {
 
-/// "sphere", "cylinder", "plane", "disk", "triangle", "rectangle", "box".
+/// Of cl/shapes/shapes.def; a parallelogram is called "rectangle".
 [[nodiscard]] const std::vector<std::string>& primitive_names();
 
 /// 64 primitives (16 planes) of ordinary size about the origin, and rays towards them from around: of ordinary

@@ -16,9 +16,6 @@ struct ExactAnswer {
   double t_rounding = 0;    ///< As in Question; where a polygon is met within its band, what its edge may cost t.
 };
 
-/// Reals that a primitive of the kind has in Question::planes. Throws std::logic_error for an unknown kind.
-[[nodiscard]] int planes_of(const std::string& kind);
-
 /// Uses kind, planes, ray and left. A primitive that was left: a flat one is not met, a sphere or a cylinder at the
 /// other root only, a box at its far side only. A ray that is not finite, or has no direction, meets nothing.
 [[nodiscard]] ExactAnswer exact_answer(const Question&);

@@ -7,7 +7,7 @@
 #include <algorithm>
 
 #include "errors.h"
-#include "selftest/answer.h"
+#include "packing/pack_shapes.h"
 #include "selftest/embedded_rows.h"
 #include "selftest/generators.h"
 #include "selftest/row_reader.h"
@@ -15,8 +15,16 @@
 namespace strahl::selftest {
 namespace {
 
-constexpr const char* families[] = {"sphere", "plane",     "checkerboard", "triangle", "box",
-                                    "camera", "rectangle", "disk",         "cylinder"};
+/// In this order; files of other names follow, in that of their names.
+constexpr const char* first_families[] = {"sphere", "plane",     "checkerboard", "triangle", "box",
+                                          "camera", "rectangle", "disk",         "cylinder"};
+
+std::size_t rank_of(const EmbeddedRows& file) {
+  const auto* end = std::end(first_families);
+  const auto is_it = [&](const std::string& family) { return file.name == family + ".txt"; };
+  return static_cast<std::size_t>(std::find_if(std::begin(first_families), end, is_it) - std::begin(first_families));
+}
+
 constexpr const char* shape_kinds[] = {
 #define SHAPE(name, planes) #name,
 #include "../../cl/shapes/shapes.def"
@@ -200,10 +208,13 @@ std::vector<Row> parse_rows(const std::string& family, const std::string& text) 
 const std::vector<Row>& catalogue() {
   static const std::vector<Row> rows = [] {
     std::vector<Row> all;
-    for (const char* family : families)
-      for (const EmbeddedRows& file : embedded_rows())
-        if (file.name == std::string(family) + ".txt")
-          for (Row& row : parse_rows(family, std::string(file.text))) all.push_back(std::move(row));
+    std::vector<EmbeddedRows> files(embedded_rows().begin(), embedded_rows().end());
+    std::stable_sort(files.begin(), files.end(),
+                     [](const EmbeddedRows& a, const EmbeddedRows& b) { return rank_of(a) < rank_of(b); });
+    for (const EmbeddedRows& file : files) {
+      const std::string family(file.name.substr(0, file.name.find('.')));
+      for (Row& row : parse_rows(family, std::string(file.text))) all.push_back(std::move(row));
+    }
     return all;
   }();
   return rows;

@@ -80,7 +80,8 @@ Question room(Draft& draft) {
 
 }  // namespace
 
-const std::vector<Generator> polygon_generators = {
-    {"triangle_seen", triangle}, {"rectangle_seen", parallelogram}, {"rectangle_room", room, Surface::convex}};
+const std::vector<Generator> triangle_generators = {{"triangle_seen", triangle}};
+const std::vector<Generator> parallelogram_generators = {{"rectangle_seen", parallelogram},
+                                                         {"rectangle_room", room, Surface::convex}};
 
 }  // namespace strahl::selftest

@@ -70,7 +70,7 @@ Question departed(Draft& draft) {
 
 }  // namespace
 
-const std::vector<Generator> round_generators = {
-    {"disk_seen", disk}, {"cylinder_seen", cylinder}, {"cylinder_departed", departed}};
+const std::vector<Generator> disk_generators = {{"disk_seen", disk}};
+const std::vector<Generator> cylinder_generators = {{"cylinder_seen", cylinder}, {"cylinder_departed", departed}};
 
 }  // namespace strahl::selftest

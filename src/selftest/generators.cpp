@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "errors.h"
 #include "selftest/answer.h"
+#include "selftest/shape_proof.h"
 
 namespace strahl::selftest {
 
@@ -60,21 +62,20 @@ void aim(Question& q, const Vec3& origin, const Vec3& direction) {
 
 namespace {
 
-const Generator* find(const std::string& name) {
-  for (const auto* family : {&sphere_generators, &plane_generators, &mesh_generators, &polygon_generators,
-                             &round_generators, &box_generators})
-    for (const Generator& generator : *family)
-      if (name == generator.name) return &generator;
-  return nullptr;
+std::optional<Generator> find(const std::string& name) {
+  for (const ShapeProof* proof : all_proofs())
+    for (const Generator& generator : proof->generators())
+      if (name == generator.name) return generator;
+  return std::nullopt;
 }
 
 }  // namespace
 
-bool is_generator(const std::string& name) { return find(name) != nullptr; }
+bool is_generator(const std::string& name) { return find(name).has_value(); }
 
 std::vector<Question> generate(const Generated& call) {
-  const Generator* generator = find(call.generator);
-  if (generator == nullptr) throw InputError(fmt::format("there is no generator \"{}\"", call.generator));
+  const std::optional<Generator> generator = find(call.generator);
+  if (!generator) throw InputError(fmt::format("there is no generator \"{}\"", call.generator));
   Draft draft(call);
   std::vector<Question> questions;
   for (; draft.index < call.count; ++draft.index) {

@@ -62,8 +62,9 @@ struct Generator {
   Surface surface = Surface::open;
 };
 
-extern const std::vector<Generator> sphere_generators, plane_generators, mesh_generators, polygon_generators,
-    round_generators, box_generators;
+/// The proofs' own (selftest/shape_proof.h), a file each: generate_*.cpp.
+extern const std::vector<Generator> sphere_generators, plane_generators, mesh_generators, triangle_generators,
+    parallelogram_generators, disk_generators, cylinder_generators, box_generators;
 
 [[nodiscard]] bool is_generator(const std::string& name);
 

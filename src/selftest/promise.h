@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a tier of precision promises of the questions that a law draws (selftest/questions.h, whose bands are left out).
+// What a tier of precision promises of the questions that a law draws (selftest/questions.h, whose bands are left out):
+// each shape's own promises (selftest/shape_proof.h), by tier.
 #pragma once
 
 #include <limits>

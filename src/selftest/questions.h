@@ -15,8 +15,8 @@ namespace strahl::selftest {
 void put(std::vector<double>& planes, const Vec3& v);
 
 /// One primitive of the kind (cl/shapes/shapes.def) and a ray towards it. Expected::either within the bands that
-/// answer.cpp states, and where rounding t moves it across the ends of the ray's range. Throws std::logic_error for
-/// an unknown kind.
+/// its proof states (selftest/shapes/), and where rounding t moves it across the ends of the ray's range. Throws
+/// std::logic_error for an unknown kind.
 [[nodiscard]] Question draw_question(const std::string& kind, oracle::Law, oracle::Random&);
 
 /// Takes an answer of the oracle: decided outside the band, and where no crossing is so close to t_min or t_max that

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-strahl_test(accel/test_trees_equal_lists.cpp LABEL device LIBS strahl_host_kernels strahl_oracle TIMEOUT 600)
-strahl_test(accel/test_instances.cpp LABEL device LIBS strahl_host_kernels strahl_oracle TIMEOUT 600)
+strahl_test(accel/test_trees_equal_lists.cpp LABEL device LIBS strahl_host_kernels strahl_selftest TIMEOUT 600)
+strahl_test(accel/test_instances.cpp LABEL device LIBS strahl_host_kernels strahl_selftest TIMEOUT 600)
 strahl_test(accel/test_wide_tree.cpp LABEL unit)
-strahl_test(accel/test_packets.cpp LABEL device LIBS strahl_host_kernels strahl_oracle TIMEOUT 300)
+strahl_test(accel/test_packets.cpp LABEL device LIBS strahl_host_kernels strahl_selftest TIMEOUT 300)
 
 # Names of their own mean something else in each.
 set_source_files_properties(accel/test_instances.cpp accel/test_packets.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)

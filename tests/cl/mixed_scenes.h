@@ -7,13 +7,14 @@
 #include <cctype>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "oracle/generators.h"
 #include "render/intersector.h"
 #include "scene/model/scene.h"
+#include "selftest/questions.h"
+#include "selftest/shape_proof.h"
 
 namespace strahl::test {
 
@@ -133,12 +134,19 @@ class SceneMaker {
     if (name == "rectangle") return Rectangle{at, u, v};
     const Vec3 w = rounded(2 * cross(u, v));
     if (name == "cube") return Cube{at, {u, v, w}};
-    if (name != "mesh") throw std::logic_error("no scene is made of shapes of kind " + name);
+    if (name != "mesh") return drawn(name);
     // A pyramid without its base and a triangle without area.
     Mesh mesh;
     mesh.positions = {at, at + u, at + u + v, at + v, target(at + 0.5 * w)};
     mesh.triangles = {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}, {0, 1, 1}};
     return mesh;
+  }
+
+  /// Of a kind that no lines above know: as its proof draws it.
+  Geometry drawn(const std::string& name) {
+    const selftest::Question q = selftest::draw_question(name, oracle::Law::aimed, random_);
+    if (q.expected == selftest::Expected::hit) target(q.ray.origin + q.t.value * q.ray.direction);
+    return selftest::proof_of(name).geometry(q.planes.data());
   }
 
   oracle::Random random_;

@@ -5,7 +5,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "selftest/answer.h"
+#include "packing/pack_shapes.h"
 #include "selftest/catalogue_questions.h"
 #include "selftest/nearest.h"
 

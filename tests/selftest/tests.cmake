@@ -10,6 +10,7 @@ target_compile_options(strahl_nearest PRIVATE -O2 -Wno-psabi $<$<BOOL:${STRAHL_H
 add_executable(strahl_answer_rows selftest/answer_rows.cpp)
 target_link_libraries(strahl_answer_rows PRIVATE strahl_selftest fmt::fmt)
 
+strahl_test(selftest/test_proofs.cpp LABEL unit LIBS strahl_selftest)
 strahl_test(selftest/test_catalogue.cpp LABEL unit LIBS strahl_selftest fmt::fmt)
 strahl_test(selftest/test_catalogue_host.cpp LABEL unit LIBS strahl_selftest strahl_nearest)
 strahl_test(selftest/test_catalogue_devices.cpp LABEL device LIBS strahl_selftest)
