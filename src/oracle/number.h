@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The two number types of the oracle behind one set of names, so that each primitive is written once: Filtered first,
-// GMP rationals (exact) where the filter cannot tell. Distances leave the rational path through MPFR at 200 bits.
+// GMP rationals (exact) where the filter cannot tell. The names are found by their arguments: outside this namespace
+// write sign(x), not oracle::sign(x). Distances leave the rational path through MPFR at 200 bits.
 #pragma once
 
 #include <gmpxx.h>

@@ -49,7 +49,7 @@ TEST_CASE("wrong hits have no time") {
 }
 
 TEST_CASE("an unknown primitive is named with those that there are") {
-  CHECK_THROWS_WITH(bench::primitive_workload("teapot", 1), Catch::Contains("sphere, cylinder"));
+  CHECK_THROWS_WITH(bench::primitive_workload("teapot", 1), Catch::Contains("sphere, plane"));
 }
 
 TEST_CASE("the median is the middle") {
