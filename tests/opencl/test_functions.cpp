@@ -148,8 +148,10 @@ TEST_CASE("a checkerboard goes on below 0") {
 
 TEST_CASE("a checkerboard fades to even grey") {
   require_pocl_and_rusticl();
-  // Over any box that is a whole number of periods wide the mean is 0, and where neighbours are more than 1 apart too.
-  const std::vector<float> x = {0.1F, 0.6F, -7.3F, 100.9F, 0x1.123456p24F, -0x1.654321p30F}, width = {1, 2, 7, 3, 0, 0};
+  // Over any box that is a whole number of periods wide the mean is 0, and where neighbours are more than 1 apart too,
+  // and under what is infinite: also where a rate of 0 makes NaN of it.
+  const std::vector<float> x = {0.1F, 0.6F, -7.3F, 100.9F, 0x1.123456p24F, -0x1.654321p30F, 0.1F, 0.6F},
+                           width = {1, 2, 7, 3, 0, 0, INFINITY, NAN};
   const auto wave = values<float>("#include \"textures/checkerboard.h\"\n", "float", "checker_wave(x, y)", x, width);
   for (std::size_t i = 0; i < x.size(); ++i) {
     INFO(x[i]);
