@@ -35,7 +35,7 @@ template <class N>
 struct Vector {
   N x, y, z;
 
-  Vector(N x_, N y_, N z_) : x(std::move(x_)), y(std::move(y_)), z(std::move(z_)) {}
+  Vector(N along_x, N along_y, N along_z) : x(std::move(along_x)), y(std::move(along_y)), z(std::move(along_z)) {}
   explicit Vector(const Vec3& v) : x(v.x), y(v.y), z(v.z) {}
 
   friend Vector operator+(const Vector& a, const Vector& b) { return {N(a.x + b.x), N(a.y + b.y), N(a.z + b.z)}; }

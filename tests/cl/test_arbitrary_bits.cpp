@@ -8,6 +8,7 @@
 
 #include "cl/host_tracer.h"
 #include "cl/mixed_scenes.h"
+#include "packing/pack_shapes.h"
 #include "scene/validate_geometry.h"
 #include "support/devices.h"
 
@@ -101,7 +102,11 @@ Geometry any_geometry(const std::string& name, oracle::Random& random) {
   if (name == "cube") return Cube{a, {b, c, any()}};
   if (name == "disk") return Disk{a, size * across, size * along};
   if (name == "cylinder") return Cylinder{a, a + size * (length(b) > 0 ? b : c), std::fabs(c.x), across};
-  if (name != "mesh") throw std::logic_error("no arbitrary shapes of kind " + name);
+  if (name != "mesh") {  // A kind that no lines above know: any planes.
+    std::vector<double> planes(static_cast<std::size_t>(planes_of(name)));
+    for (double& x : planes) x = draw<float>(random);
+    return selftest::proof_of(name).geometry(planes.data());
+  }
   Mesh mesh;
   mesh.positions = {a, b, c, any(), a};
   mesh.triangles = {{0, 1, 2}, {1, 2, 3}, {0, 0, 1}, {0, 4, 2}};
