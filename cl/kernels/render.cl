@@ -8,6 +8,7 @@
 #include "lanes/lane_ops.h"
 #include "accel/traverse.h"
 #include "film/film.h"
+#include "film/sub_sums.h"
 #include "kernels/whole_loops.h"
 #if PATH_LANES != LANES
 #undef LANES
@@ -64,24 +65,31 @@ FN int wanted_w(const Scene* scene, const Paths_w* path, const FirstSample* firs
   return is_exact ? FIND_NEAREST : FIND_NEAREST_APPROXIMATELY;
 }
 
-/// One sample; sums: how many of a pixel take turns.
-FN void add_sample(const Scene* scene, GLOBAL long* pixel_sums, int sums, int sample, real3 light) {
-  GLOBAL long* sum = pixel_sums + (sample & (sums - 1)) * (FILM_CHANNELS * FILM_SUM_WORDS);
+FN SubSums sub_sums_of(const Scene* scene) {
+  SubSums sums;
+  // One sum holds what four do: the mean is the same.
+  sums.count = HAS_ERROR_SUMS ? scene->index[HEADER_SUMS] : 1;
+  sums.sequences = HAS_ERROR_SUMS ? scene->index[HEADER_SEQUENCES] : 1;
+  sums.turn_bits = scene->index[HEADER_TURN_BITS];
+  return sums;
+}
+
+/// One sample.
+FN void add_sample(const Scene* scene, GLOBAL long* pixel_sums, SubSums sums, int sample, real3 light) {
+  GLOBAL long* sum = pixel_sums + sub_sum_of(sums, sample) * (FILM_CHANNELS * FILM_SUM_WORDS);
   film_add_sample(scene, sum, light.x);
   film_add_sample(scene, sum + FILM_SUM_WORDS, light.y);
   film_add_sample(scene, sum + 2 * FILM_SUM_WORDS, light.z);
 }
 
 /// `times` samples, from `sample` on, all of that light. done: as layout.h has it behind the counters.
-FN void add_to_film(const Scene* scene, GLOBAL long* pixel_sums, int film_sums, int sample, int times, real3 light,
+FN void add_to_film(const Scene* scene, GLOBAL long* pixel_sums, SubSums sums, int sample, int times, real3 light,
                     GLOBAL uint* done) {
   // The background's share of a picture need not touch the film.
   if (light.x == R(0.0) && light.y == R(0.0) && light.z == R(0.0)) {
     if (HAS_LOOP_LIMIT) *done = (uint)(sample + times);
     return;
   }
-  // One sum holds what four do: the mean is the same.
-  int sums = HAS_ERROR_SUMS ? film_sums : 1;
   if (HAS_LOOP_LIMIT) {
     for (int i = sample; i < sample + times; ++i) {
       add_sample(scene, pixel_sums, sums, i, light);
@@ -93,9 +101,8 @@ FN void add_to_film(const Scene* scene, GLOBAL long* pixel_sums, int film_sums, 
     add_sample(scene, pixel_sums, sums, sample, light);
     return;
   }
-  for (int k = 0; k < sums; ++k) {
-    // Samples sample, sample + 1, ... of which every one in `sums` is the sum's.
-    int number = (sample + times - k + sums - 1) / sums - (sample - k + sums - 1) / sums;
+  for (int k = 0; k < sums.count; ++k) {
+    int number = sub_sum_size(sums, k, sample + times) - sub_sum_size(sums, k, sample);
     GLOBAL long* sum = pixel_sums + k * (FILM_CHANNELS * FILM_SUM_WORDS);
     if (number == 0) continue;
     film_add_slowly(scene, sum, light.x, number);
@@ -106,7 +113,7 @@ FN void add_to_film(const Scene* scene, GLOBAL long* pixel_sums, int film_sums, 
 
 /// The pixel's samples, `times` each. sums: the pixel's in the film; done: as in add_to_film.
 FN void render_pixel_w(Scene scene, Pixel pixel, FirstSample first, GLOBAL long* sums, GLOBAL uint* done, int times) {
-  int film_sums = scene.index[HEADER_SUMS];
+  SubSums film_sums = sub_sums_of(&scene);
   Paths_w path;
   paths_none_w(&path);
   Branches_w branches;

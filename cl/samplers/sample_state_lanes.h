@@ -5,7 +5,7 @@
 
 typedef struct {
   uint pixel, seed;
-  uint sequences;  ///< FILM_SUBSUMS or 1, interleaved by the sample's number.
+  uint sequences;  ///< Interleaved by the sample's number.
   uintw sample;
   uintw reversed, key;  ///< The sampler's own: what it prepares for all sets.
 } SampleState_w;

@@ -10,7 +10,7 @@ FN SampleState_w sample_begin_w(const Scene* scene, uint pixel, uintw sample) {
   state.pixel = pixel;
   state.sample = sample;
   state.seed = (uint)scene->index[HEADER_SEED];
-  state.sequences = (uint)scene->index[HEADER_SUMS];
+  state.sequences = (uint)scene->index[HEADER_SEQUENCES];
   state.reversed = state.key = splat_uint_w(0u);
   switch (scene->index[HEADER_SAMPLER]) {
 #define SAMPLER(name)       \

@@ -2,10 +2,11 @@
 // Owen-scrambled Sobol points, two dimensions a set, sets decorrelated by shuffling: B. Burley, "Practical Hash-based
 // Owen Scrambling", JCGT 9(4), 2020, with the hash of N. Vegdahl, "Building a Better LK Hash", 2021.
 //
-// FILM_SUBSUMS sequences, scrambled independently, are interleaved by the sample's number, so that the film's sub-sums
-// are independent estimates of the same picture. Where it keeps one sum there is one sequence: longer, so spread more
-// evenly. Each is a (0, 2)-sequence in every set: of its first 2^m points one lies in every elementary interval of area
-// 2^-m (tests/cl/test_samplers.cpp). Pixels, sets and sequences have scrambles of their own. One width; no guard.
+// SOBOL_SEQUENCES of them, scrambled independently, are interleaved by the sample's number, so that each is an estimate
+// of the same picture that knows nothing of the other. Where the film keeps one sum there is one sequence: longer, so
+// spread more evenly. Each is a (0, 2)-sequence in every set: of its first 2^m points one lies in every elementary
+// interval of area 2^-m (tests/cl/test_samplers.cpp). Pixels, sets and sequences have scrambles of their own. One
+// width; no guard.
 
 FN uintw reversed_bits_w(uintw x) {
   x = (x >> 16) | (x << 16);
@@ -34,7 +35,7 @@ FN uintw sobol_second_reversed_w(uintw index) {
 }
 
 FN void sobol_begin_w(SampleState_w* state) {
-  uintw number = state->sequences == 1u ? state->sample : state->sample / (uint)FILM_SUBSUMS;
+  uintw number = state->sequences == 1u ? state->sample : state->sample / (uint)SOBOL_SEQUENCES;
   state->reversed = reversed_bits_w(number);
   state->key = random4_w(state->pixel, state->sample & (state->sequences - 1u), splat_uint_w(0u), state->seed).x;
 }

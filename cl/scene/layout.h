@@ -11,7 +11,9 @@
 enum {
   HEADER_WIDTH,  // pixels of a row of the whole picture
   HEADER_SEED,
-  HEADER_SUMS,        // The film's sums of a pixel, and the sequences that they are of: FILM_SUBSUMS or 1.
+  HEADER_SUMS,        // The film's sums of a pixel, FILM_SUBSUMS or 1, ...
+  HEADER_SEQUENCES,   // ... the sequences of samples that they are of, ...
+  HEADER_TURN_BITS,   // ... and how many of a sequence's points in a row are in the same one (film/sub_sums.h).
   HEADER_INTEGRATOR,  // INTEGRATOR_direct, ...
   HEADER_MAX_DEPTH,   // -1: no limit
   HEADER_RR_DEPTH,    // Surfaces after which Russian roulette begins.
@@ -123,9 +125,12 @@ enum { WHITTED_LONGEST = 1024 };
 // of the light that is left out is below 0.95^512 = 4e-12.
 enum { ROULETTE_LONGEST = 512 };
 
-// Film: FILM_SUBSUMS x 3 sums a pixel (sample index mod FILM_SUBSUMS), or 1 x 3, each of FILM_SUM_WORDS words of 64
-// bits (film/film_sum.h), docs/decisions/0002-film.md.
+// Film: FILM_SUBSUMS x 3 sums a pixel (film/sub_sums.h), or 1 x 3, each of FILM_SUM_WORDS words of 64 bits
+// (film/film_sum.h), docs/decisions/0002-film.md.
 enum { FILM_SUBSUMS = 4, FILM_CHANNELS = 3, FILM_SUM_WORDS = 2 };
+
+// Of sampler sobol where the film keeps FILM_SUBSUMS sums (docs/decisions/0011-error.md).
+enum { SOBOL_SEQUENCES = 2 };
 
 // First-sample values of a pixel: depth, normal, position, uv, t and the ray that it belongs to (RAY_O ...); shape,
 // primitive.

@@ -70,7 +70,8 @@ class Packing {
     const ResolvedSampling sampling = resolve_sampling(scene_);
     index(layout::HEADER_WIDTH) = scene_.film.width;
     index(layout::HEADER_SEED) = static_cast<std::int32_t>(sampling.seed);
-    index(layout::HEADER_SUMS) = layout::FILM_SUBSUMS;
+    // A film that keeps one sum; who renders says otherwise.
+    index(layout::HEADER_SUMS) = index(layout::HEADER_SEQUENCES) = 1;
     index(layout::HEADER_INTEGRATOR) = features_.entry_index("integrators", scene_.integrator.name);
     index(layout::HEADER_MAX_DEPTH) = most_surfaces(scene_.integrator);
     index(layout::HEADER_RR_DEPTH) = scene_.integrator.rr_depth;

@@ -6,14 +6,14 @@
 
 namespace strahl {
 
-FilmSums::FilmSums(int w, int h, int parts, double one) : width(w), height(h), sub_sums(parts), unit(one) {
+FilmSums::FilmSums(int w, int h, SubSums parts, double one) : width(w), height(h), sums(parts), unit(one) {
   const std::size_t pixels = static_cast<std::size_t>(w) * static_cast<std::size_t>(h);
   words.resize(pixels * words_per_pixel(), 0);
   samples.resize(pixels, 0);
 }
 
 std::size_t FilmSums::words_per_pixel() const {
-  return static_cast<std::size_t>(sub_sums) * layout::FILM_CHANNELS * layout::FILM_SUM_WORDS;
+  return static_cast<std::size_t>(sums.count) * layout::FILM_CHANNELS * layout::FILM_SUM_WORDS;
 }
 
 void FilmSums::add_samples(const Launch& launch) {
@@ -35,6 +35,8 @@ double FilmSums::sub_sum(std::size_t pixel, int sub, int channel) const {
   return unit * value_of(film_bins(at[0], at[1]));
 }
 
+int FilmSums::sub_sum_samples(std::size_t pixel, int sub) const { return sub_sum_size(sums, sub, samples[pixel]); }
+
 Image FilmSums::mean() const {
   Image image;
   image.width = width;
@@ -47,7 +49,7 @@ Image FilmSums::mean() const {
       const std::int64_t* sum = pixel + channel * layout::FILM_SUM_WORDS;
       std::int64_t total[layout::FILM_SUM_WORDS] = {sum[0], sum[1]};
       // Added up as the film adds, so that it does not matter which sub-sum a sample is in.
-      for (int sub = 1; sub < sub_sums; ++sub) {
+      for (int sub = 1; sub < sums.count; ++sub) {
         sum += layout::FILM_CHANNELS * layout::FILM_SUM_WORDS;
         film_add(total, film_bins(sum[0], sum[1]));
       }

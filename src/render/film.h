@@ -8,19 +8,20 @@
 
 #include "image/image.h"
 #include "render/launch_plan.h"
+#include "render/sub_sums.h"
 
 namespace strahl {
 
-/// Four sub-sums (sample index mod 4) of three channels a pixel, or one where nobody compares them; window coordinates.
+/// Four sub-sums of three channels a pixel, or one where nobody compares them; window coordinates.
 struct FilmSums {
   int width = 0;
   int height = 0;
-  int sub_sums = 1;                 ///< 1 or 4.
+  SubSums sums;                     ///< Which sample is in which.
   double unit = 1;                  ///< Radiance in what the kernels call 1.
-  std::vector<std::int64_t> words;  ///< height x width x sub_sums x 3 x 2, as cl/film/film_sum.h has them.
+  std::vector<std::int64_t> words;  ///< height x width x sums.count x 3 x 2, as cl/film/film_sum.h has them.
   std::vector<int> samples;         ///< height x width: how many samples a pixel has.
 
-  FilmSums(int width, int height, int sub_sums, double unit);
+  FilmSums(int width, int height, SubSums sums, double unit);
   [[nodiscard]] std::size_t words_per_pixel() const;
   /// Counts what a launch has added to its pixels; rows count within the window.
   void add_samples(const Launch& launch);
@@ -28,6 +29,8 @@ struct FilmSums {
   void add_words(int row, const std::vector<std::int64_t>& band);
   /// What the samples of a pixel that one sub-sum holds add up to, in radiance. pixel: counts along the window's rows.
   [[nodiscard]] double sub_sum(std::size_t pixel, int sub, int channel) const;
+  /// How many samples that is.
+  [[nodiscard]] int sub_sum_samples(std::size_t pixel, int sub) const;
   /// Mean over all samples, the same whatever sub-sums they are in; a pixel without samples is black.
   [[nodiscard]] Image mean() const;
 };

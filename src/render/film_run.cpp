@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <limits>
 
 #include "errors.h"
@@ -18,8 +19,13 @@ namespace {
 constexpr double least_launch_seconds = 0.0005;
 
 /// Fewer samples than sub-sums tell nothing of the error; one sum is a quarter of the memory to touch.
-int sub_sums_of(const RenderSettings& settings, int spp) {
-  return settings.estimate_error && spp >= layout::FILM_SUBSUMS ? layout::FILM_SUBSUMS : 1;
+SubSums sub_sums_of(const RenderSettings& settings, SamplerKind sampler, const RenderGoal& goal, int spp) {
+  if (!settings.estimate_error || spp < layout::FILM_SUBSUMS) return {1, 1, 0};
+  if (sampler != SamplerKind::sobol) return {layout::FILM_SUBSUMS, layout::FILM_SUBSUMS, 0};
+  // The largest power of two that is no more than half a sequence. Nobody knows the half of an open goal's.
+  const auto half = static_cast<unsigned>(spp / (2 * layout::SOBOL_SEQUENCES));
+  const int turn_bits = static_cast<int>(std::bit_width(half)) - 1;
+  return {layout::FILM_SUBSUMS, layout::SOBOL_SEQUENCES, goal.is_open() ? 0 : turn_bits};
 }
 
 }  // namespace
@@ -33,7 +39,7 @@ FilmRun::FilmRun(Renderer::State& state, const RenderGoal& goal, const ProgressC
       band_rows_(state.band_rows()),
       spp_(state.samples_of(goal)),
       passes_(goal, spp_),
-      film_(width_, height_, sub_sums_of(state.settings, spp_), state.radiance_unit()) {
+      film_(width_, height_, sub_sums_of(state.settings, state.sampling.kind, goal, spp_), state.radiance_unit()) {
   const std::size_t pixels = film_.samples.size();
   aov_reals_.resize(state.has_aov() ? pixels * layout::AOV_REALS : 0, 0.0);
   aov_ints_.resize(state.has_aov() ? pixels * layout::AOV_INTS : 0, -1);
@@ -239,8 +245,10 @@ void FilmRun::measure_finish() {
 }
 
 RenderResult FilmRun::run() {
-  static_assert(layout::HEADER_SUMS == layout::HEADER_SEED + 1);
-  const std::array<cl_int, 2> header = {static_cast<cl_int>(result_.stats.seed), film_.sub_sums};
+  static_assert(layout::HEADER_SUMS == layout::HEADER_SEED + 1 && layout::HEADER_SEQUENCES == layout::HEADER_SEED + 2 &&
+                layout::HEADER_TURN_BITS == layout::HEADER_SEED + 3);
+  const std::array<cl_int, 4> header = {static_cast<cl_int>(result_.stats.seed), film_.sums.count, film_.sums.sequences,
+                                        film_.sums.turn_bits};
   checked(state_.device.info().text(), [&] {
     return state_.device.queue().enqueueWriteBuffer(state_.buffers.index, CL_TRUE, layout::HEADER_SEED * sizeof(cl_int),
                                                     sizeof header, header.data());

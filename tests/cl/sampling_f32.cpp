@@ -17,7 +17,7 @@ Pair sobol_of(std::uint32_t sequences, std::uint32_t pixel, std::uint32_t sample
 }  // namespace
 
 Pair sobol_pair(std::uint32_t pixel, std::uint32_t sample, std::uint32_t set, std::uint32_t seed) {
-  return sobol_of(4, pixel, sample, set, seed);
+  return sobol_of(2, pixel, sample, set, seed);
 }
 Pair sobol_single_pair(std::uint32_t pixel, std::uint32_t sample, std::uint32_t set, std::uint32_t seed) {
   return sobol_of(1, pixel, sample, set, seed);

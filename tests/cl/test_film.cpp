@@ -226,9 +226,28 @@ TEMPLATE_TEST_CASE("NaN counts as 0, what is beyond a float as the largest, and 
   }
 }
 
+TEST_CASE("the host counts the samples of a sub-sum as the device deals them out") {
+  for (const SubSums sums :
+       {SubSums{1, 1, 0}, SubSums{4, 4, 0}, SubSums{4, 2, 0}, SubSums{4, 2, 2}, SubSums{4, 2, 5}}) {
+    std::array<int, 4> dealt{};
+    for (int samples = 0; samples < 200; ++samples) {
+      for (int sub = 0; sub < sums.count; ++sub)
+        CHECK(sub_sum_size(sums, sub, samples) == dealt[static_cast<std::size_t>(sub)]);
+      const int sub = sub_sum_of(sums, samples);
+      CHECK(sub % sums.sequences == samples % sums.sequences);
+      ++dealt[static_cast<std::size_t>(sub)];
+    }
+  }
+}
+
+TEST_CASE("a sequence's sums are its halves") {
+  const SubSums sums{4, 2, 3};
+  for (int sample = 0; sample < 32; ++sample) CHECK(sub_sum_of(sums, sample) == sample % 2 + (sample < 16 ? 0 : 2));
+}
+
 TEST_CASE("bands and sub-sums add up to one mean") {
   std::mt19937 random(11);
-  FilmSums four(3, 2, 4, 1), one(3, 2, 1, 1);
+  FilmSums four(3, 2, {4, 4, 0}, 1), one(3, 2, {1, 1, 0}, 1);
   Values<float> values;
   for (std::size_t pixel = 0; pixel < 6; ++pixel) {
     const std::vector<float> samples = values.draw(64, false);
@@ -246,7 +265,7 @@ TEST_CASE("bands and sub-sums add up to one mean") {
     CHECK(sum == Approx(exact_sum(samples).get_d()).epsilon(1e-12));
   }
   CHECK(one.mean().data == four.mean().data);
-  FilmSums again(3, 2, 4, 1);
+  FilmSums again(3, 2, {4, 4, 0}, 1);
   again.samples = four.samples;
   const auto row = static_cast<std::ptrdiff_t>(3 * four.words_per_pixel());
   again.add_words(1, {four.words.begin() + row, four.words.end()});
@@ -257,7 +276,7 @@ TEST_CASE("bands and sub-sums add up to one mean") {
 TEST_CASE("a pixel whose samples are alike is that sample, to the bit") {
   for (const float value : {1.0F, 0.1F, 3.3e-41F, 1e13F, 3.4e38F})
     for (const int count : {1, 3, 7, 4095, 1 << 21}) {
-      FilmSums film(1, 1, 1, 1);
+      FilmSums film(1, 1, {1, 1, 0}, 1);
       film.samples[0] = count;
       FilmWords word{};
       Counts counts{};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The samplers: sobol's four sequences are (0, 2)-sequences in every set, of every pixel, and know nothing of each
+// The samplers: sobol's two sequences are (0, 2)-sequences in every set, of every pixel, and know nothing of each
 // other; both samplers are uniform. 1 s.
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -15,9 +15,9 @@ namespace {
 
 using Sampler = Pair (*)(std::uint32_t, std::uint32_t, std::uint32_t, std::uint32_t);
 
-/// Number `i` of one of the four sequences that are interleaved.
+/// Number `i` of one of the two sequences that are interleaved.
 Pair of_sequence(std::uint32_t sequence, std::uint32_t i, std::uint32_t pixel, std::uint32_t set, std::uint32_t seed) {
-  return sobol_pair(pixel, 4 * i + sequence, set, seed);
+  return sobol_pair(pixel, 2 * i + sequence, set, seed);
 }
 
 /// One point in every box of 2^-a by 2^-(m - a).
@@ -62,7 +62,7 @@ double error_of_integral(Sampler sampler, std::uint32_t samples) {
 TEST_CASE("each of sobol's sequences is a (0, 2)-sequence in every set") {
   for (const std::uint32_t pixel : {0u, 1u, 786431u})
     for (const std::uint32_t set : {0u, 1u, 2u, 17u})
-      for (std::uint32_t sequence = 0; sequence < 4; ++sequence)
+      for (std::uint32_t sequence = 0; sequence < 2; ++sequence)
         for (const unsigned m : {1u, 4u, 8u})
           for (const std::uint32_t first : {0u, 5u}) {
             std::vector<Pair> points;
@@ -121,10 +121,10 @@ TEST_CASE("sobol converges faster than independent numbers") {
     INFO(samples << " samples: " << even << " against " << random);
     CHECK(even < random * 2 / std::sqrt(samples / 4.0));
   }
-  // Four sequences of n / 4: their own error falls like n^-1.5 where the integrand is smooth.
+  // Two sequences of n / 2: their own error falls like n^-1.5 where the integrand is smooth.
   CHECK(error_of_integral(sobol_pair, 1024) < error_of_integral(sobol_pair, 64) / 20);
-  // One of n: four times the points in it, and a quarter of the means.
-  CHECK(error_of_integral(sobol_single_pair, 256) < 0.4 * error_of_integral(sobol_pair, 256));
+  // One of n: twice the points in it, and half of the means.
+  CHECK(error_of_integral(sobol_single_pair, 256) < 0.6 * error_of_integral(sobol_pair, 256));
 }
 
 TEST_CASE("numbers lie strictly between 0 and 1") {

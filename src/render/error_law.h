@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// The laws behind error_estimate.h, one for each way in which a film keeps its sub-sums (cl/film/sub_sums.h).
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "packing/cl_layout.h"
+
+namespace strahl {
+
+struct FilmSums;
+
+using Colour = std::array<double, layout::FILM_CHANNELS>;
+
+/// One pixel: mean, and estimated squared error of the mean.
+struct PixelError {
+  Colour mean{};
+  Colour squared{};
+};
+
+/// Sums over pixels and channels.
+struct PictureError {
+  double squared = 0;
+  double relative = 0;  ///< Of squared / (mean^2 + 0.01).
+  double variance = 0;  ///< Of what the realised squared error differs from `squared` by.
+  double freedom = 1;   ///< Degrees of freedom that `variance` is known with.
+
+  void add(const PixelError& pixel);
+};
+
+/// Four sums that know nothing of each other; four samples of each pixel at the least.
+[[nodiscard]] PixelError pixel_error_of_turns(const FilmSums& film, std::size_t at);
+[[nodiscard]] PictureError picture_error_of_turns(const FilmSums& film);
+
+/// Two sequences, each in two sums; four samples of each pixel at the least.
+[[nodiscard]] PixelError pixel_error_of_sequences(const FilmSums& film, std::size_t at);
+[[nodiscard]] PictureError picture_error_of_sequences(const FilmSums& film);
+
+/// Degrees of freedom of a sum of squares of deviations, whose own squares add up to `squares`: F. E. Satterthwaite
+/// 1946. Where few pixels are most of the noise, the variance is itself known from few.
+[[nodiscard]] double satterthwaite(double sum, double squares);
+
+}  // namespace strahl

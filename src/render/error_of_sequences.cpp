@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: MIT
+// d_k is the deviation of sequence k's mean, and S its covariance; halves of a sequence are those of film/sub_sums.h.
+// The realised squared error differs from the estimate by d_1 d_2, whose variance is |S|^2, the sum over pairs of
+// channels of the squared covariance. u = d_1 - d_2 is all that is seen of them, and its fourth power says too much
+// where samples are rare and bright. So products of independent differences stand for it:
+//
+//   (u_p u_q)^2 / 4        of pixels p, q that are neighbours: |S|^2 where the noise changes slowly, too little at an
+//   edge; (w_1 w_2)^2            of w_k, half of what the halves of sequence k differ by: the pixel's own, but of
+//   halves; (w_1p w_2q)^2 ...      of neighbours: too little at an edge as the first is.
+//
+// The first over the third takes the second from halves to the whole, and what neighbours say too little drops out.
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "render/error_law.h"
+#include "render/film.h"
+
+namespace strahl {
+namespace {
+
+constexpr int sequences = layout::SOBOL_SEQUENCES;
+static_assert(sequences == 2 && layout::FILM_SUBSUMS == 2 * sequences);
+
+/// Products that share a pixel are not independent: parts of a sum are those of squares of so many pixels a side.
+constexpr int tile_side = 4;
+
+/// What a pixel's sums differ by.
+struct Differences {
+  Colour whole{};                        ///< u.
+  std::array<Colour, sequences> half{};  ///< w_1, w_2.
+};
+
+PixelError told_by_sequences(const FilmSums& film, std::size_t at, Differences& differences) {
+  const double samples = film.samples[at];
+  std::array<double, layout::FILM_SUBSUMS> count{};
+  for (int k = 0; k < layout::FILM_SUBSUMS; ++k) count[k] = film.sub_sum_samples(at, k);
+  const double first = count[0] + count[2], second = count[1] + count[3];
+  // 1 but where one sequence is a sample longer.
+  const double evenness = 2 * std::sqrt(first * second) / samples;
+  PixelError pixel;
+  for (int c = 0; c < layout::FILM_CHANNELS; ++c) {
+    std::array<double, layout::FILM_SUBSUMS> sum{};
+    for (int k = 0; k < layout::FILM_SUBSUMS; ++k) sum[k] = film.sub_sum(at, k, c);
+    const double u = evenness * ((sum[0] + sum[2]) / first - (sum[1] + sum[3]) / second);
+    pixel.mean[c] = (sum[0] + sum[1] + sum[2] + sum[3]) / samples;
+    pixel.squared[c] = u * u / 4;
+    differences.whole[c] = u;
+    for (int k = 0; k < sequences; ++k)
+      differences.half[k][c] = (sum[k] / count[k] - sum[k + sequences] / count[k + sequences]) / 2;
+  }
+  return pixel;
+}
+
+double squared_product(const Colour& a, const Colour& b) {
+  double product = 0;
+  for (int c = 0; c < layout::FILM_CHANNELS; ++c) product += a[c] * b[c];
+  return product * product;
+}
+
+/// Sums of products, each an estimate of |S|^2 as said above.
+struct Products {
+  double whole_beside = 0, half = 0, half_beside = 0;
+  double fourth = 0;  ///< u^4 / 4: too much, where there is nothing else.
+
+  void operator+=(const Products& other) {
+    whole_beside += other.whole_beside;
+    half += other.half;
+    half_beside += other.half_beside;
+    fourth += other.fourth;
+  }
+};
+
+Products own_products(const Differences& p) {
+  return {0, squared_product(p.half[0], p.half[1]), 0, squared_product(p.whole, p.whole) / 4};
+}
+
+/// A half of a pair's: the other is the other pixel's.
+Products pair_products(const Differences& p, const Differences& q) {
+  double halves = 0;
+  for (const Colour& a : p.half)
+    for (const Colour& b : q.half) halves += squared_product(a, b);
+  return {squared_product(p.whole, q.whole) / 8, 0, halves / 8, 0};
+}
+
+class TiledProducts {
+ public:
+  TiledProducts(int width, int height)
+      : across_((width + tile_side - 1) / tile_side),
+        tiles_(static_cast<std::size_t>(across_) * static_cast<std::size_t>((height + tile_side - 1) / tile_side)) {}
+
+  void add(int x, int y, const Products& products) {
+    tiles_[static_cast<std::size_t>(y / tile_side) * static_cast<std::size_t>(across_) +
+           static_cast<std::size_t>(x / tile_side)] += products;
+  }
+
+  /// Variance, and how well it is known: by how much each tile changes it. Nothing where there is no noise.
+  void tell(PictureError& picture) const {
+    Products all;
+    for (const Products& tile : tiles_) all += tile;
+    if (!(all.fourth > 0)) return;
+    const bool has_neighbours = all.whole_beside > 0 && all.half > 0 && all.half_beside > 0;
+    picture.variance = has_neighbours ? all.half * (all.whole_beside / all.half_beside) : all.fourth;
+    double squares = 0;
+    for (const Products& tile : tiles_) {
+      const double share = has_neighbours ? tile.half / all.half + tile.whole_beside / all.whole_beside -
+                                                tile.half_beside / all.half_beside
+                                          : tile.fourth / all.fourth;
+      squares += share * share;
+    }
+    picture.freedom = satterthwaite(1, squares);
+  }
+
+ private:
+  int across_;
+  std::vector<Products> tiles_;
+};
+
+}  // namespace
+
+PixelError pixel_error_of_sequences(const FilmSums& film, std::size_t at) {
+  Differences unused;
+  return told_by_sequences(film, at, unused);
+}
+
+PictureError picture_error_of_sequences(const FilmSums& film) {
+  PictureError picture;
+  TiledProducts products(film.width, film.height);
+  std::vector<Differences> above, row(static_cast<std::size_t>(film.width));
+  std::size_t at = 0;
+  for (int y = 0; y < film.height; ++y) {
+    for (int x = 0; x < film.width; ++x, ++at) {
+      const auto here = static_cast<std::size_t>(x);
+      picture.add(told_by_sequences(film, at, row[here]));
+      products.add(x, y, own_products(row[here]));
+      const auto pair = [&](int other_x, int other_y, const Differences& other) {
+        const Products shared = pair_products(row[here], other);
+        products.add(x, y, shared);
+        products.add(other_x, other_y, shared);
+      };
+      if (x > 0) pair(x - 1, y, row[here - 1]);
+      if (y == 0) continue;
+      for (int other = std::max(0, x - 1); other <= std::min(film.width - 1, x + 1); ++other)
+        pair(other, y - 1, above[static_cast<std::size_t>(other)]);
+    }
+    above.swap(row);
+    row.resize(above.size());
+  }
+  products.tell(picture);
+  return picture;
+}
+
+}  // namespace strahl

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+#include "render/error_law.h"
+#include "render/film.h"
+
+namespace strahl {
+namespace {
+
+constexpr int turns = layout::FILM_SUBSUMS;
+static_assert(turns == 4, "disjoint_pairs are those of four");
+constexpr int disjoint_pairs[3][4] = {{0, 1, 2, 3}, {0, 2, 1, 3}, {0, 3, 1, 2}};
+
+/// A pixel's four means and how many samples each is of.
+struct Turns {
+  std::array<Colour, turns> part{};
+  std::array<double, turns> count{};
+  PixelError error;
+};
+
+Turns turns_of(const FilmSums& film, std::size_t at) {
+  const int samples = film.samples[at];
+  Turns pixel;
+  for (int k = 0; k < turns; ++k) {
+    pixel.count[k] = film.sub_sum_samples(at, k);
+    for (int c = 0; c < layout::FILM_CHANNELS; ++c) {
+      const double sum = film.sub_sum(at, k, c);
+      pixel.part[k][c] = sum / pixel.count[k];
+      pixel.error.mean[c] += sum / samples;
+    }
+  }
+  for (int c = 0; c < layout::FILM_CHANNELS; ++c) {
+    double spread = 0;
+    for (int k = 0; k < turns; ++k) {
+      const double deviation = pixel.part[k][c] - pixel.error.mean[c];
+      spread += pixel.count[k] * deviation * deviation;
+    }
+    pixel.error.squared[c] = spread / ((turns - 1) * static_cast<double>(samples));
+  }
+  return pixel;
+}
+
+double difference_variance(const Turns& pixel, double samples) {
+  // Of one sample: sum over pairs of channels of the squared covariance.
+  double covariance = 0;
+  for (const auto& pairs : disjoint_pairs) {
+    double product = 0;
+    for (int c = 0; c < layout::FILM_CHANNELS; ++c)
+      product +=
+          (pixel.part[pairs[0]][c] - pixel.part[pairs[1]][c]) * (pixel.part[pairs[2]][c] - pixel.part[pairs[3]][c]);
+    covariance += product * product /
+                  ((1 / pixel.count[pairs[0]] + 1 / pixel.count[pairs[1]]) *
+                   (1 / pixel.count[pairs[2]] + 1 / pixel.count[pairs[3]])) /
+                  3;
+  }
+  return 2.0 * turns / ((turns - 1) * samples * samples) * covariance;
+}
+
+}  // namespace
+
+PixelError pixel_error_of_turns(const FilmSums& film, std::size_t at) { return turns_of(film, at).error; }
+
+PictureError picture_error_of_turns(const FilmSums& film) {
+  PictureError picture;
+  double squares = 0;
+  for (std::size_t at = 0; at < film.samples.size(); ++at) {
+    const Turns pixel = turns_of(film, at);
+    const double variance = difference_variance(pixel, film.samples[at]);
+    picture.add(pixel.error);
+    picture.variance += variance;
+    squares += variance * variance;
+  }
+  picture.freedom = satterthwaite(picture.variance, squares);
+  return picture;
+}
+
+}  // namespace strahl
