@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // How far a picture is from what infinitely many samples would show, told from the spread of the film's sub-sums alone.
 //
-// A pixel's four sub-sums are independent estimates of it, for every sampler (samplers/sobol_lanes.h). Their variance
-// estimates the squared error of their mean. What the *realised* error differs from that estimate by is, for each
-// pixel, a sum of products of two different sub-sums' deviations: its variance needs second moments only, whatever the
-// samples' distribution, and products over disjoint pairs of sub-sums estimate it without bias
+// The film keeps estimates of a pixel that know nothing of each other: two of sampler sobol, four of any other
+// (film/sub_sums.h). Their variance estimates the squared error of their mean. What the *realised* error differs from
+// that estimate by is, for each pixel, a sum of products of two different estimates' deviations: its variance needs
+// second moments only, whatever the samples' distribution, and products of independent differences tell them
 // (docs/decisions/0011-error.md).
 #pragma once
 

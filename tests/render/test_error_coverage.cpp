@@ -19,21 +19,23 @@ struct Case {
   const char* file;
   const char* integrator;
   int width, height;
-  bool is_short;       ///< Asked in the short run, too.
-  double independent;  ///< Median relative half-width of the interval with independent samples, at any number of them.
-  double four[4];      ///< With four Sobol sequences, at 16, 64, 256 and 1,024 samples.
+  bool is_short;  ///< Asked in the short run, too.
+  /// Median relative half-width of the interval: at the most with independent samples, and what it was with four Sobol
+  /// sequences at 16, 64 and 256 samples.
+  double independent, four[3];
 };
 
-const Case cases[] = {{"lights/rectangle.xml", "direct", 48, 36, true, 0.22, {0.185, 0.2, 0.2, 0.2}},
-                      {"mesh/torus-and-icosphere.xml", "ao", 48, 36, true, 0.05, {0.047, 0.05, 0.05, 0.05}},
-                      {"cornell/cornell-box.xml", "path", 80, 80, true, 0.24, {0.188, 0.2, 0.2, 0.2}},
-                      {"lecture/lit.xml", "direct", 48, 36, false, 0.1, {0.1, 0.1, 0.1, 0.1}},
-                      {"textures/checkerboard.xml", "direct", 48, 36, false, 0.06, {0.06, 0.06, 0.06, 0.06}},
-                      {"lights/constant.xml", "path", 48, 36, false, 0.06, {0.06, 0.06, 0.06, 0.06}}};
+const Case cases[] = {{"lights/rectangle.xml", "direct", 48, 36, true, 0.24, {0.183, 0.161, 0.197}},
+                      {"mesh/torus-and-icosphere.xml", "ao", 48, 36, true, 0.052, {0.0463, 0.0513, 0.0578}},
+                      {"cornell/cornell-box.xml", "path", 80, 80, true, 0.26, {0.189, 0.200, 0.178}},
+                      {"lecture/lit.xml", "direct", 48, 36, false, 0.105, {0.0864, 0.0876, 0.0864}},
+                      {"textures/checkerboard.xml", "direct", 48, 36, false, 0.056, {0.0510, 0.0514, 0.0520}},
+                      {"lights/constant.xml", "path", 48, 36, false, 0.042, {0.0389, 0.0405, 0.0432}}};
 constexpr int numbers[] = {16, 64, 256, 1024};
 
-/// How much wider than with four sequences the interval of two may be.
-constexpr double tolerated = 1.5;
+/// How much wider than with four sequences the interval of two may be. Two say less of themselves: sqrt(3 / 2) at the
+/// least.
+constexpr double tolerated = 1.6;
 
 bool is_long() {
   const char* run = std::getenv("STRAHL_COVERAGE");
@@ -97,7 +99,10 @@ void check_coverage(SamplerKind sampler) {
                 << std::endl;
       INFO(what.file << " at " << numbers[k]);
       CHECK(found.inside >= 0.9 * seeds);
-      CHECK(found.half_width <= (sampler == SamplerKind::sobol ? tolerated * what.four[k] : what.independent));
+      if (sampler == SamplerKind::independent)
+        CHECK(found.half_width <= what.independent);
+      else if (k < std::size(what.four))
+        CHECK(found.half_width <= tolerated * what.four[k]);
     }
   std::cout << "together " << 100.0 * inside / asked << " %" << std::endl;
   CHECK(inside >= 0.93 * asked);

@@ -37,5 +37,4 @@ set_tests_properties(render_test_oclgrind_every_scene PROPERTIES LABELS slow SKI
 
 add_test(NAME render_test_error_coverage_long COMMAND render_tests "-#" "[#test_error_coverage]")
 set_tests_properties(
-  render_test_error_coverage_long PROPERTIES LABELS slow TIMEOUT 3600
-                                             ENVIRONMENT "STRAHL_COVERAGE_SEEDS=200;STRAHL_COVERAGE_SPP=100000")
+  render_test_error_coverage_long PROPERTIES LABELS slow TIMEOUT 14400 ENVIRONMENT STRAHL_COVERAGE=long)
