@@ -35,4 +35,4 @@ target_compile_options(strahl_host_transport PRIVATE -O1 -Wno-psabi -Wno-int-in-
 foreach(name areas lights choosers textures integrators)
   strahl_test(physics/test_${name}.cpp LABEL unit LIBS strahl_host_transport)
 endforeach()
-strahl_test(physics/test_packets.cpp LABEL unit LIBS strahl_host_transport strahl_oracle)
+strahl_test(physics/test_packets.cpp LABEL unit LIBS strahl_host_transport strahl_selftest)

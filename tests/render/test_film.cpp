@@ -94,8 +94,7 @@ TEST_CASE("lamps, grounds, suns and light of any size, one at a time and togethe
     const auto decade = [&](int from, int to) {
       return std::pow(10.0, std::uniform_real_distribution<double>(from, to)(random));
     };
-    for (int i = 0; i < 10; ++i)
-      hold({decade(-10, 10), decade(-8, -1), decade(1, 7), decade(2, 13)}, precision, first);
+    for (int i = 0; i < 10; ++i) hold({decade(-10, 10), decade(-8, -1), decade(1, 7), decade(2, 13)}, precision, first);
   }
 }
 
