@@ -5,8 +5,8 @@
 #include "textures/texture.h"
 
 typedef struct {
-  maskw hit;  ///< The other lanes are undefined, but for `part`, which is a row of the table.
-  realw t;    ///< In units of the ray's prepared direction.
+  maskw hit;                         ///< The other lanes are undefined, but for `part`, which is a row of the table.
+  realw t;                           ///< In units of the ray's prepared direction.
   real3w position, normal, shading;  ///< As in hits/surface.h.
   realw facing;
   realw tex_u, tex_v, footprint;  ///< Kept only where there are textures.

@@ -21,7 +21,7 @@ constexpr double least_launch_seconds = 0.0005;
 /// Fewer samples than sub-sums tell nothing of the error; one sum is a quarter of the memory to touch.
 SubSums sub_sums_of(const RenderSettings& settings, SamplerKind sampler, const RenderGoal& goal, int spp) {
   if (!settings.estimate_error || spp < layout::FILM_SUBSUMS) return {1, 1, 0};
-  if (sampler != SamplerKind::sobol) return {layout::FILM_SUBSUMS, layout::FILM_SUBSUMS, 0};
+  if (sampler == SamplerKind::independent) return {layout::FILM_SUBSUMS, layout::FILM_SUBSUMS, 0};
   // The largest power of two that is no more than half a sequence. Nobody knows the half of an open goal's.
   const auto half = static_cast<unsigned>(spp / (2 * layout::SOBOL_SEQUENCES));
   const int turn_bits = static_cast<int>(std::bit_width(half)) - 1;

@@ -285,7 +285,7 @@ TEST_CASE("Area lights: one a part that emits, in the frame's units, and the par
   CHECK(read.shading(light(1)[layout::LIGHT_REALS], 17) ==
         Reals{1, 2, 3, 1.0 / 24, 1, 0, 0, 0, 4, 0, 0, 0, 6, 0, 0, 0, 1});
   CHECK(light(1)[layout::LIGHT_FIRST_ID] == 2);
-  CHECK(light(2)[layout::LIGHT_FIRST_ID] == 3);  // A sphere: shadow rays do not ask the lamp that they go to.
+  CHECK(light(2)[layout::LIGHT_FIRST_ID] == 3);   // A sphere: shadow rays do not ask the lamp that they go to.
   CHECK(light(3)[layout::LIGHT_FIRST_ID] == -1);  // Some of the mesh's triangles, not all.
   CHECK(light(2)[layout::LIGHT_AREA] == area("sphere"));
   CHECK(read.shading(light(2)[layout::LIGHT_REALS] + layout::AREA_SIDE, 5) == Reals{-1, -2, 0, 10, 4});

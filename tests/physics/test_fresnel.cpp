@@ -6,13 +6,14 @@
 #include <cmath>
 #include <limits>
 
+#include "kinds/materials.h"
 #include "physics/bsdf_tiers.h"
 
 using namespace strahl::test;
 
 namespace {
 
-#include "../../cl/materials/lobes.h"
+using namespace strahl::lobes;
 
 int dielectric() {
   const std::vector<BsdfEntry> entries = bsdf_entries();

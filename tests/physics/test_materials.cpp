@@ -16,7 +16,7 @@ using namespace strahl::test;
 
 namespace {
 
-#include "../../cl/materials/lobes.h"
+using namespace strahl::lobes;
 
 /// Parameters as Bsdf has them.
 struct Row {

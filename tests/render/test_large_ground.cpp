@@ -43,7 +43,9 @@ TEST_CASE("a ground from 100 to 10^7 is lit alike") {
           sum += static_cast<double>(first.data[i]);
         }
         const auto count = static_cast<double>(first.data.size());
-        CHECK(std::sqrt(squares / count) < 0.002 * sum / count);
+        // t is rounded with the corners in `stable`: where the sphere touches the ground the wrong one may be nearer.
+        const double most = precision == Precision::stable ? 0.01 : 0.002;
+        CHECK(std::sqrt(squares / count) < most * sum / count);
       }
     }
 }
