@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The dialect's ground: what OpenCL C 1.2 and C++20 must agree on. The only file that asks which language it is.
+// The base of the dialect: everything in which OpenCL C 1.2 and C++20 differ. The only file that asks which language it
+// is.
 //
 // Needs REAL_BITS (32 or 64): the precision tier's floating type. On the host, include <cmath>, <cstdint> and <cstring>
 // first, then this inside a namespace of the tier (f32 or f64): one translation unit holds one tier.
@@ -12,14 +13,14 @@
 #define TIER_ROBUST 0
 #endif
 
-/// 1: the textbook's formulas in the files named *_fast*, contraction and relaxed maths allowed: what the others are
-/// compared with. The program's text defines it; of the host only tests/physics has this tier.
+/// 1: the textbook's formulas in the files named *_fast*, with contraction and relaxed maths allowed. The other tiers
+/// are compared with it. The program's text defines it; on the host only tests/physics has this tier.
 #ifndef TIER_FAST
 #define TIER_FAST 0
 #endif
 
 /// 1: the device has no fma of its own for single precision (CL_FP_FMA): math/soft_fma.h stands in. The program's text
-/// says so (device/program.cpp).
+/// defines it (src/opencl/program.cpp).
 #ifndef SOFT_FMA
 #define SOFT_FMA 0
 #endif
@@ -40,12 +41,12 @@
 /// unused: a program holds only some of the callers.
 #define FN static inline __attribute__((always_inline, unused))
 
-/// As FN, of what is large and seldom asked: it stands once in a program and costs its callers a call.
+/// As FN, for large functions that are seldom called: a program holds one copy, and callers pay for the call.
 #define SELDOM_FN static __attribute__((noinline, unused))
 
-/// As FN, of what is large and stands once in a program, whoever asks for it: above all of what a kernel does, for PoCL
-/// puts a kernel into its binary three times (for itself, for groups of any size and of the expected one). Devices that
-/// run work-items in lanes have one lane here, and do not call (docs/decisions/0017-once.md).
+/// As FN, for large functions of which a program holds one copy for all callers: above all the whole work of a kernel,
+/// because PoCL compiles a kernel three times. Devices that run work-items in lanes have LANES 1 and inline it
+/// (docs/decisions/0017-once.md).
 #if defined(SCENE_LANES) && SCENE_LANES != 1
 #define ONCE_FN SELDOM_FN
 #else
@@ -134,7 +135,7 @@ FN real real_floor(real a) { return std::floor(a); }
 #define bits_to_real as_float
 #endif
 #if defined(__clang__) && defined(__BMI__)
-// One instruction in place of three, in the middle of every walk.
+// One instruction instead of three, in the inner loop of every traversal.
 FN int first_bit(uint m) { return __builtin_ctz(m); }
 #else
 FN int first_bit(uint m) { return 31 - (int)clz(m & (~m + 1u)); }
@@ -164,7 +165,7 @@ FN real real_roundoff(void) {
   return bits_to_real((bitsr)((REAL_EXPONENT_MASK >> 1) - REAL_EXPONENT_SHIFT - 1) << REAL_EXPONENT_SHIFT);
 }
 
-/// Neither NaN nor infinite, decided on the bits so that no compiler can assume it away.
+/// Neither NaN nor infinite. The bits decide, so that no compiler can assume the answer.
 FN int real_is_finite(real x) {
   return ((int)(real_to_bits(x) >> REAL_EXPONENT_SHIFT) & REAL_EXPONENT_MASK) != REAL_EXPONENT_MASK;
 }

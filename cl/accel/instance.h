@@ -56,7 +56,8 @@ FN real mapped_component(GLOBAL const real* a, real3 v, real3 rest, real b) {
 #endif
 }
 
-/// The ray in the group's frame until t_max, which is in units of the world's ray. `left` is an id in the group.
+/// The ray in the group's frame until t_max, which is in units of the world's ray. `departed`: the id, in the group, of
+/// the primitive that the ray has left.
 FN Ray ray_into_group(const Ray* world, GLOBAL const real* placed, real t_max, int departed) {
   GLOBAL const real* a = placed + INSTANCE_TO_GROUP;
   real3 pivot = load3(placed + INSTANCE_PIVOT), b = load3(placed + INSTANCE_OFFSET);
@@ -73,10 +74,11 @@ FN Ray ray_into_group(const Ray* world, GLOBAL const real* placed, real t_max, i
   return ray;
 }
 
-/// Where a traversal is: in the world (instance -1), or within an instance, with what it goes back to.
+/// Where a traversal is: in the world (instance -1), or within an instance; then also the state of the world that it
+/// returns to.
 typedef struct {
   int instance;
-  int floor;  ///< Height of the stack below what waits within the instance.
+  int floor;  ///< Height of the stack at which the instance's own entries begin.
   real enter, leave;
   GLOBAL const int* group;
   Nearest outside;
@@ -94,18 +96,19 @@ FN int leaf_kind(int reference) { return (int)((uint)~reference & (REFERENCE_MOS
 FN int leaf_first(int reference) { return (int)((uint)~reference >> REFERENCE_BLOCK); }
 FN int leaf_is_list(int reference) { return ((uint)~reference >> REFERENCE_COUNT & REFERENCE_MOST_BLOCKS) == 0u; }
 
-/// The rest of the list of instances that begins with this one; NO_REFERENCE: nothing.
+/// The list of instances after the first one of this list; NO_REFERENCE: it is empty.
 FN int next_instance(const Scene* scene, int reference) {
   int next = leaf_first(reference) + 1;
   if (!leaf_is_list(reference) || next >= scene_shape_row(scene, SHAPE_COUNT)[SHAPE_LISTED]) return NO_REFERENCE;
   return (int)~((uint)next << REFERENCE_BLOCK | (uint)SHAPE_COUNT);
 }
 
-/// 0 where the instance cannot be hit. ray, best: those of the place, old and new.
+/// Enters an instance; returns 0 where it cannot be hit. ray: receives the ray in the group's frame. best: on entry the
+/// nearest hit in the world, on return the empty hit of the instance.
 FN int enter_instance(const Scene* scene, const Ray* world, int reference, int floor, Place* place, Ray* ray,
                       Nearest* best) {
   int instance = leaf_first(reference);
-  // An empty child of a node is a list of nothing.
+  // An empty child of a node is an empty list.
   if (leaf_is_list(reference) && instance >= scene_shape_row(scene, SHAPE_COUNT)[SHAPE_LISTED]) return 0;
   GLOBAL const real* placed = instance_reals(scene, instance);
   BoxSpan span = box_span(ray, placed + INSTANCE_BOX);
@@ -116,7 +119,8 @@ FN int enter_instance(const Scene* scene, const Ray* world, int reference, int f
   place->leave = span.leave;
   place->group = instance_group(scene, instance);
   place->outside = *best;
-  // Past the box all hits are at its end: then none of them may be left out before the nearest of them is known.
+  // Hits beyond the box are all moved to its end, so they get equal t: the nearest of them must be found before any is
+  // dropped.
   real limit = best->t < span.leave ? best->t : REAL_MAX;
   *ray = ray_into_group(world, placed, limit, world->departed_instance == instance ? world->departed : -1);
   ray_widen(ray, scene->geometry + place->group[GROUP_BOUNDS]);
@@ -124,7 +128,8 @@ FN int enter_instance(const Scene* scene, const Ray* world, int reference, int f
   return 1;
 }
 
-/// best: of the place, then of the world. ray: of the place.
+/// Leaves an instance. best: on entry the nearest hit within the instance, on return that in the world. ray: the ray in
+/// the group's frame.
 FN void leave_instance(Place* place, const Ray* ray, Nearest* best) {
   Nearest found = *best;
   *best = place->outside;
@@ -150,7 +155,8 @@ FN real3 point_to_world(GLOBAL const real* placed, real3 p) {
   return add3(load3(placed + INSTANCE_PIVOT), turned);
 }
 
-/// By the transpose of the way there, so that what faces outwards still does; not a unit vector.
+/// A normal is mapped by the transpose of the mapping into the group, so that outward normals stay outward. The result
+/// is not a unit vector.
 FN real3 normal_to_world(GLOBAL const real* placed, real3 n) {
   GLOBAL const real* a = placed + INSTANCE_TO_GROUP;
   return fma3(n.z, load3(a + 6), fma3(n.y, load3(a + 3), scale3(n.x, load3(a))));

@@ -2,7 +2,8 @@
 // A ray against the children of a node: TREE_WIDTH of them in lanes, or one after the other where there is one lane.
 // One width; no guard.
 
-/// Bit i of the result: child i is met within [t_min, t_max]; t: where they begin, TREE_WIDTH reals.
+/// Bit i of the result: the ray meets child i within [t_min, t_max]. t: the t at which each child begins, TREE_WIDTH
+/// reals.
 FN uint meet_children_w(GLOBAL const real* node, const Ray* ray, real t_max, PRIVATE realw* t) {
   uint met = 0u;
   for (int i = 0; i < TREE_WIDTH; i += LANES) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// LANES coherent rays on one way through the tree: children of a node are first held against bounds of all rays, LANES
-// of them at a time, and each that may be met against every ray, in lanes, once its turn comes: S. Boulos, I. Wald,
+// LANES coherent rays that traverse the tree together. LANES children of a node at a time are first tested against
+// bounds of all rays. Each child that passes is tested against every ray, in lanes, when its turn comes: S. Boulos, I.
+// Wald,
 // P. Shirley, "Geometric and Arithmetic Culling Methods for Entire Ray Packets", 2006. The bounds come by the monotone
 // operations of slabs_lanes.h, so they lose no child that a ray meets; the second test is those operations themselves.
 // Hits are those of accel/traverse.h (docs/decisions/0010-packets.md). One width; no guard.
@@ -12,7 +13,7 @@
 #define STACK_ENTRIES STACK_16
 #endif
 
-/// One axis of LANES boxes, for all rays at once: enter as early as the earliest, leave as late as the latest.
+/// One axis of LANES boxes, for all rays at once: the entry of the earliest ray and the exit of the latest.
 FN Interval_w clip_bounds_w(Interval_w t, realw near, realw far, Bounds_w b) {
   realw lo = splat_w(b.inv_lo), hi = splat_w(b.inv_hi), slack = splat_w(b.slack);
   near = near - splat_w(b.o_near);
@@ -53,7 +54,7 @@ FN Interval_w clip_each_w(Interval_w t, real near, real far, realw o, realw inv,
   return t;
 }
 
-/// The rays that meet a child; planes: its own, TREE_WIDTH apart.
+/// The rays that meet a child. planes: the planes of the child, TREE_WIDTH apart.
 FN maskw meet_child_w(const Packet_w* p, GLOBAL const real* planes) {
   int x = p->near_x, y = p->near_y, z = p->near_z;
   Interval_w slabs;
@@ -76,7 +77,7 @@ FN void settle_one_w(const Ray* ray, Nearest* best) {
 #endif
 }
 
-/// One ray from a reference on, NO_REFERENCE: through everything.
+/// Traverses one ray alone from a reference on; NO_REFERENCE: through the whole scene.
 SELDOM_FN void walk_alone_w(const Scene* scene, const Ray* ray, int start, int stop_at_first, Nearest* best) {
   int want = stop_at_first ? FIND_ANY : FIND_NEAREST;
   if (HAS_TREE)
@@ -86,7 +87,7 @@ SELDOM_FN void walk_alone_w(const Scene* scene, const Ray* ray, int start, int s
   settle_one_w(ray, best);
 }
 
-/// The instances of a leaf, or all that are listed, ray by ray.
+/// The instances of a leaf, or all listed instances, ray by ray.
 FN void packet_instances_w(const Scene* scene, Packet_w* p, int reference, maskw active) {
   packet_settle_w(scene, p);
   NearestEach_w each = packet_open_w(p);
@@ -100,7 +101,7 @@ FN void packet_instances_w(const Scene* scene, Packet_w* p, int reference, maskw
   packet_close_w(p, &each);
 }
 
-/// The blocks of a leaf, or all that its kind lists, for the rays of `active`.
+/// Tests the blocks of a leaf, or all blocks that its kind lists, against the rays of `active`.
 FN void packet_leaf_w(const Scene* scene, Packet_w* p, int reference, maskw active) {
   uint leaf = (uint)~reference;
   int kind = (int)(leaf & (REFERENCE_MOST_KINDS - 1)), first = (int)(leaf >> REFERENCE_BLOCK);
@@ -144,7 +145,7 @@ FN void packet_leaf_w(const Scene* scene, Packet_w* p, int reference, maskw acti
   }
 }
 
-/// Rays that have hit something want no more.
+/// Where any hit will do: ends the rays that have hit something.
 FN void packet_stop_w(const Scene* scene, Packet_w* p) {
   packet_settle_w(scene, p);
   maskw done = ~lt_int_w(p->kind, splat_int_w(0));
@@ -152,7 +153,7 @@ FN void packet_stop_w(const Scene* scene, Packet_w* p) {
   p->bound = min_w(p->t, p->bound);
 }
 
-/// Onto the stack, the nearest on top.
+/// Pushes the children that are met onto the stack, the nearest on top.
 FN void push_children_w(PRIVATE int* waiting, PRIVATE real* waiting_t, PRIVATE int* top, int node, uint met,
                         PRIVATE const real* t) {
   int bottom = *top;
@@ -170,10 +171,11 @@ FN void push_children_w(PRIVATE int* waiting, PRIVATE real* waiting_t, PRIVATE i
   }
 }
 
-/// What a packet may go through with one or two rays before its rays part.
+/// Number of nodes that a packet may enter with only one or two rays before its rays are traced one by one.
 enum { PACKET_PATIENCE_w = 24 };
 
-/// All rays of a packet that packet_make has found alike. 0: they part too often, and what is found so far is not all.
+/// Traverses all rays of a packet that packet_make has found alike. 0: the rays diverge too often; the hits found so
+/// far are incomplete.
 FN int packet_walk_w(const Scene* scene, Packet_w* p) {
   GLOBAL const real* nodes = scene->geometry + scene->index[HEADER_NODES];
   GLOBAL const int* children = scene->index + scene->index[HEADER_CHILDREN];
@@ -181,7 +183,7 @@ FN int packet_walk_w(const Scene* scene, Packet_w* p) {
   int waiting[STACK_ENTRIES];
   real waiting_t[STACK_ENTRIES];
   int top = 0, patience = PACKET_PATIENCE_w, is_any = PACKET_OF_ANY_RAYS_w;
-  // First what is listed, kind by kind, then the tree.
+  // The lists first, kind by kind, then the tree.
   int kind = 0, kinds = SHAPE_COUNT + HAS_INSTANCES, reference = NO_REFERENCE;
   for (;;) {
     if (kind <= kinds) {
@@ -223,7 +225,7 @@ FN int packet_walk_w(const Scene* scene, Packet_w* p) {
   }
 }
 
-/// Hits of LANES rays that are prepared and widened. want: FIND_...
+/// Finds the hits of LANES rays that are prepared and widened. want: FIND_...
 SELDOM_FN NearestEach_w packet_traverse_w(const Scene* scene, Rays_w* rays, int want) {
   Packet_w p;
   NearestEach_w each;
@@ -239,7 +241,7 @@ SELDOM_FN NearestEach_w packet_traverse_w(const Scene* scene, Rays_w* rays, int 
     packet_finish_w(scene, &p, is_done && want == FIND_NEAREST_APPROXIMATELY);
     each = packet_open_w(&p);
   }
-  // Rays that need not be alike never part: their program has no walk for one alone.
+  // Rays that need not be alike never diverge: their program has no traversal for a single ray.
   int never_part = PACKET_OF_ANY_RAYS_w;
   for (int i = 0; i < LANES && !is_done && !never_part; ++i) {
     Nearest best = nearest_of_w(&each, i);

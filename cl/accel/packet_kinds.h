@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Bodies for packets: one primitive in every lane, a ray in each. A kind's <kind>_lanes.h says which it has. Of a kind
-// that has none only the rays that come near its ball (shapes/ball.h) are found in lanes (robust tier; else all may
-// be): each is then asked by itself.
+// Bodies for packets: every lane holds the same primitive and a ray of its own. A kind's <kind>_lanes.h says which body
+// the kind has. A kind may have none. Then the robust tier finds in lanes the rays that come near the ball of a
+// primitive (shapes/ball.h), and tests these rays one by one; the other tiers test all rays.
 #ifndef STRAHL_ACCEL_PACKET_KINDS_H
 #define STRAHL_ACCEL_PACKET_KINDS_H
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Memory that a ray will want: asked for where a child begins to wait on the stack, it is there when its turn comes.
-// Rays that bounce about a large scene wait for memory most of their time. PoCL's own prefetch() does nothing, so this
-// asks its compiler; elsewhere nothing happens. Nothing depends on it but time. One width; no guard.
+// Prefetches the memory that a ray will need. A child that is pushed onto the stack is requested at once, so that it
+// has arrived when it is popped: incoherent rays in large scenes are bound by memory latency
+// (docs/decisions/0008-tree.md). PoCL's prefetch() does nothing, so a builtin of its compiler is used; on other devices
+// nothing happens. Results do not depend on it. One width; no guard.
 
 #if !ON_HOST && LANES != 1 && defined(__clang__) && defined(__x86_64__)
 enum { LINE_REALS_w = 64 / sizeof(real) };
@@ -24,7 +25,7 @@ FN void prefetch_block_w(const Scene* scene, int kind, ulong block, int reals) {
   prefetch_reals_w(blocks + block * (ulong)reals, reals);
 }
 
-/// What a reference leads to: a node, or the first block of a leaf.
+/// Prefetches what a reference points to: a node, or the first block of a leaf.
 FN void prefetch_child_w(const Scene* scene, GLOBAL const real* nodes, int reference) {
   if (reference >= 0) {
     prefetch_reals_w(nodes + (ulong)reference * (NODE_PLANES * TREE_WIDTH), NODE_PLANES * TREE_WIDTH);

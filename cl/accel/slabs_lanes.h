@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Where a ray is within axis-aligned boxes, one width; no guard. The same operations serve the nodes of the tree and,
 // where t may err, the primitives in its leaves: subtraction, product and sum are monotone, so a box within a box never
-// seems to begin before it (docs/decisions/0008-tree.md). A NaN (a ray in the plane of a face: 0 x infinity) says
-// nothing. After A. Williams et al., "An Efficient and Robust Ray-Box Intersection Algorithm", JGT 10(1), 2005.
+// seems to begin before it (docs/decisions/0008-tree.md). A NaN (a ray in the plane of a face: 0 x infinity) does not
+// change the interval. After A. Williams et al., "An Efficient and Robust Ray-Box Intersection Algorithm", JGT 10(1),
+// 2005.
 
 typedef struct {
   realw enter, leave;
@@ -15,7 +16,7 @@ FN Interval_w clip_slab_w(Interval_w t, realw near, realw far, real o, real inv,
   return t;
 }
 
-/// t, held within the slabs of the box lo ... hi.
+/// t, clamped to the slabs of the box lo ... hi.
 FN realw within_slabs_w(const Ray* ray, realw t, realw lo_x, realw hi_x, realw lo_y, realw hi_y, realw lo_z,
                         realw hi_z) {
   Interval_w slabs;
@@ -29,7 +30,7 @@ FN realw within_slabs_w(const Ray* ray, realw t, realw lo_x, realw hi_x, realw l
   return sel_w(lt_w(slabs.leave, t), slabs.leave, t);
 }
 
-/// t, held within the slabs of four corners, three planes of LANES reals each.
+/// t, clamped to the slabs of four corners, three planes of LANES reals each.
 FN realw within_corners_w(const Ray* ray, realw t, GLOBAL const real* a, GLOBAL const real* b, GLOBAL const real* c,
                           GLOBAL const real* d) {
   realw lo[3], hi[3];

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Closest hit and any hit over everything: what is listed, then the tree (docs/decisions/0008-tree.md). Where HAS_TREE
-// is 0 everything is listed, and the program has no walk. One width; no guard. Of the children that a ray meets the
-// nearest is entered first, the others wait on a stack, nearest on top: I. Wald, C. Benthin, S. Boulos, "Getting Rid of
-// Packets", IEEE Symposium on Interactive Ray Tracing, 2008. Nothing that begins at the nearest hit so far is dropped:
-// among equal t the smallest id wins.
+// Closest hit and any hit over the whole scene: the lists, then the tree (docs/decisions/0008-tree.md). Where HAS_TREE
+// is 0 all primitives are listed, and the program has no tree traversal. One width; no guard. Of the children that a
+// ray meets, the nearest is entered first; the others wait on a stack, the nearest on top: I. Wald, C. Benthin, S.
+// Boulos, "Getting Rid of Packets", IEEE Symposium on Interactive Ray Tracing, 2008. A child that begins exactly at the
+// nearest hit so far is not dropped: among equal t the smallest id wins.
 #include "accel/instance.h"
 #include "accel/packet_kinds.h"
 #include "hits/candidates.h"
@@ -33,10 +33,10 @@
 #endif
 #include "shapes/ball.h"
 #include "shapes/polygon/corners.h"
-// They need what is above them.
+// These headers need the definitions above.
 #include "shapes/all_lanes.h"
 
-/// Children of a node. The program's text says which, where there is one lane.
+/// Number of children of a node. With one lane the program's text defines it.
 #ifndef SCALAR_TREE_WIDTH
 #define SCALAR_TREE_WIDTH 4
 #endif
@@ -58,8 +58,9 @@
 #define STACK_ENTRIES STACK_16
 #endif
 
-/// The nearest of the children that are met; the others go to the stack, the farthest first. waiting, waiting_t:
-/// references and where they begin, `top` of them. Plain arrays: the same in a struct took 15 % longer on PoCL.
+/// Returns the nearest of the children that are met; pushes the others, the farthest first. waiting, waiting_t: the
+/// stack, references and the t at which they begin, `top` of them. Plain arrays, since PoCL is slower with a struct
+/// (docs/decisions/0008-tree.md).
 FN int nearest_child_w(const Scene* scene, GLOBAL const real* nodes, PRIVATE int* waiting, PRIVATE real* waiting_t,
                        PRIVATE int* top, GLOBAL const int* children, uint met, PRIVATE const real* t) {
   int lane = first_bit(met);
@@ -101,7 +102,8 @@ FN int body_puts_off_w(int body) {
   return body < PACKET_BODY_PLANE;
 }
 
-/// 1: some kind's hits are put off. Else a program has no arithmetic for it: some compilers take minutes over that.
+/// 1: some kind's hits are put off. 0: the program leaves out the arithmetic for it, which some compilers are slow to
+/// compile (docs/decisions/0018-soft-fma.md).
 enum {
   ANY_PUT_OFF_w = 0
 #define SHAPE(name, planes)                                   \
@@ -117,7 +119,7 @@ FN void settle_w(const Ray* ray, Nearest* best) {
   if (ANY_PUT_OFF_w) nearest_settle(ray, best, LANES);
 }
 
-/// Whether hits of the kind are put off. Others want to find exact t.
+/// Whether hits of the kind are put off. Hits of the other kinds get their exact t at once.
 FN int puts_off_w(int kind) {
   int answer = 0;
   (void)kind;
@@ -129,7 +131,7 @@ FN int puts_off_w(int kind) {
 }
 #endif
 
-/// The blocks of a leaf, or all that its kind lists in that place.
+/// Tests the blocks of a leaf, or all blocks that the kind lists in that place.
 FN void meet_leaf_w(const Scene* scene, const Ray* ray, const Place* place, int reference, int want, Nearest* best) {
   uint leaf = (uint)~reference;
   int kind = (int)(leaf & (REFERENCE_MOST_KINDS - 1)), first = (int)(leaf >> REFERENCE_BLOCK);
@@ -160,15 +162,16 @@ FN void meet_leaf_w(const Scene* scene, const Ray* ray, const Place* place, int 
   }
 }
 
-/// As meet_leaf_w, for the walk: within it, the bodies of four kinds take the registers that the walk needs, and
-/// instances/mushrooms takes 1.3 times as long.
+/// As meet_leaf_w, for the traversal of the tree. It is not inlined there: the bodies of several kinds would take the
+/// registers that the traversal needs (docs/decisions/0017-once.md).
 ONCE_FN void meet_leaf_once_w(const Scene* scene, const Ray* ray, const Place* place, int reference, int want,
                               Nearest* best) {
   meet_leaf_w(scene, ray, place, reference, want, best);
 }
 
-/// Everything that is listed, where nothing else is there: what the walk prepares for nodes costs a ray among ten
-/// spheres a seventh of its time, and a compiler half of its own. `best` is the nearest hit so far.
+/// Tests all listed primitives, for scenes without a tree. A function of its own, because what the tree traversal
+/// prepares for nodes is a large cost in small scenes (docs/decisions/0014-effects.md). `best` is the nearest hit so
+/// far.
 FN Nearest meet_lists_w(const Scene* scene, const Ray* ray, Nearest best, int want) {
   Place place;
   place.instance = -1;
@@ -183,8 +186,8 @@ FN Nearest meet_lists_w(const Scene* scene, const Ray* ray, Nearest best, int wa
   return best;
 }
 
-/// From a reference on, NO_REFERENCE: through everything; `best` is the nearest hit so far. world: widened by ray_widen
-/// or widen_rays. want: FIND_...; the last digits of t may be put off.
+/// Traverses from a reference on; NO_REFERENCE: the whole scene. `best` is the nearest hit so far. world: widened by
+/// ray_widen or widen_rays. want: FIND_...; the last digits of t may be put off.
 FN Nearest walk_w(const Scene* scene, const Ray* world, int start, Nearest best, int want) {
   if (SHAPE_COUNT == 0) return best;
   Ray ray = ray_of_world(world);
@@ -285,17 +288,18 @@ FN Nearest traverse_w(const Scene* scene, const Ray* ray, int want) {
 
 FN Ray widened_w(const Scene* scene, const Ray* given) {
   Ray ray = *given;
-  // Only boxes of nodes and of instances are met with it.
+  // The widening matters only for the boxes of nodes and instances.
   int is_walked = HAS_INSTANCES || scene->index[HEADER_ROOT] != NO_REFERENCE;
   if (HAS_TREE && is_walked) ray_widen(&ray, scene->geometry + scene->index[HEADER_BOUNDS]);
   return ray;
 }
 
-/// As traverse_w, for programs that ask in several places.
+/// As traverse_w, not inlined, for programs that trace rays in several places.
 ONCE_FN Nearest traverse_once_w(const Scene* scene, const Ray* ray, int want) { return traverse_w(scene, ray, want); }
 
-/// 1: a walk, or lists of many kinds; they are half of what a program compiles, and a call costs short lists a tenth.
-/// A constant, for a compiler that does not optimise (rusticl's) would take a function's answer for either.
+/// 1: the program has a tree traversal, or lists of more than two kinds. Then it is worth a call, because the traversal
+/// is a large part of the program (docs/decisions/0017-once.md). A constant: compilers that do not optimise before they
+/// inline (rusticl's) keep both sides of an `if` over a function's result.
 enum { IS_TRAVERSAL_LARGE_w = (HAS_TREE != 0) | (SHAPE_COUNT > 2) };
 
 /// want: FIND_...

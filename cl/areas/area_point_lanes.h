@@ -4,10 +4,10 @@
 typedef struct {
   real3w position;
   real3w normal;  ///< Unit, on the side that emits.
-  realw density;  ///< Per solid angle; 0: its back is turned.
+  realw density;  ///< Per solid angle; 0: the back of the surface is seen.
 } AreaPoint_w;
 
-/// Of a place drawn uniformly from the whole area.
+/// The density, per solid angle, of a place drawn uniformly from the whole area.
 FN realw uniform_density_w(GLOBAL const real* area, real3w towards, real3w normal) {
   realw zero = splat_w(R(0.0)), square = dot3_w(towards, towards), facing = -dot3_w(normal, towards);
   realw density = splat_w(area[AREA_INVERSE]) * (square * sqrt_w(square)) / facing;
@@ -22,7 +22,7 @@ FN AreaPoint_w uniform_point_w(GLOBAL const real* area, real3w from, real3w posi
   return p;
 }
 
-/// Of a flat area: item is a place, two edges and the unit normal on the side that emits.
+/// A place on a flat area. item: a corner, two edges and the unit normal on the side that emits.
 FN AreaPoint_w flat_point_w(GLOBAL const real* item, GLOBAL const real* area, real3w from, realw of_u, realw of_v) {
   real3w edge_u = splat3_w(load3(item + 3)), edge_v = splat3_w(load3(item + 6));
   real3w position = add3_w(fma3_w(of_u, edge_u, scale3_w(of_v, edge_v)), splat3_w(load3(item)));

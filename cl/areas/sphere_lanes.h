@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Sphere: centre, radius. From outside the cone of directions that it fills is drawn uniformly: P. Shirley, C. Wang,
-// K. Zimmerman, "Monte Carlo Techniques for Direct Lighting Calculations", ACM TOG 15(1), 1996. In terms of 1 - cos and
-// of ratios of sines, so that nothing cancels for a sphere that is small or far. From inside, where only one that
-// emits inwards is seen, the whole area.
+// Sphere: centre, radius. From outside, directions are drawn uniformly from the cone that the sphere fills: P. Shirley,
+// C. Wang, K. Zimmerman, "Monte Carlo Techniques for Direct Lighting Calculations", ACM TOG 15(1), 1996. The formulas
+// use 1 - cos and ratios of sines, so that nothing cancels for a small or distant sphere. From inside, where only a
+// sphere that emits inwards is visible, places are drawn uniformly from its area.
 
 typedef struct {
   real3w axis;  ///< Unit, towards the centre.

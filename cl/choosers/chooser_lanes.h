@@ -4,12 +4,13 @@
 
 typedef struct {
   intw light;    ///< Row of the light table.
-  realw rarity;  ///< One over its chance: what is equally likely among n has exactly n, in every precision.
+  realw rarity;  ///< One over its probability: exactly n where n lights are equally likely, in every precision.
 } LightChoice_w;
 
 #include "choosers/all_lanes.h"
 
-/// Of one light or more that are drawn from; where there is one, no number is drawn.
+/// Chooses one of the lights that are drawn from, of which there is at least one. Where there is only one, no number is
+/// drawn.
 FN LightChoice_w choose_light_w(const Scene* scene, const SampleState_w* sample, intw depth, real3w from) {
   LightChoice_w only;
   only.light = splat_int_w(scene->index[HEADER_LIGHTS_TAKEN]);
@@ -29,7 +30,7 @@ FN LightChoice_w choose_light_w(const Scene* scene, const SampleState_w* sample,
   }
 }
 
-/// One over the chance that choose_light finds these lights at `from`.
+/// One over the probability that choose_light returns these lights at `from`.
 FN realw light_rarity_w(const Scene* scene, intw lights, real3w from) {
   switch (scene->index[HEADER_CHOOSER]) {
 #define CHOOSER(name)  \

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Every light alike.
+// Every light has the same probability.
 
 FN realw uniform_rarity_w(const Scene* scene, intw lights, real3w from) {
   (void)lights;

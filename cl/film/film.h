@@ -12,8 +12,8 @@
 /// floats.
 #define FILM_LARGEST R(0x1.fffffep+127)
 
-/// What one channel of `times` samples adds: 0 for a NaN, FILM_LARGEST at the most. Both are counted. Decided on the
-/// bits: a compiler may assume that no NaN is there.
+/// What one channel of `times` samples adds: 0 for a NaN, at most FILM_LARGEST. Both cases are counted. The bits
+/// decide, because a compiler may assume that there are no NaNs.
 FN real film_value(const Scene* scene, real value, int times) {
   bitsr sign = (bitsr)1 << (REAL_BITS - 1), bits = real_to_bits(value), size = bits & ~sign;
   if (size <= real_to_bits(FILM_LARGEST)) return value;
@@ -22,7 +22,8 @@ FN real film_value(const Scene* scene, real value, int times) {
   return is_number ? bits_to_real((bits & sign) | real_to_bits(FILM_LARGEST)) : R(0.0);
 }
 
-/// A film_value in bins. A float is held whole; of a double the 41 leading bits at least, and nothing below 2^-220.
+/// Cuts a film_value into bins. A float is kept whole; of a double at least the 41 leading bits are kept, and nothing
+/// below 2^-220.
 FN FilmBins film_bins_of(real value) {
   bitsr bits = real_to_bits(value), sign = (bitsr)1 << (REAL_BITS - 1), leading = (bitsr)1 << REAL_EXPONENT_SHIFT;
   int exponent = (int)((bits & ~sign) >> REAL_EXPONENT_SHIFT);
@@ -44,7 +45,7 @@ FN FilmBins film_bins_of(real value) {
   return bins;
 }
 
-/// Adds `times` samples that are the same to one channel's sum, whatever they are.
+/// Adds `times` equal samples of any value to one channel's sum.
 SELDOM_FN void film_add_slowly(const Scene* scene, GLOBAL long* sum, real value, int times) {
   FilmBins bins = film_bins_of(film_value(scene, value, times));
   bins.high *= times;
@@ -52,9 +53,9 @@ SELDOM_FN void film_add_slowly(const Scene* scene, GLOBAL long* sum, real value,
   film_add(sum, bins);
 }
 
-/// Adds a sample to one channel's sum. Most are not above the sum's top, and then two products with powers of two cut
-/// them as film_bins_of does: they are exact, and what a device flushes to zero is below the bins. Not in the outermost
-/// bins, where either may fail.
+/// Adds a sample to one channel's sum. Most samples are not above the sum's top. Then two products with powers of two
+/// cut the sample as film_bins_of does: the products are exact, and numbers that a device flushes to zero lie below the
+/// bins. In the outermost bins either may fail, so film_bins_of is used there.
 FN void film_add_sample(const Scene* scene, GLOBAL long* sum, real value) {
   long high = sum[0], low = sum[1];
   int top = (int)(high & 3) << 2 | (int)(low & 3);

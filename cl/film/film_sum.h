@@ -4,8 +4,8 @@
 //
 // The powers of two are divided into bins of FILM_BIN_BITS bits, the same ones for every sum. A number is cut at their
 // borders; a sum keeps the pieces in the bin of its largest number (its top) and in the bin below, each added up in a
-// word of its own without carries. A larger number moves the top up. What then falls off would have fallen off in any
-// order, so the words are a function of the set of numbers alone (docs/decisions/0002-film.md, tests/cl/test_film.cpp).
+// word of its own without carries. A larger number moves the top up. The pieces that this drops would have been dropped
+// in any order, so the words depend on the set of numbers alone (docs/decisions/0002-film.md, tests/cl/test_film.cpp).
 //
 // A word is 4 x (sum of pieces) + two bits of the top; 0 is an empty sum. 2^21 pieces below 2^40 leave just these bits.
 // Needs FN, GLOBAL and a long of 64 bits: the host includes it by itself (render/film_sum.h).

@@ -10,7 +10,7 @@
 /// All powers of two; `count` is one or two times `sequences`.
 typedef struct {
   int count;      ///< Sums of a pixel.
-  int sequences;  ///< That know nothing of each other, interleaved by the sample's number.
+  int sequences;  ///< Independent sequences, interleaved by the sample's number.
   int turn_bits;  ///< 2^turn_bits points of a sequence in a row are in the same sum.
 } SubSums;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Takes the hits of one block into the nearest hit, one width. No guard: include once per LANES.
+// Merges the hits of one block into the nearest hit, one width. No guard: include once per LANES.
 #include "hits/nearest.h"
 #include "lanes/lane_names.h"
 
@@ -29,7 +29,7 @@ FN maskw is_departed_w(GLOBAL const int* ids, const Ray* ray) {
 /// Lanes that hold a primitive at all.
 FN maskw is_there_w(GLOBAL const int* ids) { return nonzero_w(load_int_w(ids) - splat_int_w(-1)); }
 
-/// Of flat primitives: lanes that hold what the ray has just left or ends on.
+/// For flat primitives: lanes that hold the primitive that the ray has just left or ends on.
 FN maskw is_end_w(GLOBAL const int* ids, const Ray* ray) {
   return ~(nonzero_w(load_int_w(ids) - splat_int_w(ray->departed)) &
            nonzero_w(load_int_w(ids) - splat_int_w(ray->aim)));

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Rays that leave a surface: the one place that decides where they begin.
 //
-// The primitive that is left is excluded by its id and round shapes are met again at their analytic other root, so a
-// ray begins exactly at the point found, with no offset and no epsilon. Outwards they are not met again, which the
-// normal knows even where the point was rounded to the other side of the shape.
+// The primitive that a ray leaves is excluded by its id, and a round shape is hit again only at its other, analytic
+// root. So a ray begins exactly at the point found, with no offset and no epsilon. A ray that leaves a round shape
+// outwards does not hit it again; the normal decides this, even where rounding has put the point on the other side of
+// the shape.
 //
 // Flat polygons and boxes have neighbours that touch them: a point within rounding of a shared edge may lie outside of
 // the neighbour, and a ray from there would leave a closed room. So
@@ -13,8 +14,8 @@
 //     the normal alone). The whole way is at most 4 u (max |p_i| + size) but for rounding. A point of a large polygon
 //     that is known better (shapes/polygon/near_point.h) moves by its own bound, far from edges;
 //   - boxes: the coordinate across the face is the face's, exactly; the other two stay strictly between the faces.
-// In an instance the world's face of a box is no plane of its own any more: there it is left like a polygon, by a bound
-// that what the instance rounds is added to.
+// In an instance the face of a box is not axis-aligned in the world. There a ray leaves it as it leaves a polygon, with
+// the rounding of the instance's mapping added to the bound.
 // Rays leave in lanes (hits/surfaces_lanes.h). The fast tier leaves from the point found, by its epsilon
 // (hits/epsilon_fast.h). A polygon that is narrower than 4 b keeps its point as far from its edges as fits. Held by
 // tests/render/test_mirror_box.cpp and tests/cl/test_departure.cpp.
@@ -28,7 +29,8 @@
 
 FN real larger_of(real a, real b) { return a > b ? a : b; }
 
-/// `move` and what the point p + from is short of the distance `bound` from the line a b; `within` is a corner across.
+/// `move`, plus the step that brings the point p + from to the distance `bound` from the line a b. `within`: a corner
+/// on the inner side.
 FN real3 off_edge(real3 move, real3 p, real3 from, real3 a, real3 b, real3 within, real3 normal, real bound) {
   real3 inward = normalize3(cross3(normal, sub3(b, a)));
   real height = dot3(inward, sub3(within, a));
@@ -48,14 +50,14 @@ FN real3 outline_corner(const Surface* s, int k) {
   return p;
 }
 
-/// What a point within `reach` of the origin may be off its surface, and a little more.
+/// A bound on how far a point within `reach` of the origin may be off its surface.
 FN real departure_bound(const Surface* s, real reach) {
   if (HAS_INSTANCES && s->instance >= 0) reach += s->placed[INSTANCE_ERROR];
   return R(1.75) * real_roundoff() * reach;
 }
 
-/// 1: certainly farther than the bound from every edge, rounding included, so that there is nothing to move off. The
-/// height over an edge is its weight times twice the area over its length, which is at most 2 sqrt(3) size.
+/// 1: the point is certainly farther than the bound from every edge, rounding included, so it need not move. The height
+/// over an edge is its weight times twice the area over its length, which is at most 2 sqrt(3) size.
 FN int is_amid(const Surface* s, real3 e, real3 f, real size, real bound) {
   real least = s->u < s->v ? s->u : s->v;
   real u_rest = R(1.0) - s->u, v_rest = R(1.0) - s->v, both_rest = u_rest - s->v;
@@ -89,8 +91,8 @@ FN void polygon_departure(const Surface* s, Departure* departure) {
     if (R(0.0) < s->off && !is_placed) departure->bound = s->off;
     return;
   }
-  // Off all edges at once: one after the other, a move off one leads over the other in a sharp corner. Then once more
-  // by what is missing there. The point itself is rounded once, at the end.
+  // The point moves away from all edges at once: in a sharp corner, a move away from one edge alone could cross the
+  // other. A second step adds what is still missing. The point itself is rounded once, at the end.
   real3 move = departure->move;
   for (int pass = 0; pass < 2; ++pass) {
     real3 from = move;
@@ -103,7 +105,7 @@ FN void polygon_departure(const Surface* s, Departure* departure) {
   departure->move = move;
 }
 
-/// x, strictly between the faces lo and hi where there is room for it.
+/// x, clamped strictly between the faces lo and hi where a number lies between them.
 FN real between_faces(real x, real lo, real hi) {
   real u2 = R(2.0) * real_roundoff(), size = hi - lo;
   real first = lo + u2 * (real_abs(lo) + size), last = hi - u2 * (real_abs(hi) + size);

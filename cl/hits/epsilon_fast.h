@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The fast tier's way to leave a surface: hits nearer than a fixed distance do not count, and the primitive that was
-// left is a primitive like any other. Right for scenes of size 1 about the origin, wrong elsewhere, as everywhere where
-// it is done: the other tiers leave by identity (hits/departure.h).
+// How rays of the fast tier leave a surface: hits nearer than a fixed distance do not count, and the primitive that was
+// left is treated like any other. This is right for scenes of size 1 about the origin and wrong elsewhere, as in every
+// renderer that does it. The other tiers exclude the primitive by its id (hits/departure.h).
 #ifndef STRAHL_CORE_EPSILON_FAST_H
 #define STRAHL_CORE_EPSILON_FAST_H
 

@@ -27,7 +27,7 @@ FN void take_surface_w(const Scene* scene, Paths_w* path, int lane, const Ray* r
 }
 
 #if LANES == 1
-/// want: FIND_NEAREST or FIND_NEAREST_ROUGHLY.
+/// want: FIND_NEAREST or FIND_NEAREST_APPROXIMATELY.
 FN Surfaces_w find_surfaces_w(const Scene* scene, Paths_w* path, int want, const FirstSample* first) {
   Surfaces_w s = surfaces_none_w();
   Ray ray = ray_of_w(&path->rays, 0);
@@ -53,7 +53,7 @@ FN void widen_w(const Scene* scene, Rays_w* rays) {
 
 #include "shapes/polygon/flat_surfaces_lanes.h"
 
-/// Fills what can be done in lanes, and says where nothing is left to do.
+/// Fills the surfaces that can be computed in lanes, and returns the lanes that are complete.
 FN maskw plain_surfaces_w(const Scene* scene, const Rays_w* rays, const NearestEach_w* each, Surfaces_w* s) {
   FlatHits_w hits;
   (void)scene;  // A scene without shapes.

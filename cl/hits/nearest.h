@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
-// The nearest hit so far. House law: t < best, or t == best and the smaller scene-wide id. So the answer depends
-// neither on the order of blocks nor on the width of lanes nor on the tree. Groups have the larger ids: what is in no
-// instance comes before what is in one.
+// The nearest hit so far. A hit replaces it if t < best, or if t == best and its scene-wide id is smaller. So the
+// result does not depend on the order of blocks, the number of lanes or the tree. Groups have the larger ids: of equal
+// t, a primitive outside of instances wins over one within an instance.
 #ifndef STRAHL_CORE_NEAREST_H
 #define STRAHL_CORE_NEAREST_H
 
 #include "rays/ray.h"
 #include "portable.h"
 
-/// What is looked for. ROUGHLY: t of a polygon may come out a little too large. PUT_OFF: the hit may wait, as below.
+/// What a traversal looks for. APPROXIMATELY: t of a polygon may be a little too large. PUT_OFF: the exact t may be
+/// computed later, as below.
 enum { FIND_NEAREST, FIND_ANY, FIND_NEAREST_APPROXIMATELY, FIND_NEAREST_PUT_OFF };
 
 typedef struct {
@@ -16,13 +17,13 @@ typedef struct {
   int id;        ///< Scene-wide: ordered by shape, then primitive.
   int kind;      ///< SHAPE_sphere, ...; -1: nothing hit yet.
   int slot;      ///< block * LANES + lane in the kind's list.
-  int instance;  ///< That it was found in; -1: none.
+  int instance;  ///< The instance in which it was found; -1: none.
 #if TIER_ROBUST
-  int points;        ///< 0: t is exact. Else it waits to be found out (shapes/exact/put_off.h), of a sphere (1: the
-                     ///< centre) or a polygon (3, 4 corners), until when it is not below, and t_least not above,
-  real t_least;      ///< what it will be.
-  real approximate;  ///< What is known of it then,
-  GLOBAL const real* prim;  ///< and where to look.
+  int points;        ///< 0: t is exact. Else the exact t is still to be computed (shapes/exact/put_off.h), for a
+                     ///< sphere (1: the centre) or a polygon (3, 4 corners). Until then t is an upper bound of it.
+  real t_least;      ///< Until then, a lower bound of the exact t.
+  real approximate;  ///< Until then, the approximate t.
+  GLOBAL const real* prim;  ///< Until then, the planes of the primitive.
 #endif
 } Nearest;
 

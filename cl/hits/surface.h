@@ -6,8 +6,8 @@
 #include "rays/ray.h"
 #include "math/vec3.h"
 
-/// What the surface ends at, and so may share with a neighbour; ROUND: a convex curved surface, which ends at nothing
-/// (hits/departure.h).
+/// The outline that the surface may share with a neighbour (hits/departure.h). ROUND: a convex curved surface, which
+/// has no outline.
 enum { OUTLINE_NONE, OUTLINE_TRIANGLE, OUTLINE_PARALLELOGRAM, OUTLINE_BOX, OUTLINE_ROUND };
 
 typedef struct {
@@ -18,7 +18,7 @@ typedef struct {
   real tex_u, tex_v;        ///< Texture coordinates: the mesh's uvs where there are any, else u, v.
   real footprint;           ///< How wide the pixel is here; set only where there are textures (textures/footprint.h).
   int outline;              ///< OUTLINE_...
-  real off;                 ///< What the position may be off its plane where that is known; 0: as its outline has it.
+  real off;                 ///< Bound on the position's distance from its plane; 0: that of its outline.
   real facing;              ///< Below 0: the ray comes from the normal's side. Known before the normal is.
   int is_flipped;           ///< 1: the normal points the other way than the shape has it.
   GLOBAL const real* prim;  ///< Its planes, `stride` apart.
@@ -27,10 +27,10 @@ typedef struct {
   int primitive;              ///< Within the shape.
   int part;                   ///< Row of the part table.
   int instance;               ///< That it belongs to; -1: none.
-  GLOBAL const real* placed;  ///< Its INSTANCE_REALS, of meaning where there is one. `prim` is in the group's frame.
+  GLOBAL const real* placed;  ///< Its INSTANCE_REALS, defined only in an instance. `prim` is in the group's frame.
 } Surface;
 
-/// Where nothing is hit. Left undefined, PoCL would carry it from work-item to work-item in memory.
+/// The surface where nothing is hit. It is defined because PoCL would otherwise keep it in memory across work-items.
 FN Surface surface_none(void) {
   Surface s;
   s.position = s.normal = s.shading = vec3(R(0.0), R(0.0), R(0.0));
@@ -44,8 +44,8 @@ FN Surface surface_none(void) {
 
 FN real3 ray_at(const Ray* ray, real t) { return fma3(t, ray->d, ray->o); }
 
-/// Where a shape is so large or small that its own numbers leave the range of real, the ray's take their place: nothing
-/// that is reported is infinite or NaN (test_arbitrary_bits).
+/// Where a shape is so large or small that its own numbers leave the range of real, numbers of the ray replace them, so
+/// that no reported value is infinite or NaN (test_arbitrary_bits).
 FN void surface_keep_finite(const Ray* ray, Surface* s) {
   if (!is_finite3(s->position)) s->position = ray->o;
   if (!is_finite3(s->normal)) s->normal = normalize3(negate3(ray->d));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the shading of LANES paths knows of the points that their rays have hit, and how rays leave them. Frame: the one
-// the scene was uploaded in. One width; no guard.
+// The surface points that the rays of LANES paths have hit, as shading uses them, and how rays leave them. Frame: the
+// one the scene was uploaded in. One width; no guard.
 #include "hits/departure.h"
 #include "textures/texture.h"
 
@@ -69,7 +69,7 @@ FN TexturePoint texture_point_w(const Surfaces_w* s, int lane) {
   return at;
 }
 
-/// From the surfaces towards d, until t_max, in the lanes of `which`; the others can hit nothing.
+/// Rays from the surfaces towards d, until t_max, in the lanes of `which`; the rays of other lanes can hit nothing.
 FN void rays_leaving_w(const Surfaces_w* s, maskw which, real3w d, realw t_max, Rays_w* rays) {
   realw zero = splat_w(R(0.0)), one = splat_w(R(1.0)), cosine = dot3_w(d, s->normal);
   realw off = sel_w(lt_w(cosine, zero), -s->bound, s->bound);

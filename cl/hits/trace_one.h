@@ -9,7 +9,8 @@
 #include "shapes/exact/settle_lanes.h"
 #endif
 
-/// to: LANES rays, prepared and widened. in: RAY_REALS planes; left: LEFT_INTS planes of what they left.
+/// to: LANES rays, prepared and widened. in: RAY_REALS planes. departed: DEPARTED_INTS planes, the primitives that the
+/// rays have left.
 FN void rays_given_w(const Scene* scene, GLOBAL const real* in, GLOBAL const int* departed, Rays_w* to) {
   to->departed = load_int_w(departed + DEPARTED_ID * LANES);
   to->departed_instance = load_int_w(departed + DEPARTED_INSTANCE * LANES);
@@ -21,7 +22,7 @@ FN void rays_given_w(const Scene* scene, GLOBAL const real* in, GLOBAL const int
   widen_rays_w(has_departed, to->planes, scene->geometry + scene->index[HEADER_BOUNDS]);
 }
 
-/// Of ray i, as find_rays has it.
+/// Stores the hit of ray i in the layout of find_rays.
 FN void store_found_w(const Nearest* hit, int i, int stop_at_first, GLOBAL real* t, GLOBAL int* found) {
   if (stop_at_first) {
     found[i] = hit->kind >= 0;
@@ -34,9 +35,9 @@ FN void store_found_w(const Nearest* hit, int i, int stop_at_first, GLOBAL real*
   }
 }
 
-/// Rays are given in blocks of LANES, RAY_REALS planes a block, and LEFT_INTS planes of what they left. count: rays
-/// of the block, the rest of it is undefined. found: FOUND_INTS ints a ray, or with stop_at_first one, 1 or 0; t: a
-/// real a ray, undefined where nothing is hit.
+/// Rays are given in blocks of LANES: RAY_REALS planes, and DEPARTED_INTS planes of the primitives that they have left.
+/// count: number of rays in the block; the others are undefined. found: FOUND_INTS ints a ray, or with stop_at_first a
+/// single int, 1 or 0. t: a real a ray, undefined where nothing is hit.
 FN void find_rays_w(const Scene* scene, GLOBAL const real* in, GLOBAL const int* departed, int count, int stop_at_first,
                     GLOBAL real* t, GLOBAL int* found) {
   Rays_w rays;
@@ -75,8 +76,8 @@ FN void find_rays_w(const Scene* scene, GLOBAL const real* in, GLOBAL const int*
 #endif
 }
 
-/// in, left: of a ray, LANES reals and ints apart. out, ids: HIT_REALS reals and HIT_INTS ints of what find_rays has
-/// found; a miss is infinite, -1, -1, -1 and zeros.
+/// in, departed: of one ray, LANES reals and ints apart. out, ids: HIT_REALS reals and HIT_INTS ints for the hit that
+/// find_rays has found; a miss is infinite, -1, -1, -1 and zeros.
 FN void describe_one_w(const Scene* scene, GLOBAL const real* in, GLOBAL const int* departed, real t,
                        GLOBAL const int* found, GLOBAL real* out, GLOBAL int* ids) {
   for (int i = 0; i < HIT_REALS; ++i) out[i] = R(0.0);

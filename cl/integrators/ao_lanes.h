@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Ambient occlusion: the share of ways from the first hit into the open (core/openness.h) that meet nothing within a
-// reach. Materials and lights do not count; black where nothing is hit.
+// Ambient occlusion: the share of directions from the first hit (integrators/openness_lanes.h) in which nothing is met
+// within a given distance. Materials and lights do not matter; black where nothing is hit.
 
 enum { ao_STEPS_w = STEP_OPENNESS };
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Rays that split in two, as a walk through their tree without recursion: of what is reflected and what is transmitted
-// one is followed, the other waits. One width; no guard.
+// Rays that split in two. Their tree is traversed without recursion: of the reflected and the transmitted ray one is
+// followed and the other waits. One width; no guard.
 //
-// The weaker one goes first. It carries half of the light at most, and what carries less than BRANCH_LEAST of the
-// camera ray's is not followed beside a stronger one: so never more than 20 rays wait, whatever the scene, and the tree
-// has an end (R. Hall, D. Greenberg, "A Testbed for Realistic Image Synthesis", IEEE CG&A 3(8), 1983). Branches that
-// end so are counted (COUNT_BRANCHES).
+// The weaker one goes first. It carries at most half of the light. A ray that carries less than BRANCH_LEAST of the
+// camera ray's light is dropped where there is a stronger one beside it. So at most 20 rays wait in any scene, and the
+// tree is finite (R. Hall, D. Greenberg, "A Testbed for Realistic Image Synthesis", IEEE CG&A 3(8), 1983). Dropped
+// branches are counted (COUNT_BRANCHES).
 
 #define BRANCH_LEAST R(0x1p-20)
 enum { BRANCHES_MOST_w = HAS_BRANCHES ? 21 : 1 };
@@ -13,7 +13,7 @@ enum { BRANCH_O_w = 0, BRANCH_D_w = 3, BRANCH_SHARE_w = 6, BRANCH_ETA2_w = 9 };
 enum { BRANCH_TRAVELLED_w = 10, BRANCH_REALS_w = 11 };
 enum { BRANCH_LEFT_w, BRANCH_INSTANCE_w, BRANCH_OUTWARD_w, BRANCH_DEPTH_w, BRANCH_INTS_w };
 
-/// What waits of each lane, the latest last.
+/// The waiting rays of each lane, the latest last.
 typedef struct {
   intw count;
   realw reals[BRANCHES_MOST_w][BRANCH_REALS_w];
@@ -33,7 +33,7 @@ FN void get_branch3_w(const Branches_w* branches, int at, int plane, int lane, r
   put_w(&v->z, lane, get_w(&branches->reals[at][plane + 2], lane));
 }
 
-/// The rays along `way` wait in the lanes of `which`.
+/// Adds the rays along `way` to those that wait, in the lanes of `which`.
 FN void branch_off_w(const Paths_w* path, const Surfaces_w* s, maskw which, real3w way, real3w share, realw eta2,
                      const Interfaces_w* within, Branches_w* branches) {
   Rays_w rays;
@@ -55,7 +55,7 @@ FN void branch_off_w(const Paths_w* path, const Surfaces_w* s, maskw which, real
   }
 }
 
-/// As path_scatter, along both ways: one of them at once.
+/// As path_scatter, along both directions: one is followed at once.
 FN maskw path_branch_w(const Scene* scene, Paths_w* path, const Surfaces_w* s, const Bsdf_w* b, maskw which,
                        const Crossing_w* crossing, Branches_w* branches, real3w* on) {
   realw zero = splat_w(R(0.0)), least = splat_w(BRANCH_LEAST);
@@ -87,7 +87,7 @@ FN maskw path_branch_w(const Scene* scene, Paths_w* path, const Surfaces_w* s, c
   return which;
 }
 
-/// Paths of `which` that have ended go on along what waits of them.
+/// Paths of `which` that have ended go on along their waiting rays.
 FN void branches_resume_w(const Scene* scene, Paths_w* path, maskw which, Branches_w* branches) {
   which = which & ~path->alive & lt_int_w(splat_int_w(0), branches->count);
   if (!any_w(which)) return;
@@ -110,7 +110,7 @@ FN void branches_resume_w(const Scene* scene, Paths_w* path, maskw which, Branch
     if (HAS_PRIORITY) copy_interfaces_w(&branches->within[at], i, &path->within);
     put_int_w(&branches->count, i, at);
   }
-  // The planes that were kept are prepared already, which preparing leaves as they are.
+  // The stored planes are prepared already; preparing them again does not change them.
   intw departed = rays.departed, departed_instance = rays.departed_instance, is_outward = rays.is_outward;
   rays_make_w(o, d, splat_w(R(0.0)), splat_w(REAL_MAX), which, &rays);
   rays.departed = departed;

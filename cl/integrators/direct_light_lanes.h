@@ -1,25 +1,25 @@
 // SPDX-License-Identifier: MIT
-// Light at the surfaces of paths: what their rays find by themselves, and what lights that are drawn or taken throw on
-// them, both weighted against each other. A program holds one traversal for shadows, here. One width; no guard.
+// Light at the surfaces of paths: the emission that their rays hit, and the light of lights that are drawn or taken,
+// weighted by multiple importance sampling. The only traversal for shadow rays is here. One width; no guard.
 
-/// What comes along the paths' rays by itself: the surfaces' emission, or the background where nothing is hit.
+/// The radiance along the paths' rays: the emission of the surfaces hit, or the background where nothing is hit.
 FN real3w radiance_along_w(const Scene* scene, const Paths_w* path, const Surfaces_w* s) {
   real3w towards = real3_at_w(path->rays.planes + RAY_PLANE_D);
   return sel3_w(s->hit, emitted_radiance_w(scene, s), background_radiance_w(scene, towards));
 }
 
-/// hide_emitters hides from the camera alone.
+/// hide_emitters hides emitters from camera rays only.
 FN maskw is_light_shown_w(const Scene* scene, const Paths_w* path) {
   return hides_emitters(scene) ? path->alive & lt_int_w(splat_int_w(0), path->depth) : path->alive;
 }
 
-/// Of a direction that was drawn with `density` and could have been with `other`.
+/// The weight of a direction that was drawn with `density`; the other technique draws it with density `other`.
 FN realw balance_w(realw density, realw other) {
   realw ratio = other / density, one = splat_w(R(1.0));
   return one / fma_w(ratio, ratio, one);
 }
 
-/// radiance_along, weighted against its chance to be drawn as a light where the path was.
+/// radiance_along, weighted against the density with which the path's last vertex draws this light.
 FN void path_add_light_w(const Scene* scene, Paths_w* path, const Surfaces_w* s) {
   realw zero = splat_w(R(0.0));
   maskw shown = is_light_shown_w(scene, path);
@@ -40,7 +40,8 @@ FN void path_add_light_w(const Scene* scene, Paths_w* path, const Surfaces_w* s)
   path_add_w(path, is_bright, radiance);
 }
 
-/// One light of those that are taken, or one drawn of the others; is_shared: with ways that the material draws.
+/// The light of one of the lights that are taken, or of one that is drawn from the others. is_shared: directions that
+/// the material draws may find it too.
 FN real3w light_gain_w(const Scene* scene, const Paths_w* path, const Surfaces_w* s, const Bsdf_w* b, maskw which,
                        int i, int is_shared, LightSample_w* light) {
   int taken = scene->index[HEADER_LIGHTS_TAKEN];
@@ -62,8 +63,8 @@ FN real3w light_gain_w(const Scene* scene, const Paths_w* path, const Surfaces_w
   return sel3_w(which, scale3_w(weight, reflected), vec3_w(zero, zero, zero));
 }
 
-/// What shadow rays let through: one for each light that is taken and one for those that are drawn from; or one into
-/// the open.
+/// The light that shadow rays let through: one ray for each light that is taken and one for the lights that are drawn
+/// from; or, for ambient occlusion, one ray.
 FN void add_lights_w(const Scene* scene, Paths_w* path, const Surfaces_w* s, const Bsdf_w* b, real3w wo, maskw which,
                      int next) {
   int is_open = HAS_OPENNESS && (next & STEP_OPENNESS) != 0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// One surface of each of LANES paths: dispatch over the active integrators, then light from lights and the way on, each
-// in one place for all integrators, so that a program holds one traversal for shadows and one for everything else.
-// hits/find_lanes.h says what rays meet. One width; no guard.
+// One surface of each of LANES paths: dispatch over the active integrators, then direct light and scattering. All
+// integrators share the code for both, so that a program holds one traversal for shadows and one for all other rays.
+// hits/find_lanes.h finds the surfaces. One width; no guard.
 #include "scene/counters.h"
 #include "lights/light_lanes.h"
 #include "materials/material_lanes.h"
@@ -13,7 +13,7 @@
 #include "integrators/direct_light_lanes.h"
 #include "integrators/all_lanes.h"
 
-/// Whatever an active integrator may ask for: a program holds nothing else.
+/// The steps that an active integrator may ask for; the program holds no others.
 enum {
   STEPS_w = 0
 #define INTEGRATOR(name) | (int)name##_STEPS_w
@@ -25,7 +25,7 @@ enum {
 #include "integrators/scatter_lanes.h"
 #include "integrators/branches_lanes.h"
 
-/// As surface_step, but for what waits.
+/// As surface_step, without the waiting branches going on.
 FN void surface_scatter_w(const Scene* scene, Paths_w* path, const Surfaces_w* s, Branches_w* branches) {
   int next = 0;
   maskw on = none_w();
@@ -75,8 +75,7 @@ FN void surface_scatter_w(const Scene* scene, Paths_w* path, const Surfaces_w* s
   if (any_w(path->alive)) rays_leaving_w(s, path->alive, way, t_max, &path->rays);
 }
 
-/// Takes the paths that are alive over one surface each; those that are alive then are to be followed along their new
-/// rays.
+/// Processes one surface of each path that is alive. The paths that are alive afterwards go on along their new rays.
 FN void surface_step_w(const Scene* scene, Paths_w* path, const Surfaces_w* s, Branches_w* branches) {
   maskw before = path->alive;
   surface_scatter_w(scene, path, s, branches);

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Nested and overlapping glass: what a ray is within, shape by shape. Where several shapes that have a priority
-// overlap, the one of the highest is there; the surfaces of the others are looked through. J. Schmidt, B. Budge,
-// "Simple Nested Dielectrics in Ray Traced Images", Journal of Graphics Tools 7(2), 2002. Shapes without a priority are
-// not tracked.
+// Nested and overlapping glass: the list of shapes that a ray is within. Where several shapes with a priority overlap,
+// the medium is that of the highest priority; the surfaces of the others are ignored. J. Schmidt, B. Budge, "Simple
+// Nested Dielectrics in Ray Traced Images", Journal of Graphics Tools 7(2), 2002. Shapes without a priority are not
+// tracked.
 //
-// The host turns priorities into ranks, of which no two are alike (scene/layout.h, PART_RANK). Sides are those of the
-// geometric normal, so that a ray is out of what it has left, whatever normals it is shaded with. One width; no guard.
+// The host turns priorities into ranks, of which no two are alike (scene/layout.h, PART_RANK). Inside and outside are
+// decided by the geometric normal, so that they do not depend on shading normals. One width; no guard.
 
 enum { INTERFACES_MOST_w = HAS_PRIORITY ? 8 : 1 };
 
-/// What the ray is within, in no order.
+/// The shapes that the ray is within, in no order.
 typedef struct {
   intw rank[INTERFACES_MOST_w];  ///< -1: free.
   intw instance[INTERFACES_MOST_w];
@@ -20,11 +20,11 @@ typedef struct {
 typedef struct {
   maskw which;     ///< Lanes that are at one.
   maskw is_entry;  ///< The ray comes from outside of that shape.
-  maskw is_real;   ///< Something changes there: nothing of a higher rank is around it.
+  maskw is_real;   ///< The medium changes there: no shape of a higher rank is around it.
   intw rank, instance;
   realw ior;      ///< Of the shape.
-  realw other;    ///< Of what is there without it; undefined where nothing else is.
-  maskw is_amid;  ///< Something else is.
+  realw other;    ///< Of the medium there without the shape; undefined where there is no other shape.
+  maskw is_amid;  ///< There is another shape.
 } Crossing_w;
 
 FN void interfaces_none_w(maskw which, Interfaces_w* within) {
@@ -65,11 +65,12 @@ FN void cross_interface_w(const Scene* scene, const Crossing_w* c, maskw which, 
     within->ior[k] = sel_w(takes, c->ior, within->ior[k]);
     enters = enters & ~takes;
   }
-  // What has found no place will be taken for a way out of nothing: the picture is wrong there, and is told to be.
+  // A shape that finds no free place is not tracked, so the picture is wrong there. It is counted, and a warning
+  // reports it.
   if (any_w(enters)) count_events(scene, COUNT_INTERFACES, lanes_among(bits_w(enters)));
 }
 
-/// Lanes whose ways on, in the world, are on the other side of the surface.
+/// Lanes whose new directions, in the world, are on the other side of the surface.
 FN maskw goes_through_w(const Crossing_w* c, const Surfaces_w* s, real3w way) {
   maskw is_inwards = lt_w(dot3_w(way, s->normal), splat_w(R(0.0)));
   return (c->is_entry & is_inwards) | (~c->is_entry & ~is_inwards);

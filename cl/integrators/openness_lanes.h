@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Ways from surfaces into the open, drawn in proportion to their cosine: S. Zhukov, A. Iones, G. Kronin, "An Ambient
-// Light Illumination Model", EGWR 1998. One width; no guard.
+// Directions from surfaces for ambient occlusion, drawn in proportion to their cosine: S. Zhukov, A. Iones, G. Kronin,
+// "An Ambient Light Illumination Model", EGWR 1998. One width; no guard.
 
-/// On the side of wo; what it brings is white.
+/// Draws a direction on the side of wo. Its radiance is 1.
 FN LightSample_w sky_sample_w(const Scene* scene, const Paths_w* path, const Surfaces_w* s, real3w wo) {
   Random2_w numbers = vertex_pair_w(scene, &path->sample, path->depth, USE_WAY);
   realw zero = splat_w(R(0.0)), one = splat_w(R(1.0));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Pass on: a surface that is looked through. The path goes on behind it along the same ray, and nothing else changes,
-// its depth and its density included. Emitters hidden from the camera do so; whatever else lets rays through untouched
-// is to be told here. One width; no guard.
+// Passing on: a surface that is ignored. The path goes on behind it along the same ray; nothing else changes, not even
+// depth and density. This holds for emitters hidden from the camera. Any other surface that lets rays through unchanged
+// is to be added here. One width; no guard.
 
 /// Lanes of `which` that pass on.
 FN maskw passes_on_w(const Scene* scene, const Paths_w* path, const Surfaces_w* s, maskw which) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// All light: at every surface a place drawn on one light and a way drawn by the material, both weighted by the balance
-// of their squared densities, and Russian roulette. J. Kajiya, "The Rendering Equation", SIGGRAPH 1986; E. Veach, L.
-// Guibas, "Optimally Combining Sampling Techniques for Monte Carlo Rendering", SIGGRAPH 1995. max_depth, rr_depth and
-// hide_emitters as in Mitsuba; the host states a max_depth where the scene has none (ROULETTE_LONGEST).
+// Global illumination: at every surface a place drawn on one light and a direction drawn by the material, both weighted
+// by the power heuristic with exponent 2, and Russian roulette. J. Kajiya, "The Rendering Equation", SIGGRAPH 1986; E.
+// Veach, L. Guibas, "Optimally Combining Sampling Techniques for Monte Carlo Rendering", SIGGRAPH 1995. max_depth,
+// rr_depth and hide_emitters as in Mitsuba; the host states a max_depth where the scene has none (ROULETTE_LONGEST).
 
 enum { path_STEPS_w = STEP_LIGHTS | STEP_SCATTER | STEP_ROULETTE };
 

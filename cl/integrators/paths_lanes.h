@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: MIT
-// What is carried from the camera from surface to surface, one path a lane. One width; no guard.
+// The state of paths on their way from surface to surface, one path a lane. One width; no guard.
 
 #include "scene/counters.h"
 #include "integrators/interfaces_lanes.h"
 
 typedef struct {
   maskw alive;          ///< Paths that go on along `rays`.
-  Rays_w rays;          ///< The ways to the next surfaces.
+  Rays_w rays;          ///< The rays to the next surfaces.
   real3w radiance;      ///< Gathered so far.
-  real3w throughput;    ///< Share of what comes along the ray that reaches the camera.
+  real3w throughput;    ///< Share of the radiance along the ray that reaches the camera.
   real3w from;          ///< The point that the ray has left; undefined where density is 0.
   realw density;        ///< How densely the ray was drawn, per solid angle; 0: no light could have been drawn instead.
   realw eta2;           ///< Square of the index of refraction where the ray runs over that at the camera.
-  realw travelled;      ///< Length of the ways before the ray; kept only where there are textures.
+  realw travelled;      ///< Length of the path before the ray; kept only where there are textures.
   intw depth;           ///< Surfaces before the ray: 0 for a camera ray.
   Interfaces_w within;  ///< Kept only where shapes have priorities.
   SampleState_w sample;
@@ -42,7 +42,7 @@ FN void paths_none_w(Paths_w* path) {
 /// Goes on along those rays in the lanes of `which`.
 FN void paths_follow_w(Paths_w* path, maskw which, const Rays_w* rays) {
 #if LANES == 1
-  // Whole, for an array that a loop runs over stays in memory on PoCL: ten spheres take a fifth longer.
+  // Copied as a whole: an array that a loop runs over stays in memory on PoCL (docs/decisions/0017-once.md).
   if (which) path->rays = *rays;
 #else
   for (int k = 0; k < RAY_PLANES; ++k) path->rays.planes[k] = sel_w(which, rays->planes[k], path->rays.planes[k]);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The way on from a surface, drawn by its material, and Russian roulette. A ray that has gone into denser matter
-// carries less radiance, which it gets back when it comes out: roulette looks at what it would carry outside,
-// throughput times eta^2. One width; no guard.
+// The next direction of a path, drawn by the material, and Russian roulette. The throughput of a path changes where it
+// enters a denser medium, and changes back where it leaves it. So roulette uses the throughput that the path would have
+// outside, throughput times eta^2. One width; no guard.
 
 /// Through glass of equal indices rays go on as they came, to the bit: along d.
 FN void keep_straight_w(BsdfSample_w* way, real3w d) {
@@ -10,8 +10,8 @@ FN void keep_straight_w(BsdfSample_w* way, real3w d) {
   way->wi = sel3_w(is_delta & eq_w(way->eta, splat_w(R(1.0))), d, way->wi);
 }
 
-/// The ways on, and the lanes of `which` that take them: the other paths end. Along one of all lobes, or of the delta
-/// lobes alone. on: the direction that the rays came along; there it gives back where they go.
+/// Draws the next directions, from all lobes or from the delta lobes alone, and returns the lanes of `which` that go
+/// on; the other paths end. on: on entry the direction of the incoming rays, on return that of the new rays.
 FN maskw path_scatter_w(const Scene* scene, Paths_w* path, const Surfaces_w* s, const Bsdf_w* b, maskw which, int next,
                         real3w* on) {
   int lobes = (STEPS_w & STEP_SCATTER) && (next & STEP_SCATTER) != 0 ? LOBES_ALL : LOBES_DELTA;

@@ -4,11 +4,11 @@
 #define STRAHL_INTEGRATORS_STEPS_H
 
 enum {
-  STEP_LIGHTS = 1,    ///< Add what the lights throw on the surface.
+  STEP_LIGHTS = 1,    ///< Add the light of the lights at the surface.
   STEP_DELTA = 2,     ///< Follow the material's delta lobes.
-  STEP_SCATTER = 4,   ///< Follow a way that the material draws; drawn lights then share their work with it.
-  STEP_ROULETTE = 8,  ///< Perhaps not.
-  STEP_OPENNESS = 16  ///< Add white if a way into the open meets nothing.
+  STEP_SCATTER = 4,   ///< Follow a direction that the material draws; drawn lights are then weighted against it.
+  STEP_ROULETTE = 8,  ///< End the path by Russian roulette.
+  STEP_OPENNESS = 16  ///< Add white if an ambient-occlusion ray hits nothing.
 };
 
 #endif

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// As direct, and on through mirrors until a surface is none or all light is lost: T. Whitted, "An Improved Illumination
-// Model for Shaded Display", CACM 23(6), 1980, as a loop. No way is drawn by the material, so what emits lights by
-// places drawn on it alone. Emitters are hidden from the camera only. Depth counts as in Mitsuba: every mirror is one
-// more. Where it has no limit a path ends after WHITTED_LONGEST mirrors.
+// As direct, and on along mirror reflections until a surface is no mirror or no light is left: T. Whitted, "An Improved
+// Illumination Model for Shaded Display", CACM 23(6), 1980, as a loop. The material draws no direction, so emitters are
+// sampled only by places drawn on them. Emitters are hidden from the camera only. Depth counts as in Mitsuba: every
+// mirror adds one. Where the depth has no limit, a path ends after WHITTED_LONGEST mirrors.
 
 enum { whitted_STEPS_w = STEP_LIGHTS | STEP_DELTA };
 

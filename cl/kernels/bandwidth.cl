@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // How fast a device reads memory: every work-item sums `turns` loads, as wide as the traversal's, so that all of them
-// must arrive. A group reads one range; where work-items run in lanes, neighbours read neighbours.
+// must arrive. A group reads one range; where work-items run in lanes, neighbouring work-items read neighbouring
+// values.
 #include "lanes/lane_ops.h"
 
 KERNEL LANE_HINT void bandwidth(GLOBAL const real* in, GLOBAL real* out, int turns) {

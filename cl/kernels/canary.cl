@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What a device's arithmetic does, in LANES lanes and in one, and whether loops end where they should. The host, which
-// is IEEE 754, compares (src/trust/canary.h). One program: each that PoCL builds costs it a third of a second by
-// itself.
+// What a device's arithmetic does, in LANES lanes and in one, and whether loops end where they should. The host, whose
+// arithmetic is IEEE 754, compares the results (src/trust/canary.h). One program, since each program costs PoCL time by
+// itself (docs/decisions/0017-once.md).
 #include "math/vec3.h"
 #include "kernels/whole_loops.h"
 #include "kernels/canary_lanes.h"
@@ -16,9 +16,9 @@
 #include "kernels/canary_lanes.h"
 #endif
 
-/// Work-item i: turns[2 i] turns around turns[2 i + 1] inner ones. Each takes a generator of full period one step on
-/// (D. Knuth, "The Art of Computer Programming", vol. 2, 1997, 3.3.4), so that its state, state[2 i], tells how many
-/// were made. state[2 i + 1]: whether the work-item itself can tell that all were.
+/// Work-item i: turns[2 i] turns around turns[2 i + 1] inner ones. Each turn advances a generator of full period by one
+/// step (D. Knuth, "The Art of Computer Programming", vol. 2, 1997, 3.3.4), so that its state, state[2 i], shows how
+/// many turns were made. state[2 i + 1]: whether the work-item itself finds that all turns were made.
 KERNEL void canary_loops(GLOBAL const uint* turns, GLOBAL uint* state) {
   int i = (int)get_global_id(0);
   uint x = 0u;

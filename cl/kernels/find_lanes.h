@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The kernel that finds, LANES rays a work-item (hits/trace_one.h): where they hit or, with STOP_AT_FIRST 1, whether.
-// Each question is a program of its own, for a walk is most of what a program compiles and few callers ask both. One
-// width; no guard.
+// The kernel `find`, LANES rays a work-item (hits/trace_one.h): where rays hit or, with STOP_AT_FIRST 1, whether they
+// hit. Each of the two is a program of its own, because the traversal is most of a program and few callers need both.
+// One width; no guard.
 #include "math/vec3.h"
 #include "lanes/lane_ops.h"
 #include "hits/trace_one.h"
@@ -10,7 +10,8 @@
 #include "accel/packet.h"
 #endif
 
-/// 1: the rays of a work-item are expected to be alike, and share their way (accel/packet.h); the answers are the same.
+/// 1: the rays of a work-item are expected to be coherent and are traversed as a packet (accel/packet.h); the hits are
+/// the same.
 #ifndef RAYS_ARE_ALIKE
 #define RAYS_ARE_ALIKE 0
 #endif
@@ -24,7 +25,7 @@ FN Scene scene_of(GLOBAL const real* geometry, GLOBAL const real* shading, GLOBA
 }
 
 #if LANES != 1
-/// find_rays of hits/trace_one.h for rays that share their way.
+/// find_rays of hits/trace_one.h for packets.
 ONCE_FN void find_packet_w(const Scene* scene, GLOBAL const real* in, GLOBAL const int* departed, int count,
                            int stop_at_first, GLOBAL real* t, GLOBAL int* found) {
   Rays_w rays;
@@ -37,8 +38,8 @@ ONCE_FN void find_packet_w(const Scene* scene, GLOBAL const real* in, GLOBAL con
 }
 #endif
 
-/// Where everything is listed, of kinds that ask nothing of rays in common, they are taken in lanes however unlike they
-/// are: half of an answer is otherwise what is done for a ray alone.
+/// Where all primitives are listed, and their kinds require nothing that is common to all rays, even incoherent rays
+/// are traversed as a packet: otherwise much of the time goes into work that is done for each ray alone.
 ONCE_FN void find_w(const Scene* scene, GLOBAL const real* in, GLOBAL const int* departed, int count, int stop_at_first,
                     GLOBAL real* t, GLOBAL int* found) {
 #if LANES != 1
@@ -51,7 +52,8 @@ ONCE_FN void find_w(const Scene* scene, GLOBAL const real* in, GLOBAL const int*
   find_rays_w(scene, in, departed, count, stop_at_first, t, found);
 }
 
-/// found: FOUND_INTS ints a ray and its t, or with STOP_AT_FIRST 1 or 0 a ray alone; FOUND_CUT where loops were ended.
+/// found, t: FOUND_INTS ints and a real a ray, or with STOP_AT_FIRST only one int a ray, 1 or 0. FOUND_CUT where the
+/// device has ended loops.
 KERNEL LANE_HINT void find(GLOBAL const real* geometry, GLOBAL const real* shading, GLOBAL const int* index,
                            GLOBAL const real* rays, GLOBAL const int* departed, GLOBAL real* t, GLOBAL int* found,
                            ulong count) {

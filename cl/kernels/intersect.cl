@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// N rays in, N hits out: where rays hit, then what is there.
+// N rays in, N hits out: first where the rays hit, then the surfaces there.
 #define STOP_AT_FIRST 0
 #include "kernels/find_lanes.h"
 

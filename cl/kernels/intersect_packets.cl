@@ -1,4 +1,4 @@
 // SPDX-License-Identifier: MIT
-// intersect.cl for rays that are alike.
+// intersect.cl for coherent rays.
 #define RAYS_ARE_ALIKE 1
 #include "kernels/intersect.cl"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Single questions about one kind of shape, the only active one: work-item i meets its ray with the blocks
+// Single questions about one kind of shape, the only active one: work-item i intersects its ray with the blocks
 // [block_first[i], block_first[i + 1]), whose ids count the question's primitives. t as hits/trace_one.h reports it.
 #include "math/vec3.h"
 #include "lanes/lane_ops.h"

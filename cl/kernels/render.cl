@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// One work-item a pixel: PATH_LANES samples of it at a time, each a camera ray, then closest hit and a step of the
-// integrator in turns; film. A launch covers a rectangle of the picture's pixels, columns x rows from (x_first,
-// y_first) on, and samples [sample_first, sample_first + sample_count) of each of them. What is the same for all pixels
-// comes as an argument where every pixel needs it: PoCL computes with arguments once for a row of work-items, while
-// what is read from a buffer is read again.
+// One work-item a pixel: PATH_LANES samples of it at a time, each a camera ray, then closest hit and integrator step in
+// turns; the results go into the film. A launch covers a rectangle of the picture's pixels, columns x rows from
+// (x_first, y_first) on, and samples [sample_first, sample_first + sample_count) of each of them. Values that are the
+// same for all pixels are arguments where every pixel needs them: PoCL evaluates arguments once for a row of
+// work-items, but reads buffers for each.
 #include "math/vec3.h"
 #include "lanes/lane_ops.h"
 #include "accel/traverse.h"
@@ -57,7 +57,8 @@ FN void begin_paths_w(const Scene* scene, Paths_w* path, Pixel* pixel) {
   paths_begin_w(path, nonzero_w(is_begun), &rays);
 }
 
-/// What is looked for: only who reports t or goes on behind a hit has need of its last digits.
+/// What the traversal looks for. The last digits of t are needed only where t is reported or the path goes on behind a
+/// hit.
 FN int wanted_w(const Scene* scene, const Paths_w* path, const FirstSample* first) {
   int is_exact = 0;
   if (HAS_AOV) is_exact = first->lane >= 0;
@@ -67,7 +68,7 @@ FN int wanted_w(const Scene* scene, const Paths_w* path, const FirstSample* firs
 
 FN SubSums sub_sums_of(const Scene* scene) {
   SubSums sums;
-  // One sum holds what four do: the mean is the same.
+  // One sum has the same mean as four.
   sums.count = HAS_ERROR_SUMS ? scene->index[HEADER_SUMS] : 1;
   sums.sequences = HAS_ERROR_SUMS ? scene->index[HEADER_SEQUENCES] : 1;
   sums.turn_bits = scene->index[HEADER_TURN_BITS];
@@ -82,10 +83,10 @@ FN void add_sample(const Scene* scene, GLOBAL long* pixel_sums, SubSums sums, in
   film_add_sample(scene, sum + 2 * FILM_SUM_WORDS, light.z);
 }
 
-/// `times` samples, from `sample` on, all of that light. done: as layout.h has it behind the counters.
+/// Adds `times` samples from `sample` on, all with this radiance. done: the word behind the counters (scene/layout.h).
 FN void add_to_film(const Scene* scene, GLOBAL long* pixel_sums, SubSums sums, int sample, int times, real3 light,
                     GLOBAL uint* done) {
-  // The background's share of a picture need not touch the film.
+  // A black sample need not touch the film.
   if (light.x == R(0.0) && light.y == R(0.0) && light.z == R(0.0)) {
     if (HAS_LOOP_LIMIT) *done = (uint)(sample + times);
     return;
@@ -132,7 +133,7 @@ FN void render_pixel_w(Scene scene, Pixel pixel, FirstSample first, GLOBAL long*
         real3 light = vec3(get_w(&path.radiance.x, i), get_w(&path.radiance.y, i), get_w(&path.radiance.z, i));
         add_to_film(&scene, sums, film_sums, sample, times, light, done);
       }
-      // A lane whose path has ended waits until an eighth of them have, or for nothing.
+      // New samples begin when an eighth of the lanes is idle; after the last sample idle lanes stay idle.
       is_full = pixel.next >= pixel.end || 8u * lanes_among(bits_w(~path.alive)) < LANES;
     } while (is_full && any_w(path.alive));
   }
@@ -143,7 +144,8 @@ ONCE_FN void render_pixel_once_w(Scene scene, Pixel pixel, FirstSample first, GL
   render_pixel_w(scene, pixel, first, sums, done, times);
 }
 
-/// What a short program gains by being compiled once it loses by the call.
+/// 1: the work of a pixel is a function that is called, so that it is compiled once. In short programs the call costs
+/// more (docs/decisions/0017-once.md).
 enum { IS_PROGRAM_LARGE = (LANES != 1) | (LIGHT_COUNT > 0) | (SCENE_LANED(IS_TRAVERSAL_LARGE) != 0) };
 
 KERNEL LANE_HINT_OF(SCENE_LANES) void render(GLOBAL const real* geometry, GLOBAL const real* shading,
@@ -158,15 +160,15 @@ KERNEL LANE_HINT_OF(SCENE_LANES) void render(GLOBAL const real* geometry, GLOBAL
   scene.shading = shading;
   scene.index = index;
   scene.counters = counters;
-  // film_first: the first of those pixels in the film buffer, whose rows are film_columns long.
+  // film_first: index of the first of those pixels in the film buffer, whose rows are film_columns long.
   ulong slot = (ulong)film_first + (ulong)row * (ulong)film_columns + (ulong)column;
 
-  // Where nothing is drawn all samples of a pixel are the same one.
+  // Where no random number is drawn, all samples of a pixel are equal.
   int do_differ = SAMPLER_COUNT > 0;
   if (HAS_PIXEL_FILTER || HAS_COUNT_RAYS) do_differ = 1;
   GLOBAL uint* done = counters + COUNTERS + slot;
   int next = sample_first, end = sample_first + sample_count;
-  if (HAS_LOOP_LIMIT) next = min(max(next, (int)*done), end);  // What an earlier launch has left.
+  if (HAS_LOOP_LIMIT) next = min(max(next, (int)*done), end);  // Continues where an earlier launch stopped.
   Pixel pixel;
   pixel.x = x_first + column;
   pixel.y = y_first + row;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Compare mask to bit mask on the device, LANES 8 and 16. Runtimes built on clang (PoCL) offer the own builtins of
-// AVX-512's and AVX's instructions; everywhere else each lane keeps its own bit and halves are OR-ed: the same bits.
-// The tests stand nested because a compiler without __has_builtin must not see its argument.
+// Compare mask to bit mask on the device, LANES 8 and 16. Runtimes built on clang (PoCL) offer builtins for the
+// instructions of AVX-512 and AVX. Elsewhere each lane keeps its own bit and the halves are OR-ed, with the same
+// result. The tests are nested because a compiler without __has_builtin must not see its argument.
 #if REAL_BITS == 32 && LANES == 16 && defined(__has_builtin) && defined(__AVX512DQ__)
 #if __has_builtin(__builtin_ia32_cvtd2mask512)
 #define LANE_BITS_NATIVE(m) ((uint)__builtin_ia32_cvtd2mask512(m))

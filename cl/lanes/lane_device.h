@@ -34,7 +34,7 @@ FN realw abs_w(realw a) { return fabs(a); }
 FN realw load_w(GLOBAL const real* p) { return LANE_VECTOR(vload)(0, p); }
 FN intw load_int_w(GLOBAL const int* p) { return LANE_VECTOR(vload)(0, p); }
 #ifdef __clang__
-// One store: vstore of PoCL's library is four.
+// A single store; vstore of PoCL's library makes four.
 typedef realw RealsAnywhere_w __attribute__((aligned(sizeof(real))));
 FN void store_w(realw a, PRIVATE real* p) { *(PRIVATE RealsAnywhere_w*)p = a; }
 #else

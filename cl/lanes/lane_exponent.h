@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Exponents, infinity and NaN of lanes, read off the bits: no compiler can assume them away. Included by lane_ops.h.
+// Exponents, infinity and NaN of lanes, read from the bits, so that no compiler can assume that there is no infinity or
+// NaN. Included by lane_ops.h.
 #define EXPONENT_BITS ((bitsr)REAL_EXPONENT_MASK << REAL_EXPONENT_SHIFT)
 #define EXPONENT_LEAST ((bitsr)1 << REAL_EXPONENT_SHIFT)
 #define EXPONENT_MOST ((bitsr)(REAL_EXPONENT_MASK - 2) << REAL_EXPONENT_SHIFT)

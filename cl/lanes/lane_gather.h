@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A place for each lane, LANES 8 and 16. Runtimes built on clang for AVX-512 and AVX2 (PoCL) offer the instruction's
-// own builtin. The tests stand nested because a compiler without __has_builtin must not see its argument.
+// Gathers: each lane reads an address of its own, LANES 8 and 16. Runtimes built on clang for AVX-512 and AVX2 (PoCL)
+// offer a builtin for the instruction. The tests are nested because a compiler without __has_builtin must not see its
+// argument.
 #if ON_HOST
 FN realw gather_w(const real* p, intw i) {
   realw a;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Names that depend on the width. LANED(x) is x_1, x_8 or x_16 by the value that LANES has where it is used, so a body
+// Names that depend on the width. LANED(x) is x_1, x_8 or x_16, by the value of LANES at the place of use. So a body
 // written once over realw, intw and maskw exists at every width. Code says x_w, which lane_table.h turns into x_w_1,
 // x_w_8 or x_w_16. Bare names (any, select) would rewrite built-ins and standard headers for the rest of the unit.
 #ifndef STRAHL_LANE_NAMES_H

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Lane types and operations for one value of LANES (1, 8 or 16): include once per width, after defining LANES.
-// No include guard on purpose, but for one lane, which units want beside others. Bodies use these, + - * / and unary -
-// on realw, & | ~ on maskw, nothing else.
+// No include guard on purpose, except for one lane, which units include beside another width. Bodies use these, + - * /
+// and unary - on realw, & | ~ on maskw, nothing else.
 //
 //   splat_w(x)                every lane x
 //   lt_w le_w eq_w            compare, false on NaN
@@ -27,8 +27,8 @@ typedef real realw;
 typedef int intw;
 typedef int maskw;
 
-// Names, no functions: a compiler that does not optimise before it inlines (rusticl's) makes a variable of every
-// parameter, and takes half a minute over 30,000 of them.
+// Aliases, not functions: a compiler that does not optimise before it inlines (rusticl's) makes a variable of every
+// parameter, and is slow with many variables (docs/decisions/0018-soft-fma.md).
 #define splat_w_1(x) (x)
 #define splat_int_w_1(x) (x)
 #define sel_w_1(m, a, b) real_select(b, a, m)

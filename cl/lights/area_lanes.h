@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // A surface that emits the same radiance everywhere and in every direction on one side. Parameters: scene/layout.h,
-// AREA_...; a place on it is drawn by its own shape, items in proportion to their area.
+// AREA_...; the shape's own file draws a place on it, and items are drawn in proportion to their area.
 #include "areas/area_point_lanes.h"
 #include "areas/all_lanes.h"
 
-/// The items that the numbers choose: each with the share of its area to items / 2^32.
+/// The items that the numbers choose, each with the probability of its share of the area, to items / 2^32.
 FN intw area_item_w(const Scene* scene, GLOBAL const int* row, uintw numbers) {
   uint items = (uint)row[LIGHT_ITEMS];
   if (items == 1u) return splat_int_w(0);
@@ -35,7 +35,7 @@ FN AreaPoint_w area_point_of_w(const Scene* scene, GLOBAL const int* row, real3w
   }
 }
 
-/// Item by item: those of one are drawn in lanes.
+/// Item by item: the lanes that chose the same item are drawn together.
 FN AreaPoint_w area_point_w(const Scene* scene, GLOBAL const int* row, real3w from, intw item, realw u, realw v) {
   AreaPoint_w p = area_point_of_w(scene, row, from, get_int_w(&item, 0), u, v);
   for (uint others = bits_w(nonzero_w(item - splat_int_w(get_int_w(&item, 0)))); others != 0u;) {
@@ -50,9 +50,10 @@ FN AreaPoint_w area_point_w(const Scene* scene, GLOBAL const int* row, real3w fr
   return p;
 }
 
-/// What rounds, of a place and of where it is seen from, and of the t at which a ray meets it: ways end so far before a
-/// surface, as rays begin off one (hits/departure.h). And who is not that far before its plane is not lit by it: else a
-/// flat emitter would light itself, by rounding over the square of a distance that may be as small.
+/// A bound on the rounding of a place, of the point that sees it, and of the t at which a ray hits it. Shadow rays end
+/// this far before a surface, as rays begin off one (hits/departure.h). A point that is not this far in front of the
+/// emitter's plane is not lit by it. Otherwise a flat emitter would light itself, by a rounding error divided by the
+/// square of a distance of the same size.
 FN realw area_rounding_w(real3w position, real3w from) {
   return splat_w(R(16.0) * real_roundoff()) * (max3_w(abs3_w(position)) + max3_w(abs3_w(from)));
 }

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Dispatch over the active lights, light by light: the lanes of one are asked together. And the light that surfaces
-// emit. One width; no guard.
+// Dispatch over the active lights, light by light: all lanes of one light are evaluated together. Also the radiance
+// that surfaces emit. One width; no guard.
 #include "lights/light_table.h"
 #include "lights/light_sample_lanes.h"
 #include "lights/all_lanes.h"
 #include "choosers/chooser_lanes.h"
 
-/// What drawn lights draw places with at a vertex; only a scene whose emitters have several items draws an item.
+/// The numbers with which a light draws a place at a vertex. Only a scene whose emitters have several items draws an
+/// item.
 FN LightNumbers_w light_numbers_w(const Scene* scene, const SampleState_w* sample, intw depth) {
   LightNumbers_w numbers = no_numbers_w();
   Random2_w place = vertex_pair_w(scene, sample, depth, USE_PLACE);
@@ -60,7 +61,8 @@ FN realw density_of_light_w(const Scene* scene, int light, real3w from, real3w t
   }
 }
 
-/// How densely light_sample draws the directions along which rays have found the lights, at s if they are surfaces.
+/// The density with which light_sample draws the directions along which rays have hit the lights, at s if the lights
+/// have surfaces.
 FN realw light_density_w(const Scene* scene, maskw which, intw lights, real3w from, real3w towards,
                          const Surfaces_w* s) {
   realw density = splat_w(R(0.0));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a point learns of a light that it draws. One width; no guard.
+// The sample of a light, as seen from a point. One width; no guard.
 
 typedef struct {
   real3w towards;   ///< To the light; where it has a place, exactly to it: t = 1 is the light.
@@ -10,7 +10,7 @@ typedef struct {
   intw aim;         ///< Id of the primitive that the place is on; -1: none.
 } LightSample_w;
 
-/// What a light draws a place or a direction with, each number for one thing.
+/// The numbers with which a light draws a place or a direction, each for one purpose.
 typedef struct {
   uintw item;  ///< Which item; 0 where no light that is drawn has several.
   realw u, v;  ///< Within (0, 1).

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How LANES points scatter light, and the ways on that are drawn from them: the records of all materials. Directions
-// are unit, point away from the surface and stand in its frame, z its normal. One width; no guard.
+// The records of all materials: how LANES points scatter light, and the directions that are drawn there. Directions are
+// unit vectors, point away from the surface and are given in its frame, whose z is the normal. One width; no guard.
 #include "materials/active_bsdfs.h"
 
 typedef struct {
@@ -13,7 +13,7 @@ typedef struct {
 
 typedef struct {
   real3w wi;      ///< Where the light comes from.
-  real3w weight;  ///< f times |cos| over the density; black: no such way.
+  real3w weight;  ///< f times |cos| over the density; black: no direction was drawn.
   realw density;  ///< Per solid angle; of a delta lobe the chance that it was drawn.
   realw eta;      ///< Index of refraction on the side of wi over that on the side of wo.
   intw lobe;      ///< LOBE_..., a side and a spread: the one that was drawn.
@@ -36,7 +36,7 @@ FN void put_bsdf_color_w(Bsdf_w* b, maskw which, int first, real3w value) {
 /// Lanes that drew a lobe of that side or spread.
 FN maskw is_lobe_w(const BsdfSample_w* s, int lobes) { return nonzero_w(s->lobe & splat_int_w(lobes)); }
 
-/// No way on.
+/// No direction.
 FN BsdfSample_w no_way_w(const Bsdf_w* b) {
   BsdfSample_w s;
   s.wi = b->wo;

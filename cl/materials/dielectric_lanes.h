@@ -2,8 +2,8 @@
 // A smooth boundary between two media that absorb nothing: a share of the light is reflected (Fresnel), the rest is
 // refracted (Snell). Radiance that goes from one medium into the other scales by the square of their indices' ratio
 // (E. Veach, "Robust Monte Carlo Methods for Light Transport Simulation", 1997, section 5.2). Parameters: specular
-// reflectance r g b, specular transmittance r g b, index of refraction inside over outside; those of inside and of
-// outside, which count where overlapping glass is tracked (integrators/interfaces_lanes.h).
+// reflectance r g b, specular transmittance r g b, index of refraction inside over outside; then the two indices,
+// inside and outside, which are used where overlapping glass is tracked (integrators/interfaces_lanes.h).
 #include "math/fresnel_lanes.h"
 
 enum { DIELECTRIC_TRANSMITTANCE_w = 3, DIELECTRIC_ETA_w = 6 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Lobes: what a material does with light, by the side that ways on are on and by how they spread. Several together:
-// those that a material has, or that may be drawn. A lobe is among them where its side and its spread are.
+// Lobes: how a material scatters light. A lobe has a side and a spread. A set of lobes is a set of sides and spreads,
+// such as the lobes of a material or those that may be drawn; a lobe is in the set if both its side and its spread are.
 #ifndef STRAHL_MATERIALS_LOBES_H
 #define STRAHL_MATERIALS_LOBES_H
 
@@ -9,7 +9,7 @@ enum {
   LOBE_TRANSMIT = 2,  ///< Goes through.
   LOBE_DIFFUSE = 4,
   LOBE_GLOSSY = 8,
-  LOBE_DELTA = 16,  ///< One direction alone: no light that was drawn lies in it.
+  LOBE_DELTA = 16,  ///< A single direction: no drawn light lies in it.
 
   LOBE_SIDES = LOBE_REFLECT | LOBE_TRANSMIT,
   LOBE_SPREADS = LOBE_DIFFUSE | LOBE_GLOSSY | LOBE_DELTA,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Surfaces as light meets them on its way to the camera, and dispatch over the active materials. One width; no guard.
+// The materials of surfaces, and dispatch over the active materials. One width; no guard.
 #include "materials/bsdf_lanes.h"
 #include "materials/parameter_lanes.h"
 #include "materials/all_lanes.h"
@@ -31,8 +31,8 @@ FN Bsdf_w bsdf_at_w(const Scene* scene, const Surfaces_w* s, real3w out) {
   return b;
 }
 
-/// f times |cos| for light from wi, unit, in the world, delta lobes left out; density: how densely bsdf_sample draws
-/// wi.
+/// f times |cos| for light from wi (unit, in the world), without delta lobes. density: the density with which
+/// bsdf_sample draws wi.
 FN real3w bsdf_eval_w(const Bsdf_w* b, real3w wi, PRIVATE realw* density) {
   real3w in_frame = to_frame_w(&b->frame, wi), value = black_w();
   *density = splat_w(R(0.0));
@@ -52,8 +52,8 @@ FN real3w bsdf_eval_w(const Bsdf_w* b, real3w wi, PRIVATE realw* density) {
   return value;
 }
 
-/// The direction of a delta lobe in the world, by its normal alone: the frame's rounding would turn it, and add up
-/// where mirrors follow each other. Normalised, so that its length does not drift either.
+/// The direction of a delta lobe in the world, computed from the normal alone: the frame's rounding would turn the
+/// direction, and the error would grow from mirror to mirror. Normalised, so that the length does not drift either.
 FN real3w delta_way_w(const Bsdf_w* b, const BsdfSample_w* s) {
   realw one = splat_w(R(1.0)), straight = -one;
   if (HAS_TRANSMISSION) straight = sel_w(is_lobe_w(s, LOBE_TRANSMIT), -one / s->eta, straight);
@@ -61,7 +61,7 @@ FN real3w delta_way_w(const Bsdf_w* b, const BsdfSample_w* s) {
   return normalize3_w(fma3_w(along, b->frame.z, scale3_w(straight, b->out)));
 }
 
-/// A way on in one of `lobes`, drawn by number, u and v; wi comes out in the world.
+/// Draws a direction in one of `lobes`, by number, u and v; wi is returned in the world.
 FN BsdfSample_w bsdf_sample_w(const Bsdf_w* b, int lobes, realw number, realw u, realw v) {
   BsdfSample_w s = no_way_w(b);
   (void)lobes;

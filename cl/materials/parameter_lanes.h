@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Parameters at points of surfaces: each is one int of the material's row, >= 0 an offset to constants, else ~ a row of
-// the texture table. One width; no guard.
+// Parameters at points of surfaces. Each is one int of the material's row: if >= 0 an offset to constants, else the
+// complement (~) of a row of the texture table. One width; no guard.
 
-/// The points of textured lanes, where the materials ask.
+/// The surface points of textured lanes.
 FN real3w textured_parameter_w(const Scene* scene, const Surfaces_w* s, maskw which, intw slot, real3w value) {
   for (uint lanes = bits_w(which); lanes != 0u; lanes &= lanes - 1u) {
     int i = first_bit(lanes);
@@ -15,7 +15,8 @@ FN real3w textured_parameter_w(const Scene* scene, const Surfaces_w* s, maskw wh
   return value;
 }
 
-/// Up to three reals in the lanes of `which`; number: of the material's parameters. rows: offsets into the index.
+/// Reads up to three reals in the lanes of `which`. number: the number of the parameter in the material. rows: offsets
+/// into the index.
 FN real3w parameter_at_w(const Scene* scene, const Surfaces_w* s, maskw which, intw rows, int number) {
   intw slot = gather_int_w(scene->index + MATERIAL_SLOTS + number, rows);
   if (TEXTURE_COUNT == 0) return gather3_w(scene->shading, slot);

@@ -8,8 +8,8 @@ typedef struct {
   realw cosine;       ///< Of the transmitted direction against the normal of the far side; 0 under total reflection.
 } Fresnel_w;
 
-/// c^2 + eta^2 - 1 to about a rounding, however near the critical angle: the squares and the sums keep what they round
-/// off (T. Dekker, "A Floating-Point Technique for Extending the Available Precision", 1971; D. Knuth's sum).
+/// c^2 + eta^2 - 1 to about one rounding, even near the critical angle: the squares and sums keep their rounding errors
+/// (T. Dekker, "A Floating-Point Technique for Extending the Available Precision", 1971; D. Knuth's sum).
 FN realw fresnel_square_w(realw c, realw eta) {
   realw one = splat_w(R(1.0)), p = eta * eta, q = c * c;
   realw rest = fma_w(eta, eta, -p) + fma_w(c, c, -q);

@@ -10,7 +10,7 @@ typedef struct {
   realw x, y;
 } Real2_w;
 
-/// Uniform on the unit disk, squares about the middle onto circles.
+/// Uniform on the unit disk; concentric squares are mapped onto circles.
 /// P. Shirley, K. Chiu, "A Low Distortion Map Between Disk and Square", Journal of Graphics Tools 2(3), 1997.
 FN Real2_w square_to_disk_w(realw u, realw v) {
   Real2_w p;

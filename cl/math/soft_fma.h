@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// fma of single precision in integers, for devices that compute none (Mesa's llvmpipe): a b + c, rounded once to
-// nearest, whatever the operands, denormal ones too. No branch, no function of our own: compilers of such devices take
-// minutes over programs that have their own library's fma in some hundred places (docs/decisions/0018-soft-fma.md).
+// fma of single precision in integers, for devices without one (Mesa's llvmpipe): a b + c, rounded once to nearest for
+// all operands, denormal ones included. It has no branch and calls no function of ours, because compilers of such
+// devices are slow with both (docs/decisions/0018-soft-fma.md).
 //
 // A finite number is s 2^(p - 150), where s < 2^24 are its significant digits and p its exponent's field, or 1 where
-// that is 0. The product has 48 digits and stands 13 higher in 64 bits, the third operand at most 37 higher; what is
-// too small to reach there counts as the lowest bit. The larger of the two then keeps 12 digits more than are rounded
-// to whenever the other loses any.
+// that is 0. In 64 bits the product, of 48 digits, is shifted up by 13, the third operand by at most 37. Digits below
+// the lowest bit are merged into it (a sticky bit). So where one of the two loses digits, the other has 12 digits more
+// than the result.
 #ifndef STRAHL_MATH_SOFT_FMA_H
 #define STRAHL_MATH_SOFT_FMA_H
 

@@ -47,7 +47,7 @@ FN real difference_of_products(real a, real b, real c, real d) {
   return real_fma(a, b, -cd) + error;
 }
 
-/// What s = a - b has lost by rounding. Knuth, The Art of Computer Programming, vol. 2, 1997, section 4.2.2.
+/// The rounding error of s = a - b. Knuth, The Art of Computer Programming, vol. 2, 1997, section 4.2.2.
 FN real difference_rest(real a, real b, real s) {
   real minus_b = s - a;
   return (a - (s - minus_b)) - (b + minus_b);

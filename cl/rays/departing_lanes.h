@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// LANES rays, and what each of them leaves and ends on. One width; no guard.
+// LANES rays, and the primitives that each of them leaves and ends on. One width; no guard.
 #include "rays/ray.h"
 #if LANES != 1
 #include "rays/prepared_lanes.h"
@@ -25,7 +25,7 @@ FN void rays_make_w(real3w o, real3w d, realw t_min, realw t_max, maskw has_depa
   given.t_max = t_max;
   given.has_departed = has_departed;
   prepare_rays_w(&given, rays->planes);
-  // One by one: PoCL 3.1 keeps an array that a loop runs over in memory, for good.
+  // No loop: PoCL keeps an array that a loop runs over in memory (docs/decisions/0017-once.md).
   rays->planes[RAY_PLANE_SLACK] = rays->planes[RAY_PLANE_SLACK + 1] = rays->planes[RAY_PLANE_SLACK + 2] =
       splat_w(REAL_MAX);
 }

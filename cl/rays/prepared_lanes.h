@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What intersection bodies want prepared of rays, LANES rays at a time: a quarter of the time of a ray in a small scene
-// where it is done one by one. One width; no guard: rays/ray.h has it at one lane.
+// The values of rays that intersection bodies need prepared, LANES rays at a time, which is faster than one by one
+// (docs/decisions/0008-tree.md). One width; no guard: rays/ray.h includes it with one lane.
 
 /// Rays as given. The direction is of any length; `has_left`: a surface has just been left.
 typedef struct {
@@ -66,9 +66,10 @@ FN void prepare_rays_w(const GivenRays_w* given, PRIVATE realw* to) {
   to[RAY_PLANE_SHEAR + 3] = along;
 }
 
-/// From here on boxes within `reach` (centre x y z, half the size x y z) are met for certain where what they hold is:
-/// sideways by 16 u of the farthest they lie from the origin, which is what tests of primitives and of slabs may err by
-/// together (docs/decisions/0008-tree.md). Along an axis that the ray does not move on, signs are exact.
+/// Widens rays, so that a box within `reach` (centre x y z, half the size x y z) is certainly met wherever a primitive
+/// in it is hit. Slabs are widened sideways by 16 u times the largest distance from the origin, a bound on the errors
+/// of the primitive and slab tests together (docs/decisions/0008-tree.md). Along an axis on which the ray does not
+/// move, signs are exact.
 FN void widen_rays_w(maskw has_departed, PRIVATE realw* to, GLOBAL const real* reach) {
   realw ox = to[RAY_PLANE_O], oy = to[RAY_PLANE_O + 1], oz = to[RAY_PLANE_O + 2];
   realw x = abs_w(splat_w(reach[0]) - ox) + splat_w(reach[3]), y = abs_w(splat_w(reach[1]) - oy) + splat_w(reach[4]);
@@ -77,8 +78,8 @@ FN void widen_rays_w(maskw has_departed, PRIVATE realw* to, GLOBAL const real* r
 #if TIER_FAST
   (void)has_departed;
 #else
-  // Where a surface was left, the origin may stand off it by its own rounding, as one of float where rays come in
-  // float, and what was left is met again at its other root all the same.
+  // Where a ray leaves a surface, its origin may be off the surface by a rounding (of float, where rays are given in
+  // float). The shape that was left must still be hit at its other root.
   realw off = splat_w(R(0x1p-20)) * largest_of_w(ox, oy, oz);
   aside = sel_w(has_departed & lt_w(aside, off), off, aside);
 #endif

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A ray, and what intersection bodies of every width want prepared of it. Frame: the one the scene was uploaded in.
+// A ray, with the prepared values that intersection bodies of every width need. Frame: the one the scene was uploaded
+// in.
 #ifndef STRAHL_CORE_RAY_H
 #define STRAHL_CORE_RAY_H
 
@@ -92,7 +93,7 @@ FN Ray ray_make(real3 o, real3 d, real t_min, real t_max, int departed) {
   real planes[RAY_PLANES];
   GivenRays_w_1 given = given_ray(o, d, t_min, t_max, departed);
   prepare_rays_w_1(&given, planes);
-  // One by one: PoCL 3.1 keeps an array that a loop runs over in memory, for good.
+  // No loop: PoCL keeps an array that a loop runs over in memory (docs/decisions/0017-once.md).
   planes[RAY_PLANE_SLACK] = planes[RAY_PLANE_SLACK + 1] = planes[RAY_PLANE_SLACK + 2] = REAL_MAX;
   return prepared_ray_w_1(planes, 0, departed);
 }

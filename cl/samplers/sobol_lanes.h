@@ -2,11 +2,11 @@
 // Owen-scrambled Sobol points, two dimensions a set, sets decorrelated by shuffling: B. Burley, "Practical Hash-based
 // Owen Scrambling", JCGT 9(4), 2020, with the hash of N. Vegdahl, "Building a Better LK Hash", 2021.
 //
-// SOBOL_SEQUENCES of them, scrambled independently, are interleaved by the sample's number, so that each is an estimate
-// of the same picture that knows nothing of the other. Where the film keeps one sum there is one sequence: longer, so
-// spread more evenly. Each is a (0, 2)-sequence in every set: of its first 2^m points one lies in every elementary
-// interval of area 2^-m (tests/cl/test_samplers.cpp). Pixels, sets and sequences have scrambles of their own. One
-// width; no guard.
+// SOBOL_SEQUENCES sequences, scrambled independently, are interleaved by the sample's number, so that each gives an
+// independent estimate of the same picture. Where the film keeps one sum there is one sequence, which is longer and
+// therefore more even. Each is a (0, 2)-sequence in every set: of its first 2^m points one lies in every elementary
+// interval of area 2^-m (tests/cl/test_samplers.cpp). Every pixel, set and sequence has its own scramble. One width; no
+// guard.
 
 FN uintw reversed_bits_w(uintw x) {
   x = (x >> 16) | (x << 16);
@@ -16,7 +16,7 @@ FN uintw reversed_bits_w(uintw x) {
   return ((x >> 1) & 0x55555555u) | ((x & 0x55555555u) << 1);
 }
 
-/// Flips each bit by a hash of the bits below it: Owen's scrambling of a number whose bits stand in reverse.
+/// Flips each bit by a hash of the bits below it: Owen's scrambling of a number whose bits are reversed.
 FN uintw scrambled_reverse_w(uintw x, uintw seed) {
   x ^= x * 0x3d20adeau;
   x += seed;

@@ -3,12 +3,12 @@
 // evenly over the unit square together; pairs are independent of each other. A vertex of a path has the same pairs
 // whatever happened before it, so that a sample can be drawn in any order.
 //
-// The counts below leave room: a use that is added takes a free number and leaves every picture its bits
+// The counts below leave room: a new use takes a free number, and every picture keeps its bits
 // (docs/decisions/0019-numbers-and-lights.md). Changing a number or a count changes every picture.
 #ifndef STRAHL_SAMPLERS_USES_H
 #define STRAHL_SAMPLERS_USES_H
 
-/// Numbers of the sample as a whole. What is drawn by sample_pair takes two, from an even one on.
+/// Numbers of the sample as a whole. A use that sample_pair draws takes two numbers, the first of them even.
 enum {
   USE_PIXEL = 0,  ///< The place within the pixel.
   PAIRS_A_SAMPLE = 4
@@ -19,7 +19,7 @@ enum {
   USE_LIGHT = 0,     ///< Which light.
   USE_ITEM = 1,      ///< Which of its items.
   USE_PLACE = 2,     ///< The place on it, or the direction to it.
-  USE_WAY = 4,       ///< The material's way on.
+  USE_WAY = 4,       ///< The direction that the material draws.
   USE_LOBE = 6,      ///< Which of the material's lobes.
   USE_ROULETTE = 7,  ///< Whether the path goes on.
   PAIRS_A_VERTEX = 8

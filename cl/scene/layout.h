@@ -12,8 +12,8 @@ enum {
   HEADER_WIDTH,  // pixels of a row of the whole picture
   HEADER_SEED,
   HEADER_SUMS,        // The film's sums of a pixel, FILM_SUBSUMS or 1, ...
-  HEADER_SEQUENCES,   // ... the sequences of samples that they are of, ...
-  HEADER_TURN_BITS,   // ... and how many of a sequence's points in a row are in the same one (film/sub_sums.h).
+  HEADER_SEQUENCES,   // ... the number of sample sequences, ...
+  HEADER_TURN_BITS,   // ... and log2 of the run of a sequence's points that go into one sum (film/sub_sums.h).
   HEADER_INTEGRATOR,  // INTEGRATOR_direct, ...
   HEADER_MAX_DEPTH,   // -1: no limit
   HEADER_RR_DEPTH,    // Surfaces after which Russian roulette begins.
@@ -26,11 +26,11 @@ enum {
   HEADER_TEXTURES,   // -> index, TEXTURE_INTS a texture
   HEADER_LIGHTS,     // -> index, LIGHT_INTS a light
   HEADER_LIGHT_COUNT,
-  HEADER_LIGHTS_TAKEN,  // So many light every surface; of those after them one is drawn.
+  HEADER_LIGHTS_TAKEN,  // Number of lights that every surface takes; one of the others is drawn.
   HEADER_CHOOSER,       // CHOOSER_uniform, ...: how that one is chosen.
-  HEADER_MOST_ITEMS,    // Of a light; 0: no area lights.
-  HEADER_BACKGROUND,    // The light that rays see that leave the scene; -1: none.
-  HEADER_GLOWS,         // 1: a ray may find light by itself, from a surface or the background.
+  HEADER_MOST_ITEMS,    // The most items of any light; 0: no area lights.
+  HEADER_BACKGROUND,    // The light that is seen by rays that leave the scene; -1: none.
+  HEADER_GLOWS,         // 1: rays may hit emission, of a surface or the background.
   HEADER_REACH,         // -> shading, 1 real: how far ambient occlusion looks.
   HEADER_ROOT,          // reference (below); NO_REFERENCE: no tree
   HEADER_NODES,         // -> geometry, NODE_PLANES x TREE_WIDTH reals a node
@@ -68,8 +68,8 @@ enum {
   INSTANCE_REALS = 32
 };
 
-// Row of a group: reference or NO_REFERENCE; -> geometry, as HEADER_BOUNDS, in its frame; then for every kind of shape
-// the first of its blocks that the group lists, and how many.
+// Row of a group: the reference of its tree or NO_REFERENCE; -> geometry, its bounds as at HEADER_BOUNDS, in its frame;
+// then for every kind of shape the first block that the group lists, and the number of blocks.
 enum { GROUP_ROOT, GROUP_BOUNDS, GROUP_LISTED };
 
 // Entries of the stack that a traversal keeps, per width of the tree; the host builds trees that need no more.
@@ -80,13 +80,13 @@ enum {
   PART_FIRST_ID,  // scene-wide id of the shape's primitive 0
   PART_MATERIAL,  // row of the material table
   PART_RADIANCE,  // -> shading, r g b; -1: does not emit
-  PART_LIGHT,     // The light that it is; -1: none that could be drawn.
+  PART_LIGHT,     // Its row in the table of lights; -1: no light that could be drawn.
   PART_FLIP,      // 1: the normal is reversed
   PART_AXES,      // -> shading, 9 reals, meaning by kind; -1: none
   PART_NORMALS,   // -> shading, 9 reals a primitive of the shape; -1: none
   PART_UVS,       // -> shading, 6 reals a primitive of the shape; -1: none
   PART_UV_RATES,  // -> shading, 2 reals: change of tex_u and tex_v per unit of length; -1: no textures
-  PART_RANK,      // Among the shapes that have a priority, the lowest 0; -1: it has none.
+  PART_RANK,      // Rank among the shapes with a priority, the lowest 0; -1: it has no priority.
   PART_INTS
 };
 
@@ -98,8 +98,8 @@ enum { TEXTURE_KIND, TEXTURE_REALS, TEXTURE_INTS };
 // LIGHT_AREA to LIGHT_FIRST_ID are an area light's: AREA_sphere, ...; number of items; -> index, CHOICE_INTS an item;
 // scene-wide id of item 0 where the items are primitives in order, else -1.
 enum { LIGHT_KIND, LIGHT_REALS, LIGHT_AREA, LIGHT_ITEMS, LIGHT_CHOICE, LIGHT_FIRST_ID, LIGHT_INTS };
-// An item is kept where a number of 32 bits is below the limit, else the other one is taken (A. Walker, "An Efficient
-// Method for Generating Discrete Random Variables with General Distributions", ACM TOMS 3(3), 1977).
+// An item is kept if a number of 32 bits is below the limit; else the alias is taken (A. Walker, "An Efficient Method
+// for Generating Discrete Random Variables with General Distributions", ACM TOMS 3(3), 1977).
 enum { CHOICE_LIMIT, CHOICE_OTHER, CHOICE_INTS };
 // Reals of an area light: radiance r g b, one over its area, +1 or -1 (emits outwards, inwards), then its items.
 enum { AREA_RADIANCE = 0, AREA_INVERSE = 3, AREA_SIDE = 4, AREA_ITEMS = 5 };
@@ -119,10 +119,10 @@ enum {
 
 enum { FILTER_CELLS = 1024 };
 
-// Mirrors after which a path ends where HEADER_MAX_DEPTH is no limit.
+// Number of mirrors after which a path ends if HEADER_MAX_DEPTH is -1.
 enum { WHITTED_LONGEST = 1024 };
-// Surfaces after which a path ends that nothing but Russian roulette limits: it goes on with 0.95 at most, so the share
-// of the light that is left out is below 0.95^512 = 4e-12.
+// Number of surfaces after which a path ends that only Russian roulette limits. A path survives roulette with
+// probability 0.95 at most, so the share of the light that is left out is below 0.95^512 = 4e-12.
 enum { ROULETTE_LONGEST = 512 };
 
 // Film: FILM_SUBSUMS x 3 sums a pixel (film/sub_sums.h), or 1 x 3, each of FILM_SUM_WORDS words of 64 bits
@@ -137,9 +137,9 @@ enum { SOBOL_SEQUENCES = 2 };
 enum { AOV_DEPTH = 0, AOV_NORMAL = 1, AOV_POSITION = 4, AOV_UV = 7, AOV_T = 9, AOV_RAY = 10, AOV_REALS = 18 };
 enum { AOV_SHAPE, AOV_PRIMITIVE, AOV_INTS };
 
-// COUNT_CUT, COUNT_STUCK: work-items whose loops the device has ended before their last sample, or before their first;
-// programs with HAS_LOOP_LIMIT alone, whose counters are followed by a number a pixel of the film: its first sample
-// that is not in the film yet.
+// COUNT_CUT, COUNT_STUCK: work-items whose loops the device has ended before their last sample, or before their first.
+// Only programs with HAS_LOOP_LIMIT have them. There the counters are followed by one number for each pixel of the
+// film: the first sample that is not in the film yet.
 enum {
   COUNT_SATURATED,
   COUNT_INVALID,
@@ -157,12 +157,12 @@ enum {
 // strahl intersect: a ray and a hit.
 enum { RAY_O = 0, RAY_D = 3, RAY_T_MIN = 6, RAY_T_MAX = 7, RAY_REALS = 8 };
 enum { HIT_T = 0, HIT_U = 1, HIT_V = 2, HIT_NORMAL = 3, HIT_REALS = 6 };
-// What the ray has left, -1: nothing, no instance.
+// The primitive and instance that the ray has left; -1: none.
 enum { DEPARTED_ID, DEPARTED_INSTANCE, DEPARTED_INTS };
 enum { HIT_INSTANCE, HIT_SHAPE, HIT_PRIMITIVE, HIT_INTS };
-// What is known of a hit before it is looked at: Nearest without its t.
+// A hit before its surface is computed: Nearest without its t.
 enum { FOUND_ID, FOUND_KIND, FOUND_SLOT, FOUND_INSTANCE, FOUND_INTS };
-// As kind of the first ray of a work-item: nothing is known, for the device has ended its loops before their time.
+// As the kind of the first ray of a work-item: its hits are invalid, because the device has ended its loops early.
 enum { FOUND_CUT = -2 };
 
 #endif
