@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// LANES rays that share their way through the tree, one a lane, and what all of them have in common. One width; no
-// guard. Each lane is prepared by the operations of rays/ray.h, so it has the bits of that ray alone.
+// LANES rays that traverse the tree together, one a lane, and bounds over all of them. One width; no guard. Each lane
+// is prepared by the operations of rays/ray.h, so it has the same bits as the ray by itself.
 #include "hits/nearest.h"
 
-/// 1: rays need not be alike: nothing but lists, of kinds that ask for nothing that is common to all rays, nor for all
-/// of them one by one.
+/// 1: the rays need not be coherent: the scene has only lists, of kinds whose bodies need no bounds over all rays and
+/// do not test all rays one by one.
 enum {
   PACKET_OF_ANY_RAYS_w = (HAS_TREE == 0)
 #if !TIER_ROBUST
@@ -19,7 +19,7 @@ enum {
 
 /// Bounds over all lanes, per axis, in the order of near and far.
 typedef struct {
-  real o_near, o_far;   ///< Of o: the one that the near plane is farther from, and the other.
+  real o_near, o_far;   ///< Of o: the end of the range farther from the near plane, and the other end.
   real inv_lo, inv_hi;  ///< Of 1 / d; both 0 along an axis that says nothing.
   real slack;           ///< At least every lane's.
 } Bounds_w;
@@ -34,7 +34,7 @@ typedef struct {
 #if TIER_COMPENSATED
   realw dd, dd_inverse, t_per_length;
 #endif
-  intw departed, aim;  ///< What is in no instance.
+  intw departed, aim;  ///< Primitives that are in no instance.
   maskw outward;
   int has_departed;  ///< A lane has left something of it.
 
@@ -48,7 +48,7 @@ typedef struct {
   intw approximate_id, approximate_kind, approximate_slot;
 #endif
 
-  // In common, where rays need be alike. Each lies within first ... last.
+  // Bounds over all rays, where these must be coherent. Each ray lies within first ... last.
   real first, last;
   int near_x, near_y, near_z, kx, ky, kz;
   Bounds_w x, y, z;
@@ -75,7 +75,7 @@ FN Bounds_w axis_bounds_w(realw o, realw inv, realw slack, int is_backward) {
   return b;
 }
 
-/// Whether packet_make has found a ray that may hit something, and all such rays alike; else there is no packet.
+/// Whether packet_make has found a ray that may hit something, and all such rays are coherent; else there is no packet.
 enum { PACKET_DEAD_w, PACKET_ALIKE_w, PACKET_MIXED_w };
 
 /// Nothing hit.
@@ -88,7 +88,8 @@ FN void packet_none_w(Packet_w* p) {
 #endif
 }
 
-/// What rays have in common that need be alike. of: those that can hit nothing become others with an empty range.
+/// Sets the bounds over all rays, where these must be coherent. of: rays that can hit nothing are replaced by others
+/// with an empty range.
 FN int packet_common_w(Packet_w* p, PRIVATE realw* of, maskw dead) {
   if (any_w(dead)) {
     int lane = first_bit(bits_w(~dead));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is reported of a pixel's first sample beside the picture (scene/layout.h, AOV_...).
+// The values of a pixel's first sample that are reported beside the picture (scene/layout.h, AOV_...).
 #ifndef STRAHL_CORE_FIRST_SAMPLE_H
 #define STRAHL_CORE_FIRST_SAMPLE_H
 

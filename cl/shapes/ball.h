@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Bounding balls. Every kind of shape states its own, x_ball_w in shapes/x_lanes.h: rays of a packet that pass by
-// the ball are not asked about the shape (packet_near_lanes.h). The ball holds every point of the shape; the test is
-// tests/robust/test_balls.cpp.
+// Bounding balls. Every kind of shape states its own, x_ball_w in shapes/x/x_lanes.h. Rays of a packet that miss the
+// ball are not tested against the shape (shapes/packet/packet_near_lanes.h). The ball holds every point of the shape;
+// the test is tests/robust/test_balls.cpp.
 #ifndef STRAHL_SHAPES_BALL_H
 #define STRAHL_SHAPES_BALL_H
 
@@ -12,7 +12,7 @@ typedef struct {
   real radius;
 } Ball;
 
-/// With 2^-20 of the radius to spare, for what a few operations round it by.
+/// The radius is enlarged by 2^-20 of itself, which covers the rounding of a few operations.
 FN Ball ball_of(real3 centre, real radius) {
   Ball ball;
   ball.centre = centre;
@@ -20,7 +20,7 @@ FN Ball ball_of(real3 centre, real radius) {
   return ball;
 }
 
-/// Of what has no bound.
+/// The ball of an unbounded shape.
 FN Ball ball_of_all(real3 centre) {
   Ball ball;
   ball.centre = centre;
@@ -35,7 +35,8 @@ FN Ball ball_around_box(real3 lo, real3 hi) {
                  real_fma(R(0x1p-20), max3(abs3(lo)) + max3(abs3(hi)), R(0.5) * length3(across)));
 }
 
-/// Around a polygon: about its first corner, as far as the farthest of the others, of which there are two at least.
+/// Around a polygon: the centre is its first corner, the radius the distance of the farthest other corner. There are at
+/// least two others.
 FN Ball ball_around_corners(real3 corner, real3 a, real3 b, real3 c) {
   real radius = length3(sub3(a, corner)), to_b = length3(sub3(b, corner)), to_c = length3(sub3(c, corner));
   if (radius < to_b) radius = to_b;

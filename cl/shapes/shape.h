@@ -16,7 +16,8 @@ FN real3 interpolate3(GLOBAL const real* abc, real u, real v) {
   return fma3(v, load3(abc + 6), fma3(u, load3(abc + 3), scale3(w, load3(abc))));
 }
 
-/// A box keeps off its edges in its own frame (hits/departure.h), where they lie along the axes.
+/// A point on a box is moved away from the edges in the box's own frame (hits/departure.h), where they are parallel to
+/// the axes.
 FN void surface_to_world(Surface* s) {
   if (!TIER_FAST && s->outline == OUTLINE_BOX) s->position = box_departure(s);
   s->position = point_to_world(s->placed, s->position);
@@ -66,7 +67,7 @@ FN Surface surface_at(const Scene* scene, const Ray* ray, const Nearest* hit, in
   }
   if (HAS_INSTANCES && hit->instance >= 0) surface_to_world(&s);
 #if TIER_FAST
-  s.position = ray_at(ray, hit->t);  // As textbooks have it: off the surface by what o + t d rounds.
+  s.position = ray_at(ray, hit->t);  // As in textbooks: the point is off the surface by the rounding of o + t d.
 #endif
   surface_keep_finite(ray, &s);
   s.tex_u = s.u;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Two colours in squares of 1/2 by 1/2 of the mapped (u, v), four to a unit, as Mitsuba's plugin has them.
+// Two colours in squares of 1/2 by 1/2 of the mapped (u, v), four to a unit, as in Mitsuba's plugin.
 // Parameters: colour 0, colour 1 (r g b each), then the map: u' = m0 u + m1 v + m2, v' = m3 u + m4 v + m5.
 //
 // Up to a footprint of half a square the value is that of the point. Beyond, it is the exact mean over a box of the
 // footprint's size (A. Apodaca, L. Gritz, "Advanced RenderMan", 2000, ch. 11, do it with the integral of the wave as
-// here). The footprint is never taken to be smaller than the distance between neighbouring values of the coordinate,
-// so where that approaches a square the mean takes over, whatever the pixel's size.
+// here). The footprint is at least the distance between neighbouring values of the coordinate. So where this distance
+// approaches a square the mean is used, for any pixel size.
 #ifndef STRAHL_TEXTURES_CHECKERBOARD_H
 #define STRAHL_TEXTURES_CHECKERBOARD_H
 

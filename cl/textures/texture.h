@@ -6,7 +6,7 @@
 #include "scene/scene.h"
 #include "textures/all.h"
 
-/// A point of a surface as textures see it (hits/surface.h).
+/// The values of a surface point that textures use (hits/surface.h).
 typedef struct {
   int part;
   real u, v, footprint;

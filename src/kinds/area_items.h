@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The items of an area light (cl/areas) and their areas, as a shape's file writes them (kinds/shapes.h).
+// Receives the items of an area light (cl/areas) and their areas from a shape's file (kinds/shapes.h).
 #pragma once
 
 #include <vector>

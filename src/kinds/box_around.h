@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Parts of the boxes around primitives that several kinds have in common, in double: what rounds them to the device's
-// numbers does so outwards (packing/primitive_bounds.cpp).
+// Parts of the boxes around primitives that several kinds share, in double. packing/primitive_bounds.cpp rounds them
+// outwards to the device's numbers.
 #pragma once
 
 #include <algorithm>

@@ -10,7 +10,7 @@ namespace strahl {
 
 /// Rectangle and cube are "parallelogram", a mesh "triangle".
 [[nodiscard]] std::string shape_kind(const Shape& shape);
-/// The entry that draws places on such a shape; empty: none, its area is infinite.
+/// The entry that draws places on such a shape; empty where there is none because the area is infinite.
 [[nodiscard]] std::string area_kind(const Geometry& geometry);
 [[nodiscard]] std::string light_kind(const Light& light);
 [[nodiscard]] std::string texture_kind(const Texture& texture);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the host has to know of each integrator, one row each (integrators.cpp). An entry of
+// The properties of each integrator that the host needs, one row each (integrators.cpp). An entry of
 // cl/integrators/integrators.def without a row does not compile.
 #pragma once
 
@@ -8,12 +8,12 @@
 
 namespace strahl::kinds {
 
-/// Ways on from a surface.
+/// How paths continue from a surface.
 enum class Follows {
   nothing,
-  one_way,  ///< One that the material draws, where emission alone counts.
-  mirrors,  ///< Mirrors, as far as they lead.
-  paths     ///< Ways that the material draws, until Russian roulette ends them.
+  one_way,  ///< One direction that the material draws; only emission counts there.
+  mirrors,  ///< Mirror reflections, as long as there are mirrors.
+  paths     ///< Directions that the material draws, until Russian roulette ends the path.
 };
 
 /// Point and directional lights.
@@ -27,9 +27,9 @@ struct IntegratorFacts {
   const char* name;
   Lamps lamps = Lamps::unused;  ///< Used by all that is lit: materials reflect.
   Follows follows = Follows::nothing;
-  bool shows_emission = false;  ///< What emits is seen.
+  bool shows_emission = false;  ///< Emitters are visible.
   bool reads_shading = false;   ///< Interpolated normals change the picture.
-  bool asks_openness = false;   ///< Draws a way into the open.
+  bool asks_openness = false;   ///< Draws ambient-occlusion rays.
   bool is_noiseless = false;    ///< A ray's value is exact: one sample by default.
   bool is_length = false;       ///< The picture is a distance, not light.
 

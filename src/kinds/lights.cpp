@@ -26,7 +26,7 @@ void require_light(Faults& faults, const Rgb& c, const char* what) {
       faults.push_back(fmt::format("the {} must be finite and not negative", what));
       return;
     }
-  // What the film and a picture's floats hold, in every tier.
+  // The largest value that the film and a picture's floats hold, in every tier.
   constexpr double most = std::numeric_limits<float>::max();
   if (std::max({c.r, c.g, c.b}) > most)
     faults.push_back(fmt::format("the {} must be at most {:.3g}, the largest float", what, most));

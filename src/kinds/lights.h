@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the host has to know of each kind of light outside shapes, one row each (lights.cpp). A kind of Light::emitter
-// without a row does not compile.
+// The properties of each kind of light other than shapes that the host needs, one row each (lights.cpp). A kind of
+// Light::emitter without a row does not compile.
 #pragma once
 
 #include <string>
@@ -17,8 +17,8 @@ namespace strahl::kinds {
 
 struct LightFacts {
   const char* entry;           ///< Of cl/lights/lights.def.
-  bool is_delta = false;       ///< One direction at each point: no ray finds it (Lamps in kinds/integrators.h).
-  bool is_background = false;  ///< Rays that leave the scene find it; a scene has one at most.
+  bool is_delta = false;       ///< A single direction at each point, so no ray hits it (Lamps in kinds/integrators.h).
+  bool is_background = false;  ///< Rays that leave the scene see it; a scene has at most one.
 };
 
 [[nodiscard]] const LightFacts& light(const Light& light);
@@ -26,7 +26,7 @@ struct LightFacts {
 /// Its parameters, as its file in cl/lights says, in the frame's units.
 [[nodiscard]] std::vector<double> light_reals(const Light& light, const UploadFrame& frame);
 
-/// What it gives: intensity, irradiance or radiance.
+/// Its intensity, irradiance or radiance.
 [[nodiscard]] const Rgb& light_colour(const Light& light);
 [[nodiscard]] Rgb& light_colour(Light& light);
 [[nodiscard]] bool gives_light(const Light& light);
@@ -40,7 +40,7 @@ void scale(Light& light, double factor);
 /// Its directions; flip_x: x becomes -x.
 void mirror(Light& light, const MapVec3& flip_x);
 
-/// What is wrong with it, in words; empty where all is well.
+/// A description of its fault; empty where there is none.
 [[nodiscard]] std::vector<std::string> light_faults(const Light& light);
 
 }  // namespace strahl::kinds

@@ -7,7 +7,7 @@
 
 namespace strahl {
 
-/// What becomes of a place, an edge or a direction when a scene is moved, scaled or mirrored.
+/// Maps a position, an edge or a direction when a scene is moved, scaled or mirrored.
 using MapVec3 = std::function<Vec3(const Vec3&)>;
 
 }  // namespace strahl

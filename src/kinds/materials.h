@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What is known of each kind of material, in one place: its name, its lobes, its parameters as the kernels read them.
-// Features, packing, validation and warnings ask here.
+// The properties of each kind of material in one place: its name, its lobes, and its parameters as the kernels read
+// them. Features, packing, validation and warnings use them.
 #pragma once
 
 #include <array>
@@ -20,14 +20,14 @@ struct MaterialSlot {
   const char* name;             ///< As in scene files.
   std::array<double, 3> reals;  ///< What the kernels read where there is no texture.
   int texture = -1;             ///< Index into Scene::textures; -1: none.
-  bool is_share = true;         ///< A share of the light: within [0, 1]. Of the others MaterialFacts has the faults.
+  bool is_share = true;         ///< A share of the light: within [0, 1]. Faults of the others are in MaterialFacts.
 };
 
 struct MaterialFacts {
   std::string kind;  ///< An entry of cl/materials/materials.def.
   int lobes = 0;     ///< lobes::LOBE_...: those that it may have.
   std::vector<MaterialSlot> slots;
-  std::vector<std::string> faults;  ///< What is wrong with it, in words, beside its shares.
+  std::vector<std::string> faults;  ///< Descriptions of its faults, except for shares outside [0, 1].
   bool is_twosided = false;         ///< Its back looks as its front does.
 
   [[nodiscard]] bool has_lobe(int lobe) const { return (lobes & lobe) == lobe; }
@@ -37,7 +37,7 @@ struct MaterialFacts {
 
 [[nodiscard]] bool transmits(const Material& material);
 
-/// Some lobe of some material of the scene has all of these.
+/// Whether a lobe of a material of the scene has all of these properties.
 [[nodiscard]] bool has_lobe(const Scene& scene, int lobe);
 
 }  // namespace strahl

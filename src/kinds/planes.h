@@ -16,7 +16,7 @@ using PrimitiveSink = std::function<void(std::span<const double> planes)>;
 
 namespace kinds {
 
-/// One primitive's.
+/// The planes of one primitive.
 struct PrimitivePlanes {
   const UploadFrame& frame;
   std::array<double, 12> values{};
@@ -42,7 +42,8 @@ struct Planes {
   }
 };
 
-/// By a power of two to a length near 1: the length of a normal means nothing, and products with it stay in range.
+/// Scales a normal by a power of two to a length near 1. The length of a normal has no meaning, and products with it
+/// stay in range.
 [[nodiscard]] Vec3 near_unit(const Vec3& normal);
 
 /// x y z of each in turn.

@@ -6,7 +6,7 @@
 
 namespace strahl::kinds {
 
-/// One over its heights; zero where it has no area.
+/// One over the parallelogram's heights; zero where it has no area.
 inline Vec2 rates_of_edges(const Vec3& u, const Vec3& v) {
   const double area = length(cross(u, v));
   return area > 0 ? Vec2{length(v) / area, length(u) / area} : Vec2{};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// All that the host asks of a kind of shape, in one place: a row of shapes.def and, for each, a file of shapes/ that
-// answers the questions below. The compiler names a row that is missing, the linker an answer.
+// Everything that the host needs of a kind of shape, in one place: a row of shapes.def and a file of shapes/ that
+// defines the functions below. The compiler reports a missing row, the linker a missing function.
 #pragma once
 
 #include <array>
@@ -52,8 +52,8 @@ enum class Mirrored {
 #include "kinds/shapes.def"
 #undef SHAPE_KIND
 
-/// Boxes around a primitive of an entry of cl/shapes/shapes.def, from its planes, each the file of the shape of its
-/// name (a parallelogram's is the rectangle's). roundoff: what the planes were rounded by, of their size. None:
+/// Boxes around a primitive of an entry of cl/shapes/shapes.def, from its planes. Each is defined in the file of the
+/// shape with its name (the parallelogram's in the rectangle's). roundoff: the relative rounding of the planes. None:
 /// unbounded.
 #define SHAPE(name, planes) std::optional<Bounds<double>> bounds_##name(const double* p, double roundoff);
 #include "../../cl/shapes/shapes.def"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the host has to know of each kind of texture, one row each (textures.cpp). A kind of Texture::pattern without a
-// row does not compile.
+// The properties of each kind of texture that the host needs, one row each (textures.cpp). A kind of Texture::pattern
+// without a row does not compile.
 #pragma once
 
 #include <array>
@@ -14,8 +14,8 @@ namespace strahl::kinds {
 struct TextureFacts {
   std::string entry;                ///< Of cl/textures/textures.def.
   std::vector<double> reals;        ///< Its parameters, as its file in cl/textures says.
-  Rgb mean;                         ///< What stands for it where it is left out.
-  std::vector<std::string> faults;  ///< What is wrong with it, in words.
+  Rgb mean;                         ///< Replaces the texture where it is disabled.
+  std::vector<std::string> faults;  ///< Descriptions of its faults.
 };
 
 [[nodiscard]] TextureFacts texture(const Texture& texture);

@@ -7,7 +7,7 @@
 namespace strahl {
 namespace {
 
-/// From the camera to the farthest corner of what is bounded, else to the farthest plane.
+/// The distance from the camera to the farthest corner of the bounded shapes; without any, to the farthest plane.
 double reach(const Scene& scene, const Vec3& eye) {
   if (const std::optional<Box> box = bounds(scene))
     return std::max(largest_component(box->min - eye), largest_component(box->max - eye));

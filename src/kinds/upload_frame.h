@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Where and at what size a scene is uploaded. The shift and the power of two are taken out in double, before anything
-// is rounded: pictures depend neither on where a scene stands nor on its unit of length.
+// The origin and scale of the frame in which a scene is uploaded. The shift and the power of two are applied in double,
+// before anything is rounded, so that pictures depend neither on the scene's position nor on its unit of length.
 #pragma once
 
 #include "scene/model/scene.h"
@@ -15,8 +15,8 @@ struct UploadFrame {
   [[nodiscard]] Vec3 vector(const Vec3& world) const { return scale * world; }
 };
 
-/// The camera's place, and a scale at which what it may see is at most 2^13 away: products of three lengths then stay
-/// within fp32 for primitives down to 10^-11 of that.
+/// The camera's position, and a scale at which everything visible is at most 2^13 away: products of three lengths then
+/// stay within the range of fp32 for primitives down to 10^-11 of that.
 [[nodiscard]] UploadFrame camera_frame(const Scene& scene);
 
 }  // namespace strahl

@@ -6,8 +6,8 @@
 
 #include "hits/surface.h"
 
-/// Where t may have been held within what an instance allows (accel/instance.h): the face that it is nearest to, of
-/// those equally near the first.
+/// Where t may have been clamped to the interval of an instance (accel/instance.h): the face whose distance is nearest
+/// to t, the first of several equally near.
 FN int box_face_nearest(PRIVATE const int* near, const Ray* ray, GLOBAL const real* prim, int stride, real t) {
   int best = near[0];
   real gap = REAL_MAX;

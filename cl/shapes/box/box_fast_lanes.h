@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Ray against LANES boxes as textbooks have it: slabs by fmin and fmax over (plane - o) * (1 / d), T. Kay, J. Kajiya,
-// "Ray Tracing Complex Scenes", SIGGRAPH 1986. A ray that lies in a face meets 0 * infinity.
+// Ray against LANES boxes as in textbooks: slabs by fmin and fmax over (plane - o) * (1 / d), T. Kay, J. Kajiya, "Ray
+// Tracing Complex Scenes", SIGGRAPH 1986. A ray that lies in a face meets 0 * infinity.
 
 FN void box_block_w(const Ray* ray, GLOBAL const real* block, GLOBAL const int* ids, int slot, Nearest* best) {
   realw x0 = (load_w(block) - splat_w(ray->o.x)) * splat_w(ray->inv.x);

@@ -51,11 +51,12 @@ FN void box_block_w(const Ray* ray, GLOBAL const real* block, GLOBAL const int* 
     maskw departed = is_departed_w(ids, ray);
     if (any_w(departed)) {
       t = sel_w(departed, leave, t);
-      // Not asked to enter first: a grazing ray whose origin was rounded out of the box would enter after it leaves.
+      // enter <= leave is not required: for a grazing ray whose origin was rounded out of the box, enter is larger than
+      // leave.
       hit = (hit & ~departed) | (departed & lt_w(splat_w(R(0.0)), leave) & ~box_left_outward_w(ray, block));
     }
   }
-  // REAL_MAX stands for an exit beyond the range of real: out of reach.
+  // REAL_MAX stands for an exit beyond the range of real, which is no hit.
   hit = hit & lt_w(t, splat_w(REAL_MAX));
   take_nearest_w(hit & in_range_w(t, ray, best), t, ids, -1, SHAPE_box, slot, best);
 }

@@ -24,7 +24,7 @@ FN maskw box_exact_w(const Ray* ray, GLOBAL const real* block, realw enter, real
     size[i] = real_abs(component(ray->d, i));
     in[i] = backwards ? two_sum_w(o, -near) : two_sum_w(near, -o);
     out[i] = backwards ? two_sum_w(o, -far) : two_sum_w(far, -o);
-    // Not between the planes of an axis that it runs along, or no box at all.
+    // Rejects a ray that does not move along this axis and lies outside of the slab, and lanes without a box.
     if (!(size[i] > R(0.0))) meets = meets & le_w(in[i].hi, zero) & le_w(zero, out[i].hi);
     meets = meets & (backwards ? le_w(far, near) : le_w(near, far));
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Ray against LANES open cylinders as textbooks have it: b^2 - 4 a c across the axis, in world coordinates.
+// Ray against LANES open cylinders as in textbooks: b^2 - 4 a c across the axis, in world coordinates.
 
 FN void cylinder_block_w(const Ray* ray, GLOBAL const real* block, GLOBAL const int* ids, int slot, Nearest* best) {
   realw gx = splat_w(ray->o.x) - load_w(block);

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Ray against LANES open cylinders: the sphere's stable form (sphere_lanes.h) for f x v and d x v, v the axis, whose
-// products keep the sign of what is parallel to it; then each root's place along the axis. v is a rounded unit vector
-// and taken at its word: the mantle is |f x v| = r |v|. A ray parallel to the axis misses. The cylinder just left: the
-// other root, -2 (f.d) / (d.d).
+// products keep the sign of what is parallel to it; then each root's place along the axis. v is a unit vector that was
+// rounded; the rounded one is taken as exact, so the mantle is |f x v| = r |v|. A ray parallel to the axis misses. The
+// cylinder just left: the other root, -2 (f.d) / (d.d).
 
 enum { PACKET_BODY_cylinder_w = PACKET_BODY_NONE };
 
 /// prim: its reals, LANES apart.
 FN Ball cylinder_ball_w(GLOBAL const real* prim) {
-  // About the foot of the axis, as far as the other end's rim at the most.
+  // Centred at the foot of the axis; the radius reaches the rim of the other end.
   return ball_of(vec3(prim[0], prim[LANES], prim[2 * LANES]), prim[7 * LANES] + prim[6 * LANES]);
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Ray against LANES open cylinders, robust tier: the sphere's form in two dimensions, for f x v and d x v instead of f
-// and d, v the axis. v is a rounded unit vector and taken at its word: the mantle is |f x v| = r |v|, from
-// (p - p0).v = 0 to length v.v, so neither radius nor direction depends on |v| being 1.
+// and d, v the axis. v is a unit vector that was rounded; the rounded one is taken as exact. The mantle is |f x v| = r
+// |v|, from (p - p0).v = 0 to length v.v, so neither radius nor direction depends on |v| being 1.
 // (f x v) x (d x v) = (f . (d x v)) v, hence the discriminant is v.v times a r^2 - (f . (d x v))^2.
 // A ray parallel to the axis misses. The cylinder just left: the other root, -2 b / a.
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Where a ray that has left a cylinder may meet it again, one width; no guard: within the slabs that the tree knows,
-// which an origin that is not on the cylinder may miss. The box is the host's but for what that adds to be safe from
-// rounding.
+// Where a ray that has left a cylinder may hit it again, one width; no guard. The hit must lie within the slabs that
+// the tree uses: if the origin is not on the cylinder, the root may lie outside of them. The box is that of the host
+// without its margin for rounding.
 
 /// Lanes whose t lies within the slabs of their cylinders.
 FN maskw within_cylinder_slabs_w(const Ray* ray, GLOBAL const real* block, realw t) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Ray against LANES disks as textbooks have it: Hesse's plane (plane_fast_lanes.h), then |o + t d - c|^2 <= r^2.
+// Ray against LANES disks as in textbooks: Hesse's plane (plane_fast_lanes.h), then |o + t d - c|^2 <= r^2.
 
 FN void disk_block_w(const Ray* ray, GLOBAL const real* block, GLOBAL const int* ids, int slot, Nearest* best) {
   realw cx = load_w(block), cy = load_w(block + LANES), cz = load_w(block + 2 * LANES);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a program of any width needs at one lane besides: the arithmetic of candidates, which lanes have found and which
-// are few. Its answers do not depend on the width, and a candidate costs less than a block. Robust tier.
+// Code that a program of any width needs at one lane as well: the exact tests of the few candidates that lanes have
+// found. The results do not depend on the width, and one candidate costs less than a block. Robust tier.
 #ifndef STRAHL_SHAPES_EXACT_SCALAR_H
 #define STRAHL_SHAPES_EXACT_SCALAR_H
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Rays whose hits are known but for the last digits of t, one a lane, robust tier. One width; no guard.
+// Rays whose hits are known except for the last digits of t, one a lane, robust tier. One width; no guard.
 
 typedef struct {
   real3w o, d;
@@ -11,7 +11,8 @@ typedef struct {
 FN dw3_w exact_difference_w(real3w p, real3w q) { return two_difference3_w(p.x, p.y, p.z, q.x, q.y, q.z); }
 
 #if LANES == 1
-/// Not returned: Oclgrind 21.10 knows nothing of what LLVM notes down of a struct that is returned and stays in memory.
+/// Written through a pointer: Oclgrind 21.10 does not support the attributes that LLVM gives to a struct returned in
+/// memory.
 FN void exact_ray(const Ray* ray, ExactRays_w* one) {
   one->o = ray->o;
   one->d = ray->d;

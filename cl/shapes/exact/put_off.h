@@ -1,26 +1,26 @@
 // SPDX-License-Identifier: MIT
-// Hits whose exact t is put off, robust tier, one lane. Which of two is nearer is mostly plain from their t to a few
-// digits, so the exact t is found out for those that are too near to each other, and in the end for the one that is
-// left, if anybody asks: LANES rays at a time where there are as many (settle_lanes.h). The answer is that of exact t
+// Hits whose exact t is put off, robust tier, one lane. A few digits of t mostly decide which of two hits is nearer. So
+// the exact t is computed only for hits that are too near to each other, and at the end for the remaining hit, if it is
+// needed: for LANES rays at a time where there are as many (settle_lanes.h). The result is the same as with exact t
 // throughout. No guard: the width of a primitive's planes is a parameter.
 
-/// Where a program has one lane nothing is settled in lanes, so spheres are decided at once: some of its compilers take
-/// minutes over their arithmetic, wherever it stands once more.
+/// A program with one lane settles nothing in lanes, so spheres are decided at once: another copy of their arithmetic
+/// would make some compilers of such programs very slow.
 #if defined(SCENE_LANES) && SCENE_LANES == 1
 enum { SPHERES_WAIT = 0 };
 #else
 enum { SPHERES_WAIT = 1 };
 #endif
 
-/// Of a candidate that the ray meets: t roughly, between what bounds it lies, and where to look.
+/// A candidate that the ray hits: its approximate t, the bounds of its t, and its planes.
 typedef struct {
   real approximate, least, most;
   GLOBAL const real* prim;
   int points;  ///< As in hits/nearest.h.
 } HitAbout;
 
-/// A sphere that the line passes through for certain. 0: not for certain after t_min. k, off, inside: of it, as
-/// sphere_roughly has them.
+/// A sphere that the line certainly passes through. Returns 0 where the hit is not certainly after t_min. k, off,
+/// inside: as for sphere_approximately.
 FN int sphere_about(const Ray* ray, real k, real off, real inside, HitAbout* at) {
   real about;
   maskw is_after = sphere_approximately_w(ray->t_min, ray->dd_inverse, k, off, inside, &at->approximate, &about);

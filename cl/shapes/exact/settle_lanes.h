@@ -5,7 +5,7 @@
 #include "shapes/polygon/polygon_exact_lanes.h"
 #include "shapes/sphere/sphere_exact_lanes.h"
 
-/// Hits that wait, one a lane.
+/// Hits whose exact t is still to be computed, one a lane.
 typedef struct {
   maskw which;  ///< Lanes that have one, and of it
   intw kind, slot;
@@ -78,7 +78,7 @@ FN realw settled_kind_w(const Scene* scene, const Rays_w* rays, const PutOff_w* 
 SELDOM_FN realw settled_w(const Scene* scene, const Rays_w* rays, const PutOff_w* put_off) {
   realw t = put_off->approximate;
   PutOff_w kind = *put_off;
-  (void)scene;  // A scene of other kinds.
+  (void)scene;  // For a scene without these kinds.
   (void)rays;
   (void)kind;
 #define SHAPE(name, planes)                                                                                            \

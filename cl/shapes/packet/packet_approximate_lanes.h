@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Hits of a packet that are put off, robust tier: a primitive is found to be hit for certain, at a t that is known but
-// for its last digits. Each ray keeps the nearest such hit, as long as no other comes too near to it to tell which is
-// the nearer; only what is left in the end is decided exactly, LANES rays at a time, each with a primitive of its own.
-// One width; no guard.
+// Hits of a packet that are put off, robust tier: the primitive is certainly hit, at a t that is known except for its
+// last digits. Each ray keeps the nearest such hit until another hit is so near to it that the order is unknown. Only
+// the hits that remain at the end are decided exactly, LANES rays at a time, each with a primitive of its own. One
+// width; no guard.
 
 /// Decides what was put off.
 SELDOM_FN void packet_settle_w(const Scene* scene, Packet_w* p) {
@@ -16,8 +16,8 @@ SELDOM_FN void packet_settle_w(const Scene* scene, Packet_w* p) {
   p->approximate_kind = splat_int_w(-1);
 }
 
-/// What is left in the end. Where t may be rough, polygons that are the nearest for certain stay put off: t is not
-/// below what it will be.
+/// Decides the hits that remain at the end. Where an approximate t suffices, polygons that are certainly the nearest
+/// stay put off: their t is not below the exact one.
 FN void packet_finish_w(const Scene* scene, Packet_w* p, int may_be_approximate) {
   if (may_be_approximate) {
     maskw is_flat = none_w();
@@ -37,7 +37,8 @@ FN void packet_finish_w(const Scene* scene, Packet_w* p, int may_be_approximate)
   if (any_w(~lt_int_w(p->approximate_kind, splat_int_w(0)))) packet_settle_w(scene, p);
 }
 
-/// Puts off: hit at `rough`, for certain within least ... most; `sure` lanes of them also after t_min.
+/// Puts hits off: t is about `approximate` and certainly within least ... most; in the lanes of `sure` it is also
+/// certainly after t_min.
 FN void packet_put_off_w(const Scene* scene, Packet_w* p, maskw hit, maskw sure, realw approximate, realw least,
                          realw most, intw id, int kind, intw slot) {
   if (p->stop_at_first) {
@@ -49,7 +50,7 @@ FN void packet_put_off_w(const Scene* scene, Packet_w* p, maskw hit, maskw sure,
     if (!any_w(hit)) return;
   }
   maskw is_held = ~lt_int_w(p->approximate_kind, splat_int_w(0)), unsure = hit & ~sure;
-  // What is held comes after the new one for certain, or gives way to an exact answer.
+  // The hit held so far is certainly behind the new one, or is replaced by an exact answer.
   if (any_w(unsure | (hit & is_held & ~lt_w(most, p->approximate_least)))) packet_settle_w(scene, p);
   p->approximate = sel_w(hit, approximate, p->approximate);
   p->approximate_least = sel_w(hit, least, p->approximate_least);

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-// The cheap test in front of the robust bodies, one width; no guard. It may let through what is missed, it never drops
-// what is met: only ambiguous and hit blocks pay for double words. NaN passes.
+// The cheap test in front of the robust bodies, one width; no guard. It may pass primitives that are missed, but never
+// rejects one that is hit: only blocks with possible hits pay for double words. NaN passes.
 
 /// Rays, or one in all lanes.
 typedef struct {
   realw dx, dy, dz;
   realw dd_inverse, t_per_length;  ///< As in rays/ray.h.
-  realw t_min, t_max;              ///< What is asked of them.
+  realw t_min, t_max;              ///< The range of t.
 } Reaching_w;
 
-/// Lanes whose ball of radius `reach` about the point o - f may be met within [t_min, t_max].
+/// Lanes whose ball of radius `reach` about the point o - f may be hit within [t_min, t_max].
 /// The computed distance of line and centre is off by at most 10 u |f| (f rounded, its place along the ray, products
 /// and quotient), the squares by 3 u; 32 u of |fx| + |fy| + |fz| covers both, and 2^-120 what underflow does to them.
 /// |d| >= 1, so the ray is within the ball for |t - k| <= half the chord at most.

@@ -22,7 +22,7 @@ FN void parallelogram_block_w(const Ray* ray, GLOBAL const real* block, GLOBAL c
   realw ab = edge_function_w(a, b), bc = edge_function_w(b, c);
   realw cd = edge_function_w(c, d), da = edge_function_w(d, a);
   realw bd = edge_function_w(b, d), sum = ab + da + bd;
-  maskw none = eq_w(sum, splat_w(R(0.0)));  // Without area, as padding is.
+  maskw none = eq_w(sum, splat_w(R(0.0)));  // Polygons without area, such as padding.
   maskw hit = ~(signs_differ_w(ab, bc, cd) | signs_differ_w(bc, cd, da) | none);
   if (ray->departed >= 0) hit = hit & ~is_end_w(ids, ray);
   if (!any_w(hit)) return;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Ray against LANES planes in Hesse's form as textbooks have it: t = (D - n.o) / (n.d), D = n.P rounded.
+// Ray against LANES planes in Hesse's form as in textbooks: t = (D - n.o) / (n.d), D = n.P rounded.
 
 FN void plane_block_w(const Ray* ray, GLOBAL const real* block, GLOBAL const int* ids, int slot, Nearest* best) {
   realw nx = load_w(block + 3 * LANES), ny = load_w(block + 4 * LANES), nz = load_w(block + 5 * LANES);

@@ -2,7 +2,7 @@
 // Sheared vertices and edge functions for triangle_lanes.h and parallelogram_lanes.h, one width; no guard.
 // S. Woop, C. Benthin, I. Wald, "Watertight Ray/Triangle Intersection", JCGT 2(1), 2013, with the sign of every edge
 // function made exact by Kahan's difference of products (math/vec3.h), so no fp64 fallback is needed. A vertex is
-// sheared by literally the same operations in every primitive that shares it: neighbours agree on the sign.
+// sheared by exactly the same operations in every primitive that shares it, so neighbours agree on the sign.
 // Where an edge function is exactly 0 the ray counts as shifted by (delta, delta^2), delta -> 0: of the primitives
 // around an edge or a vertex exactly one is hit (simulation of simplicity; Edelsbrunner, Muecke, ACM TOG 9(1), 1990).
 
@@ -24,14 +24,14 @@ FN ShearedVertex_w shear_vertex_w(const Ray* ray, GLOBAL const real* planes) {
 /// Twice the signed area of (ray, a, b), exact in sign: b.x a.y - b.y a.x.
 FN realw edge_function_w(ShearedVertex_w a, ShearedVertex_w b) { return difference_of_products_w(b.x, a.y, b.y, a.x); }
 
-/// A value with the sign that e has once the ray is shifted; antisymmetric in a and b as e is.
+/// A value with the sign of e for the shifted ray; like e it is antisymmetric in a and b.
 FN realw resolved_edge_w(realw e, ShearedVertex_w a, ShearedVertex_w b) {
   realw zero = splat_w(R(0.0));
   realw dy = b.y - a.y, dx = a.x - b.x;
   return sel_w(eq_w(e, zero), sel_w(eq_w(dy, zero), dx, dy), e);
 }
 
-/// Lanes whose values are not of one sign.
+/// Lanes whose values have different signs.
 FN maskw signs_differ_w(realw a, realw b, realw c) {
   realw zero = splat_w(R(0.0));
   maskw negative = lt_w(a, zero) | lt_w(b, zero) | lt_w(c, zero);

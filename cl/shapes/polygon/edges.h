@@ -20,7 +20,7 @@ FN Sheared shear_point(const Ray* ray, real3 p) {
 
 FN real edge_of(Sheared a, Sheared b) { return difference_of_products(b.x, a.y, b.y, a.x); }
 
-/// Clamped into [0, 1]; weights of p1 and p2 from the same edge functions that decided the hit.
+/// Clamped into [0, 1]; weights of p1 and p2 from the edge functions that decided the hit.
 FN void barycentrics(const Ray* ray, real3 p0, real3 p1, real3 p2, real* u, real* v) {
   Sheared a = shear_point(ray, p0), b = shear_point(ray, p1), c = shear_point(ray, p2);
   real ea = edge_of(b, c), eb = edge_of(c, a), ec = edge_of(a, b);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Surfaces of LANES flat polygons, one a lane: surface_at of shapes/shape.h and departure_of of hits/departure.h for
-// the plain case, operation by operation. Whatever is not plain (in an instance, smooth, near an edge, not finite) is
-// left to those. One width; no guard.
+// the plain case, operation by operation. Those functions handle all other cases: in an instance, smooth, near an edge,
+// not finite. One width; no guard.
 
-/// What is asked of each lane: its ray, and the polygon that it has hit at t.
+/// The input of each lane: its ray, and the polygon that it has hit at t.
 typedef struct {
   real3w o, d;
   realw shear_x, shear_y, t;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Which rays of a packet a flat polygon is hit or missed by for certain, robust tier: plain arithmetic in the polygon's
-// own coordinates says so of nearly all, for a third of what the exact test costs. The others are left to that test, so
-// hits have its bits. For packets of any rays, whose lists are short. One width; no guard.
+// Which rays of a packet certainly hit or certainly miss a flat polygon, robust tier. Plain arithmetic in the polygon's
+// own coordinates decides nearly all rays, at lower cost than the exact test (docs/decisions/0016-polygon-frames.md).
+// The exact test decides the others, so the hits have its bits. For packets of arbitrary rays, whose lists are short.
+// One width; no guard.
 //
 // A point g of the plane is a + u e + v f, from corner a along the edges e to the next and f to the last corner; with
 // n = e x f, u = (f x n).(g - a) / n.n and v = (n x e).(g - a) / n.n: three dot products, whose constants are folded
@@ -11,7 +12,7 @@
 //   the place on the ray by twice that and 6 w r, f x n and n x e over n.n by 2^7 w of their length: u + v by less than
 //   2^10 w r A / |n.d| times the sum of those lengths, of which `margin` is twice. The exact test's own rounding of
 //   corners, 4 w r across the ray, and a fourth corner that is not quite b + f, by 2^-18 E at most, are within it.
-// n.d is the one that was computed, so this holds for all but parallel rays too: they find nothing certain.
+// n.d is the computed value, so the bounds hold for nearly parallel rays as well: for them nothing is certain.
 
 /// LANES polygons, a plane of LANES reals each.
 typedef struct {
@@ -57,7 +58,7 @@ FN PolygonCoordinates_w polygon_coordinates_w(const Packet_w* p, GLOBAL const re
   radius = splat_w(largest_w(sel_w(plain, radius, splat_w(R(0.0)))));
   frames.o = sub3_w(p->o, first);
   frames.reach = size1_w(frames.o) + radius;
-  // Beside one that is far larger the bounds of a small one are too wide to be of use.
+  // Next to a far larger polygon the bounds of a small one are too wide to be useful.
   frames.plain = there & bits_w(plain & le_w(radius, splat_w(R(512.0)) * (size_e + size_f)));
   return frames;
 }
@@ -70,8 +71,8 @@ FN realw row_with_w(PRIVATE const real3w* n, PRIVATE const realw* c, int i, real
   return fma_w(splat_of_w(&n->z, i), v.z, fma_w(splat_of_w(&n->y, i), v.y, x));
 }
 
-/// Puts off what the rays of `active` hit for certain, and the nearest for certain. Returns the polygons that are open
-/// to some rays: open[i] has those of polygon i. No branch depends on what is hit: the
+/// Puts off the hits that are certain and certainly the nearest, for the rays of `active`. Returns the polygons that
+/// are undecided for some rays; open[i] has the undecided rays of polygon i. No branch depends on what is hit: the
 /// processor would mispredict it.
 FN uint meet_coordinates_w(const Scene* scene, Packet_w* p, GLOBAL const real* block, GLOBAL const int* ids, uint there,
                            int slot, int kind, maskw active, int corners, PRIVATE maskw* open) {
@@ -94,7 +95,7 @@ FN uint meet_coordinates_w(const Scene* scene, Packet_w* p, GLOBAL const real* b
     realw turned = frames.reach * abs_w(inverse);
     realw margin = splat_of_w(&frames.margin, i), spare = splat_of_w(&frames.spare, i);
     realw least = fma_w(-spare, turned, t), most = fma_w(spare, turned, t);
-    // What is no number is below nothing, nor above: not certain.
+    // Comparisons with a NaN are false, so nothing is certain then.
     maskw may_hit = active & ~lt_w(fma_w(margin, turned, middle), off) & ~lt_w(bound, least) & ~lt_w(most, p->t_min);
     if (p->has_departed) may_hit = may_hit & ~packet_end_w(p, ids[i]);
     maskw nearest =

@@ -24,7 +24,7 @@ FN ShearedVertex_w shear_for_each_w(const Packet_w* p, const real3w* o, GLOBAL c
 }
 
 #if REAL_BITS == 64
-/// t, held within the slabs of one polygon.
+/// t, clamped to the slabs of one polygon.
 FN realw within_corners_each_w(const Packet_w* p, realw t, GLOBAL const real* polygon, int corners) {
   Interval_w slabs;
   slabs.enter = splat_w(-REAL_MAX);

@@ -7,7 +7,7 @@ FN real3 corner_of(GLOBAL const real* prim, int corner, int stride) {
   return vec3(at[0], at[stride], at[2 * stride]);
 }
 
-/// t, held within the box of four corners.
+/// t, clamped to the box of four corners.
 FN real within_box_of(const Ray* ray, real t, real3 a, real3 b, real3 c, real3 d) {
   real3 lo = vec3(min_w(d.x, min_w(c.x, min_w(b.x, a.x))), min_w(d.y, min_w(c.y, min_w(b.y, a.y))),
                   min_w(d.z, min_w(c.z, min_w(b.z, a.z))));
@@ -16,8 +16,8 @@ FN real within_box_of(const Ray* ray, real t, real3 a, real3 b, real3 c, real3 d
   return within_slabs_w(ray, t, lo.x, hi.x, lo.y, hi.y, lo.z, hi.z);
 }
 
-/// t, of a polygon of 3 or 4 corners. Where the ray grazes it, or it is all but a line, t is held within its box, and
-/// always within its range along the ray's largest axis.
+/// t of a polygon of 3 or 4 corners. t is always clamped to the polygon's range along the ray's largest axis. Where the
+/// ray grazes the polygon, or the polygon is nearly a line, it is clamped to the polygon's box as well.
 FN real polygon_exact_t(const Ray* ray, real approximate, GLOBAL const real* prim, int corners, int stride) {
   ExactRays_w one;
   exact_ray(ray, &one);

@@ -19,7 +19,7 @@ FN dw_w dot_approximately_w(dw3_w n, dw3_w v) {
   return two_sum_w(xyz.hi, rest);
 }
 
-/// The same with numbers: nothing is computed of d alone, which compilers would do for every ray.
+/// The same for plain numbers. No term depends on d alone, because compilers would compute it for every ray.
 FN dw_w dot_with_w(dw3_w n, real3w d) {
   dw_w x = two_prod_w(n.x.hi, d.x), y = two_prod_w(n.y.hi, d.y), z = two_prod_w(n.z.hi, d.z);
   dw_w xy = two_sum_w(x.hi, y.hi), xyz = two_sum_w(xy.hi, z.hi);
@@ -28,8 +28,8 @@ FN dw_w dot_with_w(dw3_w n, real3w d) {
 }
 
 /// t where a ray meets the plane of the corners a, b, c: n.(g - o) / (n.d) with n = e x f = (b - a) x (c - a) and g the
-/// corner nearest to where the ray passes, about `rough`, since an error of n turns the plane about g; in double words,
-/// rounded once. plain: lanes whose ray does not graze the polygon, and that is not all but a line.
+/// corner nearest to the ray's point at `approximate`, since an error of n turns the plane about g; in double words,
+/// rounded once. plain: lanes whose ray does not graze the polygon, and whose polygon is not nearly a line.
 FN realw plane_t_w(const ExactRays_w* ray, realw approximate, real3w a, real3w b, real3w c, PRIVATE maskw* plain) {
   real3w near = fma3_w(approximate, ray->d, ray->o);
   dw3_w e = exact_difference_w(b, a), f = exact_difference_w(c, a), n;
@@ -52,7 +52,7 @@ FN realw plane_t_w(const ExactRays_w* ray, realw approximate, real3w a, real3w b
 /// Along each ray's largest axis.
 FN realw ahead_w(const ExactRays_w* ray, real3w v) { return sel_w(ray->is_x, v.x, sel_w(ray->is_y, v.y, v.z)); }
 
-/// t, held within the range of the polygon along the ray's largest axis. d: the fourth corner, or c again.
+/// t, clamped to the range of the polygon along the ray's largest axis. d: the fourth corner, or c again.
 FN realw within_polygon_w(const ExactRays_w* ray, realw t, real3w a, real3w b, real3w c, real3w d) {
   realw za = ahead_w(ray, a), zb = ahead_w(ray, b), zc = ahead_w(ray, c), zd = ahead_w(ray, d);
   realw least = min_w(zd, min_w(zc, min_w(zb, za))), largest = max_w(zd, max_w(zc, max_w(zb, za)));
@@ -61,9 +61,9 @@ FN realw within_polygon_w(const ExactRays_w* ray, realw t, real3w a, real3w b, r
   return min_w(max_w(other, one), t);
 }
 
-/// t of a triangle, to 4 ulp and mostly to 1/2: from how far o + rough d is off the plane, where the triangle is so
-/// small beside its distance that the roundings of e, f, n and that point, some u of |e| + |f| over |n^.d|, do not
-/// matter. plain: lanes where that is so.
+/// t of a triangle, to 4 ulp and mostly to 1/2: from the distance of o + approximate d from the plane, where the
+/// triangle is so small compared with its distance that the roundings of e, f, n and that point, some u of |e| + |f|
+/// over |n^.d|, do not matter. plain: lanes where that is so.
 FN realw triangle_t_w(const ExactRays_w* ray, realw approximate, real3w a, real3w b, real3w c, PRIVATE maskw* plain) {
   real3w e = sub3_w(b, a), f = sub3_w(c, a), n = cross3_w(e, f), d = ray->d;
   dw3_w g = exact_difference_w(a, ray->o);

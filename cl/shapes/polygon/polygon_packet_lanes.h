@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// LANES rays against one flat polygon at a time of a block, of 3 or 4 corners, with the bits that they have one by one.
-// One width; no guard.
+// LANES rays against one flat polygon at a time of a block, of 3 or 4 corners, with the same bits as one by one. One
+// width; no guard.
 
 /// Corner k of LANES polygons.
 FN real3w corners_of_block_w(GLOBAL const real* block, int k) { return load_planes3_w(block + 3 * k * LANES); }

@@ -1,26 +1,26 @@
 // SPDX-License-Identifier: MIT
-// Flat polygons in the robust tier, one width; no guard: lanes that edge_lanes.h counts as hit are few, and
-// put_off.h says of each where.
+// Flat polygons in the robust tier, one width; no guard. edge_lanes.h finds the few lanes that are hit, and put_off.h
+// computes t of each.
 
 /// Three corners of a polygon, sheared, and all of it along the ray's largest axis.
 typedef struct {
   ShearedVertex_w at_a, at_b, at_c;
-  realw of_a, of_b, of_c;  ///< The corners' weights where the ray passes, but for their sum.
+  realw of_a, of_b, of_c;  ///< The unnormalised weights of the corners at the ray.
   realw z_min, z_max;
 } Polygon_w;
 
-/// How far a sheared vertex lies from the ray, sideways.
+/// The lateral distance of a sheared vertex from the ray.
 FN realw aside_of_w(ShearedVertex_w v) { return abs_w(v.x) + abs_w(v.y); }
 
-/// t of each lane: roughly, and where it certainly lies.
+/// t of each lane: approximately, and its certain bounds.
 typedef struct {
   real approximate[LANES], least[LANES], most[LANES];
 } ApproximateT_w;
 
-/// Lanes whose t may lie within [t_min, best so far]. Roughly it is the weighted mean of z, with 2^-20 of it to spare
-/// and, for each vertex off by some u of its distance, what that turns the weights by. It is always within the
-/// polygon's range along the ray's largest axis (polygon_exact_t), and where the ray grazes it or it is all but a line
-/// that is no more than a guess.
+/// Lanes whose t may lie within [t_min, best so far]. The approximate t is the weighted mean of z. Its bounds add 2^-20
+/// of it and the change of the weights for vertices that are off by some u of their distance. t is always within the
+/// polygon's range along the ray's largest axis (polygon_exact_t). Where the ray grazes the polygon, or the polygon is
+/// nearly a line, only that range is certain.
 FN maskw in_range_approximately_w(const Ray* ray, const Nearest* best, const Polygon_w* p, PRIVATE ApproximateT_w* t) {
   realw shear = splat_w(ray->shear_z), sum = p->of_a + p->of_b + p->of_c, scale = shear / sum, area = abs_w(sum);
   realw approximate = fma_w(p->of_c, p->at_c.z, fma_w(p->of_b, p->at_b.z, p->of_a * p->at_a.z)) * scale;
@@ -29,7 +29,7 @@ FN maskw in_range_approximately_w(const Ray* ray, const Nearest* best, const Pol
   realw turned = l * (p->z_max - p->z_min) * abs_w(scale);
   realw spare = fma_w(splat_w(R(0x1p-17)) * (l + z), turned, splat_w(R(0x1p-20)) * z);
   realw one = p->z_min * shear, other = p->z_max * shear, first = min_w(one, other), last = max_w(one, other);
-  // A polygon whose area is rounding alone, or all but leaves the range of numbers, may turn out to have no t.
+  // A polygon whose area is only rounding error, or nearly leaves the range of numbers, may have no t.
   maskw is_clear = lt_w(turned, splat_w(R(256.0))) & lt_w(splat_w(R(0x1p-18)) * l * l, area) &
                    lt_w(splat_w(R(0x1p-100)), area) & lt_w(area * (l + z), splat_w(R(0x1p+120)));
   realw least = sel_w(is_clear, max_w(approximate - spare, first), first);

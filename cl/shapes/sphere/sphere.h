@@ -7,9 +7,9 @@
 #include "hits/surface.h"
 #include "math/angle.h"
 
-/// From the centre to the hit, of a sphere farther off than some radii: there t, and with it o + t d, has steps as
-/// large as the sphere. The line's point nearest to the centre, l = d x (f x d) / (d.d), keeps its digits, and half the
-/// chord leads from it to the hit. is_far: the farther of the two.
+/// The vector from the centre to the hit, for a sphere whose distance is large compared with its radius. There t and o
+/// + t d may have steps as large as the sphere. The line's point nearest to the centre, l = d x (f x d) / (d.d), is
+/// accurate, and half the chord leads from it to the hit. is_far: the farther of the two hits.
 FN real3 sphere_outward_from_afar(const Ray* ray, real3 center, real radius, int is_far) {
   real3 f = sub3(ray->o, center);
   real3 rest = vec3(difference_rest(ray->o.x, center.x, f.x), difference_rest(ray->o.y, center.y, f.y),
@@ -27,13 +27,13 @@ FN void sphere_surface(const Ray* ray, GLOBAL const real* prim, int stride, GLOB
                        Surface* s) {
   real3 center = vec3(prim[0], prim[stride], prim[2 * stride]);
   real radius = prim[3 * stride];
-  // From the centre, so that a far-off frame costs the direction nothing; then back onto the radius.
+  // Relative to the centre, so that the direction loses nothing in a distant frame; then scaled to the radius.
   real3 f = sub3(ray->o, center);
   real3 out = fma3(t, ray->d, f);
   s->facing = dot3(out, ray->d);
 #if !TIER_FAST
   if (dot3(f, f) > R(16.0) * radius * radius) {
-    // The far root only where t says so beyond its own rounding.
+    // The far root only where t shows it beyond its own rounding.
     int is_far = t + dot3(f, ray->d) / dot3(ray->d, ray->d) > R(8.0) * real_roundoff() * real_abs(t);
     out = sphere_outward_from_afar(ray, center, radius, is_far);
     s->facing = is_far ? R(1.0) : -R(1.0);

@@ -11,7 +11,7 @@ FN int sphere_is_left_at(const Ray* ray, GLOBAL const real* prim, int stride, re
 
 FN real3 center_of(GLOBAL const real* prim, int stride) { return vec3(prim[0], prim[stride], prim[2 * stride]); }
 
-/// The first root from t_min on, or where it has been left, the other one; hit: there is one.
+/// The first root from t_min on; for a sphere that the ray has left, the other root. hit: there is one.
 FN real sphere_t_of(const Ray* ray, GLOBAL const real* prim, int stride, int is_departed, PRIVATE int* hit) {
   ExactRays_w one;
   exact_ray(ray, &one);
@@ -28,7 +28,7 @@ FN real sphere_t_of(const Ray* ray, GLOBAL const real* prim, int stride, int is_
   return t;
 }
 
-/// Decides one sphere that may be met. The best so far is exact.
+/// Decides one sphere that may be hit. The best hit so far has its exact t.
 FN void sphere_decide(const Ray* ray, GLOBAL const real* prim, int stride, int id, int kind, int slot, Nearest* best) {
   int hit;
   real t = sphere_t_of(ray, prim, stride, ray->departed >= 0 && id == ray->departed, &hit);

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Roots of a ray and a sphere, robust tier, a ray and a sphere a lane, from the exact f = o - c. Most are found about
-// the line's point nearest to the centre, if need be with one step of Newton's method in double words: E. Haines, J.
-// Guenther, T. Akenine-Moeller, "Precision Improvements for Ray/Sphere Intersection", Ray Tracing Gems, ch. 7, 2019.
-// Where the line all but grazes the sphere, or the root is all but at the origin, the discriminant is (d.d) r^2 -
+// Roots of a ray and a sphere, robust tier, a ray and a sphere a lane, from the exact f = o - c. Most roots are
+// computed relative to the line's point nearest to the centre, if necessary with one step of Newton's method in double
+// words: E. Haines, J. Guenther, T. Akenine-Moeller, "Precision Improvements for Ray/Sphere Intersection", Ray Tracing
+// Gems, ch. 7, 2019. Where the line nearly grazes the sphere, or the root is nearly at the origin, the discriminant is
+// (d.d) r^2 -
 // |f x d|^2 and the smaller root c over the larger one, c = f.f - r^2, all of it in double words. Bounds:
 // docs/decisions/0007-robust-tier.md. One width; no guard.
 
@@ -20,8 +21,8 @@ FN dw_w square_of_w(dw_w x) {
 }
 
 /// One step of Newton's method from a root t that is known to some u of the distance and of r, in double words. Not
-/// plain where the line all but grazes the sphere, or the root is all but at the origin or 2^19 radii off: there one
-/// step does not make it right to half an ulp and 2^-3.
+/// plain where the line nearly grazes the sphere, or the root is nearly at the origin or 2^19 radii away: there one
+/// step does not reach an error of half an ulp and 2^-3.
 FN realw sphere_refined_w(const ExactRays_w* ray, dw3_w f, realw r, realw t, PRIVATE maskw* plain) {
   real3w d = ray->d;
   dw_w x = plus_along_w(f.x, t, d.x), y = plus_along_w(f.y, t, d.y), z = plus_along_w(f.z, t, d.z);
@@ -38,7 +39,7 @@ FN realw sphere_refined_w(const ExactRays_w* ray, dw3_w f, realw r, realw t, PRI
 /// 2 u of itself since an fma rounds what is left of k d and f, the equation's terms are small beside t: t = k - e /
 /// (d.d) -+ sqrt((r^2 - p.p + e^2 / (d.d)) / (d.d)) with e = p.d, all but 0. Where 16 r^2 <= |t| (d.d) times the root
 /// it is right to 1 ulp: of that 1/8 comes from r^2 - p.p, which is off by 8 u r^2, 3/16 from e and the root. Else it
-/// is refined. which: lanes that are asked; plain: lanes that have an answer.
+/// is refined. which: lanes to compute; plain: lanes with a result.
 FN realw sphere_t_w(const ExactRays_w* ray, dw3_w f, realw r, maskw which, PRIVATE maskw* plain) {
   real3w d = ray->d;
   realw k = -fma_w(f.z.hi, d.z, fma_w(f.y.hi, d.y, f.x.hi * d.x)) * ray->dd_inverse;
@@ -54,7 +55,7 @@ FN realw sphere_t_w(const ExactRays_w* ray, dw3_w f, realw r, maskw which, PRIVA
   if (!any_w(which & *plain & ~sure)) return t;
   maskw fine, is_far = none_w();
   realw from = near, refined;
-  for (;;) {  // The near root, then where that lies before t_min, the far one: the arithmetic stands once.
+  for (;;) {  // The near root; where it lies before t_min, the far one. The program holds the arithmetic once.
     refined = sphere_refined_w(ray, f, r, from, &fine);
     maskw again = fine & lt_w(refined, ray->t_min) & ~is_far;
     if (!any_w(which & again)) break;
@@ -65,7 +66,7 @@ FN realw sphere_t_w(const ExactRays_w* ray, dw3_w f, realw r, maskw which, PRIVA
   return sel_w(sure, t, refined);
 }
 
-/// The same of any sphere; met: lanes whose line meets it.
+/// The same for any sphere. met: lanes whose line meets it.
 FN realw sphere_t_always_w(const ExactRays_w* ray, dw3_w f, realw r, PRIVATE maskw* met) {
   realw dx = ray->d.x, dy = ray->d.y, dz = ray->d.z;
   dw_w a = quick_two_sum_w(ray->dd, ray->dd_rest), b = dot_real3_w(f, dx, dy, dz);
@@ -82,7 +83,7 @@ FN realw sphere_t_always_w(const ExactRays_w* ray, dw3_w f, realw r, PRIVATE mas
   return sel_w(le_w(ray->t_min, roots.near.hi), roots.near.hi, roots.far.hi);
 }
 
-/// The first root from t_min on of the sphere about x, y, z. which: lanes that are asked; met: lanes that have one.
+/// The first root from t_min on of the sphere about x, y, z. which: lanes to compute; met: lanes that have a root.
 ONCE_FN realw sphere_root_w(const ExactRays_w* ray, realw x, realw y, realw z, realw r, maskw which,
                             PRIVATE maskw* met) {
   dw3_w f = two_difference3_w(ray->o.x, ray->o.y, ray->o.z, x, y, z);
@@ -103,9 +104,9 @@ FN realw sphere_root_across_w(const ExactRays_w* ray, dw3_w f) {
   return splat_w(-R(2.0)) * fma_w(rest, ray->dd_inverse, q);
 }
 
-/// Roughly the first root from t_min on of a sphere that the line passes through for certain, and in *about by what it
-/// may be off. k, off: as of sphere_in_reach; inside: r^2 less the square of the distance of line and centre, known to
-/// 1/32. The result: lanes where that root lies after t_min for certain.
+/// The approximate first root from t_min on, for a sphere that the line certainly passes through, and in *about a bound
+/// on its error. k, off: as in sphere_in_reach. inside: r^2 minus the squared distance of line and centre, known to
+/// 1/32. Returns the lanes where that root is certainly after t_min.
 FN maskw sphere_approximately_w(realw t_min, realw dd_inverse, realw k, realw off, realw inside, PRIVATE realw* t,
                                 PRIVATE realw* about) {
   realw half_chord = sqrt_w(inside * dd_inverse);

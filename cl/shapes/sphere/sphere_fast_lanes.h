@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Ray against LANES spheres as textbooks have it: b^2 - 4 a c in world coordinates. Loses the sphere that is far off or
-// near a huge one's surface (docs/numerics.md): the contrast to sphere_lanes.h and sphere_robust_lanes.h.
+// Ray against LANES spheres as in textbooks: b^2 - 4 a c in world coordinates. It misses distant spheres, and huge ones
+// near their surface (docs/numerics.md), in contrast to sphere_lanes.h and sphere_robust_lanes.h.
 
 FN void sphere_block_w(const Ray* ray, GLOBAL const real* block, GLOBAL const int* ids, int slot, Nearest* best) {
   realw fx = splat_w(ray->o.x) - load_w(block);
@@ -17,7 +17,7 @@ FN void sphere_block_w(const Ray* ray, GLOBAL const real* block, GLOBAL const in
   realw root = sqrt_w(discriminant), scale = splat_w(R(0.5)) / a;
   realw near = (-b - root) * scale, far = (root - b) * scale;
   realw t = sel_w(le_w(splat_w(ray->t_min), near), near, far);
-  // A lamp that is smaller than what t rounds would shade itself.
+  // A lamp smaller than the rounding of t would shadow itself.
   hit = hit & nonzero_w(load_int_w(ids) - splat_int_w(ray->aim));
   take_nearest_w(hit & in_range_w(t, ray, best), t, ids, -1, SHAPE_sphere, slot, best);
 }

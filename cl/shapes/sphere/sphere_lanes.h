@@ -47,7 +47,8 @@ FN void sphere_block_w(const Ray* ray, GLOBAL const real* block, GLOBAL const in
   t = sel_w(departed, other, t);
   hit = (hit & ~departed) | (departed & lt_w(splat_w(R(0.0)), other));
 #if REAL_BITS == 64
-  // Held within the slabs that the tree knows; an origin that is not on the sphere that it left may miss them.
+  // t is clamped to the slabs that the tree uses. After a departure a root outside of them is no hit: the origin may be
+  // off the sphere.
   realw cx = load_w(block), cy = load_w(block + LANES), cz = load_w(block + 2 * LANES);
   realw within = within_slabs_w(ray, t, cx - r, cx + r, cy - r, cy + r, cz - r, cz + r);
   hit = hit & (~departed | eq_w(within, t));

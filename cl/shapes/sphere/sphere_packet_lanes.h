@@ -3,7 +3,7 @@
 // width; no guard.
 
 #if TIER_FAST
-/// Of x from any ray's origin, along one axis.
+/// The square of the largest distance of x from any ray's origin, along one axis.
 FN realw farthest_square_w(realw x, Bounds_w b) {
   realw far = max_w(abs_w(x - splat_w(b.o_near)), abs_w(x - splat_w(b.o_far)));
   return far * far;
@@ -34,7 +34,7 @@ FN uint may_meet_spheres_w(const Packet_w* p, GLOBAL const real* block, GLOBAL c
 }
 
 #if TIER_ROBUST
-/// clip_each where rays need not be alike.
+/// clip_each for rays that need not be coherent.
 FN Interval_w clip_unlike_w(Interval_w t, real lo, real hi, realw o, realw inv, realw slack) {
   maskw is_backward = lt_w(inv, splat_w(R(0.0)));
   realw near = sel_w(is_backward, splat_w(hi), splat_w(lo)), far = sel_w(is_backward, splat_w(lo), splat_w(hi));
@@ -43,7 +43,7 @@ FN Interval_w clip_unlike_w(Interval_w t, real lo, real hi, realw o, realw inv, 
   return t;
 }
 
-/// The sphere that the lanes of `departed` have just left, at its other root, as sphere_root has it.
+/// The sphere that the lanes of `departed` have just left, at its other root, as in sphere_root.
 SELDOM_FN void left_sphere_w(Packet_w* p, GLOBAL const real* prim, int id, int kind, int slot, maskw departed) {
   real x = prim[0], y = prim[LANES], z = prim[2 * LANES], r = prim[3 * LANES];
   ExactRays_w exact;
@@ -61,7 +61,7 @@ SELDOM_FN void left_sphere_w(Packet_w* p, GLOBAL const real* prim, int id, int k
   if (any_w(hit)) packet_take_w(p, hit, t, splat_int_w(id), splat_int_w(kind), splat_int_w(slot));
 }
 
-/// A sphere that the lanes of `asked` may meet, and have not left, at its exact t.
+/// A sphere that the lanes of `asked` may hit and have not left, at its exact t.
 SELDOM_FN void exact_sphere_w(Packet_w* p, GLOBAL const real* prim, int id, int kind, int slot, maskw asked) {
   ExactRays_w exact;
   exact_rays_w(p->rays, &exact);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Ray against LANES spheres, robust tier: lanes find the few that may be met. Those that the line passes through for
-// certain are taken by their t to a few digits (put_off.h), sphere_exact.h decides each of the others. The sphere just
+// Ray against LANES spheres, robust tier: lanes find the few that may be hit. Spheres that the line certainly passes
+// through are taken with a t of a few digits (put_off.h); sphere_exact.h decides each of the others. The sphere just
 // left is met again only at its other root: the known root is exactly 0.
 
 /// Of LANES spheres: the line's point nearest to the centre, how far that may be off, and r^2 less the square of its
@@ -13,8 +13,8 @@ typedef struct {
 
 /// Lanes whose sphere may be met within [t_min, best so far]. NaN passes. The computed distance of line and centre is
 /// off by at most 10 u |f| (f = o - c rounded, its place along the ray, products and quotient), the squares by 3 u;
-/// 32 u of |fx| + |fy| + |fz| covers both, and 2^-120 what underflow does to them. Where the origin is outside and the
-/// line's nearest point behind it, so is all of the sphere.
+/// 32 u of |fx| + |fy| + |fz| covers both, and 2^-120 what underflow does to them. Where the origin is outside of the
+/// sphere and the line's nearest point is behind the origin, the whole sphere is behind it.
 FN maskw sphere_in_reach_w(const Ray* ray, const Nearest* best, GLOBAL const real* block,
                            PRIVATE SphereChord_w* chord) {
   realw dx = splat_w(ray->d.x), dy = splat_w(ray->d.y), dz = splat_w(ray->d.z), tiny = splat_w(R(0x1p-120));

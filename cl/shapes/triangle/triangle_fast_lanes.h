@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Ray against LANES triangles as textbooks have it (moeller_fast_lanes.h): u > 0, v > 0, u + v < 1.
+// Ray against LANES triangles as in textbooks (moeller_fast_lanes.h): u > 0, v > 0, u + v < 1.
 
 FN void triangle_block_w(const Ray* ray, GLOBAL const real* block, GLOBAL const int* ids, int slot, Nearest* best) {
   Moeller_w m = moeller_w(ray, block, block + 3 * LANES, block + 6 * LANES);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Ray against LANES triangles, watertight and single-hit (edge_lanes.h). Zeros are looked for only where a lane is
-// hit. t is held within the triangle's own range along the ray. Triangles without area, as padding is, are never
-// hit.
+// Ray against LANES triangles, watertight and single-hit (edge_lanes.h). Edge functions that are 0 are handled only
+// where a lane is hit. t is clamped to the triangle's own range along the ray. Triangles without area, such as padding,
+// are never hit.
 
 enum { PACKET_BODY_triangle_w = PACKET_BODY_TRIANGLE };
 

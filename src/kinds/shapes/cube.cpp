@@ -56,7 +56,7 @@ bool faces_inward(const Cube& cube) { return dot(cross(cube.edge[0], cube.edge[1
 
 std::optional<std::array<double, 9>> surface_frame(const Cube&, const UploadFrame&) { return std::nullopt; }
 
-/// As pack has them: outwards where the edges are right-handed.
+/// As in packing: outwards where the edges are right-handed.
 void emit(AreaItems& items, const Cube& cube, int) {
   for (unsigned axis = 0; axis < 3; ++axis) {
     const Vec3 &u = cube.edge.at((axis + 1) % 3), &v = cube.edge.at((axis + 2) % 3);

@@ -59,7 +59,7 @@ Mirrored mirror(Cylinder& c, const MapVec3& flip_x) {
   return Mirrored::alike;
 }
 
-/// The axis is a unit vector that was rounded: the ends lie off by that, and so does the wall.
+/// The axis is a unit vector that was rounded; the ends and the wall are off by that rounding.
 std::optional<Bounds<double>> bounds_cylinder(const double* p, double roundoff) {
   Bounds<double> box{};
   const double length = p[6], radius = p[7];

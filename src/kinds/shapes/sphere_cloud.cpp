@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Spheres alike but for place and size, a primitive each. One that emits is a part (packing/shape_parts.h).
+// Spheres that differ only in position and size, one primitive each. One that emits is a part (packing/shape_parts.h).
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -42,7 +42,7 @@ void emit(AreaItems& items, const SphereCloud& cloud, int part) {
 
 bool is_area_of_primitives(const SphereCloud&) { return false; }
 
-/// The mean, as a mesh's triangles.
+/// The mean over the spheres, as for the triangles of a mesh.
 Vec2 uv_rates(const SphereCloud& cloud) {
   const double turn = 2 * std::numbers::pi;
   double sum = 0;
