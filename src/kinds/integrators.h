@@ -25,7 +25,7 @@ enum class Lamps {
 
 struct IntegratorFacts {
   const char* name;
-  Lamps lamps = Lamps::unused;  ///< Used by all that is lit: materials reflect.
+  Lamps lamps = Lamps::unused;  ///< Other than `unused`: materials reflect light.
   Follows follows = Follows::nothing;
   bool shows_emission = false;  ///< Emitters are visible.
   bool reads_shading = false;   ///< Interpolated normals change the picture.

@@ -30,14 +30,14 @@ struct LightFacts {
 [[nodiscard]] const Rgb& light_colour(const Light& light);
 [[nodiscard]] Rgb& light_colour(Light& light);
 [[nodiscard]] bool gives_light(const Light& light);
-/// Whether any ray may find light from it.
+/// Whether a ray can hit it or see it in the background.
 [[nodiscard]] bool light_glows(const Light& light);
 
-/// point: of its places.
+/// Moves its positions. point: maps a position.
 void move(Light& light, const MapVec3& point);
-/// What a scene's unit of length is a factor of: surfaces stay as bright as they are.
+/// Changes the unit of length by a factor; surfaces keep their brightness.
 void scale(Light& light, double factor);
-/// Its directions; flip_x: x becomes -x.
+/// Mirrors its directions. flip_x: x becomes -x.
 void mirror(Light& light, const MapVec3& flip_x);
 
 /// A description of its fault; empty where there is none.

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// How far a picture is from what infinitely many samples would show, told from the spread of the film's sub-sums alone.
+// The difference between a picture and the limit of infinitely many samples, estimated from the spread of the film's
+// sub-sums alone.
 //
-// The film keeps estimates of a pixel that know nothing of each other: two of sampler sobol, four of any other
-// (film/sub_sums.h). Their variance estimates the squared error of their mean. What the *realised* error differs from
-// that estimate by is, for each pixel, a sum of products of two different estimates' deviations: its variance needs
-// second moments only, whatever the samples' distribution, and products of independent differences tell them
+// The film keeps independent estimates of a pixel: two with sampler sobol, four with any other (film/sub_sums.h). Their
+// variance estimates the squared error of their mean. For each pixel, the difference between the *realised* squared
+// error and this estimate is a sum of products of two different estimates' deviations. Its variance needs second
+// moments only, for any distribution of the samples, and products of independent differences estimate these
 // (docs/decisions/0011-error.md).
 #pragma once
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The laws behind error_estimate.h, one for each way in which a film keeps its sub-sums (cl/film/sub_sums.h).
+// The formulas behind error_estimate.h, one for each way in which a film keeps its sub-sums (cl/film/sub_sums.h).
 #pragma once
 
 #include <array>
@@ -23,17 +23,17 @@ struct PixelError {
 struct PictureError {
   double squared = 0;
   double relative = 0;  ///< Of squared / (mean^2 + 0.01).
-  double variance = 0;  ///< Of what the realised squared error differs from `squared` by.
-  double freedom = 1;   ///< Degrees of freedom that `variance` is known with.
+  double variance = 0;  ///< Of the difference between the realised squared error and `squared`.
+  double freedom = 1;   ///< Degrees of freedom of `variance`.
 
   void add(const PixelError& pixel);
 };
 
-/// Four sums that know nothing of each other; four samples of each pixel at the least.
+/// Four independent sums; at least four samples of each pixel.
 [[nodiscard]] PixelError pixel_error_of_turns(const FilmSums& film, std::size_t at);
 [[nodiscard]] PictureError picture_error_of_turns(const FilmSums& film);
 
-/// Two sequences, each in two sums; four samples of each pixel at the least.
+/// Two sequences, each in two sums; at least four samples of each pixel.
 [[nodiscard]] PixelError pixel_error_of_sequences(const FilmSums& film, std::size_t at);
 [[nodiscard]] PictureError picture_error_of_sequences(const FilmSums& film);
 

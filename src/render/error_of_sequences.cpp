@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 // d_k is the deviation of sequence k's mean, and S its covariance; halves of a sequence are those of film/sub_sums.h.
 // The realised squared error differs from the estimate by d_1 d_2, whose variance is |S|^2, the sum over pairs of
-// channels of the squared covariance. u = d_1 - d_2 is all that is seen of them, and its fourth power says too much
-// where samples are rare and bright. So products of independent differences stand for it:
+// channels of the squared covariance. Only u = d_1 - d_2 is observed, and its fourth power overestimates the variance
+// where samples are rare and bright. So products of independent differences are used instead:
 //
-//   (u_p u_q)^2 / 4        of pixels p, q that are neighbours: |S|^2 where the noise changes slowly, too little at an
-//   edge; (w_1 w_2)^2            of w_k, half of what the halves of sequence k differ by: the pixel's own, but of
-//   halves; (w_1p w_2q)^2 ...      of neighbours: too little at an edge as the first is.
+//   (u_p u_q)^2 / 4     for neighbouring pixels p, q: |S|^2 where the noise changes slowly, too small at an edge;
+//   (w_1 w_2)^2         with w_k half of the difference of the halves of sequence k: the pixel's own, but of halves;
+//   (w_1p w_2q)^2 ...   for neighbours: too small at an edge, as the first is.
 //
-// The first over the third takes the second from halves to the whole, and what neighbours say too little drops out.
+// The first over the third converts the second from halves to the whole; what is lost at edges cancels.
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -22,10 +22,11 @@ namespace {
 constexpr int sequences = layout::SOBOL_SEQUENCES;
 static_assert(sequences == 2 && layout::FILM_SUBSUMS == 2 * sequences);
 
-/// Products that share a pixel are not independent: parts of a sum are those of squares of so many pixels a side.
+/// Products that share a pixel are not independent, so the parts of a sum are square tiles; this is their side in
+/// pixels.
 constexpr int tile_side = 4;
 
-/// What a pixel's sums differ by.
+/// The differences between a pixel's sums.
 struct Differences {
   Colour whole{};                        ///< u.
   std::array<Colour, sequences> half{};  ///< w_1, w_2.
@@ -58,10 +59,10 @@ double squared_product(const Colour& a, const Colour& b) {
   return product * product;
 }
 
-/// Sums of products, each an estimate of |S|^2 as said above.
+/// Sums of products; each estimates |S|^2 as described above.
 struct Products {
   double whole_beside = 0, half = 0, half_beside = 0;
-  double fourth = 0;  ///< u^4 / 4: too much, where there is nothing else.
+  double fourth = 0;  ///< u^4 / 4: an overestimate, used where there is nothing else.
 
   void operator+=(const Products& other) {
     whole_beside += other.whole_beside;
@@ -75,7 +76,7 @@ Products own_products(const Differences& p) {
   return {0, squared_product(p.half[0], p.half[1]), 0, squared_product(p.whole, p.whole) / 4};
 }
 
-/// A half of a pair's: the other is the other pixel's.
+/// One pixel's half of a pair's product; the other half belongs to the other pixel.
 Products pair_products(const Differences& p, const Differences& q) {
   double halves = 0;
   for (const Colour& a : p.half)
@@ -94,7 +95,7 @@ class TiledProducts {
            static_cast<std::size_t>(x / tile_side)] += products;
   }
 
-  /// Variance, and how well it is known: by how much each tile changes it. Nothing where there is no noise.
+  /// The variance and its degrees of freedom, from the change that each tile makes. Zero where there is no noise.
   void tell(PictureError& picture) const {
     Products all;
     for (const Products& tile : tiles_) all += tile;

@@ -9,7 +9,7 @@ constexpr int turns = layout::FILM_SUBSUMS;
 static_assert(turns == 4, "disjoint_pairs are those of four");
 constexpr int disjoint_pairs[3][4] = {{0, 1, 2, 3}, {0, 2, 1, 3}, {0, 3, 1, 2}};
 
-/// A pixel's four means and how many samples each is of.
+/// A pixel's four means and the number of samples in each.
 struct Turns {
   std::array<Colour, turns> part{};
   std::array<double, turns> count{};

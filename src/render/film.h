@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The film on the host: sums that any split of the samples adds up to alike (docs/decisions/0002-film.md).
+// The film on the host: sums that do not depend on how the samples are split (docs/decisions/0002-film.md).
 #pragma once
 
 #include <cstddef>
@@ -17,19 +17,19 @@ struct FilmSums {
   int width = 0;
   int height = 0;
   SubSums sums;                     ///< Which sample is in which.
-  double unit = 1;                  ///< Radiance in what the kernels call 1.
+  double unit = 1;                  ///< Radiance that corresponds to 1 in the kernels.
   std::vector<std::int64_t> words;  ///< height x width x sums.count x 3 x 2, as cl/film/film_sum.h has them.
   std::vector<int> samples;         ///< height x width: how many samples a pixel has.
 
   FilmSums(int width, int height, SubSums sums, double unit);
   [[nodiscard]] std::size_t words_per_pixel() const;
-  /// Counts what a launch has added to its pixels; rows count within the window.
+  /// Counts the samples that a launch has added to its pixels; rows are those of the window.
   void add_samples(const Launch& launch);
   /// Adds another film's words of rows [row, row + its height), for the samples that are counted already.
   void add_words(int row, const std::vector<std::int64_t>& band);
-  /// What the samples of a pixel that one sub-sum holds add up to, in radiance. pixel: counts along the window's rows.
+  /// The sum of the samples of a pixel in one sub-sum, in radiance. pixel: index along the window's rows.
   [[nodiscard]] double sub_sum(std::size_t pixel, int sub, int channel) const;
-  /// How many samples that is.
+  /// The number of those samples.
   [[nodiscard]] int sub_sum_samples(std::size_t pixel, int sub) const;
   /// Mean over all samples, the same whatever sub-sums they are in; a pixel without samples is black.
   [[nodiscard]] Image mean() const;

@@ -15,14 +15,15 @@
 namespace strahl {
 namespace {
 
-/// Shorter launches cost more than they bring.
+/// Shorter launches cost more than they gain.
 constexpr double least_launch_seconds = 0.0005;
 
-/// Fewer samples than sub-sums tell nothing of the error; one sum is a quarter of the memory to touch.
+/// With fewer samples than sub-sums no error can be estimated, and one sum needs a quarter of the memory.
 SubSums sub_sums_of(const RenderSettings& settings, SamplerKind sampler, const RenderGoal& goal, int spp) {
   if (!settings.estimate_error || spp < layout::FILM_SUBSUMS) return {1, 1, 0};
   if (sampler == SamplerKind::independent) return {layout::FILM_SUBSUMS, layout::FILM_SUBSUMS, 0};
-  // The largest power of two that is no more than half a sequence. Nobody knows the half of an open goal's.
+  // The largest power of two that is at most half of a sequence. With an open goal the length of the sequence is
+  // unknown.
   const auto half = static_cast<unsigned>(spp / (2 * layout::SOBOL_SEQUENCES));
   const int turn_bits = static_cast<int>(std::bit_width(half)) - 1;
   return {layout::FILM_SUBSUMS, layout::SOBOL_SEQUENCES, goal.is_open() ? 0 : turn_bits};
@@ -115,8 +116,8 @@ FilmRun::Unfinished FilmRun::launch_once(const Launch& launch, int band_row) {
   return {counted[layout::COUNT_CUT], counted[layout::COUNT_STUCK]};
 }
 
-/// Work-items go on where an earlier launch has left them; where none gets on, a part of them by itself, for those that
-/// run in step share their turns.
+/// Work-items continue where an earlier launch stopped. Where none makes progress, a part of them is launched alone,
+/// because work-items that run in step share their turns.
 void FilmRun::launch_to_end(const Launch& launch, int band_row) {
   Unfinished left = launch_once(launch, band_row);
   while (left.cut > left.stuck) left = launch_once(launch, band_row);
@@ -223,7 +224,7 @@ void FilmRun::finish() {
   result_.color = film_.mean();
   result_.stats.seconds.readback += start.seconds();
   const Stopwatch estimating;
-  // What was cut to the largest float, or to 0, is off by nobody knows how much.
+  // The error of samples that were clamped to the largest float, or set to 0, is unknown.
   const bool is_whole = result_.stats.saturated_samples + result_.stats.invalid_samples == 0;
   if (state_.settings.estimate_error && is_whole) result_.error = estimate_error(film_);
   result_.standard_error.channels.clear();
@@ -231,7 +232,7 @@ void FilmRun::finish() {
   result_.stats.seconds.error += estimating.seconds();
 }
 
-/// The time that is to be kept for the end is known only by doing it: on a black film, as if it had its samples.
+/// The time to be reserved for the end is measured: the end is run on a black film, as if it had its samples.
 void FilmRun::measure_finish() {
   const Stopwatch start;
   const PhaseSeconds before = result_.stats.seconds;

@@ -14,11 +14,11 @@ static_assert(sizeof(long) == sizeof(std::int64_t), "cl/film/film_sum.h takes th
 #undef FN
 #undef GLOBAL
 
-/// Rounded twice at the most: each bin to 53 bits, and their sum.
+/// Rounded at most twice: each bin to 53 bits, and their sum.
 [[nodiscard]] inline double value_of(const FilmBins& bins) {
   constexpr double bin = std::int64_t{1} << FILM_BIN_BITS;
   const int exponent = (bins.top - 2) * FILM_BIN_BITS - FILM_ORIGIN;
-  // 2^exponent, for every pixel: std::ldexp is a tenth of the time that a picture of one sample takes.
+  // 2^exponent, without std::ldexp, which is slow for every pixel (docs/decisions/0002-film.md).
   const auto unit = std::bit_cast<double>(static_cast<std::uint64_t>(1023 + exponent) << 52);
   return (static_cast<double>(bins.high) * bin + static_cast<double>(bins.low)) * unit;
 }

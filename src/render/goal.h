@@ -25,14 +25,14 @@ struct Rows {
 
 /// Whatever holds first ends the render.
 struct RenderGoal {
-  /// Samples a pixel; none: what the scene states, or with one of the two below as many as it takes.
+  /// Samples a pixel; none: the number that the scene states, or with one of the two goals below as many as needed.
   std::optional<int> spp;
-  /// When render() is to have returned. Pixels then differ by one sample at the most.
+  /// The time by which render() must have returned. Pixels then differ by one sample at the most.
   std::optional<Clock::time_point> deadline;
   /// RMSE over linear RGB, all pixels and channels, as the film's sub-sums tell it (error_estimate.h).
   std::optional<double> max_error;
   std::optional<std::uint32_t> seed;  ///< None: the scene's.
-  std::optional<Rows> rows;           ///< A picture of these alone; none: the whole.
+  std::optional<Rows> rows;           ///< A picture of these rows alone; none: of all rows.
 
   [[nodiscard]] bool is_open() const { return deadline || max_error; }
 };

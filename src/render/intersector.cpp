@@ -37,7 +37,8 @@ constexpr std::size_t group_size = 64;
 /// Rays a launch: keeps buffers and launches small whatever the number of rays.
 constexpr std::size_t chunk_rays = std::size_t{1} << 18;
 
-/// Only what intersection needs, the first shape of every kind: no vertices, no lights, no materials, no film.
+/// The parts of a scene that intersection needs, with only the first shape of every kind: no vertices, lights,
+/// materials or film.
 Features intersection_features(const Scene& scene, const RenderSettings& settings) {
   Scene bare;
   bare.integrator.name = "emission";
@@ -93,7 +94,7 @@ struct Intersector::State {
   std::optional<std::uint64_t> loop_turns;
   std::function<ProgramSource(bool any_hit)> source;
   SceneBuffers buffers;
-  std::array<std::optional<cl::Kernel>, 2> finders;  ///< Of the nearest hit, and of any.
+  std::array<std::optional<cl::Kernel>, 2> finders;  ///< For the nearest hit and for any hit.
   cl::Kernel describe;
   std::vector<std::int64_t> first_ids;
   std::vector<ShapeRange> shapes_of_group;  ///< And last the scene's own.
@@ -143,7 +144,7 @@ std::int32_t Intersector::State::left_id(const Ray& ray, std::size_t row) const 
   return static_cast<std::int32_t>(first_ids[shape]) + ray.primitive;
 }
 
-/// Compiled when it is first asked for: a walk is most of what a program compiles, and few callers ask both questions.
+/// Compiled on first use: the traversal is most of a program, and few callers need both kernels.
 cl::Kernel& Intersector::State::finder(bool any_hit) {
   std::optional<cl::Kernel>& kernel = finders.at(any_hit);
   if (kernel) return *kernel;
@@ -178,7 +179,7 @@ void Intersector::State::run(cl::Kernel& kernel, const std::vector<cl::Buffer>& 
   });
 }
 
-/// A work-item tells it with its first ray, of all of its rays.
+/// A work-item reports it in its first ray, for all of its rays.
 std::vector<std::size_t> Intersector::State::cut_rays(const cl::Buffer& found, std::size_t count, bool any_hit) const {
   std::vector<std::size_t> cut;
   if (!loop_turns) return cut;
@@ -252,7 +253,8 @@ std::vector<std::size_t> Intersector::State::trace_chunk(const std::vector<Ray>&
   return cut;
 }
 
-/// Rays that were cut short, in launches of their own: fewer and fewer, for those that run in step share their turns.
+/// Traces rays that were cut short in launches of their own, with fewer and fewer rays, because work-items that run in
+/// step share their turns.
 template <typename Real>
 void Intersector::State::trace_again(const std::vector<Ray>& rays, const std::vector<std::size_t>& which, bool any_hit,
                                      std::vector<Hit>& hits) {
@@ -302,7 +304,7 @@ Intersector::Intersector(const Device& device, const Scene& scene, const RenderS
   const Stopwatch start;
   const Features features = intersection_features(scene, settings);
   const auto [has_tree, acceleration] = choose_traversal(scene, features, settings, width);
-  // Where the device may end loops each ray is to be as short as it can be.
+  // Where the device may end loops, each ray must take as few turns as possible.
   const bool packets = settings.coherent && width.lanes > 1 && !settings.loop_turns;
   s.source = [=, precision = settings.precision, has_tree = has_tree](bool any_hit) {
     const std::string root = fmt::format("kernels/intersect{}{}.cl", any_hit ? "_any" : "", packets ? "_packets" : "");

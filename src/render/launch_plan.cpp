@@ -56,9 +56,9 @@ Launch LaunchPlan::next(double most_seconds) {
 void LaunchPlan::measured(double seconds) {
   const double work = seconds - overhead_;
   const double most = 8 * std::max(issued_, 64.0);
-  // Work that drowns in the overhead's own noise says only that there may be more of it.
+  // Where the work is smaller than the noise of the overhead, the only conclusion is that a launch may have more work.
   const double fitting = work > 0.1 * overhead_ ? std::clamp(issued_ * target_seconds / work, 1.0, most) : most;
-  // A few pixels left over at the end of a row say little of what a pixel costs.
+  // A few remaining pixels at the end of a row say little about the cost of a pixel.
   const bool is_remainder = issued_ < 0.5 * budget_;
   budget_ = is_remainder ? std::min(budget_, fitting) : fitting;
 }

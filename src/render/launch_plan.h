@@ -24,15 +24,15 @@ class LaunchPlan {
   static constexpr double target_seconds =
       0.05;  ///< So that launches stay below 0.25 s where the cost of pixels varies.
 
-  /// passes: split the samples into that many ranges regardless of time. overhead_seconds: what a launch without pixels
-  /// takes; it counts neither as work nor into the target, or a slow start would shrink launches to nothing.
-  /// samples_at_once: that a work-item takes together, so that fewer cost it as much; ranges are multiples of it where
-  /// the samples suffice.
+  /// passes: split the samples into that many ranges regardless of time. overhead_seconds: the time of a launch without
+  /// pixels. It counts neither as work nor towards the target; otherwise a slow start would shrink launches to nothing.
+  /// samples_at_once: number of samples that a work-item takes together, so that fewer cost as much; ranges are
+  /// multiples of it where there are enough samples.
   LaunchPlan(int columns, int rows, int samples, std::optional<int> passes, double overhead_seconds = 0,
              int samples_at_once = 1);
 
   [[nodiscard]] bool finished() const { return sample_ >= samples_; }
-  /// most_seconds: what it may take at the most, as far as can be told.
+  /// most_seconds: its longest time, as far as it can be predicted.
   [[nodiscard]] Launch next(double most_seconds = std::numeric_limits<double>::infinity());
   /// Seconds that the launch handed out last took.
   void measured(double seconds);

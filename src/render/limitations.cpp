@@ -32,7 +32,7 @@ bool emits_light(const Shape& shape) {
   return mesh != nullptr && std::any_of(mesh->parts.begin(), mesh->parts.end(), part_emits);
 }
 
-/// Emission is what is seen of emitters: points and directions are not.
+/// Emission shows emitters; point and directional lights are invisible.
 bool emits_light(const Light& light, bool must_be_seen) {
   return must_be_seen ? kinds::light_glows(light) : kinds::gives_light(light);
 }

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a scene calls for that its integrator cannot do yet, and a picture that will be empty: said, never left out in
-// silence.
+// Warnings about features of a scene that its integrator does not support yet, and about a picture that will be empty.
 #pragma once
 
 #include <vector>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// The middle of measured values: what a disturbed run does not move.
+// The median of measured values, which single disturbed runs do not change.
 #pragma once
 
 #include <vector>
 
 namespace strahl {
 
-/// Of an even number the mean of the middle two; 0 of none.
+/// For an even number of values the mean of the middle two; 0 for no values.
 [[nodiscard]] double median(std::vector<double> values);
 
 }  // namespace strahl

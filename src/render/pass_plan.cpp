@@ -11,10 +11,11 @@ namespace {
 
 constexpr int sums_a_pixel = layout::FILM_SUBSUMS;
 
-/// A pass of several samples is not ended part-way, so it has to be short beside what a deadline may be missed by.
+/// A pass of several samples is not ended part-way, so it must be short compared with the tolerance of a deadline.
 constexpr double uncut_seconds = 0.004;
 
-/// How far the interval's upper end may be above the wanted error: a picture of few pixels must not be done by luck.
+/// Ratio of the interval's upper end to the wanted error at which a picture is done: a picture of few pixels must not
+/// be done by luck.
 constexpr double tolerated = 1.1;
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How many samples all pixels get before anybody looks at the clock or the error again.
+// The number of samples that all pixels get before the clock or the error is checked again.
 #pragma once
 
 #include <optional>
@@ -26,12 +26,13 @@ class PassPlan {
   /// The next pass; none where one of the goals holds. sample_seconds: what one sample of every pixel takes (0: not
   /// known yet); seconds_left: until the deadline.
   [[nodiscard]] std::optional<Pass> next(double sample_seconds, double seconds_left);
-  /// A pass is over: does somebody have to tell the error?
+  /// A pass is over. Returns whether the error must be estimated.
   [[nodiscard]] bool wants_error() const { return goal_.max_error && done_ >= check_at_ && ending_ != Ending::error; }
   void estimated(const std::optional<ErrorEstimate>& error);
-  /// Samples of a pixel that independent ones would need for the error, as far as is known; none before a first look.
+  /// Samples of a pixel that would reach the error if they were independent, as far as is known; none before the first
+  /// estimate.
   [[nodiscard]] std::optional<int> expected() const { return expected_; }
-  /// What made next() return none.
+  /// The reason why next() returned none.
   [[nodiscard]] Ending ending() const { return ending_; }
 
  private:

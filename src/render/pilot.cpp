@@ -11,19 +11,19 @@
 namespace strahl {
 namespace {
 
-constexpr int first_spp = 8;          ///< Where the renderer looks at an error first.
-constexpr int least_spp = 4;          ///< That tell an error.
+constexpr int first_spp = 8;          ///< Where the renderer first estimates the error.
+constexpr int least_spp = 4;          ///< The fewest that allow an estimate of the error.
 constexpr int growth = 4;             ///< From look to look: all looks together take a third more than the last.
 constexpr double probe_share = 0.15;  ///< Of the pilot's time, to see whether the whole picture is quick.
 
-/// A strip shorter than this says more of launches than of samples; none is more than a sixteenth of the picture, and
-/// fewer than three strips say nothing of how they differ.
+/// The time of a shorter strip depends more on launches than on samples. No strip is more than a sixteenth of the
+/// picture, and fewer than three strips do not show how strips differ.
 constexpr double strip_seconds = 0.01;
 constexpr int least_strips = 16;
 constexpr std::size_t least_seen = 3;
 constexpr double unseen_spread = 0.5;
 
-/// What the same render's time varies by from run to run where the machine does nothing else.
+/// Variation of the same render's time from run to run on an otherwise idle machine.
 constexpr double repeat_spread = 0.05;
 
 /// Two-sided 95 % of the normal distribution, which ErrorEstimate's interval is of.
@@ -74,7 +74,7 @@ struct Strips {
     errors.push_back(look.mse);
     variances.push_back(look.mse * look.spread * look.mse * look.spread);
   }
-  /// Relative standard deviation of the errors' mean by what the strips say of themselves.
+  /// Relative standard deviation of the errors' mean, by the strips' own variances.
   [[nodiscard]] double own_spread() const {
     const double mean = mean_of(errors);
     return mean > 0 ? std::sqrt(mean_of(variances) / static_cast<double>(variances.size())) / mean : 0;
@@ -114,7 +114,7 @@ class PilotRun {
  private:
   [[nodiscard]] double left() const { return most_seconds_(pilot_) - watch_.seconds(); }
 
-  /// Two looks at all of it: what one tells of the error's fall is nothing.
+  /// At least two looks at the whole picture: one look does not show how the error falls.
   [[nodiscard]] bool whole_is_quick() const { return sample_seconds_ * std::min(most_spp_, growth * spp_) < left(); }
 
   void add_whole(const Timed& timed, int spp) {
@@ -149,8 +149,8 @@ class PilotRun {
     return timed_render(renderer_, goal);
   }
 
-  /// Each with few samples, one of four with more, until the time is over. true: the render takes so long that there
-  /// is time to look at all of the picture.
+  /// Renders each strip with few samples, and one of four with more, until the time is over. true: the render takes so
+  /// long that there is time for the whole picture.
   bool strips() {
     const int most = std::min(most_spp_, growth * first_spp);
     Strips few{std::clamp(most / growth, std::min(least_spp, most), most)};
@@ -184,8 +184,8 @@ class PilotRun {
     return false;
   }
 
-  /// One of four in a row, each time the next of the four: in the order of radical inverses always the first of them
-  /// would be in the picture's first quarter.
+  /// One of four consecutive strips, each time the next of the four: in the order of radical inverses, the first of
+  /// four is always in the picture's first quarter.
   static bool is_looked_at_twice(std::size_t number) { return number % growth == number / growth % growth; }
 
   static int reversed(unsigned value, unsigned bits) {
@@ -194,13 +194,13 @@ class PilotRun {
     return static_cast<int>(result);
   }
 
-  /// strips: that make up the picture.
+  /// strips: the number of strips in the picture.
   void sum_up(const Strips& few, const Strips& more, const Strips& paired, double strips) {
     pilot_.looks.clear();
     pilot_.passes = {{static_cast<double>(few.spp), strips * mean_of(few.seconds)}};
     pilot_.spread = std::hypot(repeat_spread, spread_of(few.seconds, pilot_.share));
     if (!more.seconds.empty()) {
-      // The same strips with few samples say how much of the difference is the samples'.
+      // The same strips with few samples show how much of the difference comes from the number of samples.
       const double factor = mean_of(more.seconds) / mean_of(paired.seconds);
       pilot_.passes.push_back({static_cast<double>(more.spp), factor * pilot_.passes.front().seconds});
     }

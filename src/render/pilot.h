@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A look at a render before it is begun: what its samples take and how its error falls with their number.
+// A pilot render before the render begins: it measures the time of samples and how the error falls with their number.
 #pragma once
 
 #include <functional>
@@ -13,16 +13,16 @@ struct Pilot {
   std::vector<Look> looks;       ///< In the order of their samples; none with fewer than 4 samples.
   std::vector<PassCost> passes;  ///< Of the whole picture, though only a part may have been rendered.
   double spread = 0;             ///< Relative standard deviation of their seconds.
-  double common_spread = 0;      ///< Of the looks' errors: how the rows differ that were looked at.
-  double look_seconds = 0;       ///< Reading the film of the whole picture and telling its error.
+  double common_spread = 0;      ///< Of the looks' errors, caused by differences between the rows that were rendered.
+  double look_seconds = 0;       ///< To read the film of the whole picture and estimate its error.
   double seconds = 0;            ///< That the pilot took.
   double share = 1;              ///< Of the picture's rows that it looked at.
 };
 
 /// Renders the whole picture with few samples, then with four times as many and so on, while that is quick; else some
 /// of its rows, evenly spread, and some of them with four times as many. most_spp: more samples are of no use.
-/// most_seconds: that the pilot may take by what it knows so far; it ends within one launch of it, but looks at three
-/// parts of the picture at the least.
+/// most_seconds: the time that the pilot may take, from what is known so far. It ends within one launch of that, but
+/// renders at least three parts of the picture.
 [[nodiscard]] Pilot run_pilot(Renderer& renderer, int most_spp,
                               const std::function<double(const Pilot&)>& most_seconds);
 

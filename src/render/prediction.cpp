@@ -13,21 +13,22 @@ namespace {
 
 constexpr int imagined_runs = 1000;
 
-/// The law bends: exponents seen over a factor of 16 in the samples differ by about so much from the next one's.
+/// The exponent is not constant: measured over a factor of 16 in the samples, it differs by about this much from that
+/// over the next factor.
 constexpr double bend = 0.1;
 
 /// With one look there is no slope to see: squared errors fall as n^-1 (independent samples) to n^-1.5 (scrambled
 /// Sobol points on edges).
 constexpr double unseen_exponent = 1.25, unseen_exponent_spread = 0.2;
 
-/// Errors that hardly fall with more samples come of fireflies that the pilot has met by chance; below this no number
-/// of samples reaches a goal in any case.
+/// Errors that hardly fall with more samples are caused by fireflies that the pilot has met by chance. With an exponent
+/// below this, no number of samples reaches a goal in practice.
 constexpr double least_exponent = 0.25;
 
-/// Two looks never agree better than this: Sobol points that are no power of two are less even than their neighbours.
+/// Two looks never agree better than this: Sobol points whose number is no power of two are less even.
 constexpr double least_spread = 0.05;
 
-/// Samples that tell an error at the least.
+/// The fewest samples that allow an estimate of the error.
 constexpr double told_from = 4;
 
 struct ImaginedRun {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a render will take and how far off it will be, from what a pilot has seen (render/pilot.h): many renders are
-// imagined, each with a draw of all that is not known for certain, and nine of ten of them span the interval.
+// Predicts the time and the error of a render from a pilot (render/pilot.h). Many renders are simulated, each with a
+// random draw of all uncertain quantities; the interval holds nine of ten of them.
 #pragma once
 
 #include <optional>
@@ -8,13 +8,13 @@
 
 namespace strahl {
 
-/// Of the runs imagined: 5 % end below `low`, half of them below `middle`, 5 % above `high`.
+/// Of the simulated runs 5 % end below `low`, half of them below `middle`, 5 % above `high`.
 struct Range {
   double low = 0, middle = 0, high = 0;
 };
 inline constexpr double prediction_confidence = 0.9;
 
-/// What the film told of a picture, or of a part of one.
+/// The film's error estimate of a picture, or of a part of one.
 struct Look {
   double spp = 0;
   double mse = 0;
@@ -28,15 +28,15 @@ struct Look {
 struct ErrorLaw {
   double spp = 1, mse = 0, exponent = 1;
   double mse_spread = 0, exponent_spread = 0;
-  double told_spread = 0;  ///< Of what a picture tells about itself.
+  double told_spread = 0;  ///< Of a picture's own estimate.
   double upper = 1;
 };
 
-/// The line through the looks' logarithms that is nearest by their spreads; looks in the order of their samples.
-/// common_spread: of what all looks have in common, as the part of the picture that they are of.
+/// The line through the looks' logarithms, by least squares weighted with their spreads; looks in the order of their
+/// samples. common_spread: the spread of the error that all looks share, such as that of the part of the picture.
 [[nodiscard]] ErrorLaw error_law(const std::vector<Look>& looks, double common_spread = 0);
 
-/// What so many samples of every pixel take in one pass.
+/// The time of a pass of a given number of samples of every pixel.
 struct PassCost {
   double samples = 0, seconds = 0;
 };
@@ -46,9 +46,9 @@ struct RunCosts {
   double start_more = 0;         ///< ... and up to so many more.
   std::vector<PassCost> passes;  ///< In the order of their samples.
   double spread = 0;             ///< Standard deviation of the logarithm of all of them together.
-  double look = 0;               ///< Telling the error on the way.
+  double look = 0;               ///< One error estimate during the render.
   double end = 0;                ///< From the last sample to the end of the process.
-  double extra_share = 0;        ///< Of all this: what may come on top (render/rounding_pilot.h).
+  double extra_share = 0;        ///< Share of all this that may come on top (render/rounding_pilot.h).
 };
 
 /// Seconds of a pass of so many samples: between two known ones on the line through them, elsewhere in proportion.
@@ -63,10 +63,10 @@ struct PredictedGoal {
 
 struct Prediction {
   Range seconds, spp;
-  std::optional<Range> rmse;  ///< As the picture's bill will tell it; none where nothing tells it.
+  std::optional<Range> rmse;  ///< As the picture's bill will state it; none where it cannot be predicted.
 };
 
-/// law: none where no look told an error. The same draws each time.
+/// law: none where no look gave an error. The random draws are the same each time.
 [[nodiscard]] Prediction predict(const std::optional<ErrorLaw>& law, const RunCosts& costs, const PredictedGoal& goal);
 
 }  // namespace strahl

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What has to be there before the first sample: program, buffers, a launch that has warmed up.
+// Preparations before the first sample: program, buffers, warm-up launches.
 #include "render/renderer.h"
 
 #include <fmt/format.h>
@@ -37,7 +37,7 @@ void Renderer::State::prepare() {
   const Stopwatch start;
   const auto [width, traversal, paths] = choose_program();
   static_cast<void>(samples_of({}));
-  // Lanes that wait for others in the end are few where there are several samples for each.
+  // Few lanes idle at the end if there are several samples for each lane.
   samples_at_once = paths == 1 ? 1 : 4 * paths;
   ProgramReport report;
   const cl::Program program = program_on(device, source, &report, settings.cached_program);
@@ -104,8 +104,8 @@ void Renderer::State::launch(const Launch& l, int film_row) {
   });
 }
 
-/// Launches without pixels: runtimes that finish compiling at the first launch do it here, outside the kernel's time,
-/// and the second shows what a launch costs by itself (llvmpipe: tens of milliseconds).
+/// Launches without pixels. Runtimes that finish compiling at the first launch do it here, outside of the kernel's
+/// time; the second launch shows the overhead of a launch, which is large on llvmpipe.
 void Renderer::State::warm_up() {
   const std::size_t items =
       static_cast<std::size_t>(settings.work_group.x) * static_cast<std::size_t>(settings.work_group.y);

@@ -64,14 +64,14 @@ class Renderer {
 
   /// What compiling the program took, the driver's part at the first launch included; none where it was cached.
   [[nodiscard]] std::optional<double> build_seconds() const;
-  /// Takes it from the cache as a later process would, to see how long that takes; false: it is not there.
+  /// Loads the program from the cache as a later process would, to measure the time; false: it is not there.
   bool load_program_again() const;
 
-  /// Whether a renderer that is made for so many samples a pixel has this one's program: a picture is the same from
-  /// either, and takes other time.
+  /// Whether a renderer made for `spp` samples a pixel has the same program as this one. Both make the same picture, in
+  /// different times.
   [[nodiscard]] bool has_program_of(int spp) const;
 
-  /// Fewer samples of a pixel may take as long as so many.
+  /// The number of samples of a pixel that a work-item takes together; fewer may take as long.
   [[nodiscard]] int samples_at_once() const;
 
  private:

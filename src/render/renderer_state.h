@@ -39,11 +39,11 @@ struct Renderer::State {
 
   State(const Device& d, Scene s, const RenderSettings& r) : device(d), scene(std::move(s)), settings(r) {}
 
-  /// The textbook's renderer keeps the world's coordinates, whatever they cost it.
+  /// The textbook's renderer keeps world coordinates, with all their rounding.
   [[nodiscard]] UploadFrame frame() const {
     return settings.precision == Precision::fast ? UploadFrame{} : camera_frame(scene);
   }
-  /// Radiance is the same in every frame, but where it is a length.
+  /// Radiance is the same in every frame, unless the picture is a length.
   [[nodiscard]] double radiance_unit() const {
     return kinds::integrator(scene.integrator.name).is_length ? 1 / frame().scale : 1;
   }
@@ -69,9 +69,9 @@ struct Renderer::State {
   }
 
   [[nodiscard]] int path_lanes_of(int spp) const;
-  /// What the goal, the scene and the film make of it. Throws UsageError.
+  /// The most samples a pixel, by the goal, the scene and the film. Throws UsageError.
   [[nodiscard]] int samples_of(const RenderGoal& goal) const;
-  /// What the program depends on, and what depends on it.
+  /// The choices that determine the program.
   struct Choice {
     Width width;
     TraversalChoice traversal;

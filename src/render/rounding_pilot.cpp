@@ -11,7 +11,7 @@
 namespace strahl {
 namespace {
 
-constexpr std::size_t least_seeds = 2;  ///< The fewest that tell what stays from what averages out.
+constexpr std::size_t least_seeds = 2;  ///< The fewest that separate constant differences from those that average out.
 constexpr std::size_t most_seeds = 4;
 constexpr int samples = 4;      ///< Of each seed.
 constexpr int least_side = 12;  ///< Pixels.
@@ -22,7 +22,7 @@ constexpr std::uint64_t most_bytes = std::uint64_t{64} << 20;
 /// do four samples where the run followed eight at a time.
 constexpr double cost_of_a_sample = 20;
 
-/// Seconds, where the run has built nothing that could be gone by: twice what the shipped scenes' slowest takes.
+/// Seconds to assume for the build where the run itself has built no program: twice the slowest of the shipped scenes.
 constexpr double longest_build = 30;
 
 /// The same view with few pixels. A crop window shrinks with it.
@@ -66,7 +66,7 @@ class Differences {
     double square_of_sums = 0;
     for (const double sum : sums_) square_of_sums += sum * sum;
     const double n = static_cast<double>(seeds_);
-    // Products of two seeds' differences have nothing in common but what is the same in all.
+    // Products of two seeds' differences keep only the part that all seeds share.
     const double lasting = std::max(0.0, (square_of_sums - squares_) / (n * (n - 1)));
     const double fleeting = std::max(0.0, squares_ / n - lasting);
     return std::sqrt((lasting + fleeting * samples / std::max(spp, 1)) / static_cast<double>(sums_.size()));
@@ -83,7 +83,8 @@ class Differences {
 int rounding_pilot_side(const RunStats& run, bool is_built, std::optional<double> most_seconds) {
   if (!most_seconds) return most_side;
   if (run.camera_rays == 0) return 0;
-  // Double precision builds in a third of the time that wider programs take; loading takes any program alike.
+  // The program in double precision builds faster than wider ones (docs/decisions/0011-error.md), so the run's own time
+  // is an upper bound. Loading takes the same time for every program.
   const bool is_known = is_built || !run.program_from_cache;
   const double build = is_known ? run.seconds.program : std::max(run.seconds.program, longest_build);
   const double left = *most_seconds - build - 2 * (run.seconds.upload + run.seconds.bvh);
@@ -102,7 +103,7 @@ std::optional<double> rounding_rmse(const Device& device, const Scene& scene, co
   tier.error_map = false;
   RenderSettings exact = tier;
   exact.precision = Precision::fp64;
-  exact.lanes = 1;  // Builds in a third of the time that wider programs take.
+  exact.lanes = 1;  // Builds faster than wider programs (docs/decisions/0011-error.md).
   exact.bvh_width.reset();
   exact.generic = false;
   const int side =

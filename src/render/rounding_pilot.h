@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the floats of a tier add to a picture's error, told by rendering it small twice, with the same samples: in the
-// tier, and in double precision.
+// The error that a tier's rounding adds to a picture. A small version of the picture is rendered twice with the same
+// samples: in the tier and in double precision.
 #pragma once
 
 #include <optional>
@@ -12,17 +12,17 @@
 
 namespace strahl {
 
-/// Of a run's seconds: what the pilot may take where nobody asked for it.
+/// Share of a run's seconds that the pilot may take where it was not asked for.
 inline constexpr double rounding_share = 0.05;
 
-/// Pixels of the pilot's longer side, so that it fits into `most_seconds` by what the run itself took; 0: it does not.
-/// none: whatever it takes. is_built: the double program is in the cache.
+/// Pixels of the pilot's longer side, chosen so that it fits into `most_seconds`, as predicted from the run itself; 0:
+/// it does not fit. none: no limit. is_built: the double program is in the cache.
 [[nodiscard]] int rounding_pilot_side(const RunStats& run, bool is_built, std::optional<double> most_seconds);
 
-/// RMSE over linear RGB that rounding adds to a picture of run.spp samples a pixel. Differences that stay the same from
-/// seed to seed count whole, those that samples average out count as run.spp of them would. None where the device has
-/// no double precision, the tier is double already, the scene is too large to be uploaded once more, or the pilot would
-/// take, or takes, longer than most_seconds.
+/// RMSE over linear RGB that rounding adds to a picture of run.spp samples a pixel. Differences that are the same for
+/// all seeds count fully; those that average out over samples count as they would with run.spp samples. None where the
+/// device has no double precision, the tier is double already, the scene is too large to be uploaded once more, or the
+/// pilot would take, or takes, longer than most_seconds.
 [[nodiscard]] std::optional<double> rounding_rmse(const Device& device, const Scene& scene,
                                                   const RenderSettings& settings, const RunStats& run,
                                                   std::optional<double> most_seconds);

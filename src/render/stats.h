@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where the time and the memory of a run went: what --stats writes (docs/stats.md).
+// The time and memory that a run used, as --stats writes them (docs/stats.md).
 #pragma once
 
 #include <cstdint>
@@ -25,7 +25,7 @@ struct PhaseSeconds {
   }
 };
 
-/// What the canary (trust/canary.h) said about the precision in use.
+/// The canary's result (trust/canary.h) for the precision in use.
 struct CanaryStats {
   std::string verdict;  ///< "holds" or "degraded".
   std::string why;      ///< Empty where it holds.
@@ -63,8 +63,8 @@ struct RunStats {
   std::string ending;                    ///< ending_name of what ended the render.
   std::uint64_t saturated_samples = 0;   ///< Sample channels beyond the largest float, counted as it.
   std::uint64_t weak_branches = 0;       ///< Rays that whitted did not follow: weaker than 2^-20 of the camera ray.
-  std::uint64_t lost_interfaces = 0;     ///< Surfaces of glass with a priority that had no place among what is tracked.
-  std::uint64_t invalid_samples = 0;     ///< NaN sample channels, counted as black.
+  std::uint64_t lost_interfaces = 0;  ///< Surfaces of glass with a priority that could not be tracked: no free place.
+  std::uint64_t invalid_samples = 0;  ///< NaN sample channels, counted as black.
 
   [[nodiscard]] double longest_launch() const;
   /// The documented JSON object, pretty-printed.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How a program finds what rays meet: in lists, or in a tree.
+// How a program finds hits: in lists, or in a tree.
 #pragma once
 
 #include "program/features.h"
@@ -12,7 +12,7 @@ struct TraversalChoice {
   Acceleration acceleration{};  ///< What the scene is to be packed with.
 };
 
-/// What the settings say; where they leave it open, what suits the scene.
+/// The choice of the settings; where they leave it open, the one that suits the scene.
 [[nodiscard]] TraversalChoice choose_traversal(const Scene& scene, const Features& features,
                                                const RenderSettings& settings, Width width);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the tests of lights and areas ask about every entry of cl/areas/areas.def: a new one needs a row here, nothing
-// else.
+// The rows of the tests of lights and areas, one for every entry of cl/areas/areas.def. A new entry needs only a row
+// here.
 #pragma once
 
 #include <algorithm>
@@ -19,16 +19,16 @@ struct AreaRow {
   Geometry geometry;
   bool is_flipped;
   double area;
-  /// Where it is looked at from; nothing but its own back is in the way of what is drawn.
+  /// The points from which it is seen. Only its own back may hide a drawn place.
   std::vector<Vec3> froms;
-  /// How far a point lies off the surface, and the normal there on the side that emits.
+  /// The distance of a point from the surface, and the normal there on the side that emits.
   std::function<double(const Vec3&)> off;
   std::function<Vec3(const Vec3&)> normal;
-  /// Where a place lies on a square over which places are drawn alike, as seen from a point.
+  /// Maps a place, as seen from a point, to a square over which places are distributed uniformly.
   std::function<std::array<double, 2>(const Vec3& from, const Vec3& place)> chart;
-  /// Of the solid angle that the side that emits fills there.
+  /// The solid angle of the emitting side, seen from a point.
   std::function<double(const Vec3& from)> solid_angle;
-  /// True: places are drawn alike over the solid angle, else over the area.
+  /// True: places are drawn uniformly over the solid angle; false: over the area.
   std::function<bool(const Vec3& from)> is_by_angle = [](const Vec3&) { return false; };
 };
 
@@ -132,7 +132,7 @@ inline AreaRow sphere_row(bool is_flipped, const std::vector<Vec3>& froms) {
           return std::array{0.5 + 0.5 * (x.z - centre.z) / radius, turn_of(x.x - centre.x, x.y - centre.y)};
         const Vec3 axis = normalized(centre - from), towards = normalized(x - from);
         const auto [across, along] = orthonormal_basis(axis);
-        // 1 - cos by the chord: for what is far away nothing cancels.
+        // 1 - cos from the chord: nothing cancels at a large distance.
         const Vec3 chord = towards - axis;
         return std::array{0.5 * dot(chord, chord) / less_at(from), turn_of(dot(towards, across), dot(towards, along))};
       },
@@ -167,7 +167,7 @@ inline std::vector<AreaRow> area_rows() {
           sphere_row(true, {{0.5, -1, 2}, {0.5, -0.5, 1.5}}), cylinder_row()};
 }
 
-/// Alone in a scene, as the shape that it is of; radiance 2, 1, 1/2.
+/// The area alone in a scene, as a shape; radiance 2, 1, 1/2.
 inline Shape emitting_shape(const AreaRow& row) {
   Shape shape;
   shape.geometry = row.geometry;

@@ -32,12 +32,13 @@ struct Way {
 struct BsdfTier {
   const char* name;
   int lanes;
-  /// Of the material of that number in the list with the parameters p: light from each of wi towards wo.
+  /// Evaluates the material with number `kind` in the list and the parameters p, for light from each wi towards wo.
   std::vector<Scattered> (*eval)(int kind, const std::vector<double>& p, const Triad& wo, const std::vector<Triad>& wi);
   /// numbers: lobe number, u, v of each way.
   std::vector<Way> (*sample)(int kind, const std::vector<double>& p, const Triad& wo, int lobes,
                              const std::vector<Triad>& numbers);
-  /// A parameter at points u, v of which every other one is textured: a checkerboard of red and green, else blue.
+  /// A parameter at points u, v. Every other point is textured with a checkerboard of red and green; the others are
+  /// blue.
   std::vector<Triad> (*parameters)(const std::vector<Triad>& points);
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The questions of bsdf_tiers.h at one width; no guard. Within the tier's namespace.
 #include "lanes/lane_ops.h"
-// Lanes come first: they define what the rest is written in.
+// Lanes come first: the other headers use their types and operations.
 #include "math/vec3_lanes.h"
 // Each needs what is above it.
 #include "math/sampling_lanes.h"

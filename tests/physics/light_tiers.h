@@ -25,7 +25,7 @@ struct DrawnLight {
   bool is_delta = false;
 };
 
-/// By that sample of pixel 0 at a vertex `depth` surfaces behind the camera, which lies at `from`.
+/// Draws with that sample of pixel 0 at a vertex at `from`, which is `depth` surfaces behind the camera.
 DrawnLight<float> drawn_light(const HostBuffers<float>& scene, std::uint32_t sample, int depth,
                               const Triple<float>& from);
 DrawnLight<double> drawn_light(const HostBuffers<double>& scene, std::uint32_t sample, int depth,

@@ -4,7 +4,7 @@
 
 inline real3w LANED(splat_triad)(const Triad& v) { return splat3_w(vec3((real)v[0], (real)v[1], (real)v[2])); }
 
-/// visit(i, lane) for as many of [first, count) as there are lanes.
+/// Calls visit(i, lane) for at most LANES rays of [first, count).
 template <class Visit>
 void LANED(for_lanes)(std::size_t first, std::size_t count, Visit visit) {
   for (int lane = 0; lane < LANES && first + (std::size_t)lane < count; ++lane) visit(first + (std::size_t)lane, lane);
@@ -20,7 +20,7 @@ inline Rays_w LANED(rays_from)(real3w o, real3w d, realw t_min, realw t_max, int
   return rays;
 }
 
-/// Those from `first` on, one a lane; lanes beyond the last have the last.
+/// The rays from `first` on, one a lane; lanes beyond the last ray repeat it.
 inline Rays_w LANED(rays_at)(const std::vector<GivenRay>& all, std::size_t first) {
   real3w o = LANED(splat_triad)({0, 0, 0}), d = o;
   realw t_min = splat_w(R(0.0)), t_max = t_min;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // From the sampler to the integrator, for the width LANES, as kernels/render.cl includes it. No guard: once a width.
 #undef SCENE_LANES
-// The number: for a while LANES is another (shapes/exact/exact_scalar.h).
+// A number, since LANES has another value for a while (shapes/exact/exact_scalar.h).
 #if LANES == 16
 #define SCENE_LANES 16
 #elif LANES == 8
@@ -15,7 +15,7 @@
 inline realw fmin(realw a, realw b) { return sel_w(lt_w(b, a), b, a); }
 inline realw fmax(realw a, realw b) { return sel_w(lt_w(a, b), b, a); }
 #endif
-// Lanes come first: they define what the rest is written in. Each needs what is above it.
+// Lanes come first: the other headers use their types and operations. Each header needs those above it.
 #include "accel/traverse.h"
 // As above.
 #include "math/vec3_lanes.h"

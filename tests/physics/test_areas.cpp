@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What is asked of every entry of cl/areas/areas.def, in every tier: places lie on the surface, with its normal; they
-// are drawn alike over the area, or over the solid angle where the row says so; the density that is stated is the
-// closed form's; from near by, from far off, from within. A new entry needs one row in area_rows.h.
+// Checks every entry of cl/areas/areas.def in every tier: places lie on the surface, with its normal; they are drawn
+// uniformly over the area, or over the solid angle where the row says so; the density equals the closed form. Each is
+// seen from near, from far and from within. A new entry needs one row in area_rows.h.
 #include <set>
 
 #include "physics/area_rows.h"
@@ -45,7 +45,7 @@ TEST_CASE("every area has a row") {
     const auto entry = std::find(area_entries.begin(), area_entries.end(), row.entry);
     INFO("areas.def has no " << row.entry);
     REQUIRE(entry != area_entries.end());
-    // The shape is drawn from by that very entry.
+    // The shape uses this entry to draw places.
     const TierScene scene(scene_of_area(row), true, 1);
     REQUIRE(scene.index(layout::HEADER_LIGHT_COUNT) == 1);
     CHECK(scene.light(0, layout::LIGHT_AREA) == entry - area_entries.begin());
@@ -66,7 +66,7 @@ TEST_CASE("places lie on the surface, with its normal and the density of the clo
       CHECK(row.off(place) <= 16 * u * (length(place) + 1));
       CHECK(length(vec(drawn.normal) - normal) <= 16 * u);
       const double distance = length(towards), facing = -dot(towards, normal) / distance;
-      // As well known as the cosine is.
+      // The tolerance follows the accuracy of the computed cosine.
       const double known = 64 * u * (1 + 1 / std::max(std::fabs(facing), 1e-6));
       if (row.is_by_angle(from)) {
         CHECK(drawn.density == Approx(row.is_flipped ? 0 : 1 / row.solid_angle(from)).epsilon(64 * u));
@@ -85,7 +85,7 @@ TEST_CASE("places are drawn alike over the area, or over the solid angle") {
   static constexpr int side = 8;
   const std::vector<PlaceNumbers> numbers = place_numbers(4096);
   for_each_area([&](const TransportTier& tier, const AreaRow& row, const TierScene& scene, const Vec3& from) {
-    // Far-off places differ by less than rounding lets a chart tell.
+    // Distant places differ by less than the rounding of the chart.
     if (tier.lanes > 1 || length(from) * roundoff(tier) > 1e-6) return;
     std::vector<double> counts(side * side, 0);
     for (const AreaDraw& drawn : tier.places(scene.buffers(), 0, triad(from), numbers)) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What is asked of every entry of cl/choosers/choosers.def, in every tier and width: chances sum to 1 over the lights
-// that are drawn, lights are drawn as often as that (chi^2), and what is drawn and what is told agree. A new entry
-// needs one row in `chooser_rows`.
+// Checks every entry of cl/choosers/choosers.def in every tier and width: the probabilities sum to 1 over the lights
+// that are drawn, the frequencies of lights match them (chi^2), and the probability of a drawn light equals the stated
+// one. A new entry needs one row in `chooser_rows`.
 #include <functional>
 
 #include "physics/transport_scenes.h"
@@ -13,7 +13,7 @@ namespace {
 
 struct ChooserRow {
   std::string entry;  ///< Of choosers.def.
-  /// Makes a scene of so many lights one that calls for the entry.
+  /// Changes a scene with this number of lights so that it uses the entry.
   std::function<void(Scene&)> call_for;
 };
 
@@ -27,7 +27,7 @@ const std::vector<std::string> chooser_entries = {
 #undef CHOOSER
 };
 
-/// Lamps, and spheres of the sort that a chooser may tell apart: near and far, bright and dark.
+/// Lamps, and spheres that a chooser may distinguish: near and far, bright and dark.
 Scene scene_of_lights(int lamps, int spheres) {
   Scene scene = empty_scene();
   for (int i = 0; i < lamps; ++i) scene.lights.emplace_back().emitter = PointLight{{1.0 * i, 2, 0}, {1.0 + i, 1, 1}};

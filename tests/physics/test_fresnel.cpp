@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The dielectric against Fresnel's equations in long double, where they are hard: indices that are nearly or quite the
-// same, the critical angle, grazing light, Brewster's angle. 1 s.
+// The dielectric against Fresnel's equations in long double, in the hard cases: equal and nearly equal indices, the
+// critical angle, grazing light, Brewster's angle. 1 s.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -53,7 +53,7 @@ TEST_CASE("the reflected share is Fresnel's") {
         const double share = way(tier, cosine, eta, LOBE_REFLECT).weight[0];
         REQUIRE(share >= 0);
         REQUIRE(share <= 1);
-        // What a rounding of the cosine and of the index moves it by is nobody's fault.
+        // The tolerance includes the change caused by rounding the cosine and the index.
         const double near =
             std::fabs(static_cast<double>(exact(cosine * (1 + u), eta) - exact(cosine * (1 - u), eta))) +
             std::fabs(static_cast<double>(exact(cosine, eta * (1 + u)) - exact(cosine, eta * (1 - u))));

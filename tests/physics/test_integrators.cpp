@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What every entry of cl/integrators/integrators.def makes of light that is known in closed form, in every tier: a ball
-// that reflects half of a white sky, and a hollow ball that emits one half and reflects the other (a furnace). Every
-// width has the bits of one lane, sample by sample. A new entry needs one row in `integrator_rows`.
+// Checks every entry of cl/integrators/integrators.def against light that is known in closed form, in every tier: a
+// ball that reflects half of a white sky, and a hollow ball that emits one half and reflects the other (a furnace).
+// Every width has the bits of one lane, sample by sample. A new entry needs one row in `integrator_rows`.
 #include "physics/transport_scenes.h"
 
 using namespace strahl;
@@ -67,7 +67,7 @@ void hold_radiance(const char* what, const TransportTier& tier, const Scene& sce
     for (const Triad& one : found) values.push_back(one[k]);
     const Mean mean = mean_of(values);
     CHECK(mean.value == Approx(expected[k]).margin(5 * mean.noise + 1000 * roundoff(tier)));
-    // Noise is no excuse for what is far off.
+    // A large error fails even if the noise is large.
     CHECK(mean.noise < 0.05);
   }
 }

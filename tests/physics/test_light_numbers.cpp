@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which light, which of its items and which place on it are three numbers: among a hundred lights, one of them a mesh
-// of 1e5 triangles, each is uniform by itself, to its last bits, and whatever the others are. 3 s.
+// The light, its item and the place on it are chosen by three numbers. With a hundred lights, one of them a mesh of 1e5
+// triangles, each number is uniform to its last bits and independent of the others. 3 s.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -24,7 +24,7 @@ Shape emitting(const Geometry& geometry) {
   return shape;
 }
 
-/// Small spheres, and in their midst a mesh that is one triangle over and over: a place tells its numbers.
+/// Small spheres, and between them a mesh that repeats one triangle, so that a place determines its numbers.
 Scene many_lights(SamplerKind sampler) {
   Scene scene;
   scene.materials.emplace_back();
@@ -79,7 +79,8 @@ std::vector<Draw> draws_on_mesh(const Scene& scene, std::uint32_t samples, std::
   return draws;
 }
 
-/// Pairs of draws of the same item whose u agree to 2^-16: of one number for all three some 8 bits are left for u.
+/// Counts pairs of draws of the same item whose u agree to 2^-16. If one number chose all three, only some 8 bits would
+/// be left for u.
 int same_places(std::vector<Draw> draws) {
   std::sort(draws.begin(), draws.end(),
             [](const Draw& a, const Draw& b) { return std::pair(a.item, a.u) < std::pair(b.item, b.u); });
@@ -97,7 +98,7 @@ template <class Real>
 void hold(SamplerKind sampler) {
   std::vector<int> of_light(lights, 0);
   const std::vector<Draw> draws = draws_on_mesh<Real>(many_lights(sampler), 1u << 22, of_light);
-  // Of sobol only that nothing is uneven: it is more even than chance.
+  // For sobol only an upper bound: its points are more even than random ones.
   const bool is_random = sampler == SamplerKind::independent;
   constexpr int fine = 64, coarse = 8;
   std::vector<int> item(1000), u_digits(fine), v_digits(fine), item_u(coarse * coarse), item_v(coarse * coarse);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// What physics asks of every entry of cl/lights/lights.def, in every tier: directions are drawn as densely as a ray
-// that finds the light is told (chi^2), that density integrates to what is drawn, both ways see the same radiance,
-// their mean is the light's fluence in closed form; a light of one direction is a delta and nothing else; rays see no
-// light beside it. A new entry is asked as it is by default, and in closed form once it has a row in `closed_forms`;
-// lights with an area are asked about every row of area_rows.h.
+// Checks every entry of cl/lights/lights.def in every tier. Directions are drawn with the density that a ray which hits
+// the light reads (chi^2); the integral of that density is the share of draws; both techniques see the same radiance,
+// and their mean is the light's fluence in closed form. A light of one direction is a delta and nothing else. Rays
+// beside a light do not see it. A new entry is tested with its defaults, and in closed form once it has a row in
+// `closed_forms`; lights with an area are tested for every row of area_rows.h.
 #include <set>
 
 #include "kinds/lights.h"
@@ -21,7 +21,7 @@ struct LightRow {
   std::function<void(Scene&)> put;
   bool is_delta;
   std::vector<Vec3> froms;
-  /// What all directions bring together, in the first channel; half and a quarter of it in the others. May be empty.
+  /// The fluence from all directions in the first channel; the others have a half and a quarter of it. May be empty.
   std::function<double(const Vec3& from)> fluence;
 };
 
@@ -47,7 +47,7 @@ std::vector<LightRow> closed_forms() {
   return rows;
 }
 
-/// Appends what stands in scenes as an emitter of its own and has no row yet.
+/// Appends the emitters of scenes that are not shapes and have no row yet.
 template <std::size_t alternative = 0>
 void add_defaults(std::vector<LightRow>& rows) {
   using AnyEmitter = decltype(Light::emitter);
@@ -142,7 +142,7 @@ class Cone {
   [[nodiscard]] double solid_angle() const { return 2 * std::numbers::pi * less_; }
 
  private:
-  /// 1 - cos, by the chord.
+  /// 1 - cos, from the chord.
   [[nodiscard]] double less(const Vec3& d) const { return 0.5 * dot(d - axis_, d - axis_); }
 
   Vec3 axis_;
@@ -189,7 +189,7 @@ TEST_CASE("directions are drawn as densely as rays that find the light are told"
     CHECK(beside == 0);
     const double drawn = static_cast<double>(directions.size()) / n;
     CHECK(whole == Approx(drawn).margin(0.01 + 5 * std::sqrt(drawn * (1 - drawn) / n)));
-    // Rounding that moves a far-off place by as much as a cell is no law of light.
+    // Not for distant lights, where rounding moves a place by as much as a cell.
     if (length(from) * roundoff(tier) < 1e-6) hold_counts(counts, expected);
   });
 }
@@ -211,7 +211,7 @@ TEST_CASE("what draws a light and what finds it see the same radiance at the sam
     const std::vector<Sight> seen = tier.look(scene.buffers(), triad(from), directions);
     int missed = 0;
     for (std::size_t i = 0; i < seen.size(); ++i) {
-      // Rounding leads past an edge now and then, or onto the back there.
+      // Rounding sometimes moves a place past an edge, or onto the back there.
       if (seen[i].light != 0 || seen[i].radiance[0] == 0) {
         ++missed;
         continue;

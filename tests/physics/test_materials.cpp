@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// What physics asks of every material of cl/materials/materials.def, in every tier and width: directions are drawn as
-// densely as is said (chi^2), densities integrate to what is not a delta lobe, weights are f |cos| over the density,
-// f is reciprocal, no energy is made (and none is lost where the material is lossless), delta lobes lead there and
-// back. A new entry is asked with its default parameters, and with what it has in `rows`. 2 s.
+// Checks every material of cl/materials/materials.def in every tier and width: directions are drawn with the stated
+// density (chi^2); densities integrate to the share of non-delta lobes; weights are f |cos| over the density; f is
+// reciprocal; energy is not created (nor lost where the material is lossless); delta lobes are reversible. A new entry
+// is tested with its default parameters, and with its rows in `rows`. 2 s.
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <map>
@@ -26,7 +26,7 @@ struct Row {
 
 using AnyBsdf = decltype(strahl::Material::bsdf);
 
-/// Those of the entry where a scene says nothing; none where no material of the model is of that entry.
+/// The default parameters of the entry; none where no material of the model belongs to it.
 template <std::size_t alternative = 0>
 std::vector<double> default_parameters(const std::string& entry) {
   if constexpr (alternative < std::variant_size_v<AnyBsdf>) {
@@ -178,7 +178,7 @@ TEST_CASE("weights are f |cos| over the density, and f is reciprocal") {
       CHECK(there.density == Approx(way.density).epsilon(bound));
       for (std::size_t i = 0; i < 3; ++i) {
         CHECK(there.value[i] == Approx(way.weight[i] * way.density).epsilon(bound));
-        // Between media of different indices it is f / eta^2 that is reciprocal.
+        // Between media of different indices f / eta^2 is reciprocal.
         const double f = there.value[i] / std::fabs(way.wi[2]) * way.eta * way.eta;
         CHECK(f == Approx(back.value[i] / std::fabs(wo[2])).epsilon(bound));
       }
@@ -191,7 +191,7 @@ TEST_CASE("no material makes energy, and a lossless one loses none") {
   for_each_case([&](const BsdfTier& tier, int kind, const BsdfEntry& entry, const Row& row, const Triad& wo) {
     double sum = 0, squares = 0;
     for (const Way& way : tier.sample(kind, row.p, wo, LOBES_ALL, numbers)) {
-      // Radiance over the index squared is what is kept.
+      // Radiance over the squared index is conserved.
       const double share = largest(way.weight) * way.eta * way.eta;
       CHECK(std::isfinite(share));
       CHECK(*std::min_element(way.weight.begin(), way.weight.end()) >= 0);
@@ -223,7 +223,7 @@ TEST_CASE("delta lobes lead where mirrors and Snell's law do, back again, and ca
       CHECK(std::hypot(way.wi[0], way.wi[1], way.wi[2]) == Approx(1).epsilon(4 * u));
       for (std::size_t i = 0; i < 2; ++i) CHECK(way.wi[i] * way.eta == Approx(-wo[i]).margin(8 * u));
       const Way back = tier.sample(kind, row.p, way.wi, LOBE_DELTA | side, {{0.5, 0.5, 0.5}}).front();
-      // The angle of what is refracted to a grazing way is known as well as its cosine is.
+      // The angle of a refracted, nearly grazing direction is only as accurate as its cosine.
       const double ratio = std::max(way.eta, 1 / way.eta);
       const double known =
           16 * u * ratio * ratio / std::max(std::fabs(way.wi[2]), 1e-3) / std::max(std::fabs(wo[2]), 1e-3);

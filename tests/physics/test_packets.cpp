@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Packets on the host: for every entry of cl/shapes/shapes.def the rays of a packet find what each finds alone, to the
-// bit, by lists and by trees, nearest and any hit, rays that have left something among them. With many more rays and on
-// devices: tests/accel/test_packets.cpp.
+// Packets on the host: for every entry of cl/shapes/shapes.def the rays of a packet have the same hits as each ray
+// alone, to the bit: in lists and in trees, nearest and any hit, also for rays that have left a primitive. With many
+// more rays and on devices: tests/accel/test_packets.cpp.
 #include <catch2/catch.hpp>
 
 #include "cl/mixed_scenes.h"
@@ -45,7 +45,7 @@ GivenRay given(const Ray& ray) {
           std::min(ray.t_max, static_cast<double>(std::numeric_limits<float>::max()))};
 }
 
-/// Sixteen rays about each ray of the maker, ever closer together, some of them the other way.
+/// Sixteen rays around each ray of the maker, closer and closer together, some of them reversed.
 std::vector<GivenRay> bundles(SceneMaker& maker, std::size_t count) {
   oracle::Random random(3);
   std::vector<GivenRay> rays;
@@ -64,7 +64,7 @@ std::vector<GivenRay> bundles(SceneMaker& maker, std::size_t count) {
   return rays;
 }
 
-/// As many again that go on from where the first ones ended.
+/// As many rays again, which continue from the hits of the first ones.
 void add_departing(std::vector<GivenRay>& rays, const std::vector<FoundHit>& hits) {
   for (std::size_t i = 0; i < hits.size(); ++i) {
     if (hits[i].kind < 0) continue;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What is asked of every entry of cl/textures/textures.def, in every tier: values stay within the texture's colours; a
-// footprint of zero is a point sample; a wide one is the mean of point samples over it, an infinite one that over the
-// whole pattern; no footprint changes the mean. A new entry needs one row in `texture_rows`.
+// Checks every entry of cl/textures/textures.def in every tier: values stay within the texture's colours; a footprint
+// of zero is a point sample; a wide one is the mean of point samples over it, an infinite one that over the whole
+// pattern; no footprint changes the mean. A new entry needs one row in `texture_rows`.
 #include <functional>
 #include <limits>
 
@@ -18,7 +18,7 @@ struct TextureRow {
   Triad least, most;  ///< Of its colours.
   Triad mean;         ///< Over the whole pattern.
   double period;      ///< In u and in v; a texture without one: so long that its mean is the pattern's.
-  /// Of the point sample in double precision; none where it is not for a formula to tell.
+  /// The point sample in double precision; none where there is no formula.
   std::function<Triad(double u, double v)> value;
   /// Footprints that are filtered, and by a box along u and v; none: only the mean is known.
   std::vector<double> boxes;
@@ -134,7 +134,8 @@ TEST_CASE("textures stay within their colours, whatever the footprint, and witho
       for (const double footprint : {0.0, 1e-30, 0.01, 0.3, 1.0, 7.3, 1e20, infinite}) {
         const Triad found = value(u, v, footprint);
         for (std::size_t k = 0; k < 3; ++k) {
-          // A filter's mean is a difference of integrals over its width: that far it may round past the colours.
+          // A filtered mean is a difference of integrals, divided by the width; its rounding may lead past the colours
+          // by this much.
           CHECK(found[k] >= row.least[k] - 32 * roundoff(tier));
           CHECK(found[k] <= row.most[k] + 32 * roundoff(tier));
         }

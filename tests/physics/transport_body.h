@@ -11,7 +11,7 @@
 #define HAS_HIDE_EMITTERS 1
 #define HAS_ERROR_SUMS 1
 #define HAS_WIDE_BODIES (REAL_BITS == 32 && !TIER_FAST)
-// Walks stand once, as they do where lanes are wide: the unit compiles in a fraction of the time.
+// Traversals are not inlined, as where lanes are wide: the unit compiles much faster.
 #define SCENE_LANES 16
 
 namespace strahl::test {
@@ -28,9 +28,9 @@ inline Scene scene_of(const TierBuffers& buffers) {
           nullptr};
 }
 
-// What is wider than the processor's registers costs the compiler as much as all the rest: lanes where bodies of their
-// own want them, the widest for packets alone, in the tier that is meant for use. The widest first: it decides for all
-// of them whether spheres wait (shapes/exact/put_off.h).
+// Vectors wider than the processor's registers take the compiler as long as everything else. So lanes are compiled only
+// where bodies of their own need them, and the widest only for packets in the default tier. The widest comes first: it
+// decides for all widths whether spheres are put off (shapes/exact/put_off.h).
 #if TIER_ROBUST
 #define LANES 16
 #include "physics/packets_width.h"

@@ -72,7 +72,7 @@ class TierScene {
   return numbers;
 }
 
-/// Of counts against what is expected: chi^2 over the bins that expect five or more, within six standard deviations.
+/// Compares counts with expected values: chi^2 over the bins that expect five or more, within six standard deviations.
 inline void hold_counts(const std::vector<double>& counts, const std::vector<double>& expected) {
   double chi = 0;
   int bins = 0;

@@ -21,13 +21,13 @@ struct TierBuffers {
   const std::int32_t* index;
 };
 
-/// What a light draws a place or a direction with.
+/// The numbers with which a light draws a place or a direction.
 struct PlaceNumbers {
   std::uint32_t item;
   double u, v;
 };
 
-/// What a point learns of a light that it draws: cl/lights/light_sample_lanes.h.
+/// The sample of a light, as seen from a point: cl/lights/light_sample_lanes.h.
 struct LightDraw {
   Triad towards, radiance;
   double t_max, density;
@@ -41,17 +41,17 @@ struct AreaDraw {
   double density;
 };
 
-/// What a direction leads to.
+/// The light that a direction hits.
 struct Sight {
   Triad radiance;
   int light;       ///< -1: none that could be drawn.
-  double density;  ///< How densely that light draws the direction.
-  Triad position;  ///< Where light < 0 of no meaning, and of the background.
+  double density;  ///< The density with which that light draws the direction.
+  Triad position;  ///< Undefined where light < 0, and for the background.
 };
 
 struct LightPick {
   int light;
-  double rarity, told;  ///< As drawn, and as told of the light that was drawn.
+  double rarity, told;  ///< As drawn, and as stated for the drawn light.
 };
 
 struct TexturePlace {
@@ -77,7 +77,7 @@ struct TransportTier {
   /// Of a light of kind `area`.
   std::vector<AreaDraw> (*places)(const TierBuffers& scene, int light, const Triad& from,
                                   const std::vector<PlaceNumbers>& numbers);
-  /// As an integrator's ray sees it that has been drawn by a material.
+  /// As seen by an integrator's ray that a material has drawn.
   std::vector<Sight> (*look)(const TierBuffers& scene, const Triad& from, const std::vector<Triad>& directions);
   /// The density of a light in a direction that leads to none of its surfaces.
   double (*density)(const TierBuffers& scene, int light, const Triad& from, const Triad& direction);

@@ -115,7 +115,7 @@ inline double LANED(rarity_of)(const TierBuffers& buffers, int light, const Tria
   return get_w(&rarity, LANES - 1);
 }
 
-/// As kernels/render.cl follows the samples of a pixel, but that all begin and end together.
+/// As kernels/render.cl follows the samples of a pixel, except that all samples begin and end together.
 inline std::vector<Triad> LANED(radiance_along)(const TierBuffers& buffers, const GivenRay& ray,
                                                 std::uint32_t samples) {
   uint counters[COUNTERS] = {};

@@ -90,7 +90,7 @@ void move(Mesh& mesh, const MapVec3& point, const MapVec3&) {
 
 void scale(Mesh&, double) {}
 
-/// The normals of vertices as well as the faces', which flipping then turns back.
+/// Negates the vertex normals, because mirroring negates the face normals and flip_normals turns both back.
 Mirrored mirror(Mesh& mesh, const MapVec3& flip_x) {
   for (Vec3& normal : mesh.normals) normal = -flip_x(normal);
   return Mirrored::flipped;

@@ -23,7 +23,7 @@ class BoxProof : public ShapeProof {
 
   [[nodiscard]] ExactAnswer answer(const Asked& q) const override {
     const auto met = oracle::aabb(q.ray, box_of(q.planes));
-    // The robust tier has no band, the double one that of its own rounding.
+    // The robust tier has no band; the band of double is its own rounding.
     if (!q.has_left) return outside_band(met, met.margin == 0 || std::fabs(met.margin) > 0x1p-50);
     ExactAnswer answer;
     answer.t = met.exit;
@@ -36,7 +36,7 @@ class BoxProof : public ShapeProof {
   /// Rays that graze are drawn about one axis, whichever face they leave.
   [[nodiscard]] Vec3 normal(const double*, const Vec3&) const override { return {1, 0, 0}; }
 
-  /// The face that was left is the nearest one; nothing is expected where two are about as near.
+  /// The face that was left is the nearest one. Nothing is expected where two faces are about equally near.
   void expect_leaving(Question& q, Precision) const override {
     const Vec3 &o = q.ray.origin, &d = q.ray.direction;
     const std::array origin{o.x, o.y, o.z}, along{d.x, d.y, d.z};

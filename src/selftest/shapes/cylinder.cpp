@@ -42,7 +42,7 @@ class CylinderProof : public ShapeProof {
     ExactAnswer answer = outside_band(met, is_seen && std::fabs(met.margin) > 4 * u);
     answer.t_rounding =
         16 * u * u * reach(q.ray, p0, extent + shape.radius) / (sine * std::sqrt(std::fabs(met.margin)));
-    // A crossing at the range's end, where t is 0 to rounding.
+    // A crossing at the end of the range, where t is 0 except for rounding.
     if (met.discriminant_sign >= 0)
       for (const auto& root : met.root)
         if (std::fabs(root.value - q.ray.t_min) <= answer.t_rounding) answer.is_promised = false;
@@ -56,7 +56,7 @@ class CylinderProof : public ShapeProof {
     return from - dot(from, unit) * unit;
   }
 
-  /// Where the other root is clear of the mantle's ends.
+  /// Whether the other root is clearly away from the mantle's ends.
   void expect_leaving(Question& q, Precision precision) const override {
     const double* planes = q.planes.data();
     const Long f = Long(q.ray.origin) - Long(at(planes)), d(q.ray.direction), v(at(planes + 3));

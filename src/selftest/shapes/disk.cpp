@@ -30,7 +30,7 @@ class DiskProof : public ShapeProof {
     const auto met = oracle::disk(q.ray, disk_of(q.planes));
     const double cosine = std::fabs(dot(normalized(q.ray.direction), normalized(at(q.planes + 3))));
     const double away = length(q.ray.origin - at(q.planes));
-    // Of the normal the square root, as it may come as the product of two radii.
+    // The square root of the normal's length, because the normal may be a product of two radii.
     const double size = std::sqrt(q.planes[6]), unit = std::sqrt(length(at(q.planes + 3)));
     const bool is_seen = is_in_scale(size) && is_in_scale(unit) && away <= 0x1p40;
     return outside_band(met, is_seen && cosine >= 1e-7 && std::fabs(met.margin) > 4 * u);

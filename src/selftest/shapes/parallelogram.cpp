@@ -17,7 +17,8 @@ class ParallelogramProof : public ShapeProof {
     put(q, given.corner + given.edge_v);
   }
 
-  /// Four rounded corners need not close: the band grows by the gap, and those that it distorts are not promised.
+  /// Four rounded corners need not form a parallelogram: the band grows by the gap, and nothing is promised for shapes
+  /// that the gap distorts.
   [[nodiscard]] ExactAnswer answer(const Asked& q) const override {
     if (q.has_left) return {};
     const Vec3 a = at(q.planes), c = at(q.planes + 6);

@@ -6,7 +6,7 @@
 
 namespace strahl::selftest {
 
-/// closes: what the band grows by where the corners, as rounded, do not close.
+/// closes: the growth of the band where the rounded corners do not form a parallelogram.
 inline ExactAnswer answer_of_polygon(const Asked& q, const oracle::PlanarAnswer& met, int corners, double closes) {
   ExactAnswer answer = outside_band(met, met.cosine >= 1e-7 && std::fabs(met.margin) > 8 * u + closes);
   if (met.is_parallel) return answer;
@@ -16,12 +16,12 @@ inline ExactAnswer answer_of_polygon(const Asked& q, const oracle::PlanarAnswer&
   const double away = 16 * u * scale / (met.cosine * length(q.ray.direction));
   for (const double bound : {0.0, q.ray.t_min, q.ray.t_max})
     if (std::fabs(met.t.value - bound) <= away) answer.is_promised = false;
-  // A ray aimed at the edge may meet the neighbour instead, whose t there is within that of this one's.
+  // A ray aimed at the edge may hit the neighbour instead, whose t there is within this band.
   if (!answer.is_promised) answer.t_rounding = away;
   return answer;
 }
 
-/// The stable forms are wrong in no law but `extreme`.
+/// The stable forms fail only in the law `extreme`.
 inline Promises promises_of_polygon() {
   using oracle::Law;
   return {4,
