@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 // LANES coherent rays that traverse the tree together. LANES children of a node at a time are first tested against
 // bounds of all rays. Each child that passes is tested against every ray, in lanes, when its turn comes: S. Boulos, I.
-// Wald,
-// P. Shirley, "Geometric and Arithmetic Culling Methods for Entire Ray Packets", 2006. The bounds come by the monotone
-// operations of slabs_lanes.h, so they lose no child that a ray meets; the second test is those operations themselves.
-// Hits are those of accel/traverse.h (docs/decisions/0010-packets.md). One width; no guard.
+// Wald, P. Shirley, "Geometric and Arithmetic Culling Methods for Entire Ray Packets", 2006. The bounds come by the
+// monotone operations of slabs_lanes.h, so they lose no child that a ray meets; the second test is those operations
+// themselves. Hits are those of accel/traverse.h (docs/decisions/0010-packets.md). One width; no guard.
 #include "accel/packet_bounds.h"
 
 #if LANES == 8

@@ -7,7 +7,7 @@ enum {
   STEP_LIGHTS = 1,    ///< Add the light of the lights at the surface.
   STEP_DELTA = 2,     ///< Follow the material's delta lobes.
   STEP_SCATTER = 4,   ///< Follow a direction that the material draws; drawn lights are then weighted against it.
-  STEP_ROULETTE = 8,  ///< End the path by Russian roulette.
+  STEP_ROULETTE = 8,  ///< Apply Russian roulette.
   STEP_OPENNESS = 16  ///< Add white if an ambient-occlusion ray hits nothing.
 };
 

@@ -3,8 +3,7 @@
 // computed relative to the line's point nearest to the centre, if necessary with one step of Newton's method in double
 // words: E. Haines, J. Guenther, T. Akenine-Moeller, "Precision Improvements for Ray/Sphere Intersection", Ray Tracing
 // Gems, ch. 7, 2019. Where the line nearly grazes the sphere, or the root is nearly at the origin, the discriminant is
-// (d.d) r^2 -
-// |f x d|^2 and the smaller root c over the larger one, c = f.f - r^2, all of it in double words. Bounds:
+// (d.d) r^2 - |f x d|^2 and the smaller root c over the larger one, c = f.f - r^2, all of it in double words. Bounds:
 // docs/decisions/0007-robust-tier.md. One width; no guard.
 
 /// x + t d.
