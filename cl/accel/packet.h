@@ -173,7 +173,7 @@ FN void push_children_w(PRIVATE int* waiting, PRIVATE real* waiting_t, PRIVATE i
 /// Number of nodes that a packet may enter with only one or two rays before its rays are traced one by one.
 enum { PACKET_PATIENCE_w = 24 };
 
-/// Traverses all rays of a packet that packet_make has found alike. 0: the rays diverge too often; the hits found so
+/// Traverses all rays of a packet that packet_make has found coherent. 0: the rays diverge too often; the hits found so
 /// far are incomplete.
 FN int packet_walk_w(const Scene* scene, Packet_w* p) {
   GLOBAL const real* nodes = scene->geometry + scene->index[HEADER_NODES];
@@ -240,7 +240,7 @@ SELDOM_FN NearestEach_w packet_traverse_w(const Scene* scene, Rays_w* rays, int 
     packet_finish_w(scene, &p, is_done && want == FIND_NEAREST_APPROXIMATELY);
     each = packet_open_w(&p);
   }
-  // Rays that need not be alike never diverge: their program has no traversal for a single ray.
+  // Packets of rays that need not be coherent are never split: their program has no traversal for a single ray.
   int never_part = PACKET_OF_ANY_RAYS_w;
   for (int i = 0; i < LANES && !is_done && !never_part; ++i) {
     Nearest best = nearest_of_w(&each, i);

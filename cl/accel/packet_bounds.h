@@ -43,7 +43,7 @@ typedef struct {
   intw id, kind, slot, instance;
   realw bound;  ///< Nothing that begins beyond can be the nearest hit.
 #if TIER_ROBUST
-  // Hits that are certain but for the last digits of t.
+  // Hits that are certain except for the last digits of t.
   realw approximate, approximate_least;  ///< t roughly, and the least that it may be.
   intw approximate_id, approximate_kind, approximate_slot;
 #endif
@@ -56,7 +56,7 @@ typedef struct {
 
 FN realw component_w(const real3w* v, int axis) { return axis == 0 ? v->x : (axis == 1 ? v->y : v->z); }
 
-/// Whether all lanes of m are alike.
+/// Whether all lanes of m are equal.
 FN int is_common_w(maskw m) { return !any_w(m) || !any_w(~m); }
 
 FN Bounds_w axis_bounds_w(realw o, realw inv, realw slack, int is_backward) {

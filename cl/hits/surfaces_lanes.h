@@ -5,7 +5,7 @@
 #include "textures/texture.h"
 
 typedef struct {
-  maskw hit;                         ///< The other lanes are undefined, but for `part`, which is a row of the table.
+  maskw hit;                         ///< The other lanes are undefined, except `part`, which is a row of the table.
   realw t;                           ///< In units of the ray's prepared direction.
   real3w position, normal, shading;  ///< As in hits/surface.h.
   realw facing;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The same radiance from everywhere, seen by rays that leave the scene; every direction is drawn alike. Parameters:
+// The same radiance from everywhere, seen by rays that leave the scene; directions are drawn uniformly. Parameters:
 // radiance r g b.
 
 FN LightSample_w constant_sample_w(const Scene* scene, GLOBAL const int* row, real3w from, LightNumbers_w numbers) {

@@ -34,7 +34,7 @@ FN real3w square_to_cosine_hemisphere_w(realw u, realw v) {
   return vec3_w(p.x, p.y, sqrt_w(sel_w(lt_w(least, rest), rest, least)));
 }
 
-/// Unit, every direction alike: density 1 / (4 pi).
+/// Unit, uniform over all directions: density 1 / (4 pi).
 FN real3w square_to_sphere_w(realw u, realw v) {
   realw one = splat_w(R(1.0)), two = splat_w(R(2.0)), radius = two * sqrt_w(u * (one - u));
   SinCos_w turned = sincos_turns_w(v);

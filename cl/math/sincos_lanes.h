@@ -64,7 +64,7 @@ FN SinCos_w sincos_eighth_w(realw f) {
 /// Of a finite angle in turns; exact at every multiple of a quarter.
 FN SinCos_w sincos_turns_w(realw turns) {
   realw a = abs_w(turns), zero = splat_w(R(0.0)), one = splat_w(R(1.0)), from = splat_w(SINCOS_INTEGERS_FROM);
-  // Adding the first number whose neighbours are 1 apart rounds to an integer; whatever is larger is one already.
+  // Adding the first number whose neighbours are 1 apart rounds to an integer; larger numbers are integers already.
   realw whole = sel_w(lt_w(a, from), (a + from) - from, a), part = a - whole;
   realw shift = splat_w(R(1.5)) * from, quarters = (splat_w(R(4.0)) * part + shift) - shift;
   SinCos_w result = sincos_eighth_w(part - splat_w(R(0.25)) * quarters);  // Exact, as everything before it.

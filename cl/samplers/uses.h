@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Every use of random numbers, stated once. A number is used for one thing only. Numbers come in pairs that are spread
 // evenly over the unit square together; pairs are independent of each other. A vertex of a path has the same pairs
-// whatever happened before it, so that a sample can be drawn in any order.
+// regardless of what happened before it, so that a sample can be drawn in any order.
 //
 // The counts below leave room: a new use takes a free number, and every picture keeps its bits
 // (docs/decisions/0019-numbers-and-lights.md). Changing a number or a count changes every picture.

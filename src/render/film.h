@@ -31,7 +31,7 @@ struct FilmSums {
   [[nodiscard]] double sub_sum(std::size_t pixel, int sub, int channel) const;
   /// The number of those samples.
   [[nodiscard]] int sub_sum_samples(std::size_t pixel, int sub) const;
-  /// Mean over all samples, the same whatever sub-sums they are in; a pixel without samples is black.
+  /// Mean over all samples; it does not depend on their sub-sums. A pixel without samples is black.
   [[nodiscard]] Image mean() const;
 };
 

@@ -34,7 +34,7 @@ namespace {
 /// Rays, or hits to be described, a work-group.
 constexpr std::size_t group_size = 64;
 
-/// Rays a launch: keeps buffers and launches small whatever the number of rays.
+/// Rays a launch: keeps buffers and launches small for any number of rays.
 constexpr std::size_t chunk_rays = std::size_t{1} << 18;
 
 /// The parts of a scene that intersection needs, with only the first shape of every kind: no vertices, lights,

@@ -35,7 +35,7 @@ struct Hit {
 
 class Intersector {
  public:
-  /// Compiles nothing yet. Throws as Renderer does, but for KernelBuildError.
+  /// Compiles nothing yet. Throws as Renderer does, except KernelBuildError.
   Intersector(const Device& device, const Scene& scene, const RenderSettings& settings = {});
   ~Intersector();
   Intersector(Intersector&&) noexcept;

@@ -20,7 +20,7 @@ struct Pass {
 /// where the error so far says that it may be reached.
 class PassPlan {
  public:
-  /// spp: samples at which the render is over whatever else holds.
+  /// spp: samples at which the render ends in any case.
   PassPlan(const RenderGoal& goal, int spp);
 
   /// The next pass; none where one of the goals holds. sample_seconds: what one sample of every pixel takes (0: not

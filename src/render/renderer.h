@@ -50,8 +50,8 @@ class Renderer {
   Renderer(Renderer&&) noexcept;
   Renderer& operator=(Renderer&&) noexcept;
 
-  /// Each call renders the picture anew. Throws UsageError for more samples than the film holds, NoDeviceError where
-  /// the device ends loops before a sample is done (RenderSettings::loop_turns).
+  /// Each call renders the picture from the start. Throws UsageError for more samples than the film holds,
+  /// NoDeviceError where the device ends loops before a sample is done (RenderSettings::loop_turns).
   [[nodiscard]] RenderResult render(const ProgressCallback& progress = {}, const RenderGoal& goal = {});
 
   [[nodiscard]] const Scene& scene() const;

@@ -7,7 +7,7 @@ typedef struct {
   dw_w near, far;
 } Roots_w;
 
-/// d = b^2 - a c, in whatever form it is known best; undefined where d < 0.
+/// d = b^2 - a c, computed in the most accurate form; the result is undefined where d < 0.
 FN Roots_w quadratic_roots_w(dw_w a, dw_w b, dw_w c, dw_w d) {
   dw_w s = dw_sqrt_w(d);
   // A compare, not the sign bit: some devices lose the sign of a zero b.
