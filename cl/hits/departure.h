@@ -11,8 +11,8 @@
 //   - polygons: the point moves off the edges that are nearer than b, within the plane, and by b along the normal to
 //     the side that the ray goes to. b = 7/4 u (max |p_i| + size) bounds the rounding of a point interpolated over
 //     corners ("Solving Self-Intersection Artifacts in DirectX Raytracing", NVIDIA, 2023, has u |p0| + 3 u extent along
-// the normal alone). The whole displacement is at most 4 u (max |p_i| + size), apart from rounding. A point of a large
-// polygon that is known better (shapes/polygon/near_point.h) moves by its own bound, far from edges;
+//     the normal alone). The whole displacement is at most 4 u (max |p_i| + size), apart from rounding. A point of a
+//     large polygon that is known better (shapes/polygon/near_point.h) moves by its own bound, far from edges;
 //   - boxes: the coordinate across the face is the face's, exactly; the other two stay strictly between the faces.
 // In an instance the face of a box is not axis-aligned in the world. There a ray leaves it as it leaves a polygon, with
 // the rounding of the instance's mapping added to the bound.
