@@ -270,6 +270,7 @@
 #define near_ball_w LANED(near_ball_w)
 #define near_point_w LANED(near_point_w)
 #define nearest_child_w LANED(nearest_child_w)
+#define nearest_integer_w LANED(nearest_integer_w)
 #define nearest_of_w LANED(nearest_of_w)
 #define nearest_to_w LANED(nearest_to_w)
 #define negate3_w LANED(negate3_w)

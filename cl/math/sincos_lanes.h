@@ -61,12 +61,24 @@ FN SinCos_w sincos_eighth_w(realw f) {
   return result;
 }
 
+#if TIER_FAST
+/// Of 0 <= a < 2^23.
+FN realw nearest_integer_w(realw a) { return real_of_uint_w(uint_of_int_w(int_of_real_w(a + splat_w(R(0.5))))); }
+#endif
+
 /// Of a finite angle in turns; exact at every multiple of a quarter.
 FN SinCos_w sincos_turns_w(realw turns) {
   realw a = abs_w(turns), zero = splat_w(R(0.0)), one = splat_w(R(1.0)), from = splat_w(SINCOS_INTEGERS_FROM);
+#if TIER_FAST
+  // A compiler that may reassociate cancels what the other tiers add and subtract.
+  realw whole = nearest_integer_w(a), part = a - whole;
+  realw quarters = nearest_integer_w(splat_w(R(4.0)) * part + splat_w(R(4.0))) - splat_w(R(4.0));
+  (void)from;
+#else
   // Adding the first number whose neighbours are 1 apart rounds to an integer; larger numbers are integers already.
   realw whole = sel_w(lt_w(a, from), (a + from) - from, a), part = a - whole;
   realw shift = splat_w(R(1.5)) * from, quarters = (splat_w(R(4.0)) * part + shift) - shift;
+#endif
   SinCos_w result = sincos_eighth_w(part - splat_w(R(0.25)) * quarters);  // Exact, as everything before it.
 
   // quarters: -2 ... 2, where -2 and 2 are the same half turn.

@@ -47,8 +47,8 @@ void write_buffer(const Device& device, const cl::Buffer& buffer, const void* da
   checked(device.info().text(), [&] { return device.queue().enqueueWriteBuffer(buffer, CL_TRUE, 0, bytes, data); });
 }
 
-void read_buffer(const Device& device, const cl::Buffer& buffer, void* data, std::size_t bytes) {
-  checked(device.info().text(), [&] { return device.queue().enqueueReadBuffer(buffer, CL_TRUE, 0, bytes, data); });
+void read_buffer(const Device& device, const cl::Buffer& buffer, void* data, std::size_t bytes, std::size_t offset) {
+  checked(device.info().text(), [&] { return device.queue().enqueueReadBuffer(buffer, CL_TRUE, offset, bytes, data); });
 }
 
 SceneBuffers upload_scene(const Device& device, const Scene& scene, const Features& features, Precision precision,

@@ -22,6 +22,6 @@ struct SceneBuffers {
 
 /// Blocking; `what` names the transfer in a DeviceError.
 void write_buffer(const Device& device, const cl::Buffer& buffer, const void* data, std::size_t bytes);
-void read_buffer(const Device& device, const cl::Buffer& buffer, void* data, std::size_t bytes);
+void read_buffer(const Device& device, const cl::Buffer& buffer, void* data, std::size_t bytes, std::size_t offset = 0);
 
 }  // namespace strahl

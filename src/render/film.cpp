@@ -6,9 +6,10 @@
 
 namespace strahl {
 
-FilmSums::FilmSums(int w, int h, SubSums parts, double one) : width(w), height(h), sums(parts), unit(one) {
+FilmSums::FilmSums(int w, int h, SubSums parts, double one, bool holds_words)
+    : width(w), height(h), sums(parts), unit(one) {
   const std::size_t pixels = static_cast<std::size_t>(w) * static_cast<std::size_t>(h);
-  words.resize(pixels * words_per_pixel(), 0);
+  if (holds_words) words.resize(pixels * words_per_pixel(), 0);
   samples.resize(pixels, 0);
 }
 
@@ -37,14 +38,20 @@ double FilmSums::sub_sum(std::size_t pixel, int sub, int channel) const {
 
 int FilmSums::sub_sum_samples(std::size_t pixel, int sub) const { return sub_sum_size(sums, sub, samples[pixel]); }
 
-Image FilmSums::mean() const {
+Image FilmSums::black() const {
   Image image;
   image.width = width;
   image.height = height;
   image.data.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 3, 0.0F);
-  const std::int64_t* pixel = words.data();
-  float* out = image.data.data();
-  for (const int count : samples) {
+  return image;
+}
+
+void FilmSums::put_mean(std::span<const std::int64_t> part, std::size_t first, Image& image) const {
+  const std::size_t pixels = part.size() / words_per_pixel();
+  const std::int64_t* pixel = part.data();
+  float* out = &image.data[first * layout::FILM_CHANNELS];
+  for (std::size_t at = first; at < first + pixels; ++at, pixel += words_per_pixel()) {
+    const int count = samples[at];
     for (int channel = 0; channel < layout::FILM_CHANNELS; ++channel, ++out) {
       const std::int64_t* sum = pixel + channel * layout::FILM_SUM_WORDS;
       std::int64_t total[layout::FILM_SUM_WORDS] = {sum[0], sum[1]};
@@ -55,8 +62,12 @@ Image FilmSums::mean() const {
       }
       if (count > 0) *out = static_cast<float>(value_of(film_bins(total[0], total[1])) / count * unit);
     }
-    pixel += words_per_pixel();
   }
+}
+
+Image FilmSums::mean() const {
+  Image image = black();
+  put_mean(words, 0, image);
   return image;
 }
 

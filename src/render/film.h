@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "image/image.h"
@@ -21,7 +22,8 @@ struct FilmSums {
   std::vector<std::int64_t> words;  ///< height x width x sums.count x 3 x 2, as cl/film/film_sum.h has them.
   std::vector<int> samples;         ///< height x width: how many samples a pixel has.
 
-  FilmSums(int width, int height, SubSums sums, double unit);
+  /// holds_words: false where the words stay on the device (put_mean).
+  FilmSums(int width, int height, SubSums sums, double unit, bool holds_words = true);
   [[nodiscard]] std::size_t words_per_pixel() const;
   /// Counts the samples that a launch has added to its pixels; rows are those of the window.
   void add_samples(const Launch& launch);
@@ -33,6 +35,9 @@ struct FilmSums {
   [[nodiscard]] int sub_sum_samples(std::size_t pixel, int sub) const;
   /// Mean over all samples; it does not depend on their sub-sums. A pixel without samples is black.
   [[nodiscard]] Image mean() const;
+  [[nodiscard]] Image black() const;
+  /// The mean of the pixels from `first` on into their places. part: the words of them.
+  void put_mean(std::span<const std::int64_t> part, std::size_t first, Image& image) const;
 };
 
 }  // namespace strahl

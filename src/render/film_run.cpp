@@ -18,6 +18,9 @@ namespace {
 /// Shorter launches cost more than they gain.
 constexpr double least_launch_seconds = 0.0005;
 
+/// A part of the film that stays in a processor's cache.
+constexpr std::size_t part_bytes = std::size_t{1} << 20;
+
 /// With fewer samples than sub-sums no error can be estimated, and one sum needs a quarter of the memory.
 SubSums sub_sums_of(const RenderSettings& settings, SamplerKind sampler, const RenderGoal& goal, int spp) {
   if (!settings.estimate_error || spp < layout::FILM_SUBSUMS) return {1, 1, 0};
@@ -40,12 +43,13 @@ FilmRun::FilmRun(Renderer::State& state, const RenderGoal& goal, const ProgressC
       band_rows_(state.band_rows()),
       spp_(state.samples_of(goal)),
       passes_(goal, spp_),
-      film_(width_, height_, sub_sums_of(state.settings, state.sampling.kind, goal, spp_), state.radiance_unit()) {
+      sums_(sub_sums_of(state.settings, state.sampling.kind, goal, spp_)),
+      film_(width_, height_, sums_, state.radiance_unit(), !is_read_in_parts()) {
   const std::size_t pixels = film_.samples.size();
   aov_reals_.resize(state.has_aov() ? pixels * layout::AOV_REALS : 0, 0.0);
   aov_ints_.resize(state.has_aov() ? pixels * layout::AOV_INTS : 0, -1);
   result_.stats = state.stats;
-  result_.stats.host_bytes += film_bytes(pixels);
+  result_.stats.host_bytes += film_.words.size() * sizeof(std::int64_t);
   result_.stats.seed = goal.seed.value_or(state.sampling.seed);
   if (state.settings.count_rays)
     result_.stats.shadow_rays = result_.stats.bounce_rays = result_.stats.nodes_visited =
@@ -212,16 +216,29 @@ bool FilmRun::render_pass(const Pass& pass) {
 }
 
 void FilmRun::read_film() {
-  if (!is_one_band()) return;
+  if (!is_one_band() || is_read_in_parts()) return;
   const Stopwatch start;
   read_buffer(state_.device, state_.film, film_.words.data(), film_bytes(film_.samples.size()));
   result_.stats.seconds.readback += start.seconds();
 }
 
+Image FilmRun::mean_in_parts() const {
+  Image image = film_.black();
+  const std::size_t pixels = film_.samples.size(), most = std::max<std::size_t>(1, part_bytes / film_bytes(1));
+  std::vector<std::int64_t> part;
+  for (std::size_t first = 0; first < pixels; first += most) {
+    const std::size_t count = std::min(most, pixels - first);
+    part.resize(count * film_.words_per_pixel());
+    read_buffer(state_.device, state_.film, part.data(), film_bytes(count), film_bytes(first));
+    film_.put_mean(part, first, image);
+  }
+  return image;
+}
+
 void FilmRun::finish() {
   read_film();
   const Stopwatch start;
-  result_.color = film_.mean();
+  result_.color = is_read_in_parts() ? mean_in_parts() : film_.mean();
   result_.stats.seconds.readback += start.seconds();
   const Stopwatch estimating;
   // The error of samples that were clamped to the largest float, or set to 0, is unknown.

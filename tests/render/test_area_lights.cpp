@@ -189,6 +189,22 @@ TEST_CASE("a cylinder") {
   });
 }
 
+TEST_CASE("the fast tier draws all around a cylinder and a sphere") {
+  require_pocl_and_rusticl();
+  for (const Geometry& emitter :
+       {Geometry{Cylinder{{-0.5, 0, 1.5}, {0.5, 0, 1.5}, 0.2, {0, 0, 1}}}, Geometry{Sphere{{0, 0, 1.5}, 0.5}}}) {
+    Scene scene = floor_below(emitter);
+    scene.integrator.name = "whitted";
+    const Image fast = color(scene, Precision::fast), stable = color(scene, Precision::stable);
+    double differing = 0, sum = 0;
+    for (std::size_t i = 0; i < fast.data.size(); ++i) {
+      differing += std::fabs(static_cast<double>(fast.data[i]) - static_cast<double>(stable.data[i]));
+      sum += static_cast<double>(stable.data[i]);
+    }
+    CHECK(differing < 0.001 * sum);
+  }
+}
+
 TEST_CASE("the same from everywhere") {
   Scene scene = floor_below(Rectangle{{0, 0, 9}, {1, 0, 0}, {0, 1, 0}});
   scene.shapes.pop_back();
