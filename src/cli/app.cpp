@@ -41,8 +41,9 @@ void insert_default_command(std::vector<std::string>& arguments, const std::vect
   const auto is = [&](const auto& known) { return std::find(known.begin(), known.end(), first) != known.end(); };
   if (is(commands) || is(std::vector<std::string>{"-h", "--help", "--version"})) return;
   std::error_code ignored;
-  const bool looks_like_a_file =
-      first.find_first_of("./") != std::string::npos || std::filesystem::exists(first, ignored);
+  // The link itself: where it leads nowhere, `render` says why.
+  const bool looks_like_a_file = first.find_first_of("./") != std::string::npos ||
+                                 std::filesystem::exists(std::filesystem::symlink_status(first, ignored));
   if (!first.starts_with('-') && !looks_like_a_file)
     throw UsageError(fmt::format("\"{}\" is neither a command nor a file{}; commands: {}", first,
                                  did_you_mean(first, commands), fmt::join(commands, ", ")));

@@ -17,6 +17,9 @@ constexpr double few = 0.01;
 /// A pixel that shows nothing but a lamp is as bright as the lamp, but for the film's rounding to floats.
 constexpr double lamp_share = 0.999;
 
+/// Pixels between which the default filter spreads light: that many beside a lamp are lit by its edge.
+constexpr int reach = 2;
+
 bool is_lamp(const float* rgb, const std::vector<Rgb>& lamps) {
   return std::any_of(lamps.begin(), lamps.end(), [&](const Rgb& lamp) {
     return static_cast<double>(rgb[0]) >= lamp_share * lamp.r && static_cast<double>(rgb[1]) >= lamp_share * lamp.g &&
@@ -46,8 +49,8 @@ Clipping clipping_of(const Image& color, double exposure, const std::vector<Rgb>
   std::vector<double> overexposed;  // Their largest channels.
   std::size_t clipped = 0;
   const auto shows_a_lamp = [&](int x, int y) {
-    for (int v = std::max(y - 1, 0); v <= std::min(y + 1, color.height - 1); ++v)
-      for (int u = std::max(x - 1, 0); u <= std::min(x + 1, color.width - 1); ++u)
+    for (int v = std::max(y - reach, 0); v <= std::min(y + reach, color.height - 1); ++v)
+      for (int u = std::max(x - reach, 0); u <= std::min(x + reach, color.width - 1); ++u)
         if (is_lamp(&color.data[color.index(u, v, 0)], lamps)) return true;
     return false;
   };

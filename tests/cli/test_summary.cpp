@@ -64,11 +64,11 @@ TEST_CASE("an overexposed picture gets the exposure that shows it, a lamp in sig
   CHECK(clipping_of(grey(3), -2, lamps).share == 0);
 
   Image room = grey(0.5F);
-  for (int x = 3; x <= 6; ++x)
-    for (int y = 3; y <= 6; ++y) set(room, x, y, 4);  // The lamp's edge.
+  for (int x = 2; x <= 7; ++x)
+    for (int y = 2; y <= 7; ++y) set(room, x, y, 4);  // The lamp's edge, as wide as the default filter.
   for (int x = 4; x <= 5; ++x)
     for (int y = 4; y <= 5; ++y) set(room, x, y, 8.5F);
-  CHECK(clipping_of(room, 0, lamps).share == Approx(0.16));
+  CHECK(clipping_of(room, 0, lamps).share == Approx(0.36));
   CHECK_FALSE(clipping_of(room, 0, lamps).stops);
   CHECK(clipping_of(room, 0, {}).stops == -4);
   CHECK(clipping_text(clipping_of(room, 0, {})).find("--exposure -4 shows them") != std::string::npos);

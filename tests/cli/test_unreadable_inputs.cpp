@@ -37,6 +37,7 @@ TEST_CASE("why a scene cannot be read") {
   fs::create_directory(folder.path("folder.obj"));
   fs::create_symlink("b.xml", folder.path("a.xml"));
   fs::create_symlink("a.xml", folder.path("b.xml"));
+  fs::create_symlink("loop", folder.path("loop"));
   folder.file("file", "");
   struct Fault {
     const char* path;
@@ -45,6 +46,7 @@ TEST_CASE("why a scene cannot be read") {
   for (const Fault& fault : std::vector<Fault>{{"folder", "it is a folder"},
                                                {"folder.obj", "it is a folder"},
                                                {"./a.xml", "symbolic links go round in a loop"},
+                                               {"loop", "symbolic links go round in a loop"},
                                                {"none.xml", "there is no such file; is the path right?"},
                                                {"none.ply", "there is no such file; is the path right?"},
                                                {"file/none.xml", "a part of its path is no folder"},
