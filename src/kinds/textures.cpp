@@ -4,13 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kinds/reflectance.h"
+
 namespace strahl::kinds {
 namespace {
-
-bool is_reflectance(const Rgb& c) {
-  const auto inside = [](double x) { return x >= 0 && x <= 1; };
-  return inside(c.r) && inside(c.g) && inside(c.b);
-}
 
 struct TextureRow {
   TextureFacts operator()(const Checkerboard& board) const {

@@ -15,12 +15,12 @@ class FilmRun {
 
  private:
   [[nodiscard]] bool is_one_band() const { return band_rows_ >= height_; }
-  /// One sum a pixel, on the device to the end, is of use for its mean only: the host keeps no copy. A picture of one
-  /// sample is memory for the most part.
-  [[nodiscard]] bool is_read_in_parts() const { return is_one_band() && sums_.count == 1; }
+  [[nodiscard]] bool is_read_in_parts() const { return film_.words.empty(); }
   [[nodiscard]] std::size_t film_bytes(std::size_t pixels) const {
     return pixels * film_.words_per_pixel() * sizeof(std::int64_t);
   }
+  /// From the members before film_.
+  [[nodiscard]] FilmSums black_film() const;
   [[nodiscard]] double seconds_left() const;
   [[nodiscard]] bool report();
   void clear(int rows, bool aovs_too);
@@ -47,7 +47,6 @@ class FilmRun {
   const ProgressCallback& progress_;
   int width_, height_, band_rows_, spp_;
   PassPlan passes_;
-  SubSums sums_;
   FilmSums film_;
   std::vector<double> aov_reals_;
   std::vector<std::int32_t> aov_ints_;

@@ -12,6 +12,7 @@
 #include "kinds/entries.h"
 #include "kinds/lights.h"
 #include "kinds/materials.h"
+#include "kinds/reflectance.h"
 #include "kinds/textures.h"
 #include "scene/model/transforms.h"
 #include "scene/validate_geometry.h"
@@ -89,11 +90,6 @@ void check_instance(const Instance& instance, const Scene& scene, Checker& check
                 scene.groups.size());
   check.require(instance.world_from_group.is_finite() && !is_singular(instance.world_from_group),
                 "the instance's transform must be finite and not singular");
-}
-
-bool is_reflectance(const Rgb& c) {
-  const auto inside = [](double x) { return x >= 0 && x <= 1; };
-  return inside(c.r) && inside(c.g) && inside(c.b);
 }
 
 void check_material(const Material& material, const Scene& scene, Checker& check) {
