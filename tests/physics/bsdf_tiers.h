@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-namespace strahl::test {
+#include "physics/tiers.h"
 
-using Triad = std::array<double, 3>;
+namespace strahl::test {
 
 /// A line of cl/materials/materials.def.
 struct BsdfEntry {
@@ -41,11 +41,6 @@ struct BsdfTier {
   /// blue.
   std::vector<Triad> (*parameters)(const std::vector<Triad>& points);
 };
-
-/// Half the distance from 1 to the next larger number.
-[[nodiscard]] inline double roundoff(const BsdfTier& tier) {
-  return std::string(tier.name) == "double" ? 0x1p-53 : 0x1p-24;
-}
 
 /// In the order of the list; `kind` counts in it.
 [[nodiscard]] std::vector<BsdfEntry> bsdf_entries();

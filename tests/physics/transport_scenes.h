@@ -5,13 +5,13 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <cstddef>
-#include <numeric>
 #include <random>
 #include <variant>
 #include <vector>
 
 #include "packing/cl_layout.h"
 #include "packing/pack.h"
+#include "physics/statistics.h"
 #include "physics/transport_tiers.h"
 
 namespace strahl::test {
@@ -63,40 +63,11 @@ class TierScene {
   return scene;
 }
 
-/// u and v: odd multiples of 2^-24, exact in either precision, within (0, 1).
 [[nodiscard]] inline std::vector<PlaceNumbers> place_numbers(std::size_t count) {
   std::mt19937_64 engine(11);
-  const auto one = [&] { return (static_cast<double>(engine() >> 41) + 0.5) * 0x1p-23; };
   std::vector<PlaceNumbers> numbers(count);
-  for (PlaceNumbers& n : numbers) n = {static_cast<std::uint32_t>(engine()), one(), one()};
+  for (PlaceNumbers& n : numbers) n = {static_cast<std::uint32_t>(engine()), unit_number(engine), unit_number(engine)};
   return numbers;
-}
-
-/// Compares counts with expected values: chi^2 over the bins that expect five or more, within six standard deviations.
-inline void hold_counts(const std::vector<double>& counts, const std::vector<double>& expected) {
-  double chi = 0;
-  int bins = 0;
-  for (std::size_t i = 0; i < counts.size(); ++i) {
-    if (expected[i] < 5) {
-      CHECK(counts[i] <= 5 + 5 * std::sqrt(expected[i] + 1));
-      continue;
-    }
-    chi += (counts[i] - expected[i]) * (counts[i] - expected[i]) / expected[i];
-    ++bins;
-  }
-  if (bins > 1) CHECK(chi / bins < 1 + 6 * std::sqrt(2.0 / bins));
-}
-
-/// Mean and its standard deviation.
-struct Mean {
-  double value, noise;
-};
-
-[[nodiscard]] inline Mean mean_of(const std::vector<double>& values) {
-  const double n = static_cast<double>(values.size()), mean = std::accumulate(values.begin(), values.end(), 0.0) / n;
-  double squares = 0;
-  for (const double x : values) squares += (x - mean) * (x - mean);
-  return {mean, std::sqrt(squares) / n};
 }
 
 }  // namespace strahl::test

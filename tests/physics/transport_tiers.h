@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
-namespace strahl::test {
+#include "physics/tiers.h"
 
-using Triad = std::array<double, 3>;
+namespace strahl::test {
 
 /// The buffers of cl/scene/layout.h, in the tier's reals.
 struct TierBuffers {
@@ -98,11 +98,6 @@ struct PacketTier {
   FindHits alone;                   ///< Ray by ray, at width 1.
   std::map<int, FindHits> packets;  ///< By the number of lanes.
 };
-
-/// Half the distance from 1 to the next larger number.
-[[nodiscard]] inline double roundoff(const TransportTier& tier) {
-  return std::string(tier.name) == "double" ? 0x1p-53 : 0x1p-24;
-}
 
 [[nodiscard]] std::vector<TransportTier> transport_fast();
 [[nodiscard]] std::vector<TransportTier> transport_stable();
