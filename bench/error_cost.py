@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""What telling the error costs sobol's samples: the squared error of the same number of them with --no-error and without.
+"""What telling the error costs sobol: the squared error of as many samples with --no-error and without.
 
     bench/error_cost.py [SCENE ...] [--spp 64] [--pairs 4] [--width 64] [--strahl build/release/strahl]
 
-Every shipped scene, or those named, is rendered with pairs of seeds. Half of the mean squared difference of a pair is a picture's squared
-error, whatever the truth. The efficiency lost is of 1 / (squared error x seconds), the seconds being alike but for
-docs/effects.md.
+Every shipped scene, or those named, is rendered with pairs of seeds. Half of the mean squared difference of a pair is
+a picture's squared error, whatever the truth. The efficiency is 1 / (squared error x seconds); docs/effects.md has
+what the seconds differ by.
 """
 import argparse
 import pathlib

@@ -4,8 +4,8 @@
 // its FILM_SUBSUMS sequences, `sobol` two for each of two: the sequence's halves, where the number of samples is known.
 //
 // Needs FN: the host includes it by itself (render/sub_sums.h).
-#ifndef STRAHL_CORE_SUB_SUMS_H
-#define STRAHL_CORE_SUB_SUMS_H
+#ifndef STRAHL_FILM_SUB_SUMS_H
+#define STRAHL_FILM_SUB_SUMS_H
 
 /// All powers of two; `count` is one or two times `sequences`.
 typedef struct {
