@@ -74,6 +74,9 @@ def main():
             sys.exit(f"pictures: {error}")
     if options.json:
         pathlib.Path(options.json).write_text(json.dumps(results, indent=1) + "\n", encoding="utf-8")
+    faults = [result["fault"] for result in results if result.get("fault")]
+    if faults:
+        sys.exit("\n".join(f"pictures: {fault}" for fault in faults))
 
 
 if __name__ == "__main__":

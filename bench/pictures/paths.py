@@ -77,13 +77,13 @@ def race(options, folder, name, size):
     plain, peer, told, few, timed = (entries[key] for key in ("plain", "mitsuba", "told", "few", "timed"))
     off, fault = agreement(told.pictures, peer.pictures)
     if fault:
-        sys.exit(f"pictures: {peer.program.name} renders another {name}: {fault}, on the whole {100 * off:.2f} %")
+        fault = f"{peer.program.name} renders another {name}: {fault}, on the whole {100 * off:.2f} %"
     cost = {key: entries[key].pictures.squared_error() * statistics.median(entries[key].seconds)
             for key in ("told", "mitsuba")}
     answers = {"paths": ratios(plain.rates, peer.rates), "4 samples": ratios(few.rates, told.rates),
                "--time": ratios(timed.rates, told.rates)}
     return {"scene": name, "size": size, "pixels": options.pixels, "samples": options.spp, "mean_difference": off,
-            "ratios": answers, "efficiency": cost["mitsuba"] / cost["told"],
+            "ratios": answers, "efficiency": cost["mitsuba"] / cost["told"], "fault": fault,
             "programs": {entry.program.name: {"seconds": entry.seconds, "paths_per_second": entry.rates,
                                               "mean_squared_error": entry.pictures.squared_error()}
                          for entry in entries.values()}}
@@ -95,7 +95,8 @@ def row(result):
     few, timed = (statistics.median(result["ratios"][key]) for key in ("4 samples", "--time"))
     name = result["scene"] + (f":{result['size']}" if result["size"] else "")
     return (f"| {name} | {rates[0]:.2f} | {rates[1]:.2f}"
-            f" | **{statistics.median(spread):.2f}** ({min(spread):.2f} to {max(spread):.2f}) | {few:.2f} | {timed:.2f} | {result['efficiency']:.2f} | {100 * result['mean_difference']:+.2f} % |")
+            f" | **{statistics.median(spread):.2f}** ({min(spread):.2f} to {max(spread):.2f}) | {few:.2f} | {timed:.2f}"
+            f" | {result['efficiency']:.2f} | {100 * result['mean_difference']:+.2f} %{' !' if result['fault'] else ''} |")
 
 
 def chosen(text):
