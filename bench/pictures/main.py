@@ -43,18 +43,26 @@ def main():
     parser.add_argument("--rounds", type=int, default=7)
     parser.add_argument("--json")
     commands = parser.add_subparsers(required=True)
-    whole = commands.add_parser("programs")
+
+    def add_command(name, run):
+        """Takes the common options on its own side too."""
+        command = commands.add_parser(name)
+        command.add_argument("-d", "--device", default=argparse.SUPPRESS)
+        command.add_argument("--rounds", type=int, default=argparse.SUPPRESS)
+        command.add_argument("--json", default=argparse.SUPPRESS)
+        command.set_defaults(run=run)
+        return command
+
+    whole = add_command("programs", programs)
     whole.add_argument("--scenes", default="sphereflake-4,sphereflake-6")
-    whole.set_defaults(run=programs)
-    tracing = commands.add_parser("paths")
+    tracing = add_command("paths", paths)
     tracing.add_argument("--mitsuba")
     tracing.add_argument("--variant", default="llvm_ad_rgb")
     tracing.add_argument("--scenes", default="all", help="NAME or NAME:SIZE, by commas (scenes.py); default: all")
     tracing.add_argument("--spp", type=int, default=64)
     tracing.add_argument("--pixels", type=int, default=256, help="of a side")
     tracing.add_argument("--quick", action=Quick, nargs=0, help=f"for development: {QUICK}; later options win")
-    tracing.set_defaults(run=paths)
-    cornell = commands.add_parser("peers")
+    cornell = add_command("peers", peers)
     cornell.add_argument("--mitsuba")
     cornell.add_argument("--cycles")
     cornell.add_argument("--luxcore")
@@ -65,7 +73,6 @@ def main():
                          help="the first is what the others are held against: like them, it tells no error")
     cornell.add_argument("--reference")
     cornell.add_argument("--reference-spp", type=int, default=8192)
-    cornell.set_defaults(run=peers)
     options = parser.parse_args()
     with tempfile.TemporaryDirectory() as folder:
         try:
