@@ -35,6 +35,9 @@
 #include "shapes/polygon/corners.h"
 // These headers need the definitions above.
 #include "shapes/all_lanes.h"
+#if TIER_ROBUST
+#include "shapes/exact/settle_kinds.h"
+#endif
 
 /// Number of children of a node. With one lane the program's text defines it.
 #ifndef SCALAR_TREE_WIDTH

@@ -29,10 +29,8 @@ FN int sphere_about(const Ray* ray, real k, real off, real inside, HitAbout* at)
   return is_after != 0;
 }
 
-ONCE_FN real exact_t(const Ray* ray, real approximate, GLOBAL const real* prim, int points, int stride) {
-  if (SPHERES_WAIT && points == 1) return sphere_exact_t(ray, prim, stride);
-  return polygon_exact_t(ray, approximate, prim, points, stride);
-}
+/// Defined in settle_kinds.h, which knows the kinds.
+ONCE_FN real exact_t(const Ray* ray, real approximate, GLOBAL const real* prim, int points, int stride);
 
 /// From here on t is exact.
 FN void nearest_settle(const Ray* ray, Nearest* best, int stride) {

@@ -5,6 +5,9 @@
 #include "shapes/polygon/polygon_exact_lanes.h"
 #include "shapes/sphere/sphere_exact_lanes.h"
 
+/// Lanes settle spheres too: put_off.h, which a unit includes once, must have been included for more than one lane.
+typedef char lanes_settle_spheres[SPHERES_WAIT ? 1 : -1];
+
 /// Hits whose exact t is still to be computed, one a lane.
 typedef struct {
   maskw which;  ///< Lanes that have one, and of it
@@ -47,7 +50,7 @@ FN realw settled_kind_w(const Scene* scene, const Rays_w* rays, const PutOff_w* 
   exact_rays_w(rays, &exact);
   realw approximate = put_off->approximate, t;
   real3w a = read3_w(each);
-  if (body == PACKET_BODY_SPHERE) {
+  if (SPHERES_ARE_PUT_OFF && body == PACKET_BODY_SPHERE) {
     t = sphere_root_w(&exact, a.x, a.y, a.z, read_w(each + 3 * LANES), which, &plain);
   } else {
     real3w b = read3_w(each + 3 * LANES), c = read3_w(each + 6 * LANES);
