@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // A sample on its way into the film: cut into the bins of film/film_sum.h, in integers, so that no device's rounding or
 // flushing of small numbers enters (docs/decisions/0002-film.md).
-#ifndef STRAHL_CORE_FILM_H
-#define STRAHL_CORE_FILM_H
+#ifndef STRAHL_FILM_FILM_H
+#define STRAHL_FILM_FILM_H
 
 #include "scene/counters.h"
 #include "film/film_sum.h"

@@ -9,8 +9,8 @@
 //
 // A word is 4 x (sum of pieces) + two bits of the top; 0 is an empty sum. 2^21 pieces below 2^40 leave just these bits.
 // Needs FN, GLOBAL and a long of 64 bits: the host includes it by itself (render/film_sum.h).
-#ifndef STRAHL_CORE_FILM_SUM_H
-#define STRAHL_CORE_FILM_SUM_H
+#ifndef STRAHL_FILM_FILM_SUM_H
+#define STRAHL_FILM_FILM_SUM_H
 
 /// FILM_ORIGIN: bin 1 begins at 2^-FILM_ORIGIN, below the smallest float; bin 8 ends at 2^140, above the largest. Bins
 /// meet at 2^-20 and 2^20, far from what most pictures show: FILM_USUAL_TOP. Between the other two tops numbers can be

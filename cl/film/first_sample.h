@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The values of a pixel's first sample that are reported beside the picture (scene/layout.h, AOV_...).
-#ifndef STRAHL_CORE_FIRST_SAMPLE_H
-#define STRAHL_CORE_FIRST_SAMPLE_H
+#ifndef STRAHL_FILM_FIRST_SAMPLE_H
+#define STRAHL_FILM_FIRST_SAMPLE_H
 
 #include "hits/surface.h"
 #include "scene/layout.h"

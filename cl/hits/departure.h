@@ -12,15 +12,16 @@
 //     the side that the ray goes to. b = 7/4 u (max |p_i| + size) bounds the rounding of a point interpolated over
 //     corners ("Solving Self-Intersection Artifacts in DirectX Raytracing", NVIDIA, 2023, has u |p0| + 3 u extent along
 //     the normal alone). The whole displacement is at most 4 u (max |p_i| + size), apart from rounding. A point of a
-//     large polygon that is known better (shapes/polygon/near_point.h) moves by its own bound, far from edges;
+//     large polygon that is known better (shapes/polygon/near_point.h) moves by its own bound, off edges by that and
+//     the error of its height over them;
 //   - boxes: the coordinate across the face is the face's, exactly; the other two stay strictly between the faces.
 // In an instance the face of a box is not axis-aligned in the world. There a ray leaves it as it leaves a polygon, with
 // the rounding of the instance's mapping added to the bound.
 // Rays leave in lanes (hits/surfaces_lanes.h). The fast tier leaves from the point found, by its epsilon
 // (hits/epsilon_fast.h). A polygon that is narrower than 4 b keeps its point as far from its edges as fits. Held by
 // tests/render/test_mirror_box.cpp and tests/cl/test_departure.cpp.
-#ifndef STRAHL_CORE_DEPARTURE_H
-#define STRAHL_CORE_DEPARTURE_H
+#ifndef STRAHL_HITS_DEPARTURE_H
+#define STRAHL_HITS_DEPARTURE_H
 
 #include "accel/instance.h"
 #include "rays/ray.h"
@@ -30,16 +31,21 @@
 FN real larger_of(real a, real b) { return a > b ? a : b; }
 
 /// `move`, plus the step that brings the point p + from to the distance `bound` from the line a b. `within`: a corner
-/// on the inner side.
-FN real3 off_edge(real3 move, real3 p, real3 from, real3 a, real3 b, real3 within, real3 normal, real bound) {
-  real3 inward = normalize3(cross3(normal, sub3(b, a)));
-  real height = dot3(inward, sub3(within, a));
-  if (height < R(0.0)) {  // The normal was turned by flip_normals.
+/// on the inner side. is_near: p is near the origin and the corners are far, so that p - a would be rounded as a is.
+/// The height of the origin over the line is subtracted instead: of the products of b x a most cancels, but no
+/// rounding.
+FN real3 off_edge(real3 move, real3 p, real3 from, real3 a, real3 b, real3 within, real3 normal, real bound,
+                  int is_near) {
+  real3 across = cross3(normal, sub3(b, a)), inward = normalize3(across);
+  real height = dot3(inward, sub3(within, a)), zero = R(0.0);
+  if (height < zero) {  // The normal was turned by flip_normals.
     inward = negate3(inward);
     height = -height;
   }
   real room = R(0.25) * height;
-  real missing = (bound < room ? bound : room) - dot3(inward, add3(sub3(p, a), from));
+  real height_of_p = dot3(inward, add3(sub3(p, is_near ? vec3(zero, zero, zero) : a), from));
+  if (is_near) height_of_p -= dot3(normal, cross3(b, a)) / dot3(inward, across);
+  real missing = (bound < room ? bound : room) - height_of_p;
   return missing > R(0.0) ? fma3(missing, inward, move) : move;
 }
 
@@ -85,12 +91,11 @@ FN void polygon_departure(const Surface* s, Departure* departure) {
   real3 e = sub3(outline_corner(s, 1), first), f = sub3(outline_corner(s, corners - 1), first);
   real size = larger_of(max3(abs3(e)), max3(abs3(f)));
   real bound = departure_bound(s, max3(abs3(p)) + size);
-  departure->bound = bound;
-  if (is_amid(s, e, f, size, bound)) {
-    int is_placed = HAS_INSTANCES && s->instance >= 0;
-    if (R(0.0) < s->off && !is_placed) departure->bound = s->off;
-    return;
-  }
+  int is_placed = HAS_INSTANCES && s->instance >= 0, is_near = !is_placed && R(0.0) < s->off;
+  departure->bound = is_near ? s->off : bound;
+  if (is_amid(s, e, f, size, bound)) return;
+  // The height's error is at most 16 u max |p_i| (tests/cl/test_departure.cpp).
+  if (is_near) bound = real_fma(R(16.0) * real_roundoff(), max3(abs3(p)), s->off);
   // The point moves away from all edges at once: in a sharp corner, a move away from one edge alone could cross the
   // other. A second step adds what is still missing. The point itself is rounded once, at the end.
   real3 move = departure->move;
@@ -99,7 +104,7 @@ FN void polygon_departure(const Surface* s, Departure* departure) {
     for (int k = 0; k < corners; ++k) {
       real3 a = outline_corner(s, k), b = outline_corner(s, (k + 1) % corners);
       real3 within = outline_corner(s, (k + 2) % corners);
-      move = off_edge(move, p, from, a, b, within, s->normal, bound);
+      move = off_edge(move, p, from, a, b, within, s->normal, bound, is_near);
     }
   }
   departure->move = move;

@@ -2,8 +2,8 @@
 // The nearest hit so far. A hit replaces it if t < best, or if t == best and its scene-wide id is smaller. So the
 // result does not depend on the order of blocks, the number of lanes or the tree. Groups have the larger ids: of equal
 // t, a primitive outside of instances wins over one within an instance.
-#ifndef STRAHL_CORE_NEAREST_H
-#define STRAHL_CORE_NEAREST_H
+#ifndef STRAHL_HITS_NEAREST_H
+#define STRAHL_HITS_NEAREST_H
 
 #include "rays/ray.h"
 #include "portable.h"

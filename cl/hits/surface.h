@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What is known of the point that a ray has hit. Frame: the one the scene was uploaded in.
-#ifndef STRAHL_CORE_SURFACE_H
-#define STRAHL_CORE_SURFACE_H
+#ifndef STRAHL_HITS_SURFACE_H
+#define STRAHL_HITS_SURFACE_H
 
 #include "rays/ray.h"
 #include "math/vec3.h"

@@ -2,8 +2,8 @@
 // For devices that limit the total number of loop turns of a work-item (HAS_LOOP_LIMIT), as Mesa's llvmpipe does: when
 // the limit is reached, every loop ends after one turn, without an error (docs/decisions/0021-loop-limit.md). The
 // results of a work-item are right as long as a loop still makes a second turn.
-#ifndef STRAHL_CORE_WHOLE_LOOPS_H
-#define STRAHL_CORE_WHOLE_LOOPS_H
+#ifndef STRAHL_KERNELS_WHOLE_LOOPS_H
+#define STRAHL_KERNELS_WHOLE_LOOPS_H
 
 #include "portable.h"
 

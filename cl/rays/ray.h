@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // A ray, with the prepared values that intersection bodies of every width need. Frame: the one the scene was uploaded
 // in.
-#ifndef STRAHL_CORE_RAY_H
-#define STRAHL_CORE_RAY_H
+#ifndef STRAHL_RAYS_RAY_H
+#define STRAHL_RAYS_RAY_H
 
 #include "math/vec3.h"
 #include "portable.h"

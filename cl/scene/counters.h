@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Counts that add up over all work-items. Integers, so their order does not matter.
-#ifndef STRAHL_CORE_COUNTERS_H
-#define STRAHL_CORE_COUNTERS_H
+#ifndef STRAHL_SCENE_COUNTERS_H
+#define STRAHL_SCENE_COUNTERS_H
 
 #include "scene/scene.h"
 

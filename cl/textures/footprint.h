@@ -3,8 +3,8 @@
 // way from the camera, over the cosine at the surface. The same in every direction of the surface, so too wide across
 // the slant; curved mirrors are taken for flat ones. On instances it is counted in the group's lengths, as rates of u
 // and v are.
-#ifndef STRAHL_CORE_FOOTPRINT_H
-#define STRAHL_CORE_FOOTPRINT_H
+#ifndef STRAHL_TEXTURES_FOOTPRINT_H
+#define STRAHL_TEXTURES_FOOTPRINT_H
 
 #include "hits/surface.h"
 #include "scene/scene.h"

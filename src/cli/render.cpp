@@ -177,6 +177,8 @@ ExitCode render(const RenderOptions& options, const Invocation& invocation) {
   Scene scene = load(options.scene, load_seconds);
   apply(options.overrides, scene);
   for (const Diagnostic& warning : limitations(scene)) say(warning.text());
+  const bool is_scaled_single = settings.precision == Precision::stable || settings.precision == Precision::robust;
+  if (const auto warning = too_wide_for_single(scene); warning && is_scaled_single) say(warning->text());
 
   PictureFiles files{options.output, options.png, kinds::integrator(scene.integrator.name).is_length, lamps_of(scene)};
   const bool only_values = options.overrides.pixel && options.output.empty();

@@ -3,9 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <variant>
+
+#include "kinds/shapes.h"
 
 namespace strahl {
 namespace {
+
+/// Exponents of two, of the frame's units.
+constexpr int usual_reach = 12, most_reach = 39, least_side = -26;
 
 /// The distance from the camera to the farthest corner of the bounded shapes; without any, to the farthest plane.
 double reach(const Scene& scene, const Vec3& eye) {
@@ -18,12 +24,29 @@ double reach(const Scene& scene, const Vec3& eye) {
   return farthest;
 }
 
+/// The largest side of the smallest bounded shape; 0: there is none.
+double smallest_side(const Scene& scene) {
+  double smallest = 0;
+  for (const Shape& shape : scene.shapes) {
+    kinds::Extent extent;
+    std::visit([&](const auto& geometry) { kinds::extend(extent, geometry); }, shape.geometry);
+    const std::optional<Box> box = extent.box();
+    const double side = box ? largest_component(box->max - box->min) : 0;
+    if (side > 0 && (smallest == 0 || side < smallest)) smallest = side;
+  }
+  return smallest;
+}
+
 }  // namespace
 
 UploadFrame camera_frame(const Scene& scene) {
   UploadFrame frame{scene.camera.world_from_camera.translation(), 1};
   const double extent = reach(scene, frame.origin);
-  if (extent > 0 && std::isfinite(extent)) frame.scale = std::ldexp(1.0, 12 - std::ilogb(extent));
+  if (!(extent > 0) || !std::isfinite(extent)) return frame;
+  const double side = smallest_side(scene);
+  int exponent = usual_reach - std::ilogb(extent);
+  if (side > 0) exponent = std::max(exponent, std::min(least_side - std::ilogb(side), most_reach - std::ilogb(extent)));
+  frame.scale = std::ldexp(1.0, exponent);
   return frame;
 }
 

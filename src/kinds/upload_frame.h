@@ -16,7 +16,9 @@ struct UploadFrame {
 };
 
 /// The camera's position, and a scale at which everything visible is at most 2^13 away: products of three lengths then
-/// stay within the range of fp32 for primitives down to 10^-11 of that.
+/// stay within the range of fp32 for primitives down to 10^-11 of that. Where a whole shape would be smaller than that,
+/// the scale is larger, but nothing more than 2^40 away: shapes of 10^-19 of the farthest one still have these
+/// products.
 [[nodiscard]] UploadFrame camera_frame(const Scene& scene);
 
 }  // namespace strahl

@@ -4,12 +4,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <optional>
+#include <variant>
 
 #include "kinds/entries.h"
 #include "kinds/integrators.h"
 #include "kinds/lights.h"
 #include "kinds/materials.h"
+#include "kinds/shapes.h"
 #include "packing/pack_areas.h"
 
 namespace strahl {
@@ -79,6 +82,30 @@ std::vector<Diagnostic> limitations(const Scene& scene) {
            "this area emitter is seen but does not light the scene: its area is infinite, so that integrator whitted "
            "cannot draw places on it; direct and path find it");
   return warnings;
+}
+
+std::optional<Diagnostic> too_wide_for_single(const Scene& scene) {
+  const UploadFrame frame = camera_frame(scene);
+  const Shape* farthest = nullptr;
+  double reach = 0, smallest = std::numeric_limits<double>::infinity();
+  for (const Shape& shape : scene.shapes) {
+    kinds::Extent extent;
+    std::visit([&](const auto& geometry) { kinds::extend(extent, geometry); }, shape.geometry);
+    const std::optional<Box> box = extent.box();
+    if (!box) continue;
+    const double far = std::max(largest_component(box->min - frame.origin), largest_component(box->max - frame.origin));
+    if (far > reach) farthest = &shape;
+    reach = std::max(reach, far);
+    const double side = largest_component(box->max - box->min);
+    if (side > 0) smallest = std::min(smallest, side);
+  }
+  // Products of three lengths, 2^-126, are the smallest normal numbers.
+  if (farthest == nullptr || smallest * frame.scale >= 0x1p-42) return std::nullopt;
+  return Diagnostic{Severity::warning, farthest->where,
+                    fmt::format("this shape reaches to {:.2g} and another one is as small as {:.2g}: single precision "
+                                "does not hold both, and the picture may lack light; bring this one nearer, or take "
+                                "--precision double",
+                                reach, smallest)};
 }
 
 }  // namespace strahl

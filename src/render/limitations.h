@@ -2,6 +2,7 @@
 // Warnings about features of a scene that its integrator does not support yet, and about a picture that will be empty.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "scene/model/scene.h"
@@ -10,5 +11,9 @@ namespace strahl {
 
 /// Warnings in scene order; empty where the picture will show all that the scene asks for.
 [[nodiscard]] std::vector<Diagnostic> limitations(const Scene& scene);
+
+/// For the tiers of single precision that scale the scene (kinds/upload_frame.h): a shape so far away that its range
+/// does not hold the squares of the smallest shape as well.
+[[nodiscard]] std::optional<Diagnostic> too_wide_for_single(const Scene& scene);
 
 }  // namespace strahl

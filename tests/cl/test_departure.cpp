@@ -161,6 +161,53 @@ TEST_CASE("polygons: near the point, off the edges, on the ray's side") {
   CHECK(moved_in > 5000);
 }
 
+/// A corner of the line through `near` with the direction `along`, in the plane z = height.
+real3 on_line(const std::array<float, 2>& near, const std::array<float, 2>& along, float by, float height) {
+  return f32::vec3(near[0] + by * along[0], near[1] + by * along[1], height);
+}
+
+TEST_CASE("near points of large polygons: off an edge by their own rounding, not by the corners'") {
+  Random random;
+  int moved_in = 0;
+  double farthest = 0, nearest = 1;
+  for (int i = 0; i < 100000; ++i) {
+    // An edge at an angle, some units beside the origin; the third corner on either side of it.
+    const float size = std::ldexp(1.0F, 10 + static_cast<int>(random.unit() * 20)), height = 3 * random.symmetric();
+    const float turn = 3.2F * random.symmetric();
+    const std::array<float, 2> near{3 * random.symmetric(), 3 * random.symmetric()},
+        along{std::cos(turn), std::sin(turn)};
+    Polygon polygon{{}, 3};
+    put(polygon, 0, on_line(near, along, -size * (1 + std::fabs(random.symmetric())), height));
+    put(polygon, 1, on_line(near, along, size * (1 + std::fabs(random.symmetric())), height));
+    put(polygon, 2, on_line(near, {-along[1], along[0]}, random.unit() < 0.5 ? size : -size, height));
+    f32::Surface& s = polygon.s;
+    s.outline = f32::OUTLINE_TRIANGLE;
+    s.prim = polygon.prim.data();
+    s.stride = 1;
+    s.normal = f32::vec3(0, 0, random.unit() < 0.5 ? 1.0F : -1.0F);
+    // A point within some roundings of the edge, or anywhere near.
+    const Wide from = polygon.corner(0), edge = polygon.corner(1) - from;
+    const Wide across{-edge.y / length(edge), edge.x / length(edge), 0};
+    const double over = -dot(across, from) + dot(across, wide(f32::vec3(0, 0, 0)));
+    const double shift = -over + (i % 2 == 0 ? 1e-5 : 4) * random.symmetric(), slide = 4 * random.symmetric();
+    s.position = f32::vec3(static_cast<float>(across.x * shift + across.y * slide),
+                           static_cast<float>(across.y * shift - across.x * slide), height);
+    const double m = largest(wide(s.position));
+    s.off = static_cast<float>(4 * u * m);
+    const Wide o = wide(leaving(s, -1, random.vector(1)).o), p = wide(s.position);
+    const double inward = dot(across, polygon.corner(2) - from) < 0 ? -1 : 1;
+    const double before = inward * dot(across, p - from), after = inward * dot(across, o - from);
+    if (before < -64 * u * m) continue;  // Not a point of the polygon.
+    moved_in += before < 0 ? 1 : 0;
+    farthest = std::max(farthest, largest(o - p) / (u * m));
+    nearest = std::min(nearest, after / (u * m));
+  }
+  CAPTURE(farthest, nearest);
+  CHECK(farthest < 128);
+  CHECK(nearest > 0);
+  CHECK(moved_in > 1000);
+}
+
 TEST_CASE("boxes: the face's coordinate stays, the others lie strictly between the faces") {
   Random random;
   for (int i = 0; i < 100000; ++i) {

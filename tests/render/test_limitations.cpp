@@ -70,3 +70,15 @@ TEST_CASE("a scene without shapes, with and without instances") {
   scene.instances.emplace_back();
   CHECK(emptiness(scene).empty());
 }
+
+TEST_CASE("a shape too far off for single precision is named, with the remedy") {
+  Scene scene = scene_of("path");
+  scene.shapes.emplace_back().geometry = Sphere{{0, 0, 3e22}, 1e22};
+  CHECK_FALSE(too_wide_for_single(scene));
+  scene.shapes.back().geometry = Sphere{{0, 0, 3e28}, 1e28};
+  scene.shapes.back().where = {"far.xml", 7, 3};
+  const std::optional<Diagnostic> warning = too_wide_for_single(scene);
+  REQUIRE(warning);
+  CHECK(warning->text().find("far.xml:7:3: warning: this shape reaches to 4e+28") != std::string::npos);
+  CHECK(warning->message.find("--precision double") != std::string::npos);
+}
