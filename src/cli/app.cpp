@@ -68,6 +68,13 @@ UsageError usage_error(const CLI::ParseError& error, const CLI::App& app) {
                                 parsed.empty() ? "" : command.get_name() + " "));
 }
 
+/// An empty value is most often a script's variable that is not set: not the same as an option that is not given.
+void refuse_empty_values(CLI::App& command) {
+  const auto fault = [](const std::string& value) { return std::string(value.empty() ? "must not be empty" : ""); };
+  for (CLI::Option* option : command.get_options())
+    if (option->get_items_expected_min() > 0) option->check(fault, "");
+}
+
 }  // namespace
 
 ExitCode run(std::vector<std::string> arguments, const Invocation& invocation) {
@@ -86,6 +93,7 @@ ExitCode run(std::vector<std::string> arguments, const Invocation& invocation) {
   const auto add = [&](const char* name, const char* description, const auto& declare) {
     CLI::App* sub = app.add_subcommand(name, description);
     commands.emplace_back(sub, declare(*sub));
+    refuse_empty_values(*sub);
     names.emplace_back(name);
   };
   add("render", "Render a scene or a mesh to a picture", [&](CLI::App& sub) { return add_render(sub, invocation); });

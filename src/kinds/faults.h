@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What is wrong with the geometry of a shape: a sentence for each invariant of scene.h that it breaks. The tolerance
-// for frames covers the rounding of a chain of a few operations in double.
+// What is wrong with the numbers of a shape or a light: a sentence for each invariant of scene.h that it breaks. The
+// tolerance for frames covers the rounding of a chain of a few operations in double.
 #pragma once
 
 #include <fmt/format.h>

@@ -1,35 +1,26 @@
 // SPDX-License-Identifier: MIT
 #include "kinds/lights.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <type_traits>
 #include <variant>
 
+#include "kinds/faults.h"
 #include "kinds/upload_frame.h"
 
 namespace strahl::kinds {
 namespace {
 
-using Faults = std::vector<std::string>;
-
-void require(Faults& faults, bool holds, const char* fault) {
-  if (!holds) faults.emplace_back(fault);
-}
-
 void require_light(Faults& faults, const Rgb& c, const char* what) {
-  for (const double x : {c.r, c.g, c.b})
-    if (!(std::isfinite(x) && x >= 0)) {
-      faults.push_back(fmt::format("the {} must be finite and not negative", what));
-      return;
-    }
+  const auto is_light = [](double x) { return std::isfinite(x) && x >= 0; };
+  const bool is_sound = is_light(c.r) && is_light(c.g) && is_light(c.b);
+  faults.require(is_sound, "the {} must be finite and not negative", what);
   // The largest value that the film and a picture's floats hold, in every tier.
   constexpr double most = std::numeric_limits<float>::max();
-  if (std::max({c.r, c.g, c.b}) > most)
-    faults.push_back(fmt::format("the {} must be at most {:.3g}, the largest float", what, most));
+  faults.require(!is_sound || std::max({c.r, c.g, c.b}) <= most, "the {} must be at most {:.3g}, the largest float",
+                 what, most);
 }
 
 void multiply(Rgb& colour, double by) { colour = {by * colour.r, by * colour.g, by * colour.b}; }
@@ -51,7 +42,7 @@ struct Row<PointLight> {
   static void scale(PointLight& light, double factor) { multiply(light.intensity, factor * factor); }
   static void mirror(PointLight&, const MapVec3&) {}
   static void check(const PointLight& light, Faults& faults) {
-    require(faults, is_finite(light.position), "the position must be finite");
+    faults.require(is_finite(light.position), "the position must be finite");
     require_light(faults, light.intensity, "intensity");
   }
 };
@@ -68,8 +59,8 @@ struct Row<DirectionalLight> {
   static void scale(DirectionalLight&, double) {}
   static void mirror(DirectionalLight& light, const MapVec3& flip_x) { light.direction = flip_x(light.direction); }
   static void check(const DirectionalLight& light, Faults& faults) {
-    require(faults, is_finite(light.direction) && light.direction != Vec3{},
-            "the direction must be finite and not zero");
+    faults.require(is_finite(light.direction) && light.direction != Vec3{},
+                   "the direction must be finite and not zero");
     require_light(faults, light.irradiance, "irradiance");
   }
 };
@@ -137,7 +128,7 @@ void mirror(Light& light, const MapVec3& flip_x) {
 std::vector<std::string> light_faults(const Light& light) {
   Faults faults;
   of_kind(light, [&](auto row, const auto& emitter) { row.check(emitter, faults); });
-  return faults;
+  return faults.take();
 }
 
 }  // namespace strahl::kinds

@@ -26,12 +26,13 @@ MaterialFacts facts(const char* kind, std::vector<MaterialSlot> slots, std::vect
   return {kind, lobes_of(kind), std::move(slots), std::move(faults)};
 }
 
+/// Beyond 10^6 what is transmitted, 4 / index at normal incidence, is lost to single precision.
 std::vector<std::string> faults_of(const Dielectric& glass) {
-  const auto is_index_of_refraction = [](double ior) { return std::isfinite(ior) && ior > 0; };
+  const auto is_index_of_refraction = [](double ior) { return ior >= 1e-6 && ior <= 1e6; };
   if (is_index_of_refraction(glass.int_ior) && is_index_of_refraction(glass.ext_ior) &&
       is_index_of_refraction(glass.int_ior / glass.ext_ior))
     return {};
-  return {"int_ior and ext_ior must be finite and greater than 0, and so must their ratio"};
+  return {"int_ior and ext_ior must be from 1e-6 to 1e6, and so must their ratio"};
 }
 
 /// The slots stand in the order in which the kernels number them.

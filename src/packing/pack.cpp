@@ -168,8 +168,9 @@ class Packing {
           packed_.index.push_back(static_cast<std::int32_t>(choice.limit));
           packed_.index.push_back(choice.other);
         }
+        const int first = first_of_area(shape.geometry, part);
         rows.insert(rows.end(), {kind, put_shading(reals), features_.entry_index("areas", area_kind(shape.geometry)),
-                                 items, choice_at, is_area_of_primitives(shape.geometry) ? first_ids_[i] : -1});
+                                 items, choice_at, first < 0 ? -1 : first_ids_[i] + first});
       }
     }
   }

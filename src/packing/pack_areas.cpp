@@ -33,8 +33,8 @@ std::vector<Choice> alias_table(const std::vector<double>& weights) {
   return table;
 }
 
-bool is_area_of_primitives(const Geometry& geometry) {
-  return std::visit([](const auto& shape) { return kinds::is_area_of_primitives(shape); }, geometry);
+int first_of_area(const Geometry& geometry, int part) {
+  return std::visit([part](const auto& shape) { return kinds::first_of_area(shape, part); }, geometry);
 }
 
 std::optional<EmittingArea> emitting_area(const Shape& shape, int part, const UploadFrame& frame) {

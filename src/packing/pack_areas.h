@@ -32,8 +32,9 @@ struct EmittingArea {
   std::vector<Choice> choices;
 };
 
-/// Whether the items are primitives, all that the shape has, in its order: then none is in the way of itself.
-[[nodiscard]] bool is_area_of_primitives(const Geometry& geometry);
+/// The shape's primitive that the part's first item is, if the items are primitives in its order: then none is in the
+/// way of itself. Else -1.
+[[nodiscard]] int first_of_area(const Geometry& geometry, int part);
 
 /// Of one part of a shape (0 for shapes without parts); none where there is no area to draw from.
 [[nodiscard]] std::optional<EmittingArea> emitting_area(const Shape& shape, int part, const UploadFrame& frame);

@@ -23,9 +23,6 @@ constexpr int least_strips = 16;
 constexpr std::size_t least_seen = 3;
 constexpr double unseen_spread = 0.5;
 
-/// Variation of the same render's time from run to run on an otherwise idle machine.
-constexpr double repeat_spread = 0.05;
-
 /// Two-sided 95 % of the normal distribution, which ErrorEstimate's interval is of.
 constexpr double normal_quantile = 1.96;
 
@@ -119,7 +116,7 @@ class PilotRun {
 
   void add_whole(const Timed& timed, int spp) {
     pilot_.passes.push_back({static_cast<double>(spp), timed.seconds});
-    pilot_.spread = repeat_spread;
+    pilot_.spread = ratio_spread;
     const PhaseSeconds& seconds = timed.result.stats.seconds;
     pilot_.look_seconds = seconds.readback + seconds.error;
     if (timed.result.error) pilot_.looks.push_back(look_of(spp, *timed.result.error));
@@ -198,7 +195,7 @@ class PilotRun {
   void sum_up(const Strips& few, const Strips& more, const Strips& paired, double strips) {
     pilot_.looks.clear();
     pilot_.passes = {{static_cast<double>(few.spp), strips * mean_of(few.seconds)}};
-    pilot_.spread = std::hypot(repeat_spread, spread_of(few.seconds, pilot_.share));
+    pilot_.spread = std::hypot(ratio_spread, spread_of(few.seconds, pilot_.share));
     if (!more.seconds.empty()) {
       // The same strips with few samples show how much of the difference comes from the number of samples.
       const double factor = mean_of(more.seconds) / mean_of(paired.seconds);

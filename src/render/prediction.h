@@ -3,6 +3,7 @@
 // random draw of all uncertain quantities; the interval holds nine of ten of them.
 #pragma once
 
+#include <numbers>
 #include <optional>
 #include <vector>
 
@@ -13,6 +14,10 @@ struct Range {
   double low = 0, middle = 0, high = 0;
 };
 inline constexpr double prediction_confidence = 0.9;
+
+/// Relative standard deviation of the same render's time from run to run on an otherwise idle machine; and of the ratio
+/// of two such times, the render's to the pilot's.
+inline constexpr double repeat_spread = 0.05, ratio_spread = std::numbers::sqrt2 * repeat_spread;
 
 /// The film's error estimate of a picture, or of a part of one.
 struct Look {

@@ -80,6 +80,8 @@ TEST_CASE("what cannot be parsed is exit code 2, with the remedy") {
       {{scene, "--precision", "half"}, "--precision"},
       {{scene, "--integrator", "normls"}, "did you mean \"normals\"?"},
       {{scene, "-o", "out.jpg"}, "png"},
+      {{scene, "-o", ""}, "--output: must not be empty"},
+      {{scene, "--stats", ""}, "--stats: must not be empty"},
       {{scene, "-D", "novalue"}, "name=value"},
       {{scene, "--crop", "0,0,8"}, "x0,y0,x1,y1"},
       {{scene, "--crop", "0,0,33,8"}, "outside the picture of 32 x 24"},

@@ -2,9 +2,8 @@
 // Checks every entry of cl/areas/areas.def in every tier: places lie on the surface, with its normal; they are drawn
 // uniformly over the area, or over the solid angle where the row says so; the density equals the closed form. Each is
 // seen from near, from far and from within. A new entry needs one row in area_rows.h.
-#include <set>
-
 #include "physics/area_rows.h"
+#include "physics/rows.h"
 #include "physics/transport_scenes.h"
 
 using namespace strahl;
@@ -39,21 +38,11 @@ void for_each_area(Visit visit) {
 }
 
 TEST_CASE("every area has a row") {
-  std::set<std::string> rows;
-  for (const AreaRow& row : area_rows()) {
-    rows.insert(row.entry);
-    const auto entry = std::find(area_entries.begin(), area_entries.end(), row.entry);
-    INFO("areas.def has no " << row.entry);
-    REQUIRE(entry != area_entries.end());
-    // The shape uses this entry to draw places.
+  hold_rows("areas.def", area_entries, area_rows(), [](const AreaRow& row) {
     const TierScene scene(scene_of_area(row), true, 1);
     REQUIRE(scene.index(layout::HEADER_LIGHT_COUNT) == 1);
-    CHECK(scene.light(0, layout::LIGHT_AREA) == entry - area_entries.begin());
-  }
-  for (const std::string& entry : area_entries) {
-    INFO("tests/physics/area_rows.h has no row for " << entry);
-    CHECK(rows.contains(entry));
-  }
+    return scene.light(0, layout::LIGHT_AREA);
+  });
 }
 
 TEST_CASE("places lie on the surface, with its normal and the density of the closed form") {

@@ -4,6 +4,7 @@
 // one. A new entry needs one row in `chooser_rows`.
 #include <functional>
 
+#include "physics/rows.h"
 #include "physics/transport_scenes.h"
 
 using namespace strahl;
@@ -63,19 +64,11 @@ void for_each_chooser(Visit visit) {
 const Triad at{0.5, 1, 0.25};
 
 TEST_CASE("every chooser has a row") {
-  for (const ChooserRow& row : chooser_rows()) {
-    const auto entry = std::find(chooser_entries.begin(), chooser_entries.end(), row.entry);
-    INFO("choosers.def has no " << row.entry);
-    REQUIRE(entry != chooser_entries.end());
+  hold_rows("choosers.def", chooser_entries, chooser_rows(), [](const ChooserRow& row) {
     Scene scene = scene_of_lights(1, 2);
     row.call_for(scene);
-    CHECK(TierScene(scene, true, 1).index(layout::HEADER_CHOOSER) == entry - chooser_entries.begin());
-  }
-  for (const std::string& entry : chooser_entries) {
-    INFO("tests/physics/test_choosers.cpp has no row for " << entry);
-    const std::vector<ChooserRow> rows = chooser_rows();
-    CHECK(std::any_of(rows.begin(), rows.end(), [&](const ChooserRow& row) { return row.entry == entry; }));
-  }
+    return TierScene(scene, true, 1).index(layout::HEADER_CHOOSER);
+  });
 }
 
 TEST_CASE("chances sum to 1, and lights are drawn as often as that") {

@@ -4,10 +4,9 @@
 // and their mean is the light's fluence in closed form. A light of one direction is a delta and nothing else. Rays
 // beside a light do not see it. A new entry is tested with its defaults, and in closed form once it has a row in
 // `closed_forms`; lights with an area are tested for every row of area_rows.h.
-#include <set>
-
 #include "kinds/lights.h"
 #include "physics/area_rows.h"
+#include "physics/rows.h"
 #include "physics/transport_scenes.h"
 
 using namespace strahl;
@@ -151,20 +150,11 @@ class Cone {
 };
 
 TEST_CASE("every light has a row") {
-  std::set<std::string> rows;
-  for (const LightRow& row : light_rows()) {
-    rows.insert(row.entry);
-    const auto entry = std::find(light_entries.begin(), light_entries.end(), row.entry);
-    INFO("lights.def has no " << row.entry);
-    REQUIRE(entry != light_entries.end());
+  hold_rows("lights.def", light_entries, light_rows(), [](const LightRow& row) {
     const TierScene scene(scene_of_light(row), true, 1);
     REQUIRE(scene.index(layout::HEADER_LIGHT_COUNT) == 1);
-    CHECK(scene.light(0, layout::LIGHT_KIND) == entry - light_entries.begin());
-  }
-  for (const std::string& entry : light_entries) {
-    INFO("Light::emitter has none of " << entry);
-    CHECK(rows.contains(entry));
-  }
+    return scene.light(0, layout::LIGHT_KIND);
+  });
 }
 
 TEST_CASE("directions are drawn as densely as rays that find the light are told") {

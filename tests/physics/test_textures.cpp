@@ -5,6 +5,7 @@
 #include <functional>
 #include <limits>
 
+#include "physics/rows.h"
 #include "physics/transport_scenes.h"
 
 using namespace strahl;
@@ -108,18 +109,10 @@ Triad mean_over(const Value& value, double u, double v, double width) {
 }
 
 TEST_CASE("every texture has a row") {
-  for (const TextureRow& row : texture_rows()) {
-    const auto entry = std::find(texture_entries.begin(), texture_entries.end(), row.entry);
-    INFO("textures.def has no " << row.entry);
-    REQUIRE(entry != texture_entries.end());
+  hold_rows("textures.def", texture_entries, texture_rows(), [](const TextureRow& row) {
     const TierScene scene(scene_of_texture(row), true, 1);
-    CHECK(scene.index(scene.index(layout::HEADER_TEXTURES) + layout::TEXTURE_KIND) == entry - texture_entries.begin());
-  }
-  for (const std::string& entry : texture_entries) {
-    INFO("tests/physics/test_textures.cpp has no row for " << entry);
-    const std::vector<TextureRow> rows = texture_rows();
-    CHECK(std::any_of(rows.begin(), rows.end(), [&](const TextureRow& row) { return row.entry == entry; }));
-  }
+    return scene.index(scene.index(layout::HEADER_TEXTURES) + layout::TEXTURE_KIND);
+  });
 }
 
 TEST_CASE("textures stay within their colours, whatever the footprint, and without one are point samples") {

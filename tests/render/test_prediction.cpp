@@ -54,6 +54,21 @@ TEST_CASE("passes cost what was seen, also where few samples cost as much as man
   CHECK(pass_seconds(passes, 4) == Approx(0.5));
 }
 
+TEST_CASE("the pilot's time varies as the render's does") {
+  std::mt19937 random(5);
+  std::normal_distribution<double> normal(0, repeat_spread);
+  int held = 0;
+  for (int i = 0; i < 1000; ++i) {
+    RunCosts costs;
+    costs.passes = {{32, std::exp(normal(random))}};
+    costs.spread = ratio_spread;
+    const Range seconds = predict({}, costs, {32, {}, {}}).seconds;
+    const double render = std::exp(normal(random));
+    held += seconds.low <= render && render <= seconds.high ? 1 : 0;
+  }
+  CHECK(held > 1000 * (prediction_confidence - 0.03));
+}
+
 /// The renderer ends where the interval's upper end is near the goal too, and looks only now and then.
 TEST_CASE("the samples are those after which the renderer would end") {
   ErrorLaw law = error_law(exact_looks(1.2));

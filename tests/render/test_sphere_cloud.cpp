@@ -82,5 +82,10 @@ TEST_CASE("the same picture as of single spheres, each a primitive of its cloud"
   CHECK(wrong == 0);
 }
 
+TEST_CASE("nor does a sphere of a cloud shade itself in the fast tier") {
+  const RenderResult cloud = render("pocl", scene_of(true), all_aovs(Precision::fast));
+  CHECK(same_bits(cloud.color, render("pocl", scene_of(false), all_aovs(Precision::fast)).color));
+}
+
 }  // namespace
 }  // namespace strahl::test

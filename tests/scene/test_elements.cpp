@@ -211,6 +211,10 @@ TEST_CASE("indices of refraction that cannot be are errors with their place, and
   CHECK(problem("<string name=\"int_ior\" value=\"diamnd\"/>") ==
         "2:25: error: \"int_ior\" is \"diamnd\", which is no medium that strahl knows (did you mean \"diamond\"?); a "
         "number > 0 will do");
+  CHECK(problem("<string name=\"int_ior\" value=\"1.5\"/>") ==
+        "2:25: error: \"int_ior\" is \"1.5\", which is no medium that strahl knows; a number is written <float "
+        "name=\"int_ior\" value=\"1.5\"/>");
+  CHECK(problem("<float name=\"int_ior\" value=\"1e7\"/>").find("from 1e-6 to 1e6") != std::string::npos);
   CHECK(problem("<float name=\"ext_ior\" value=\"0\"/>").find("greater than 0") != std::string::npos);
   CHECK(problem("<float name=\"int_ior\" value=\"-1.5\"/>").find("greater than 0") != std::string::npos);
 }

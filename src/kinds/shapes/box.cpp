@@ -29,7 +29,7 @@ void emit(AreaItems& items, const Box& b, int part) {
   emit(items, Cube{b.min, {Vec3{size.x, 0, 0}, Vec3{0, size.y, 0}, Vec3{0, 0, size.z}}}, part);
 }
 
-bool is_area_of_primitives(const Box&) { return false; }
+int first_of_area(const Box&, int) { return -1; }
 
 Vec2 uv_rates(const Box&) { return {}; }
 

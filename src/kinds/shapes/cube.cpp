@@ -65,7 +65,7 @@ void emit(AreaItems& items, const Cube& cube, int) {
   }
 }
 
-bool is_area_of_primitives(const Cube&) { return true; }
+int first_of_area(const Cube&, int) { return 0; }
 
 Vec2 uv_rates(const Cube& c) {
   Vec2 rates;

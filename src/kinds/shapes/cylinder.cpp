@@ -43,7 +43,7 @@ void emit(AreaItems& items, const Cylinder& c, int) {
   items.round({items.frame().point(c.p0), axis, first, second}, 2 * std::numbers::pi * length(first) * length(axis));
 }
 
-bool is_area_of_primitives(const Cylinder&) { return false; }
+int first_of_area(const Cylinder&, int) { return -1; }
 
 Vec2 uv_rates(const Cylinder& c) { return {1 / (2 * std::numbers::pi * c.radius), 1 / length(c.p1 - c.p0)}; }
 

@@ -38,7 +38,7 @@ std::optional<std::array<double, 9>> surface_frame(const Disk& d, const UploadFr
 
 void emit(AreaItems& items, const Disk& d, int) { items.flat(d.center, d.axis_u, d.axis_v, std::numbers::pi); }
 
-bool is_area_of_primitives(const Disk&) { return false; }
+int first_of_area(const Disk&, int) { return -1; }
 
 Vec2 uv_rates(const Disk& d) { return {1 / length(d.axis_u), 1 / (2 * std::numbers::pi * length(d.axis_u))}; }
 

@@ -64,7 +64,7 @@ void emit(AreaItems& items, const Mesh& mesh, int part) {
   }
 }
 
-bool is_area_of_primitives(const Mesh& mesh) { return mesh.parts.empty(); }
+int first_of_area(const Mesh& mesh, int) { return mesh.parts.empty() ? 0 : -1; }
 
 Vec2 uv_rates(const Mesh& mesh) {
   double u = 0, v = 0, count = 0;

@@ -54,7 +54,7 @@ std::optional<std::array<double, 9>> surface_frame(const Plane& p, const UploadF
 
 void emit(AreaItems&, const Plane&, int) {}
 
-bool is_area_of_primitives(const Plane&) { return false; }
+int first_of_area(const Plane&, int) { return -1; }
 
 Vec2 uv_rates(const Plane& p) { return rates_of_edges(p.u, p.v); }
 

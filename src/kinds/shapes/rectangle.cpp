@@ -28,7 +28,7 @@ std::optional<std::array<double, 9>> surface_frame(const Rectangle&, const Uploa
 
 void emit(AreaItems& items, const Rectangle& r, int) { items.flat(r.corner, r.edge_u, r.edge_v, 1); }
 
-bool is_area_of_primitives(const Rectangle&) { return true; }
+int first_of_area(const Rectangle&, int) { return 0; }
 
 Vec2 uv_rates(const Rectangle& r) { return rates_of_edges(r.edge_u, r.edge_v); }
 

@@ -31,7 +31,7 @@ void emit(AreaItems& items, const Sphere& s, int) {
   items.number(radius);
 }
 
-bool is_area_of_primitives(const Sphere&) { return true; }
+int first_of_area(const Sphere&, int) { return 0; }
 
 Vec2 uv_rates(const Sphere& s) {
   const double turn = 2 * std::numbers::pi;

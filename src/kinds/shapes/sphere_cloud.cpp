@@ -40,7 +40,7 @@ void emit(AreaItems& items, const SphereCloud& cloud, int part) {
   emit(items, Sphere{center, radius, cloud.frame}, 0);
 }
 
-bool is_area_of_primitives(const SphereCloud&) { return false; }
+int first_of_area(const SphereCloud&, int part) { return part; }
 
 /// The mean over the spheres, as for the triangles of a mesh.
 Vec2 uv_rates(const SphereCloud& cloud) {

@@ -23,7 +23,7 @@ std::optional<std::array<double, 9>> surface_frame(const Triangle&, const Upload
 
 void emit(AreaItems& items, const Triangle& t, int) { items.flat(t.p0, t.p1 - t.p0, t.p2 - t.p0, 0.5); }
 
-bool is_area_of_primitives(const Triangle&) { return true; }
+int first_of_area(const Triangle&, int) { return 0; }
 
 Vec2 uv_rates(const Triangle& t) { return rates_of_edges(t.p1 - t.p0, t.p2 - t.p0); }
 

@@ -6,6 +6,7 @@
 #include "scene/readers/read_material.h"
 #include "scene/readers/read_texture.h"
 #include "scene/readers/refractive_indices.h"
+#include "scene/xml/parse_value.h"
 
 namespace strahl {
 namespace {
@@ -15,10 +16,12 @@ double read_index(Properties& properties, const char* name, double otherwise) {
   if (given == nullptr || given->tag != "string") return properties.positive(name).value_or(otherwise);
   const std::string medium = properties.string(name).value_or("");
   if (const std::optional<double> index = refractive_index(medium)) return *index;
-  properties.diagnostics().error(properties.where(name),
-                                 fmt::format("\"{}\" is \"{}\", which is no medium that strahl knows{}; a number > 0 "
-                                             "will do",
-                                             name, medium, did_you_mean(medium, refractive_names())));
+  const std::string remedy = parse_number(medium)
+                                 ? fmt::format("; a number is written <float name=\"{}\" value=\"{}\"/>", name, medium)
+                                 : did_you_mean(medium, refractive_names()) + "; a number > 0 will do";
+  properties.diagnostics().error(
+      properties.where(name),
+      fmt::format("\"{}\" is \"{}\", which is no medium that strahl knows{}", name, medium, remedy));
   return otherwise;
 }
 
