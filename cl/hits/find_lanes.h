@@ -10,8 +10,8 @@
 #define SCENE_LANED_PASTE(name, lanes) name##_w_##lanes
 
 /// The surface where a path's ray ends, for shading.
-FN void take_surface_w(const Scene* scene, Paths_w* path, int lane, const Ray* ray, const Nearest* nearest,
-                       const FirstSample* first, Surfaces_w* to) {
+SELDOM_FN void take_surface_w(const Scene* scene, Paths_w* path, int lane, const Ray* ray, const Nearest* nearest,
+                              const FirstSample* first, Surfaces_w* to) {
   int is_hit = nearest->kind >= 0;
   Surface s = surface_none();
   if (is_hit) {
@@ -51,43 +51,16 @@ FN void widen_w(const Scene* scene, Rays_w* rays) {
   if (HAS_TREE && is_walked) widen_rays_w(has_departed, rays->planes, reach);
 }
 
-#include "shapes/polygon/flat_surfaces_lanes.h"
-
-/// Fills the surfaces that can be computed in lanes, and returns the lanes that are complete.
-FN maskw plain_surfaces_w(const Scene* scene, const Rays_w* rays, const NearestEach_w* each, Surfaces_w* s) {
-  FlatHits_w hits;
-  (void)scene;  // A scene without shapes.
-  realw kz = rays->planes[RAY_PLANE_SHEAR];
-  hits.o = real3_at_w(rays->planes + RAY_PLANE_O);
-  hits.d = real3_at_w(rays->planes + RAY_PLANE_D);
-  hits.shear_x = rays->planes[RAY_PLANE_SHEAR + 1];
-  hits.shear_y = rays->planes[RAY_PLANE_SHEAR + 2];
-  hits.is_x = eq_w(kz, splat_w(R(0.0)));
-  hits.is_y = eq_w(kz, splat_w(R(1.0)));
-  hits.t = read_w(each->t);
-  hits.kind = read_int_w(each->kind);
-  hits.slot = read_int_w(each->slot);
-  hits.id = read_int_w(each->id);
-  maskw which = s->hit, plain = none_w();
-  if (HAS_INSTANCES) which = which & lt_int_w(read_int_w(each->instance), splat_int_w(0));
-#define SHAPE(name, planes)                                                   \
-  if (PACKET_BODY_##name##_w == PACKET_BODY_TRIANGLE)                         \
-    plain = plain | flat_surfaces_w(scene, &hits, which, SHAPE_##name, 3, s); \
-  else if (PACKET_BODY_##name##_w == PACKET_BODY_PARALLELOGRAM)               \
-    plain = plain | flat_surfaces_w(scene, &hits, which, SHAPE_##name, 4, s);
-#include "shapes/shapes.def"
-#undef SHAPE
-  return plain | ~s->hit;
-}
+#include "hits/plain_surfaces_lanes.h"
 
 FN Surfaces_w find_surfaces_w(const Scene* scene, Paths_w* path, int want, const FirstSample* first) {
   Surfaces_w s = surfaces_none_w();
   widen_w(scene, &path->rays);
   NearestEach_w each = packet_traverse_w(scene, &path->rays, want);
-  s.hit = path->alive & ~lt_int_w(read_int_w(each.kind), splat_int_w(0));
+  s.hit = path->alive & ~lt_int_w(each.kind, splat_int_w(0));
   maskw single = path->alive;
   int is_reported = HAS_AOV && first->lane >= 0;
-  if (TEXTURE_COUNT == 0 && !is_reported) single = single & ~plain_surfaces_w(scene, &path->rays, &each, &s);
+  if (!is_reported) single = single & ~plain_surfaces_w(scene, path, &each, &s);
   for (uint lanes = bits_w(single); lanes != 0u; lanes &= lanes - 1u) {
     int lane = first_bit(lanes);
     Ray ray = ray_of_w(&path->rays, lane);
@@ -100,6 +73,6 @@ FN Surfaces_w find_surfaces_w(const Scene* scene, Paths_w* path, int want, const
 FN maskw meets_any_w(const Scene* scene, Rays_w* rays, maskw which) {
   widen_w(scene, rays);
   NearestEach_w each = packet_traverse_w(scene, rays, FIND_ANY);
-  return which & ~lt_int_w(read_int_w(each.kind), splat_int_w(0));
+  return which & ~lt_int_w(each.kind, splat_int_w(0));
 }
 #endif

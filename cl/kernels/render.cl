@@ -29,6 +29,9 @@
 #include "integrators/paths_lanes.h"
 #include "hits/find_lanes.h"
 #include "integrators/integrator_lanes.h"
+#if LANES != 1
+#include "integrators/path_pool_lanes.h"
+#endif
 
 /// A pixel's samples: [next, end) have not begun yet.
 typedef struct {
@@ -112,31 +115,87 @@ FN void add_to_film(const Scene* scene, GLOBAL long* pixel_sums, SubSums sums, i
   }
 }
 
-/// The pixel's samples, `times` each. sums: the pixel's in the film; done: as in add_to_film.
-FN void render_pixel_w(Scene scene, Pixel pixel, FirstSample first, GLOBAL long* sums, GLOBAL uint* done, int times) {
-  SubSums film_sums = sub_sums_of(&scene);
+/// Where the samples of a pixel go.
+typedef struct {
+  GLOBAL long* sums;  ///< The pixel's in the film.
+  SubSums sub_sums;
+  GLOBAL uint* done;  ///< As in add_to_film.
+  int times;          ///< Each sample counts so many times.
+} PixelFilm;
+
+/// One surface of each path that is alive; those that end there go into the film.
+ONCE_FN void follow_paths_w(const Scene* scene, Paths_w* path, Branches_w* branches, FirstSample* first,
+                            const PixelFilm* film) {
+  uint before = bits_w(path->alive);
+  Surfaces_w surfaces = find_surfaces_w(scene, path, wanted_w(scene, path, first), first);
+  surface_step_w(scene, path, &surfaces, branches);
+  if (HAS_AOV) first->lane = -1;
+  for (uint ended = before & ~bits_w(path->alive); ended != 0u; ended &= ended - 1u) {
+    if (HAS_LOOP_LIMIT && !loops_were_whole()) break;
+    int i = first_bit(ended), sample = get_int_w((PRIVATE const intw*)&path->sample.sample, i);
+    real3 light = vec3(get_w(&path->radiance.x, i), get_w(&path->radiance.y, i), get_w(&path->radiance.z, i));
+    add_to_film(scene, film->sums, film->sub_sums, sample, film->times, light, film->done);
+  }
+}
+
+/// The samples of a pixel, in lanes that begin a new one when an eighth of them is idle.
+FN void follow_in_lanes_w(const Scene* scene, Pixel pixel, FirstSample first, const PixelFilm* film) {
   Paths_w path;
   paths_none_w(&path);
   Branches_w branches;
   branches.count = splat_int_w(0);
   while (pixel.next < pixel.end) {
-    begin_paths_w(&scene, &path, &pixel);
+    begin_paths_w(scene, &path, &pixel);
     int is_full;
     do {
-      uint before = bits_w(path.alive);
-      Surfaces_w surfaces = find_surfaces_w(&scene, &path, wanted_w(&scene, &path, &first), &first);
-      surface_step_w(&scene, &path, &surfaces, &branches);
-      if (HAS_AOV) first.lane = -1;
-      for (uint ended = before & ~bits_w(path.alive); ended != 0u; ended &= ended - 1u) {
-        if (HAS_LOOP_LIMIT && !loops_were_whole()) break;
-        int i = first_bit(ended), sample = get_int_w((PRIVATE const intw*)&path.sample.sample, i);
-        real3 light = vec3(get_w(&path.radiance.x, i), get_w(&path.radiance.y, i), get_w(&path.radiance.z, i));
-        add_to_film(&scene, sums, film_sums, sample, times, light, done);
-      }
-      // New samples begin when an eighth of the lanes is idle; after the last sample idle lanes stay idle.
+      follow_paths_w(scene, &path, &branches, &first, film);
+      // After the last sample idle lanes stay idle.
       is_full = pixel.next >= pixel.end || 8u * lanes_among(bits_w(~path.alive)) < LANES;
     } while (is_full && any_w(path.alive));
   }
+}
+
+#if LANES != 1
+/// The samples of a pixel, in pools.
+FN void follow_in_pools_w(const Scene* scene, Pixel pixel, FirstSample first, const PixelFilm* film) {
+  PathPool_w pool;
+  Paths_w path;
+  Branches_w branches;
+  paths_none_w(&path);
+  branches.count = splat_int_w(0);
+  pool_none_w(&pool);
+  while (pixel.next < pixel.end || pool.count > 0) {
+    int are_new = pool.count == 0, count = are_new ? min((int)POOL_w, pixel.end - pixel.next) : pool.count;
+    for (int i = 0; i < count; i += LANES) {
+      if (are_new) {
+        path.alive = none_w();
+        begin_paths_w(scene, &path, &pixel);
+      } else {
+        pool_take_w(&pool, i, &path);
+      }
+      follow_paths_w(scene, &path, &branches, &first, film);
+      pool_put_w(&pool, i, are_new, &path);
+    }
+    pool_turn_w(&pool);
+  }
+}
+#endif
+
+/// The pixel's samples, `times` each. sums: the pixel's in the film; done: as in add_to_film.
+FN void render_pixel_w(Scene scene, Pixel pixel, FirstSample first, GLOBAL long* sums, GLOBAL uint* done, int times) {
+  PixelFilm film;
+  film.sums = sums;
+  film.sub_sums = sub_sums_of(&scene);
+  film.done = done;
+  film.times = times;
+#if LANES != 1
+  // Branches wait in the lane of their sample.
+  if (!HAS_BRANCHES) {
+    follow_in_pools_w(&scene, pixel, first, &film);
+    return;
+  }
+#endif
+  follow_in_lanes_w(&scene, pixel, first, &film);
 }
 
 ONCE_FN void render_pixel_once_w(Scene scene, Pixel pixel, FirstSample first, GLOBAL long* sums, GLOBAL uint* done,

@@ -13,10 +13,9 @@ namespace strahl {
 /// A body that tests one primitive of the kind against rays in lanes (cl/accel/packet_kinds.h).
 [[nodiscard]] bool has_packet_body(const std::string& shape_kind);
 
-/// `lanes` of them, or 1: where settings say so, where rays may meet what they have to be asked one by one for (a tree,
-/// instances, other kinds of shape in tiers that cannot tell which rays come near them), in double precision, and where
-/// a pixel has so few samples (`spp`) that most lanes would be idle, or takes them all alike.
-[[nodiscard]] int path_lanes(const Features& features, const RenderSettings& settings, int lanes, bool has_tree,
-                             int spp);
+/// `lanes` of them, or 1: where settings say so, in double precision, where tiers that cannot tell which rays come near
+/// a shape would test all of them one by one, and where a pixel has so few samples (`spp`) that most lanes would be
+/// idle, or takes them all alike.
+[[nodiscard]] int path_lanes(const Features& features, const RenderSettings& settings, int lanes, int spp);
 
 }  // namespace strahl

@@ -75,7 +75,7 @@ void Renderer::State::prepare() {
     if (row.on) stats.features.push_back(row.name);
 }
 
-int Renderer::State::path_lanes_of(int spp) const { return path_lanes(features, settings, stats.lanes, has_tree, spp); }
+int Renderer::State::path_lanes_of(int spp) const { return path_lanes(features, settings, stats.lanes, spp); }
 
 int Renderer::State::samples_of(const RenderGoal& goal) const {
   const int spp = goal.spp.value_or(goal.is_open() ? max_spp : sampling.spp);

@@ -63,7 +63,9 @@ inline std::vector<FoundHit> LANED(find_packets)(const TierBuffers& buffers, con
     widen_w(&scene, &together);
     const NearestEach_w each = packet_traverse_w(&scene, &together, any ? FIND_ANY : FIND_NEAREST);
     LANED(for_lanes)
-    (first, rays.size(), [&](std::size_t i, int lane) { found[i] = {each.t[lane], each.id[lane], each.kind[lane]}; });
+    (first, rays.size(), [&](std::size_t i, int lane) {
+      found[i] = {get_w(&each.t, lane), get_int_w(&each.id, lane), get_int_w(&each.kind, lane)};
+    });
   }
   return found;
 }

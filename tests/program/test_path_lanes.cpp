@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// When samples of a pixel are followed in lanes: where everything is listed, of kinds that packets may hold, in
-// single precision, and a pixel has samples enough that differ.
+// When samples of a pixel are followed in lanes: in single precision, where packets may hold the scene's kinds, and a
+// pixel has samples enough that differ.
 #include <catch2/catch.hpp>
 #include <map>
 
@@ -13,8 +13,8 @@
 namespace strahl {
 namespace {
 
-int lanes_of(const Scene& scene, const RenderSettings& settings = {}, bool has_tree = false) {
-  return path_lanes(features_of(scene, settings), settings, 16, has_tree, resolve_sampling(scene).spp);
+int lanes_of(const Scene& scene, const RenderSettings& settings = {}) {
+  return path_lanes(features_of(scene, settings), settings, 16, resolve_sampling(scene).spp);
 }
 
 TEST_CASE("kinds with a body for packets, as the kernels have them") {
@@ -27,10 +27,11 @@ TEST_CASE("kinds with a body for packets, as the kernels have them") {
   }
 }
 
-TEST_CASE("paths go in lanes where they need not part") {
+TEST_CASE("paths go in lanes where packets pay") {
   const Scene scene = load_scene(STRAHL_SOURCE_DIR "/scenes/cornell/cornell-box.xml").scene;
   CHECK(lanes_of(scene) == 16);
-  CHECK(lanes_of(scene, {}, true) == 1);
+  CHECK(lanes_of(load_scene(STRAHL_SOURCE_DIR "/scenes/mesh/torus-and-icosphere.xml").scene) == 16);
+  CHECK(lanes_of(load_scene(STRAHL_SOURCE_DIR "/scenes/instances/mushrooms.xml").scene) == 16);
   RenderSettings settings;
   settings.precision = Precision::fp64;
   CHECK(lanes_of(scene, settings) == 1);
@@ -38,7 +39,7 @@ TEST_CASE("paths go in lanes where they need not part") {
   settings.paths_in_lanes = false;
   CHECK(lanes_of(scene, settings) == 1);
   settings.paths_in_lanes = true;
-  CHECK(lanes_of(scene, settings, true) == 16);
+  CHECK(lanes_of(scene, settings) == 16);
 
   Scene with_disk = scene;
   add(with_disk, Disk{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});

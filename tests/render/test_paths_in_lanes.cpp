@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Samples of a pixel that are followed in lanes give the picture, the AOVs and the counts of samples followed one by
-// one, bit for bit: kinds with a body for packets and without, a tree, drawn and taken lights, mirrors, textures,
-// hidden emitters, samples that do not fill the lanes.
+// one, bit for bit: kinds with a body for packets and without, trees, instances, smooth meshes, drawn and taken lights,
+// mirrors, glass, textures, hidden emitters, samples that do not fill the lanes, and more samples than a pool holds.
 #include <catch2/catch.hpp>
 
 #include "render/pictures.h"
@@ -73,6 +73,19 @@ TEST_CASE("shapes that are asked ray by ray, listed and in a tree, in lanes") {
   require_same(scene, settings);
   settings.acceleration = Acceleration::tree;
   require_same(scene, settings);
+}
+
+TEST_CASE("smooth meshes and instances in a tree, in lanes") {
+  require_pocl_and_rusticl();
+  require_same(of("mesh/torus-and-icosphere.xml"), plain());
+  require_same(of("instances/mushrooms.xml"), plain(Precision::robust, 8));
+}
+
+TEST_CASE("glass in a tree, in lanes, and more samples than a pool holds") {
+  require_pocl_and_rusticl();
+  RenderSettings settings = plain(Precision::robust, 8);
+  settings.acceleration = Acceleration::tree;
+  require_same(small_scene(scene_folder / "materials/dielectric.xml", 12, 10, 150), settings);
 }
 
 TEST_CASE("textures in lanes") {

@@ -1,15 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Surfaces of LANES flat polygons, one a lane: surface_at of shapes/shape.h and departure_of of hits/departure.h for
-// the plain case, operation by operation. Those functions handle all other cases: in an instance, smooth, near an edge,
-// not finite. One width; no guard.
-
-/// The input of each lane: its ray, and the polygon that it has hit at t.
-typedef struct {
-  real3w o, d;
-  realw shear_x, shear_y, t;
-  maskw is_x, is_y;  ///< Lanes whose largest axis of d is x, y.
-  intw kind, slot, id;
-} FlatHits_w;
+// the plain case, operation by operation. Those functions handle all other cases: near an edge, not finite. One width;
+// no guard.
 
 /// Reals of a plane, LANES apart, of each lane's polygon.
 FN real3w gather_corner_w(GLOBAL const real* polygons, intw at, int corner) {
@@ -18,7 +10,7 @@ FN real3w gather_corner_w(GLOBAL const real* polygons, intw at, int corner) {
 }
 
 /// shear_point of shapes/polygon/edges.h.
-FN Real2_w shear_each_w(const FlatHits_w* hits, real3w p) {
+FN Real2_w shear_each_w(const SurfaceHits_w* hits, real3w p) {
   Real2_w v;
   real3w q = sub3_w(p, hits->o);
   realw z = sel_w(hits->is_x, q.x, sel_w(hits->is_y, q.y, q.z));
@@ -34,8 +26,6 @@ FN realw within_one_w(realw x) {
   return sel_w(lt_w(zero, x), sel_w(lt_w(x, one), x, one), zero);
 }
 
-FN maskw finite3_w(real3w v) { return finite_w(v.x) & finite_w(v.y) & finite_w(v.z); }
-
 typedef struct {
   maskw which;  ///< Lanes whose point is nearer to its plane than the one interpolated over corners.
   real3w p;
@@ -43,7 +33,7 @@ typedef struct {
 } NearPoint_w;
 
 /// take_near_point of shapes/polygon/near_point.h. bound: of the point interpolated.
-FN NearPoint_w near_point_w(const FlatHits_w* hits, real3w a, real3w e, real3w f, real3w normal, realw facing,
+FN NearPoint_w near_point_w(const SurfaceHits_w* hits, real3w a, real3w e, real3w f, real3w normal, realw facing,
                             realw size, realw across, realw bound) {
   NearPoint_w near;
   real3w d = abs3_w(hits->d);
@@ -62,18 +52,33 @@ FN NearPoint_w near_point_w(const FlatHits_w* hits, real3w a, real3w e, real3w f
   return near;
 }
 
-/// Fills the lanes of `which`, whose polygons have so many corners, and says which of them were plain.
-FN maskw flat_surfaces_w(const Scene* scene, const FlatHits_w* hits, maskw which, int kind, int corners,
-                         Surfaces_w* s) {
+/// The cross product by plain products, as is_amid of hits/departure.h has it.
+FN real3w plain_cross3_w(real3w e, real3w f) {
+  return vec3_w(e.y * f.z - e.z * f.y, e.z * f.x - e.x * f.z, e.x * f.y - e.y * f.x);
+}
+
+/// The greatest component of both.
+FN realw edges_size_w(real3w e, real3w f) {
+  realw size_e = max3_w(abs3_w(e)), size_f = max3_w(abs3_w(f));
+  return sel_w(lt_w(size_f, size_e), size_e, size_f);
+}
+
+/// departure_bound of hits/departure.h.
+FN realw departure_bound_w(const Scene* scene, const SurfaceHits_w* hits, realw reach) {
+  if (HAS_INSTANCES) {
+    realw error = gather_w(scene->geometry + INSTANCE_ERROR, hits->placed);
+    reach = sel_w(hits->is_placed, reach + error, reach);
+  }
+  return splat_w(R(1.75) * real_roundoff()) * reach;
+}
+
+/// Fills the lanes of `which`, whose polygons have so many corners, and returns those of them that were plain.
+FN maskw flat_surfaces_w(const Scene* scene, const SurfaceHits_w* hits, maskw which, int kind, int corners,
+                         Surfaces_w* s, HitParameters_w* parameters) {
   which = which & ~nonzero_w(hits->kind - splat_int_w(kind));
   if (!any_w(which)) return which;
-  GLOBAL const int* row = scene_shape_row(scene, kind);
-  GLOBAL const real* polygons = scene->geometry + row[SHAPE_GEOMETRY];
-  intw slot = sel_int_w(which, hits->slot, splat_int_w(0));
-  intw lane = slot % SCENE_LANES, at = (slot - lane) * (3 * corners) + lane;
-  intw part = gather_int_w(scene->index + row[SHAPE_IDS] + row[SHAPE_BLOCKS] * SCENE_LANES, slot);
-  part = sel_int_w(which, part, s->part);
-  s->part = part;
+  GLOBAL const real* polygons = scene->geometry + scene_shape_row(scene, kind)[SHAPE_GEOMETRY];
+  intw at = hit_places_w(scene, hits, which, kind, 3 * corners, s);
   real3w a = gather_corner_w(polygons, at, 0), b = gather_corner_w(polygons, at, 1);
   real3w last = gather_corner_w(polygons, at, corners - 1), e = sub3_w(b, a), f = sub3_w(last, a);
   Real2_w sa = shear_each_w(hits, a), sb = shear_each_w(hits, b), sl = shear_each_w(hits, last);
@@ -81,24 +86,28 @@ FN maskw flat_surfaces_w(const Scene* scene, const FlatHits_w* hits, maskw which
   realw u = within_one_w(eb / sum), v = within_one_w(el / sum), one = splat_w(R(1.0)), zero = splat_w(R(0.0));
   real3w p = add3_w(fma3_w(u, e, scale3_w(v, f)), a);
   real3w normal = normalize3_w(cross3_w(e, f));
-  realw facing = dot3_w(normal, hits->d);
+  realw facing = dot3_w(normal, hits->d), bound = zero, off = zero;
+  if (!TIER_FAST) {
+    realw size = edges_size_w(e, f), across = abs_w(dot3_w(normal, plain_cross3_w(e, f)));
+    NearPoint_w near = near_point_w(hits, a, e, f, normal, facing, size, across,
+                                    splat_w(R(1.75) * real_roundoff()) * (max3_w(abs3_w(p)) + size));
+    p = sel3_w(near.which, near.p, p);
+    off = sel_w(near.which & ~hits->is_placed, near.off, zero);
+  }
+  p = hit_point_to_world_w(scene, hits, p);
+  normal = hit_normal_to_world_w(scene, hits, normal);
 #if TIER_FAST
-  p = fma3_w(hits->t, hits->d, hits->o);
+  p = fma3_w(hits->world_t, hits->world_d, hits->world_o);
 #endif
   maskw plain = which & finite3_w(p) & finite3_w(normal) & finite_w(facing);
-
-  // departure_bound, is_amid.
-  real3w wide_e = abs3_w(e), wide_f = abs3_w(f);
-  realw size_e = max3_w(wide_e), size_f = max3_w(wide_f), size = sel_w(lt_w(size_f, size_e), size_e, size_f);
-  realw bound = splat_w(R(1.75) * real_roundoff()) * (max3_w(abs3_w(p)) + size);
-  if (TIER_FAST) {
-    bound = zero;
-  } else {
-    real3w n = vec3_w(e.y * f.z - e.z * f.y, e.z * f.x - e.x * f.z, e.x * f.y - e.y * f.x);
-    realw across = abs_w(dot3_w(normal, n));
-    NearPoint_w near = near_point_w(hits, a, e, f, normal, facing, size, across, bound);
-    p = sel3_w(near.which, near.p, p);
-    bound = splat_w(R(1.75) * real_roundoff()) * (max3_w(abs3_w(p)) + size);
+  if (!TIER_FAST) {  // departure_bound, is_amid.
+    if (HAS_INSTANCES && any_w(hits->is_placed)) {
+      a = hit_point_to_world_w(scene, hits, a);
+      e = sub3_w(hit_point_to_world_w(scene, hits, b), a);
+      f = sub3_w(hit_point_to_world_w(scene, hits, last), a);
+    }
+    realw size = edges_size_w(e, f), across = abs_w(dot3_w(normal, plain_cross3_w(e, f)));
+    bound = departure_bound_w(scene, hits, max3_w(abs3_w(p)) + size);
     realw least = sel_w(lt_w(u, v), u, v), u_rest = one - u, v_rest = one - v, both_rest = u_rest - v;
     if (corners == 3) {
       least = sel_w(lt_w(both_rest, least), both_rest, least);
@@ -107,19 +116,9 @@ FN maskw flat_surfaces_w(const Scene* scene, const FlatHits_w* hits, maskw which
       least = sel_w(lt_w(v_rest, least), v_rest, least);
     }
     plain = plain & lt_w(splat_w(R(16.0)) * bound * size, least * across);
-    bound = sel_w(near.which & lt_w(zero, near.off), near.off, bound);
+    bound = sel_w(lt_w(zero, off), off, bound);
   }
-  if (HAS_SMOOTH_NORMALS) plain = plain & lt_int_w(part_entry_w(scene, s, PART_NORMALS), splat_int_w(0));
-
-  maskw is_flipped = nonzero_w(part_entry_w(scene, s, PART_FLIP));
-  normal = sel3_w(is_flipped, negate3_w(normal), normal);
-  s->t = sel_w(plain, hits->t, s->t);
-  s->position = sel3_w(plain, p, s->position);
-  s->normal = sel3_w(plain, normal, s->normal);
-  s->shading = sel3_w(plain, normal, s->shading);
-  s->facing = sel_w(plain, sel_w(is_flipped, -facing, facing), s->facing);
-  s->id = sel_int_w(plain, hits->id, s->id);
-  s->point = sel3_w(plain, p, s->point);
-  s->bound = sel_w(plain, bound, s->bound);
+  take_surfaces_w(scene, hits, plain, p, normal, facing, bound, s);
+  take_parameters_w(plain, u, v, parameters);
   return plain;
 }

@@ -2,22 +2,13 @@
 // LANES rays against the edges of one flat polygon, of 3 or 4 corners, exact: triangle_lanes.h and
 // parallelogram_lanes.h with the roles exchanged, the same operations. One width; no guard.
 
-/// planes: x, y, z of one vertex, LANES apart. o: the rays' origins, along the axes that they have in common.
-FN ShearedVertex_w shear_for_each_w(const Packet_w* p, const real3w* o, GLOBAL const real* planes) {
+/// planes: x, y, z of one vertex, LANES apart.
+FN ShearedVertex_w shear_for_each_w(const Packet_w* p, GLOBAL const real* planes) {
   ShearedVertex_w v;
-  realw x, y;
-  int is_any = PACKET_OF_ANY_RAYS_w;
-  if (is_any) {
-    realw dx = splat_w(planes[0]) - p->o.x, dy = splat_w(planes[LANES]) - p->o.y;
-    realw dz = splat_w(planes[2 * LANES]) - p->o.z;
-    x = sel_w(p->is_x, dy, sel_w(p->is_y, dz, dx));
-    y = sel_w(p->is_x, dz, sel_w(p->is_y, dx, dy));
-    v.z = sel_w(p->is_x, dx, sel_w(p->is_y, dy, dz));
-  } else {
-    x = splat_w(planes[p->kx * LANES]) - o->x;
-    y = splat_w(planes[p->ky * LANES]) - o->y;
-    v.z = splat_w(planes[p->kz * LANES]) - o->z;
-  }
+  realw dx = splat_w(planes[0]) - p->o.x, dy = splat_w(planes[LANES]) - p->o.y;
+  realw dz = splat_w(planes[2 * LANES]) - p->o.z;
+  realw x = sel_w(p->is_x, dy, sel_w(p->is_y, dz, dx)), y = sel_w(p->is_x, dz, sel_w(p->is_y, dx, dy));
+  v.z = sel_w(p->is_x, dx, sel_w(p->is_y, dy, dz));
   v.x = fma_w(-p->shear.x, v.z, x);
   v.y = fma_w(-p->shear.y, v.z, y);
   return v;
@@ -26,24 +17,18 @@ FN ShearedVertex_w shear_for_each_w(const Packet_w* p, const real3w* o, GLOBAL c
 #if REAL_BITS == 64
 /// t, clamped to the slabs of one polygon.
 FN realw within_corners_each_w(const Packet_w* p, realw t, GLOBAL const real* polygon, int corners) {
-  Interval_w slabs;
-  slabs.enter = splat_w(-REAL_MAX);
-  slabs.leave = splat_w(REAL_MAX);
-  real lo[3], hi[3];
+  real box[6];
   for (int axis = 0; axis < 3; ++axis) {
-    lo[axis] = hi[axis] = polygon[axis * LANES];
+    real lo = polygon[axis * LANES], hi = lo;
     for (int k = 1; k < corners; ++k) {
       real at = polygon[(3 * k + axis) * LANES];
-      lo[axis] = at < lo[axis] ? at : lo[axis];
-      hi[axis] = hi[axis] < at ? at : hi[axis];
+      lo = at < lo ? at : lo;
+      hi = hi < at ? at : hi;
     }
+    box[2 * axis] = lo;
+    box[2 * axis + 1] = hi;
   }
-  int x = p->near_x == 0, y = p->near_y == 2, z = p->near_z == 4;
-  slabs = clip_each_w(slabs, x ? lo[0] : hi[0], x ? hi[0] : lo[0], p->o.x, p->inv.x, p->slack.x);
-  slabs = clip_each_w(slabs, y ? lo[1] : hi[1], y ? hi[1] : lo[1], p->o.y, p->inv.y, p->slack.y);
-  slabs = clip_each_w(slabs, z ? lo[2] : hi[2], z ? hi[2] : lo[2], p->o.z, p->inv.z, p->slack.z);
-  t = sel_w(lt_w(t, slabs.enter), slabs.enter, t);
-  return sel_w(lt_w(slabs.leave, t), slabs.leave, t);
+  return clamped_to_box_w(p, t, box);
 }
 #endif
 
@@ -55,15 +40,14 @@ typedef struct {
 } PolygonHits_w;
 
 /// The rays of `active` against one polygon. Corners a, b, c of a triangle; a, b, c, d of a parallelogram, whose plane
-/// and t come from a, b and d: `last`. o: as in shear_for_each.
-FN PolygonHits_w meet_edges_w(const Packet_w* p, const real3w* o, GLOBAL const real* polygon, maskw active,
-                              int corners) {
+/// and t come from a, b and d: `last`.
+FN PolygonHits_w meet_edges_w(const Packet_w* p, GLOBAL const real* polygon, maskw active, int corners) {
   PolygonHits_w hits;
   realw zero = splat_w(R(0.0));
-  ShearedVertex_w a = shear_for_each_w(p, o, polygon);
-  ShearedVertex_w b = shear_for_each_w(p, o, polygon + 3 * LANES);
-  ShearedVertex_w c = shear_for_each_w(p, o, polygon + 6 * LANES), last = c;
-  if (corners == 4) last = shear_for_each_w(p, o, polygon + 9 * LANES);
+  ShearedVertex_w a = shear_for_each_w(p, polygon);
+  ShearedVertex_w b = shear_for_each_w(p, polygon + 3 * LANES);
+  ShearedVertex_w c = shear_for_each_w(p, polygon + 6 * LANES), last = c;
+  if (corners == 4) last = shear_for_each_w(p, polygon + 9 * LANES);
   realw ab = edge_function_w(a, b), bc = edge_function_w(b, c), cd = bc;
   realw la = edge_function_w(last, a), bl = bc, sum;
   maskw missed;

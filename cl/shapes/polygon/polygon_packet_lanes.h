@@ -8,8 +8,7 @@ FN real3w corners_of_block_w(GLOBAL const real* block, int k) { return load_plan
 /// Polygons of a block that some ray may meet.
 FN uint may_meet_polygons_w(const Packet_w* p, GLOBAL const real* block, GLOBAL const int* ids, int corners) {
   uint there = bits_w(nonzero_w(load_int_w(ids) - splat_int_w(-1)));
-  int is_any = PACKET_OF_ANY_RAYS_w;
-  if (is_any) return there;
+  if (!is_alike_w(p)) return there;
   real3w lo = corners_of_block_w(block, 0), hi = lo, near, far;
   for (int k = 1; k < corners; ++k) {
     real3w v = corners_of_block_w(block, k);
@@ -22,8 +21,7 @@ FN uint may_meet_polygons_w(const Packet_w* p, GLOBAL const real* block, GLOBAL 
   far.y = p->near_y == 2 ? hi.y : lo.y;
   near.z = p->near_z == 4 ? lo.z : hi.z;
   far.z = p->near_z == 4 ? hi.z : lo.z;
-  real t[LANES];
-  return there & may_meet_w(p, near, far, t);
+  return there & may_meet_w(p, near, far);
 }
 
 #if TIER_FAST
@@ -52,27 +50,29 @@ FN void polygon_packet_w(const Scene* scene, Packet_w* p, GLOBAL const real* blo
 #include "shapes/polygon/polygon_edges_lanes.h"
 #if TIER_ROBUST
 #include "shapes/polygon/polygon_coordinates_lanes.h"
+
+/// Number of polygons of a block that alike rays may meet up to which polygon_coordinates_lanes.h does not pay.
+enum { COORDINATES_PAY_w = 3 };
 #endif
 
 FN void polygon_packet_w(const Scene* scene, Packet_w* p, GLOBAL const real* block, GLOBAL const int* ids, int slot,
                          int kind, maskw active, int corners) {
   (void)scene;
-  real3w o = p->o;
-  int is_any = PACKET_OF_ANY_RAYS_w;
-  if (!is_any) o = vec3_w(component_w(&p->o, p->kx), component_w(&p->o, p->ky), component_w(&p->o, p->kz));
   uint prims = may_meet_polygons_w(p, block, ids, corners);
 #if TIER_ROBUST
   maskw open[LANES];
-  if (is_any) prims = meet_coordinates_w(scene, p, block, ids, prims, slot, kind, active, corners, open);
+  // Their constants take more time than one exact test, and where rays are alike, than a few.
+  int has_coordinates = (int)lanes_among(prims) > (is_alike_w(p) ? (int)COORDINATES_PAY_w : 1);
+  if (has_coordinates) prims = meet_coordinates_w(scene, p, block, ids, prims, slot, kind, active, corners, open);
 #endif
   for (; prims != 0u; prims &= prims - 1u) {
     int i = first_bit(prims), id = ids[i];
     maskw asked = active;
 #if TIER_ROBUST
-    if (is_any) asked = open[i];
+    if (has_coordinates) asked = open[i];
 #endif
     if (p->has_departed) asked = asked & ~packet_end_w(p, id);
-    PolygonHits_w hits = meet_edges_w(p, &o, block + i, asked, corners);
+    PolygonHits_w hits = meet_edges_w(p, block + i, asked, corners);
     if (!any_w(hits.hit)) continue;
 #if TIER_ROBUST
     maskw sure = hits.hit & le_w(p->t_min, hits.least);

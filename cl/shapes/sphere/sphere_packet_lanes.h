@@ -13,8 +13,7 @@ FN realw farthest_square_w(realw x, Bounds_w b) {
 /// Spheres of a block that some ray may meet.
 FN uint may_meet_spheres_w(const Packet_w* p, GLOBAL const real* block, GLOBAL const int* ids) {
   uint there = bits_w(nonzero_w(load_int_w(ids) - splat_int_w(-1)));
-  int is_any = PACKET_OF_ANY_RAYS_w;
-  if (is_any) return there;
+  if (!is_alike_w(p)) return there;
   realw r = load_w(block + 3 * LANES), cx = load_w(block), cy = load_w(block + LANES), cz = load_w(block + 2 * LANES);
 #if TIER_FAST
   // The textbook's discriminant may be off by some 12 u of the square of the distance.
@@ -29,33 +28,31 @@ FN uint may_meet_spheres_w(const Packet_w* p, GLOBAL const real* block, GLOBAL c
   far.x = cx - rx;
   far.y = cy - ry;
   far.z = cz - rz;
-  real t[LANES];
-  return there & may_meet_w(p, near, far, t);
+  return there & may_meet_w(p, near, far);
 }
+
+#if TIER_COMPENSATED
+/// The box around a sphere, lo_x, hi_x, lo_y, hi_y, lo_z, hi_z.
+FN void sphere_box_w(GLOBAL const real* prim, PRIVATE real* box) {
+  real r = prim[3 * LANES];
+  for (int axis = 0; axis < 3; ++axis) {
+    box[2 * axis] = prim[axis * LANES] - r;
+    box[2 * axis + 1] = prim[axis * LANES] + r;
+  }
+}
+#endif
 
 #if TIER_ROBUST
-/// clip_each for rays that need not be coherent.
-FN Interval_w clip_unlike_w(Interval_w t, real lo, real hi, realw o, realw inv, realw slack) {
-  maskw is_backward = lt_w(inv, splat_w(R(0.0)));
-  realw near = sel_w(is_backward, splat_w(hi), splat_w(lo)), far = sel_w(is_backward, splat_w(lo), splat_w(hi));
-  t.enter = max_w(fma_w(near - o, inv, -slack), t.enter);
-  t.leave = min_w(fma_w(far - o, inv, slack), t.leave);
-  return t;
-}
-
 /// The sphere that the lanes of `departed` have just left, at its other root, as in sphere_root.
 SELDOM_FN void left_sphere_w(Packet_w* p, GLOBAL const real* prim, int id, int kind, int slot, maskw departed) {
-  real x = prim[0], y = prim[LANES], z = prim[2 * LANES], r = prim[3 * LANES];
+  real x = prim[0], y = prim[LANES], z = prim[2 * LANES];
   ExactRays_w exact;
   exact_rays_w(p->rays, &exact);
   dw3_w f = two_difference3_w(p->o.x, p->o.y, p->o.z, splat_w(x), splat_w(y), splat_w(z));
   realw t = sphere_root_across_w(&exact, f);
-  Interval_w slabs;
-  slabs.enter = splat_w(-REAL_MAX);
-  slabs.leave = splat_w(REAL_MAX);
-  slabs = clip_unlike_w(slabs, x - r, x + r, p->o.x, p->inv.x, p->slack.x);
-  slabs = clip_unlike_w(slabs, y - r, y + r, p->o.y, p->inv.y, p->slack.y);
-  slabs = clip_unlike_w(slabs, z - r, z + r, p->o.z, p->inv.z, p->slack.z);
+  real box[6];
+  sphere_box_w(prim, box);
+  Interval_w slabs = box_interval_w(p, box);
   maskw hit = departed & lt_w(splat_w(R(0.0)), t) & le_w(slabs.enter, t) & le_w(t, slabs.leave);
   hit = hit & le_w(p->t_min, t) & le_w(t, p->t);
   if (any_w(hit)) packet_take_w(p, hit, t, splat_int_w(id), splat_int_w(kind), splat_int_w(slot));
@@ -155,16 +152,9 @@ FN void sphere_packet_w(const Scene* scene, Packet_w* p, GLOBAL const real* bloc
     t = sel_w(departed, other, t);
     hit = (hit & ~departed) | (departed & ~p->outward & lt_w(zero, other));
 #if REAL_BITS == 64
-    real sx = prim[0], sy = prim[LANES], sz = prim[2 * LANES], sr = prim[3 * LANES];
-    Interval_w slabs;
-    slabs.enter = splat_w(-REAL_MAX);
-    slabs.leave = splat_w(REAL_MAX);
-    int x = p->near_x == 0, y = p->near_y == 2, z = p->near_z == 4;
-    slabs = clip_each_w(slabs, x ? sx - sr : sx + sr, x ? sx + sr : sx - sr, p->o.x, p->inv.x, p->slack.x);
-    slabs = clip_each_w(slabs, y ? sy - sr : sy + sr, y ? sy + sr : sy - sr, p->o.y, p->inv.y, p->slack.y);
-    slabs = clip_each_w(slabs, z ? sz - sr : sz + sr, z ? sz + sr : sz - sr, p->o.z, p->inv.z, p->slack.z);
-    realw within = sel_w(lt_w(t, slabs.enter), slabs.enter, t);
-    within = sel_w(lt_w(slabs.leave, within), slabs.leave, within);
+    real box[6];
+    sphere_box_w(prim, box);
+    realw within = clamped_to_box_w(p, t, box);
     hit = hit & (~departed | eq_w(within, t));
     t = within;
 #endif

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+// Boxes against a packet. First LANES boxes at a time against bounds over all rays, where these are alike: S. Boulos,
+// I. Wald, P. Shirley, "Geometric and Arithmetic Culling Methods for Entire Ray Packets", 2006. Then each box that is
+// left against every ray, by the operations of slabs_lanes.h. These are monotone, so the bounds lose no box that a ray
+// meets. One width; no guard.
+
+/// One axis of LANES boxes, for all rays at once: the entry of the earliest ray and the exit of the latest.
+FN Interval_w clip_bounds_w(Interval_w t, realw near, realw far, Bounds_w b) {
+  realw lo = splat_w(b.inv_lo), hi = splat_w(b.inv_hi), slack = splat_w(b.slack);
+  near = near - splat_w(b.o_near);
+  far = far - splat_w(b.o_far);
+  t.enter = max_w(min_w(fma_w(near, lo, -slack), fma_w(near, hi, -slack)), t.enter);
+  t.leave = min_w(max_w(fma_w(far, lo, slack), fma_w(far, hi, slack)), t.leave);
+  return t;
+}
+
+/// Bit i: some ray may meet box i. The rays are alike.
+FN uint may_meet_w(const Packet_w* p, real3w near, real3w far) {
+  Interval_w slabs;
+  slabs.enter = splat_w(p->first);
+  slabs.leave = splat_w(p->last);
+  slabs = clip_bounds_w(slabs, near.x, far.x, p->x);
+  slabs = clip_bounds_w(slabs, near.y, far.y, p->y);
+  slabs = clip_bounds_w(slabs, near.z, far.z, p->z);
+  return bits_w(le_w(slabs.enter, slabs.leave));
+}
+
+/// Bit i: some ray may meet child i of the node. The rays are alike.
+FN uint may_meet_children_w(const Packet_w* p, GLOBAL const real* node) {
+  int x = p->near_x, y = p->near_y, z = p->near_z;
+  real3w near, far;
+  near.x = load_w(node + x * LANES);
+  near.y = load_w(node + y * LANES);
+  near.z = load_w(node + z * LANES);
+  far.x = load_w(node + (x ^ 1) * LANES);
+  far.y = load_w(node + (y ^ 1) * LANES);
+  far.z = load_w(node + (z ^ 1) * LANES);
+  return may_meet_w(p, near, far);
+}
+
+/// clip_slab of one box for every ray. back: lanes that move towards lo.
+FN Interval_w clip_each_w(Interval_w t, real lo, real hi, realw o, realw inv, realw slack, maskw back) {
+  realw near = sel_w(back, splat_w(hi), splat_w(lo)), far = sel_w(back, splat_w(lo), splat_w(hi));
+  t.enter = max_w(fma_w(near - o, inv, -slack), t.enter);
+  t.leave = min_w(fma_w(far - o, inv, slack), t.leave);
+  return t;
+}
+
+/// The part of `t` within a box. planes: lo_x, hi_x, lo_y, hi_y, lo_z, hi_z of it, `stride` apart.
+FN Interval_w within_box_each_w(const Packet_w* p, GLOBAL const real* planes, int stride, Interval_w t) {
+  t = clip_each_w(t, planes[0], planes[stride], p->o.x, p->inv.x, p->slack.x, p->back_x);
+  t = clip_each_w(t, planes[2 * stride], planes[3 * stride], p->o.y, p->inv.y, p->slack.y, p->back_y);
+  return clip_each_w(t, planes[4 * stride], planes[5 * stride], p->o.z, p->inv.z, p->slack.z, p->back_z);
+}
+
+/// Where each ray enters a child of a node; REAL_MAX where it does not, or is not of `active`. planes: the planes of
+/// the child, LANES apart.
+FN realw enters_child_w(const Packet_w* p, GLOBAL const real* planes, maskw active) {
+  Interval_w slabs;
+  slabs.enter = p->t_min;
+  slabs.leave = p->bound;
+  slabs = within_box_each_w(p, planes, LANES, slabs);
+  return sel_w(active & le_w(slabs.enter, slabs.leave), slabs.enter, splat_w(REAL_MAX));
+}
+
+#if TIER_COMPENSATED
+/// Where each ray is within a box, lo_x, hi_x, lo_y, hi_y, lo_z, hi_z.
+FN Interval_w box_interval_w(const Packet_w* p, PRIVATE const real* box) {
+  Interval_w slabs;
+  slabs.enter = splat_w(-REAL_MAX);
+  slabs.leave = splat_w(REAL_MAX);
+  slabs = clip_each_w(slabs, box[0], box[1], p->o.x, p->inv.x, p->slack.x, p->back_x);
+  slabs = clip_each_w(slabs, box[2], box[3], p->o.y, p->inv.y, p->slack.y, p->back_y);
+  return clip_each_w(slabs, box[4], box[5], p->o.z, p->inv.z, p->slack.z, p->back_z);
+}
+#endif
+
+#if REAL_BITS == 64
+/// t, clamped to the slabs of a box.
+FN realw clamped_to_box_w(const Packet_w* p, realw t, PRIVATE const real* box) {
+  Interval_w slabs = box_interval_w(p, box);
+  t = sel_w(lt_w(t, slabs.enter), slabs.enter, t);
+  return sel_w(lt_w(slabs.leave, t), slabs.leave, t);
+}
+#endif

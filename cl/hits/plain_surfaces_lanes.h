@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+// Surfaces in lanes, for the kinds and cases that have a body: surface_at of shapes/shape.h, operation by operation.
+// One width; no guard.
+#include "hits/surface_hits_lanes.h"
+#include "textures/footprint_lanes.h"
+#include "shapes/polygon/flat_surfaces_lanes.h"
+#include "shapes/sphere/sphere_surfaces_lanes.h"
+
+/// Three reals of each of a primitive's corners.
+FN real3w interpolate_each_w(GLOBAL const real* corners, intw at, realw u, realw v) {
+  realw w = splat_w(R(1.0)) - u - v;
+  return fma3_w(v, gather3_w(corners + 6, at),
+                fma3_w(u, gather3_w(corners + 3, at), scale3_w(w, gather3_w(corners, at))));
+}
+
+/// Smooth normals in the lanes of `which`, where the mesh has any.
+FN void smooth_each_w(const Scene* scene, const SurfaceHits_w* hits, maskw which, const HitParameters_w* at,
+                      Surfaces_w* s) {
+  intw normals = part_entry_w(scene, s, PART_NORMALS), zero = splat_int_w(0);
+  which = which & ~lt_int_w(normals, zero);
+  if (!any_w(which)) return;
+  intw primitive = hits->id - part_entry_w(scene, s, PART_FIRST_ID);
+  intw place = sel_int_w(which, normals + primitive * 9, zero);
+  real3w smooth = interpolate_each_w(scene->shading, place, at->u, at->v);
+  if (HAS_INSTANCES) smooth = sel3_w(hits->is_placed, normal_to_world_w(scene->geometry, hits->placed, smooth), smooth);
+  which = which & lt_w(splat_w(R(0.0)), dot3_w(smooth, smooth));
+  maskw is_flipped = nonzero_w(part_entry_w(scene, s, PART_FLIP));
+  smooth = normalize3_w(sel3_w(is_flipped, negate3_w(smooth), smooth));
+  s->shading = sel3_w(which, smooth, s->shading);
+}
+
+/// Texture coordinates and footprints: as take_surface_w of find_lanes.h.
+FN void texture_each_w(const Scene* scene, Paths_w* path, const SurfaceHits_w* hits, maskw which,
+                       const HitParameters_w* at, Surfaces_w* s) {
+  realw u = at->u, v = at->v;
+  if (HAS_MESH_UVS) {
+    intw uvs = part_entry_w(scene, s, PART_UVS), zero = splat_int_w(0);
+    maskw has_uvs = which & ~lt_int_w(uvs, zero);
+    if (any_w(has_uvs)) {
+      intw primitive = hits->id - part_entry_w(scene, s, PART_FIRST_ID);
+      intw place = sel_int_w(has_uvs, uvs + primitive * 6, zero);
+      GLOBAL const real* uv = scene->shading;
+      realw w = splat_w(R(1.0)) - u - v;
+      realw tex_u = fma_w(v, gather_w(uv + 4, place), fma_w(u, gather_w(uv + 2, place), w * gather_w(uv, place)));
+      realw tex_v = fma_w(v, gather_w(uv + 5, place), fma_w(u, gather_w(uv + 3, place), w * gather_w(uv + 1, place)));
+      u = sel_w(has_uvs, tex_u, u);
+      v = sel_w(has_uvs, tex_v, v);
+    }
+  }
+  s->tex_u = sel_w(which, u, s->tex_u);
+  s->tex_v = sel_w(which, v, s->tex_v);
+  realw travelled = path->travelled + length3_w(sub3_w(s->position, hits->world_o));
+  path->travelled = sel_w(which, travelled, path->travelled);
+  realw width = pixel_footprint_w(scene, path->travelled, s->normal, hits->world_d);
+  if (HAS_INSTANCES) {
+    realw shrink = gather_w(scene->geometry + INSTANCE_SHRINK, hits->placed);
+    width = sel_w(hits->is_placed, width * shrink, width);
+  }
+  s->footprint = sel_w(which, width, s->footprint);
+}
+
+/// Fills the surfaces that can be computed in lanes, and returns the lanes that are complete.
+FN maskw plain_surfaces_w(const Scene* scene, Paths_w* path, const NearestEach_w* each, Surfaces_w* s) {
+  SurfaceHits_w hits = surface_hits_w(scene, &path->rays, each, s->hit);
+  HitParameters_w at;
+  maskw plain = none_w();
+  at.u = at.v = splat_w(R(0.0));
+  (void)hits;  // A scene without shapes.
+#define SHAPE(name, planes)                                                         \
+  if (PACKET_BODY_##name##_w == PACKET_BODY_TRIANGLE)                               \
+    plain = plain | flat_surfaces_w(scene, &hits, s->hit, SHAPE_##name, 3, s, &at); \
+  else if (PACKET_BODY_##name##_w == PACKET_BODY_PARALLELOGRAM)                     \
+    plain = plain | flat_surfaces_w(scene, &hits, s->hit, SHAPE_##name, 4, s, &at); \
+  else if (PACKET_BODY_##name##_w == PACKET_BODY_SPHERE)                            \
+    plain = plain | sphere_surfaces_w(scene, &hits, s->hit, SHAPE_##name, planes, s);
+#include "shapes/shapes.def"
+#undef SHAPE
+  if (HAS_SMOOTH_NORMALS) smooth_each_w(scene, &hits, plain, &at, s);
+  if (TEXTURE_COUNT > 0) texture_each_w(scene, path, &hits, plain, &at, s);
+  return plain | ~s->hit;
+}

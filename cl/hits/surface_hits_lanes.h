@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+// What the surfaces of LANES hits are computed from: surface_at of shapes/shape.h in lanes, for the kinds that have a
+// body (flat_surfaces_lanes.h, sphere_surfaces_lanes.h). One width; no guard.
+
+/// The rays, in the frame of the group that each has hit, and what they hit.
+typedef struct {
+  real3w o, d;
+  realw shear_x, shear_y, t;
+  maskw is_x, is_y;  ///< Lanes whose largest axis of d is x, y.
+  intw kind, slot, id, instance;
+  maskw is_placed;  ///< Lanes that have hit something of an instance,
+  intw placed;      ///< and where its INSTANCE_REALS begin in the geometry; 0 elsewhere.
+  real3w world_o, world_d;
+  realw world_t;
+} SurfaceHits_w;
+
+FN SurfaceHits_w surface_hits_w(const Scene* scene, const Rays_w* rays, const NearestEach_w* each, maskw which) {
+  SurfaceHits_w hits;
+  PRIVATE const realw* planes = rays->planes;
+  hits.kind = each->kind;
+  hits.slot = each->slot;
+  hits.id = each->id;
+  hits.instance = each->instance;
+  hits.world_o = hits.o = real3_at_w(planes + RAY_PLANE_O);
+  hits.world_d = hits.d = real3_at_w(planes + RAY_PLANE_D);
+  hits.world_t = hits.t = each->t;
+  realw kz = planes[RAY_PLANE_SHEAR];
+  hits.shear_x = planes[RAY_PLANE_SHEAR + 1];
+  hits.shear_y = planes[RAY_PLANE_SHEAR + 2];
+  hits.is_x = eq_w(kz, splat_w(R(0.0)));
+  hits.is_y = eq_w(kz, splat_w(R(1.0)));
+  hits.is_placed = none_w();
+  hits.placed = splat_int_w(0);
+  if (!HAS_INSTANCES) return hits;
+  hits.is_placed = which & ~lt_int_w(each->instance, splat_int_w(0));
+  if (!any_w(hits.is_placed)) return hits;
+  intw first = splat_int_w(scene_shape_row(scene, SHAPE_COUNT)[SHAPE_GEOMETRY]);
+  hits.placed = sel_int_w(hits.is_placed, first + each->instance * (int)INSTANCE_REALS, splat_int_w(0));
+  InstanceRows_w rows = gather_instance_rows_w(scene->geometry, hits.placed);
+  real3w o = hits.o, d = hits.d;
+  ray_into_group_w(&rows, &o, &d);
+  Rays_w within;
+  rays_make_w(o, d, planes[RAY_PLANE_T_MIN], splat_w(REAL_MAX), none_w(), &within);
+  kz = within.planes[RAY_PLANE_SHEAR];
+  hits.o = sel3_w(hits.is_placed, o, hits.o);
+  hits.d = sel3_w(hits.is_placed, real3_at_w(within.planes + RAY_PLANE_D), hits.d);
+  hits.t = sel_w(hits.is_placed, hits.t / within.planes[RAY_PLANE_T_FROM_SCALED], hits.t);
+  hits.shear_x = sel_w(hits.is_placed, within.planes[RAY_PLANE_SHEAR + 1], hits.shear_x);
+  hits.shear_y = sel_w(hits.is_placed, within.planes[RAY_PLANE_SHEAR + 2], hits.shear_y);
+  hits.is_x = (hits.is_placed & eq_w(kz, splat_w(R(0.0)))) | (~hits.is_placed & hits.is_x);
+  hits.is_y = (hits.is_placed & eq_w(kz, splat_w(R(1.0)))) | (~hits.is_placed & hits.is_y);
+  return hits;
+}
+
+FN real3w hit_point_to_world_w(const Scene* scene, const SurfaceHits_w* hits, real3w p) {
+  if (!HAS_INSTANCES) return p;
+  return sel3_w(hits->is_placed, point_to_world_w(scene->geometry, hits->placed, p), p);
+}
+
+/// A unit normal; stays as it is where nothing is placed.
+FN real3w hit_normal_to_world_w(const Scene* scene, const SurfaceHits_w* hits, real3w n) {
+  if (!HAS_INSTANCES) return n;
+  return sel3_w(hits->is_placed, normalize3_w(normal_to_world_w(scene->geometry, hits->placed, n)), n);
+}
+
+FN maskw finite3_w(real3w v) { return finite_w(v.x) & finite_w(v.y) & finite_w(v.z); }
+
+/// u, v of the hits, for smooth normals and textures.
+typedef struct {
+  realw u, v;
+} HitParameters_w;
+
+FN void take_parameters_w(maskw plain, realw u, realw v, HitParameters_w* to) {
+  to->u = sel_w(plain, u, to->u);
+  to->v = sel_w(plain, v, to->v);
+}
+
+/// Sets the parts of the lanes of `which`, which have hit a kind of so many planes; returns where each lane's primitive
+/// begins in the kind's blocks, a valid place in the other lanes.
+FN intw hit_places_w(const Scene* scene, const SurfaceHits_w* hits, maskw which, int kind, int planes, Surfaces_w* s) {
+  GLOBAL const int* row = scene_shape_row(scene, kind);
+  intw slot = sel_int_w(which, hits->slot, splat_int_w(0)), lane = slot % SCENE_LANES;
+  intw part = gather_int_w(scene->index + row[SHAPE_IDS] + row[SHAPE_BLOCKS] * SCENE_LANES, slot);
+  s->part = sel_int_w(which, part, s->part);
+  return (slot - lane) * planes + lane;
+}
+
+/// Takes the surfaces of a kind, in the world, in the lanes of `plain`. normal, facing: as the shape has them. bound:
+/// as in hits/departure.h, of surfaces that rays leave from their position.
+FN void take_surfaces_w(const Scene* scene, const SurfaceHits_w* hits, maskw plain, real3w position, real3w normal,
+                        realw facing, realw bound, Surfaces_w* s) {
+  maskw is_flipped = nonzero_w(part_entry_w(scene, s, PART_FLIP));
+  normal = sel3_w(is_flipped, negate3_w(normal), normal);
+  s->t = sel_w(plain, hits->world_t, s->t);
+  s->position = sel3_w(plain, position, s->position);
+  s->normal = sel3_w(plain, normal, s->normal);
+  s->shading = sel3_w(plain, normal, s->shading);
+  s->facing = sel_w(plain, sel_w(is_flipped, -facing, facing), s->facing);
+  s->id = sel_int_w(plain, hits->id, s->id);
+  if (HAS_INSTANCES) s->instance = sel_int_w(plain, hits->instance, s->instance);
+  s->is_flipped = sel_int_w(plain & is_flipped, splat_int_w(1), s->is_flipped);
+  s->point = sel3_w(plain, position, s->point);
+  s->bound = sel_w(plain, bound, s->bound);
+}

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+// A pool of paths of one pixel, between the groups of LANES that are followed at a time. After every surface the paths
+// that go on are taken in new groups, so that few lanes are idle, and paths that go the same way stand together
+// (docs/decisions/0026-path-pool.md). A path is a function of its pixel and its number, so the groups do not show in
+// the picture. More than one lane. One width; no guard.
+
+/// POOL_w: the most paths of a pool. A sector is one of the eight combinations of signs of a direction.
+enum { POOL_w = 64, SECTORS_w = 8 };
+
+/// What is kept of a path. The rest of its ray is prepared again. Each real is kept only where programs use it.
+enum {
+  KEPT_RAY_w = 0,  // o, d, t_max
+  KEPT_RADIANCE_w = 7,
+  KEPT_THROUGHPUT_w = 10,
+  KEPT_FROM_w = 13,
+  KEPT_DENSITY_w = 16,
+  KEPT_ETA2_w = 17,
+  KEPT_TRAVELLED_w = KEPT_ETA2_w + (HAS_TRANSMISSION != 0),
+  KEPT_IOR_w = KEPT_TRAVELLED_w + (TEXTURE_COUNT > 0),
+  KEPT_REALS_w = KEPT_IOR_w + (HAS_PRIORITY ? INTERFACES_MOST_w : 0)
+};
+enum {
+  KEPT_DEPARTED_w = 0,
+  KEPT_DEPTH_w,
+  KEPT_OUTWARD_w,
+  KEPT_SAMPLE_w,
+  KEPT_REVERSED_w,
+  KEPT_KEY_w,
+  KEPT_INSTANCE_w,
+  KEPT_RANKS_w = KEPT_INSTANCE_w + (HAS_INSTANCES != 0),
+  KEPT_INTS_w = KEPT_RANKS_w + (HAS_PRIORITY ? 2 * INTERFACES_MOST_w : 0)
+};
+
+/// What is kept of LANES paths, a plane each.
+typedef struct {
+  realw reals[KEPT_REALS_w];
+  intw ints[KEPT_INTS_w];
+} KeptPaths_w;
+
+typedef struct {
+  int count;                        ///< Paths that go on.
+  uchar order[POOL_w];              ///< Their places, in the order in which they are taken.
+  uchar places[SECTORS_w][POOL_w];  ///< Places of the paths that are put back, by sector,
+  int counts[SECTORS_w];            ///< and their number.
+  real reals[POOL_w * KEPT_REALS_w];
+  int ints[POOL_w * KEPT_INTS_w];
+} PathPool_w;
+
+FN void keep3_w(PRIVATE realw* to, real3w v) {
+  to[0] = v.x;
+  to[1] = v.y;
+  to[2] = v.z;
+}
+
+FN void kept_of_paths_w(const Paths_w* path, KeptPaths_w* kept) {
+  for (int k = 0; k < 6; ++k) kept->reals[KEPT_RAY_w + k] = path->rays.planes[RAY_PLANE_O + k];
+  kept->reals[KEPT_RAY_w + 6] = path->rays.planes[RAY_PLANE_T_MAX];
+  keep3_w(kept->reals + KEPT_RADIANCE_w, path->radiance);
+  keep3_w(kept->reals + KEPT_THROUGHPUT_w, path->throughput);
+  keep3_w(kept->reals + KEPT_FROM_w, path->from);
+  kept->reals[KEPT_DENSITY_w] = path->density;
+  if (HAS_TRANSMISSION) kept->reals[KEPT_ETA2_w] = path->eta2;
+  if (TEXTURE_COUNT > 0) kept->reals[KEPT_TRAVELLED_w] = path->travelled;
+  kept->ints[KEPT_DEPARTED_w] = path->rays.departed;
+  kept->ints[KEPT_DEPTH_w] = path->depth;
+  kept->ints[KEPT_OUTWARD_w] = path->rays.is_outward;
+  kept->ints[KEPT_SAMPLE_w] = int_of_uint_w(path->sample.sample);
+  kept->ints[KEPT_REVERSED_w] = int_of_uint_w(path->sample.reversed);
+  kept->ints[KEPT_KEY_w] = int_of_uint_w(path->sample.key);
+  if (HAS_INSTANCES) kept->ints[KEPT_INSTANCE_w] = path->rays.departed_instance;
+  if (HAS_PRIORITY) {
+    for (int k = 0; k < INTERFACES_MOST_w; ++k) {
+      kept->reals[KEPT_IOR_w + k] = path->within.ior[k];
+      kept->ints[KEPT_RANKS_w + 2 * k] = path->within.rank[k];
+      kept->ints[KEPT_RANKS_w + 2 * k + 1] = path->within.instance[k];
+    }
+  }
+}
+
+/// path: its sample's pixel, seed and sequences are those of the pool.
+FN void paths_of_kept_w(const KeptPaths_w* kept, maskw alive, Paths_w* path) {
+  PRIVATE const realw* reals = kept->reals;
+  realw t_max = sel_w(alive, reals[KEPT_RAY_w + 6], splat_w(-R(1.0)));
+  path->alive = alive;
+  rays_make_w(real3_at_w(reals + KEPT_RAY_w), real3_at_w(reals + KEPT_RAY_w + 3), splat_w(R(0.0)), t_max, alive,
+              &path->rays);
+  path->rays.departed = kept->ints[KEPT_DEPARTED_w];
+  path->rays.departed_instance = HAS_INSTANCES ? kept->ints[KEPT_INSTANCE_w] : splat_int_w(-1);
+  path->rays.aim = splat_int_w(-1);
+  path->rays.is_outward = kept->ints[KEPT_OUTWARD_w];
+  path->radiance = real3_at_w(reals + KEPT_RADIANCE_w);
+  path->throughput = real3_at_w(reals + KEPT_THROUGHPUT_w);
+  path->from = real3_at_w(reals + KEPT_FROM_w);
+  path->density = reals[KEPT_DENSITY_w];
+  path->eta2 = HAS_TRANSMISSION ? reals[KEPT_ETA2_w] : splat_w(R(1.0));
+  path->travelled = TEXTURE_COUNT > 0 ? reals[KEPT_TRAVELLED_w] : splat_w(R(0.0));
+  path->depth = kept->ints[KEPT_DEPTH_w];
+  path->sample.sample = uint_of_int_w(kept->ints[KEPT_SAMPLE_w]);
+  path->sample.reversed = uint_of_int_w(kept->ints[KEPT_REVERSED_w]);
+  path->sample.key = uint_of_int_w(kept->ints[KEPT_KEY_w]);
+  if (HAS_PRIORITY) {
+    for (int k = 0; k < INTERFACES_MOST_w; ++k) {
+      path->within.ior[k] = reals[KEPT_IOR_w + k];
+      path->within.rank[k] = kept->ints[KEPT_RANKS_w + 2 * k];
+      path->within.instance[k] = kept->ints[KEPT_RANKS_w + 2 * k + 1];
+    }
+  }
+}
+
+FN void pool_none_w(PathPool_w* pool) {
+  pool->count = 0;
+  for (int sector = 0; sector < SECTORS_w; ++sector) pool->counts[sector] = 0;
+}
+
+/// The paths order[first], ... in lanes, as far as there are any. Lanes beyond repeat the first and are not alive.
+FN void pool_take_w(const PathPool_w* pool, int first, Paths_w* path) {
+  KeptPaths_w kept;
+  PRIVATE real* reals = (PRIVATE real*)kept.reals;
+  PRIVATE int* ints = (PRIVATE int*)kept.ints;
+  for (int lane = 0; lane < LANES; ++lane) {
+    int place = pool->order[first + lane < pool->count ? first + lane : first];
+    for (int k = 0; k < KEPT_REALS_w; ++k) reals[k * LANES + lane] = pool->reals[place * KEPT_REALS_w + k];
+    for (int k = 0; k < KEPT_INTS_w; ++k) ints[k * LANES + lane] = pool->ints[place * KEPT_INTS_w + k];
+  }
+  paths_of_kept_w(&kept, first_lanes_w(pool->count - first), path);
+}
+
+/// Puts the paths that are alive back. first: as for pool_take, whose places they get; of new paths, their number in
+/// the pool.
+FN void pool_put_w(PathPool_w* pool, int first, int are_new, const Paths_w* path) {
+  KeptPaths_w kept;
+  kept_of_paths_w(path, &kept);
+  PRIVATE const real* reals = (PRIVATE const real*)kept.reals;
+  PRIVATE const int* ints = (PRIVATE const int*)kept.ints;
+  realw zero = splat_w(R(0.0));
+  uint x = bits_w(lt_w(path->rays.planes[RAY_PLANE_D], zero)),
+       y = bits_w(lt_w(path->rays.planes[RAY_PLANE_D + 1], zero));
+  uint z = bits_w(lt_w(path->rays.planes[RAY_PLANE_D + 2], zero));
+  for (uint alive = bits_w(path->alive); alive != 0u; alive &= alive - 1u) {
+    int lane = first_bit(alive), place = are_new ? first + lane : (int)pool->order[first + lane];
+    for (int k = 0; k < KEPT_REALS_w; ++k) pool->reals[place * KEPT_REALS_w + k] = reals[k * LANES + lane];
+    for (int k = 0; k < KEPT_INTS_w; ++k) pool->ints[place * KEPT_INTS_w + k] = ints[k * LANES + lane];
+    int sector = (int)((x >> lane & 1u) | (y >> lane & 1u) << 1 | (z >> lane & 1u) << 2);
+    pool->places[sector][pool->counts[sector]++] = (uchar)place;
+  }
+}
+
+/// Makes the paths that were put back those that are taken next.
+FN void pool_turn_w(PathPool_w* pool) {
+  pool->count = 0;
+  for (int sector = 0; sector < SECTORS_w; ++sector) {
+    for (int i = 0; i < pool->counts[sector]; ++i) pool->order[pool->count++] = pool->places[sector][i];
+    pool->counts[sector] = 0;
+  }
+}
