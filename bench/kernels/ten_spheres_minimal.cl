@@ -19,6 +19,9 @@
 #include "accel/slabs_lanes.h"
 #endif
 #include "shapes/sphere/sphere_lanes.h"
+#if TIER_ROBUST
+#include "shapes/exact/settle_kinds.h"
+#endif
 
 /// camera_rays of camera/camera_lanes.h for one ray through the pixel's middle.
 FN Ray ray_through(GLOBAL const real* camera, int width, int height, int x, int y) {
