@@ -14,6 +14,7 @@
 #include "cli/console.h"
 #include "did_you_mean.h"
 #include "program/kernel_source.h"
+#include "scene/auto_integrator.h"
 #include "settings/sampler_name.h"
 #include "settings/sampling.h"
 
@@ -122,15 +123,21 @@ void add_scene_overrides(CLI::App& app, SceneOverrides& overrides) {
 }
 
 void apply(const SceneOverrides& overrides, Scene& scene) {
-  if (overrides.integrator == "volpath") {
+  const bool is_auto = overrides.integrator ? overrides.integrator == "auto" : !scene.integrator.why.empty();
+  if (is_auto) {
+    scene.integrator.max_depth = overrides.max_depth.value_or(scene.integrator.max_depth);
+    choose_integrator(scene);
+  } else if (overrides.integrator == "volpath") {
     say("warning: integrator volpath is not there yet: path takes its place, without media");
     scene.integrator.name = "path";
   } else if (overrides.integrator) {
-    const std::vector<std::string> known = list_entries("integrators");
+    std::vector<std::string> known = list_entries("integrators");
+    known.emplace_back("auto");
     if (std::find(known.begin(), known.end(), *overrides.integrator) == known.end())
       throw UsageError(fmt::format("unknown integrator \"{}\"{}; known: {}", *overrides.integrator,
                                    did_you_mean(*overrides.integrator, known), fmt::join(known, ", ")));
     scene.integrator.name = *overrides.integrator;
+    scene.integrator.why.clear();
   }
   if (overrides.max_depth) scene.integrator.max_depth = *overrides.max_depth;
   if (overrides.spp) scene.sampler.sample_count = *overrides.spp;

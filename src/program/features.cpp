@@ -147,7 +147,9 @@ Causes causes_of(const Scene& scene, const RenderSettings& settings) {
   const kinds::IntegratorFacts& facts = kinds::integrator(integrator);
   if (scene.integrator.hide_emitters && (causes.contains("EMISSION") || causes.background))
     call_for(causes, "HIDE_EMITTERS", "the integrator's hide_emitters", scene.integrator.where);
-  call_for(causes, "integrators/" + integrator, "integrator " + integrator, scene.integrator.where);
+  const std::string& why = scene.integrator.why;
+  call_for(causes, "integrators/" + integrator, why.empty() ? "integrator " + integrator : "integrator auto: " + why,
+           scene.integrator.where);
   // Whatever the number of samples, which must not change the program; a filter of width 0 serves the centre by
   // default.
   const bool is_spread = scene.sampler.kind != SamplerKind::centre;

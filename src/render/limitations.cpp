@@ -50,7 +50,7 @@ std::optional<std::string> emptiness(const Scene& scene) {
   const auto shape_emits = [](const Shape& shape) { return emits_light(shape); };
   const auto light_emits = [&](const Light& light) { return emits_light(light, must_be_seen); };
   if (std::any_of(scene.shapes.begin(), scene.shapes.end(), shape_emits) ||
-      std::any_of(scene.lights.begin(), scene.lights.end(), light_emits))
+      std::any_of(scene.lights.begin(), scene.lights.end(), light_emits) || scene.lost_emitters > 0)
     return std::nullopt;
   return fmt::format(
       "nothing in the scene emits light{}: integrator {} makes a black picture; add an <emitter>, or see "

@@ -6,6 +6,7 @@
 
 #include <filesystem>
 
+#include "scene/auto_integrator.h"
 #include "scene/meshes/mesh_file.h"
 #include "scene/model/framing.h"
 #include "scene/readers/mesh_import.h"
@@ -27,11 +28,13 @@ bool is_mesh_path(const std::string& path) {
 
 Scene scene_of_xml(const std::string& path, const LoadOptions& options, Diagnostics& diagnostics) {
   XmlPool pool;
-  XmlElement* root = read_expanded_xml(path, options.defines, pool, diagnostics);
+  SearchPath search_path(path);
+  XmlElement* root = read_expanded_xml(path, options.defines, search_path, pool, diagnostics);
   if (root == nullptr || !check_vocabulary(*root, diagnostics)) return {};
   const ElementIds ids(*root, diagnostics);
-  SceneBuilder builder{{}, path, ids, diagnostics, options.progress, {}, {}, {}, {}, {}, {}};
+  SceneBuilder builder{{}, search_path, ids, diagnostics, options.progress};
   read_scene(*root, builder);
+  if (builder.scene.integrator.name == "auto" && !diagnostics.has_errors()) choose_integrator(builder.scene);
   return std::move(builder.scene);
 }
 
@@ -41,6 +44,7 @@ Scene scene_of_mesh(const std::string& path, const LoadOptions& options, Diagnos
   MeshFile file = read_mesh(path, progress_of(path, options.progress));
   for (const std::string& library : file.libraries) diagnostics.opened(library);
   diagnostics.append(file.warnings);
+  diagnostics.append(file.material_warnings);
   Scene scene;
   scene.integrator.name = "normals";
   Shape shape;

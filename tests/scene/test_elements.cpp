@@ -29,7 +29,7 @@ TEST_CASE("defaults of an empty scene") {
   CHECK(loaded.scene.film.width == 768);
   CHECK(loaded.scene.film.height == 576);
   CHECK(loaded.scene.film.filter.kind == FilterKind::gaussian);
-  CHECK(loaded.scene.integrator.name == "direct");
+  CHECK(loaded.scene.integrator.name == "emission");  // Of "auto": nothing reflects.
   CHECK(loaded.scene.integrator.max_depth == -1);
   CHECK(loaded.scene.materials.size() == 1);
   CHECK_FALSE(loaded.scene.materials[0].twosided);

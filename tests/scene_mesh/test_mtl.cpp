@@ -65,7 +65,7 @@ TEST_CASE("a missing library and unknown materials are warnings") {
   const MeshFile file =
       read_mesh(folder.write("a.obj", "mtllib gone.mtl also gone.mtl\n" + obj_square +
                                           "usemtl x\nf 1 2 3\nusemtl y\nf 1 2 3\nusemtl x\nf 1 2 3\n"));
-  CHECK(text_of(file.warnings) ==
+  CHECK(text_of(file.material_warnings) ==
         "a.obj:1:8: warning: material library \"gone.mtl\" cannot be opened; its materials become the default diffuse\n"
         "a.obj:1:8: warning: material library \"also\" cannot be opened; its materials become the default diffuse\n"
         "a.obj:1:8: warning: material library \"gone.mtl\" cannot be opened; its materials become the default diffuse\n"
@@ -81,7 +81,7 @@ TEST_CASE("what an MTL file gets wrong") {
   const auto read = [&](const std::string& text) {
     folder.write("m.mtl", text);
     const MeshFile file = read_mesh(obj);
-    return std::pair(file.materials.at(0), text_of(file.warnings));
+    return std::pair(file.materials.at(0), text_of(file.material_warnings));
   };
   SECTION("other colour spaces") {
     const auto [material, warnings] = read("newmtl a\nKd xyz 1 1 1\nKe spectral x.rfl\n");

@@ -31,7 +31,14 @@ struct MeshFile {
   std::vector<MeshMaterial> materials;
   std::vector<std::string> libraries;  ///< Paths of the MTL files that were read.
   std::size_t skipped_faces = 0;
-  std::vector<Diagnostic> warnings;  ///< Skipped faces (counted, with the first one's place), missing MTL, ...
+  std::vector<Diagnostic> warnings;           ///< Skipped faces (counted, with the first one's place), ...
+  std::vector<Diagnostic> material_warnings;  ///< Of MTL files and what they lack: for who uses `materials`.
+};
+
+/// A readable mesh whose faces all have no area, or that has none; the last problem says so.
+class EmptyMeshError : public SceneError {
+ public:
+  using SceneError::SceneError;
 };
 
 /// Gets the share of a file that is read, 0 to 1, rising; files of less than 1 MiB are not reported. May throw, which

@@ -12,6 +12,7 @@
 #include <string_view>
 
 #include "image/file_bytes.h"
+#include "scene/meshes/mesh_file.h"
 
 namespace strahl {
 namespace {
@@ -105,12 +106,15 @@ std::vector<Diagnostic> MeshSource::all() const {
   return all;
 }
 
-std::vector<Diagnostic> MeshSource::finish(const std::vector<Diagnostic>& of_other_files) const {
+void MeshSource::error_of_empty_mesh(const char* at) {
+  is_empty_mesh_ = errors_ == 0;
+  error(at, "mesh without triangles; give it at least one face with an area");
+}
+
+std::vector<Diagnostic> MeshSource::finish() const {
   std::vector<Diagnostic> all = this->all();
-  all.insert(all.end(), of_other_files.begin(), of_other_files.end());
-  if (std::ranges::any_of(all, [](const Diagnostic& d) { return d.severity == Severity::error; })) {
-    throw SceneError(std::move(all));
-  }
+  if (is_empty_mesh_ && errors_ == 1) throw EmptyMeshError(std::move(all));
+  if (has_errors()) throw SceneError(std::move(all));
   return all;
 }
 

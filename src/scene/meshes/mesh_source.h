@@ -52,9 +52,15 @@ class MeshSource {
     if (at >= next_report_) report(at);
   }
 
+  /// Of a place, not kept with the others.
+  [[nodiscard]] Diagnostic warning_at(const char* at, std::string message) const {
+    return diagnostic({at, Severity::warning, std::move(message)});
+  }
   /// `at` may be null: the file as a whole. After `most_listed` errors or warnings the rest is only counted.
   void error(const char* at, std::string message);
   void warn(const char* at, std::string message);
+  /// The error of a mesh without triangles.
+  void error_of_empty_mesh(const char* at);
   /// Reports an error that makes the rest unreadable.
   [[noreturn]] void fail(const char* at, std::string message);
 
@@ -64,8 +70,8 @@ class MeshSource {
   [[nodiscard]] int line(const char* at) const;
   /// Everything reported, in file order.
   [[nodiscard]] std::vector<Diagnostic> all() const;
-  /// The same and what other files have to say; thrown as SceneError where there is an error in it.
-  [[nodiscard]] std::vector<Diagnostic> finish(const std::vector<Diagnostic>& of_other_files = {}) const;
+  /// The same; thrown as SceneError where there is an error in it, as EmptyMeshError where that is the only one.
+  [[nodiscard]] std::vector<Diagnostic> finish() const;
 
   static constexpr std::size_t most_listed = 20;
 
@@ -88,6 +94,7 @@ class MeshSource {
   const char* binary_ = nullptr;
   std::vector<Note> notes_;
   std::size_t errors_ = 0, warnings_ = 0;
+  bool is_empty_mesh_ = false;
 };
 
 /// Text of a file in quotation marks, fit to be shown: cut to 40 characters, control characters as '?'.

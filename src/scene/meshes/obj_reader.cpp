@@ -7,6 +7,7 @@
 // takes what it cannot read for zero.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
@@ -83,9 +84,9 @@ class ObjReader {
         cursor.find_word();
         const char* at = cursor.position();
         for (const std::string& missing : finder_.read(source_.path(), cursor.rest(), library_)) {
-          source_.warn(at, fmt::format("material library {} cannot be opened; its materials become the default "
-                                       "diffuse",
-                                       in_quotes(missing)));
+          material_warnings_.push_back(source_.warning_at(
+              at, fmt::format("material library {} cannot be opened; its materials become the default diffuse",
+                              in_quotes(missing))));
         }
       }
     }
@@ -213,21 +214,32 @@ class ObjReader {
          fmt::format("lines and points are not rendered: {} (this is the first)", lines_and_points_.count));
     tell(unknown_, fmt::format("lines ignored: {} with an unknown keyword; the first is {}", unknown_.count,
                                in_quotes(first_unknown_)));
-    tell(unknown_materials_, fmt::format("materials that no library defines: {}; they become the default diffuse; the "
-                                         "first is {}",
-                                         unknown_materials_.count, in_quotes(first_unknown_material_)));
     for (const BadNumbers* bad : {&bad_positions_, &bad_uvs_, &bad_normals_}) bad->warn_unused(source_);
     if (builder_->triangle_count() == 0 && !source_.has_errors()) {
-      source_.error(nullptr, "mesh without triangles; give it at least one face with an area");
+      source_.error_of_empty_mesh(nullptr);
     }
     MeshFile file;
     file.mesh = builder_->finish();
     for (const std::string& warning : builder_->warnings()) source_.warn(nullptr, warning);
     file.skipped_faces = malformed_.count + degenerate_.count;
-    file.warnings = source_.finish(library_.diagnostics);
+    file.warnings = source_.finish();
+    file.material_warnings = material_warnings();
     file.libraries = library_.files;
     set_materials(file);
     return file;
+  }
+
+  std::vector<Diagnostic> material_warnings() {
+    std::vector<Diagnostic> all = std::move(material_warnings_);
+    if (unknown_materials_.count > 0)
+      all.push_back(source_.warning_at(
+          unknown_materials_.first,
+          fmt::format("materials that no library defines: {}; they become the default diffuse; the first is {}",
+                      unknown_materials_.count, in_quotes(first_unknown_material_))));
+    all.insert(all.end(), library_.diagnostics.begin(), library_.diagnostics.end());
+    if (std::ranges::any_of(all, [](const Diagnostic& d) { return d.severity == Severity::error; }))
+      throw SceneError(std::move(all));
+    return all;
   }
 
   /// Faces before the first usemtl get a default material without a name, but only where others have one.
@@ -270,6 +282,7 @@ class ObjReader {
   std::vector<MeshMaterial> materials_;
   Tally malformed_, degenerate_, lines_and_points_, unknown_, unknown_materials_;
   std::string first_unknown_, first_unknown_material_;
+  std::vector<Diagnostic> material_warnings_;
 };
 
 }  // namespace

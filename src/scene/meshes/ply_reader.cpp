@@ -246,7 +246,7 @@ class PlyReader {
     }
     bad_.warn_unused(source_);
     if (builder_->triangle_count() == 0 && !source_.has_errors()) {
-      source_.error(nullptr, "mesh without triangles; give it at least one face with an area");
+      source_.error_of_empty_mesh(nullptr);
     }
     MeshFile file;
     file.mesh = builder_->finish();

@@ -159,7 +159,7 @@ class SerializedReader {
     if (skipped_.count > 0) source_.warn(begin_, fmt::format("triangles without area skipped: {}", skipped_.count));
     for (const BadNumbers* bad : {&bad_positions_, &bad_uvs_, &bad_normals_}) bad->warn_unused(source_);
     if (builder.triangle_count() == 0 && !source_.has_errors()) {
-      source_.error(begin_, "mesh without triangles; give it at least one face with an area");
+      source_.error_of_empty_mesh(begin_);
     }
     MeshFile file;
     file.mesh = builder.finish();

@@ -263,11 +263,13 @@ struct IntegratorSettings {
   int rr_depth = 5;             ///< Surfaces after which Russian roulette begins, at least 1; path only.
   bool hide_emitters = false;
   double max_distance = std::numeric_limits<double>::infinity();  ///< How far ao looks, > 0.
+  std::string why;  ///< Why "auto" chose it (auto_integrator.h); empty: it was named.
   SourceLocation where;
 };
 
 struct Scene {
   std::string name;                ///< The file's stem; names the picture where no -o is given.
+  int lost_emitters = 0;           ///< Of its file, left out: the loader has warned of it where no light is left.
   std::vector<std::string> files;  ///< Every file that it was read from; none where a program made it.
   std::vector<Shape> shapes;
   std::vector<Group> groups;

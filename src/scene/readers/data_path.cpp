@@ -4,7 +4,6 @@
 #include "image/file_bytes.h"
 #include "scene/readers/mesh_import.h"
 #include "scene/readers/shape_reader.h"
-#include "scene/xml/xml_expand.h"
 
 namespace strahl {
 
@@ -18,11 +17,10 @@ std::optional<std::string> data_path(ShapeInput& input, std::string_view extensi
     return std::nullopt;
   }
   const SourceLocation where = properties.where("filename");
-  const std::string path = resolve_path(*name, where.file, input.builder.file);
+  const std::string path = input.builder.search_path.find(*name, where.file);
   const std::string obstacle = unreadable_because(path);
   if (!obstacle.empty()) {
-    diagnostics.error(where,
-                      fmt::format("cannot read \"{}\": {} (the path counts from the scene file)", path, obstacle));
+    diagnostics.unreadable(where, path, obstacle);
     return std::nullopt;
   }
   if (lower_case_extension(path) != fmt::format(".{}", extension)) {

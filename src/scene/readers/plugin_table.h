@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "did_you_mean.h"
+#include "scene/readers/foreign_plugins.h"
 
 namespace strahl {
 
@@ -22,11 +23,17 @@ template <class Reader>
   return nullptr;
 }
 
+/// The types that a table has.
+template <class Reader>
+[[nodiscard]] std::vector<std::string> types_of(const PluginTable<Reader>& table) {
+  std::vector<std::string> types;
+  for (const auto& [name, reader] : table) types.push_back(name);
+  return types;
+}
+
 template <class Reader>
 [[nodiscard]] std::string did_you_mean_plugin(const PluginTable<Reader>& table, std::string_view type) {
-  std::vector<std::string> names;
-  for (const auto& [name, reader] : table) names.push_back(name);
-  return did_you_mean(type, names);
+  return did_you_mean(type, types_of(table));
 }
 
 }  // namespace strahl

@@ -1,18 +1,45 @@
 // SPDX-License-Identifier: MIT
-// <shape type="disk">: radius 1 in the xy plane of object space, normal +z; to_world must keep it round.
+// <shape type="disk">: radius 1 in the xy plane of object space, normal +z. Where to_world makes an ellipse of it, it
+// becomes a mesh.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
 #include "scene/readers/shape_reader.h"
 
 namespace strahl {
 
+namespace {
+
+constexpr int corners_of_ellipse = 256;
+
+/// Triangles around the centre. Their corners lie as far outside the ellipse as the polygon's area asks for.
+Mesh ellipse(const Transform& t) {
+  constexpr double step = 2 * std::numbers::pi / corners_of_ellipse;
+  const double radius = std::sqrt(step / std::sin(step));
+  Mesh mesh;
+  mesh.positions.push_back(t.translation());
+  for (int i = 0; i < corners_of_ellipse; ++i)
+    mesh.positions.push_back(t.point({radius * std::cos(i * step), radius * std::sin(i * step), 0}));
+  for (int i = 0; i < corners_of_ellipse; ++i) mesh.triangles.push_back({0, 1 + i, 1 + (i + 1) % corners_of_ellipse});
+  return mesh;
+}
+
+}  // namespace
+
 Geometry read_geometry(ShapeInput& input, const Disk&) {
   const Transform& t = input.world_from_object;
-  const Vec3 x = t.column(0), y = t.column(1);
-  if (!are_equally_long(x, y) || !are_perpendicular(x, y)) {
-    report_distortion(input, "x and y must stay perpendicular and be scaled alike");
-    return Disk{{}, {1, 0, 0}, {0, 1, 0}};
-  }
   // Normals go with the inverse transpose: a mirrored disk keeps facing its +z, unlike axis_u x axis_v.
   if (t.determinant() < 0) input.shape.flip_normals = !input.shape.flip_normals;
+  const Vec3 x = t.column(0), y = t.column(1);
+  if (!are_equally_long(x, y) || !are_perpendicular(x, y)) {
+    input.builder.diagnostics.unknown(
+        input.properties.where("to_world"),
+        fmt::format("to_world makes an ellipse of {}; a polygon of {} corners and the same area takes its place",
+                    input.properties.title(), corners_of_ellipse));
+    return ellipse(t);
+  }
   const Vec3 unit_x = normalized(x);
   const Vec3 normal = normalized(cross(unit_x, y));
   return Disk{t.translation(), x, length(x) * cross(normal, unit_x)};

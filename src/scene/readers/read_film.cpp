@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "scene/readers/foreign_plugins.h"
 #include "scene/readers/readers.h"
 #include "scene/xml/properties.h"
 
@@ -39,9 +40,10 @@ void read_crop(Properties& properties, Film& film) {
 
 Film read_film(const XmlElement& element, SceneBuilder& builder) {
   Properties properties(element, builder.ids, builder.diagnostics);
-  if (properties.type() != "hdrfilm")
-    builder.diagnostics.unknown(element.where,
-                                fmt::format("unknown film \"{}\"; it is read as hdrfilm", properties.type()));
+  const bool is_ldr = properties.type() == "ldrfilm";
+  if (properties.type() != "hdrfilm" && !is_ldr)
+    builder.diagnostics.unknown(
+        element.where, fmt::format("{}; it is read as hdrfilm", not_available("film", properties.type(), {"hdrfilm"})));
   Film film;
   film.where = element.where;
   film.width = properties.integer_in("width", 1, largest_size).value_or(film.width);
@@ -51,7 +53,8 @@ Film read_film(const XmlElement& element, SceneBuilder& builder) {
   if (!filters.empty()) film.filter = read_filter(*filters.front(), builder);
   if (filters.size() > 1) builder.diagnostics.error(filters[1]->where, "a film has one <rfilter>");
   properties.accept({"file_format", "pixel_format", "component_format", "sample_border", "compensate", "banner",
-                     "attach_log", "high_quality_edges"});
+                     "attach_log", "high_quality_edges", "gamma"});
+  if (is_ldr) properties.accept({"filename"});
   properties.report_unknown();
   return film;
 }

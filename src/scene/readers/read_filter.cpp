@@ -23,8 +23,8 @@ Filter read_filter(const XmlElement& element, SceneBuilder& builder) {
   const FilterKind* kind = find_plugin(filter_kinds(), properties.type());
   if (kind == nullptr) {
     builder.diagnostics.unknown(element.where,
-                                fmt::format("unknown rfilter \"{}\"{}; a gaussian takes its place", properties.type(),
-                                            did_you_mean_plugin(filter_kinds(), properties.type())));
+                                fmt::format("{}; a gaussian takes its place",
+                                            not_available("rfilter", properties.type(), types_of(filter_kinds()))));
     return {};
   }
   Filter filter;

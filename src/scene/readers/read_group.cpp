@@ -9,7 +9,7 @@ namespace strahl {
 bool is_group(const XmlElement& shape) { return shape.text("type") == "shapegroup"; }
 bool is_instance(const XmlElement& shape) { return shape.text("type") == "instance"; }
 
-int group_index(const XmlElement& element, SceneBuilder& builder) {
+std::optional<int> group_index(const XmlElement& element, SceneBuilder& builder) {
   if (const auto known = builder.group_indices.find(&element); known != builder.group_indices.end())
     return known->second;
   Properties properties(element, builder.ids, builder.diagnostics);
@@ -28,6 +28,13 @@ int group_index(const XmlElement& element, SceneBuilder& builder) {
   }
   if (shapes.empty()) builder.diagnostics.error(element.where, fmt::format("{} holds no <shape>", properties.title()));
   properties.report_unknown();
+  if (group.shapes.empty() && !builder.diagnostics.has_errors()) {
+    builder.diagnostics.warning(element.where, fmt::format("all shapes of {} are left out, so it is left out with its "
+                                                           "instances",
+                                                           properties.title()));
+    builder.group_indices[&element] = std::nullopt;
+    return std::nullopt;
+  }
   const int index = static_cast<int>(builder.scene.groups.size());
   builder.scene.groups.push_back(std::move(group));
   builder.group_indices[&element] = index;
@@ -50,8 +57,10 @@ void read_instance(const XmlElement& element, SceneBuilder& builder) {
                               fmt::format("{} places a <shape type=\"shapegroup\">, not a <shape type=\"{}\">",
                                           properties.title(), groups[0]->text("type")));
   } else {
-    instance.group = group_index(*groups[0], builder);
-    builder.scene.instances.push_back(std::move(instance));
+    if (const std::optional<int> group = group_index(*groups[0], builder)) {
+      instance.group = *group;
+      builder.scene.instances.push_back(std::move(instance));
+    }
   }
   properties.report_unknown();
 }

@@ -1,20 +1,64 @@
 // SPDX-License-Identifier: MIT
-// <integrator>: by name; what strahl does not have yet becomes "direct" with a warning.
+// <integrator>: by name; what strahl does not have yet becomes "path" with a warning.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <limits>
 
-#include "did_you_mean.h"
 #include "kinds/integrators.h"
+#include "scene/readers/foreign_plugins.h"
 #include "scene/readers/readers.h"
 #include "scene/xml/properties.h"
 
 namespace strahl {
 
-IntegratorSettings read_integrator(const XmlElement& element, SceneBuilder& builder) {
+namespace {
+
+bool holds_medium(const XmlElement& element) {
+  for (const XmlElement* child = element.first_child; child != nullptr; child = child->next_sibling)
+    if (child->tag == "medium" || holds_medium(*child)) return true;
+  return false;
+}
+
+/// Those that compute something beside the picture of the integrator inside them.
+bool is_around_another(std::string_view type) {
+  return type == "aov" || type == "moment" || type == "stokes" || type == "adaptive";
+}
+
+/// What takes the place of those that strahl does not have.
+std::string substitute_of(Properties& properties, const XmlElement& root) {
+  const std::string_view type = properties.type();
+  if (type == "volpath" || type == "volpathmis" || type == "volpath_simple") {
+    if (holds_medium(root))
+      properties.diagnostics().unknown(
+          properties.where(),
+          fmt::format("integrator \"{}\" is not supported yet; \"path\" takes its place: no media", type));
+    return "path";
+  }
+  properties.diagnostics().unknown(
+      properties.where(),
+      fmt::format("{}; \"path\" takes its place", not_available("integrator", type, kinds::integrator_names())));
+  properties.accept_all();
+  return "path";
+}
+
+}  // namespace
+
+IntegratorSettings read_integrator(const XmlElement& element, const XmlElement& root, SceneBuilder& builder) {
   const std::vector<std::string>& known = kinds::integrator_names();
   Properties properties(element, builder.ids, builder.diagnostics);
+  const std::string_view type = properties.type();
+  const std::vector<const XmlElement*> inside = properties.objects("integrator");
+  if (is_around_another(type) && !inside.empty()) {
+    if (!builder.integrators_being_read.insert(&element).second) {
+      builder.diagnostics.error(element.where, fmt::format("{} contains itself", properties.title()));
+      return {};
+    }
+    builder.diagnostics.unknown(element.where,
+                                fmt::format("integrator \"{}\" is not supported yet; the one inside it renders{}", type,
+                                            type == "aov" ? ", and --aov names what is written beside it" : ""));
+    return read_integrator(*inside.front(), root, builder);
+  }
   IntegratorSettings integrator;
   integrator.where = element.where;
   integrator.max_depth =
@@ -23,19 +67,12 @@ IntegratorSettings read_integrator(const XmlElement& element, SceneBuilder& buil
       properties.integer_in("rr_depth", 1, std::numeric_limits<int>::max()).value_or(integrator.rr_depth);
   integrator.max_distance = properties.positive("max_distance").value_or(integrator.max_distance);
   integrator.hide_emitters = properties.boolean("hide_emitters").value_or(false);
-  const std::string_view type = properties.type();
-  if (std::find(known.begin(), known.end(), type) != known.end()) {
-    integrator.name = type;
-    properties.accept({"shading_samples", "emitter_samples", "bsdf_samples"});
-  } else if (type == "volpath" || type == "volpathmis") {
-    integrator.name = "path";
-    builder.diagnostics.unknown(
-        element.where, fmt::format("integrator \"{}\" is not there yet; \"path\" takes its place: no media", type));
-  } else {
-    builder.diagnostics.unknown(element.where, fmt::format("unknown integrator \"{}\"{}; \"direct\" takes its place",
-                                                           type, did_you_mean(type, known)));
-    properties.accept_all();
-  }
+  if (properties.boolean("strict_normals").value_or(false))
+    builder.diagnostics.unknown(properties.where("strict_normals"),
+                                "\"strict_normals\" is not supported yet; normals count as they are");
+  properties.accept({"shading_samples", "emitter_samples", "bsdf_samples", "samples_per_pass", "block_size"});
+  const bool is_known = type == "auto" || std::find(known.begin(), known.end(), type) != known.end();
+  integrator.name = is_known ? std::string(type) : substitute_of(properties, root);
   properties.report_unknown();
   return integrator;
 }

@@ -75,8 +75,9 @@ void read_light(const XmlElement& element, SceneBuilder& builder) {
   const std::string_view type = properties.type();
   const LightReader* reader = find_plugin(light_readers(), type);
   if (reader == nullptr) {
-    builder.diagnostics.unknown(element.where, fmt::format("unknown emitter \"{}\"{}; it is left out", type,
-                                                           did_you_mean_plugin(light_readers(), type)));
+    builder.diagnostics.unknown(
+        element.where, fmt::format("{}; it is left out", not_available("emitter", type, types_of(light_readers()))));
+    builder.lost_emitters.emplace_back(type);
     return;
   }
   const std::optional<Emitter> emitter = (*reader)(properties);

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "scene/readers/plugin_table.h"
+#include "scene/xml/parse_value.h"
 
 namespace strahl {
 
@@ -21,10 +22,17 @@ const PluginTable<MaterialReader>& material_readers() {
 
 /// Two-sided, since most of what is missing (rough glass, masks, radio materials) is seen from both sides.
 Material substitute_for(Properties& properties, SceneBuilder& builder) {
-  const std::string what = fmt::format("unknown bsdf \"{}\"{}", properties.type(),
-                                       did_you_mean_plugin(material_readers(), properties.type()));
+  const std::string what = not_available("bsdf", properties.type(), types_of(material_readers()));
   const std::vector<const XmlElement*> nested = properties.objects("bsdf");
+  const XmlElement* weight = properties.type() == "blendbsdf" ? properties.peek("weight") : nullptr;
+  const bool is_second_heavier = weight != nullptr && parse_number(weight->text("value")).value_or(0) > 0.5;
   properties.accept_all();
+  if (nested.size() == 2 && is_second_heavier) {
+    builder.diagnostics.unknown(properties.where(), what +
+                                                        "; the second bsdf inside it, of the larger weight, takes its "
+                                                        "place");
+    return material_of(*nested.back(), builder);
+  }
   if (!nested.empty()) {
     builder.diagnostics.unknown(properties.where(), what + "; the bsdf inside it takes its place");
     return material_of(*nested.front(), builder);

@@ -43,6 +43,7 @@ Geometry read_geometry(ShapeInput& input, const Mesh&) {
         properties.type() == "serialized" ? read_serialized(*path, index, progress) : read_mesh(*path, progress);
     for (const std::string& library : file.libraries) diagnostics.opened(library);
     diagnostics.append(file.warnings);
+    if (!input.has_material) diagnostics.append(file.material_warnings);
     if (file.mesh.triangles.empty())
       diagnostics.error(properties.where("filename"), fmt::format("\"{}\" has no triangles", *path));
     add_mesh_materials(file, input.has_material, input.shape, input.builder.scene, diagnostics);
@@ -50,8 +51,17 @@ Geometry read_geometry(ShapeInput& input, const Mesh&) {
     if (flip_v) flip_tex_coords(file.mesh);
     to_world(file.mesh, input.world_from_object);
     return std::move(file.mesh);
+  } catch (const EmptyMeshError&) {
+    diagnostics.unknown(properties.where("filename"),
+                        fmt::format("\"{}\" has no triangle with an area; the shape is left out", *path));
+    input.is_left_out = true;
+    return Mesh{};
   } catch (const SceneError& fault) {
-    diagnostics.append(fault.diagnostics());
+    for (Diagnostic problem : fault.diagnostics()) {
+      if (problem.severity == Severity::error)
+        problem.message += fmt::format(" (read for {})", properties.where("filename").text());
+      diagnostics.append({problem});
+    }
     return Mesh{};
   }
 }

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "did_you_mean.h"
+#include "scene/readers/foreign_plugins.h"
 #include "scene/readers/readers.h"
 #include "scene/xml/properties.h"
 
@@ -23,8 +23,8 @@ SamplerSettings read_sampler(const XmlElement& element, SceneBuilder& builder) {
   if (properties.type() == "independent") sampler.kind = SamplerKind::independent;
   if (properties.type() == "sobol") sampler.kind = SamplerKind::sobol;
   if (std::find(known.begin(), known.end(), properties.type()) == known.end())
-    builder.diagnostics.unknown(element.where, fmt::format("unknown sampler \"{}\"{}; strahl's default takes its place",
-                                                           properties.type(), did_you_mean(properties.type(), known)));
+    builder.diagnostics.unknown(element.where, fmt::format("{}; strahl's default takes its place",
+                                                           not_available("sampler", properties.type(), known)));
   properties.accept({"jitter", "strength", "scramble"});
   properties.report_unknown();
   return sampler;

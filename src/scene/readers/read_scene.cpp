@@ -2,6 +2,9 @@
 // The children of <scene>, kind by kind, each in file order.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <set>
+
 #include "scene/model/framing.h"
 #include "scene/readers/read_material.h"
 #include "scene/readers/readers.h"
@@ -12,8 +15,9 @@ namespace strahl {
 
 namespace {
 
-void read_integrators(const std::vector<const XmlElement*>& elements, SceneBuilder& builder) {
-  if (!elements.empty()) builder.scene.integrator = read_integrator(*elements.front(), builder);
+void read_integrators(const std::vector<const XmlElement*>& elements, const XmlElement& root, SceneBuilder& builder) {
+  builder.scene.integrator.name = "auto";
+  if (!elements.empty()) builder.scene.integrator = read_integrator(*elements.front(), root, builder);
   for (std::size_t i = 1; i < elements.size(); ++i)
     builder.diagnostics.error(elements[i]->where, "a scene has one <integrator>");
 }
@@ -37,6 +41,26 @@ void read_one_shape(const XmlElement& element, SceneBuilder& builder) {
   }
 }
 
+bool has_light(const Scene& scene) {
+  const auto emits = [](const Shape& shape) {
+    const auto* mesh = std::get_if<Mesh>(&shape.geometry);
+    return shape.radiance ||
+           (mesh != nullptr && std::any_of(mesh->parts.begin(), mesh->parts.end(),
+                                           [](const auto& part) { return part.radiance.has_value(); }));
+  };
+  return !scene.lights.empty() || std::any_of(scene.shapes.begin(), scene.shapes.end(), emits);
+}
+
+void report_lost_lights(const XmlElement& root, SceneBuilder& builder) {
+  builder.scene.lost_emitters = static_cast<int>(builder.lost_emitters.size());
+  if (builder.lost_emitters.empty() || has_light(builder.scene)) return;
+  const std::set<std::string> types(builder.lost_emitters.begin(), builder.lost_emitters.end());
+  builder.diagnostics.warning(
+      root.where, fmt::format("no light is left: all {} emitters were left out ({}), so surfaces stay black; add an "
+                              "<emitter> that strahl has, for example type=\"constant\"",
+                              builder.lost_emitters.size(), fmt::join(types, ", ")));
+}
+
 /// Definitions wait for a <ref>; without an id nothing can refer to them.
 void read_definitions(const std::vector<const XmlElement*>& elements, SceneBuilder& builder) {
   for (const XmlElement* element : elements) {
@@ -55,7 +79,8 @@ void read_scene(const XmlElement& root, SceneBuilder& builder) {
   builder.scene.shapes.reserve(shapes.size());
   for (const XmlElement* shape : shapes) read_one_shape(*shape, builder);
   for (const XmlElement* emitter : properties.objects("emitter")) read_light(*emitter, builder);
-  read_integrators(properties.objects("integrator"), builder);
+  report_lost_lights(root, builder);
+  read_integrators(properties.objects("integrator"), root, builder);
   read_sensors(properties.objects("sensor"), root, builder);
   for (const char* tag : {"texture", "spectrum", "rgb", "film", "sampler", "rfilter"})
     read_definitions(properties.objects(tag), builder);

@@ -124,9 +124,9 @@ void read_sensor(const XmlElement& element, SceneBuilder& builder) {
     builder.scene.sampler = read_sampler(*sampler, builder);
   properties.accept({"focus_distance", "shutter_open", "shutter_close"});
   if (projection == nullptr) {
-    builder.diagnostics.unknown(
-        element.where, fmt::format("unknown sensor \"{}\"{}; a perspective camera takes its place", properties.type(),
-                                   did_you_mean_plugin(projections(), properties.type())));
+    builder.diagnostics.unknown(element.where,
+                                fmt::format("{}; a perspective camera takes its place",
+                                            not_available("sensor", properties.type(), types_of(projections()))));
     properties.accept_all();
   }
   properties.report_unknown();

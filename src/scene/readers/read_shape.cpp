@@ -37,8 +37,8 @@ const PluginTable<ShapeReader>& shape_readers() {
 }
 
 std::vector<std::string> shape_types() {
-  std::vector<std::string> types{"shapegroup", "instance"};
-  for (const auto& [type, reader] : shape_readers()) types.push_back(type);
+  std::vector<std::string> types = types_of(shape_readers());
+  types.insert(types.end(), {"shapegroup", "instance"});
   return types;
 }
 
@@ -48,6 +48,7 @@ void read_area_emitter(const XmlElement& element, Shape& shape, SceneBuilder& bu
     builder.diagnostics.unknown(
         element.where, fmt::format("{} cannot be part of a shape{}; the shape does not emit", properties.title(),
                                    did_you_mean(properties.type(), {"area"})));
+    builder.lost_emitters.emplace_back(properties.type());
     return;
   }
   shape.radiance = properties.color("radiance", ColorUse::emission, {1, 1, 1}).value_or(Rgb{1, 1, 1});
@@ -90,8 +91,9 @@ void read_shape(const XmlElement& element, SceneBuilder& builder, std::vector<Sh
   Properties properties(element, builder.ids, builder.diagnostics);
   const ShapeReader* reader = find_plugin(shape_readers(), properties.type());
   if (reader == nullptr) {
-    builder.diagnostics.unknown(element.where, fmt::format("unknown shape \"{}\"{}; it is left out", properties.type(),
-                                                           did_you_mean(properties.type(), shape_types())));
+    builder.diagnostics.unknown(
+        element.where, fmt::format("{}; it is left out", not_available("shape", properties.type(), shape_types())));
+    if (!properties.objects("emitter").empty()) builder.lost_emitters.emplace_back("area");
     return;
   }
   Shape shape;
@@ -107,6 +109,8 @@ void read_shape(const XmlElement& element, SceneBuilder& builder, std::vector<Sh
   const Transform to_world = properties.transform("to_world").value_or(Transform{});
   ShapeInput input{properties, to_world, shape, bsdf != nullptr, builder};
   shape.geometry = (*reader)(input);
+  if (input.is_left_out && shape.radiance) builder.lost_emitters.emplace_back("area");
+  if (input.is_left_out) return properties.report_unknown();
   if (shape.priority && !has_glass(shape, builder.scene))
     builder.diagnostics.unknown(properties.where("priority"),
                                 "\"priority\" has no effect here: it ranks shapes of bsdf dielectric alone");

@@ -16,6 +16,7 @@ struct ShapeInput {
   Shape& shape;               ///< Material, radiance and flip_normals are set already; a reader may change them.
   bool has_material = false;  ///< The shape has a <bsdf> of its own.
   SceneBuilder& builder;
+  bool is_left_out = false;  ///< Set by a reader that has warned that nothing can be seen of the shape.
 };
 
 /// World-frame geometry, for the types that shapes.def names in the row of S. After an error (in the diagnostics) any
@@ -30,8 +31,8 @@ void read_shape(const XmlElement& element, SceneBuilder& builder, std::vector<Sh
 /// <shape type="shapegroup"> and <shape type="instance">, which are no shapes of the scene themselves.
 [[nodiscard]] bool is_group(const XmlElement& shape);
 [[nodiscard]] bool is_instance(const XmlElement& shape);
-/// Index into Scene::groups; each is read once.
-int group_index(const XmlElement& element, SceneBuilder& builder);
+/// Index into Scene::groups; each is read once. None where all its shapes were left out, which is then said.
+std::optional<int> group_index(const XmlElement& element, SceneBuilder& builder);
 /// Appended to builder.scene.
 void read_instance(const XmlElement& element, SceneBuilder& builder);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// strahl computes in RGB: a constant spectrum is grey, a tabulated one its mean until spectra come.
+// strahl computes in RGB: a spectrum becomes what the CIE 1931 standard observer sees of it.
 #include "scene/xml/color_value.h"
 
 #include <fmt/format.h>
@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scene/spectra/observer.h"
 #include "scene/xml/parse_value.h"
 
 namespace strahl {
@@ -16,6 +17,8 @@ namespace {
 std::string shown(const Rgb& c) {
   return c.r == c.g && c.g == c.b ? fmt::format("{}", c.r) : fmt::format("{}, {}, {}", c.r, c.g, c.b);
 }
+
+Rgb scaled(double by, const Rgb& c) { return {by * c.r, by * c.g, by * c.b}; }
 
 std::optional<Rgb> checked(const std::optional<Rgb>& color, const XmlElement& element, Diagnostics& diagnostics) {
   const bool finite = color && is_finite(Vec3{color->r, color->g, color->b});
@@ -33,52 +36,74 @@ std::optional<Rgb> listed_color(std::string_view text) {
   return values->size() == 3 ? std::optional(Rgb{(*values)[0], (*values)[1], (*values)[2]}) : std::nullopt;
 }
 
-std::optional<Rgb> mean_of_pairs(std::string_view text) {
-  double sum = 0;
-  const std::vector<std::string_view> pairs = split_list(text);
-  for (const std::string_view pair : pairs) {
-    const std::size_t colon = pair.find(':');
-    if (colon == std::string::npos || !parse_number(pair.substr(0, colon))) return std::nullopt;
-    const std::optional<double> value = parse_number(pair.substr(colon + 1));
-    if (!value) return std::nullopt;
-    sum += *value / static_cast<double>(pairs.size());
+std::optional<Rgb> constant_spectrum(const XmlElement& element, ColorUse use, Diagnostics& diagnostics) {
+  const std::string_view text = element.text("value");
+  const std::optional<Rgb> color = checked(listed_color(text), element, diagnostics);
+  const bool is_one_number = parse_number(text).has_value();
+  return color && is_one_number && use == ColorUse::emission ? std::optional(rgb_of_constant_emission(color->r))
+                                                             : color;
+}
+
+std::optional<Rgb> read_spectrum(const XmlElement& element, ColorUse use, Diagnostics& diagnostics) {
+  const std::optional<std::string_view> value = element.attribute("value"), file = element.attribute("filename");
+  if (value.has_value() == file.has_value()) {
+    diagnostics.error(element.where, "<spectrum> needs either value or filename");
+    return std::nullopt;
   }
-  return Rgb{sum, sum, sum};
+  if (value && value->find(':') == std::string_view::npos) return constant_spectrum(element, use, diagnostics);
+  std::optional<SpectrumCurve> curve;
+  if (value) {
+    curve = curve_of_pairs(*value);
+    if (!curve)
+      diagnostics.error(element.where, fmt::format("\"{}\" in <spectrum> is no list such as \"400:0.1, 700:0.3\", "
+                                                   "whose values are finite and whose wavelengths ascend",
+                                                   *value));
+  } else {
+    try {
+      curve = curve_of_file(std::string(*file));
+    } catch (const InputError& fault) {
+      diagnostics.error(element.where, fault.what());
+    }
+  }
+  return curve ? std::optional(color_of_curve(*curve, use)) : std::nullopt;
 }
 
-std::optional<Rgb> substituted(const XmlElement& element, const std::string& what, const Rgb& substitute,
-                               Diagnostics& diagnostics) {
-  diagnostics.unknown(element.where,
-                      fmt::format("{} is not supported yet; the constant {} takes its place", what, shown(substitute)));
-  return substitute;
-}
-
-std::optional<Rgb> read_spectrum(const XmlElement& element, const Rgb& substitute, Diagnostics& diagnostics) {
-  if (const std::optional<std::string_view> type = element.attribute("type"))
-    return substituted(element, fmt::format("<spectrum type=\"{}\">", *type), substitute, diagnostics);
-  const std::optional<std::string_view> value = element.attribute("value");
-  if (!value) return substituted(element, "a spectrum from a file", substitute, diagnostics);
-  if (value->find(':') == std::string::npos) return checked(listed_color(*value), element, diagnostics);
-  const std::optional<Rgb> mean = checked(mean_of_pairs(*value), element, diagnostics);
-  if (mean)
-    diagnostics.unknown(element.where,
-                        fmt::format("strahl computes in RGB; the spectrum's mean {} takes its place", mean->r));
-  return mean;
+/// "5000" or, in Mitsuba 0.x, "5000K".
+std::optional<Rgb> read_blackbody(const XmlElement& element, ColorUse use, Diagnostics& diagnostics) {
+  std::string_view text = element.text("temperature");
+  if (text.ends_with('K') || text.ends_with('k')) text.remove_suffix(1);
+  const std::optional<double> kelvin = parse_number(text);
+  const std::optional<double> scale = parse_number(element.attribute("scale").value_or("1"));
+  if (kelvin && scale && std::isfinite(*scale) && *kelvin > 0 && std::isfinite(*kelvin))
+    return scaled(*scale, color_of_curve(planck_curve(*kelvin), use));
+  diagnostics.error(element.where, "<blackbody> needs a temperature in kelvin, greater than 0, and a finite scale");
+  return std::nullopt;
 }
 
 }  // namespace
 
-std::optional<Rgb> read_color(const XmlElement& element, const Rgb& substitute, Diagnostics& diagnostics) {
-  if (element.tag == "spectrum") return read_spectrum(element, substitute, diagnostics);
-  if (element.tag == "texture" || element.tag == "volume")
-    return substituted(element, fmt::format("<{} type=\"{}\">", element.tag, element.text("type")), substitute,
-                       diagnostics);
-  if (element.tag == "blackbody") return substituted(element, "<blackbody>", substitute, diagnostics);
+std::optional<Rgb> read_color(const XmlElement& element, ColorUse use, const Rgb& substitute,
+                              Diagnostics& diagnostics) {
+  if (element.tag == "spectrum" && !element.attribute("type")) return read_spectrum(element, use, diagnostics);
+  if (element.tag == "blackbody") return read_blackbody(element, use, diagnostics);
+  if (element.attribute("type")) {
+    diagnostics.unknown(element.where, fmt::format("<{} type=\"{}\"> is not supported yet here; the constant {} takes "
+                                                   "its place",
+                                                   element.tag, element.text("type"), shown(substitute)));
+    return substitute;
+  }
   std::optional<Rgb> color = checked(listed_color(element.text("value")), element, diagnostics);
   const bool is_encoded = element.tag == "srgb" && !parse_hex_color(element.text("value"));
   if (color && is_encoded)
     color = Rgb{linear_from_srgb(color->r), linear_from_srgb(color->g), linear_from_srgb(color->b)};
   return color;
+}
+
+Rgb color_of_curve(const SpectrumCurve& curve, ColorUse use) {
+  if (use == ColorUse::emission) return rgb_of_emission(curve);
+  const Rgb weight = rgb_of_weight(curve);
+  if (use == ColorUse::index) return weight;
+  return {std::min(weight.r, 1.0), std::min(weight.g, 1.0), std::min(weight.b, 1.0)};
 }
 
 Rgb clamped_reflectance(const Rgb& reflectance, const SourceLocation& where, std::string_view name,

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "scene/model/vec.h"
 #include "scene/xml/diagnostics.h"
@@ -11,9 +12,22 @@
 
 namespace strahl {
 
-/// <rgb>, <srgb>, <spectrum>, <float>. A measured spectrum becomes its mean, a texture `substitute`, both with a
-/// warning. None after an error: not a colour, not finite.
-[[nodiscard]] std::optional<Rgb> read_color(const XmlElement& element, const Rgb& substitute, Diagnostics& diagnostics);
+struct SpectrumCurve;
+
+/// What a colour is for: it decides what values are possible, and how a spectrum becomes one.
+enum class ColorUse {
+  reflectance,  ///< A share of the light, within [0, 1].
+  emission,     ///< Not negative.
+  index         ///< Of refraction, eta and k: not negative.
+};
+
+/// <rgb>, <srgb>, <spectrum>, <blackbody>, <float>; of a texture `substitute`, with a warning. None after an error: not
+/// a colour, not finite.
+[[nodiscard]] std::optional<Rgb> read_color(const XmlElement& element, ColorUse use, const Rgb& substitute,
+                                            Diagnostics& diagnostics);
+
+/// What the curve looks like; a reflectance within [0, 1], whatever the gamut of sRGB makes of it.
+[[nodiscard]] Rgb color_of_curve(const SpectrumCurve& curve, ColorUse use);
 
 /// Within [0, 1], with a warning where it was not.
 [[nodiscard]] Rgb clamped_reflectance(const Rgb& reflectance, const SourceLocation& where, std::string_view name,

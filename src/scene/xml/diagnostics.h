@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Collects every problem of a scene, so that all are reported at once and in file order.
+// Collects every problem of a scene, so that all are reported at once and in file order. Like ones become one.
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "errors.h"
@@ -19,23 +20,34 @@ class Diagnostics {
   void unknown(const SourceLocation& where, std::string message) {
     add(strict_ ? Severity::error : Severity::warning, where, std::move(message));
   }
-  void append(const std::vector<Diagnostic>& others) { all_.insert(all_.end(), others.begin(), others.end()); }
+  /// An error: a file that `where` asks for and that cannot be read. Many of them are alike, whatever their names.
+  void unreadable(const SourceLocation& where, const std::string& path, const std::string& obstacle);
+  void append(const std::vector<Diagnostic>& others) {
+    for (const Diagnostic& other : others) add(other.severity, other.where, other.message);
+  }
   /// Files are reported in the order in which they were opened.
   void opened(const std::string& file) { files_.push_back(file); }
   [[nodiscard]] const std::vector<std::string>& files() const { return files_; }
 
   [[nodiscard]] bool has_errors() const;
-  /// By file, then line, then column.
+  /// By file, then line, then column. Of more than three that are alike only the first is left, which counts them and
+  /// names the places of the next two.
   [[nodiscard]] std::vector<Diagnostic> in_file_order() const;
 
  private:
+  struct Problem {
+    Diagnostic told;
+    std::string kind;  ///< Problems of one kind are alike.
+  };
+
   void add(Severity severity, const SourceLocation& where, std::string message) {
-    all_.push_back({severity, where, std::move(message)});
+    std::string kind = message;
+    all_.push_back({{severity, where, std::move(message)}, std::move(kind)});
   }
 
   bool strict_;
   std::vector<std::string> files_;
-  std::vector<Diagnostic> all_;
+  std::vector<Problem> all_;
 };
 
 }  // namespace strahl

@@ -2,9 +2,12 @@
 // std::from_chars, as it knows no locale; the sRGB curve is that of IEC 61966-2-1.
 #include "scene/xml/parse_value.h"
 
+#include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 #include <string>
 
 namespace strahl {
@@ -43,11 +46,16 @@ std::optional<double> parse_number(std::string_view text) {
 
 std::optional<int> parse_integer(std::string_view text) {
   int value = 0;
-  return parse_whole(text, value) == std::errc{} ? std::optional(value) : std::nullopt;
+  const std::errc fault = parse_whole(text, value);
+  if (fault == std::errc::result_out_of_range)
+    return trimmed(text)[0] == '-' ? std::numeric_limits<int>::min() : std::numeric_limits<int>::max();
+  return fault == std::errc{} ? std::optional(value) : std::nullopt;
 }
 
 std::optional<bool> parse_boolean(std::string_view text) {
-  const std::string_view word = trimmed(text);
+  std::string word(trimmed(text));
+  std::transform(word.begin(), word.end(), word.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   if (word == "true") return true;
   return word == "false" ? std::optional(false) : std::nullopt;
 }

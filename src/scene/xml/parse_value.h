@@ -13,8 +13,9 @@ namespace strahl {
 /// The whole text as a number; too large is infinite, too small is 0. "inf" and "nan" are read: callers say that the
 /// value is not finite.
 [[nodiscard]] std::optional<double> parse_number(std::string_view text);
+/// Beyond the range of int it is the nearest one.
 [[nodiscard]] std::optional<int> parse_integer(std::string_view text);
-/// "true" and "false".
+/// "true" and "false", in upper or lower case.
 [[nodiscard]] std::optional<bool> parse_boolean(std::string_view text);
 /// Words separated by commas and white space; they point into the text.
 [[nodiscard]] std::vector<std::string_view> split_list(std::string_view text);

@@ -10,13 +10,14 @@
 #include "did_you_mean.h"
 #include "scene/xml/color_value.h"
 #include "scene/xml/parse_value.h"
+#include "scene/xml/typed_spectrum.h"
 #include "scene/xml/xml_transform.h"
 #include "scene/xml/xml_vocabulary.h"
 
 namespace strahl {
 
 Properties::Properties(const XmlElement& element, const ElementIds& ids, Diagnostics& diagnostics)
-    : element_(element), diagnostics_(diagnostics) {
+    : element_(element), ids_(ids), diagnostics_(diagnostics) {
   std::size_t count = 0;
   for (const XmlElement* child = element.first_child; child != nullptr; child = child->next_sibling) ++count;
   entries_.reserve(count);
@@ -91,7 +92,7 @@ std::optional<int> Properties::integer(std::string_view name) {
   const std::optional<int> value = parse_integer(given->text("value"));
   if (!value)
     diagnostics_.error(given->where,
-                       fmt::format("\"{}\" is \"{}\", which is not a 32-bit integer", name, given->text("value")));
+                       fmt::format("\"{}\" is \"{}\", which is not a whole number", name, given->text("value")));
   return value;
 }
 
@@ -142,12 +143,29 @@ std::optional<Rgb> Properties::color(std::string_view name, ColorUse use, const 
   const XmlElement* given =
       take(name, {"rgb", "srgb", "spectrum", "float", "integer", "texture", "blackbody", "volume"});
   if (given == nullptr) return std::nullopt;
-  std::optional<Rgb> value = read_color(*given, substitute, diagnostics_);
+  std::optional<Rgb> value;
+  if (is_typed_spectrum(*given)) {
+    Properties spectrum(*given, ids_, diagnostics_);
+    value = read_typed_spectrum(spectrum, use);
+  } else {
+    value = read_color(*given, use, substitute, diagnostics_);
+  }
   if (!value) return std::nullopt;
   if (use == ColorUse::reflectance) return clamped_reflectance(*value, given->where, name, diagnostics_);
   if (value->r >= 0 && value->g >= 0 && value->b >= 0) return value;
-  diagnostics_.error(where(name), fmt::format("\"{}\" is negative; light cannot be", name));
+  diagnostics_.error(where(name), fmt::format("\"{}\" is negative; {} cannot be", name,
+                                              use == ColorUse::emission ? "light" : "an index"));
   return std::nullopt;
+}
+
+std::optional<std::vector<double>> Properties::numbers(std::string_view name) {
+  const XmlElement* given = take(name, {"string", "float"});
+  if (given == nullptr) return std::nullopt;
+  std::optional<std::vector<double>> values = parse_numbers(given->text("value"));
+  if (!values)
+    diagnostics_.error(given->where,
+                       fmt::format("\"{}\" is \"{}\", which is no list of numbers", name, given->text("value")));
+  return values;
 }
 
 std::vector<const XmlElement*> Properties::objects(std::string_view tag) {

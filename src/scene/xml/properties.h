@@ -10,14 +10,12 @@
 #include <vector>
 
 #include "scene/model/vec.h"
+#include "scene/xml/color_value.h"
 #include "scene/xml/diagnostics.h"
 #include "scene/xml/element_ids.h"
 #include "scene/xml/xml_element.h"
 
 namespace strahl {
-
-/// What a colour is for: it decides what values are possible.
-enum class ColorUse { reflectance, emission };
 
 class Properties {
  public:
@@ -37,6 +35,7 @@ class Properties {
   [[nodiscard]] std::optional<int> integer(std::string_view name);
   [[nodiscard]] std::optional<bool> boolean(std::string_view name);
   [[nodiscard]] std::optional<std::string> string(std::string_view name);
+  [[nodiscard]] std::optional<std::vector<double>> numbers(std::string_view name);
   [[nodiscard]] std::optional<Vec3> vector(std::string_view name);
   [[nodiscard]] std::optional<Transform> transform(std::string_view name);
   /// A colour; what strahl cannot read as one is replaced by `substitute` with a warning.
@@ -70,6 +69,7 @@ class Properties {
   void report_duplicates();
 
   const XmlElement& element_;
+  const ElementIds& ids_;
   Diagnostics& diagnostics_;
   std::vector<Entry> entries_;
   std::vector<std::string> known_;

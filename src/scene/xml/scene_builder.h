@@ -12,24 +12,27 @@
 #include "scene/model/scene.h"
 #include "scene/xml/diagnostics.h"
 #include "scene/xml/element_ids.h"
+#include "scene/xml/search_path.h"
 #include "scene/xml/xml_element.h"
 
 namespace strahl {
 
 struct SceneBuilder {
   Scene scene;
-  std::string file;  ///< The main scene file.
+  const SearchPath& search_path;
   const ElementIds& ids;
   Diagnostics& diagnostics;
   const LoadProgress& mesh_progress;
 
   // read_material.cpp: a bsdf that several shapes refer to is read once.
-  std::map<const XmlElement*, Material> materials;
-  std::map<const XmlElement*, int> material_indices;
-  std::set<const XmlElement*> materials_being_read;
-  std::optional<int> black_material;                 ///< read_shape.cpp, once it is needed.
-  std::map<const XmlElement*, int> texture_indices;  ///< read_texture.cpp, likewise.
-  std::map<const XmlElement*, int> group_indices;    ///< read_group.cpp, likewise.
+  std::map<const XmlElement*, Material> materials{};
+  std::map<const XmlElement*, int> material_indices{};
+  std::set<const XmlElement*> materials_being_read{};
+  std::set<const XmlElement*> integrators_being_read{};             ///< Those around others.
+  std::optional<int> black_material{};                              ///< read_shape.cpp, once it is needed.
+  std::map<const XmlElement*, int> texture_indices{};               ///< read_texture.cpp, likewise.
+  std::map<const XmlElement*, std::optional<int>> group_indices{};  ///< read_group.cpp; none: nothing is left of it.
+  std::vector<std::string> lost_emitters{};                         ///< The type of each emitter that was left out.
 };
 
 /// Reads all that a checked <scene> holds into builder.scene.

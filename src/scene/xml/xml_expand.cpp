@@ -40,9 +40,14 @@ std::string canonical_path(const std::string& path) {
 
 class Expander {
  public:
-  Expander(std::string main_file, const std::map<std::string, std::string>& defines, XmlPool& pool,
-           Diagnostics& diagnostics)
-      : main_file_(std::move(main_file)), defines_(defines), values_(defines), pool_(pool), diagnostics_(diagnostics) {}
+  Expander(std::string main_file, const std::map<std::string, std::string>& defines, SearchPath& search_path,
+           XmlPool& pool, Diagnostics& diagnostics)
+      : main_file_(std::move(main_file)),
+        defines_(defines),
+        values_(defines),
+        search_path_(search_path),
+        pool_(pool),
+        diagnostics_(diagnostics) {}
 
   [[nodiscard]] XmlElement* read(const std::string& path, const SourceLocation& referrer) {
     const std::string canonical = canonical_path(path);
@@ -82,6 +87,8 @@ class Expander {
         add_default(child);
       } else if (child.tag == "include") {
         *end = include(child);
+      } else if (child.tag == "path") {
+        add_folder(child);
       } else {
         expand_children(child);
         *end = &child;
@@ -101,6 +108,15 @@ class Expander {
     values_.emplace(*name, *value);
   }
 
+  void add_folder(const XmlElement& element) {
+    const std::optional<std::string_view> folder = element.attribute("value");
+    if (!folder) return diagnostics_.error(element.where, "<path> needs the attribute value");
+    const std::string path = search_path_.find(*folder, *element.where.file);
+    std::error_code ignored;
+    if (std::filesystem::is_directory(path, ignored)) return search_path_.prepend(path);
+    diagnostics_.unknown(element.where, fmt::format("\"{}\" is no folder; <path> is ignored", path));
+  }
+
   /// The first of those that take the place of an <include>; null where none do.
   [[nodiscard]] XmlElement* include(const XmlElement& element) {
     const std::optional<std::string_view> name = element.attribute("filename");
@@ -113,7 +129,7 @@ class Expander {
         diagnostics_.error(element.where, fmt::format("more than {} includes", most_includes));
       return nullptr;
     }
-    XmlElement* root = read(resolve_path(*name, *element.where.file, main_file_), element.where);
+    XmlElement* root = read(search_path_.find(*name, *element.where.file), element.where);
     return root != nullptr && root->tag == "scene" ? root->first_child : root;
   }
 
@@ -166,27 +182,29 @@ class Expander {
   std::set<std::string> defaults_;
   std::vector<std::string> open_;  ///< Canonical paths of the files being expanded, outermost first.
   int includes_ = 0;
+  SearchPath& search_path_;
   XmlPool& pool_;
   Diagnostics& diagnostics_;
 };
 
-}  // namespace
-
-XmlElement* read_expanded_xml(const std::string& path, const std::map<std::string, std::string>& defines, XmlPool& pool,
-                              Diagnostics& diagnostics) {
-  Expander expander(path, defines, pool, diagnostics);
-  XmlElement* root = expander.read(path, {});
-  if (root != nullptr) expander.report_unused_defines();
-  return root;
+void find_spectra(XmlElement& element, const SearchPath& search_path, XmlPool& pool) {
+  for (XmlAttribute& attribute : element.attributes)
+    if (element.tag == "spectrum" && attribute.name == std::string_view("filename"))
+      attribute.value = pool.keep(search_path.find(attribute.value, *element.where.file)).c_str();
+  for (XmlElement* child = element.first_child; child != nullptr; child = child->next_sibling)
+    find_spectra(*child, search_path, pool);
 }
 
-std::string resolve_path(std::string_view name, const std::string& asking_file, const std::string& main_file) {
-  namespace fs = std::filesystem;
-  const fs::path beside_asking = fs::path(asking_file).parent_path() / name;
-  const fs::path beside_main = fs::path(main_file).parent_path() / name;
-  std::error_code ignored;
-  const bool only_beside_main = !fs::exists(beside_asking, ignored) && fs::exists(beside_main, ignored);
-  return (only_beside_main ? beside_main : beside_asking).lexically_normal().string();
+}  // namespace
+
+XmlElement* read_expanded_xml(const std::string& path, const std::map<std::string, std::string>& defines,
+                              SearchPath& search_path, XmlPool& pool, Diagnostics& diagnostics) {
+  Expander expander(path, defines, search_path, pool, diagnostics);
+  XmlElement* root = expander.read(path, {});
+  if (root == nullptr) return nullptr;
+  expander.report_unused_defines();
+  find_spectra(*root, search_path, pool);
+  return root;
 }
 
 }  // namespace strahl

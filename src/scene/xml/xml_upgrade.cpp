@@ -9,14 +9,51 @@
 #include <cctype>
 #include <charconv>
 
+#include "scene/xml/xml_vocabulary.h"
+
 namespace strahl {
 
 namespace {
 
+/// Of a parameter that is given several times Mitsuba 0.x takes the last.
+void drop_repeated(XmlElement& element, Diagnostics& diagnostics) {
+  for (XmlElement** place = &element.first_child; XmlElement* child = *place;) {
+    const std::string_view name = child->text("name");
+    const XmlElement* later = child->next_sibling;
+    const bool is_parameter = !name.empty() && child->tag != "default" && !is_object_tag(child->tag);
+    while (is_parameter && later != nullptr && (later->text("name") != name || later->tag == "default"))
+      later = later->next_sibling;
+    if (is_parameter && later != nullptr) {
+      diagnostics.warning(child->where, fmt::format("\"{}\" is given again at {}, which counts", name,
+                                                    SourceLocation(later->where).text()));
+      *place = child->next_sibling;
+    } else {
+      place = &child->next_sibling;
+    }
+  }
+}
+
 bool is_lower(char c) { return std::islower(static_cast<unsigned char>(c)) != 0; }
 bool is_upper(char c) { return std::isupper(static_cast<unsigned char>(c)) != 0; }
 
-void rename(XmlElement& element, bool parameters, XmlPool& pool) {
+/// In 0.x a metal without a name is copper, in Mitsuba 3 the ideal mirror.
+void name_copper(XmlElement& element, XmlPool& pool) {
+  const std::string_view type = element.text("type");
+  if (element.tag != "bsdf" || (type != "conductor" && type != "roughconductor")) return;
+  for (const XmlElement* child = element.first_child; child != nullptr; child = child->next_sibling)
+    for (const char* given : {"material", "eta", "k"})
+      if (child->text("name") == given) return;
+  XmlElement& material = pool.row<XmlElement>(1).front();
+  material.tag = "string";
+  material.attributes = pool.row<XmlAttribute>(2);
+  material.attributes[0] = {"name", "material"};
+  material.attributes[1] = {"value", "Cu"};
+  material.where = element.where;
+  material.next_sibling = element.first_child;
+  element.first_child = &material;
+}
+
+void rename(XmlElement& element, bool parameters, XmlPool& pool, Diagnostics& diagnostics) {
   if (element.tag == "lookAt") element.tag = "lookat";
   if (parameters && element.tag != "default") {
     for (XmlAttribute& attribute : element.attributes) {
@@ -27,7 +64,10 @@ void rename(XmlElement& element, bool parameters, XmlPool& pool) {
     }
   }
   for (XmlElement* child = element.first_child; child != nullptr; child = child->next_sibling)
-    rename(*child, parameters, pool);
+    rename(*child, parameters, pool, diagnostics);
+  if (!parameters) return;
+  drop_repeated(element, diagnostics);
+  name_copper(element, pool);
 }
 
 }  // namespace
@@ -57,7 +97,7 @@ void upgrade_to_version_3(XmlElement& root, XmlPool& pool, Diagnostics& diagnost
   } else if (root.tag == "scene") {
     diagnostics.warning(root.where, "<scene> has no version; it is read as version=\"3.0.0\"");
   }
-  rename(root, major < 2, pool);
+  rename(root, major < 2, pool, diagnostics);
 }
 
 }  // namespace strahl

@@ -35,11 +35,11 @@ const std::vector<Tag>& vocabulary() {
         {"matrix", {"value"}, {}},
         {"point", {"name"}, {"x", "y", "z", "value"}},
         {"vector", {"name"}, {"x", "y", "z", "value"}},
-        {"spectrum", {}, {"name", "value", "filename", "type", "id"}, true},
+        {"spectrum", {}, {"name", "value", "filename", "type", "id", "intent"}, true},
         {"blackbody", {}, {"name", "temperature", "scale"}},
     };
-    for (const char* value : {"float", "integer", "boolean", "string", "rgb", "srgb"})
-      all.push_back({value, {"name", "value"}, {}});
+    for (const char* value : {"float", "integer", "boolean", "string"}) all.push_back({value, {"name", "value"}, {}});
+    for (const char* color : {"rgb", "srgb"}) all.push_back({color, {"name", "value"}, {"intent"}});
     for (const char* object : {"integrator", "sensor", "film", "rfilter", "sampler", "bsdf", "shape", "emitter",
                                "texture", "medium", "phase", "volume"})
       all.push_back({object, {"type"}, {"id", "name"}, true});

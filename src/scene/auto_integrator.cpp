@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+// Without a surface that reflects, paths end at the first hit. Light is reflected once at most where the only surface
+// that reflects is convex: no ray that leaves it meets it again.
+#include "scene/auto_integrator.h"
+
+#include <algorithm>
+#include <variant>
+#include <vector>
+
+#include "kinds/materials.h"
+
+namespace strahl {
+
+namespace {
+
+bool is_black(const Material& material) {
+  const auto* diffuse = std::get_if<Diffuse>(&material.bsdf);
+  return diffuse != nullptr && diffuse->reflectance.texture < 0 && diffuse->reflectance.color == Rgb{0, 0, 0};
+}
+
+bool reflects(const Shape& shape, const Scene& scene) {
+  const auto is_reflecting = [&](int material) {
+    return !is_black(scene.materials.at(static_cast<std::size_t>(material)));
+  };
+  const auto* mesh = std::get_if<Mesh>(&shape.geometry);
+  if (mesh == nullptr || mesh->parts.empty()) return is_reflecting(shape.material);
+  return std::any_of(mesh->parts.begin(), mesh->parts.end(),
+                     [&](const MeshPart& part) { return is_reflecting(part.material); });
+}
+
+/// Of the sides that reflect.
+bool is_convex(const Shape& shape, const Material& material) {
+  const Geometry& g = shape.geometry;
+  if (std::holds_alternative<Plane>(g) || std::holds_alternative<Rectangle>(g) || std::holds_alternative<Triangle>(g) ||
+      std::holds_alternative<Disk>(g))
+    return true;
+  const bool is_closed =
+      std::holds_alternative<Sphere>(g) || std::holds_alternative<Box>(g) || std::holds_alternative<Cube>(g);
+  return is_closed && !shape.flip_normals && !material.twosided;
+}
+
+struct IntegratorChoice {
+  const char* name;
+  const char* why;
+};
+
+IntegratorChoice integrator_for(const Scene& scene) {
+  if (scene.integrator.max_depth == 0 || scene.integrator.max_depth == 1)
+    return {"emission", "max_depth leaves nothing but emission"};
+  std::vector<const Shape*> reflecting;
+  for_each_shape(scene, [&](const Shape& shape) {
+    if (reflecting.size() < 2 && reflects(shape, scene)) reflecting.push_back(&shape);
+  });
+  if (reflecting.empty()) return {"emission", "no surface reflects light"};
+  if (scene.integrator.max_depth == 2) return {"direct", "max_depth lets light be reflected once"};
+  if (reflecting.size() == 1 && scene.groups.empty()) {
+    const Shape& shape = *reflecting.front();
+    const Material& material = scene.materials.at(static_cast<std::size_t>(shape.material));
+    const MaterialFacts facts = material_facts(material);
+    if (is_convex(shape, material) && !facts.has_lobe(lobes::LOBE_DELTA) && !transmits(material))
+      return {"direct", "the only surface that reflects is convex, so light is reflected once at most"};
+  }
+  return {"path", "light may be reflected more than once"};
+}
+
+}  // namespace
+
+void choose_integrator(Scene& scene) {
+  const IntegratorChoice choice = integrator_for(scene);
+  scene.integrator.name = choice.name;
+  scene.integrator.why = choice.why;
+}
+
+}  // namespace strahl

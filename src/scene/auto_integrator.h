@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+// Integrator "auto": the cheapest one whose picture has the same expectation as that of "path".
+#pragma once
+
+#include "scene/model/scene.h"
+
+namespace strahl {
+
+/// Sets scene.integrator.name, to "emission", "direct" or "path", and why. It depends on the scene alone: its shapes,
+/// materials and the integrator's max_depth.
+void choose_integrator(Scene& scene);
+
+}  // namespace strahl

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+#include "scene/xml/search_path.h"
+
+#include <filesystem>
+
+namespace strahl {
+
+std::string SearchPath::find(std::string_view name, const std::string& asking_file) const {
+  namespace fs = std::filesystem;
+  const fs::path beside_asking = fs::path(asking_file).parent_path();
+  std::vector<fs::path> folders(folders_.begin(), folders_.end());
+  folders.push_back(beside_asking);
+  folders.push_back(fs::path(main_file_).parent_path());
+  std::error_code ignored;
+  for (const fs::path& folder : folders)
+    if (fs::exists(folder / name, ignored)) return (folder / name).lexically_normal().string();
+  return (beside_asking / name).lexically_normal().string();
+}
+
+}  // namespace strahl

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+// Which integrator "auto" takes: the cheapest that shows what path shows.
+#include <catch2/catch.hpp>
+
+#include "scene/scene_text.h"
+
+using namespace strahl;
+using namespace strahl::test;
+
+namespace {
+
+const std::string lamp = "<emitter type=\"point\"/><shape type=\"sphere\"><emitter type=\"area\"/></shape>";
+
+IntegratorSettings chosen(const std::string& body) { return load_body(body + lamp).scene.integrator; }
+
+std::string shape_of(const std::string& type, const std::string& inside = "") {
+  return "<shape type=\"" + type + "\">" + inside + "</shape>";
+}
+
+}  // namespace
+
+TEST_CASE("without a surface that reflects it is emission") {
+  CHECK(chosen("").name == "emission");
+  CHECK(chosen("").why == "no surface reflects light");
+  const std::string black = "<bsdf type=\"diffuse\"><rgb name=\"reflectance\" value=\"0\"/></bsdf>";
+  CHECK(chosen(shape_of("cube", black)).name == "emission");
+  const std::string board =
+      "<bsdf type=\"diffuse\"><texture type=\"checkerboard\" name=\"reflectance\"><rgb name=\"color0\" value=\"0\"/>"
+      "<rgb name=\"color1\" value=\"0\"/></texture></bsdf>";
+  CHECK(chosen(shape_of("rectangle", board)).name == "direct");
+}
+
+TEST_CASE("with one convex surface that reflects it is direct") {
+  for (const char* type : {"plane", "rectangle", "disk", "sphere", "cube"}) {
+    INFO(type);
+    CHECK(chosen(shape_of(type)).name == "direct");
+  }
+  const std::string twosided = "<bsdf type=\"twosided\"><bsdf type=\"diffuse\"/></bsdf>";
+  CHECK(chosen(shape_of("rectangle", twosided)).name == "direct");
+  CHECK(chosen(shape_of("sphere", twosided)).name == "path");
+  CHECK(chosen(shape_of("sphere", "<boolean name=\"flip_normals\" value=\"true\"/>")).name == "path");
+  CHECK(chosen(shape_of("cylinder")).name == "path");
+  CHECK(chosen(shape_of("rectangle", "<bsdf type=\"conductor\"/>")).name == "path");
+  CHECK(chosen(shape_of("sphere", "<bsdf type=\"dielectric\"/>")).name == "path");
+  CHECK(chosen(shape_of("sphere") + shape_of("plane")).name == "path");
+}
+
+TEST_CASE("max_depth counts, and a name is obeyed") {
+  const auto with_depth = [](const std::string& depth) {
+    return chosen("<integrator type=\"auto\"><integer name=\"max_depth\" value=\"" + depth + "\"/></integrator>" +
+                  shape_of("cylinder"));
+  };
+  CHECK(with_depth("1").name == "emission");
+  CHECK(with_depth("2").name == "direct");
+  CHECK(with_depth("3").name == "path");
+  CHECK_FALSE(with_depth("3").why.empty());
+  CHECK(chosen("<integrator type=\"direct\"/>" + shape_of("cylinder")).name == "direct");
+  CHECK(chosen("<integrator type=\"direct\"/>" + shape_of("cylinder")).why.empty());
+}

@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: MIT
+// Scenes as others write them: folders of <path>, the loose values of Mitsuba 0.x, integrators around others, shapes
+// that vanish, lights that are lost, and one message for many alike.
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <fstream>
+
+#include "scene/readers/foreign_plugins.h"
+#include "scene/scene_text.h"
+
+using namespace strahl;
+using namespace strahl::test;
+
+namespace {
+
+const char* const triangle_obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+const char* const flat_obj = "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n";
+
+std::string obj(const std::string& name) {
+  return "<shape type=\"obj\"><string name=\"filename\" value=\"" + name + "\"/></shape>";
+}
+
+std::vector<std::string> problems_of(const SceneFolder& folder, const std::string& body,
+                                     const LoadOptions& options = {}) {
+  try {
+    return shortened(load_scene(folder.write("scene.xml", around(body)), options).warnings);
+  } catch (const SceneError& error) {
+    return shortened(error.diagnostics());
+  }
+}
+
+std::string old(const std::string& body) {
+  return "<scene version=\"0.6.0\">\n" + body + "\n<sensor type=\"perspective\"/></scene>\n";
+}
+
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+}  // namespace
+
+TEST_CASE("<path> puts a folder before all others, for included files too, and the last one first") {
+  const SceneFolder folder;
+  folder.write("a.obj", flat_obj);
+  folder.write("near/a.obj", triangle_obj);
+  folder.write("far/a.obj", std::string(triangle_obj) + "f 1 3 2\n");
+  folder.write("far/b.obj", triangle_obj);
+  folder.write("near/part.xml", "<scene version=\"3.0.0\">" + obj("b.obj") + "</scene>");
+  const std::string text = around("<path value=\"far\"/><path value=\"near\"/><include filename=\"part.xml\"/>" +
+                                  obj("a.obj") + obj("b.obj"));
+  const LoadedScene loaded = load_scene(folder.write("scene.xml", text));
+  CHECK(loaded.warnings.empty());
+  REQUIRE(loaded.scene.shapes.size() == 3);
+  CHECK(primitive_count(loaded.scene.shapes[1]) == 1);
+  CHECK(problems_of(folder, "<path value=\"nowhere\"/>")
+            .at(0)
+            .find("2:1: warning: \"" + folder.path("nowhere") + "\" is no folder") == 0);
+  CHECK(contains(problems_of(folder, "<path/>").at(0), "needs the attribute value"));
+}
+
+TEST_CASE("a parameter given twice: in 0.x the last counts, in 3 it is an error") {
+  const std::string twice =
+      "<shape type=\"sphere\"><float name=\"radius\" value=\"1\"/><float name=\"radius\" value=\"2\"/></shape>";
+  const LoadedScene loaded = load_text(old(twice));
+  CHECK(std::get<Sphere>(loaded.scene.shapes.at(0).geometry).radius == 2);
+  REQUIRE(loaded.warnings.size() == 1);
+  CHECK(contains(loaded.warnings[0].message, "\"radius\" is given again at"));
+  CHECK(contains(problems(around(twice)).at(0), "given twice"));
+}
+
+TEST_CASE("True, and integers beyond 32 bits") {
+  const Scene scene =
+      load_text(
+          "<scene version=\"3.0.0\"><integrator type=\"path\"><boolean name=\"hide_emitters\" "
+          "value=\"True\"/></integrator><sensor type=\"perspective\"><sampler type=\"independent\">"
+          "<integer name=\"sample_count\" value=\"99999999999999999999999\"/></sampler></sensor></scene>")
+          .scene;
+  CHECK(scene.integrator.hide_emitters);
+  CHECK(scene.sampler.sample_count == 2147483647);
+}
+
+TEST_CASE("in 0.x a metal without a name is copper") {
+  const auto names_copper = [](const std::string& text) {
+    const std::vector<std::string> found = problems(text);
+    return std::any_of(found.begin(), found.end(), [](const std::string& line) { return contains(line, "\"Cu\""); });
+  };
+  // Until metals are there, copper is what the warning names.
+  const Material plain = load_body("<bsdf type=\"conductor\"/>").scene.materials.at(1);
+  CHECK(std::get<Conductor>(plain.bsdf).reflectance.color == Rgb{1, 1, 1});
+  CHECK(names_copper(old("<bsdf type=\"conductor\"/>")));
+  CHECK_FALSE(names_copper(old("<bsdf type=\"conductor\"><string name=\"material\" value=\"none\"/></bsdf>")));
+}
+
+TEST_CASE("integrators around others take the one inside; unknown ones become path") {
+  const auto integrator = [](const std::string& text) { return load_body(text).scene.integrator; };
+  for (const char* type : {"aov", "moment", "stokes"}) {
+    const IntegratorSettings inside = integrator(
+        "<integrator type=\"" + std::string(type) +
+        "\"><integrator type=\"whitted\"><integer name=\"max_depth\" value=\"3\"/></integrator></integrator>");
+    CHECK(inside.name == "whitted");
+    CHECK(inside.max_depth == 3);
+  }
+  CHECK(integrator("<integrator type=\"bdpt\"/>").name == "path");
+  CHECK(integrator("<integrator type=\"mine\"><float name=\"x\" value=\"1\"/></integrator>").name == "path");
+  const std::vector<std::string> aov =
+      problems(around("<integrator type=\"aov\"><string name=\"aovs\" value=\"d:depth\"/></integrator>"));
+  REQUIRE(aov.size() == 1);
+  CHECK(contains(aov[0], "integrator \"aov\" is not supported yet; \"path\" takes its place"));
+  CHECK_FALSE(contains(aov[0], "did you mean"));
+}
+
+TEST_CASE("integrators that contain each other are an error") {
+  const std::vector<std::string> found =
+      problems(around("<integrator type=\"aov\" id=\"a\"><integrator type=\"moment\"><ref id=\"a\"/></integrator>"
+                      "</integrator>"));
+  REQUIRE_FALSE(found.empty());
+  CHECK(std::any_of(found.begin(), found.end(),
+                    [](const std::string& line) { return contains(line, "contains itself"); }));
+}
+
+TEST_CASE("volpath is path where the scene has no medium") {
+  CHECK(problems(around("<integrator type=\"volpath\"/>")).empty());
+  const std::vector<std::string> found =
+      problems(around("<integrator type=\"volpathmis\"/><shape type=\"sphere\"><medium type=\"homogeneous\" "
+                      "name=\"interior\"/></shape>"));
+  REQUIRE(found.size() == 2);
+  CHECK(contains(found[0], "\"path\" takes its place: no media"));
+}
+
+TEST_CASE("a stretched disk becomes a polygon of the same area that faces the same way") {
+  for (const double mirrored : {1.0, -1.0}) {
+    const LoadedScene loaded = load_body("<shape type=\"disk\"><transform name=\"to_world\"><scale x=\"" +
+                                         std::to_string(2 * mirrored) + "\" y=\"3\"/></transform></shape>");
+    REQUIRE(loaded.warnings.size() == 1);
+    CHECK(contains(loaded.warnings[0].message, "makes an ellipse"));
+    const Shape& shape = loaded.scene.shapes.at(0);
+    const Mesh& mesh = std::get<Mesh>(shape.geometry);
+    Vec3 area;
+    for (const auto& t : mesh.triangles) {
+      const auto corner = [&](std::size_t i) { return mesh.positions[static_cast<std::size_t>(t[i])]; };
+      area = area + 0.5 * cross(corner(1) - corner(0), corner(2) - corner(0));
+    }
+    CHECK((shape.flip_normals ? -1 : 1) * area.z == Approx(6 * std::acos(-1)).epsilon(1e-12));
+  }
+}
+
+TEST_CASE("a mesh of degenerate faces is left out, and a group that has lost all its shapes, with its instances") {
+  const SceneFolder folder;
+  folder.write("flat.obj", flat_obj);
+  const std::vector<std::string> mesh = problems_of(folder, obj("flat.obj"));
+  REQUIRE(mesh.size() == 1);
+  CHECK(contains(mesh[0], "2:19: warning: \"" + folder.path("flat.obj") + "\" has no triangle with an area"));
+  const std::string group = "<shape type=\"shapegroup\" id=\"g\">" + obj("flat.obj") +
+                            "</shape><shape type=\"instance\"><ref id=\"g\"/></shape><shape type=\"sphere\"/>";
+  const LoadedScene loaded = load_scene(folder.write("scene.xml", around(group)));
+  CHECK(loaded.warnings.size() == 2);
+  CHECK(loaded.scene.groups.empty());
+  CHECK(loaded.scene.instances.empty());
+  CHECK(loaded.scene.shapes.size() == 1);
+}
+
+TEST_CASE("what Mitsuba has is not supported yet; only what nobody has is guessed at") {
+  for (const char* body : {"<shape type=\"sdfgrid\"/>", "<shape type=\"sphere\"><bsdf type=\"hair\"/></shape>",
+                           "<emitter type=\"sunsky\"/>", "<integrator type=\"ptracer\"/>"}) {
+    const std::string first = problems(around(body)).at(0), all = first + problems(around(body)).back();
+    INFO(all);
+    CHECK(contains(all, "is not supported yet"));
+    CHECK_FALSE(contains(all, "did you mean"));
+  }
+  CHECK(contains(problems(around("<emitter type=\"piont\"/>")).back(), "did you mean \"point\"?"));
+}
+
+TEST_CASE("the document lists every type of Mitsuba") {
+  std::ifstream file(STRAHL_SOURCE_DIR "/docs/scene-format.md");
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  for (const char* tag :
+       {"shape", "bsdf", "texture", "emitter", "sensor", "film", "rfilter", "sampler", "integrator"}) {
+    REQUIRE_FALSE(mitsuba_types(tag).empty());
+    const std::size_t row = text.find("| `<" + std::string(tag) + ">`", text.find("## Every plugin"));
+    REQUIRE(row != std::string::npos);
+    const std::string line = text.substr(row, text.find('\n', row) - row);
+    for (const std::string& type : mitsuba_types(tag)) {
+      INFO(tag << " " << type);
+      CHECK(contains(line, "`" + type + "`"));
+    }
+  }
+}
+
+TEST_CASE("a scene that has lost every light says so once") {
+  const auto lost = [](const std::string& body) {
+    const std::vector<std::string> found = problems(around(body));
+    return std::count_if(found.begin(), found.end(),
+                         [](const std::string& line) { return contains(line, "no light is left"); });
+  };
+  CHECK(lost("<emitter type=\"sunsky\"/><emitter type=\"sunsky\"/>") == 1);
+  CHECK(lost("<shape type=\"hair\"><emitter type=\"area\"/></shape>") == 1);
+  CHECK(lost("<emitter type=\"sunsky\"/><emitter type=\"point\"/>") == 0);
+  CHECK(lost("<emitter type=\"sunsky\"/><shape type=\"sphere\"><emitter type=\"area\"/></shape>") == 0);
+  CHECK(lost("") == 0);
+}
+
+TEST_CASE("more than three alike are one, with a count and the next two places") {
+  std::string body;
+  for (int i = 0; i < 100; ++i) body += "<shape type=\"hair\"/>\n";
+  std::vector<std::string> found = problems(around(body));
+  REQUIRE(found.size() == 1);
+  CHECK(contains(found[0],
+                 "2:1: warning: shape \"hair\" is not supported yet; it is left out; 99 more like it, the next at "));
+  CHECK(contains(found[0], "scene.xml:3:1 and "));
+  body.clear();
+  for (int i = 0; i < 50; ++i) body += obj("m" + std::to_string(i) + ".obj") + "\n";
+  found = problems(around(body));
+  REQUIRE(found.size() == 1);
+  CHECK(contains(found[0], "2:19: error: cannot read"));
+  CHECK(contains(found[0], "m0.obj"));
+  CHECK(contains(found[0], "49 more like it"));
+}
+
+TEST_CASE("errors of a mesh name the place that asks for it; MTL is told of only where it is used") {
+  const SceneFolder folder;
+  folder.write("bad.obj", "v 0 0 0\nf 1 2 3\n");
+  CHECK(contains(problems_of(folder, obj("bad.obj")).at(0), "scene.xml:2:19)"));
+  folder.write("a.obj", std::string("mtllib none.mtl\nusemtl x\n") + triangle_obj);
+  const std::vector<std::string> used = problems_of(folder, obj("a.obj"));
+  CHECK(used.size() == 2);
+  CHECK(problems_of(folder,
+                    "<shape type=\"obj\"><string name=\"filename\" value=\"a.obj\"/><bsdf type=\"diffuse\"/>"
+                    "</shape>")
+            .empty());
+}
+
+TEST_CASE("of a blend the heavier part stands for both") {
+  for (const auto& [weight, expected] : {std::pair{"0.9", 0.75}, std::pair{"0.1", 0.25}}) {
+    const Scene scene = load_body("<bsdf type=\"blendbsdf\"><float name=\"weight\" value=\"" + std::string(weight) +
+                                  "\"/><bsdf type=\"diffuse\"><rgb name=\"reflectance\" value=\"0.25\"/></bsdf>"
+                                  "<bsdf type=\"diffuse\"><rgb name=\"reflectance\" value=\"0.75\"/></bsdf></bsdf>")
+                            .scene;
+    CHECK(std::get<Diffuse>(scene.materials.at(1).bsdf).reflectance.color.g == expected);
+  }
+}
+
+TEST_CASE("films of 0.x") {
+  const LoadedScene loaded = load_text(
+      "<scene version=\"0.6.0\"><sensor type=\"perspective\"><film type=\"ldrfilm\"><integer name=\"width\" "
+      "value=\"32\"/><float name=\"gamma\" value=\"-1\"/><boolean name=\"banner\" value=\"false\"/><string "
+      "name=\"fileFormat\" value=\"png\"/></film></sensor></scene>");
+  CHECK(loaded.warnings.empty());
+  CHECK(loaded.scene.film.width == 32);
+}

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+// Spectra as linear sRGB: curves, files, black bodies and typed spectra, compared with what Mitsuba 3.9.1 (scalar_rgb)
+// makes of them and with exact values.
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "scene/scene_text.h"
+#include "scene/spectra/metals.h"
+#include "scene/spectra/observer.h"
+
+using namespace strahl;
+using namespace strahl::test;
+
+namespace {
+
+Rgb seen_reflectance(const std::string& spectrum) {
+  const LoadedScene loaded = load_body("<bsdf type=\"diffuse\">" + spectrum + "</bsdf>");
+  for (const Diagnostic& d : loaded.warnings) FAIL_CHECK(d.text());
+  return std::get<Diffuse>(loaded.scene.materials.at(1).bsdf).reflectance.color;
+}
+
+Rgb seen_radiance(const std::string& spectrum) {
+  const LoadedScene loaded = load_body("<emitter type=\"constant\">" + spectrum + "</emitter>");
+  for (const Diagnostic& d : loaded.warnings) FAIL_CHECK(d.text());
+  return std::get<ConstantLight>(loaded.scene.lights.at(0).emitter).radiance;
+}
+
+void check_near(const Rgb& color, const Rgb& expected, double tolerance) {
+  CHECK(color.r == Approx(expected.r).epsilon(tolerance));
+  CHECK(color.g == Approx(expected.g).epsilon(tolerance));
+  CHECK(color.b == Approx(expected.b).epsilon(tolerance));
+}
+
+// Mitsuba sums 1,000 places and divides by 1,000 instead of 999: 0.1 %.
+constexpr double of_sums = 0.0015;
+
+}  // namespace
+
+TEST_CASE("a reflectance of 1 at all wavelengths is exactly 1, 1, 1") {
+  CHECK(seen_reflectance("<spectrum name=\"reflectance\" value=\"360:1, 830:1\"/>") == Rgb{1, 1, 1});
+  CHECK(seen_reflectance("<spectrum name=\"reflectance\" value=\"300:1, 900:1\"/>") == Rgb{1, 1, 1});
+  check_near(seen_reflectance("<spectrum name=\"reflectance\" value=\"360:.25, 401.5:.25, 830:.25\"/>"),
+             {.25, .25, .25}, 1e-13);
+}
+
+TEST_CASE("curves under D65, 0 outside, as Mitsuba's") {
+  check_near(seen_reflectance("<spectrum name=\"reflectance\" value=\"400:0.5,700:0.5\"/>"),
+             {0.497671, 0.499878, 0.497455}, of_sums);
+  const Rgb expected{0.887608, 0.562839, 0.155488};
+  check_near(seen_reflectance("<spectrum name=\"reflectance\" value=\"400:0.1,500:0.3,600:0.9,700:0.2\"/>"), expected,
+             of_sums);
+  check_near(
+      seen_reflectance("<spectrum type=\"irregular\" name=\"reflectance\"><string name=\"wavelengths\" "
+                       "value=\"400, 500, 600, 700\"/><string name=\"values\" value=\"0.1 0.3 0.9 0.2\"/></spectrum>"),
+      expected, of_sums);
+  check_near(
+      seen_reflectance("<spectrum type=\"regular\" name=\"reflectance\"><float name=\"wavelength_min\" value=\"400\"/>"
+                       "<float name=\"wavelength_max\" value=\"700\"/><string name=\"values\" "
+                       "value=\"0.1, 0.3, 0.9, 0.2\"/></spectrum>"),
+      expected, of_sums);
+  const SceneFolder folder;
+  folder.write("spectra/a.spd", "# measured\n400 0.1\n500 0.3\n\n600 0.9\r\n700 0.2\n");
+  const Scene scene = load_scene(folder.write("scene.xml", around("<path value=\"spectra\"/><bsdf type=\"diffuse\">"
+                                                                  "<spectrum name=\"reflectance\" filename=\"a.spd\"/>"
+                                                                  "</bsdf>")))
+                          .scene;
+  check_near(std::get<Diffuse>(scene.materials.at(1).bsdf).reflectance.color, expected, of_sums);
+}
+
+TEST_CASE("a saturated reflectance is clamped to what sRGB can show") {
+  const Rgb green = seen_reflectance("<spectrum name=\"reflectance\" value=\"515:1, 520:1, 525:1\"/>");
+  CHECK(green.r == 0);
+  CHECK(green.g > 0);
+  const Rgb red = seen_reflectance("<spectrum name=\"reflectance\" value=\"580:0, 600:1, 830:1\"/>");
+  CHECK(red.r == 1);
+}
+
+TEST_CASE("emission has no illuminant: a constant is no grey, as in Mitsuba") {
+  check_near(seen_radiance("<spectrum name=\"radiance\" value=\"2\"/>"), {2.40959, 1.89658, 1.81783}, 1e-5);
+  check_near(seen_radiance("<spectrum name=\"radiance\" value=\"360:1,830:1\"/>"), {1.20488, 0.948228, 0.909267},
+             of_sums);
+  check_near(seen_radiance("<spectrum name=\"radiance\" value=\"400:0.1,500:0.3,600:0.9,700:0.2\"/>"),
+             {1.02115, 0.54285, 0.132375}, of_sums);
+  CHECK(seen_radiance("<spectrum type=\"d65\" name=\"radiance\"><float name=\"scale\" value=\"3\"/></spectrum>") ==
+        Rgb{3, 3, 3});
+  CHECK(
+      seen_radiance("<spectrum type=\"uniform\" name=\"radiance\"><float name=\"value\" value=\"0.25\"/></spectrum>") ==
+      Rgb{.25, .25, .25});
+  CHECK(seen_radiance("<spectrum type=\"srgb\" name=\"radiance\"><rgb name=\"color\" value=\"1, 2, 3\"/></spectrum>") ==
+        Rgb{1, 2, 3});
+}
+
+TEST_CASE("a black body of 6504 K is nearly white, and a hotter one brighter and bluer") {
+  const auto body = [](const std::string& kelvin) {
+    return seen_radiance("<blackbody name=\"radiance\" temperature=\"" + kelvin + "\"/>");
+  };
+  const Rgb sun = body("6504"), lamp = body("2700K");
+  CHECK(sun.r / sun.g == Approx(1).epsilon(0.08));
+  CHECK(sun.b / sun.g == Approx(1).epsilon(0.08));
+  CHECK(lamp.r > 1.5 * lamp.g);
+  CHECK(lamp.g > 2 * lamp.b);
+  CHECK(sun.g > 20 * lamp.g);
+  // Luminance by Planck's law at 555 nm, where the observer is most sensitive: the same order.
+  CHECK(sun.g / planck_curve(6504).at(555) == Approx(1).epsilon(0.1));
+  check_near(seen_radiance("<spectrum type=\"blackbody\" name=\"radiance\"><float name=\"temperature\" value=\"6504\"/>"
+                           "</spectrum>"),
+             sun, 1e-15);
+  check_near(seen_radiance("<blackbody name=\"radiance\" temperature=\"6504\" scale=\"2\"/>"),
+             {2 * sun.r, 2 * sun.g, 2 * sun.b}, 1e-15);
+}
+
+TEST_CASE("spectra that cannot be are errors at their place") {
+  const auto problem = [](const std::string& spectrum) {
+    const std::vector<std::string> found = problems(around("<bsdf type=\"diffuse\">" + spectrum + "</bsdf>"));
+    REQUIRE(found.size() == 1);
+    CHECK(found[0].find("2:22: error: ") == 0);
+    return found[0];
+  };
+  CHECK(problem("<spectrum name=\"reflectance\" value=\"400:1, 400:2\"/>").find("ascend") != std::string::npos);
+  CHECK(problem("<spectrum name=\"reflectance\" value=\"400:1, 5\"/>").find("no list") != std::string::npos);
+  CHECK(problem("<spectrum name=\"reflectance\" value=\"400:1, 500:nan\"/>").find("finite") != std::string::npos);
+  CHECK(problem("<spectrum name=\"reflectance\"/>").find("either value or filename") != std::string::npos);
+  CHECK(problem("<spectrum name=\"reflectance\" filename=\"none.spd\"/>").find("none.spd") != std::string::npos);
+  CHECK(problem("<spectrum type=\"irregular\" name=\"reflectance\"><string name=\"values\" value=\"1\"/></spectrum>")
+            .find("as many finite values") != std::string::npos);
+  CHECK(problem("<blackbody name=\"reflectance\" temperature=\"0\"/>").find("greater than 0") != std::string::npos);
+}
+
+TEST_CASE("metals have Mitsuba's indices") {
+  const std::optional<MetalIndex> copper = metal_index("Cu");
+  REQUIRE(copper);
+  check_near(copper->eta, {0.2010055, 0.9237495, 1.102215}, 1e-5);
+  check_near(copper->k, {3.913262, 2.453045, 2.14209}, 1e-5);
+  check_near(metal_index("Au")->eta, {0.143036, 0.3753071, 1.442045}, 1e-5);
+  check_near(metal_index("Ag")->k, {4.828354, 3.122222, 2.146901}, 1e-5);
+  CHECK_FALSE(metal_index("none"));
+  CHECK_FALSE(metal_index("cu"));
+  CHECK(metal_names().size() == 71);
+}
