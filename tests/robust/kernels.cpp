@@ -10,6 +10,7 @@
 #include <vector>
 
 #define HAS_PIXEL_FILTER 1
+#define HAS_THIN_LENS 1
 #define HAS_EMISSION 1
 #define HAS_TWOSIDED 1
 #define HAS_SMOOTH_NORMALS 1
