@@ -25,6 +25,16 @@
 #define SOFT_FMA 0
 #endif
 
+/// 1: what the robust tier computes beyond single precision is in doubles, else in double words; the bits are the same
+/// (docs/decisions/0023-correctly-rounded-t.md). The program's text defines it where the device has doubles.
+#ifndef WIDE_IS_DOUBLE
+#define WIDE_IS_DOUBLE 0
+#endif
+#if WIDE_IS_DOUBLE && !TIER_ROBUST
+#undef WIDE_IS_DOUBLE
+#define WIDE_IS_DOUBLE 0
+#endif
+
 #ifndef __cplusplus
 #if TIER_FAST
 #pragma OPENCL FP_CONTRACT ON
@@ -69,8 +79,10 @@ typedef std::uint32_t bitsr;
 #define GLOBAL __global
 #define PRIVATE __private
 #define KERNEL __kernel
-#if REAL_BITS == 64
+#if REAL_BITS == 64 || WIDE_IS_DOUBLE
 #pragma OPENCL EXTENSION cl_khr_fp64 : enable
+#endif
+#if REAL_BITS == 64
 typedef ulong bitsr;
 #else
 typedef uint bitsr;
@@ -124,6 +136,7 @@ FN void add_atomically(GLOBAL uint* sum, uint number) { *sum += number; }
 FN uint high_product(uint a, uint b) { return (uint)((std::uint64_t)a * b >> 32); }
 FN real real_fma(real a, real b, real c) { return std::fma(a, b, c); }
 FN real real_sqrt(real a) { return std::sqrt(a); }
+FN double wide_sqrt(double a) { return std::sqrt(a); }
 FN real real_abs(real a) { return std::fabs(a); }
 FN real real_floor(real a) { return std::floor(a); }
 #else
@@ -143,6 +156,9 @@ FN int first_bit(uint m) { return 31 - (int)clz(m & (~m + 1u)); }
 FN void add_atomically(GLOBAL uint* sum, uint number) { atomic_add(sum, number); }
 FN uint high_product(uint a, uint b) { return mul_hi(a, b); }
 FN real real_sqrt(real a) { return sqrt(a); }
+#if WIDE_IS_DOUBLE
+FN double wide_sqrt(double a) { return sqrt(a); }
+#endif
 #define real_abs fabs
 #define real_floor floor
 #if REAL_BITS == 64

@@ -19,7 +19,10 @@
 #include "lanes/double_word.h"
 #endif
 #if TIER_ROBUST
+#include "math/vec3_lanes.h"
+#include "lanes/wide_lanes.h"
 #include "shapes/exact/quadratic_lanes.h"
+#include "shapes/plane/plane_t_lanes.h"
 #endif
 #endif
 #if TIER_COMPENSATED
@@ -27,6 +30,7 @@
 #endif
 #if TIER_ROBUST
 #include "shapes/box/box_robust_lanes.h"
+#include "shapes/box/box_t_lanes.h"
 #include "shapes/polygon/polygon_robust_lanes.h"
 #elif TIER_FAST
 #include "shapes/polygon/moeller_fast_lanes.h"

@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: MIT
-// math/vec3.h in lanes, operation by operation: the same bits. One width; no guard, but for one lane, as in
-// lanes/lane_ops.h.
+// math/vec3.h in lanes, operation by operation: the same bits. Once a width.
 #include "math/vec3.h"
 
-#if !(LANES == 1 && defined(STRAHL_VEC3_LANES_1))
+#if !(LANES == 1 && defined(STRAHL_VEC3_LANES_1)) && !(LANES == 8 && defined(STRAHL_VEC3_LANES_8)) && \
+    !(LANES == 16 && defined(STRAHL_VEC3_LANES_16))
 #if LANES == 1
 #define STRAHL_VEC3_LANES_1
 typedef real3 real3w;
 #else
+#if LANES == 8
+#define STRAHL_VEC3_LANES_8
+#else
+#define STRAHL_VEC3_LANES_16
+#endif
 typedef struct {
   realw x, y, z;
 } real3w;
@@ -24,6 +29,10 @@ FN real3w vec3_w(realw x, realw y, realw z) {
 /// Three planes of LANES reals.
 FN real3w load_planes3_w(GLOBAL const real* planes) {
   return vec3_w(load_w(planes), load_w(planes + LANES), load_w(planes + 2 * LANES));
+}
+
+FN real3 get3_w(PRIVATE const real3w* v, int lane) {
+  return vec3(get_w(&v->x, lane), get_w(&v->y, lane), get_w(&v->z, lane));
 }
 
 FN real3w splat3_w(real3 a) { return vec3_w(splat_w(a.x), splat_w(a.y), splat_w(a.z)); }

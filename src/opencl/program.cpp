@@ -5,9 +5,11 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <optional>
+#include <string_view>
 
 #include "opencl/cl_code.h"
 #include "opencl/compiling.h"
@@ -43,6 +45,12 @@ std::string dump(const std::string& name, const ProgramSource& source) {
   return out ? path : fmt::format("could not be written to {}", path);
 }
 
+/// Whether the robust tier goes beyond single precision in doubles. The bits do not depend on it.
+bool takes_doubles(const Device& device) {
+  const char* words = std::getenv("STRAHL_DOUBLE_WORDS");
+  return device.info().fp64 && (words == nullptr || std::string_view(words) != "1");
+}
+
 /// name: of the program, as `explain` prints it.
 cl::Program build_text(const Device& device, const ProgramSource& source, const std::string& program_name) {
   const Compiling compiling;
@@ -67,7 +75,10 @@ cl::Program build_text(const Device& device, const ProgramSource& source, const 
 ProgramSource completed_for(const Device& device, ProgramSource source) {
   if (device.info().correctly_rounded_option) source.options += " -cl-fp32-correctly-rounded-divide-sqrt";
   // Below the first line, which says what the program is.
-  if (!device.info().fma) source.text.insert(source.text.find('\n') + 1, "#define SOFT_FMA 1\n");
+  std::string has;
+  if (!device.info().fma) has += "#define SOFT_FMA 1\n";
+  if (takes_doubles(device)) has += "#define WIDE_IS_DOUBLE 1\n";
+  source.text.insert(source.text.find('\n') + 1, has);
   return source;
 }
 

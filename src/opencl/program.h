@@ -19,8 +19,8 @@ struct ProgramReport {
 /// FNV-1a of text and options in hex, 16 digits: names the program in `explain`, dumps and the cache.
 [[nodiscard]] std::string program_hash(const ProgramSource& source);
 
-/// What the device is given of a program: it is asked for correctly rounded fp32 division and square root where it
-/// knows the option, and computes fma in integers where it has none (cl/math/soft_fma.h).
+/// What the device is given of a program, by what it has: correctly rounded fp32 division and square root; fma in
+/// integers where it has none (cl/math/soft_fma.h), doubles where it has them (cl/lanes/wide_lanes.h).
 [[nodiscard]] ProgramSource completed_for(const Device& device, ProgramSource source);
 
 /// Platform, device, driver and strahl, each with its version: what is cached of a device holds for these alone. A

@@ -2,8 +2,8 @@
 // kernel_texts FOLDER [NAME]: writes every kernel x precision x {all, no, each single} effect as FOLDER/NAME.cl, for
 // clang to type-check. All, none and all of a scene without a tree at every width of lanes, single effects at the
 // widest and of one kernel that intersects; those of lists that are the same for every tier of single precision in the
-// robust one alone. A text that stands already but for names that it never asks for is not written again. NAME: that
-// text alone.
+// robust one alone; all of that one also as devices with doubles have it. A text that stands already but for names that
+// it never asks for is not written again. NAME: that text alone.
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -75,9 +75,9 @@ void write(const Wanted& wanted, const std::string& kernel, const std::string& s
   if (!wanted.name.empty() && name != wanted.name) return;
   const std::string text =
       program_source("kernels/" + kernel + ".cl", features, precision, lanes, 0, has_tree, path_lanes).text;
-  if (!written.insert(essence(text)).second) return;
+  if (set != "doubles" && !written.insert(essence(text)).second) return;
   std::ofstream file(wanted.folder / name);
-  file << text;
+  file << (set == "doubles" ? "#define WIDE_IS_DOUBLE 1\n" : "") << text;
   if (!file.flush()) throw std::runtime_error("cannot write " + name);
 }
 
@@ -95,6 +95,7 @@ int main(int count, char** arguments) {
         if (kernel.ends_with("_packets") && lanes == 1) continue;
         if (lanes > widest) continue;
         write(wanted, kernel, "all", every(true), precision, lanes);
+        if (precision == Precision::robust) write(wanted, kernel, "doubles", every(true), precision, lanes);
         write(wanted, kernel, "none", every(false), precision, lanes);
         Features flat = every(true);
         for (auto& [name, on] : flat.flags) on = on && name != "INSTANCES";

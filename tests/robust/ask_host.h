@@ -19,10 +19,10 @@ inline std::array<float, 8> reals_of(const oracle::Ray& ray) {
 }
 
 /// t, infinite for a miss; of a question about one primitive.
-inline float ask_host(const selftest::Question& q) {
+inline float ask_host(const selftest::Question& q, Route route = Route::double_words) {
   std::vector<float> planes;
   for (const double x : q.planes) planes.push_back(static_cast<float>(x));
-  return robust_t(q.kind, planes, reals_of(q.ray), q.left == 0);
+  return robust_t(q.kind, planes, reals_of(q.ray), q.left == 0, route);
 }
 
 }  // namespace strahl::test

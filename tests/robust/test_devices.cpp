@@ -2,8 +2,10 @@
 // The robust tier has the host's bits on every device, at every width: t, ids, u, v and normal.
 #include <bit>
 #include <catch2/catch.hpp>
+#include <cstdlib>
 #include <set>
 
+#include "opencl/program.h"
 #include "packing/cl_layout.h"
 #include "packing/pack.h"
 #include "render/intersector.h"
@@ -138,6 +140,17 @@ void hold(const std::string& selector, const std::vector<int>& widths, const Tra
 TEST_CASE("PoCL has the host's bits in the robust tier") {
   require_pocl_and_rusticl();
   hold("pocl", {1, 8, 16}, everything(40), true);
+}
+
+TEST_CASE("PoCL has the same bits in double words") {
+  require_pocl_and_rusticl();
+  const Device device = Device::open("pocl");
+  const auto text = [&] { return completed_for(device, {"\n", ""}).text; };
+  CHECK(text().find("WIDE_IS_DOUBLE 1") != std::string::npos);
+  setenv("STRAHL_DOUBLE_WORDS", "1", 1);
+  CHECK(text().find("WIDE_IS_DOUBLE") == std::string::npos);
+  hold("pocl", {16}, everything(40), true);
+  unsetenv("STRAHL_DOUBLE_WORDS");
 }
 
 // Its compiler takes minutes for everything at once.

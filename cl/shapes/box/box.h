@@ -6,8 +6,8 @@
 
 #include "hits/surface.h"
 
-/// Where t may have been clamped to the interval of an instance (accel/instance.h): the face whose distance is nearest
-/// to t, the first of several equally near.
+/// Where t is more exact than a quotient (robust tier), or may have been clamped to the interval of an instance
+/// (accel/instance.h): the face whose distance is nearest to t, the first of several equally near.
 FN int box_face_nearest(PRIVATE const int* near, const Ray* ray, GLOBAL const real* prim, int stride, real t) {
   int best = near[0];
   real gap = REAL_MAX;
@@ -39,7 +39,7 @@ FN int box_face(const Ray* ray, GLOBAL const real* prim, int stride, real t) {
   near[0] = ray->near_x;
   near[1] = ray->near_y;
   near[2] = ray->near_z;
-  if (HAS_INSTANCES) return box_face_nearest(near, ray, prim, stride, t);
+  if (HAS_INSTANCES || TIER_ROBUST) return box_face_nearest(near, ray, prim, stride, t);
   for (i = 0; i < 3; ++i)
     if ((prim[near[i] * stride] - component(ray->o, i)) / component(ray->d, i) == t) return near[i];
   for (i = 0; i < 3; ++i)

@@ -35,20 +35,20 @@ FN void box_block_w(const Ray* ray, GLOBAL const real* block, GLOBAL const int* 
   realw ox = splat_w(ray->o.x), oy = splat_w(ray->o.y), oz = splat_w(ray->o.z);
   realw dx = splat_w(ray->d.x), dy = splat_w(ray->d.y), dz = splat_w(ray->d.z);
   int x = ray->near_x, y = ray->near_y, z = ray->near_z;
-  realw enter = splat_w(-REAL_MAX), leave = splat_w(REAL_MAX);
-  enter = max_w((load_w(block + x * LANES) - ox) / dx, enter);
-  enter = max_w((load_w(block + y * LANES) - oy) / dy, enter);
-  enter = max_w((load_w(block + z * LANES) - oz) / dz, enter);
-  leave = min_w((load_w(block + (x ^ 1) * LANES) - ox) / dx, leave);
-  leave = min_w((load_w(block + (y ^ 1) * LANES) - oy) / dy, leave);
-  leave = min_w((load_w(block + (z ^ 1) * LANES) - oz) / dz, leave);
+  real3w entries = vec3_w((load_w(block + x * LANES) - ox) / dx, (load_w(block + y * LANES) - oy) / dy,
+                          (load_w(block + z * LANES) - oz) / dz);
+  real3w exits = vec3_w((load_w(block + (x ^ 1) * LANES) - ox) / dx, (load_w(block + (y ^ 1) * LANES) - oy) / dy,
+                        (load_w(block + (z ^ 1) * LANES) - oz) / dz);
+  realw enter = max_w(entries.z, max_w(entries.y, max_w(entries.x, splat_w(-REAL_MAX))));
+  realw leave = min_w(exits.z, min_w(exits.y, min_w(exits.x, splat_w(REAL_MAX))));
   maskw hit = le_w(enter, leave);
 #if TIER_ROBUST
   hit = box_exact_w(ray, block, enter, leave, hit);
 #endif
   realw t = sel_w(le_w(splat_w(ray->t_min), enter), enter, leave);
+  maskw departed = none_w();
   if (ray->departed >= 0) {
-    maskw departed = is_departed_w(ids, ray);
+    departed = is_departed_w(ids, ray);
     if (any_w(departed)) {
       t = sel_w(departed, leave, t);
       // enter <= leave is not required: for a grazing ray whose origin was rounded out of the box, enter is larger than
@@ -56,6 +56,10 @@ FN void box_block_w(const Ray* ray, GLOBAL const real* block, GLOBAL const int* 
       hit = (hit & ~departed) | (departed & lt_w(splat_w(R(0.0)), leave) & ~box_left_outward_w(ray, block));
     }
   }
+#if TIER_ROBUST
+  if (!any_w(hit)) return;
+  t = box_t_w(ray, block, hit & is_there_w(ids), departed, t, entries, exits);
+#endif
   // REAL_MAX stands for an exit beyond the range of real, which is no hit.
   hit = hit & lt_w(t, splat_w(REAL_MAX));
   take_nearest_w(hit & in_range_w(t, ray, best), t, ids, -1, SHAPE_box, slot, best);

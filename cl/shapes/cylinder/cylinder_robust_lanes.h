@@ -17,6 +17,45 @@ FN maskw near_axis_w(const Ray* ray, dw3_w f, realw vx, realw vy, realw vz, real
   return ~lt_w(squared, distance * distance);
 }
 
+/// t of the lanes of `open`, from its range; of the others as it is.
+SELDOM_FN realw cylinders_decided_w(const Ray* ray, GLOBAL const real* block, uint open, uint is_near, uint departed,
+                                    PRIVATE const realw* least, PRIVATE const realw* most, realw t) {
+  for (; open != 0u; open &= open - 1u) {
+    int i = first_bit(open);
+    GLOBAL const real* prim = block + i;
+    ExactCase one;
+    one.o = ray->o;
+    one.d = ray->d;
+    one.a = vec3(prim[0], prim[LANES], prim[2 * LANES]);
+    one.b = one.c = vec3(prim[3 * LANES], prim[4 * LANES], prim[5 * LANES]);
+    one.r = prim[7 * LANES];
+    int root = (departed >> i & 1u) != 0u ? EXACT_ACROSS : (is_near >> i & 1u) != 0u ? EXACT_NEAR : EXACT_FAR;
+    put_w(&t, i, exact_cylinder_t(&one, get_w(least, i), get_w(most, i), root));
+  }
+  return t;
+}
+
+/// t of cylinders that are hit, correctly rounded. t: as a double word, the near root of the lanes of `is_near`. a: |d
+/// x v|^2. which: lanes to decide; t.hi of the others. With A = |d x v|, s = (|f| + r) |v| / A, norms of f and v being
+/// sums of absolute values, and h half the chord, t is off by less than 2^-42 (s + |t|) (1 + r |v| / (A h)) where A >=
+/// 2^-20 |d| |v|: of u^2, 14 for each dot product and 28 for the discriminant; -2 b / a by twice that for an infinite
+/// h.
+FN realw cylinder_t_w(const Ray* ray, GLOBAL const real* block, dw_w t, realw a, realw chord, maskw is_near,
+                      maskw departed, maskw which) {
+  real3w foot = load_planes3_w(block), v = load_planes3_w(block + 3 * LANES);
+  realw r = load_w(block + 7 * LANES), length_v = size1_w(v), across = sqrt_w(a);
+  realw s = (size1_w(sub3_w(splat3_w(ray->o), foot)) + r) * length_v / across + abs_w(t.hi);
+  chord = sel_w(departed, splat_w(REAL_MAX), chord);
+  realw off = splat_w(R(16.0) * DOUBLE_WORD_ROUNDOFF) * fma_w(s, r * length_v / (across * chord), s);
+  maskw is_known = lt_w(splat_w(R(0x1p-36)) * length_v * length_v, a) & lt_w(splat_w(R(0x1p-60)), r) &
+                   lt_w(splat_w(R(0x1p-60)), s) & lt_w(off, splat_w(R(0x1p-10)) * chord);
+  realw nothing = splat_w(exact_nothing());
+  realw least = sel_w(is_known, t.hi + (t.lo - off), nothing), most = t.hi + (t.lo + off);
+  maskw open = which & ~eq_w(least, most);
+  if (!any_w(open)) return t.hi;
+  return cylinders_decided_w(ray, block, bits_w(open), bits_w(is_near), bits_w(departed), &least, &most, t.hi);
+}
+
 FN void cylinder_block_w(const Ray* ray, GLOBAL const real* block, GLOBAL const int* ids, int slot, Nearest* best) {
   dw3_w f = two_difference3_w(splat_w(ray->o.x), splat_w(ray->o.y), splat_w(ray->o.z), load_w(block),
                               load_w(block + LANES), load_w(block + 2 * LANES));
@@ -53,5 +92,7 @@ FN void cylinder_block_w(const Ray* ray, GLOBAL const real* block, GLOBAL const 
   if (ray->departed >= 0) hit = hit & (~departed | within_cylinder_slabs_w(ray, block, t.hi));
   if (ray->is_outward) hit = hit & ~departed;
   hit = hit & le_w(zero, along.hi) & le_w(dw_add_w(along, end).hi, zero);
-  take_nearest_w(hit & in_range_w(t.hi, ray, best), t.hi, ids, -1, SHAPE_cylinder, slot, best);
+  realw half_chord = sqrt_w(discriminant.hi) / a.hi;
+  realw rounded = cylinder_t_w(ray, block, t, a.hi, half_chord, near_hit, departed, hit & is_there_w(ids));
+  take_nearest_w(hit & in_range_w(rounded, ray, best), rounded, ids, -1, SHAPE_cylinder, slot, best);
 }

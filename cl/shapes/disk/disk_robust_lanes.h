@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Ray against LANES disks, robust tier: t of the plane as a double word (plane_robust_lanes.h), and with it the sign of
-// r^2 - |p - c|^2, p - c = t d - (c - o).
+// Ray against LANES disks, robust tier and double precision: t of the plane as a double word, and with it the sign of
+// r^2
+// - |p - c|^2, p - c = t d - (c - o). What is hit then gets the plane's t (plane_t_lanes.h).
 
 FN void disk_block_w(const Ray* ray, GLOBAL const real* block, GLOBAL const int* ids, int slot, Nearest* best) {
   dw3_w g = two_difference3_w(load_w(block), load_w(block + LANES), load_w(block + 2 * LANES), splat_w(ray->o.x),
@@ -19,5 +20,11 @@ FN void disk_block_w(const Ray* ray, GLOBAL const real* block, GLOBAL const int*
   dw_w squared = dw_dot3_w(p, p);
   // The difference of two numbers keeps its sign when rounded; r2 - hi is exact where it matters.
   maskw hit = le_w(squared.lo, r2 - squared.hi);
-  take_nearest_w(hit & in_range_w(t.hi, ray, best), t.hi, ids, ray->departed, SHAPE_disk, slot, best);
+#if TIER_ROBUST
+  realw rounded = plane_t_w(splat3_w(ray->o), splat3_w(ray->d), load_planes3_w(block), vec3_w(nx, ny, nz),
+                            splat_w(ray->t_min), splat_w(best->t), hit & is_there_w(ids));
+#else
+  realw rounded = t.hi;
+#endif
+  take_nearest_w(hit & in_range_w(rounded, ray, best), rounded, ids, ray->departed, SHAPE_disk, slot, best);
 }

@@ -4,6 +4,8 @@
 #ifndef STRAHL_SHAPES_EXACT_SCALAR_H
 #define STRAHL_SHAPES_EXACT_SCALAR_H
 
+#include "shapes/exact/exact_t.h"
+
 #if LANES == 16
 #undef LANES
 #define LANES 1

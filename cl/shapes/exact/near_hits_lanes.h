@@ -7,9 +7,6 @@ typedef struct {
   maskw is_x, is_y;                               ///< Lanes whose largest axis is x or y.
 } ExactRays_w;
 
-/// p - q, exactly.
-FN dw3_w exact_difference_w(real3w p, real3w q) { return two_difference3_w(p.x, p.y, p.z, q.x, q.y, q.z); }
-
 #if LANES == 1
 /// Written through a pointer: Oclgrind 21.10 does not support the attributes that LLVM gives to a struct returned in
 /// memory.

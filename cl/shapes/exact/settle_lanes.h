@@ -51,16 +51,14 @@ FN realw settled_kind_w(const Scene* scene, const Rays_w* rays, const PutOff_w* 
   realw approximate = put_off->approximate, t;
   real3w a = read3_w(each);
   if (SPHERES_ARE_PUT_OFF && body == PACKET_BODY_SPHERE) {
-    t = sphere_root_w(&exact, a.x, a.y, a.z, read_w(each + 3 * LANES), which, &plain);
+    t = sphere_root_w(&exact, a, read_w(each + 3 * LANES), which, &plain);
   } else {
-    real3w b = read3_w(each + 3 * LANES), c = read3_w(each + 6 * LANES);
-    if (body == PACKET_BODY_TRIANGLE) {
-      t = triangle_t_w(&exact, approximate, a, b, c, &plain);
-    } else {
-      real3w d = read3_w(each + 9 * LANES);
-      t = plane_t_w(&exact, approximate, a, b, d, &plain);
-      t = within_polygon_w(&exact, t, a, b, d, c);
-    }
+    int last = body == PACKET_BODY_TRIANGLE ? 2 : 3;
+    real3w b = read3_w(each + 3 * LANES), c = read3_w(each + 6 * LANES), d = read3_w(each + 3 * last * LANES);
+    realw least, most;
+    polygon_range_w(&exact, a, b, d, &least, &most);
+    plain = eq_w(least, most) & is_plain_w(&exact, a, b, d);
+    t = within_polygon_w(&exact, least, a, b, d, c);
   }
   uint others = body == PACKET_BODY_SPHERE ? 0u : bits_w(which & ~plain);
   if (others == 0u) return t;

@@ -8,8 +8,10 @@ enum { PACKET_BODY_plane_w = PACKET_BODY_PLANE };
 /// prim: its reals, LANES apart.
 FN Ball plane_ball_w(GLOBAL const real* prim) { return ball_of_all(vec3(prim[0], prim[LANES], prim[2 * LANES])); }
 
-#if TIER_COMPENSATED
+#if TIER_ROBUST
 #include "shapes/plane/plane_robust_lanes.h"
+#elif TIER_COMPENSATED
+#include "shapes/plane/plane_compensated_lanes.h"
 #elif TIER_FAST
 #include "shapes/plane/plane_fast_lanes.h"
 #else

@@ -8,7 +8,10 @@ FN void plane_packet_w(Packet_w* p, GLOBAL const real* block, GLOBAL const int* 
     GLOBAL const real* prim = block + i;
     realw px = splat_w(prim[0]), py = splat_w(prim[LANES]), pz = splat_w(prim[2 * LANES]);
     realw nx = splat_w(prim[3 * LANES]), ny = splat_w(prim[4 * LANES]), nz = splat_w(prim[5 * LANES]);
-#if TIER_COMPENSATED
+#if TIER_ROBUST
+    real3w anchor = vec3_w(px, py, pz), normal = vec3_w(nx, ny, nz);
+    realw t = plane_t_w(p->o, p->d, anchor, normal, p->t_min, p->t, active);
+#elif TIER_COMPENSATED
     dw3_w g = two_difference3_w(px, py, pz, p->o.x, p->o.y, p->o.z);
     dw_w n_d = real_dot_real3_w(nx, ny, nz, p->d.x, p->d.y, p->d.z);
     realw t = dw_div_w(dot_real3_w(g, nx, ny, nz), n_d).hi;

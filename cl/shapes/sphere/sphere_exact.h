@@ -15,15 +15,14 @@ FN real3 center_of(GLOBAL const real* prim, int stride) { return vec3(prim[0], p
 FN real sphere_t_of(const Ray* ray, GLOBAL const real* prim, int stride, int is_departed, PRIVATE int* hit) {
   ExactRays_w one;
   exact_ray(ray, &one);
-  real x = prim[0], y = prim[stride], z = prim[2 * stride];
+  real3 c = center_of(prim, stride);
   if (is_departed) {
-    dw3_w f = two_difference3_w(ray->o.x, ray->o.y, ray->o.z, x, y, z);
-    real across = sphere_root_across_w(&one, f);
+    real across = sphere_root_across_w(&one, c);
     *hit = sphere_is_left_at(ray, prim, stride, across);
     return across;
   }
   maskw met, which = ~none_w();
-  real t = sphere_root_w(&one, x, y, z, prim[3 * stride], which, &met);
+  real t = sphere_root_w(&one, c, prim[3 * stride], which, &met);
   *hit = met != 0;
   return t;
 }

@@ -48,8 +48,7 @@ SELDOM_FN void left_sphere_w(Packet_w* p, GLOBAL const real* prim, int id, int k
   real x = prim[0], y = prim[LANES], z = prim[2 * LANES];
   ExactRays_w exact;
   exact_rays_w(p->rays, &exact);
-  dw3_w f = two_difference3_w(p->o.x, p->o.y, p->o.z, splat_w(x), splat_w(y), splat_w(z));
-  realw t = sphere_root_across_w(&exact, f);
+  realw t = sphere_root_across_w(&exact, splat3_w(vec3(x, y, z)));
   real box[6];
   sphere_box_w(prim, box);
   Interval_w slabs = box_interval_w(p, box);
@@ -63,8 +62,8 @@ SELDOM_FN void exact_sphere_w(Packet_w* p, GLOBAL const real* prim, int id, int 
   ExactRays_w exact;
   exact_rays_w(p->rays, &exact);
   maskw met;
-  realw t = sphere_root_w(&exact, splat_w(prim[0]), splat_w(prim[LANES]), splat_w(prim[2 * LANES]),
-                          splat_w(prim[3 * LANES]), asked, &met);
+  realw t = sphere_root_w(&exact, splat3_w(vec3(prim[0], prim[LANES], prim[2 * LANES])), splat_w(prim[3 * LANES]),
+                          asked, &met);
   maskw hit = asked & met & le_w(p->t_min, t) & le_w(t, p->t);
   if (any_w(hit)) packet_take_w(p, hit, t, splat_int_w(id), splat_int_w(kind), splat_int_w(slot));
 }

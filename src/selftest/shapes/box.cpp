@@ -31,7 +31,7 @@ class BoxProof : public ShapeProof {
     return answer;
   }
 
-  [[nodiscard]] Promises promises() const override { return {2, 1, {oracle::Law::exact_border}, 2}; }
+  [[nodiscard]] Promises promises() const override { return {0.5, 1, {oracle::Law::exact_border}, 2}; }
 
   /// Rays that graze are drawn about one axis, whichever face they leave.
   [[nodiscard]] Vec3 normal(const double*, const Vec3&) const override { return {1, 0, 0}; }

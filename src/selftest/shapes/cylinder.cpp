@@ -49,7 +49,7 @@ class CylinderProof : public ShapeProof {
     return answer;
   }
 
-  [[nodiscard]] Promises promises() const override { return {8, 1, {}}; }
+  [[nodiscard]] Promises promises() const override { return {0.5, 1, {}}; }
 
   [[nodiscard]] Vec3 normal(const double* planes, const Vec3& p) const override {
     const Vec3 from = p - at(planes), unit = at(planes + 3);

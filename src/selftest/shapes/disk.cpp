@@ -36,7 +36,7 @@ class DiskProof : public ShapeProof {
     return outside_band(met, is_seen && cosine >= 1e-7 && std::fabs(met.margin) > 4 * u);
   }
 
-  [[nodiscard]] Promises promises() const override { return {1, 1, {}}; }
+  [[nodiscard]] Promises promises() const override { return {0.5, 1, {}}; }
 
   [[nodiscard]] Vec3 normal(const double* planes, const Vec3&) const override { return at(planes + 3); }
 

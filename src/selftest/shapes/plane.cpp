@@ -22,7 +22,7 @@ class PlaneProof : public ShapeProof {
     return outside_band(met, met.margin >= 1e-7 && is_seen);
   }
 
-  [[nodiscard]] Promises promises() const override { return {1, 1, {}}; }
+  [[nodiscard]] Promises promises() const override { return {0.5, 1, {}}; }
 
   [[nodiscard]] Vec3 normal(const double* planes, const Vec3&) const override { return at(planes + 3); }
 

@@ -24,7 +24,7 @@ inline ExactAnswer answer_of_polygon(const Asked& q, const oracle::PlanarAnswer&
 /// The stable forms fail only in the law `extreme`.
 inline Promises promises_of_polygon() {
   using oracle::Law;
-  return {4,
+  return {0.5,
           1,
           {Law::aimed, Law::log_uniform, Law::border, Law::exact_border, Law::in_surface, Law::axis_parallel,
            Law::offset, Law::unnormalised}};

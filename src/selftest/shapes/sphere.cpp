@@ -33,7 +33,7 @@ class SphereProof : public ShapeProof {
 
   [[nodiscard]] Promises promises() const override {
     using oracle::Law;
-    return {1, 1, {Law::aimed, Law::offset, Law::unnormalised}};
+    return {0.5, 1, {Law::aimed, Law::offset, Law::unnormalised}};
   }
 
   [[nodiscard]] Vec3 normal(const double* planes, const Vec3& p) const override { return p - at(planes); }

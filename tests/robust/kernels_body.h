@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
-// The dialect in the robust tier, every width.
-#include "robust/kernels.h"
-
+// The dialect in the robust tier by one route of kernels.h: its namespace is ROUTE, that of the dialect TIER.
+// ALL_WIDTHS: 1, 8 and 16 lanes, and tracing; else one lane. No guard: once a unit.
 #include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <limits>
 #include <stdexcept>
 #include <vector>
+
+#include "robust/kernels.h"
 
 #define HAS_PIXEL_FILTER 1
 #define HAS_EMISSION 1
@@ -21,12 +22,13 @@
 
 #define REAL_BITS 32
 #define TIER_ROBUST 1
-namespace robust {
+namespace TIER {
 #define LANES 1
 #include "lanes/lane_ops.h"
 // Lanes come first: they define what the bodies are written in.
 #include "hits/trace_one.h"
 #undef LANES
+#if ALL_WIDTHS
 #define LANES 8
 #include "lanes/lane_ops.h"
 // As above.
@@ -39,15 +41,16 @@ namespace robust {
 #undef LANES
 // They need the bodies.
 #include "support/host_rays.h"
-}  // namespace robust
+#endif
+}  // namespace TIER
 
-namespace strahl::test {
+namespace strahl::test::ROUTE {
 
 float robust_t(std::string_view kind, std::span<const float> planes, std::span<const float> ray, bool has_left) {
-  using namespace robust;
+  using namespace TIER;
   const std::int32_t id = 0;
-  const robust::Ray prepared = ray_make(load3(ray.data() + RAY_O), load3(ray.data() + RAY_D), ray[RAY_T_MIN],
-                                        ray[RAY_T_MAX], has_left ? id : -1);
+  const TIER::Ray prepared = ray_make(load3(ray.data() + RAY_O), load3(ray.data() + RAY_D), ray[RAY_T_MIN],
+                                      ray[RAY_T_MAX], has_left ? id : -1);
   Nearest best = nearest_none(prepared.t_max);
 #define SHAPE(name, planes_of_kind) \
   if (kind == #name) name##_block_w_1(&prepared, planes.data(), &id, 0, &best);
@@ -58,9 +61,10 @@ float robust_t(std::string_view kind, std::span<const float> planes, std::span<c
                        : ray_given_t(&prepared, best.t, ray[RAY_T_MIN], ray[RAY_T_MAX]);
 }
 
+#if ALL_WIDTHS
 std::array<float, 4> robust_ball(std::string_view kind, std::span<const float> planes) {
-  using namespace robust;
-  robust::Ball ball{{}, -1};
+  using namespace TIER;
+  TIER::Ball ball{{}, -1};
 #define SHAPE(name, planes_of_kind) \
   if (kind == #name) ball = name##_ball_w_1(planes.data());
 #include "shapes/shapes.def"
@@ -71,16 +75,17 @@ std::array<float, 4> robust_ball(std::string_view kind, std::span<const float> p
 
 void robust_intersect(int lanes, const float* geometry, const float* shading, const std::int32_t* index,
                       const float* rays, const std::int32_t* left, std::size_t count, float* hits, std::int32_t* ids) {
-  const robust::Scene view{geometry, shading, index, nullptr};
+  const TIER::Scene view{geometry, shading, index, nullptr};
   const auto trace = [&](auto find, auto describe) {
-    robust::host_rays(lanes, view, rays, left, count, false, find, describe, hits, ids);
+    TIER::host_rays(lanes, view, rays, left, count, false, find, describe, hits, ids);
   };
   if (lanes == 16)
-    trace(robust::find_rays_w_16, robust::describe_one_w_16);
+    trace(TIER::find_rays_w_16, TIER::describe_one_w_16);
   else if (lanes == 8)
-    trace(robust::find_rays_w_8, robust::describe_one_w_8);
+    trace(TIER::find_rays_w_8, TIER::describe_one_w_8);
   else
-    trace(robust::find_rays_w_1, robust::describe_one_w_1);
+    trace(TIER::find_rays_w_1, TIER::describe_one_w_1);
 }
+#endif
 
-}  // namespace strahl::test
+}  // namespace strahl::test::ROUTE
