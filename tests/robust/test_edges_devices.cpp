@@ -72,7 +72,8 @@ Question within_the_plane(oracle::Random& random) {
   return question;
 }
 
-/// t between the vertices along the ray's largest axis, within the rounding of difference and quotient.
+/// t between the vertices along the ray's largest axis, within the rounding of difference and quotient, and in the robust
+/// tier as much again, so that no t of a true hit is moved.
 bool is_between(const Question& question, double t) {
   const Vec3 &d = question.ray.direction, &o = question.ray.origin;
   int axis = 0;
@@ -85,7 +86,7 @@ bool is_between(const Question& question, double t) {
     low = std::min(low, at);
     high = std::max(high, at);
   }
-  const double slack = 4 * 0x1p-24 * std::max(std::fabs(low), std::fabs(high));
+  const double slack = 8 * 0x1p-24 * std::max(std::fabs(low), std::fabs(high));
   return low - slack <= t && t <= high + slack;
 }
 

@@ -78,7 +78,7 @@ FN PolygonHits_w meet_edges_w(const Packet_w* p, GLOBAL const real* polygon, mas
   realw l = max_w(aside_of_w(last), max_w(aside_of_w(b), aside_of_w(a)));
   realw turned = l * (z_max - z_min) * abs_w(scale);
   realw spare = fma_w(splat_w(R(0x1p-17)) * (l + z), turned, splat_w(R(0x1p-20)) * z);
-  realw one = z_min * p->shear.z, other = z_max * p->shear.z, slip = splat_w(R(0x1p-21)) * z * abs_w(p->shear.z);
+  realw one = z_min * p->shear.z, other = z_max * p->shear.z, slip = splat_w(R(0x1p-22)) * z * abs_w(p->shear.z);
   realw first = min_w(one, other) - slip, farthest = max_w(one, other) + slip;
   realw area = abs_w(sum);
   maskw is_clear = lt_w(turned, splat_w(R(256.0))) & lt_w(splat_w(R(0x1p-18)) * l * l, area) &

@@ -35,12 +35,12 @@ FN maskw is_plain_w(const ExactRays_w* ray, real3w a, real3w b, real3w c) {
 FN realw ahead_w(const ExactRays_w* ray, real3w v) { return sel_w(ray->is_x, v.x, sel_w(ray->is_y, v.y, v.z)); }
 
 /// t, clamped to the range of the polygon along the ray's largest axis, and what that is off by itself, which is less
-/// than 2^-21 of it. d: the fourth corner, or c again.
+/// than 2^-22 of it. d: the fourth corner, or c again.
 FN realw within_polygon_w(const ExactRays_w* ray, realw t, real3w a, real3w b, real3w c, real3w d) {
   realw za = ahead_w(ray, a), zb = ahead_w(ray, b), zc = ahead_w(ray, c), zd = ahead_w(ray, d);
   realw least = min_w(zd, min_w(zc, min_w(zb, za))), largest = max_w(zd, max_w(zc, max_w(zb, za)));
   realw o = ahead_w(ray, ray->o), one = (least - o) * ray->shear_z, other = (largest - o) * ray->shear_z;
-  realw spare = splat_w(R(0x1p-21)) * max_w(abs_w(other), abs_w(one));
+  realw spare = splat_w(R(0x1p-22)) * max_w(abs_w(other), abs_w(one));
   t = max_w(min_w(other, one) - spare, t);
   return min_w(max_w(other, one) + spare, t);
 }

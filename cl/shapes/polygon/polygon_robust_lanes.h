@@ -28,7 +28,7 @@ FN maskw in_range_approximately_w(const Ray* ray, const Nearest* best, const Pol
   realw l = max_w(aside_of_w(p->at_c), max_w(aside_of_w(p->at_b), aside_of_w(p->at_a)));
   realw turned = l * (p->z_max - p->z_min) * abs_w(scale);
   realw spare = fma_w(splat_w(R(0x1p-17)) * (l + z), turned, splat_w(R(0x1p-20)) * z);
-  realw one = p->z_min * shear, other = p->z_max * shear, slip = splat_w(R(0x1p-21)) * z * abs_w(shear);
+  realw one = p->z_min * shear, other = p->z_max * shear, slip = splat_w(R(0x1p-22)) * z * abs_w(shear);
   realw first = min_w(one, other) - slip, last = max_w(one, other) + slip;
   // A polygon whose area is only rounding error, or nearly leaves the range of numbers, may have no t.
   maskw is_clear = lt_w(turned, splat_w(R(256.0))) & lt_w(splat_w(R(0x1p-18)) * l * l, area) &
