@@ -35,12 +35,11 @@ FN void box_block_w(const Ray* ray, GLOBAL const real* block, GLOBAL const int* 
   realw ox = splat_w(ray->o.x), oy = splat_w(ray->o.y), oz = splat_w(ray->o.z);
   realw dx = splat_w(ray->d.x), dy = splat_w(ray->d.y), dz = splat_w(ray->d.z);
   int x = ray->near_x, y = ray->near_y, z = ray->near_z;
-  real3w entries = vec3_w((load_w(block + x * LANES) - ox) / dx, (load_w(block + y * LANES) - oy) / dy,
-                          (load_w(block + z * LANES) - oz) / dz);
-  real3w exits = vec3_w((load_w(block + (x ^ 1) * LANES) - ox) / dx, (load_w(block + (y ^ 1) * LANES) - oy) / dy,
-                        (load_w(block + (z ^ 1) * LANES) - oz) / dz);
-  realw enter = max_w(entries.z, max_w(entries.y, max_w(entries.x, splat_w(-REAL_MAX))));
-  realw leave = min_w(exits.z, min_w(exits.y, min_w(exits.x, splat_w(REAL_MAX))));
+  realw in_x = (load_w(block + x * LANES) - ox) / dx, out_x = (load_w(block + (x ^ 1) * LANES) - ox) / dx;
+  realw in_y = (load_w(block + y * LANES) - oy) / dy, out_y = (load_w(block + (y ^ 1) * LANES) - oy) / dy;
+  realw in_z = (load_w(block + z * LANES) - oz) / dz, out_z = (load_w(block + (z ^ 1) * LANES) - oz) / dz;
+  realw enter = max_w(in_z, max_w(in_y, max_w(in_x, splat_w(-REAL_MAX))));
+  realw leave = min_w(out_z, min_w(out_y, min_w(out_x, splat_w(REAL_MAX))));
   maskw hit = le_w(enter, leave);
 #if TIER_ROBUST
   hit = box_exact_w(ray, block, enter, leave, hit);
@@ -58,7 +57,7 @@ FN void box_block_w(const Ray* ray, GLOBAL const real* block, GLOBAL const int* 
   }
 #if TIER_ROBUST
   if (!any_w(hit)) return;
-  t = box_t_w(ray, block, hit & is_there_w(ids), departed, t, entries, exits);
+  t = box_t_w(ray, block, hit & is_there_w(ids), departed, t, vec3_w(in_x, in_y, in_z), vec3_w(out_x, out_y, out_z));
 #endif
   // REAL_MAX stands for an exit beyond the range of real, which is no hit.
   hit = hit & lt_w(t, splat_w(REAL_MAX));
