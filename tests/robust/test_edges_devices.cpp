@@ -72,8 +72,8 @@ Question within_the_plane(oracle::Random& random) {
   return question;
 }
 
-/// t between the vertices along the ray's largest axis, within the rounding of difference and quotient, and in the robust
-/// tier as much again, so that no t of a true hit is moved.
+/// t between the vertices along the ray's largest axis, within the rounding of difference and quotient, and in the
+/// robust tier as much again, so that no t of a true hit is moved.
 bool is_between(const Question& question, double t) {
   const Vec3 &d = question.ray.direction, &o = question.ray.origin;
   int axis = 0;
