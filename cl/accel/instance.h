@@ -157,6 +157,11 @@ FN real3 point_to_world(GLOBAL const real* placed, real3 p) {
 
 /// A normal is mapped by the transpose of the mapping into the group, so that outward normals stay outward. The result
 /// is not a unit vector.
+FN real3 vector_to_world(GLOBAL const real* placed, real3 v) {
+  GLOBAL const real* a = placed + INSTANCE_TO_WORLD;
+  return vec3(dot3(load3(a), v), dot3(load3(a + 3), v), dot3(load3(a + 6), v));
+}
+
 FN real3 normal_to_world(GLOBAL const real* placed, real3 n) {
   GLOBAL const real* a = placed + INSTANCE_TO_GROUP;
   return fma3(n.z, load3(a + 6), fma3(n.y, load3(a + 3), scale3(n.x, load3(a))));

@@ -14,6 +14,7 @@ typedef struct {
   real3 position;           ///< On the surface to rounding, not o + t d where the shape knows better.
   real3 normal;             ///< Unit, geometric, as built.
   real3 shading;            ///< Unit: interpolated vertex normals where there are any.
+  real3 along;              ///< Where u grows, of any length; set only with TANGENT. 0: the shape does not say.
   real u, v;                ///< The shape's own parameters (docs/scene-format.md).
   real tex_u, tex_v;        ///< Texture coordinates: the mesh's uvs where there are any, else u, v.
   real footprint;           ///< How wide the pixel is here; set only where there are textures (textures/footprint.h).
@@ -34,6 +35,7 @@ typedef struct {
 FN Surface surface_none(void) {
   Surface s;
   s.position = s.normal = s.shading = vec3(R(0.0), R(0.0), R(0.0));
+  s.along = s.normal;
   s.u = s.v = s.tex_u = s.tex_v = s.footprint = s.facing = s.off = R(0.0);
   s.outline = OUTLINE_NONE;
   s.is_flipped = s.stride = s.shape = s.primitive = s.part = 0;

@@ -46,6 +46,11 @@ FN void surface_scatter_w(const Scene* scene, Paths_w* path, const Surfaces_w* s
   realw t_max = path->rays.planes[RAY_PLANE_T_MAX] - s->t;
   maskw passed = passes_on_w(scene, path, s, on);
   on = on & ~passed;
+  if (HAS_MASK) {
+    maskw open = passes_masks_w(scene, path, s, on);
+    passed = passed | open;
+    on = on & ~open;
+  }
   if (any_w(on)) {
     real3w wo = unit3_w(negate3_w(d));
     Bsdf_w b = bsdf_at_w(scene, s, wo);

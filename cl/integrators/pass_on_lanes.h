@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Passing on: a surface that is ignored. The path goes on behind it along the same ray; nothing else changes, not even
-// depth and density. This holds for emitters hidden from the camera. Any other surface that lets rays through unchanged
-// is to be added here. One width; no guard.
+// depth and density. This holds for emitters hidden from the camera. A mask lets a path pass with the chance 1 -
+// opacity; as in Mitsuba that counts as depth, shadow rays end at it, and emitters behind it are found by the path
+// alone. One width; no guard.
 
 /// Lanes of `which` that pass on.
 FN maskw passes_on_w(const Scene* scene, const Paths_w* path, const Surfaces_w* s, maskw which) {
@@ -11,4 +12,18 @@ FN maskw passes_on_w(const Scene* scene, const Paths_w* path, const Surfaces_w* 
     on = which & path->alive & lt_int_w(path->depth, splat_int_w(1)) & is_glowing;
   }
   return on;
+}
+
+/// Lanes of `which` that masks let pass. Density 0: no light is drawn through a mask.
+FN maskw passes_masks_w(const Scene* scene, Paths_w* path, const Surfaces_w* s, maskw which) {
+  intw rows = material_rows_w(scene, part_entry_w(scene, s, PART_MATERIAL));
+  real3w rgb = parameter_at_w(scene, s, which, rows, (int)MATERIAL_OPACITY - (int)MATERIAL_SLOTS);
+  realw opacity = fma_w(splat_w(R(0.2126)), rgb.x, fma_w(splat_w(R(0.7152)), rgb.y, splat_w(R(0.0722)) * rgb.z));
+  realw number = random_between_w(vertex_number_w(scene, &path->sample, path->depth, USE_MASK));
+  // Where the channels are alike the sum may be off by rounding: opaque is opaque.
+  maskw is_grey = eq_w(rgb.x, rgb.y) & eq_w(rgb.y, rgb.z);
+  which = which & le_w(sel_w(is_grey, rgb.x, opacity), number);
+  path->depth = sel_int_w(which, path->depth + splat_int_w(1), path->depth);
+  path->density = sel_w(which, splat_w(R(0.0)), path->density);
+  return which;
 }

@@ -1,5 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Every material. Only includes: a program holds those that its scene uses.
+// Every material, after what several of them share. Only includes: a program holds the materials that its scene uses,
+// and what is "of" some of them, or "not of" some, where it has one of those, or another one.
+#include "math/fresnel_lanes.h"           // not of diffuse
+#include "math/metal_fresnel_lanes.h"     // of conductor, roughconductor
+#include "materials/microfacets_lanes.h"  // of roughconductor, roughdielectric, roughplastic
+#include "materials/base_lanes.h"         // of plastic, roughplastic
 #include "materials/diffuse_lanes.h"
 #include "materials/conductor_lanes.h"
 #include "materials/dielectric_lanes.h"
+#include "materials/roughconductor_lanes.h"
+#include "materials/roughdielectric_lanes.h"
+#include "materials/thindielectric_lanes.h"
+#include "materials/plastic_lanes.h"
+#include "materials/roughplastic_lanes.h"

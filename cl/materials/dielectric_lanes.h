@@ -4,8 +4,6 @@
 // (E. Veach, "Robust Monte Carlo Methods for Light Transport Simulation", 1997, section 5.2). Parameters: specular
 // reflectance r g b, specular transmittance r g b, index of refraction inside over outside; then the two indices,
 // inside and outside, which are used where overlapping glass is tracked (integrators/interfaces_lanes.h).
-#include "math/fresnel_lanes.h"
-
 enum { DIELECTRIC_TRANSMITTANCE_w = 3, DIELECTRIC_ETA_w = 6 };
 
 FN void dielectric_load_w(const Scene* scene, const Surfaces_w* s, intw rows, maskw which, Bsdf_w* b) {

@@ -9,16 +9,30 @@ FN maskw is_material_w(const Bsdf_w* b, int kind) {
   return ~nonzero_w(b->kind - splat_int_w(MATERIAL_COUNT == 1 ? 0 : kind));
 }
 
+/// Offset of each lane's row in the index.
+FN intw material_rows_w(const Scene* scene, intw materials) {
+  return materials * (int)MATERIAL_INTS + splat_int_w(scene->index[HEADER_MATERIALS]);
+}
+
 /// out: where the light goes to, unit, in the world.
 FN Bsdf_w bsdf_at_w(const Scene* scene, const Surfaces_w* s, real3w out) {
   GLOBAL const int* index = scene->index;
-  intw rows = part_entry_w(scene, s, PART_MATERIAL) * (int)MATERIAL_INTS + splat_int_w(index[HEADER_MATERIALS]);
+  intw rows = material_rows_w(scene, part_entry_w(scene, s, PART_MATERIAL));
   real3w z = s->shading;
   if (HAS_TWOSIDED) {
-    maskw is_twosided = nonzero_w(gather_int_w(index + MATERIAL_TWOSIDED, rows));
-    z = sel3_w(is_twosided & lt_w(dot3_w(out, z), splat_w(R(0.0))), negate3_w(z), z);
+    intw back = gather_int_w(index + MATERIAL_BACK, rows);
+    maskw is_behind = ~lt_int_w(back, splat_int_w(0)) & lt_w(dot3_w(out, z), splat_w(R(0.0)));
+    z = sel3_w(is_behind, negate3_w(z), z);
+    rows = sel_int_w(is_behind, material_rows_w(scene, back), rows);
   }
   Frame_w frame = frame_around_w(z);
+  if (HAS_TANGENT) {
+    // Twosided materials look from behind as from the front: x and y stay those of the front.
+    maskw has_along = nonzero_w(gather_int_w(index + MATERIAL_ALONG, rows));
+    Frame_w turned = frame_along_w(s->shading, s->along);
+    frame.x = sel3_w(has_along, turned.x, frame.x);
+    frame.y = sel3_w(has_along, turned.y, frame.y);
+  }
   intw kind = MATERIAL_COUNT == 1 ? splat_int_w(0) : gather_int_w(index + MATERIAL_KIND, rows);
   Bsdf_w b = {kind, frame, to_frame_w(&frame, out), out, {splat_w(R(0.0))}};
 #define MATERIAL(name, reals, lobes)                                                     \

@@ -68,6 +68,18 @@ FN Frame_w frame_around_w(real3w z) {
   return f;
 }
 
+/// The same with x along a direction as far as z lets it; where that is 0, as frame_around.
+FN Frame_w frame_along_w(real3w z, real3w along) {
+  Frame_w f = frame_around_w(z), turned = f;
+  real3w x = normalize3_w(fma3_w(-dot3_w(along, z), z, along));
+  turned.x = x;
+  turned.y = cross3_w(z, x);
+  maskw is_along = lt_w(splat_w(R(0.0)), dot3_w(x, x));
+  f.x = sel3_w(is_along, turned.x, f.x);
+  f.y = sel3_w(is_along, turned.y, f.y);
+  return f;
+}
+
 FN real3w from_frame_w(const Frame_w* f, real3w a) { return fma3_w(a.z, f->z, fma3_w(a.y, f->y, scale3_w(a.x, f->x))); }
 
 FN real3w to_frame_w(const Frame_w* f, real3w a) { return vec3_w(dot3_w(a, f->x), dot3_w(a, f->y), dot3_w(a, f->z)); }

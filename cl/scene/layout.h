@@ -91,9 +91,18 @@ enum {
 };
 
 // From MATERIAL_SLOTS on a slot a parameter: >= 0: -> shading, 3 reals; else ~ row of the texture table. Those that the
-// material does not have are 0, which may be read.
-enum { MATERIAL_MOST_SLOTS = 4 };
-enum { MATERIAL_KIND, MATERIAL_TWOSIDED, MATERIAL_SLOTS, MATERIAL_INTS = MATERIAL_SLOTS + MATERIAL_MOST_SLOTS };
+// material does not have are 0, which may be read. MATERIAL_BACK: the row of what is seen
+// from behind; -1: nothing. MATERIAL_ALONG: 1: its frame has x where u grows. MATERIAL_OPACITY: a slot, defined only in
+// programs with MASK.
+enum { MATERIAL_MOST_SLOTS = 10 };
+enum {
+  MATERIAL_KIND,
+  MATERIAL_BACK,
+  MATERIAL_ALONG,
+  MATERIAL_OPACITY,
+  MATERIAL_SLOTS,
+  MATERIAL_INTS = MATERIAL_SLOTS + MATERIAL_MOST_SLOTS
+};
 enum { TEXTURE_KIND, TEXTURE_REALS, TEXTURE_INTS };
 // LIGHT_AREA to LIGHT_FIRST_ID are an area light's: AREA_sphere, ...; number of items; -> index, CHOICE_INTS an item;
 // scene-wide id of item 0 where the items are primitives in order, else -1.

@@ -16,6 +16,17 @@ FN real3 interpolate3(GLOBAL const real* abc, real u, real v) {
   return fma3(v, load3(abc + 6), fma3(u, load3(abc + 3), scale3(w, load3(abc))));
 }
 
+/// Where u of a triangle's texture coordinates (u, v of each vertex) grows: the inverse of the map from its edges to
+/// them. 0 where they span no area.
+FN real3 triangle_along(GLOBAL const real* prim, int stride, GLOBAL const real* uv) {
+  real3 p0 = vec3(prim[0], prim[stride], prim[2 * stride]);
+  real3 e1 = sub3(vec3(prim[3 * stride], prim[4 * stride], prim[5 * stride]), p0);
+  real3 e2 = sub3(vec3(prim[6 * stride], prim[7 * stride], prim[8 * stride]), p0);
+  real v1 = uv[3] - uv[1], v2 = uv[5] - uv[1], area = difference_of_products(uv[2] - uv[0], v2, uv[4] - uv[0], v1);
+  real sign = area < R(0.0) ? -R(1.0) : area > R(0.0) ? R(1.0) : R(0.0);
+  return scale3(sign, fma3(v2, e1, scale3(-v1, e2)));
+}
+
 /// A point on a box is moved away from the edges in the box's own frame (hits/departure.h), where they are parallel to
 /// the axes.
 FN void surface_to_world(Surface* s) {
@@ -44,6 +55,7 @@ FN Surface surface_at(const Scene* scene, const Ray* ray, const Nearest* hit, in
   s.shape = part[PART_SHAPE];
   s.primitive = hit->id - part[PART_FIRST_ID];
   s.position = s.normal = within.o;
+  if (HAS_TANGENT) s.along = vec3(R(0.0), R(0.0), R(0.0));
   s.facing = s.off = s.u = s.v = R(0.0);
   s.outline = OUTLINE_NONE;
   s.prim = scene->geometry;
@@ -85,10 +97,12 @@ FN Surface surface_at(const Scene* scene, const Ray* ray, const Nearest* hit, in
   }
   if (HAS_MESH_UVS && part[PART_UVS] >= 0) {
     GLOBAL const real* uv = scene->shading + part[PART_UVS] + 6 * s.primitive;
+    if (HAS_TANGENT) s.along = triangle_along(s.prim, s.stride, uv);
     real w = R(1.0) - s.u - s.v;
     s.tex_u = real_fma(s.v, uv[4], real_fma(s.u, uv[2], w * uv[0]));
     s.tex_v = real_fma(s.v, uv[5], real_fma(s.u, uv[3], w * uv[1]));
   }
+  if (HAS_TANGENT && HAS_INSTANCES && hit->instance >= 0) s.along = vector_to_world(s.placed, s.along);
   return s;
 }
 

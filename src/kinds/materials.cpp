@@ -6,6 +6,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "kinds/rough_boundary.h"
+
 namespace strahl {
 namespace {
 
@@ -22,17 +24,73 @@ MaterialSlot slot(const char* name, const Reflectance& share) {
   return {name, {share.color.r, share.color.g, share.color.b}, share.texture};
 }
 
+MaterialSlot value_slot(const char* name, const Varying& value) {
+  MaterialSlot made = slot(name, value);
+  made.is_share = false;
+  return made;
+}
+
 MaterialFacts facts(const char* kind, std::vector<MaterialSlot> slots, std::vector<std::string> faults = {}) {
-  return {kind, lobes_of(kind), std::move(slots), std::move(faults)};
+  return {.kind = kind,
+          .lobes = lobes_of(kind),
+          .slots = std::move(slots),
+          .opacity = {},
+          .flags = {},
+          .faults = std::move(faults)};
+}
+
+bool is_finite(const Rgb& c) { return std::isfinite(c.r) && std::isfinite(c.g) && std::isfinite(c.b); }
+bool is_at_least(double least, const Rgb& c) { return is_finite(c) && c.r >= least && c.g >= least && c.b >= least; }
+
+/// Whether it reflects everything at every angle.
+bool is_ideal(const MetalIndex& index) { return index.eta.texture < 0 && index.eta.color == Rgb{0, 0, 0}; }
+
+void require_index(const MetalIndex& index, MaterialFacts& facts) {
+  if (!is_at_least(0, index.eta.color) || !is_at_least(0, index.k.color))
+    facts.faults.emplace_back("eta and k must be finite and not negative");
+}
+
+void add_microfacets(const Microfacets& microfacets, MaterialFacts& facts) {
+  const bool is_ggx = microfacets.kind == MicrofacetKind::ggx;
+  facts.slots.push_back(value_slot("alpha_u", microfacets.alpha_u));
+  facts.slots.push_back(value_slot("alpha_v", microfacets.alpha_v));
+  facts.slots.push_back({"distribution", {is_ggx ? 1.0 : 0.0, microfacets.sample_visible ? 1.0 : 0.0, 0}, -1, false});
+  facts.flags.emplace_back(is_ggx ? "GGX" : "BECKMANN");
+  const Varying &u = microfacets.alpha_u, &v = microfacets.alpha_v;
+  facts.has_along = u.color != v.color || u.texture != v.texture;
+  if (!is_at_least(0, microfacets.alpha_u.color) || !is_at_least(0, microfacets.alpha_v.color))
+    facts.faults.emplace_back("alpha must be finite and not negative");
 }
 
 /// Beyond 10^6 what is transmitted, 4 / index at normal incidence, is lost to single precision.
-std::vector<std::string> faults_of(const Dielectric& glass) {
+std::vector<std::string> index_faults(double int_ior, double ext_ior) {
   const auto is_index_of_refraction = [](double ior) { return ior >= 1e-6 && ior <= 1e6; };
-  if (is_index_of_refraction(glass.int_ior) && is_index_of_refraction(glass.ext_ior) &&
-      is_index_of_refraction(glass.int_ior / glass.ext_ior))
+  if (is_index_of_refraction(int_ior) && is_index_of_refraction(ext_ior) && is_index_of_refraction(int_ior / ext_ior))
     return {};
   return {"int_ior and ext_ior must be from 1e-6 to 1e6, and so must their ratio"};
+}
+
+/// Slots and faults of glass of any kind.
+MaterialFacts glass_facts(const char* kind, const Dielectric& glass) {
+  return facts(kind,
+               {slot("specular_reflectance", glass.reflectance),
+                slot("specular_transmittance", glass.transmittance),
+                {"int_ior", {glass.int_ior / glass.ext_ior, glass.int_ior, glass.ext_ior}, -1, false}},
+               index_faults(glass.int_ior, glass.ext_ior));
+}
+
+double mean(const Reflectance& share) { return (share.color.r + share.color.g + share.color.b) / 3; }
+
+/// inner: the share of diffuse light that the boundary reflects from within.
+MaterialFacts plastic_facts(const char* kind, const Plastic& plastic, double inner) {
+  const double eta = plastic.int_ior / plastic.ext_ior, specular = mean(plastic.specular_reflectance);
+  const double both = specular + mean(plastic.diffuse_reflectance), weight = both > 0 ? specular / both : 0.5;
+  return facts(kind,
+               {slot("diffuse_reflectance", plastic.diffuse_reflectance),
+                slot("specular_reflectance", plastic.specular_reflectance),
+                {"int_ior", {eta, weight, plastic.nonlinear ? 1.0 : 0.0}, -1, false},
+                {"inner", {inner, 1 / (eta * eta), 0}, -1, false}},
+               index_faults(plastic.int_ior, plastic.ext_ior));
 }
 
 /// The slots stand in the order in which the kernels number them.
@@ -41,14 +99,49 @@ struct Facts {
     return facts("diffuse", {slot("reflectance", bsdf.reflectance)});
   }
   MaterialFacts operator()(const Conductor& bsdf) const {
-    return facts("conductor", {slot("specular_reflectance", bsdf.reflectance)});
+    MaterialFacts metal = facts("conductor", {slot("specular_reflectance", bsdf.reflectance),
+                                              value_slot("eta", bsdf.index.eta), value_slot("k", bsdf.index.k)});
+    if (!is_ideal(bsdf.index)) metal.flags.emplace_back("METAL");
+    require_index(bsdf.index, metal);
+    return metal;
+  }
+  MaterialFacts operator()(const RoughConductor& bsdf) const {
+    MaterialFacts metal = facts("roughconductor", {slot("specular_reflectance", bsdf.reflectance),
+                                                   value_slot("eta", bsdf.index.eta), value_slot("k", bsdf.index.k)});
+    require_index(bsdf.index, metal);
+    add_microfacets(bsdf.microfacets, metal);
+    return metal;
   }
   MaterialFacts operator()(const Dielectric& bsdf) const {
-    return facts("dielectric",
-                 {slot("specular_reflectance", bsdf.reflectance),
-                  slot("specular_transmittance", bsdf.transmittance),
-                  {"int_ior", {bsdf.int_ior / bsdf.ext_ior, bsdf.int_ior, bsdf.ext_ior}, -1, false}},
-                 faults_of(bsdf));
+    MaterialFacts glass = glass_facts("dielectric", bsdf);
+    glass.is_boundary = true;
+    return glass;
+  }
+  MaterialFacts operator()(const RoughDielectric& bsdf) const {
+    MaterialFacts glass = glass_facts("roughdielectric", bsdf.glass);
+    add_microfacets(bsdf.microfacets, glass);
+    glass.is_boundary = true;
+    if (bsdf.glass.int_ior == bsdf.glass.ext_ior)
+      glass.faults.emplace_back("int_ior and ext_ior of a roughdielectric must differ");
+    return glass;
+  }
+  MaterialFacts operator()(const ThinDielectric& bsdf) const { return glass_facts("thindielectric", bsdf.glass); }
+  MaterialFacts operator()(const Plastic& bsdf) const {
+    return plastic_facts("plastic", bsdf, kinds::smooth_inner_reflectance(bsdf.int_ior / bsdf.ext_ior));
+  }
+  MaterialFacts operator()(const RoughPlastic& bsdf) const {
+    const Microfacets& microfacets = bsdf.microfacets;
+    const double eta = bsdf.plastic.int_ior / bsdf.plastic.ext_ior, alpha = microfacets.alpha_u.color.r;
+    const bool is_possible = std::isfinite(eta) && eta > 0 && std::isfinite(alpha) && alpha >= 0;
+    const auto boundary = is_possible ? kinds::rough_boundary(microfacets.kind, alpha, eta) : kinds::RoughBoundary{};
+    MaterialFacts plastic = plastic_facts("roughplastic", bsdf.plastic, boundary.inner);
+    add_microfacets(microfacets, plastic);
+    const std::array<double, 9>& t = boundary.through;
+    for (std::size_t i = 0; i < t.size(); i += 3)
+      plastic.slots.push_back({"through", {t[i], t[i + 1], t[i + 2]}, -1, false});
+    if (plastic.has_along || microfacets.alpha_u.texture >= 0)
+      plastic.faults.emplace_back("the roughness of a roughplastic must be one number");
+    return plastic;
   }
 };
 
@@ -56,6 +149,7 @@ struct Facts {
 
 MaterialFacts material_facts(const Material& material) {
   MaterialFacts facts = std::visit(Facts{}, material.bsdf);
+  if (material.opacity) facts.opacity = slot("opacity", *material.opacity);
   facts.is_twosided = material.twosided && !facts.has_lobe(lobes::LOBE_TRANSMIT);
   return facts;
 }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,8 +28,12 @@ struct MaterialFacts {
   std::string kind;  ///< An entry of cl/materials/materials.def.
   int lobes = 0;     ///< lobes::LOBE_...: those that it may have.
   std::vector<MaterialSlot> slots;
-  std::vector<std::string> faults;  ///< Descriptions of its faults, except for shares outside [0, 1].
-  bool is_twosided = false;         ///< Its back looks as its front does.
+  std::optional<MaterialSlot> opacity;  ///< Of a mask.
+  std::vector<std::string> flags;       ///< Features (cl/features.def) that it calls for.
+  std::vector<std::string> faults;      ///< Descriptions of its faults, except for shares outside [0, 1].
+  bool is_twosided = false;             ///< Its back looks as its front does.
+  bool is_boundary = false;             ///< Of two media: shapes of it may have a priority.
+  bool has_along = false;               ///< It scatters differently along u and across; calls for TANGENT.
 
   [[nodiscard]] bool has_lobe(int lobe) const { return (lobes & lobe) == lobe; }
 };

@@ -85,13 +85,14 @@ class Packing {
 
   void materials() {
     index(layout::HEADER_MATERIALS) = index_end();
-    for (const Material& material : scene_.materials) {
-      const PackedMaterial packed = packed_material(material, scene_, features_);
-      packed_.index.insert(packed_.index.end(), {packed.kind, packed.is_twosided ? 1 : 0});
-      if (packed.slots.size() > layout::MATERIAL_MOST_SLOTS)
-        throw std::logic_error("a material has more parameters than MATERIAL_MOST_SLOTS");
-      for (const MaterialSlot& slot : packed.slots)
-        packed_.index.push_back(slot.texture < 0 ? put_shading(slot.reals) : ~slot.texture);
+    const auto slot_of = [this](const MaterialSlot& slot) {
+      return slot.texture < 0 ? put_shading(slot.reals) : ~slot.texture;
+    };
+    for (std::size_t row = 0; row < scene_.materials.size(); ++row) {
+      const PackedMaterial packed = packed_material(row, scene_, features_);
+      packed_.index.insert(packed_.index.end(), {packed.kind, packed.back, packed.has_along ? 1 : 0,
+                                                 features_.flag("MASK") ? slot_of(packed.opacity) : 0});
+      for (const MaterialSlot& slot : packed.slots) packed_.index.push_back(slot_of(slot));
       packed_.index.resize(packed_.index.size() + layout::MATERIAL_MOST_SLOTS - packed.slots.size(), 0);
     }
   }

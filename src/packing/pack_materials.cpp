@@ -1,21 +1,34 @@
 // SPDX-License-Identifier: MIT
 #include "packing/pack_materials.h"
 
+#include <stdexcept>
+
 #include "kinds/textures.h"
+#include "packing/cl_layout.h"
 
 namespace strahl {
 
-PackedMaterial packed_material(const Material& material, const Scene& scene, const Features& features) {
+PackedMaterial packed_material(std::size_t row, const Scene& scene, const Features& features) {
+  const Material& material = scene.materials[row];
   const MaterialFacts facts = material_facts(material);
-  PackedMaterial packed{features.entry_index("materials", facts.kind), facts.is_twosided, facts.slots};
-  for (MaterialSlot& slot : packed.slots) {
-    if (slot.texture < 0) continue;
+  PackedMaterial packed;
+  packed.kind = features.entry_index("materials", facts.kind);
+  if (facts.is_twosided) packed.back = material.back < 0 ? static_cast<int>(row) : material.back;
+  packed.has_along = facts.has_along;
+  packed.opacity = facts.opacity.value_or(packed.opacity);
+  packed.slots = facts.slots;
+  if (packed.slots.size() > layout::MATERIAL_MOST_SLOTS)
+    throw std::logic_error("a material has more parameters than MATERIAL_MOST_SLOTS");
+  const auto replace_texture = [&](MaterialSlot& slot) {
+    if (slot.texture < 0) return;
     const Texture& texture = scene.textures[static_cast<std::size_t>(slot.texture)];
     const kinds::TextureFacts facts_of_texture = kinds::texture(texture);
-    if (features.has("textures", facts_of_texture.entry)) continue;
+    if (features.has("textures", facts_of_texture.entry)) return;
     slot.texture = -1;
     slot.reals = {facts_of_texture.mean.r, facts_of_texture.mean.g, facts_of_texture.mean.b};
-  }
+  };
+  replace_texture(packed.opacity);
+  for (MaterialSlot& slot : packed.slots) replace_texture(slot);
   return packed;
 }
 

@@ -11,10 +11,13 @@ namespace strahl {
 
 struct PackedMaterial {
   int kind = -1;  ///< Among the program's; -1: it does not know it, and nothing is reflected.
-  bool is_twosided = false;
+  int back = -1;  ///< Its MATERIAL_BACK.
+  bool has_along = false;
+  MaterialSlot opacity{"opacity", {1, 1, 1}};
   std::vector<MaterialSlot> slots;  ///< Of a texture that the program does not know, its mean.
 };
 
-[[nodiscard]] PackedMaterial packed_material(const Material& material, const Scene& scene, const Features& features);
+/// Of scene.materials[row].
+[[nodiscard]] PackedMaterial packed_material(std::size_t row, const Scene& scene, const Features& features);
 
 }  // namespace strahl

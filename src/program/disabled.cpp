@@ -21,6 +21,8 @@ const std::map<std::string, std::string>& needed() {
       {"integrators", "a picture needs its integrator; --integrator takes another one"},
       {"samplers", "samples draw their numbers from it; --sampler takes another one"},
       {"BRANCHES", "integrator whitted follows glass by it; --integrator path draws one way of two"},
+      {"BECKMANN", "rough surfaces are made of it; their materials can be left out"},
+      {"GGX", "rough surfaces are made of it; their materials can be left out"},
       {"choosers", "lights are drawn by it"},
       {"OPENNESS", "integrator ao is nothing else; --integrator takes another one"},
       {"AOV", "--aov asks for it; leave that out"},

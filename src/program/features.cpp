@@ -3,6 +3,7 @@
 #include "program/features.h"
 
 #include <algorithm>
+#include <functional>
 #include <map>
 #include <set>
 #include <stdexcept>
@@ -46,26 +47,34 @@ void shape_causes(const Scene& scene, const RenderSettings& settings, Causes& ca
   const bool reflects = integrator.is_lit();
   // Normals interpolated over a mesh reach the picture through lighting, the normals picture and its AOV.
   const bool shading = integrator.reads_shading || settings.aovs.contains(Aov::normal);
-  auto use_material = [&](int index, const SourceLocation& where) {
+  std::function<bool(int, const SourceLocation&)> use_material = [&](int index, const SourceLocation& where) {
     const Material& material = material_at(scene, index);
     const MaterialFacts facts = material_facts(material);
     const SourceLocation& place = material.where.line > 0 ? material.where : where;
     call_for(causes, "materials/" + facts.kind, "material of type " + facts.kind, place);
+    for (const std::string& flag : facts.flags) call_for(causes, flag, "material of type " + facts.kind, place);
     if (facts.is_twosided) call_for(causes, "TWOSIDED", "a twosided material", place);
     if (integrator.follows == kinds::Follows::mirrors &&
         facts.has_lobe(lobes::LOBE_REFLECT | lobes::LOBE_TRANSMIT | lobes::LOBE_DELTA))
       call_for(causes, "BRANCHES", "a material that reflects and transmits", place);
-    bool is_textured = false;
-    for (const MaterialSlot& slot : facts.slots) {
+    if (facts.has_along) call_for(causes, "TANGENT", "material of type " + facts.kind + " with a direction", place);
+    bool reads_uv = facts.has_along && causes.allow("TANGENT");
+    std::vector<MaterialSlot> slots = facts.slots;
+    if (facts.opacity) {
+      call_for(causes, "MASK", "a mask", place);
+      slots.push_back(*facts.opacity);
+    }
+    if (facts.is_twosided && material.back >= 0 && use_material(material.back, where)) reads_uv = true;
+    for (const MaterialSlot& slot : slots) {
       if (slot.texture < 0) continue;
       const Texture& texture = scene.textures.at(static_cast<std::size_t>(slot.texture));
       const std::string pattern = texture_kind(texture);
       if (!causes.allow("textures/" + pattern)) continue;
       call_for(causes, "textures/" + pattern, "a reflectance from a texture of type " + pattern,
                texture.where.line > 0 ? texture.where : place);
-      is_textured = true;
+      reads_uv = true;
     }
-    return is_textured;
+    return reads_uv;
   };
   // Only the first cause of each is told: of a million spheres one is looked at.
   std::set<std::tuple<std::size_t, int, bool>> seen;
@@ -92,18 +101,18 @@ void shape_causes(const Scene& scene, const RenderSettings& settings, Causes& ca
       emit(shape.radiance_where);
     }
     if (reflects && shape.priority) call_for(causes, "PRIORITY", "a shape with a priority", shape.where);
-    bool textured = false;
-    if (reflects && !(mesh && !mesh->parts.empty())) textured = use_material(shape.material, shape.where);
+    bool reads_uv = false;
+    if (reflects && !(mesh && !mesh->parts.empty())) reads_uv = use_material(shape.material, shape.where);
     if (!mesh) return;
     for (const MeshPart& part : mesh->parts) {
       if (lit && part.radiance) {
         call_for(causes, "EMISSION", "a mesh material that emits", shape.where);
         emit(shape.where);
       }
-      if (reflects && use_material(part.material, shape.where)) textured = true;
+      if (reflects && use_material(part.material, shape.where)) reads_uv = true;
     }
-    if (textured && !mesh->uvs.empty())
-      call_for(causes, "MESH_UVS", "a mesh with texture coordinates, for its texture", shape.where);
+    if (reads_uv && !mesh->uvs.empty())
+      call_for(causes, "MESH_UVS", "a mesh with texture coordinates, for its material", shape.where);
   };
   for (const Shape& shape : scene.shapes) look_at(shape);
   if (!causes.allow("INSTANCES")) return;

@@ -126,7 +126,7 @@ class Expander {
       const int step = conditional_step(lines[i].bare);
       conditionals_ += step;
       if (!include.empty()) {
-        if (is_wanted(path, i + 1, include)) add_file(include);
+        if (is_shared_wanted(path, i + 1, lines[i].text) && is_wanted(path, i + 1, include)) add_file(include);
       } else if (!guard.empty() && (step != 0 || lines[i].bare.ends_with(guard))) {
         text_ += lines[i].bare + '\n';
       } else {
@@ -138,6 +138,25 @@ class Expander {
   bool is_active(const std::string& folder, const std::string& entry) const {
     const auto names = active_.find(folder);
     return names == active_.end() || names->second.contains(entry);
+  }
+
+  /// Of `#include "x.h"  // of sphere, disk`: whether one of these entries of the list is active; of `// not of box`,
+  /// whether one of the others is.
+  bool is_shared_wanted(const std::string& path, std::size_t line, const std::string& text) const {
+    static const std::regex owners(R"(.*"\s*// (not )?of ([\w, ]+)$)"), word(R"(\w+)");
+    std::smatch match;
+    if (!std::regex_match(text, match, owners)) return true;
+    const std::string folder = folder_of(path), listed = match[2];
+    const std::set<std::string>& all = entries_.at(folder);
+    std::set<std::string> named;
+    for (std::sregex_iterator name(listed.begin(), listed.end(), word), end; name != end; ++name) {
+      if (!all.contains(name->str()))
+        fail(path, line, fmt::format("{} has no entry \"{}\"", list_of(folder), name->str()));
+      named.insert(name->str());
+    }
+    return std::any_of(all.begin(), all.end(), [&](const std::string& entry) {
+      return named.contains(entry) != match[1].matched && is_active(folder, entry);
+    });
   }
 
   /// Whether an include puts anything into the text; throws where it cannot be followed.

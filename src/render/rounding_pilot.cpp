@@ -49,7 +49,7 @@ std::optional<Image> picture(Renderer& renderer, std::size_t seed, const Progres
 }
 
 /// Sums over all values of the pictures' differences from their references.
-class Differences {
+class PilotDifferences {
  public:
   void add(const Image& rounded, const Image& reference) {
     sums_.resize(rounded.data.size(), 0.0);
@@ -112,7 +112,7 @@ std::optional<double> rounding_rmse(const Device& device, const Scene& scene, co
   const Scene pilot = small(scene, side);
   const auto goes_on = [&](const Progress&) { return !most_seconds || watch.seconds() < *most_seconds; };
   Renderer rounding(device, pilot, tier), reference(device, pilot, exact);
-  Differences differences;
+  PilotDifferences differences;
   for (std::size_t seed = 0; seed < most_seeds; ++seed) {
     const std::optional<Image> rounded = picture(rounding, seed, goes_on);
     const std::optional<Image> right = rounded ? picture(reference, seed, goes_on) : std::nullopt;

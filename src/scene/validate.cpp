@@ -95,7 +95,11 @@ void check_instance(const Instance& instance, const Scene& scene, Checker& check
 void check_material(const Material& material, const Scene& scene, Checker& check) {
   check.at(material.where);
   const MaterialFacts facts = material_facts(material);
-  for (const MaterialSlot& slot : facts.slots) {
+  std::vector<MaterialSlot> slots = facts.slots;
+  if (facts.opacity) slots.push_back(*facts.opacity);
+  check.require(material.back == -1 || is_index(material.back, scene.materials.size()),
+                "material {} of its back does not exist; there are {}", material.back, scene.materials.size());
+  for (const MaterialSlot& slot : slots) {
     const auto& [r, g, b] = slot.reals;
     check.require(!slot.is_share || is_reflectance({r, g, b}), "{} must lie in [0, 1]", slot.name);
     check.require(slot.texture == -1 || is_index(slot.texture, scene.textures.size()),

@@ -5,6 +5,11 @@
 #define HAS_PIXEL_FILTER 1
 #define HAS_EMISSION 1
 #define HAS_TWOSIDED 1
+#define HAS_METAL 1
+#define HAS_BECKMANN 1
+#define HAS_GGX 1
+#define HAS_TANGENT 1
+#define HAS_MASK 1
 #define HAS_BRANCHES 1
 #define HAS_PRIORITY 1
 #define HAS_SMOOTH_NORMALS 1

@@ -18,6 +18,9 @@ inline void atomic_inc(uint* counter) { ++*counter; }
 #include "lanes/lane_ops.h"
 // It is written in them.
 #include "math/rng_lanes.h"
+// As above.
+#include "math/erfc_lanes.h"
+#include "math/exp_log_lanes.h"
 }  // namespace f32
 
 namespace strahl::test {
@@ -30,6 +33,9 @@ float length3(const std::array<float, 3>& v) { return f32::length3(f32::vec3(v[0
 float difference_of_products(float a, float b, float c, float d) { return f32::difference_of_products(a, b, c, d); }
 float soft_fma(float a, float b, float c) { return f32::soft_fma(a, b, c); }
 float random_unit(float, std::uint32_t bits) { return f32::random_unit_w_1(bits); }
+float exp_minus(float a) { return f32::exp_minus_w_1(a); }
+float minus_log(float u) { return f32::minus_log_w_1(u); }
+float erfcx(float a) { return f32::erfcx_w_1(a); }
 void add_to_film(FilmWords& sum, float value, std::array<std::uint32_t, 4>* counts) {
   const f32::Scene scene{nullptr, nullptr, nullptr, counts->data()};
   f32::film_add_sample(&scene, sum.data(), value);

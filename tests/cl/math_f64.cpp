@@ -17,6 +17,9 @@ inline void atomic_inc(uint* counter) { ++*counter; }
 #include "lanes/lane_ops.h"
 // It is written in them.
 #include "math/rng_lanes.h"
+// As above.
+#include "math/erfc_lanes.h"
+#include "math/exp_log_lanes.h"
 }  // namespace f64
 
 namespace strahl::test {
@@ -35,6 +38,9 @@ std::array<std::uint32_t, 4> random4(std::uint32_t pixel, std::uint32_t sample, 
   return {r.x, r.y, r.z, r.w};
 }
 double random_unit(double, std::uint32_t bits) { return f64::random_unit_w_1(bits); }
+double exp_minus(double a) { return f64::exp_minus_w_1(a); }
+double minus_log(double u) { return f64::minus_log_w_1(u); }
+double erfcx(double a) { return f64::erfcx_w_1(a); }
 void add_to_film(FilmWords& sum, double value, std::array<std::uint32_t, 4>* counts) {
   const f64::Scene scene{nullptr, nullptr, nullptr, counts->data()};
   f64::film_add_sample(&scene, sum.data(), value);

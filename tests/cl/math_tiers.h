@@ -22,6 +22,14 @@ std::array<std::uint32_t, 4> random4(std::uint32_t pixel, std::uint32_t sample, 
 float random_unit(float tier, std::uint32_t bits);
 double random_unit(double tier, std::uint32_t bits);
 
+/// cl/math/exp_log_lanes.h, cl/math/erfc_lanes.h.
+float exp_minus(float a);
+double exp_minus(double a);
+float minus_log(float u);
+double minus_log(double u);
+float erfcx(float a);
+double erfcx(double a);
+
 /// A channel's sum in the film: the words of cl/film/film_sum.h.
 using FilmWords = std::array<std::int64_t, 2>;
 

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
 strahl_test(cl/test_angle.cpp LABEL unit LIBS strahl_oracle SOURCES cl/angle_f32.cpp cl/angle_f64.cpp)
+set_source_files_properties(cl/test_exp_log.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 set_source_files_properties(cl/test_angle.cpp cl/angle_f32.cpp cl/angle_f64.cpp cl/test_departure.cpp
                             cl/test_near_point.cpp
                             PROPERTIES INCLUDE_DIRECTORIES ${PROJECT_SOURCE_DIR}/cl)
@@ -22,7 +23,7 @@ target_compile_options(strahl_host_kernels PRIVATE -O2 -Wno-psabi $<$<BOOL:${STR
 
 strahl_test(cl/test_departure.cpp LABEL unit)
 strahl_test(cl/test_near_point.cpp LABEL unit)
-foreach(name departed film math samplers sampling soft_fma)
+foreach(name departed exp_log film math samplers sampling soft_fma)
   strahl_test(cl/test_${name}.cpp LABEL unit LIBS strahl_host_kernels strahl_oracle)
 endforeach()
 foreach(name shapes_oracle watertight ties arbitrary_bits host_equals_device)

@@ -1,2 +1,3 @@
 # SPDX-License-Identifier: MIT
 strahl_test(kinds/test_readers.cpp LABEL unit)
+strahl_test(kinds/test_rough_boundary.cpp LABEL unit)

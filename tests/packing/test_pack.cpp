@@ -165,7 +165,7 @@ TEST_CASE("Every shape has a part: its look and its frame") {
       read.ints(read.header(layout::HEADER_MATERIALS) + red * layout::MATERIAL_INTS, layout::MATERIAL_INTS);
   CHECK(material[layout::MATERIAL_KIND] == 0);
   CHECK(read.shading(material[layout::MATERIAL_SLOTS], 3) == Reals{0.75, 0.5, 0.25});
-  CHECK(material[layout::MATERIAL_TWOSIDED] == 0);
+  CHECK(material[layout::MATERIAL_BACK] == -1);
 }
 
 TEST_CASE("A texture has its row, and shapes then say how fast u and v change") {

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// The dielectric against Fresnel's equations in long double, in the hard cases: equal and nearly equal indices, the
-// critical angle, grazing light, Brewster's angle. 1 s.
+// Dielectrics and metals against Fresnel's equations in long double, in the hard cases: equal and nearly equal indices,
+// the critical angle, grazing light, Brewster's angle; metals that hardly absorb or hardly refract. 1 s.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <complex>
 #include <limits>
 
 #include "kinds/materials.h"
@@ -15,13 +16,14 @@ namespace {
 
 using namespace strahl::lobes;
 
-int dielectric() {
+int kind_of(const std::string& name) {
   const std::vector<BsdfEntry> entries = bsdf_entries();
   const auto found =
-      std::find_if(entries.begin(), entries.end(), [](const BsdfEntry& entry) { return entry.name == "dielectric"; });
+      std::find_if(entries.begin(), entries.end(), [&](const BsdfEntry& entry) { return entry.name == name; });
   REQUIRE(found != entries.end());
   return static_cast<int>(found - entries.begin());
 }
+int dielectric() { return kind_of("dielectric"); }
 
 Way way(const BsdfTier& tier, double cosine, double eta, int side) {
   const double sine = std::sqrt((1 - cosine) * (1 + cosine));
@@ -117,6 +119,48 @@ TEST_CASE("grazing light is reflected, whole") {
         CHECK(std::isfinite(share));
         CHECK(share == Approx(1).epsilon(1e-6));
       }
+}
+
+/// By the complex cosine inside.
+long double exact_metal(long double c, long double n, long double k) {
+  const std::complex<long double> index(n, k), inside = std::sqrt(index * index - (1 - c) * (1 + c)),
+                                               square = index * index;
+  return (std::norm((c - inside) / (c + inside)) + std::norm((square * c - inside) / (square * c + inside))) / 2;
+}
+
+TEST_CASE("metals reflect Fresnel's share") {
+  const std::vector<std::array<double, 2>> indices{{0.143, 3.98}, {1.44, 1.6}, {0.2, 3.9}, {1.66, 9.22}, {4.37, 3.5},
+                                                   {1.5, 0},      {1.0001, 0}, {1, 1e-4},  {1, 1e-3},    {0.7, 1e-6},
+                                                   {1e-3, 1e-3},  {1e-3, 2},   {50, 0.1},  {0.5, 0.5},   {2.5, 1e-5}};
+  const std::vector<double> cosines{1, 0.999, 0.9, 0.7, 0.5, 0.3, 0.1, 0.03, 1e-2, 1e-3, 1e-5, 1e-7};
+  for (const BsdfTier& tier : bsdf_tiers()) {
+    const double u = roundoff(tier);
+    for (const auto& [any_n, any_k] : indices)
+      for (const double any_cosine : cosines) {
+        const double n = rounded(tier, any_n), k = rounded(tier, any_k), c = rounded(tier, any_cosine);
+        const Triad wo{std::sqrt((1 - c) * (1 + c)), 0, c};
+        const double share =
+            tier.sample(kind_of("conductor"), {1, 1, 1, n, n, n, k, k, k}, wo, LOBES_ALL, {{0.5, 0.5, 0.5}})
+                .front()
+                .weight[0];
+        const auto truth = static_cast<double>(exact_metal(c, n, k));
+        const auto change = [&](double dc, double dn, double dk) {
+          return std::fabs(
+              static_cast<double>(exact_metal(std::min(c * (1 + dc * u), 1.0), n * (1 + dn * u), k * (1 + dk * u)) -
+                                  exact_metal(c * (1 - dc * u), n * (1 - dn * u), k * (1 - dk * u))));
+        };
+        const double bound = 12 * (truth * u + change(1, 0, 0) + change(0, 1, 0) + change(0, 0, 1));
+        INFO(tier.name << ", " << tier.lanes << " lanes, index " << n << " + i " << k << ", cosine " << c);
+        CHECK(share == Approx(truth).margin(bound).epsilon(0));
+        CHECK(share <= 1);
+      }
+    // No index: everything, at every angle.
+    for (const double c : {1.0, 0.3, 1e-7})
+      CHECK(tier.sample(kind_of("conductor"), {1, 1, 1, 0, 0, 0, 1, 0, 3}, {std::sqrt((1 - c) * (1 + c)), 0, c},
+                        LOBES_ALL, {{0.5, 0.5, 0.5}})
+                .front()
+                .weight == Triad{1, 1, 1});
+  }
 }
 
 }  // namespace

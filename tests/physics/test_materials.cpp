@@ -23,31 +23,83 @@ using namespace strahl::lobes;
 struct Row {
   std::vector<double> p;
   bool is_lossless = false;
+  double spread = 1;  ///< Least roughness.
 };
 
 using AnyBsdf = decltype(strahl::Material::bsdf);
 
-/// The default parameters of the entry; none where no material of the model belongs to it.
+/// The slots of the entry with its default parameters; none where no material of the model belongs to it.
 template <std::size_t alternative = 0>
-std::vector<double> default_parameters(const std::string& entry) {
+std::vector<strahl::MaterialSlot> default_slots(const std::string& entry) {
   if constexpr (alternative < std::variant_size_v<AnyBsdf>) {
     strahl::Material material;
     material.bsdf = std::variant_alternative_t<alternative, AnyBsdf>{};
     const strahl::MaterialFacts facts = strahl::material_facts(material);
-    if (facts.kind != entry) return default_parameters<alternative + 1>(entry);
-    std::vector<double> reals;
-    for (const strahl::MaterialSlot& slot : facts.slots)
-      reals.insert(reals.end(), slot.reals.begin(), slot.reals.end());
-    return reals;
+    if (facts.kind != entry) return default_slots<alternative + 1>(entry);
+    return facts.slots;
   } else {
     return {};
   }
 }
 
+/// distribution: 1 GGX; 1 visible normals.
+std::vector<double> rough_metal(const Triad& eta, const Triad& k, double alpha_u, double alpha_v,
+                                const std::array<double, 2>& distribution) {
+  return {1, 1,       1, eta[0], eta[1],          eta[2],          k[0], k[1], k[2], alpha_u, 0,
+          0, alpha_v, 0, 0,      distribution[0], distribution[1], 0};
+}
+
+/// Of relative index eta.
+std::vector<double> rough_glass(double eta, double alpha_u, double alpha_v, const std::array<double, 2>& distribution) {
+  return {1, 1, 1, 1, 1, 1, eta, eta, 1, alpha_u, 0, 0, alpha_v, 0, 0, distribution[0], distribution[1], 0};
+}
+
+/// With the boundary that the host computes.
+std::vector<double> rough_plastic(const strahl::RoughPlastic& plastic) {
+  strahl::Material material;
+  material.bsdf = plastic;
+  std::vector<double> reals;
+  for (const strahl::MaterialSlot& slot : strahl::material_facts(material).slots)
+    reals.insert(reals.end(), slot.reals.begin(), slot.reals.end());
+  return reals;
+}
+
+std::vector<double> rough_plastic(double alpha, bool is_ggx, const strahl::Rgb& diffuse, bool is_nonlinear) {
+  strahl::RoughPlastic plastic;
+  plastic.plastic.diffuse_reflectance.color = diffuse;
+  plastic.plastic.nonlinear = is_nonlinear;
+  plastic.microfacets.kind = is_ggx ? strahl::MicrofacetKind::ggx : strahl::MicrofacetKind::beckmann;
+  plastic.microfacets.alpha_u.color = plastic.microfacets.alpha_v.color = {alpha, alpha, alpha};
+  return rough_plastic(plastic);
+}
+
 const std::map<std::string, std::vector<Row>>& rows() {
   static const std::map<std::string, std::vector<Row>> of_material{
       {"diffuse", {{{0.8, 0.5, 0.1}}, {{1, 1, 1}, true}, {{0, 0, 0}}}},
-      {"conductor", {{{0.9, 0.6, 0.3}}, {{1, 1, 1}, true}}},
+      {"conductor",
+       {{{0.9, 0.6, 0.3, 0, 0, 0, 1, 1, 1}},
+        {{1, 1, 1, 0, 0, 0, 1, 1, 1}, true},
+        {{1, 1, 1, 0.2, 0.92, 1.1, 3.91, 2.45, 2.14}}}},
+      {"roughconductor",
+       {{rough_metal({0.14, 0.38, 1.44}, {3.98, 2.39, 1.6}, 0.5, 0.5, {0, 1})},
+        {rough_metal({0, 0, 0}, {1, 1, 1}, 0.3, 0.6, {0, 1})},
+        {rough_metal({0, 0, 0}, {1, 1, 1}, 0.4, 0.4, {1, 1})},
+        {rough_metal({0, 0, 0}, {1, 1, 1}, 0.7, 0.35, {1, 0})},
+        {rough_metal({0, 0, 0}, {1, 1, 1}, 0.5, 0.4, {0, 0})},
+        {rough_metal({1.5, 1, 0.01}, {0, 1e-3, 9}, 0.01, 0.01, {1, 1})}}},
+      {"roughdielectric",
+       {{rough_glass(1.5, 0.5, 0.5, {0, 1})},
+        {rough_glass(0.625, 0.4, 0.7, {0, 1})},
+        {rough_glass(1.33, 0.3, 0.3, {1, 1})},
+        {rough_glass(2.5, 0.5, 0.4, {1, 0})},
+        {rough_glass(1.5, 0.01, 0.01, {0, 1})}}},
+      {"roughplastic",
+       {{rough_plastic(0.4, false, {0.8, 0.5, 0.1}, true)},
+        {rough_plastic(0.5, true, {1, 1, 1}, false)},
+        {rough_plastic(0.01, false, {1, 1, 1}, true)}}},
+      {"thindielectric", {{{1, 1, 1, 1, 1, 1, 1.5, 1.5, 1}, true}, {{1, 1, 1, 1, 1, 1, 1, 1, 1}, true}}},
+      {"plastic",
+       {{{0.8, 0.5, 0.1, 1, 1, 1, 1.5, 0.7, 1, 0.6, 1 / 2.25, 0}}, {{1, 1, 1, 0, 0, 0, 1.33, 0, 0, 0.46, 0.5653, 0}}}},
       {"dielectric",
        {{{1, 1, 1, 1, 1, 1, 1.5, 1.5, 1}, true},
         {{1, 1, 1, 1, 1, 1, 0.625, 0.625, 1}, true},
@@ -59,10 +111,34 @@ const std::map<std::string, std::vector<Row>>& rows() {
 }
 
 std::vector<Row> rows_of(const std::string& entry) {
-  std::vector<Row> all{{default_parameters(entry)}};
+  const std::vector<strahl::MaterialSlot> slots = default_slots(entry);
+  std::vector<Row> all(1);
+  for (const strahl::MaterialSlot& slot : slots) all[0].p.insert(all[0].p.end(), slot.reals.begin(), slot.reals.end());
   const auto more = rows().find(entry);
   if (more != rows().end()) all.insert(all.end(), more->second.begin(), more->second.end());
+  for (Row& row : all)
+    for (std::size_t i = 0; i < slots.size(); ++i)
+      if (std::string(slots[i].name).starts_with("alpha")) row.spread = std::min(row.spread, row.p.at(3 * i));
   return all;
+}
+
+/// By how much rounding changes a density or value at a drawn direction, relative to it: a rough lobe is as steep as it
+/// is narrow, a half vector is known as well as it is long, and shallow light on a microfacet changes what it reflects.
+double rounding(const BsdfTier& tier, const Row& row, bool is_glass, const Triad& wo, const Way& way) {
+  const double u = 64 * roundoff(tier);
+  if (row.spread == 1) return u;
+  const Triad half{wo[0] + way.eta * way.wi[0], wo[1] + way.eta * way.wi[1], wo[2] + way.eta * way.wi[2]};
+  const double length = std::hypot(half[0], half[1], half[2]);
+  const auto cosine = [&](const Triad& w) {
+    return std::fabs(half[0] * w[0] + half[1] * w[1] + half[2] * w[2]) / length;
+  };
+  double least = 1;
+  if (is_glass) {
+    // The square of the cosine on the other side vanishes at the critical angle.
+    const double eta = wo[2] < 0 ? 1 / row.p[6] : row.p[6], c = cosine(wo);
+    least = std::min({c, cosine(way.wi), std::sqrt(std::fabs(eta * eta - (1 - c) * (1 + c)))});
+  }
+  return std::min(u * (1 + 2 / (row.spread * length)) / (least * least), 1.0);
 }
 
 /// Towards the camera: above and below, upright to grazing.
@@ -115,13 +191,16 @@ TEST_CASE("directions are drawn as densely as is said, and densities integrate t
   constexpr int rings = 8, sectors = 8, within = 12;
   const std::vector<Triad> numbers = random_numbers(4000);
   for_each_case([&](const BsdfTier& tier, int kind, const BsdfEntry& entry, const Row& row, const Triad& wo) {
-    if ((entry.lobes & LOBE_SPREADS) == LOBE_DELTA) return;
+    // Narrow lobes, as refracted ones are: test_microfacets.cpp.
+    const bool is_narrow = row.spread < 0.3 || (row.spread < 1 && (entry.lobes & LOBE_TRANSMIT) != 0);
+    if ((entry.lobes & LOBE_SPREADS) == LOBE_DELTA || is_narrow) return;
     const std::vector<Way> ways = tier.sample(kind, row.p, wo, LOBES_ALL, numbers);
     std::vector<double> hits(rings * sectors, 0), expected(rings * sectors, 0);
-    double deltas = 0;
+    // Drawn, but in no direction: by delta lobes, or absorbed.
+    double others = 0;
     for (const Way& way : ways) {
-      if (is_delta(way)) {
-        deltas += 1;
+      if (is_delta(way) || way.density == 0) {
+        others += 1;
         continue;
       }
       const double turn = std::atan2(way.wi[1], way.wi[0]) / (2 * std::numbers::pi);
@@ -149,7 +228,8 @@ TEST_CASE("directions are drawn as densely as is said, and densities integrate t
       if (largest({row.p[0], row.p[1], row.p[2]}) > 0) CHECK(whole == 0);
       return;
     }
-    CHECK(whole + deltas / static_cast<double>(ways.size()) == Approx(1).epsilon(5e-3));
+    const double n = static_cast<double>(ways.size()), share = others / n;
+    CHECK(whole + share == Approx(1).margin(5e-3 + 4 * std::sqrt(share * (1 - share) / n)));
     hold_counts(hits, expected);
   });
 }
@@ -158,9 +238,9 @@ TEST_CASE("weights are f |cos| over the density, and f is reciprocal") {
   const std::vector<Triad> numbers = random_numbers(64);
   for_each_case([&](const BsdfTier& tier, int kind, const BsdfEntry& entry, const Row& row, const Triad& wo) {
     if ((entry.lobes & LOBE_SPREADS) == LOBE_DELTA) return;
-    const double bound = 64 * roundoff(tier);
     for (const Way& way : tier.sample(kind, row.p, wo, LOBES_ALL, numbers)) {
       if (is_delta(way) || is_black(way.weight)) continue;
+      const double bound = rounding(tier, row, (entry.lobes & LOBE_TRANSMIT) != 0, wo, way);
       const Scattered there = tier.eval(kind, row.p, wo, {way.wi}).front();
       const Scattered back = tier.eval(kind, row.p, way.wi, {wo}).front();
       CHECK(there.density == Approx(way.density).epsilon(bound));
@@ -188,7 +268,8 @@ TEST_CASE("no material makes energy, and a lossless one loses none") {
     }
     const double n = static_cast<double>(numbers.size()), mean = sum / n;
     const double noise = 4 * std::sqrt(std::max(squares / n - mean * mean, 0.0) / n) + 64 * roundoff(tier);
-    CHECK(mean <= 1 + noise);
+    // Beckmann's rational masking is up to 0.35 % too little.
+    CHECK(mean <= 1 + noise + (row.spread < 1 ? 2e-3 : 0));
     const bool is_seen = wo[2] > 0 || (entry.lobes & LOBE_TRANSMIT) != 0;
     if (row.is_lossless && is_seen) CHECK(mean >= 1 - noise);
     if (!is_seen) CHECK(mean == 0);

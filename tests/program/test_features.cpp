@@ -122,7 +122,7 @@ TEST_CASE("Mirrors and textures count where a shape has them") {
   Mesh mesh = small_mesh();
   mesh.uvs = {{0, 0}, {1, 0}, {0, 1}};
   scene.shapes[0].geometry = mesh;
-  check_on(scene, {}, "MESH_UVS", 10, "a mesh with texture coordinates, for its texture");
+  check_on(scene, {}, "MESH_UVS", 10, "a mesh with texture coordinates, for its material");
   scene.integrator.name = "normals";
   for (const char* effect : {"materials/diffuse", "textures/checkerboard", "MESH_UVS"}) check_off(scene, {}, effect);
 }

@@ -112,6 +112,20 @@ TEST_CASE("The lanes of an entry that is not active are dropped; files that are 
   CHECK_THAT(text, !Contains("SPHERE_LANES") && Contains("PLANE_LANES") && Contains("BLOCK"));
 }
 
+TEST_CASE("What entries share stands in the text where one of them is active") {
+  KernelFiles files = shape_files();
+  files["shapes/roots.h"] = "ROOTS\n";
+  files["shapes/corners.h"] = "CORNERS\n";
+  files["shapes/all.h"] =
+      "#include \"shapes/roots.h\"  // of sphere\n#include \"shapes/corners.h\"  // not of sphere\n" +
+      files["shapes/all.h"];
+  CHECK_THAT(expand(files, {{"shapes", {"plane"}}}), !Contains("ROOTS") && Contains("CORNERS"));
+  CHECK_THAT(expand(files, {{"shapes", {"sphere"}}}), Contains("ROOTS") && !Contains("CORNERS"));
+  CHECK_THAT(expand(files, {{"shapes", {}}}), !Contains("ROOTS") && !Contains("CORNERS"));
+  files["shapes/all.h"] = "#include \"shapes/roots.h\"  // of torus\n";
+  CHECK_THROWS_WITH(expand(files), Contains("shapes/all.h:1: shapes/shapes.def has no entry \"torus\""));
+}
+
 TEST_CASE("A direct include of an entry that is not active leaves the line numbers right") {
   KernelFiles files = shape_files();
   files["kernels/render.cl"] = "#include \"shapes/plane/plane.h\"\nnext\n";

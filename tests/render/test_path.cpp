@@ -85,6 +85,44 @@ TEST_CASE("mirrors count as surfaces, and show what glows") {
   for (const float value : image.data) CHECK(value == 1.875F);
 }
 
+TEST_CASE("a mask lets pass what does not meet it, and counts as a surface") {
+  require_pocl_and_rusticl();
+  Scene scene = furnace(Sphere{{0, 0, 1}, 6}, 0, 2);
+  Material veil;
+  veil.bsdf = Diffuse{{{0, 0, 0}}};
+  veil.opacity = Reflectance{{0.25, 0.25, 0.25}};
+  scene.materials.push_back(veil);
+  add(scene, Sphere{{0, 0, 1}, 5}, static_cast<int>(scene.materials.size()) - 1);
+  scene.sampler.sample_count = 64;
+  hold_mean(path_picture(scene).color, 0.75);
+  scene.integrator.max_depth = 1;
+  CHECK(mean(path_picture(scene).color).value == 0);
+  scene.materials.back().opacity = Reflectance{{1, 1, 1}};
+  scene.integrator.max_depth = 8;
+  CHECK(mean(path_picture(scene).color).value == 0);
+}
+
+TEST_CASE("a twosided material may be another from behind") {
+  require_pocl_and_rusticl();
+  const auto red_over_green = [](bool is_flipped) {
+    Scene scene = stage({floor_plane()}, diffuse({0.5, 0, 0}));
+    add(scene, ConstantLight{{1, 1, 1}});
+    scene.materials.push_back(scene.materials[0]);
+    scene.materials[1].bsdf = Diffuse{{{0, 0.5, 0}}};
+    scene.materials[0].twosided = true;
+    scene.materials[0].back = 1;
+    scene.shapes[0].flip_normals = is_flipped;
+    scene.integrator.name = "path";
+    const Image image = path_picture(scene).color;
+    double difference = 0;
+    for (std::size_t i = 0; i < image.data.size(); i += 3)
+      difference += static_cast<double>(image.data[i]) - static_cast<double>(image.data[i + 1]);
+    return difference;
+  };
+  CHECK(red_over_green(false) > 1);
+  CHECK(red_over_green(true) < -1);
+}
+
 TEST_CASE("white things under an even sky cannot be seen") {
   require_pocl_and_rusticl();
   Scene scene = stage({Sphere{{0.4, 0.3, 0.5}, 0.8}, Sphere{{-0.9, 0, 1}, 0.5}, Box{{-1, -1.2, -1}, {1.5, -0.3, 1}}},

@@ -13,6 +13,7 @@
 #define HAS_PIXEL_FILTER 1
 #define HAS_EMISSION 1
 #define HAS_TWOSIDED 1
+#define HAS_TANGENT 1
 #define HAS_SMOOTH_NORMALS 1
 #define HAS_MESH_UVS 1
 #define HAS_INSTANCES 1

@@ -38,12 +38,10 @@ const Unknown unknowns[] = {
     {"<texture type=\"bitmap\"/>", "2:1", "without an id"},
     {"<bsdf type=\"diffuse\"><texture type=\"bitmap\" name=\"reflectance\"/></bsdf>", "2:22",
      "the constant 0.5 takes its place"},
-    {"<bsdf type=\"conductor\"><string name=\"material\" value=\"Au\"/></bsdf>", "2:24",
-     "the metal \"Au\" is not there yet; an ideal mirror"},
-    {"<bsdf type=\"conductor\"><float name=\"eta\" value=\"1.5\"/></bsdf>", "2:24",
-     "\"eta\" of <bsdf type=\"conductor\"> has no effect yet"},
+    {"<bsdf type=\"roughconductor\"><string name=\"distribution\" value=\"phong\"/></bsdf>", "2:29",
+     "the distribution \"phong\" is not supported; beckmann takes its place"},
     {"<shape type=\"sphere\"><integer name=\"priority\" value=\"1\"/></shape>", "2:22",
-     "ranks shapes of bsdf dielectric"},
+     "ranks shapes of bsdf dielectric and roughdielectric"},
     {"<bsdf type=\"twosided\"><bsdf type=\"dielectric\"/></bsdf>", "2:1",
      "twosided has no effect on what lets light through"},
     {"<bsdf type=\"diffuse\"><texture type=\"checkerboard\" name=\"reflectance\"><float name=\"colour0\" "
@@ -69,11 +67,12 @@ TEST_CASE("unknown things warn with their place; strict makes them errors") {
 }
 
 TEST_CASE("substitutes keep what they can") {
-  const Scene scene = load_body(
-                          "<bsdf type=\"plastic\"><rgb name=\"diffuse_reflectance\" value=\".1 .2 .3\"/></bsdf>"
-                          "<bsdf type=\"mask\"><bsdf type=\"diffuse\"><rgb name=\"reflectance\" value=\".4\"/></bsdf>"
-                          "</bsdf><bsdf type=\"principled\"/>")
-                          .scene;
+  const Scene scene =
+      load_body(
+          "<bsdf type=\"phong\"><rgb name=\"diffuse_reflectance\" value=\".1 .2 .3\"/></bsdf>"
+          "<bsdf type=\"coating\"><bsdf type=\"diffuse\"><rgb name=\"reflectance\" value=\".4\"/></bsdf>"
+          "</bsdf><bsdf type=\"principled\"/>")
+          .scene;
   REQUIRE(scene.materials.size() == 4);
   CHECK(std::get<Diffuse>(scene.materials[1].bsdf).reflectance.color == Rgb{.1, .2, .3});
   CHECK(std::get<Diffuse>(scene.materials[2].bsdf).reflectance.color == Rgb{.4, .4, .4});

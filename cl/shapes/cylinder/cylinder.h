@@ -17,6 +17,7 @@ FN void cylinder_surface(const Ray* ray, GLOBAL const real* prim, int stride, GL
   s->outline = OUTLINE_ROUND;
   s->normal = normalize3(fma3(-along, axis, from_p0));
   s->facing = dot3(s->normal, ray->d);
+  if (HAS_TANGENT) s->along = cross3(axis, s->normal);
   s->position = add3(fma3(radius, s->normal, scale3(along, axis)), p0);
   real v = along / length;
   s->u = atan2_turns(dot3(s->normal, load3(frame + 3)), dot3(s->normal, load3(frame)));

@@ -17,6 +17,7 @@ FN void disk_surface(const Ray* ray, GLOBAL const real* prim, int stride, GLOBAL
   real x = dot3(from_center, load3(frame)), y = dot3(from_center, load3(frame + 3));
   s->u = real_sqrt(real_fma(x, x, y * y));
   if (s->u > R(1.0)) s->u = R(1.0);
+  if (HAS_TANGENT) s->along = fma3(x, load3(frame), scale3(y, load3(frame + 3)));
   s->v = atan2_turns(y, x);
 }
 

@@ -16,6 +16,7 @@ FN void parallelogram_surface(const Ray* ray, GLOBAL const real* prim, int strid
   s->position = add3(fma3(s->u, edge_u, scale3(s->v, edge_v)), a);
   s->normal = normalize3(cross3(edge_u, edge_v));
   s->facing = dot3(s->normal, ray->d);
+  if (HAS_TANGENT) s->along = edge_u;
   take_near_point(ray, a, edge_u, edge_v, t, s);
   s->outline = OUTLINE_PARALLELOGRAM;
 }

@@ -13,6 +13,11 @@ FN void plane_surface(const Ray* ray, GLOBAL const real* prim, int stride, GLOBA
   s->facing = dot3(s->normal, ray->d);
   s->position = ray_at(ray, t);
   real3 from_origin = fma3(t, ray->d, sub3(ray->o, load3(frame + 6)));
+  if (HAS_TANGENT) {
+    // Across the normal and the dual of v.
+    real3 across = cross3(load3(frame + 3), s->normal);
+    s->along = dot3(across, load3(frame)) < R(0.0) ? negate3(across) : across;
+  }
   s->u = dot3(from_origin, load3(frame));
   s->v = dot3(from_origin, load3(frame + 3));
 }

@@ -45,6 +45,7 @@ FN void sphere_surface(const Ray* ray, GLOBAL const real* prim, int stride, GLOB
   real x = dot3(s->normal, load3(frame));
   real y = dot3(s->normal, load3(frame + 3));
   real z = dot3(s->normal, load3(frame + 6));
+  if (HAS_TANGENT) s->along = fma3(x, load3(frame + 3), scale3(-y, load3(frame)));
   s->u = atan2_turns(y, x);
   s->v = R(2.0) * atan2_turns(real_sqrt(real_fma(x, x, y * y)), z);
 }

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "errors.h"
+#include "scene/model/materials.h"
 #include "scene/model/vec.h"
 
 namespace strahl {
@@ -142,38 +143,6 @@ struct Checkerboard {
 struct Texture {
   std::string id;
   std::variant<Checkerboard> pattern;
-  SourceLocation where;
-};
-
-/// A share of the light, within [0, 1].
-struct Reflectance {
-  Rgb color;
-  int texture = -1;  ///< Index into Scene::textures, whose colour then takes this one's place; -1: none.
-};
-
-/// Lambertian reflectance rho.
-struct Diffuse {
-  Reflectance reflectance{{0.5, 0.5, 0.5}};
-};
-
-/// Ideal mirror that reflects the same share at every angle.
-struct Conductor {
-  Reflectance reflectance{{1, 1, 1}};
-};
-
-/// Smooth boundary between two media that absorb nothing. Indices of refraction, > 0: behind the normal, before it.
-struct Dielectric {
-  double int_ior = 1.5046;    ///< bk7
-  double ext_ior = 1.000277;  ///< air
-  Reflectance reflectance{{1, 1, 1}};
-  Reflectance transmittance{{1, 1, 1}};
-};
-
-/// What holds for each of them: kinds/materials.h.
-struct Material {
-  std::string id;
-  std::variant<Diffuse, Conductor, Dielectric> bsdf;
-  bool twosided = false;  ///< false: black from behind, as in Mitsuba. Of what transmits light it says nothing.
   SourceLocation where;
 };
 

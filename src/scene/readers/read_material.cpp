@@ -16,7 +16,7 @@ const PluginTable<MaterialReader>& material_readers() {
 #define MATERIAL(name, reals, lobes) {#name, read_##name},
 #include "../../../cl/materials/materials.def"
 #undef MATERIAL
-      {"twosided", read_twosided}};
+      {"twosided", read_twosided}, {"mask", read_mask}, {"null", read_null}};
   return table;
 }
 

@@ -16,6 +16,9 @@ using MaterialReader = Material (*)(Properties&, SceneBuilder&);
 #undef MATERIAL
 /// No material of its own: it changes the one inside it.
 Material read_twosided(Properties& properties, SceneBuilder& builder);
+/// Nor these: a share of what is inside, and nothing.
+Material read_mask(Properties& properties, SceneBuilder& builder);
+Material read_null(Properties& properties, SceneBuilder& builder);
 
 /// The material that a <bsdf> describes; each element is read once. An unknown type is replaced with a warning.
 [[nodiscard]] Material material_of(const XmlElement& bsdf, SceneBuilder& builder);

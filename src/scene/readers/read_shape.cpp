@@ -67,7 +67,9 @@ const XmlElement* only_one(const std::vector<const XmlElement*>& objects, const 
 }
 
 bool has_glass(const Shape& shape, const Scene& scene) {
-  const auto is_glass = [&](int material) { return transmits(scene.materials.at(static_cast<std::size_t>(material))); };
+  const auto is_glass = [&](int material) {
+    return material_facts(scene.materials.at(static_cast<std::size_t>(material))).is_boundary;
+  };
   const auto* mesh = std::get_if<Mesh>(&shape.geometry);
   if (mesh == nullptr || mesh->parts.empty()) return is_glass(shape.material);
   return std::any_of(mesh->parts.begin(), mesh->parts.end(),
@@ -112,8 +114,9 @@ void read_shape(const XmlElement& element, SceneBuilder& builder, std::vector<Sh
   if (input.is_left_out && shape.radiance) builder.lost_emitters.emplace_back("area");
   if (input.is_left_out) return properties.report_unknown();
   if (shape.priority && !has_glass(shape, builder.scene))
-    builder.diagnostics.unknown(properties.where("priority"),
-                                "\"priority\" has no effect here: it ranks shapes of bsdf dielectric alone");
+    builder.diagnostics.unknown(
+        properties.where("priority"),
+        "\"priority\" has no effect here: it ranks shapes of bsdf dielectric and roughdielectric");
   properties.report_unknown();
   shapes.push_back(std::move(shape));
 }

@@ -31,17 +31,27 @@ int texture_index(const XmlElement& element, TextureReader reader, SceneBuilder&
   return index;
 }
 
+/// -1: no texture that strahl has.
+int texture_of(Properties& properties, SceneBuilder& builder, const std::string& name) {
+  const XmlElement* texture = properties.peek(name);
+  if (texture == nullptr || texture->tag != "texture") return -1;
+  const TextureReader* reader = find_plugin(texture_readers(), texture->text("type"));
+  if (reader == nullptr) return -1;
+  properties.accept({name.c_str()});
+  return texture_index(*texture, *reader, builder);
+}
+
 }  // namespace
 
 Reflectance read_reflectance(Properties& properties, SceneBuilder& builder, const std::string& name,
                              const Rgb& absent) {
-  if (const XmlElement* texture = properties.peek(name); texture != nullptr && texture->tag == "texture") {
-    if (const TextureReader* reader = find_plugin(texture_readers(), texture->text("type"))) {
-      properties.accept({name.c_str()});
-      return {absent, texture_index(*texture, *reader, builder)};
-    }
-  }
+  if (const int texture = texture_of(properties, builder, name); texture >= 0) return {absent, texture};
   return {properties.color(name, ColorUse::reflectance, {0.5, 0.5, 0.5}).value_or(absent)};
+}
+
+Varying read_varying(Properties& properties, SceneBuilder& builder, const std::string& name, const Rgb& absent) {
+  if (const int texture = texture_of(properties, builder, name); texture >= 0) return {absent, texture};
+  return {properties.color(name, ColorUse::value, absent).value_or(absent)};
 }
 
 }  // namespace strahl

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// <bsdf type="twosided">: the bsdf inside it, seen from both sides.
+// <bsdf type="twosided">: the bsdf inside it, seen from both sides, or one for each side.
 #include <fmt/format.h>
 
 #include "kinds/materials.h"
@@ -13,10 +13,8 @@ Material read_twosided(Properties& properties, SceneBuilder& builder) {
     builder.diagnostics.error(properties.where(), fmt::format("{} needs a <bsdf> inside", properties.title()));
     return {};
   }
-  for (std::size_t i = 1; i < sides.size(); ++i) {
-    builder.diagnostics.unknown(sides[i]->where,
-                                "a bsdf of its own for the back is not supported yet; the first one is used for both");
-  }
+  for (std::size_t i = 2; i < sides.size(); ++i)
+    builder.diagnostics.error(sides[i]->where, fmt::format("{} has more than two <bsdf>", properties.title()));
   Material material = material_of(*sides.front(), builder);
   if (transmits(material)) {
     builder.diagnostics.unknown(properties.where(),
@@ -24,6 +22,13 @@ Material read_twosided(Properties& properties, SceneBuilder& builder) {
     return material;
   }
   material.twosided = true;
+  if (sides.size() == 1) return material;
+  const int back = material_index(*sides[1], builder);
+  if (transmits(builder.scene.materials[static_cast<std::size_t>(back)]))
+    builder.diagnostics.unknown(sides[1]->where,
+                                "what lets light through cannot be a back; the front is used for both");
+  else
+    material.back = back;
   return material;
 }
 

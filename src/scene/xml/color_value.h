@@ -18,7 +18,7 @@ struct SpectrumCurve;
 enum class ColorUse {
   reflectance,  ///< A share of the light, within [0, 1].
   emission,     ///< Not negative.
-  index         ///< Of refraction, eta and k: not negative.
+  value         ///< Of refraction or roughness: not negative.
 };
 
 /// <rgb>, <srgb>, <spectrum>, <blackbody>, <float>; of a texture `substitute`, with a warning. None after an error: not

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+// How surfaces scatter light: the materials of a scene, with Mitsuba's defaults. What holds for each of them:
+// kinds/materials.h.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <variant>
+
+#include "errors.h"
+#include "scene/model/vec.h"
+
+namespace strahl {
+
+/// A share of the light, within [0, 1].
+struct Reflectance {
+  Rgb color;
+  int texture = -1;  ///< Index into Scene::textures, whose colour then takes this one's place; -1: none.
+};
+
+/// A value that a texture may vary as well; not held to [0, 1].
+using Varying = Reflectance;
+
+/// Lambertian reflectance rho.
+struct Diffuse {
+  Reflectance reflectance{{0.5, 0.5, 0.5}};
+};
+
+/// Index of refraction eta + i k of a metal over that outside. The default reflects everything at every angle.
+struct MetalIndex {
+  Varying eta{{0, 0, 0}};
+  Varying k{{1, 1, 1}};
+};
+
+/// Smooth metal.
+struct Conductor {
+  Reflectance reflectance{{1, 1, 1}};
+  MetalIndex index = {};
+};
+
+enum class MicrofacetKind { beckmann, ggx };
+
+/// Rough surfaces: the root mean square slope of microfacets along u and v.
+struct Microfacets {
+  MicrofacetKind kind = MicrofacetKind::beckmann;
+  Varying alpha_u{{0.1, 0.1, 0.1}};
+  Varying alpha_v{{0.1, 0.1, 0.1}};
+  bool sample_visible = true;  ///< Draws normals that are seen; false: any. The picture's mean is the same.
+};
+
+struct RoughConductor {
+  Reflectance reflectance{{1, 1, 1}};
+  MetalIndex index = {};
+  Microfacets microfacets = {};
+};
+
+/// Smooth boundary between two media that absorb nothing. Indices of refraction, > 0: behind the normal, before it.
+struct Dielectric {
+  double int_ior = 1.5046;    ///< bk7
+  double ext_ior = 1.000277;  ///< air
+  Reflectance reflectance{{1, 1, 1}};
+  Reflectance transmittance{{1, 1, 1}};
+};
+
+/// As Dielectric, rough.
+struct RoughDielectric {
+  Dielectric glass = {};
+  Microfacets microfacets = {};
+};
+
+/// A pane of it, as one surface.
+struct ThinDielectric {
+  Dielectric glass = {};
+};
+
+/// A diffuse base under a smooth dielectric.
+struct Plastic {
+  double int_ior = 1.49;      ///< polypropylene
+  double ext_ior = 1.000277;  ///< air
+  Reflectance diffuse_reflectance{{0.5, 0.5, 0.5}};
+  Reflectance specular_reflectance{{1, 1, 1}};
+  bool nonlinear = false;  ///< Light that is reflected within takes the base's colour every time.
+};
+
+/// As Plastic, under a rough one, alike along u and v, not textured.
+struct RoughPlastic {
+  Plastic plastic = {};
+  Microfacets microfacets = {};
+};
+
+struct Material {
+  std::string id;
+  std::variant<Diffuse, Conductor, Dielectric, RoughConductor, RoughDielectric, ThinDielectric, Plastic, RoughPlastic>
+      bsdf;
+  bool twosided = false;  ///< false: black from behind, as in Mitsuba. Of what transmits light it says nothing.
+  SourceLocation where;
+  /// Index into Scene::materials of what a twosided one is from behind; -1: what it is from the front.
+  int back = -1;
+  /// The share of rays that meet it; the others go on as if nothing were there. None: all.
+  std::optional<Reflectance> opacity = std::nullopt;
+};
+
+}  // namespace strahl

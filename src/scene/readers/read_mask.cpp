@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// <bsdf type="mask">: the bsdf inside it, met by a share of rays. <bsdf type="null">: met by none.
+#include <fmt/format.h>
+
+#include "scene/readers/read_material.h"
+#include "scene/readers/read_texture.h"
+
+namespace strahl {
+
+Material read_mask(Properties& properties, SceneBuilder& builder) {
+  const std::vector<const XmlElement*> inside = properties.objects("bsdf");
+  if (inside.size() != 1) {
+    builder.diagnostics.error(properties.where(), fmt::format("{} needs one <bsdf> inside", properties.title()));
+    return {};
+  }
+  Material material = material_of(*inside.front(), builder);
+  if (material.opacity) {
+    builder.diagnostics.unknown(inside.front()->where,
+                                "a mask within a mask is not supported; the inner one is left out");
+    material.opacity.reset();
+  }
+  Reflectance opacity = read_reflectance(properties, builder, "opacity", {0.5, 0.5, 0.5});
+  // As Mitsuba reads one number from a colour.
+  const double mean = (opacity.color.r + opacity.color.g + opacity.color.b) / 3;
+  opacity.color = {mean, mean, mean};
+  material.opacity = opacity;
+  return material;
+}
+
+Material read_null(Properties& /*properties*/, SceneBuilder& /*builder*/) {
+  Material material;
+  material.bsdf = Diffuse{{{0, 0, 0}}};
+  material.opacity = Reflectance{{0, 0, 0}};
+  return material;
+}
+
+}  // namespace strahl

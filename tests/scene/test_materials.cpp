@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+// Metals and rough materials as scene files have them.
+#include <algorithm>
+#include <catch2/catch.hpp>
+
+#include "scene/scene_text.h"
+
+using namespace strahl;
+using namespace strahl::test;
+
+namespace {
+
+template <class Bsdf>
+Bsdf read_as(const std::string& bsdf) {
+  const LoadedScene loaded = load_body(bsdf);
+  CHECK(loaded.warnings.empty());
+  return std::get<Bsdf>(loaded.scene.materials.at(1).bsdf);
+}
+
+std::string problem(const std::string& bsdf) {
+  const std::vector<std::string> found = problems(around(bsdf));
+  REQUIRE(found.size() == 1);
+  return found[0];
+}
+
+std::string rough(const std::string& inside) { return "<bsdf type=\"roughconductor\">" + inside + "</bsdf>"; }
+
+}  // namespace
+
+TEST_CASE("metals have a name, or eta and k, over the index outside") {
+  const auto metal = [](const std::string& inside) {
+    return read_as<Conductor>("<bsdf type=\"conductor\">" + inside + "</bsdf>").index;
+  };
+  CHECK(metal("<string name=\"material\" value=\"Au\"/>").eta.color == Rgb{0.143036, 0.375307, 1.44205});
+  CHECK(metal("<string name=\"material\" value=\"Au\"/>").k.color == Rgb{3.983, 2.38556, 1.60336});
+  CHECK(metal("").eta.color == Rgb{0, 0, 0});
+  CHECK(metal("").k.color == Rgb{1, 1, 1});
+  const MetalIndex values = metal("<rgb name=\"eta\" value=\"1, 2, 3\"/><float name=\"k\" value=\"4\"/>");
+  CHECK(values.eta.color == Rgb{1, 2, 3});
+  CHECK(values.k.color == Rgb{4, 4, 4});
+  const MetalIndex in_water = metal(
+      "<float name=\"eta\" value=\"2.666\"/><float name=\"k\" value=\"1.333\"/><string name=\"ext_eta\" "
+      "value=\"water\"/>");
+  CHECK(in_water.eta.color == Rgb{2, 2, 2});
+  CHECK(in_water.k.color == Rgb{1, 1, 1});
+  CHECK(problem("<bsdf type=\"conductor\"><string name=\"material\" value=\"Gold\"/></bsdf>")
+            .find("2:24: error: \"Gold\" is no metal that strahl knows") == 0);
+  CHECK(
+      problem("<bsdf type=\"conductor\"><string name=\"material\" value=\"Au\"/><float name=\"k\" value=\"1\"/></bsdf>")
+          .find("either a material or eta and k") != std::string::npos);
+}
+
+TEST_CASE("microfacets are Beckmann's by default, alike along u and v or not") {
+  const Microfacets plain = read_as<RoughConductor>(rough("")).microfacets;
+  CHECK(plain.kind == MicrofacetKind::beckmann);
+  CHECK(plain.alpha_u.color == Rgb{0.1, 0.1, 0.1});
+  CHECK(plain.alpha_v.color == Rgb{0.1, 0.1, 0.1});
+  CHECK(plain.sample_visible);
+  const Microfacets ggx = read_as<RoughConductor>(rough("<string name=\"distribution\" value=\"GGX\"/>"
+                                                        "<float name=\"alpha\" value=\".3\"/>"
+                                                        "<boolean name=\"sample_visible\" value=\"false\"/>"))
+                              .microfacets;
+  CHECK(ggx.kind == MicrofacetKind::ggx);
+  CHECK(ggx.alpha_v.color == Rgb{0.3, 0.3, 0.3});
+  CHECK_FALSE(ggx.sample_visible);
+  const Microfacets brushed = read_as<RoughConductor>(rough("<float name=\"alpha_u\" value=\".05\"/>"
+                                                            "<texture type=\"checkerboard\" name=\"alpha_v\"/>"))
+                                  .microfacets;
+  CHECK(brushed.alpha_u.color == Rgb{0.05, 0.05, 0.05});
+  CHECK(brushed.alpha_v.texture == 0);
+  CHECK(problem(rough("<float name=\"alpha_u\" value=\".05\"/>")).find("both of alpha_u and alpha_v") !=
+        std::string::npos);
+  CHECK(problem(rough("<float name=\"alpha\" value=\"-.1\"/>")).find("negative") != std::string::npos);
+  CHECK(problem(rough("<string name=\"distribution\" value=\"gx\"/>")).find("there are beckmann and ggx") !=
+        std::string::npos);
+}
+
+TEST_CASE("a mask has an opacity, nothing is a mask, and two sides may differ") {
+  const auto material = [](const std::string& bsdf) {
+    const LoadedScene loaded = load_body(bsdf);
+    CHECK(loaded.warnings.empty());
+    return loaded.scene.materials.back();
+  };
+  const Material mask =
+      material("<bsdf type=\"mask\"><rgb name=\"opacity\" value=\"0, .5, 1\"/><bsdf type=\"plastic\"/></bsdf>");
+  REQUIRE(mask.opacity);
+  CHECK(mask.opacity->color == Rgb{0.5, 0.5, 0.5});
+  CHECK(std::holds_alternative<Plastic>(mask.bsdf));
+  CHECK(material("<bsdf type=\"null\"/>").opacity->color == Rgb{0, 0, 0});
+  CHECK_FALSE(material("<bsdf type=\"diffuse\"/>").opacity);
+  CHECK(problem("<bsdf type=\"mask\"/>").find("needs one <bsdf> inside") != std::string::npos);
+  const Scene sides =
+      load_body("<bsdf type=\"twosided\"><bsdf type=\"diffuse\"/><bsdf type=\"conductor\"/></bsdf>").scene;
+  const auto front =
+      std::find_if(sides.materials.begin(), sides.materials.end(), [](const Material& each) { return each.twosided; });
+  REQUIRE(front != sides.materials.end());
+  REQUIRE(front->back >= 0);
+  CHECK(std::holds_alternative<Conductor>(sides.materials[static_cast<std::size_t>(front->back)].bsdf));
+}
