@@ -21,6 +21,7 @@ target_sources(
          src/image/image_io.h
          src/image/metrics.h
          src/image/npy.h
+         src/image/texels.h
          src/render/error_budget.h
          src/render/error_estimate.h
          src/render/goal.h

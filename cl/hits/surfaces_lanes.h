@@ -2,7 +2,7 @@
 // The surface points that the rays of LANES paths have hit, as shading uses them, and how rays leave them. Frame: the
 // one the scene was uploaded in. One width; no guard.
 #include "hits/departure.h"
-#include "textures/texture.h"
+#include "scene/scene.h"
 
 typedef struct {
   maskw hit;                         ///< The other lanes are undefined, except `part`, which is a row of the table.
@@ -60,15 +60,6 @@ FN void surface_to_w(Surfaces_w* to, int lane, const Surface* s, int id, real t)
 /// PART_... of each lane's part.
 FN intw part_entry_w(const Scene* scene, const Surfaces_w* s, int entry) {
   return gather_int_w(scene->index + scene->index[HEADER_PARTS] + entry, s->part * (int)PART_INTS);
-}
-
-FN TexturePoint texture_point_w(const Surfaces_w* s, int lane) {
-  TexturePoint at;
-  at.part = get_int_w(&s->part, lane);
-  at.u = get_w(&s->tex_u, lane);
-  at.v = get_w(&s->tex_v, lane);
-  at.footprint = get_w(&s->footprint, lane);
-  return at;
 }
 
 /// Rays from the surfaces towards d, until t_max, in the lanes of `which`; the rays of other lanes can hit nothing.

@@ -33,6 +33,7 @@ FN maskw nonzero_w(intw i) { return LANE_TO_MASK(i != splat_int_w(0)); }
 FN realw fma_w(realw a, realw b, realw c) { return fma(a, b, c); }
 FN realw sqrt_w(realw a) { return sqrt(a); }
 FN realw abs_w(realw a) { return fabs(a); }
+FN realw floor_w(realw a) { return floor(a); }
 FN realw load_w(GLOBAL const real* p) { return LANE_VECTOR(vload)(0, p); }
 FN intw load_int_w(GLOBAL const int* p) { return LANE_VECTOR(vload)(0, p); }
 #ifdef __clang__

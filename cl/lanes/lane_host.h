@@ -26,6 +26,10 @@ FN realw sqrt_w(realw a) {
   return a;
 }
 FN realw abs_w(realw a) { return (realw)((maskw)a & ~(maskw)splat_w(-R(0.0))); }
+FN realw floor_w(realw a) {
+  for (int i = 0; i < LANES; ++i) a[i] = std::floor(a[i]);
+  return a;
+}
 FN uint bits_w(maskw m) {
   uint bits = 0u;
   for (int i = 0; i < LANES; ++i) bits |= (uint)(m[i] & 1) << i;

@@ -10,6 +10,7 @@
 //   fma_w sqrt_w              correctly rounded
 //   difference_of_products_w(a, b, c, d)  a b - c d, as in math/vec3.h
 //   abs_w(a)                  clears the sign
+//   floor_w(a)                the largest integer not above a
 //   nonzero_w(i)              mask of i != 0
 //   finite_w(x) nan_w(x)      neither NaN nor infinite; NaN
 //   power_of_two_w(x)         the largest power of two not above |x|, held within the exponents of normal numbers but
@@ -36,6 +37,7 @@ typedef int maskw;
 #define sel_w_1(m, a, b) real_select(b, a, m)
 #define fma_w_1 real_fma
 #define abs_w_1 real_abs
+#define floor_w_1 real_floor
 FN maskw lt_w(realw a, realw b) { return -(int)(a < b); }
 FN maskw le_w(realw a, realw b) { return -(int)(a <= b); }
 FN maskw eq_w(realw a, realw b) { return -(int)(a == b); }

@@ -3,4 +3,5 @@
 #include "lights/point_lanes.h"
 #include "lights/directional_lanes.h"
 #include "lights/constant_lanes.h"
+#include "lights/envmap_lanes.h"
 #include "lights/area_lanes.h"

@@ -4,15 +4,13 @@
 #include "areas/area_point_lanes.h"
 #include "areas/all_lanes.h"
 
+enum { area_NUMBERS_w = NUMBERS_NONE_w };
+
 /// The items that the numbers choose, each with the probability of its share of the area, to items / 2^32.
 FN intw area_item_w(const Scene* scene, GLOBAL const int* row, uintw numbers) {
   uint items = (uint)row[LIGHT_ITEMS];
   if (items == 1u) return splat_int_w(0);
-  uintw item = high_product_w(numbers, splat_uint_w(items)), rest = numbers * items;
-  GLOBAL const int* choices = scene->index + row[LIGHT_CHOICE];
-  intw choice = int_of_uint_w(item) * (int)CHOICE_INTS;
-  maskw is_kept = lt_uint_w(rest, uint_of_int_w(gather_int_w(choices + CHOICE_LIMIT, choice)));
-  return sel_int_w(is_kept, int_of_uint_w(item), gather_int_w(choices + CHOICE_OTHER, choice));
+  return alias_item_w(scene->index + row[LIGHT_CHOICE], splat_int_w(0), items, numbers);
 }
 
 FN AreaPoint_w area_point_of_w(const Scene* scene, GLOBAL const int* row, real3w from, int item, realw u, realw v) {

@@ -2,6 +2,8 @@
 // The same radiance from everywhere, seen by rays that leave the scene; directions are drawn uniformly. Parameters:
 // radiance r g b.
 
+enum { constant_NUMBERS_w = NUMBERS_NONE_w };
+
 FN LightSample_w constant_sample_w(const Scene* scene, GLOBAL const int* row, real3w from, LightNumbers_w numbers) {
   (void)from;
   LightSample_w s = no_light_w();

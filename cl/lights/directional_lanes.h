@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Light from infinitely far away. Parameters: unit direction of travel x y z, irradiance r g b (W/m^2).
 
+enum { directional_NUMBERS_w = NUMBERS_NONE_w };
+
 FN LightSample_w directional_sample_w(const Scene* scene, GLOBAL const int* row, real3w from, LightNumbers_w numbers) {
   GLOBAL const real* params = scene->shading + row[LIGHT_REALS];
   (void)from;

@@ -3,8 +3,17 @@
 // that surfaces emit. One width; no guard.
 #include "lights/light_table.h"
 #include "lights/light_sample_lanes.h"
+#include "lights/alias_lanes.h"
 #include "lights/all_lanes.h"
 #include "choosers/chooser_lanes.h"
+
+/// Of all active lights.
+enum {
+  LIGHT_NUMBERS_w = 0
+#define LIGHT(name) | (int)name##_NUMBERS_w
+#include "lights/lights.def"
+#undef LIGHT
+};
 
 /// The numbers with which a light draws a place at a vertex. Only a scene whose emitters have several items draws an
 /// item.
@@ -15,6 +24,11 @@ FN LightNumbers_w light_numbers_w(const Scene* scene, const SampleState_w* sampl
   numbers.v = random_between_w(place.y);
   if (AREA_COUNT > 0 && scene->index[HEADER_MOST_ITEMS] > 1)
     numbers.item = vertex_number_w(scene, sample, depth, USE_ITEM);
+  if ((LIGHT_NUMBERS_w & NUMBERS_TEXEL_w) != 0) {
+    Random2_w texel = vertex_pair_w(scene, sample, depth, USE_TEXEL);
+    numbers.row = texel.x;
+    numbers.column = texel.y;
+  }
   return numbers;
 }
 

@@ -10,16 +10,20 @@ typedef struct {
   intw aim;         ///< Id of the primitive that the place is on; -1: none.
 } LightSample_w;
 
+/// What a light draws besides a place or a direction, name_NUMBERS of its file.
+enum { NUMBERS_NONE_w = 0, NUMBERS_TEXEL_w = 1 };
+
 /// The numbers with which a light draws a place or a direction, each for one purpose.
 typedef struct {
-  uintw item;  ///< Which item; 0 where no light that is drawn has several.
-  realw u, v;  ///< Within (0, 1).
+  uintw item;         ///< Which item; 0 where no light that is drawn has several.
+  uintw row, column;  ///< Which texel; 0 where no light is an image.
+  realw u, v;         ///< Within (0, 1).
 } LightNumbers_w;
 
 /// For lights that draw nothing.
 FN LightNumbers_w no_numbers_w(void) {
   LightNumbers_w numbers;
-  numbers.item = splat_uint_w(0u);
+  numbers.item = numbers.row = numbers.column = splat_uint_w(0u);
   numbers.u = numbers.v = splat_w(R(0.5));
   return numbers;
 }

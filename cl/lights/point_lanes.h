@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Point light: intensity / distance^2. Parameters: position x y z, intensity r g b (W/sr).
 
+enum { point_NUMBERS_w = NUMBERS_NONE_w };
+
 FN LightSample_w point_sample_w(const Scene* scene, GLOBAL const int* row, real3w from, LightNumbers_w numbers) {
   GLOBAL const real* params = scene->shading + row[LIGHT_REALS];
   (void)numbers;

@@ -2,18 +2,7 @@
 // Parameters at points of surfaces. Each is one int of the material's row: if >= 0 an offset to constants, else the
 // complement (~) of a row of the texture table. One width; no guard.
 
-/// The surface points of textured lanes.
-FN real3w textured_parameter_w(const Scene* scene, const Surfaces_w* s, maskw which, intw slot, real3w value) {
-  for (uint lanes = bits_w(which); lanes != 0u; lanes &= lanes - 1u) {
-    int i = first_bit(lanes);
-    TexturePoint at = texture_point_w(s, i);
-    real3 texel = texture_value(scene, ~get_int_w(&slot, i), &at);
-    put_w(&value.x, i, texel.x);
-    put_w(&value.y, i, texel.y);
-    put_w(&value.z, i, texel.z);
-  }
-  return value;
-}
+#include "textures/texture_lanes.h"
 
 /// Reads up to three reals in the lanes of `which`. number: the number of the parameter in the material. rows: offsets
 /// into the index.
@@ -22,5 +11,5 @@ FN real3w parameter_at_w(const Scene* scene, const Surfaces_w* s, maskw which, i
   if (TEXTURE_COUNT == 0) return gather3_w(scene->shading, slot);
   maskw is_texture = lt_int_w(slot, splat_int_w(0));
   real3w value = gather3_w(scene->shading, sel_int_w(is_texture, splat_int_w(0), slot));
-  return textured_parameter_w(scene, s, which & s->hit & is_texture, slot, value);
+  return texture_values_w(scene, s, which & s->hit & is_texture, ~slot, value);
 }

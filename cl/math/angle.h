@@ -13,19 +13,20 @@
 #define ANGLE_BELOW_ONE R(0x1.fffffffffffffp-1)
 #define ANGLE_HUGE R(0x1p+1022)
 
-// (atan(t) / t - 1) / (2 pi t^2), z = t^2 <= tan(pi / 8)^2; relative error of the angle 2^-59.0.
-FN real angle_atan_tail(real z) {
-  real p = real_fma(z, R(-0x1.758777a1b7401p-9), R(0x1.8cff5c2770209p-8));
-  p = real_fma(z, p, R(-0x1.06ccec8305fb2p-7));
-  p = real_fma(z, p, R(0x1.30f9dd4fe35e6p-7));
-  p = real_fma(z, p, R(-0x1.5b7e3b0cdee11p-7));
-  p = real_fma(z, p, R(0x1.9127cbc6b0ff0p-7));
-  p = real_fma(z, p, R(-0x1.da1b85ffa5a6ap-7));
-  p = real_fma(z, p, R(0x1.21bb93c2364afp-6));
-  p = real_fma(z, p, R(-0x1.7483758bfb733p-6));
-  p = real_fma(z, p, R(0x1.04c26be3adcd8p-5));
-  return real_fma(z, p, R(-0x1.b2995e7b7b5e4p-5));
-}
+// (atan(t) / t - 1) / (2 pi t^2), z = t^2 <= tan(pi / 8)^2; relative error of the angle 2^-59.0. FIRST(c): the tail is
+// c; NEXT(c): the tail times z, plus c.
+#define ANGLE_ATAN_TAIL(FIRST, NEXT) \
+  FIRST(R(-0x1.758777a1b7401p-9))    \
+  NEXT(R(0x1.8cff5c2770209p-8))      \
+  NEXT(R(-0x1.06ccec8305fb2p-7))     \
+  NEXT(R(0x1.30f9dd4fe35e6p-7))      \
+  NEXT(R(-0x1.5b7e3b0cdee11p-7))     \
+  NEXT(R(0x1.9127cbc6b0ff0p-7))      \
+  NEXT(R(-0x1.da1b85ffa5a6ap-7))     \
+  NEXT(R(0x1.21bb93c2364afp-6))      \
+  NEXT(R(-0x1.7483758bfb733p-6))     \
+  NEXT(R(0x1.04c26be3adcd8p-5))      \
+  NEXT(R(-0x1.b2995e7b7b5e4p-5))
 #else
 #define ANGLE_TURN_HIGH R(0x1.45f306p-3)
 #define ANGLE_TURN_LOW R(0x1.b93910p-28)
@@ -33,13 +34,22 @@ FN real angle_atan_tail(real z) {
 #define ANGLE_HUGE R(0x1p+126)
 
 // As above, 2^-28.7.
-FN real angle_atan_tail(real z) {
-  real p = real_fma(z, R(-0x1.3b5caap-7), R(0x1.13f240p-6));
-  p = real_fma(z, p, R(-0x1.735ffep-6));
-  p = real_fma(z, p, R(0x1.04bd12p-5));
-  return real_fma(z, p, R(-0x1.b2994ep-5));
-}
+#define ANGLE_ATAN_TAIL(FIRST, NEXT) \
+  FIRST(R(-0x1.3b5caap-7))           \
+  NEXT(R(0x1.13f240p-6))             \
+  NEXT(R(-0x1.735ffep-6))            \
+  NEXT(R(0x1.04bd12p-5))             \
+  NEXT(R(-0x1.b2994ep-5))
 #endif
+
+#define ANGLE_FIRST(c) real tail = c;
+#define ANGLE_NEXT(c) tail = real_fma(z, tail, c);
+FN real angle_atan_tail(real z) {
+  ANGLE_ATAN_TAIL(ANGLE_FIRST, ANGLE_NEXT)
+  return tail;
+}
+#undef ANGLE_FIRST
+#undef ANGLE_NEXT
 
 /// The angle of (x, y), finite, from the x axis towards the y axis, in [0, 1) turns; 0 for (0, 0).
 /// An angle that rounds to 1 becomes the largest number below, so that the order of angles holds.

@@ -22,7 +22,8 @@ enum {
   USE_WAY = 4,       ///< The direction that the material draws.
   USE_LOBE = 6,      ///< Which of the material's lobes.
   USE_ROULETTE = 7,  ///< Whether the path goes on.
-  USE_MASK = 12,     ///< Whether a mask lets the path pass.
+  USE_TEXEL = 12,    ///< Which row and column of an environment.
+  USE_MASK = 14,     ///< Whether a mask lets the path pass.
   PAIRS_A_VERTEX = 8
 };
 

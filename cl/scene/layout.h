@@ -91,9 +91,8 @@ enum {
 };
 
 // From MATERIAL_SLOTS on a slot a parameter: >= 0: -> shading, 3 reals; else ~ row of the texture table. Those that the
-// material does not have are 0, which may be read. MATERIAL_BACK: the row of what is seen
-// from behind; -1: nothing. MATERIAL_ALONG: 1: its frame has x where u grows. MATERIAL_OPACITY: a slot, defined only in
-// programs with MASK.
+// material does not have are 0, which may be read. MATERIAL_BACK: the row of what is seen from behind; -1: nothing.
+// MATERIAL_ALONG: 1: its frame has x where u grows. MATERIAL_OPACITY: a slot, defined only in programs with MASK.
 enum { MATERIAL_MOST_SLOTS = 10 };
 enum {
   MATERIAL_KIND,
@@ -103,15 +102,32 @@ enum {
   MATERIAL_SLOTS,
   MATERIAL_INTS = MATERIAL_SLOTS + MATERIAL_MOST_SLOTS
 };
-enum { TEXTURE_KIND, TEXTURE_REALS, TEXTURE_INTS };
+// TEXTURE_IMAGE to TEXTURE_LEVELS are a bitmap's: -> index, IMAGE_INTS a level; FILTER_...; WRAP_...; the number of
+// levels, each half as wide and high as the one before.
+enum { TEXTURE_KIND, TEXTURE_REALS, TEXTURE_IMAGE, TEXTURE_FILTER, TEXTURE_WRAP, TEXTURE_LEVELS, TEXTURE_INTS };
+enum { FILTER_BILINEAR, FILTER_NEAREST };
+enum { WRAP_REPEAT, WRAP_MIRROR, WRAP_CLAMP };
+// An image: TEXELS_...; its texels, -> index, of TEXELS_..._REAL -> shading; what its codes mean, -> shading, 256 or
+// 65536 reals. Rows from the top.
+enum { IMAGE_WIDTH, IMAGE_HEIGHT, IMAGE_FORMAT, IMAGE_TEXELS, IMAGE_TABLE, IMAGE_INTS };
+// Codes from the low bits of an int on: GREY_8 four texels an int, GREY_16 two; RGB_8 and RGBE (whose last byte is an
+// exponent) an int a texel, RGB_16 two, with blue alone in the second.
+enum { TEXELS_GREY_8, TEXELS_GREY_16, TEXELS_GREY_REAL, TEXELS_RGB_8, TEXELS_RGB_16, TEXELS_RGB_REAL, TEXELS_RGBE };
 // LIGHT_AREA to LIGHT_FIRST_ID are an area light's: AREA_sphere, ...; number of items; -> index, CHOICE_INTS an item;
 // scene-wide id of item 0 where the items are primitives in order, else -1.
 enum { LIGHT_KIND, LIGHT_REALS, LIGHT_AREA, LIGHT_ITEMS, LIGHT_CHOICE, LIGHT_FIRST_ID, LIGHT_INTS };
+// Of an environment: -> index, IMAGE_INTS; LIGHT_CHOICE leads to a table of the rows of cells, and from there on one of
+// the cells of each row.
+enum { LIGHT_IMAGE = LIGHT_AREA };
 // An item is kept if a number of 32 bits is below the limit; else the alias is taken (A. Walker, "An Efficient Method
 // for Generating Discrete Random Variables with General Distributions", ACM TOMS 3(3), 1977).
 enum { CHOICE_LIMIT, CHOICE_OTHER, CHOICE_INTS };
 // Reals of an area light: radiance r g b, one over its area, +1 or -1 (emits outwards, inwards), then its items.
 enum { AREA_RADIANCE = 0, AREA_INVERSE = 3, AREA_SIDE = 4, AREA_ITEMS = 5 };
+// Reals of an environment: its axes in the world, x y z each; what its texels are multiplied by, r g b; the luminance
+// that is not drawn; of each row of cells the density of a direction per luminance, times the sine of its angle from
+// the pole.
+enum { ENVMAP_AXES = 0, ENVMAP_SCALE = 9, ENVMAP_FLOOR = 12, ENVMAP_ROWS = 13 };
 
 // Camera: origin = O + sx OX + sy OY, direction = D + sx DX + sy DY with sx, sy in [-1, 1] across the picture, y down.
 enum {

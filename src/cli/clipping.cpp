@@ -40,7 +40,7 @@ std::vector<Rgb> lamps_of(const Scene& scene) {
       for (const MeshPart& part : mesh->parts) add(part.radiance);
   });
   for (const Light& light : scene.lights)
-    if (kinds::light_glows(light)) add(kinds::light_colour(light));
+    if (kinds::light_glows(light)) add(kinds::brightest(light));
   return lamps;
 }
 

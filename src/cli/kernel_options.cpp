@@ -81,6 +81,11 @@ void add_program_options(CLI::App& app, KernelOptions& options) {
       ->group("Output");
   app.add_flag("--generic", options.generic, "Every effect in the program, used or not; the picture does not change")
       ->group(kGroup);
+  app.add_flag(
+         "--texture-lod", options.texture_lod,
+         "Filter images to the pixel's width (mip levels), where they are colours of surfaces: less noise far off, "
+         "and a blur that the error does not tell")
+      ->group(kGroup);
   app.add_flag("--no-error", options.no_error,
                "Keep one sum a pixel instead of four and tell no error; sobol's samples are one sequence then, spread "
                "more evenly")
@@ -125,6 +130,7 @@ RenderSettings settings_of(const KernelOptions& options) {
   settings.passes = options.passes;
   settings.generic = options.generic;
   settings.estimate_error = !options.no_error;
+  settings.texture_lod = options.texture_lod;
   settings.disabled.insert(options.disabled.begin(), options.disabled.end());
   static_cast<void>(disabled_effects(settings.disabled));  // Says what is wrong with it before a scene is loaded.
   for (const std::string& name : options.aovs) settings.aovs.insert(aov_from_name(name));

@@ -26,6 +26,7 @@ struct KernelOptions {
   std::vector<std::string> disabled;
   bool generic = false;
   bool no_error = false;
+  bool texture_lod = false;
   std::vector<std::string> aovs;
 };
 

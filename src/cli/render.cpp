@@ -54,6 +54,7 @@ std::map<std::string, std::string> metadata_of(const RenderOptions& options, con
       {"spp", std::to_string(result.stats.spp)},
       {"seed", std::to_string(result.stats.seed)},
   };
+  if (result.stats.texture_lod) metadata["texture_lod"] = "true";
   if (!result.stats.disabled.empty()) metadata["disabled"] = fmt::format("{}", fmt::join(result.stats.disabled, ", "));
   if (const std::optional<ErrorBudget>& error = result.stats.error)
     metadata["rmse"] =

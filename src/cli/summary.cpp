@@ -80,6 +80,8 @@ std::string bill(const RunStats& stats, const Billed& billed) {
       fmt::format("{}{}×{} · {} spp · {}{}\n  time     {}\n{}", billed.picture.empty() ? "" : billed.picture + " ",
                   billed.width, billed.height, samples_text(stats, billed.complete), stats.device,
                   interrupted_text(stats, billed), time_summary(stats.seconds), error_line(stats, billed.png_bits));
+  if (stats.texture_lod)
+    text += "\n  textures filtered to the pixel's width (--texture-lod), a blur that the error does not tell";
   if (const std::string clipping = clipping_text(billed.clipping); !clipping.empty())
     text += "\n  clipped  " + clipping;
   return text;

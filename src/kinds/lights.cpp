@@ -78,6 +78,38 @@ struct Row<ConstantLight> {
   static void check(const ConstantLight& light, Faults& faults) { require_light(faults, light.radiance, "radiance"); }
 };
 
+template <>
+struct Row<EnvironmentLight> {
+  static constexpr LightFacts facts{.entry = "envmap", .is_background = true};
+  static constexpr auto colour = &EnvironmentLight::scale;
+  /// Up to ENVMAP_FLOOR; the rest belongs to its tables (packing/pack_environment.h).
+  static std::vector<double> reals(const EnvironmentLight& light, const UploadFrame&) {
+    std::vector<double> values;
+    for (const Vec3& axis : light.axes) values.insert(values.end(), {axis.x, axis.y, axis.z});
+    values.insert(values.end(), {light.scale.r, light.scale.g, light.scale.b});
+    return values;
+  }
+  static void move(EnvironmentLight&, const MapVec3&) {}
+  static void scale(EnvironmentLight&, double) {}
+  static void mirror(EnvironmentLight& light, const MapVec3& flip_x) {
+    for (Vec3& axis : light.axes) axis = flip_x(axis);
+  }
+  static void check(const EnvironmentLight& light, Faults& faults) {
+    faults.require(light.texels && light.texels->width >= 2 && light.texels->height >= 3,
+                   "an environment needs an image of at least 2 x 3 texels");
+    require_light(faults, light.scale, "scale");
+    faults.require(is_orthonormal(light.axes),
+                   "to_world of an environment must be a rotation; it may mirror, and scale all axes alike");
+  }
+  static bool is_orthonormal(const std::array<Vec3, 3>& axes) {
+    constexpr double rounding = 1e-5;  // Of matrices written with six digits.
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t j = 0; j <= i; ++j)
+        if (!(std::fabs(dot(axes[i], axes[j]) - (i == j ? 1 : 0)) <= rounding)) return false;
+    return true;
+  }
+};
+
 /// ask(row, emitter) of the light's kind.
 template <typename AnyLight, typename Ask>
 decltype(auto) of_kind(AnyLight& light, Ask ask) {
@@ -104,6 +136,19 @@ const Rgb& light_colour(const Light& light) {
 
 Rgb& light_colour(Light& light) {
   return of_kind(light, [](auto row, auto& emitter) -> Rgb& { return emitter.*row.colour; });
+}
+
+Rgb brightest(const Light& light) {
+  const Rgb colour = light_colour(light);
+  const auto* environment = std::get_if<EnvironmentLight>(&light.emitter);
+  if (environment == nullptr || !environment->texels) return colour;
+  const TexelDecoder decoded(*environment->texels, environment->curve);
+  Rgb most;
+  for (std::size_t n = 0; n < environment->texels->count(); ++n) {
+    const std::array<double, 3> rgb = decoded(n);
+    most = {std::max(most.r, rgb[0]), std::max(most.g, rgb[1]), std::max(most.b, rgb[2])};
+  }
+  return {colour.r * most.r, colour.g * most.g, colour.b * most.b};
 }
 
 bool gives_light(const Light& light) {

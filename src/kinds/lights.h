@@ -26,9 +26,11 @@ struct LightFacts {
 /// Its parameters, as its file in cl/lights says, in the frame's units.
 [[nodiscard]] std::vector<double> light_reals(const Light& light, const UploadFrame& frame);
 
-/// Its intensity, irradiance or radiance.
+/// Its intensity, irradiance or radiance; of an image what multiplies it.
 [[nodiscard]] const Rgb& light_colour(const Light& light);
 [[nodiscard]] Rgb& light_colour(Light& light);
+/// Of all directions, channel by channel.
+[[nodiscard]] Rgb brightest(const Light& light);
 [[nodiscard]] bool gives_light(const Light& light);
 /// Whether a ray can hit it or see it in the background.
 [[nodiscard]] bool light_glows(const Light& light);

@@ -15,9 +15,13 @@ struct TextureFacts {
   std::string entry;                ///< Of cl/textures/textures.def.
   std::vector<double> reals;        ///< Its parameters, as its file in cl/textures says.
   Rgb mean;                         ///< Replaces the texture where it is disabled.
+  const Bitmap* bitmap = nullptr;   ///< Of an image.
   std::vector<std::string> faults;  ///< Descriptions of its faults.
 };
 
 [[nodiscard]] TextureFacts texture(const Texture& texture);
+
+/// The mean of an image.
+[[nodiscard]] Rgb mean_of(const Texels& texels, const TexelCurve& curve);
 
 }  // namespace strahl::kinds

@@ -28,7 +28,7 @@ struct Header {
 };
 static_assert(sizeof(Header) == 32);
 
-const char* set_variable(const char* name) {
+const char* variable_of(const char* name) {
   const char* value = std::getenv(name);
   return value != nullptr && *value != 0 ? value : nullptr;
 }
@@ -40,12 +40,12 @@ fs::path cached_file(const std::string& name, const std::string& key) {
 }  // namespace
 
 std::string program_cache_directory() {
-  if (const char* directory = set_variable("STRAHL_CACHE_DIR")) return directory;
+  if (const char* directory = variable_of("STRAHL_CACHE_DIR")) return directory;
   // A relative XDG_CACHE_HOME is invalid and to be ignored (XDG Base Directory Specification).
-  if (const char* cache = set_variable("XDG_CACHE_HOME"); cache != nullptr && *cache == '/') {
+  if (const char* cache = variable_of("XDG_CACHE_HOME"); cache != nullptr && *cache == '/') {
     return (fs::path(cache) / "strahl").string();
   }
-  if (const char* home = set_variable("HOME")) return (fs::path(home) / ".cache" / "strahl").string();
+  if (const char* home = variable_of("HOME")) return (fs::path(home) / ".cache" / "strahl").string();
   return {};
 }
 

@@ -5,10 +5,13 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <string>
+#include <variant>
 
 #include "errors.h"
 #include "kinds/entries.h"
+#include "kinds/textures.h"
 #include "packing/cl_layout.h"
 #include "packing/pack_shapes.h"
 
@@ -35,6 +38,30 @@ MemoryNeed least_memory(const Scene& scene, const Features& features, Precision 
     if (!mesh->normals.empty() && features.flag("SMOOTH_NORMALS")) need.shading += count * reals_of_normals * real;
     if (!mesh->uvs.empty() && features.flag("MESH_UVS")) need.shading += count * reals_of_uvs * real;
   });
+  std::set<const Texels*> images;
+  const auto add_image = [&](const Texels& texels) {
+    if (!images.insert(&texels).second) return;
+    need.index += texels.words.size() * sizeof(std::int32_t);
+    need.shading += texels.reals.size() * real;
+  };
+  std::set<const Texels*> pyramids;
+  for (const Texture& texture : scene.textures) {
+    const kinds::TextureFacts facts = kinds::texture(texture);
+    if (facts.bitmap == nullptr || !features.has("textures", facts.entry)) continue;
+    const Texels& texels = *facts.bitmap->texels;
+    add_image(texels);
+    if (!features.flag("TEXTURE_LOD") || facts.bitmap->filter == TextureFilter::nearest) continue;
+    // A ninth of the texels at least, in halves: sizes are rounded down.
+    if (pyramids.insert(&texels).second) need.index += texels.count() / 9 * (texels.is_grey ? 2 : 8);
+  }
+  for (const Light& light : scene.lights) {
+    const auto* environment = std::get_if<EnvironmentLight>(&light.emitter);
+    if (environment == nullptr || !features.has("lights", light_kind(light))) continue;
+    add_image(*environment->texels);
+    const std::size_t rows = static_cast<std::size_t>(environment->texels->height) - 1;
+    const std::size_t cells = rows * static_cast<std::size_t>(environment->texels->width);
+    need.index += (rows + cells) * layout::CHOICE_INTS * sizeof(std::int32_t);
+  }
   for (const auto& [kind, count] : primitives) {
     const std::uint64_t slots = (count + block - 1) / block * block;
     need.geometry += slots * static_cast<std::uint64_t>(planes_of(kind)) * real;
@@ -50,8 +77,8 @@ void require_memory(const MemoryNeed& need, const DeviceInfo& device, Precision 
   const std::uint64_t largest = std::max({need.geometry, need.shading, need.index});
   if (need.total() <= device.global_memory && largest <= device.max_allocation) return;
   throw NoDeviceError(fmt::format(
-      "the scene takes at least {} MiB (geometry {}, normals and texture coordinates {}, tables {}); {} has {} MiB, {} "
-      "MiB in one buffer. Choose a device with more memory (-d){}, or simplify the meshes",
+      "the scene takes at least {} MiB (geometry {}, normals and texture coordinates {}, tables and texels {}); {} has "
+      "{} MiB, {} MiB in one buffer. Choose a device with more memory (-d){}, or simplify the meshes or images",
       mebibytes(need.total()), mebibytes(need.geometry), mebibytes(need.shading), mebibytes(need.index), device.text(),
       device.global_memory >> 20, device.max_allocation >> 20,
       precision == Precision::fp64 ? ", a --precision other than double, which takes half" : ""));

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Offsets are ints: a buffer holds at most 2^31 elements.
 #include "packing/pack.h"
 
 #include <algorithm>
-#include <initializer_list>
 #include <limits>
 #include <map>
 #include <span>
@@ -11,12 +9,12 @@
 
 #include "kinds/entries.h"
 #include "kinds/integrators.h"
-#include "kinds/lights.h"
 #include "kinds/textures.h"
 #include "packing/cl_layout.h"
-#include "packing/pack_areas.h"
 #include "packing/pack_camera.h"
+#include "packing/pack_images.h"
 #include "packing/pack_instances.h"
+#include "packing/pack_lights.h"
 #include "packing/pack_materials.h"
 #include "packing/pack_shapes.h"
 #include "packing/shape_parts.h"
@@ -25,12 +23,6 @@
 
 namespace strahl {
 namespace {
-
-int checked_offset(std::size_t size) {
-  if (size > static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max()))
-    throw Error("the scene is too large: a device buffer would hold more than 2^31 numbers");
-  return static_cast<int>(size);
-}
 
 template <typename Real>
 class Packing {
@@ -49,22 +41,15 @@ class Packing {
     header();
     materials();
     textures();
-    lights();
+    light_of_part_ = pack_lights(packed_, images_, scene_, features_, options_.frame, shapes_, first_ids_);
     parts();
     shapes();
     return std::move(packed_);
   }
 
  private:
-  int put_shading(std::initializer_list<double> values) { return put_shading(std::span(values)); }
-  int put_shading(std::span<const double> values) {
-    const int at = checked_offset(packed_.shading.size());
-    for (const double value : values) packed_.shading.push_back(static_cast<Real>(value));
-    return at;
-  }
-  int put_rgb(const Rgb& c) { return put_shading({c.r, c.g, c.b}); }
-  std::int32_t& index(int at) { return packed_.index[static_cast<std::size_t>(at)]; }
-  int index_end() const { return checked_offset(packed_.index.size()); }
+  std::int32_t& index(int at) { return packed_.at(at); }
+  int index_end() const { return packed_.index_end(); }
 
   void header() {
     const ResolvedSampling sampling = resolve_sampling(scene_);
@@ -75,104 +60,62 @@ class Packing {
     index(layout::HEADER_INTEGRATOR) = features_.entry_index("integrators", scene_.integrator.name);
     index(layout::HEADER_MAX_DEPTH) = most_surfaces(scene_.integrator);
     index(layout::HEADER_RR_DEPTH) = scene_.integrator.rr_depth;
-    index(layout::HEADER_REACH) = put_shading({std::min(options_.frame.scale * scene_.integrator.max_distance,
-                                                        static_cast<double>(std::numeric_limits<Real>::max()))});
+    index(layout::HEADER_REACH) = packed_.put_shading({std::min(
+        options_.frame.scale * scene_.integrator.max_distance, static_cast<double>(std::numeric_limits<Real>::max()))});
     index(layout::HEADER_SAMPLER) = features_.entry_index("samplers", sampler_entry(sampling.kind));
     index(layout::HEADER_HIDE_EMITTERS) = scene_.integrator.hide_emitters ? 1 : 0;
-    index(layout::HEADER_CAMERA) = put_shading(camera_reals(scene_.camera, scene_.film, options_.frame));
-    index(layout::HEADER_FILTER) = put_shading(filter_quantiles(scene_.film.filter, sampling.kind));
+    index(layout::HEADER_CAMERA) = packed_.put_shading(camera_reals(scene_.camera, scene_.film, options_.frame));
+    index(layout::HEADER_FILTER) = packed_.put_shading(filter_quantiles(scene_.film.filter, sampling.kind));
   }
 
   void materials() {
     index(layout::HEADER_MATERIALS) = index_end();
     const auto slot_of = [this](const MaterialSlot& slot) {
-      return slot.texture < 0 ? put_shading(slot.reals) : ~slot.texture;
+      return slot.texture < 0 ? packed_.put_shading(slot.reals) : ~texture_row(slot);
     };
     for (std::size_t row = 0; row < scene_.materials.size(); ++row) {
       const PackedMaterial packed = packed_material(row, scene_, features_);
       packed_.index.insert(packed_.index.end(), {packed.kind, packed.back, packed.has_along ? 1 : 0,
                                                  features_.flag("MASK") ? slot_of(packed.opacity) : 0});
+      if (packed.slots.size() > layout::MATERIAL_MOST_SLOTS)
+        throw std::logic_error("a material has more parameters than MATERIAL_MOST_SLOTS");
       for (const MaterialSlot& slot : packed.slots) packed_.index.push_back(slot_of(slot));
       packed_.index.resize(packed_.index.size() + layout::MATERIAL_MOST_SLOTS - packed.slots.size(), 0);
     }
   }
 
+  /// What is no colour is not filtered: it has the rows behind.
+  int texture_row(const MaterialSlot& slot) const {
+    const bool is_filtered = slot.is_share || !features_.flag("TEXTURE_LOD");
+    return slot.texture + (is_filtered ? 0 : checked_offset(scene_.textures.size()));
+  }
+
   void textures() {
-    index(layout::HEADER_TEXTURES) = index_end();
+    std::vector<std::int32_t> rows;
+    put_textures(rows, features_.flag("TEXTURE_LOD"));
+    if (features_.flag("TEXTURE_LOD")) put_textures(rows, false);
+    const int at = packed_.put_index(rows);
+    index(layout::HEADER_TEXTURES) = at;
+  }
+
+  void put_textures(std::vector<std::int32_t>& rows, bool has_levels) {
     for (const Texture& texture : scene_.textures) {
       const kinds::TextureFacts facts = kinds::texture(texture);
-      packed_.index.push_back(features_.entry_index("textures", facts.entry));
-      packed_.index.push_back(put_shading(facts.reals));
-    }
-  }
-
-  /// Delta lights first: those that are taken come before those that are drawn.
-  void lights() {
-    std::vector<std::int32_t> rows;
-    index(layout::HEADER_BACKGROUND) = -1;
-    for (const Light& light : scene_.lights)
-      if (kinds::light(light).is_delta) put_light(light, rows);
-    const auto lamps = light_count(rows);
-    for (const Light& light : scene_.lights) {
-      const kinds::LightFacts& facts = kinds::light(light);
-      if (!facts.is_delta && put_light(light, rows) && facts.is_background)
-        index(layout::HEADER_BACKGROUND) = light_count(rows) - 1;
-    }
-    area_lights(rows);
-    index(layout::HEADER_LIGHT_COUNT) = light_count(rows);
-    index(layout::HEADER_CHOOSER) = features_.entry_index("choosers", light_chooser);
-    index(layout::HEADER_LIGHTS_TAKEN) =
-        kinds::integrator(scene_.integrator.name).lamps == kinds::Lamps::drawn ? 0 : lamps;
-    index(layout::HEADER_LIGHTS) = index_end();
-    packed_.index.insert(packed_.index.end(), rows.begin(), rows.end());
-  }
-
-  static int light_count(const std::vector<std::int32_t>& rows) {
-    return static_cast<int>(rows.size()) / layout::LIGHT_INTS;
-  }
-
-  /// False where the program has no use for it.
-  bool put_light(const Light& light, std::vector<std::int32_t>& rows) {
-    const int kind = features_.entry_index("lights", light_kind(light));
-    if (kind < 0) return false;
-    if (kinds::light_glows(light)) index(layout::HEADER_GLOWS) = 1;
-    rows.insert(rows.end(), {kind, put_shading(kinds::light_reals(light, options_.frame)), 0, 0, 0, -1});
-    return true;
-  }
-
-  void glow(const Rgb& radiance) {
-    if (radiance.r > 0 || radiance.g > 0 || radiance.b > 0) index(layout::HEADER_GLOWS) = 1;
-  }
-
-  /// One for each part that emits and has an area that can be drawn from; light_of_part_ for each part of the scene.
-  void area_lights(std::vector<std::int32_t>& rows) {
-    const int kind = features_.has("lights", "area") ? features_.entry_index("lights", "area") : -1;
-    for (std::size_t i = 0; i < shapes_.size(); ++i) {
-      const Shape& shape = *shapes_[i];
-      const bool glows = features_.flag("EMISSION") && features_.has("shapes", shape_kind(shape));
-      const bool is_drawn = kind >= 0 && features_.has("areas", area_kind(shape.geometry));
-      for (int part = 0; part < part_count(shape); ++part) {
-        light_of_part_.push_back(-1);
-        const std::optional<Rgb> radiance = look_of_part(shape, part).radiance;
-        if (!radiance || !glows) continue;
-        glow(*radiance);
-        if (!is_drawn) continue;
-        const std::optional<EmittingArea> area = emitting_area(shape, part, options_.frame);
-        if (!area) continue;
-        light_of_part_.back() = light_count(rows);
-        std::vector<double> reals = {radiance->r, radiance->g, radiance->b, 1 / area->size, area->side};
-        reals.insert(reals.end(), area->items.begin(), area->items.end());
-        const int items = checked_offset(area->choices.size());
-        index(layout::HEADER_MOST_ITEMS) = std::max(index(layout::HEADER_MOST_ITEMS), items);
-        const int choice_at = index_end();
-        for (const Choice& choice : area->choices) {
-          packed_.index.push_back(static_cast<std::int32_t>(choice.limit));
-          packed_.index.push_back(choice.other);
-        }
-        const int first = first_of_area(shape.geometry, part);
-        rows.insert(rows.end(), {kind, put_shading(reals), features_.entry_index("areas", area_kind(shape.geometry)),
-                                 items, choice_at, first < 0 ? -1 : first_ids_[i] + first});
+      const int kind = features_.entry_index("textures", facts.entry);
+      rows.insert(rows.end(), {kind, packed_.put_shading(facts.reals), 0, 0, 0, 1});
+      if (kind < 0 || facts.bitmap == nullptr) continue;
+      const std::span last = std::span(rows).last(layout::TEXTURE_INTS);
+      const Texels& texels = *facts.bitmap->texels;
+      const TexelCurve& curve = facts.bitmap->curve;
+      if (has_levels && facts.bitmap->filter != TextureFilter::nearest) {
+        const typename PackedImages<Real>::Levels levels = images_.levels(texels, curve);
+        last[layout::TEXTURE_IMAGE] = levels.row;
+        last[layout::TEXTURE_LEVELS] = levels.count;
+      } else {
+        last[layout::TEXTURE_IMAGE] = images_.row(texels, curve);
       }
+      last[layout::TEXTURE_FILTER] = static_cast<std::int32_t>(facts.bitmap->filter);
+      last[layout::TEXTURE_WRAP] = static_cast<std::int32_t>(facts.bitmap->wrap);
     }
   }
 
@@ -218,11 +161,11 @@ class Packing {
       const std::int32_t first_id = first_ids_[first_part_.size()];
       first_part_.push_back(part_rows_);
       int frame_at = -1, normals_at = -1, uvs_at = -1;
-      if (const auto frame = surface_frame(shape.geometry, frame_in_use)) frame_at = put_shading(*frame);
+      if (const auto frame = surface_frame(shape.geometry, frame_in_use)) frame_at = packed_.put_shading(*frame);
       int rates_at = -1;
       if (has_textures_) {
         const Vec2 rates = uv_rates(shape.geometry, frame_in_use);
-        rates_at = put_shading({rates.x, rates.y});
+        rates_at = packed_.put_shading({rates.x, rates.y});
       }
       if (const auto* mesh = std::get_if<Mesh>(&shape.geometry)) {
         normals_at = put_corners(*mesh, mesh->normals, features_.flag("SMOOTH_NORMALS"), [](const Vec3& n) {
@@ -234,7 +177,7 @@ class Packing {
       }
       for (int part = 0; part < part_count(shape); ++part) {
         const MeshPart look = look_of_part(shape, part);
-        const int radiance_at = look.radiance ? put_rgb(*look.radiance) : -1;
+        const int radiance_at = look.radiance ? packed_.put_rgb(*look.radiance) : -1;
         const int light = light_of_part_[static_cast<std::size_t>(part_rows_)];
         packed_.index.insert(packed_.index.end(), {static_cast<int>(i), first_id, look.material, radiance_at, light,
                                                    shape.flip_normals != faces_inward(shape.geometry) ? 1 : 0, frame_at,
@@ -281,11 +224,6 @@ class Packing {
     packed_.geometry.insert(packed_.geometry.end(), values.begin(), values.end());
     return at;
   }
-  int put_index(const std::vector<std::int32_t>& values) {
-    const int at = index_end();
-    packed_.index.insert(packed_.index.end(), values.begin(), values.end());
-    return at;
-  }
 
   /// A tree for every group, and what the kernels know of every instance, in order.
   void groups(TreeOptions& options) {
@@ -316,8 +254,9 @@ class Packing {
     for (const PackedTree<Real>& group : groups_) {
       const AppendedTree appended = append_tree(tree, group, width);
       rows.push_back(index_end());
-      put_index({appended.root, put_geometry(group.reach)});
-      for (const auto& listed : appended.listed) put_index({listed.begin(), listed.end()});
+      packed_.put_index(std::vector{appended.root, put_geometry(group.reach)});
+      for (const auto& listed : appended.listed)
+        packed_.put_index(std::vector<std::int32_t>{listed.begin(), listed.end()});
     }
     const int row = layout::HEADER_INTS + static_cast<int>(kinds_.size()) * layout::SHAPE_INTS;
     const int count = checked_offset(scene_.instances.size());
@@ -341,15 +280,15 @@ class Packing {
       index(row + layout::SHAPE_BLOCKS) = checked_offset(kind.ids.size() / static_cast<std::size_t>(options_.lanes));
       index(row + layout::SHAPE_GEOMETRY) = put_geometry(kind.blocks);
       index(row + layout::SHAPE_LISTED) = kind.listed;
-      const int ids_at = put_index(kind.ids);
+      const int ids_at = packed_.put_index(kind.ids);
       index(row + layout::SHAPE_IDS) = ids_at;
-      put_index(kind.parts);
+      packed_.put_index(kind.parts);
       row += layout::SHAPE_INTS;
     }
     index(layout::HEADER_ROOT) = tree.root;
     index(layout::HEADER_NODES) = put_geometry(tree.nodes);
     index(layout::HEADER_BOUNDS) = put_geometry(tree.reach);
-    const int children_at = put_index(tree.children);
+    const int children_at = packed_.put_index(tree.children);
     index(layout::HEADER_CHILDREN) = children_at;
     checked_offset(packed_.geometry.size());
     checked_offset(packed_.index.size());
@@ -360,6 +299,7 @@ class Packing {
   const Features& features_;
   const PackOptions& options_;
   PackedScene<Real> packed_;
+  PackedImages<Real> images_{packed_};
   bool has_textures_ = !features_.entries.at("textures").empty() && !scene_.textures.empty();
   bool has_instances_ = features_.flag("INSTANCES") && !scene_.instances.empty();
   std::vector<const Shape*> shapes_;  ///< As for_each_shape has them.

@@ -7,6 +7,7 @@
 
 #include "kinds/upload_frame.h"
 #include "packing/pack_tree.h"
+#include "packing/packed_scene.h"
 #include "program/features.h"
 #include "scene/model/scene.h"
 
@@ -18,18 +19,6 @@ struct PackOptions {
   UploadFrame frame;   ///< The camera's for render, the world for intersect and the fast tier.
   int tree_width = 0;  ///< 2 or 4 where lanes is 1 (0: 4), else lanes.
   Acceleration acceleration = Acceleration::automatic;
-};
-
-template <typename Real>
-struct PackedScene {
-  std::vector<Real> geometry;
-  std::vector<Real> shading;
-  std::vector<std::int32_t> index;
-  TreeStats tree;
-
-  [[nodiscard]] std::size_t bytes() const {
-    return (geometry.size() + shading.size()) * sizeof(Real) + index.size() * sizeof(std::int32_t);
-  }
 };
 
 /// Instantiated for float and double.

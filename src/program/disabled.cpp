@@ -28,6 +28,7 @@ const std::map<std::string, std::string>& needed() {
       {"AOV", "--aov asks for it; leave that out"},
       {"COUNT_RAYS", "--stats-detail asks for it; leave that out"},
       {"LOOP_LIMIT", "the device ends long loops, and a picture might be wrong without a word"},
+      {"TEXTURE_LOD", "--texture-lod asks for it; leave that out"},
       {"ERROR_SUMS", "--no-error leaves it out"},
   };
   return reasons;

@@ -168,6 +168,8 @@ Causes causes_of(const Scene& scene, const RenderSettings& settings) {
     call_for(causes, "samplers/" + sampler, "numbers that samples draw", scene.sampler.where);
   }
   if (facts.asks_openness) call_for(causes, "OPENNESS", "integrator ao", scene.integrator.where);
+  if (settings.texture_lod && causes.contains("textures/bitmap"))
+    call_for(causes, "TEXTURE_LOD", "--texture-lod, and a bitmap", {});
   if (!settings.aovs.empty()) call_for(causes, "AOV", "--aov", {});
   if (settings.estimate_error) call_for(causes, "ERROR_SUMS", "the estimate of the picture's error", {});
   if (settings.count_rays) call_for(causes, "COUNT_RAYS", "--stats-detail", {});
@@ -208,7 +210,7 @@ Features features_of(const Scene& scene, const RenderSettings& settings) {
     } else if (row.on) {
       row.why = cause->second.why;
       row.where = cause->second.where;
-    } else if (settings.generic && name != "COUNT_RAYS" && name != "LOOP_LIMIT") {
+    } else if (settings.generic && name != "COUNT_RAYS" && name != "LOOP_LIMIT" && name != "TEXTURE_LOD") {
       row.on = true;
       row.why = "--generic";
     }

@@ -70,6 +70,7 @@ void Renderer::State::prepare() {
   stats.program = program_hash(source);
   stats.program_from_cache = report.from_cache;
   stats.program_bytes = report.binary_bytes;
+  stats.texture_lod = features.flag("TEXTURE_LOD");
   stats.disabled.assign(settings.disabled.begin(), settings.disabled.end());
   for (const FeatureReport& row : features.report)
     if (row.on) stats.features.push_back(row.name);

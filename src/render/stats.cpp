@@ -87,6 +87,7 @@ std::string RunStats::json() const {
   json["clipped_pixels"] = clipped_pixels ? Json(*clipped_pixels) : Json(nullptr);
   json["seed"] = seed;
   json["features"] = features;
+  json["texture_lod"] = texture_lod;
   json["disabled"] = disabled;
   json["program"] = program;
   json["program_bytes"] = program_bytes;

@@ -50,6 +50,7 @@ struct RunStats {
   int least_spp = 0, most_spp = 0;  ///< Of all pixels.
   std::uint32_t seed = 0;
   std::vector<std::string> features;  ///< "shapes/sphere", "AOV", ...: those that are on.
+  bool texture_lod = false;           ///< Images are filtered: a bias that `error` does not hold.
   std::vector<std::string> disabled;  ///< As asked for: RenderSettings::disabled.
   int lanes = 1;
   int path_lanes = 1;

@@ -50,7 +50,8 @@ Scene scene_of_mesh(const std::string& path, const LoadOptions& options, Diagnos
   Shape shape;
   shape.where = {path};
   if (file.mesh.triangles.empty()) diagnostics.error({path}, "has no triangles");
-  add_mesh_materials(file, false, shape, scene, diagnostics);
+  ImageFiles images;
+  add_mesh_materials(file, false, shape, scene, images, diagnostics);
   if (lower_case_extension(path) == ".obj") flip_tex_coords(file.mesh);
   shape.geometry = std::move(file.mesh);
   scene.shapes.push_back(std::move(shape));

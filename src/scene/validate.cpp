@@ -160,7 +160,7 @@ std::vector<Diagnostic> validate(const Scene& scene) {
     check_light(light, check);
     const bool is_background = kinds::light(light).is_background;
     backgrounds += is_background ? 1 : 0;
-    check.require(backgrounds <= 1 || !is_background, "a scene has one constant emitter at most");
+    check.require(backgrounds <= 1 || !is_background, "a scene has one constant or envmap emitter at most");
   }
   check_camera(scene.camera, check);
   check_film(scene.film, check);

@@ -21,6 +21,10 @@ add_test(NAME acceptance_mitsuba_path
          COMMAND python3 -B ${CMAKE_CURRENT_LIST_DIR}/mitsuba_path.py $<TARGET_FILE:strahl-bin>)
 set_tests_properties(acceptance_mitsuba_path PROPERTIES LABELS slow SKIP_RETURN_CODE 77 TIMEOUT 1800)
 
+add_test(NAME acceptance_mitsuba_images
+         COMMAND python3 -B ${CMAKE_CURRENT_LIST_DIR}/mitsuba_images.py $<TARGET_FILE:strahl-bin>)
+set_tests_properties(acceptance_mitsuba_images PROPERTIES LABELS slow SKIP_RETURN_CODE 77 TIMEOUT 1800)
+
 # Needs a python3 with scikit-image and flip-evaluator (PyPI).
 add_test(NAME acceptance_metrics_peers
          COMMAND python3 -B ${CMAKE_CURRENT_LIST_DIR}/metrics_peers.py $<TARGET_FILE:strahl-bin>)

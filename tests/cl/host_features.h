@@ -14,6 +14,7 @@
 #define HAS_PRIORITY 1
 #define HAS_SMOOTH_NORMALS 1
 #define HAS_MESH_UVS 1
+#define HAS_TEXTURE_LOD 1
 #define HAS_INSTANCES 1
 #define HAS_TREE 1
 #define HAS_OPENNESS 1

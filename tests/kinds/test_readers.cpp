@@ -3,6 +3,7 @@
 // reader or its scene is named here.
 #include <catch2/catch.hpp>
 #include <filesystem>
+#include <map>
 #include <set>
 
 #include "kinds/entries.h"
@@ -68,6 +69,14 @@ TEST_CASE("every entry stands in a scene") {
   }
 }
 
+/// What an entry cannot be without.
+std::string needed_by(const std::string& name) {
+  const std::map<std::string, std::string> files = {{"bitmap", "textures/letter.png"}, {"envmap", "lights/sky.hdr"}};
+  const auto file = files.find(name);
+  if (file == files.end()) return "";
+  return "<string name=\"filename\" value=\"" STRAHL_SOURCE_DIR "/scenes/" + file->second + "\"/>";
+}
+
 TEST_CASE("every entry has a reader, by its own name") {
   for (const std::string& name : list_entries("materials")) {
     INFO(name);
@@ -75,13 +84,13 @@ TEST_CASE("every entry has a reader, by its own name") {
   }
   for (const std::string& name : list_entries("lights")) {
     INFO(name);
-    const std::string emitter = "<emitter type=\"" + name + "\"/>";
+    const std::string emitter = "<emitter type=\"" + name + "\">" + needed_by(name) + "</emitter>";
     CHECK(of_body(name == "area" ? "<shape type=\"sphere\">" + emitter + "</shape>" : emitter).lights == Names{name});
   }
   for (const std::string& name : list_entries("textures")) {
     INFO(name);
-    CHECK(of_body("<shape type=\"sphere\"><bsdf type=\"diffuse\"><texture name=\"reflectance\" type=\"" + name +
-                  "\"/></bsdf></shape>")
+    CHECK(of_body("<shape type=\"sphere\"><bsdf type=\"diffuse\"><texture name=\"reflectance\" type=\"" + name + "\">" +
+                  needed_by(name) + "</texture></bsdf></shape>")
               .textures == Names{name});
   }
   for (const std::string& name : list_entries("integrators")) {

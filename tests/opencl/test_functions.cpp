@@ -16,6 +16,9 @@ using namespace strahl::test;
 namespace {
 
 const std::string lane = "#define LANES 1\n#include \"lanes/lane_ops.h\"\n";
+const std::string checkerboard = lane + "#include \"math/vec3_lanes.h\"\n#include \"math/sampling_lanes.h\"\n" +
+                                 "#include \"scene/scene.h\"\n#include \"textures/place_lanes.h\"\n" +
+                                 "#include \"textures/checkerboard_lanes.h\"\n";
 
 /// The values of `expression` in the floats x and y, the integer bits and two longs `work`, with `includes` before it.
 template <class Value>
@@ -139,7 +142,7 @@ TEST_CASE("lengths neither over- nor underflow") {
 TEST_CASE("a checkerboard goes on below 0") {
   require_pocl_and_rusticl();
   const std::vector<float> x = {0.25F, 0.75F, 1.25F, -0.25F, -0.75F, -1.25F, -7.625F, 100.125F};
-  const auto wave = values<float>("#include \"textures/checkerboard.h\"\n", "float", "checker_wave(x, R(0.0))", x, {});
+  const auto wave = values<float>(checkerboard, "float", "checker_wave_w_1(x, R(0.0))", x, {});
   for (std::size_t i = 0; i < x.size(); ++i) {
     INFO(x[i]);
     CHECK(wave[i] == (x[i] - std::floor(x[i]) > 0.5F ? -1 : 1));
@@ -152,7 +155,7 @@ TEST_CASE("a checkerboard fades to even grey") {
   // and under what is infinite: also where a rate of 0 makes NaN of it.
   const std::vector<float> x = {0.1F, 0.6F, -7.3F, 100.9F, 0x1.123456p24F, -0x1.654321p30F, 0.1F, 0.6F},
                            width = {1, 2, 7, 3, 0, 0, INFINITY, NAN};
-  const auto wave = values<float>("#include \"textures/checkerboard.h\"\n", "float", "checker_wave(x, y)", x, width);
+  const auto wave = values<float>(checkerboard, "float", "checker_wave_w_1(x, y)", x, width);
   for (std::size_t i = 0; i < x.size(); ++i) {
     INFO(x[i]);
     CHECK(std::fabs(wave[i]) < 0.01F);

@@ -100,16 +100,39 @@ TEST_CASE("packing takes as much and not far more") {
   }
 }
 
+TEST_CASE("an image counts once, an environment with its tables, mip levels where they are asked for") {
+  Scene scene;
+  Bitmap bitmap;
+  bitmap.texels = std::make_shared<const Texels>(texels_of_bytes(8, 6, 3, std::vector<std::uint8_t>(144, 7).data()));
+  scene.textures = {{"", bitmap, {}}, {"", bitmap, {}}};
+  add(scene, Rectangle{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, add(scene, Diffuse{{{1, 1, 1}, 1}}));
+  EnvironmentLight light;
+  light.texels = bitmap.texels;
+  scene.lights.emplace_back().emitter = light;
+  for (const bool texture_lod : {false, true}) {
+    RenderSettings settings;
+    settings.texture_lod = texture_lod;
+    const Features features = features_of(scene, settings);
+    const MemoryNeed need = least_memory(scene, features, Precision::robust, 1);
+    // 48 texels, 5 + 40 choices of two ints, one rectangle's id and part; 48 / 9 texels of 8 bytes.
+    CHECK(need.index == 4 * (48 + 2 * 45) + 8 + (texture_lod ? 40U : 0U));
+    const PackedScene<float> packed = pack_scene<float>(scene, features, {});
+    CHECK(packed.index.size() * 4 >= need.index);
+  }
+}
+
 TEST_CASE("a device that is too small is refused, with the need, its limits and a remedy") {
   const MemoryNeed need{300 * mebibyte, 100 * mebibyte, 50 * mebibyte};
   CHECK_NOTHROW(require_memory(need, device_with(450, 300), Precision::robust));
   const std::string words =
-      "the scene takes at least 450 MiB (geometry 300, normals and texture coordinates 100, tables 50); 0:0 small "
-      "(test) has 449 MiB, 300 MiB in one buffer. Choose a device with more memory (-d), or simplify the meshes";
+      "the scene takes at least 450 MiB (geometry 300, normals and texture coordinates 100, tables and texels 50); 0:0 "
+      "small (test) has 449 MiB, 300 MiB in one buffer. Choose a device with more memory (-d), or simplify the meshes "
+      "or "
+      "images";
   CHECK(refusal(need, device_with(449, 300)) == words);
   CHECK(refusal(need, device_with(4000, 299)).find("has 4000 MiB, 299 MiB in one buffer") != std::string::npos);
   CHECK(refusal({1, 300 * mebibyte, 1}, device_with(4000, 299)).find("coordinates 300") != std::string::npos);
-  CHECK(refusal({1, 1, 300 * mebibyte}, device_with(4000, 299)).find("tables 300") != std::string::npos);
+  CHECK(refusal({1, 1, 300 * mebibyte}, device_with(4000, 299)).find("texels 300") != std::string::npos);
   CHECK(refusal(need, device_with(1, 1), Precision::fp64).find("a --precision other than double, which takes half") !=
         std::string::npos);
 }

@@ -45,24 +45,18 @@ inline Scene scene_of(const TierBuffers& buffers) {
 #include "physics/transport_width.h"
 #undef LANES
 
-inline std::vector<Triad> texture_values(const TierBuffers& buffers, int texture,
-                                         const std::vector<TexturePlace>& points) {
-  const Scene scene = scene_of(buffers);
-  std::vector<Triad> found;
-  found.reserve(points.size());
-  for (const TexturePlace& point : points) {
-    const TexturePoint at{0, (real)point.u, (real)point.v, (real)point.footprint};
-    const real3 value = texture_value(&scene, texture, &at);
-    found.push_back({value.x, value.y, value.z});
-  }
+inline std::vector<double> angles_alone(const std::vector<TexturePlace>& points) {
+  std::vector<double> found;
+  for (const TexturePlace& point : points) found.push_back(atan2_turns((real)point.v, (real)point.u));
   return found;
 }
 
 inline std::vector<TransportTier> transport(const char* name) {
-#define QUESTIONS(lanes)                                                                               \
-  {                                                                                                    \
-    name, lanes, draw_light_##lanes, area_places_##lanes, look_along_##lanes, density_towards_##lanes, \
-        pick_lights_##lanes, rarity_of_##lanes, texture_values, radiance_along_##lanes                 \
+#define QUESTIONS(lanes)                                                                                 \
+  {                                                                                                      \
+    name, lanes, draw_light_##lanes, area_places_##lanes, look_along_##lanes, density_towards_##lanes,   \
+        pick_lights_##lanes, rarity_of_##lanes, texture_values_##lanes, angles_of_##lanes, angles_alone, \
+        radiance_along_##lanes                                                                           \
   }
   return {
     QUESTIONS(1),

@@ -22,9 +22,10 @@ namespace strahl::test {
 /// A scene as a tier reads it.
 class TierScene {
  public:
-  TierScene(const Scene& scene, bool is_double, int lanes) {
+  TierScene(const Scene& scene, bool is_double, int lanes, bool texture_lod = false) {
     RenderSettings settings;
     settings.generic = true;
+    settings.texture_lod = texture_lod;
     const Features features = features_of(scene, settings);
     const PackOptions options{lanes, UploadFrame{}, 0};
     if (is_double)
@@ -32,8 +33,8 @@ class TierScene {
     else
       packed_ = pack_scene<float>(scene, features, options);
   }
-  TierScene(const Scene& scene, const TransportTier& tier)
-      : TierScene(scene, std::string(tier.name) == "double", tier.lanes) {}
+  TierScene(const Scene& scene, const TransportTier& tier, bool texture_lod = false)
+      : TierScene(scene, std::string(tier.name) == "double", tier.lanes, texture_lod) {}
 
   [[nodiscard]] TierBuffers buffers() const {
     return std::visit(
@@ -64,9 +65,11 @@ class TierScene {
 }
 
 [[nodiscard]] inline std::vector<PlaceNumbers> place_numbers(std::size_t count) {
-  std::mt19937_64 engine(11);
+  std::mt19937_64 engine(11), texels(12);
   std::vector<PlaceNumbers> numbers(count);
-  for (PlaceNumbers& n : numbers) n = {static_cast<std::uint32_t>(engine()), unit_number(engine), unit_number(engine)};
+  for (PlaceNumbers& n : numbers)
+    n = {static_cast<std::uint32_t>(engine()), unit_number(engine), unit_number(engine),
+         static_cast<std::uint32_t>(texels()), static_cast<std::uint32_t>(texels())};
   return numbers;
 }
 

@@ -25,6 +25,7 @@ struct TierBuffers {
 struct PlaceNumbers {
   std::uint32_t item;
   double u, v;
+  std::uint32_t row = 0, column = 0;
 };
 
 /// The sample of a light, as seen from a point: cl/lights/light_sample_lanes.h.
@@ -86,6 +87,9 @@ struct TransportTier {
   double (*rarity)(const TierBuffers& scene, int light, const Triad& from);
   /// On part 0.
   std::vector<Triad> (*texture)(const TierBuffers& scene, int texture, const std::vector<TexturePlace>& points);
+  /// Turns of the vectors (u, v), in lanes and by the function for one.
+  std::vector<double> (*angles)(const std::vector<TexturePlace>& vectors);
+  std::vector<double> (*angles_alone)(const std::vector<TexturePlace>& vectors);
   /// Radiance along the ray by the scene's integrator, sample by sample of pixel 0.
   std::vector<Triad> (*radiance)(const TierBuffers& scene, const GivenRay& ray, std::uint32_t samples);
 };

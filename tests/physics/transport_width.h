@@ -8,14 +8,18 @@ inline Triad LANED(triad_at)(const real3w& v, int lane) {
 
 inline LightNumbers_w LANED(numbers_at)(const std::vector<PlaceNumbers>& all, std::size_t first) {
   LightNumbers_w numbers = no_numbers_w();
-  intw item = splat_int_w(0);
+  intw item = splat_int_w(0), row = item, column = item;
   LANED(for_lanes)
   (first, all.size(), [&](std::size_t i, int lane) {
     put_int_w(&item, lane, (int)all[i].item);
+    put_int_w(&row, lane, (int)all[i].row);
+    put_int_w(&column, lane, (int)all[i].column);
     put_w(&numbers.u, lane, (real)all[i].u);
     put_w(&numbers.v, lane, (real)all[i].v);
   });
   numbers.item = uint_of_int_w(item);
+  numbers.row = uint_of_int_w(row);
+  numbers.column = uint_of_int_w(column);
   return numbers;
 }
 
@@ -113,6 +117,39 @@ inline double LANED(rarity_of)(const TierBuffers& buffers, int light, const Tria
   const Scene scene = scene_of(buffers);
   const realw rarity = light_rarity_w(&scene, splat_int_w(light), LANED(splat_triad)(from));
   return get_w(&rarity, LANES - 1);
+}
+
+inline std::vector<Triad> LANED(texture_values)(const TierBuffers& buffers, int texture,
+                                                const std::vector<TexturePlace>& points) {
+  const Scene scene = scene_of(buffers);
+  std::vector<Triad> found(points.size());
+  for (std::size_t first = 0; first < points.size(); first += LANES) {
+    Surfaces_w s = surfaces_none_w();
+    LANED(for_lanes)
+    (first, points.size(), [&](std::size_t i, int lane) {
+      put_w(&s.tex_u, lane, (real)points[i].u);
+      put_w(&s.tex_v, lane, (real)points[i].v);
+      put_w(&s.footprint, lane, (real)points[i].footprint);
+    });
+    const real3w value = texture_values_w(&scene, &s, ~none_w(), splat_int_w(texture), s.position);
+    LANED(for_lanes)(first, points.size(), [&](std::size_t i, int lane) { found[i] = LANED(triad_at)(value, lane); });
+  }
+  return found;
+}
+
+inline std::vector<double> LANED(angles_of)(const std::vector<TexturePlace>& points) {
+  std::vector<double> found(points.size());
+  for (std::size_t first = 0; first < points.size(); first += LANES) {
+    realw x = splat_w(R(0.0)), y = x;
+    LANED(for_lanes)
+    (first, points.size(), [&](std::size_t i, int lane) {
+      put_w(&x, lane, (real)points[i].u);
+      put_w(&y, lane, (real)points[i].v);
+    });
+    const realw angle = atan2_turns_w(y, x);
+    LANED(for_lanes)(first, points.size(), [&](std::size_t i, int lane) { found[i] = get_w(&angle, lane); });
+  }
+  return found;
 }
 
 /// As kernels/render.cl follows the samples of a pixel, except that all samples begin and end together.

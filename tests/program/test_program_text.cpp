@@ -78,10 +78,9 @@ void add_entry(const KernelCopy& kernels, const std::string& list, const std::st
   const auto more = further.find(list);
   const std::string entry = macros.at(list) + "(" + name + (more == further.end() ? "" : more->second) + ")\n";
   const std::string def = list + "/" + list + ".def";
-  // Shapes have a file of either sort an entry, textures stand alone, all else is written in lanes.
-  std::vector<std::pair<std::string, std::string>> edits;
-  if (list == "shapes" || list == "textures") edits.emplace_back("all.h", ".h");
-  if (list != "textures") edits.emplace_back("all_lanes.h", "_lanes.h");
+  // Shapes have a file of either sort an entry, all else is written in lanes.
+  std::vector<std::pair<std::string, std::string>> edits = {{"all_lanes.h", "_lanes.h"}};
+  if (list == "shapes") edits.emplace_back("all.h", ".h");
   first ? kernels.insert(def, macros.at(list) + "(", entry) : kernels.append(def, entry);
   for (const auto& [all, suffix] : edits) {
     const std::string file = list + "/" + name + suffix, include = "#include \"" + file + "\"\n";

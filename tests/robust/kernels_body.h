@@ -16,6 +16,7 @@
 #define HAS_TANGENT 1
 #define HAS_SMOOTH_NORMALS 1
 #define HAS_MESH_UVS 1
+#define HAS_TEXTURE_LOD 1
 #define HAS_INSTANCES 1
 #define HAS_TREE 1
 #define HAS_AOV 1

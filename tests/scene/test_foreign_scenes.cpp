@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "scene/readers/foreign_plugins.h"
+#include "scene/readers/metals.h"
 #include "scene/scene_text.h"
 
 using namespace strahl;
@@ -79,15 +80,13 @@ TEST_CASE("True, and integers beyond 32 bits") {
 }
 
 TEST_CASE("in 0.x a metal without a name is copper") {
-  const auto names_copper = [](const std::string& text) {
-    const std::vector<std::string> found = problems(text);
-    return std::any_of(found.begin(), found.end(), [](const std::string& line) { return contains(line, "\"Cu\""); });
+  const auto eta_of = [](const std::string& text) {
+    return std::get<Conductor>(load_text(text).scene.materials.at(1).bsdf).index.eta.color;
   };
-  // Until metals are there, copper is what the warning names.
-  const Material plain = load_body("<bsdf type=\"conductor\"/>").scene.materials.at(1);
-  CHECK(std::get<Conductor>(plain.bsdf).reflectance.color == Rgb{1, 1, 1});
-  CHECK(names_copper(old("<bsdf type=\"conductor\"/>")));
-  CHECK_FALSE(names_copper(old("<bsdf type=\"conductor\"><string name=\"material\" value=\"none\"/></bsdf>")));
+  CHECK(eta_of(old("<bsdf type=\"conductor\"/>")) == metal_index("Cu")->eta.color);
+  CHECK(eta_of(old("<bsdf type=\"conductor\"><string name=\"material\" value=\"none\"/></bsdf>")) == Rgb{0, 0, 0});
+  CHECK(std::get<Conductor>(load_body("<bsdf type=\"conductor\"/>").scene.materials.at(1).bsdf).index.eta.color ==
+        Rgb{0, 0, 0});
 }
 
 TEST_CASE("integrators around others take the one inside; unknown ones become path") {

@@ -36,7 +36,7 @@ const Unknown unknowns[] = {
     {"<emitter type=\"area\"/>", "2:1", "belongs inside a <shape>"},
     {"<integrator type=\"pth\"/>", "2:1", "unknown integrator \"pth\" (did you mean \"path\"?); \"path\" takes"},
     {"<texture type=\"bitmap\"/>", "2:1", "without an id"},
-    {"<bsdf type=\"diffuse\"><texture type=\"bitmap\" name=\"reflectance\"/></bsdf>", "2:22",
+    {"<bsdf type=\"diffuse\"><texture type=\"volume\" name=\"reflectance\"/></bsdf>", "2:22",
      "the constant 0.5 takes its place"},
     {"<bsdf type=\"roughconductor\"><string name=\"distribution\" value=\"phong\"/></bsdf>", "2:29",
      "the distribution \"phong\" is not supported; beckmann takes its place"},

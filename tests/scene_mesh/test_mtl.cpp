@@ -91,9 +91,22 @@ TEST_CASE("what an MTL file gets wrong") {
           "m.mtl:3:4: warning: Ke spectral is not supported; give red, green and blue\n");
   }
   SECTION("textures") {
-    const auto [material, warnings] = read("newmtl a\nKd 0.1 0.2 0.3\nmap_Kd a.png\nmap_Kd b.png\n");
+    const auto [material, warnings] =
+        read("newmtl a\nKd 0.1 0.2 0.3\nmap_Kd -s 2 3 -o 0.5 -clamp on -bm 1 dir\\a b.png\n");
     CHECK(material.reflectance == Rgb{0.1, 0.2, 0.3});
-    CHECK(warnings == "m.mtl:3:1: warning: map_Kd: 2 textures are not read; Kd stands (this is the first)\n");
+    REQUIRE(material.reflectance_map);
+    CHECK(material.reflectance_map->file == folder.path() + "/dir/a b.png");
+    CHECK(material.reflectance_map->scale == Vec2{2, 3});
+    CHECK(material.reflectance_map->offset == Vec2{0.5, 0});
+    CHECK(material.reflectance_map->is_clamped);
+    CHECK(material.reflectance_map->where.line == 3);
+    CHECK(warnings.empty());
+  }
+  SECTION("a texture alone is not darkened, and one without a file is ignored") {
+    const auto [material, warnings] = read("newmtl a\nmap_Kd a.png\nmap_Kd -s 2\n");
+    CHECK(material.reflectance == Rgb{1, 1, 1});
+    CHECK(material.reflectance_map->file == folder.path() + "/a.png");
+    CHECK(warnings == "m.mtl:3:1: warning: map_Kd names no file; the line is ignored\n");
   }
   SECTION("values out of range") {
     const auto [material, warnings] = read("newmtl a\nKd 2 -1 0.5\nKe 9 -1 0\n");

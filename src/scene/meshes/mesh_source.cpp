@@ -86,9 +86,13 @@ Diagnostic MeshSource::diagnostic(const Note& note) const {
             {path_},
             fmt::format("byte {}: {}", static_cast<std::uint64_t>(note.at - begin()) + from_, note.message)};
   }
-  const char* line_begin = note.at;
+  return {note.severity, place(note.at), note.message};
+}
+
+SourceLocation MeshSource::place(const char* at) const {
+  const char* line_begin = at;
   while (line_begin > begin() && line_begin[-1] != '\n') --line_begin;
-  return {note.severity, {path_, line(note.at), 1 + static_cast<int>(note.at - line_begin)}, note.message};
+  return {path_, line(at), 1 + static_cast<int>(at - line_begin)};
 }
 
 std::vector<Diagnostic> MeshSource::all() const {

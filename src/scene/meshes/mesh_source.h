@@ -68,6 +68,7 @@ class MeshSource {
   [[nodiscard]] bool lists_more_errors() const { return errors_ < most_listed; }
   /// Line of a place in the text part.
   [[nodiscard]] int line(const char* at) const;
+  [[nodiscard]] SourceLocation place(const char* at) const;
   /// Everything reported, in file order.
   [[nodiscard]] std::vector<Diagnostic> all() const;
   /// The same; thrown as SceneError where there is an error in it, as EmptyMeshError where that is the only one.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Reads newmtl, Kd and Ke of an MTL file ("Object Files", Wavefront Advanced Visualizer manual, appendix B1). What has
-// no counterpart in a diffuse material (Ka, Ks, Ns, d, illum, other textures) is passed over in silence; a map_Kd is
-// warned of. Values outside [0, 1] (Kd) and below 0 (Ke) are clamped with a warning.
+// Reads newmtl, Kd, map_Kd and Ke of an MTL file ("Object Files", Wavefront Advanced Visualizer manual, appendix B1).
+// What has no counterpart in a diffuse material (Ka, Ks, Ns, d, illum, other textures) is passed over in silence.
+// Values outside [0, 1] (Kd) and below 0 (Ke) are clamped with a warning.
 #include "scene/meshes/mtl_reader.h"
 
 #include <fmt/format.h>
@@ -12,6 +12,7 @@
 #include <optional>
 
 #include "scene/meshes/mesh_source.h"
+#include "scene/meshes/mtl_map.h"
 #include "scene/meshes/text_cursor.h"
 
 namespace strahl {
@@ -34,18 +35,18 @@ class MtlReader {
         const std::string name = material.name;
         const auto [entry, is_new] = library_.materials.try_emplace(name, std::move(material));
         current_ = is_new ? &entry->second : &ignored_;
+        has_kd_ = false;
       } else if (keyword == "Kd") {
-        if (const auto color = read_color(cursor, at, "Kd", 1)) current_->reflectance = *color;
+        if (const auto color = read_color(cursor, at, "Kd", 1)) {
+          current_->reflectance = *color;
+          has_kd_ = true;
+        }
       } else if (keyword == "Ke") {
         const auto color = read_color(cursor, at, "Ke", HUGE_VAL);
         if (color) current_->radiance = *color == Rgb{} ? std::nullopt : color;
       } else if (keyword == "map_Kd") {
-        textures_.add(at);
+        read_map(cursor, at);
       }
-    }
-    if (textures_.count > 0) {
-      source_.warn(textures_.first,
-                   fmt::format("map_Kd: {} textures are not read; Kd stands (this is the first)", textures_.count));
     }
     const auto found = source_.all();
     library_.diagnostics.insert(library_.diagnostics.end(), found.begin(), found.end());
@@ -90,11 +91,26 @@ class MtlReader {
     return color;
   }
 
+  void read_map(TextCursor& cursor, const char* at) {
+    if (current_ == nullptr) {
+      source_.warn(at, "map_Kd before the first newmtl belongs to no material and is ignored");
+      return;
+    }
+    MeshTexture map = read_mtl_map(cursor, source_.path());
+    map.where = source_.place(at);
+    if (map.file.empty()) {
+      source_.warn(at, "map_Kd names no file; the line is ignored");
+      return;
+    }
+    current_->reflectance_map = map;
+    if (!has_kd_) current_->reflectance = {1, 1, 1};
+  }
+
   MeshSource source_;
   MtlLibrary& library_;
   MeshMaterial ignored_;
   MeshMaterial* current_ = nullptr;
-  Tally textures_;
+  bool has_kd_ = false;  ///< The current one.
 };
 
 }  // namespace

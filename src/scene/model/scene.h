@@ -8,12 +8,14 @@
 
 #include <array>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
 #include "errors.h"
+#include "image/texels.h"
 #include "scene/model/materials.h"
 #include "scene/model/vec.h"
 
@@ -139,10 +141,24 @@ struct Checkerboard {
   std::array<double, 6> to_uv{1, 0, 0, 0, 1, 0};
 };
 
+enum class TextureFilter { bilinear, nearest };
+enum class TextureWrap { repeat, mirror, clamp };
+
+/// An image over u', v' (as of a checkerboard) in [0, 1], whose first row is at v' = 0.
+struct Bitmap {
+  std::shared_ptr<const Texels> texels;
+  TexelCurve curve;
+  TextureFilter filter = TextureFilter::bilinear;
+  TextureWrap wrap = TextureWrap::repeat;
+  std::array<double, 6> to_uv{1, 0, 0, 0, 1, 0};
+  Rgb scale{1, 1, 1};       ///< Multiplies the texels.
+  Rgb mean{0.5, 0.5, 0.5};  ///< Of the texels; replaces them where textures are disabled.
+};
+
 /// A colour that varies over a surface.
 struct Texture {
   std::string id;
-  std::variant<Checkerboard> pattern;
+  std::variant<Checkerboard, Bitmap> pattern;
   SourceLocation where;
 };
 
@@ -163,9 +179,20 @@ struct ConstantLight {
   Rgb radiance{1, 1, 1};
 };
 
+/// Radiance of rays that leave the scene, by a latitude-longitude image (cl/lights/envmap_lanes.h).
+struct EnvironmentLight {
+  std::shared_ptr<const Texels> texels;
+  TexelCurve curve;
+  Rgb scale{1, 1, 1};
+  /// Where x, y (towards row 0) and z of the image lie in the world: orthonormal, of either handedness.
+  std::array<Vec3, 3> axes{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};
+  /// Draws no more than what exceeds the mean luminance; directions of materials find the rest.
+  bool mis_compensation = false;
+};
+
 struct Light {
   std::string id;
-  std::variant<PointLight, DirectionalLight, ConstantLight> emitter;
+  std::variant<PointLight, DirectionalLight, ConstantLight, EnvironmentLight> emitter;
   SourceLocation where;
 };
 

@@ -8,17 +8,43 @@
 #include <cctype>
 #include <filesystem>
 
+#include "image/file_bytes.h"
+#include "kinds/textures.h"
 #include "scene/xml/color_value.h"
 
 namespace strahl {
 
 namespace {
 
-int added_material(const MeshMaterial& from, const Shape& shape, Scene& scene, Diagnostics& diagnostics) {
+/// Index of the texture of a map_Kd, times Kd; -1 where its file cannot be read, which is warned of.
+int added_texture(const MeshTexture& from, const Rgb& scale, Scene& scene, ImageFiles& images,
+                  Diagnostics& diagnostics) {
+  const std::string obstacle = unreadable_because(from.file);
+  if (!obstacle.empty()) {
+    diagnostics.warning(from.where, fmt::format("cannot read \"{}\": {}; Kd stands", from.file, obstacle));
+    return -1;
+  }
+  Bitmap bitmap;
+  bitmap.texels = images.read(from.file, from.where, diagnostics);
+  if (!bitmap.texels) return -1;
+  bitmap.scale = scale;
+  bitmap.wrap = from.is_clamped ? TextureWrap::clamp : TextureWrap::repeat;
+  // v counts from the bottom in the file and from the top in the mesh.
+  bitmap.to_uv = {from.scale.x, 0, from.offset.x, 0, from.scale.y, 1 - from.scale.y - from.offset.y};
+  bitmap.mean = kinds::mean_of(*bitmap.texels, bitmap.curve);
+  scene.textures.push_back({"", bitmap, from.where});
+  return static_cast<int>(scene.textures.size()) - 1;
+}
+
+int added_material(const MeshMaterial& from, const Shape& shape, Scene& scene, ImageFiles& images,
+                   Diagnostics& diagnostics) {
   Material material;
   material.id = from.name;
-  material.bsdf =
-      Diffuse{{clamped_reflectance(from.reflectance, shape.where, fmt::format("Kd of {}", from.name), diagnostics)}};
+  Reflectance reflectance{
+      clamped_reflectance(from.reflectance, shape.where, fmt::format("Kd of {}", from.name), diagnostics)};
+  if (from.reflectance_map)
+    reflectance.texture = added_texture(*from.reflectance_map, reflectance.color, scene, images, diagnostics);
+  material.bsdf = Diffuse{reflectance};
   material.twosided = true;
   material.where = shape.where;
   scene.materials.push_back(material);
@@ -27,7 +53,8 @@ int added_material(const MeshMaterial& from, const Shape& shape, Scene& scene, D
 
 }  // namespace
 
-void add_mesh_materials(MeshFile& file, bool has_material, const Shape& shape, Scene& scene, Diagnostics& diagnostics) {
+void add_mesh_materials(MeshFile& file, bool has_material, const Shape& shape, Scene& scene, ImageFiles& images,
+                        Diagnostics& diagnostics) {
   Mesh& mesh = file.mesh;
   if (file.materials.empty() || mesh.part_of_triangle.empty() || (has_material && shape.radiance)) {
     mesh.part_of_triangle.clear();
@@ -35,7 +62,7 @@ void add_mesh_materials(MeshFile& file, bool has_material, const Shape& shape, S
   }
   for (const MeshMaterial& from : file.materials) {
     MeshPart part;
-    part.material = has_material ? shape.material : added_material(from, shape, scene, diagnostics);
+    part.material = has_material ? shape.material : added_material(from, shape, scene, images, diagnostics);
     part.radiance = shape.radiance ? shape.radiance : from.radiance;
     mesh.parts.push_back(part);
   }

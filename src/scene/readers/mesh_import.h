@@ -7,13 +7,15 @@
 #include "scene/loader.h"
 #include "scene/meshes/mesh_file.h"
 #include "scene/model/scene.h"
+#include "scene/readers/image_files.h"
 #include "scene/xml/diagnostics.h"
 
 namespace strahl {
 
 /// Fills file.mesh.parts from file.materials and appends what is used to scene.materials. A <bsdf> (has_material) and
-/// an <emitter> of the shape win over the file's.
-void add_mesh_materials(MeshFile& file, bool has_material, const Shape& shape, Scene& scene, Diagnostics& diagnostics);
+/// an <emitter> of the shape win over the file's. An image that cannot be read is warned of.
+void add_mesh_materials(MeshFile& file, bool has_material, const Shape& shape, Scene& scene, ImageFiles& images,
+                        Diagnostics& diagnostics);
 
 /// Of one file, reported to a loader's.
 [[nodiscard]] MeshProgress progress_of(const std::string& path, const LoadProgress& progress);

@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "kinds/lights.h"
 #include "scene/readers/plugin_table.h"
+#include "scene/readers/read_texture.h"
 #include "scene/readers/readers.h"
 #include "scene/xml/properties.h"
 
@@ -16,7 +18,7 @@ namespace {
 
 using Emitter = decltype(Light::emitter);
 /// None for what is no light by itself.
-using LightReader = std::optional<Emitter> (*)(Properties&);
+using LightReader = std::optional<Emitter> (*)(Properties&, SceneBuilder&);
 
 /// A vector parameter, or what to_world makes of its default; both at once is an error.
 std::optional<Transform> transform_instead_of(const std::string& name, Properties& properties) {
@@ -31,13 +33,13 @@ Rgb emission(Properties& properties, const std::string& name) {
   return properties.color(name, ColorUse::emission, {1, 1, 1}).value_or(Rgb{1, 1, 1});
 }
 
-std::optional<Emitter> read_point(Properties& properties) {
+std::optional<Emitter> read_point(Properties& properties, SceneBuilder&) {
   const Vec3 position = properties.vector("position").value_or(Vec3{});
   const std::optional<Transform> to_world = transform_instead_of("position", properties);
   return PointLight{to_world ? to_world->translation() : position, emission(properties, "intensity")};
 }
 
-std::optional<Emitter> read_directional(Properties& properties) {
+std::optional<Emitter> read_directional(Properties& properties, SceneBuilder&) {
   const Vec3 direction = properties.vector("direction").value_or(Vec3{0, 0, 1});
   const std::optional<Transform> to_world = transform_instead_of("direction", properties);
   if (direction == Vec3{})
@@ -45,10 +47,25 @@ std::optional<Emitter> read_directional(Properties& properties) {
   return DirectionalLight{to_world ? to_world->column(2) : direction, emission(properties, "irradiance")};
 }
 
-std::optional<Emitter> read_constant(Properties& properties) { return ConstantLight{emission(properties, "radiance")}; }
+std::optional<Emitter> read_constant(Properties& properties, SceneBuilder&) {
+  return ConstantLight{emission(properties, "radiance")};
+}
+
+std::optional<Emitter> read_envmap(Properties& properties, SceneBuilder& builder) {
+  EnvironmentLight light;
+  light.texels = read_image_file(properties, builder);
+  const double scale = properties.number("scale").value_or(1);
+  light.scale = {scale, scale, scale};
+  light.mis_compensation = properties.boolean("mis_compensation").value_or(false);
+  if (const std::optional<Transform> to_world = properties.transform("to_world")) {
+    const double size = std::cbrt(std::fabs(to_world->determinant()));
+    for (std::size_t i = 0; i < 3; ++i) light.axes[i] = (1 / size) * to_world->column(static_cast<int>(i));
+  }
+  return light.texels ? std::optional<Emitter>(light) : std::nullopt;
+}
 
 /// Read with the shapes that refer to it.
-std::optional<Emitter> read_area(Properties& properties) {
+std::optional<Emitter> read_area(Properties& properties, SceneBuilder&) {
   if (properties.id().empty())
     properties.diagnostics().unknown(properties.where(), "an area emitter belongs inside a <shape>; it is left out");
   return std::nullopt;
@@ -80,11 +97,11 @@ void read_light(const XmlElement& element, SceneBuilder& builder) {
     builder.lost_emitters.emplace_back(type);
     return;
   }
-  const std::optional<Emitter> emitter = (*reader)(properties);
+  const std::optional<Emitter> emitter = (*reader)(properties, builder);
   if (!emitter) return;
   Light light{properties.id(), *emitter, element.where};
   if (kinds::light(light).is_background && has_background(builder.scene))
-    builder.diagnostics.error(element.where, "a scene has one constant emitter at most");
+    builder.diagnostics.error(element.where, "a scene has one constant or envmap emitter at most");
   properties.accept({"sampling_weight"});
   properties.report_unknown();
   builder.scene.lights.push_back(light);

@@ -46,7 +46,7 @@ Geometry read_geometry(ShapeInput& input, const Mesh&) {
     if (!input.has_material) diagnostics.append(file.material_warnings);
     if (file.mesh.triangles.empty())
       diagnostics.error(properties.where("filename"), fmt::format("\"{}\" has no triangles", *path));
-    add_mesh_materials(file, input.has_material, input.shape, input.builder.scene, diagnostics);
+    add_mesh_materials(file, input.has_material, input.shape, input.builder.scene, input.builder.images, diagnostics);
     if (face_normals) file.mesh.normals.clear();
     if (flip_v) flip_tex_coords(file.mesh);
     to_world(file.mesh, input.world_from_object);

@@ -2,6 +2,9 @@
 // Textures by name, each read once.
 #include "scene/readers/read_texture.h"
 
+#include <fmt/format.h>
+
+#include "kinds/textures.h"
 #include "scene/readers/plugin_table.h"
 
 namespace strahl {
@@ -17,11 +20,28 @@ const PluginTable<TextureReader>& texture_readers() {
   return table;
 }
 
+/// A share of the light is at most 1, which files of floats may exceed.
+void clamp_to_one(Texture& texture, const XmlElement& element, SceneBuilder& builder) {
+  auto* bitmap = std::get_if<Bitmap>(&texture.pattern);
+  if (bitmap == nullptr || !bitmap->texels) return;
+  Clamped clamped = clamped_to_one(*bitmap->texels);
+  if (clamped.changed == 0) return;
+  builder.diagnostics.warning(
+      element.where,
+      fmt::format(
+          "{} of the {} texels of \"{}\" are brighter than 1, which is all that a surface can reflect; they are "
+          "taken for 1",
+          clamped.changed, clamped.texels.count(), clamped.texels.file));
+  bitmap->texels = std::make_shared<const Texels>(std::move(clamped.texels));
+  bitmap->mean = kinds::mean_of(*bitmap->texels, bitmap->curve);
+}
+
 int texture_index(const XmlElement& element, TextureReader reader, SceneBuilder& builder) {
   const auto known = builder.texture_indices.find(&element);
   if (known != builder.texture_indices.end()) return known->second;
   Properties properties(element, builder.ids, builder.diagnostics);
-  Texture texture = reader(properties);
+  Texture texture = reader(properties, builder);
+  clamp_to_one(texture, element, builder);
   properties.report_unknown();
   texture.id = properties.id();
   texture.where = element.where;
@@ -34,7 +54,8 @@ int texture_index(const XmlElement& element, TextureReader reader, SceneBuilder&
 /// -1: no texture that strahl has.
 int texture_of(Properties& properties, SceneBuilder& builder, const std::string& name) {
   const XmlElement* texture = properties.peek(name);
-  if (texture == nullptr || texture->tag != "texture") return -1;
+  // <spectrum type="bitmap"> is another way to write it.
+  if (texture == nullptr || (texture->tag != "texture" && texture->tag != "spectrum")) return -1;
   const TextureReader* reader = find_plugin(texture_readers(), texture->text("type"));
   if (reader == nullptr) return -1;
   properties.accept({name.c_str()});
@@ -42,6 +63,16 @@ int texture_of(Properties& properties, SceneBuilder& builder, const std::string&
 }
 
 }  // namespace
+
+std::array<double, 6> read_uv_map(Properties& properties) {
+  if (const auto t = properties.transform("to_uv"))
+    return {t->m[0][0], t->m[0][1], t->m[0][3], t->m[1][0], t->m[1][1], t->m[1][3]};
+  const double scale = properties.number("uvscale").value_or(1);
+  const double u = properties.number("uscale").value_or(scale), v = properties.number("vscale").value_or(scale);
+  // As Mitsuba 3 upgrades them: moved, then scaled.
+  const double u_offset = properties.number("uoffset").value_or(0), v_offset = properties.number("voffset").value_or(0);
+  return {u, 0, u * u_offset, 0, v, v * v_offset};
+}
 
 Reflectance read_reflectance(Properties& properties, SceneBuilder& builder, const std::string& name,
                              const Rgb& absent) {

@@ -2,17 +2,26 @@
 // <texture> elements: a reader for each entry of the kernels' list, which the linker names where it is missing.
 #pragma once
 
+#include <array>
+#include <memory>
+
 #include "scene/xml/properties.h"
 #include "scene/xml/scene_builder.h"
 
 namespace strahl {
 
 /// Fills `pattern`; the rest is done by read_reflectance() and read_varying().
-using TextureReader = Texture (*)(Properties&);
+using TextureReader = Texture (*)(Properties&, SceneBuilder&);
 
-#define TEXTURE(name) Texture read_##name(Properties& properties);
+#define TEXTURE(name) Texture read_##name(Properties& properties, SceneBuilder& builder);
 #include "../../../cl/textures/textures.def"
 #undef TEXTURE
+
+/// to_uv, or what uscale, vscale, uvscale, uoffset and voffset of Mitsuba 0.x make of it.
+[[nodiscard]] std::array<double, 6> read_uv_map(Properties& properties);
+
+/// The image of the string "filename", read once a scene; null after an error.
+[[nodiscard]] std::shared_ptr<const Texels> read_image_file(Properties& properties, SceneBuilder& builder);
 
 /// The parameter `name`, or `absent`. A texture that strahl does not have is replaced with a warning.
 [[nodiscard]] Reflectance read_reflectance(Properties& properties, SceneBuilder& builder, const std::string& name,

@@ -10,6 +10,7 @@
 
 #include "scene/loader.h"
 #include "scene/model/scene.h"
+#include "scene/readers/image_files.h"
 #include "scene/xml/diagnostics.h"
 #include "scene/xml/element_ids.h"
 #include "scene/xml/search_path.h"
@@ -23,6 +24,7 @@ struct SceneBuilder {
   const ElementIds& ids;
   Diagnostics& diagnostics;
   const LoadProgress& mesh_progress;
+  ImageFiles images{};
 
   // read_material.cpp: a bsdf that several shapes refer to is read once.
   std::map<const XmlElement*, Material> materials{};

@@ -1,3 +1,4 @@
 // SPDX-License-Identifier: MIT
 // Every texture. Only includes: a program holds those that its scene uses.
-#include "textures/checkerboard.h"
+#include "textures/checkerboard_lanes.h"
+#include "textures/bitmap_lanes.h"

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+// An image over (u, v), whose row 0 is at v = 0, as in Mitsuba's plugin: the texel nearest to the point, or the
+// bilinear mean of the four around it. Beyond [0, 1] the image is repeated, mirrored, or continued by its edge.
+// Where the row has several levels and the pixel is wider than a texel, the value is taken between the two levels whose
+// texels are next to the pixel's width (L. Williams, "Pyramidal Parametrics", SIGGRAPH 1983).
+// Parameters: the map of (u, v), as of a checkerboard; then what multiplies the texels, r g b. One width; no guard.
+#include "textures/texels_lanes.h"
+
+/// Where x of the infinite plane lies in the image, in [0, 1]; 0 where x is not finite.
+FN realw wrapped_w(realw x, int wrap) {
+  realw zero = splat_w(R(0.0)), one = splat_w(R(1.0)), inside = x;
+  if (wrap == WRAP_REPEAT) inside = x - floor_w(x);
+  if (wrap == WRAP_MIRROR) {
+    realw turns = splat_w(R(0.5)) * x, part = turns - floor_w(turns);
+    inside = splat_w(R(2.0)) * min_w(part, one - part);
+  }
+  inside = sel_w(lt_w(inside, one), inside, one);
+  return sel_w(finite_w(x) & lt_w(zero, inside), inside, zero);
+}
+
+/// Two neighbours of a row or column, and the weight of the second.
+typedef struct {
+  intw first, second;
+  realw weight;
+} Neighbours_w;
+
+/// inside: as of wrapped.
+FN Neighbours_w neighbours_w(realw inside, int size, int wrap, int filter) {
+  Neighbours_w n;
+  realw x = splat_w((real)size) * inside;
+  intw last = splat_int_w(size - 1), zero = splat_int_w(0);
+  if (filter == FILTER_NEAREST) {
+    n.first = int_of_real_w(x);
+    n.first = n.second = sel_int_w(lt_int_w(last, n.first), last, n.first);
+    n.weight = splat_w(R(0.0));
+    return n;
+  }
+  realw from_first = x - splat_w(R(0.5)), below = floor_w(from_first);
+  n.weight = from_first - below;
+  n.first = int_of_real_w(below);
+  n.second = n.first + splat_int_w(1);
+  intw before = wrap == WRAP_REPEAT ? last : zero, behind = wrap == WRAP_REPEAT ? zero : last;
+  n.first = sel_int_w(lt_int_w(n.first, zero), before, n.first);
+  n.second = sel_int_w(lt_int_w(last, n.second), behind, n.second);
+  return n;
+}
+
+/// Of one level, at mapped (u, v).
+FN real3w bitmap_level_w(const Scene* scene, GLOBAL const int* row, int level, Real2_w p) {
+  GLOBAL const int* image = scene->index + row[TEXTURE_IMAGE] + level * IMAGE_INTS;
+  int wrap = row[TEXTURE_WRAP], filter = row[TEXTURE_FILTER], width = image[IMAGE_WIDTH];
+  Neighbours_w x = neighbours_w(wrapped_w(p.x, wrap), width, wrap, filter);
+  Neighbours_w y = neighbours_w(wrapped_w(p.y, wrap), image[IMAGE_HEIGHT], wrap, filter);
+  intw first = y.first * splat_int_w(width), second = y.second * splat_int_w(width);
+  if (filter == FILTER_NEAREST) return texel_w(scene, image, first + x.first);
+  real3w above = mean3_w(x.weight, texel_w(scene, image, first + x.first), texel_w(scene, image, first + x.second));
+  real3w below = mean3_w(x.weight, texel_w(scene, image, second + x.first), texel_w(scene, image, second + x.second));
+  return mean3_w(y.weight, above, below);
+}
+
+/// How many texels of the first level a pixel is wide, at least 1 and at most a texel of the last level.
+FN realw texels_a_pixel_w(const Scene* scene, GLOBAL const int* row, TexturePlace_w at) {
+  GLOBAL const int* image = scene->index + row[TEXTURE_IMAGE];
+  GLOBAL const real* m = scene->shading + row[TEXTURE_REALS];
+  realw x = fma_w(splat_w(real_abs(m[0])), at.du, splat_w(real_abs(m[1])) * at.dv);
+  realw y = fma_w(splat_w(real_abs(m[3])), at.du, splat_w(real_abs(m[4])) * at.dv);
+  realw most = splat_w((real)(1 << (row[TEXTURE_LEVELS] - 1))), one = splat_w(R(1.0));
+  realw width = max_w(splat_w((real)image[IMAGE_WIDTH]) * x, splat_w((real)image[IMAGE_HEIGHT]) * y);
+  // An infinite footprint times a rate of 0 is as wide as it can be.
+  width = sel_w(lt_w(width, most), width, most);
+  return sel_w(lt_w(width, one), one, width);
+}
+
+FN real3w bitmap_value_w(const Scene* scene, GLOBAL const int* row, TexturePlace_w at) {
+  GLOBAL const real* params = scene->shading + row[TEXTURE_REALS];
+  Real2_w p = mapped_uv_w(params, at.u, at.v);
+  real3w value = bitmap_level_w(scene, row, 0, p);
+  if (HAS_TEXTURE_LOD && row[TEXTURE_LEVELS] > 1) {
+    realw width = texels_a_pixel_w(scene, row, at), one = splat_w(R(1.0)), lower = one;
+    // Between two levels, linear in the width.
+    for (int level = 0; level + 1 < row[TEXTURE_LEVELS]; ++level) {
+      maskw is_wider = lt_w(lower, width);
+      if (!any_w(is_wider)) break;
+      realw share = width / lower - one;
+      share = sel_w(lt_w(share, one), share, one);
+      real3w wider = bitmap_level_w(scene, row, level + 1, p);
+      value = sel3_w(is_wider, mean3_w(share, level == 0 ? value : bitmap_level_w(scene, row, level, p), wider), value);
+      lower = lower + lower;
+    }
+  }
+  return mul3_w(splat3_w(load3(params + 6)), value);
+}

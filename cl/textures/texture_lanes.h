@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// Dispatch over the active textures, texture by texture: all lanes of one texture are evaluated together. One width; no
+// guard.
+
+#include "textures/place_lanes.h"
+#include "textures/all_lanes.h"
+
+/// Of one texture.
+FN real3w texture_value_w(const Scene* scene, int texture, TexturePlace_w at) {
+  GLOBAL const int* row = scene->index + scene->index[HEADER_TEXTURES] + texture * TEXTURE_INTS;
+  switch (row[TEXTURE_KIND]) {
+#define TEXTURE(name)  \
+  case TEXTURE_##name: \
+    return name##_value_w(scene, row, at);
+#include "textures/textures.def"
+#undef TEXTURE
+    default:
+      (void)at;
+      return splat3_w(vec3(R(0.0), R(0.0), R(0.0)));
+  }
+}
+
+/// Those textures in the lanes of `which`, and `value` in the others.
+FN real3w texture_values_w(const Scene* scene, const Surfaces_w* s, maskw which, intw textures, real3w value) {
+  uint lanes = bits_w(which);
+  if (lanes == 0u) return value;
+  intw rates = part_entry_w(scene, s, PART_UV_RATES);
+  TexturePlace_w at;
+  at.u = s->tex_u;
+  at.v = s->tex_v;
+  at.du = s->footprint * gather_w(scene->shading, rates);
+  at.dv = s->footprint * gather_w(scene->shading + 1, rates);
+  while (lanes != 0u) {
+    int texture = get_int_w(&textures, first_bit(lanes));
+    maskw is_one = which & ~nonzero_w(textures - splat_int_w(texture));
+    value = sel3_w(is_one, texture_value_w(scene, texture, at), value);
+    lanes &= ~bits_w(is_one);
+  }
+  return value;
+}

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+// Images by their first bytes.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+#include "errors.h"
+#include "image/codecs.h"
+#include "image/file_bytes.h"
+#include "image/png_codes.h"
+#include "image/texels_files.h"
+
+namespace strahl {
+namespace {
+
+Texels read_png_texels(const std::string& path) {
+  const PngCodes png = read_png_codes(
+      path, [&](int width, int height, std::size_t, std::size_t) { check_texel_count(path, width, height); });
+  const std::size_t count = static_cast<std::size_t>(png.width) * static_cast<std::size_t>(png.height);
+  const std::size_t colours = png.channels <= 2 ? 1 : 3;  // Without alpha.
+  std::vector<std::uint16_t> wide;
+  std::vector<std::uint8_t> narrow;
+  png.is_wide ? wide.reserve(count * colours) : narrow.reserve(count * colours);
+  for (std::size_t n = 0; n < count; ++n)
+    for (std::size_t c = 0; c < colours; ++c) {
+      const std::size_t code = png.code(n * png.channels + c);
+      if (png.is_wide)
+        wide.push_back(static_cast<std::uint16_t>(code));
+      else
+        narrow.push_back(static_cast<std::uint8_t>(code));
+    }
+  const int channels = static_cast<int>(colours);
+  if (png.is_wide) return texels_of_words(png.width, png.height, channels, wide.data(), TexelFormat::bits_16);
+  return texels_of_bytes(png.width, png.height, channels, narrow.data());
+}
+
+/// R, G, B, or those of the first layer; else Y.
+std::vector<std::size_t> colours_of(const Image& image, const std::string& path) {
+  const auto find = [&](const std::string& name) {
+    return static_cast<std::size_t>(std::find(image.channels.begin(), image.channels.end(), name) -
+                                    image.channels.begin());
+  };
+  std::string layer;
+  for (const std::string& name : image.channels)
+    if (find("R") == image.channels.size() && layer.empty() && name.ends_with(".R"))
+      layer = name.substr(0, name.size() - 1);
+  const std::vector<std::size_t> rgb = {find(layer + "R"), find(layer + "G"), find(layer + "B")};
+  const bool has_all = std::all_of(rgb.begin(), rgb.end(), [&](std::size_t c) { return c < image.channels.size(); });
+  if (has_all) return rgb;
+  if (find("Y") < image.channels.size()) return {find("Y")};
+  if (image.channels.size() == 1) return {0};
+  throw InputError(
+      fmt::format("\"{}\" has the channels {}; an image has R, G and B, or Y", path, fmt::join(image.channels, ", ")));
+}
+
+Texels texels_of_image(const Image& image, const std::string& path) {
+  check_texel_count(path, image.width, image.height);
+  const std::vector<std::size_t> colours = colours_of(image, path);
+  const std::size_t count = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
+  std::vector<float> values;
+  values.reserve(count * colours.size());
+  float largest = 0;
+  for (std::size_t n = 0; n < count; ++n)
+    for (const std::size_t c : colours) {
+      values.push_back(image.data[n * image.channels.size() + c]);
+      if (std::isfinite(values.back())) largest = std::max(largest, values.back());
+    }
+  std::size_t repaired = 0;
+  for (std::size_t i = 0; i < values.size(); i += colours.size()) {
+    bool is_faulty = false;
+    for (std::size_t c = i; c < i + colours.size(); ++c) {
+      if (std::isfinite(values[c]) && values[c] >= 0) continue;
+      values[c] = values[c] > 0 ? largest : 0;
+      is_faulty = true;
+    }
+    repaired += is_faulty ? 1 : 0;
+  }
+  Texels texels = texels_of_floats(image.width, image.height, static_cast<int>(colours.size()), values);
+  texels.repaired = repaired;
+  return texels;
+}
+
+Texels read_by_first_bytes(const std::string& path) {
+  using namespace std::string_view_literals;
+  const std::string bytes = read_file(path);
+  const auto begins = [&](std::string_view start) { return std::string_view(bytes).starts_with(start); };
+  if (begins("\x89PNG\r\n\x1a\n"sv)) return read_png_texels(path);
+  if (begins("\xff\xd8\xff"sv)) return read_jpeg_texels(path, bytes);
+  if (begins("\x76\x2f\x31\x01"sv)) return texels_of_image(read_exr(path), path);
+  if (begins("PF"sv) || begins("Pf"sv)) return texels_of_image(read_pfm(path), path);
+  if (begins("#?"sv) || begins("BM"sv) || is_stb_image(bytes)) return read_stb_texels(path, bytes);
+  throw InputError(fmt::format(
+      "\"{}\" is not an image that can be read: PNG, JPEG, OpenEXR, Radiance HDR, TGA, BMP and PFM are", path));
+}
+
+}  // namespace
+
+void check_texel_count(const std::string& path, std::int64_t width, std::int64_t height) {
+  if (width > 0 && height > 0 && width <= most_texels / height) return;
+  throw InputError(fmt::format("\"{}\" has {} x {} texels; an image has at most {} (16384 x 16384), and at least one",
+                               path, width, height, most_texels));
+}
+
+Texels read_texels(const std::string& path) {
+  Texels texels = read_by_first_bytes(path);
+  texels.file = path;
+  return texels;
+}
+
+}  // namespace strahl

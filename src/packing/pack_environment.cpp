@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#include "packing/pack_environment.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace strahl {
+namespace {
+
+using std::numbers::pi;
+
+/// As the kernels have it.
+double luminance(const std::array<double, 3>& rgb) { return 0.212671 * rgb[0] + 0.71516 * rgb[1] + 0.072169 * rgb[2]; }
+
+std::vector<double> luminances(const EnvironmentLight& light) {
+  const TexelDecoder decoded(*light.texels, light.curve);
+  std::vector<double> all(light.texels->count());
+  for (std::size_t n = 0; n < all.size(); ++n) all[n] = luminance(decoded(n));
+  return all;
+}
+
+/// O. Karlik, M. Sik, P. Vivoda, T. Skrivan, J. Krivanek, "MIS Compensation: Optimizing Sampling Techniques in Multiple
+/// Importance Sampling", SIGGRAPH Asia 2019; where all is about as bright as the mean, nothing is left out.
+double compensation(const std::vector<double>& luminances) {
+  double sum = 0, least = std::numeric_limits<double>::infinity();
+  for (const double y : luminances) {
+    sum += y;
+    least = std::min(least, y);
+  }
+  const double mean = sum / static_cast<double>(luminances.size());
+  return mean - least <= 0.01 * mean ? 0 : mean;
+}
+
+/// A table that is never asked where there is nothing to draw.
+std::vector<Choice> choices_of(const std::vector<double>& weights) {
+  const bool is_dark = std::all_of(weights.begin(), weights.end(), [](double weight) { return !(weight > 0); });
+  return is_dark ? alias_table(std::vector<double>(weights.size(), 1)) : alias_table(weights);
+}
+
+}  // namespace
+
+EnvironmentTables environment_tables(const EnvironmentLight& light, bool is_compensated) {
+  const auto width = static_cast<std::size_t>(light.texels->width);
+  const auto rows = static_cast<std::size_t>(light.texels->height) - 1;
+  std::vector<double> y = luminances(light);
+  EnvironmentTables tables;
+  if (is_compensated && light.mis_compensation) tables.floor = compensation(y);
+  for (double& one : y) one = std::max(one - tables.floor, 0.0);
+
+  std::vector<double> sines(rows), row_weights(rows, 0), cells(width);
+  std::vector<Choice> of_cells;
+  of_cells.reserve(rows * width);
+  double whole = 0;
+  for (std::size_t row = 0; row < rows; ++row) {
+    sines[row] = std::sin(pi * (static_cast<double>(row) + 0.5) / static_cast<double>(rows));
+    const double *upper = &y[row * width], *lower = upper + width;
+    for (std::size_t column = 0; column < width; ++column) {
+      const std::size_t next = (column + 1) % width;
+      cells[column] = (upper[column] + upper[next] + lower[column] + lower[next]) / 4;
+      row_weights[row] += sines[row] * cells[column];
+    }
+    whole += row_weights[row];
+    const std::vector<Choice> choices = choices_of(cells);
+    of_cells.insert(of_cells.end(), choices.begin(), choices.end());
+  }
+  tables.choices = choices_of(row_weights);
+  tables.choices.insert(tables.choices.end(), of_cells.begin(), of_cells.end());
+  // A cell spans 2 pi / width by pi / rows times the sine of its angle.
+  const double cells_a_solid_angle = static_cast<double>(rows * width) / (2 * pi * pi);
+  for (const double sine : sines) tables.rows.push_back(whole > 0 ? cells_a_solid_angle * sine / whole : 0);
+  return tables;
+}
+
+}  // namespace strahl

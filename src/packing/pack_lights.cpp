@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+#include "packing/pack_lights.h"
+
+#include <algorithm>
+#include <optional>
+#include <span>
+#include <variant>
+
+#include "kinds/entries.h"
+#include "kinds/integrators.h"
+#include "kinds/lights.h"
+#include "packing/cl_layout.h"
+#include "packing/pack_areas.h"
+#include "packing/pack_environment.h"
+#include "packing/shape_parts.h"
+
+namespace strahl {
+namespace {
+
+template <typename Real>
+class LightTable {
+ public:
+  LightTable(PackedScene<Real>& packed, PackedImages<Real>& images, const Scene& scene, const Features& features,
+             const UploadFrame& frame)
+      : packed_(packed), images_(images), scene_(scene), features_(features), frame_(frame) {}
+
+  /// Delta lights first: those that are taken come before those that are drawn.
+  std::vector<int> run(const std::vector<const Shape*>& shapes, const std::vector<std::int32_t>& first_ids) {
+    header(layout::HEADER_BACKGROUND) = -1;
+    for (const Light& light : scene_.lights)
+      if (kinds::light(light).is_delta) put_light(light);
+    const int lamps = count();
+    for (const Light& light : scene_.lights) {
+      const kinds::LightFacts& facts = kinds::light(light);
+      if (!facts.is_delta && put_light(light) && facts.is_background) header(layout::HEADER_BACKGROUND) = count() - 1;
+    }
+    area_lights(shapes, first_ids);
+    header(layout::HEADER_LIGHT_COUNT) = count();
+    header(layout::HEADER_CHOOSER) = features_.entry_index("choosers", light_chooser);
+    header(layout::HEADER_LIGHTS_TAKEN) =
+        kinds::integrator(scene_.integrator.name).lamps == kinds::Lamps::drawn ? 0 : lamps;
+    const int rows_at = packed_.put_index(rows_);
+    header(layout::HEADER_LIGHTS) = rows_at;
+    return std::move(light_of_part_);
+  }
+
+ private:
+  std::int32_t& header(int field) { return packed_.at(field); }
+  [[nodiscard]] int count() const { return static_cast<int>(rows_.size()) / layout::LIGHT_INTS; }
+
+  /// False where the program has no use for it.
+  bool put_light(const Light& light) {
+    const int kind = features_.entry_index("lights", light_kind(light));
+    if (kind < 0) return false;
+    if (kinds::light_glows(light)) header(layout::HEADER_GLOWS) = 1;
+    rows_.insert(rows_.end(), {kind, packed_.put_shading(kinds::light_reals(light, frame_)), 0, 0, 0, -1});
+    if (const auto* environment = std::get_if<EnvironmentLight>(&light.emitter)) put_environment(*environment);
+    return true;
+  }
+
+  /// Behind its reals, and into the last row.
+  void put_environment(const EnvironmentLight& light) {
+    const kinds::Follows follows = kinds::integrator(scene_.integrator.name).follows;
+    const EnvironmentTables tables =
+        environment_tables(light, follows == kinds::Follows::paths || follows == kinds::Follows::one_way);
+    packed_.put_shading({tables.floor});
+    packed_.put_shading(tables.rows);
+    const std::span row = std::span(rows_).last(layout::LIGHT_INTS);
+    row[layout::LIGHT_IMAGE] = images_.row(*light.texels, light.curve);
+    row[layout::LIGHT_CHOICE] = put_choices(tables.choices);
+  }
+
+  void glow(const Rgb& radiance) {
+    if (radiance.r > 0 || radiance.g > 0 || radiance.b > 0) header(layout::HEADER_GLOWS) = 1;
+  }
+
+  int put_choices(const std::vector<Choice>& choices) {
+    const int at = packed_.index_end();
+    for (const Choice& choice : choices) {
+      packed_.index.push_back(static_cast<std::int32_t>(choice.limit));
+      packed_.index.push_back(choice.other);
+    }
+    return at;
+  }
+
+  /// One for each part that emits and has an area that can be drawn from; light_of_part_ for each part of the scene.
+  void area_lights(const std::vector<const Shape*>& shapes, const std::vector<std::int32_t>& first_ids) {
+    const int kind = features_.has("lights", "area") ? features_.entry_index("lights", "area") : -1;
+    for (std::size_t i = 0; i < shapes.size(); ++i) {
+      const Shape& shape = *shapes[i];
+      const bool glows = features_.flag("EMISSION") && features_.has("shapes", shape_kind(shape));
+      const bool is_drawn = kind >= 0 && features_.has("areas", area_kind(shape.geometry));
+      for (int part = 0; part < part_count(shape); ++part) {
+        light_of_part_.push_back(-1);
+        const std::optional<Rgb> radiance = look_of_part(shape, part).radiance;
+        if (!radiance || !glows) continue;
+        glow(*radiance);
+        if (!is_drawn) continue;
+        const std::optional<EmittingArea> area = emitting_area(shape, part, frame_);
+        if (!area) continue;
+        light_of_part_.back() = count();
+        std::vector<double> reals = {radiance->r, radiance->g, radiance->b, 1 / area->size, area->side};
+        reals.insert(reals.end(), area->items.begin(), area->items.end());
+        const int items = checked_offset(area->choices.size());
+        header(layout::HEADER_MOST_ITEMS) = std::max(header(layout::HEADER_MOST_ITEMS), items);
+        const int choice_at = put_choices(area->choices);
+        const int first = first_of_area(shape.geometry, part);
+        rows_.insert(rows_.end(),
+                     {kind, packed_.put_shading(reals), features_.entry_index("areas", area_kind(shape.geometry)),
+                      items, choice_at, first < 0 ? -1 : first_ids[i] + first});
+      }
+    }
+  }
+
+  PackedScene<Real>& packed_;
+  PackedImages<Real>& images_;
+  const Scene& scene_;
+  const Features& features_;
+  const UploadFrame& frame_;
+  std::vector<std::int32_t> rows_;
+  std::vector<int> light_of_part_;
+};
+
+}  // namespace
+
+template <typename Real>
+std::vector<int> pack_lights(PackedScene<Real>& packed, PackedImages<Real>& images, const Scene& scene,
+                             const Features& features, const UploadFrame& frame,
+                             const std::vector<const Shape*>& shapes, const std::vector<std::int32_t>& first_ids) {
+  return LightTable<Real>(packed, images, scene, features, frame).run(shapes, first_ids);
+}
+
+template std::vector<int> pack_lights(PackedScene<float>&, PackedImages<float>&, const Scene&, const Features&,
+                                      const UploadFrame&, const std::vector<const Shape*>&,
+                                      const std::vector<std::int32_t>&);
+template std::vector<int> pack_lights(PackedScene<double>&, PackedImages<double>&, const Scene&, const Features&,
+                                      const UploadFrame&, const std::vector<const Shape*>&,
+                                      const std::vector<std::int32_t>&);
+
+}  // namespace strahl

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+// The image files of a scene, each read once.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+
+#include "image/texels.h"
+#include "scene/xml/diagnostics.h"
+
+namespace strahl {
+
+class ImageFiles {
+ public:
+  /// Null after an error; where: what is told with it.
+  [[nodiscard]] std::shared_ptr<const Texels> read(const std::string& path, const SourceLocation& where,
+                                                   Diagnostics& diagnostics);
+
+ private:
+  std::map<std::string, std::shared_ptr<const Texels>> files_;
+};
+
+}  // namespace strahl

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// The "filename" of textures and environments.
+#include <fmt/format.h>
+
+#include "image/file_bytes.h"
+#include "scene/readers/read_texture.h"
+#include "scene/xml/xml_expand.h"
+
+namespace strahl {
+
+std::shared_ptr<const Texels> read_image_file(Properties& properties, SceneBuilder& builder) {
+  Diagnostics& diagnostics = builder.diagnostics;
+  const std::optional<std::string> name = properties.string("filename");
+  if (!name) {
+    if (!properties.has("filename"))
+      diagnostics.error(properties.where(), fmt::format("{} needs the string \"filename\"", properties.title()));
+    return nullptr;
+  }
+  const SourceLocation where = properties.where("filename");
+  const std::string path = builder.search_path.find(*name, where.file);
+  const std::string obstacle = unreadable_because(path);
+  if (!obstacle.empty()) {
+    diagnostics.error(where,
+                      fmt::format("cannot read \"{}\": {} (the path counts from the scene file)", path, obstacle));
+    return nullptr;
+  }
+  return builder.images.read(path, where, diagnostics);
+}
+
+}  // namespace strahl

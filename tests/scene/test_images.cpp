@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: MIT
+// Image files of textures and environments: parameters of Mitsuba 3 and 0.x, files that are shared, faults.
+#include <catch2/catch.hpp>
+
+#include "image/image_io.h"
+#include "scene/scene_text.h"
+
+using namespace strahl;
+using namespace strahl::test;
+using Catch::Matchers::Contains;
+
+namespace {
+
+struct ImageFolder : SceneFolder {
+  ImageFolder() {
+    write_image(Image{4, 3, {"R", "G", "B"}, std::vector<float>(36, 0.5F), {}}, path("a.png"));
+    std::vector<float> bright(36, 0.5F);
+    bright[7] = 8;
+    write_image(Image{4, 3, {"R", "G", "B"}, bright, {}}, path("bright.exr"));
+  }
+  [[nodiscard]] LoadedScene load(const std::string& body, const std::string& version = "3.0.0") const {
+    return load_scene(write(
+        "scene.xml", "<scene version=\"" + version + "\">\n" + body + "\n<sensor type=\"perspective\"/></scene>\n"));
+  }
+  /// The first texture, which has these parameters.
+  [[nodiscard]] Bitmap bitmap(const std::string& parameters, const std::string& version = "3.0.0") const {
+    const LoadedScene loaded = load(
+        "<bsdf type=\"diffuse\"><texture type=\"bitmap\" name=\"reflectance\">"
+        "<string name=\"filename\" value=\"a.png\"/>" +
+            parameters + "</texture></bsdf>",
+        version);
+    return std::get<Bitmap>(loaded.scene.textures.at(0).pattern);
+  }
+  [[nodiscard]] std::string fault(const std::string& body) const {
+    try {
+      (void)load(body);
+    } catch (const SceneError& error) {
+      return error.what();
+    }
+    return "";
+  }
+};
+
+using UvMap = std::array<double, 6>;
+
+TEST_CASE("a bitmap has Mitsuba's parameters") {
+  const ImageFolder folder;
+  const Bitmap plain = folder.bitmap("");
+  REQUIRE(plain.texels);
+  CHECK(plain.texels->width == 4);
+  CHECK(plain.curve.kind == TexelCurve::Kind::srgb);
+  CHECK(plain.filter == TextureFilter::bilinear);
+  CHECK(plain.wrap == TextureWrap::repeat);
+  CHECK(plain.to_uv == UvMap{1, 0, 0, 0, 1, 0});
+  CHECK(plain.mean.g == Approx(0.5).epsilon(0.01));
+  const Bitmap full = folder.bitmap(
+      "<boolean name=\"raw\" value=\"true\"/><string name=\"filter_type\" value=\"nearest\"/>"
+      "<string name=\"wrap_mode\" value=\"mirror\"/>"
+      "<transform name=\"to_uv\"><scale x=\"2\" y=\"3\"/><translate x=\".5\"/></transform>");
+  CHECK(full.curve.kind == TexelCurve::Kind::linear);
+  CHECK(full.filter == TextureFilter::nearest);
+  CHECK(full.wrap == TextureWrap::mirror);
+  CHECK(full.to_uv == UvMap{2, 0, 0.5, 0, 3, 0});
+  CHECK(full.mean.g == Approx(0.735).epsilon(0.01));
+  CHECK(folder.bitmap("<string name=\"wrap_mode\" value=\"clamp\"/>").wrap == TextureWrap::clamp);
+  const LoadedScene spectrum = folder.load(
+      "<bsdf type=\"diffuse\"><spectrum type=\"bitmap\" name=\"reflectance\"><string name=\"filename\" "
+      "value=\"a.png\"/></spectrum></bsdf>");
+  CHECK(std::holds_alternative<Bitmap>(spectrum.scene.textures.at(0).pattern));
+}
+
+TEST_CASE("a bitmap has the parameters of Mitsuba 0.x, as Mitsuba 3 upgrades them") {
+  const ImageFolder folder;
+  const Bitmap old = folder.bitmap(
+      "<float name=\"uscale\" value=\"3\"/><float name=\"uoffset\" value=\"0.25\"/><float name=\"voffset\" "
+      "value=\"0.5\"/><string name=\"filterType\" value=\"ewa\"/><string name=\"wrapMode\" value=\"clamp\"/><float "
+      "name=\"gamma\" value=\"1\"/>",
+      "0.6.0");
+  CHECK(old.to_uv == UvMap{3, 0, 0.75, 0, 1, 0.5});
+  CHECK(old.filter == TextureFilter::bilinear);
+  CHECK(old.wrap == TextureWrap::clamp);
+  CHECK(old.curve.kind == TexelCurve::Kind::linear);
+  CHECK(folder.bitmap("<float name=\"uvscale\" value=\"2\"/>", "0.6.0").to_uv == UvMap{2, 0, 0, 0, 2, 0});
+  CHECK(folder.bitmap("<float name=\"gamma\" value=\"2.2\"/>", "0.6.0").curve ==
+        TexelCurve{TexelCurve::Kind::power, 2.2});
+}
+
+TEST_CASE("files are read once, and named among those of the scene") {
+  const ImageFolder folder;
+  const std::string file = "<string name=\"filename\" value=\"a.png\"/>";
+  const std::string texture = "<texture type=\"bitmap\" name=\"reflectance\">" + file + "</texture>";
+  const LoadedScene loaded = folder.load("<bsdf type=\"diffuse\">" + texture + "</bsdf><bsdf type=\"diffuse\">" +
+                                         texture + "</bsdf><emitter type=\"envmap\">" + file + "</emitter>");
+  const auto texels = [&](std::size_t i) { return std::get<Bitmap>(loaded.scene.textures.at(i).pattern).texels; };
+  CHECK(texels(0) == texels(1));
+  CHECK(std::get<EnvironmentLight>(loaded.scene.lights.at(0).emitter).texels == texels(0));
+  CHECK(loaded.scene.files == std::vector<std::string>{folder.path("scene.xml"), folder.path("a.png")});
+}
+
+TEST_CASE("what reflects more than all is cut, with a warning; light is not") {
+  const ImageFolder folder;
+  const std::string file = "<string name=\"filename\" value=\"bright.exr\"/>";
+  const LoadedScene loaded = folder.load("<bsdf type=\"diffuse\"><texture type=\"bitmap\" name=\"reflectance\">" +
+                                         file + "</texture></bsdf><emitter type=\"envmap\">" + file + "</emitter>");
+  REQUIRE(loaded.warnings.size() == 1);
+  CHECK_THAT(loaded.warnings[0].message, Contains("1 of the 12 texels"));
+  const auto most = [](const Texels& texels) { return TexelDecoder(texels, {})(2)[1]; };
+  CHECK(most(*std::get<Bitmap>(loaded.scene.textures.at(0).pattern).texels) == 1);
+  CHECK(most(*std::get<EnvironmentLight>(loaded.scene.lights.at(0).emitter).texels) == 8);
+}
+
+TEST_CASE("an environment has scale, turn and compensation") {
+  const ImageFolder folder;
+  const LoadedScene loaded = folder.load(
+      "<emitter type=\"envmap\"><string name=\"filename\" value=\"a.png\"/><float name=\"scale\" value=\"3\"/><boolean "
+      "name=\"mis_compensation\" value=\"true\"/><transform name=\"to_world\"><scale value=\"2\"/><scale "
+      "x=\"-1\"/><rotate "
+      "y=\"1\" angle=\"90\"/></transform></emitter>");
+  CHECK(loaded.warnings.empty());
+  const auto& light = std::get<EnvironmentLight>(loaded.scene.lights.at(0).emitter);
+  CHECK(light.scale == Rgb{3, 3, 3});
+  CHECK(light.mis_compensation);
+  CHECK(light.axes[0].z == Approx(1));
+  CHECK(light.axes[1].y == Approx(1));
+  CHECK(light.axes[2].x == Approx(1));
+}
+
+TEST_CASE("a map_Kd of an MTL file is a texture, times Kd; one that is not there is warned of") {
+  const ImageFolder folder;
+  folder.write("a.obj", "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nusemtl m\nf 1/1 2/1 3/1\n");
+  folder.write("a.mtl", "newmtl m\nKd 1 0.5 0.25\nmap_Kd -s 2 4 -o 0.5 0.25 a.png\n");
+  const std::string shape = "<shape type=\"obj\"><string name=\"filename\" value=\"a.obj\"/></shape>";
+  const LoadedScene loaded = folder.load(shape);
+  CHECK(loaded.warnings.empty());
+  const auto& bitmap = std::get<Bitmap>(loaded.scene.textures.at(0).pattern);
+  CHECK(bitmap.scale == Rgb{1, 0.5, 0.25});
+  // The mesh counts v from the top.
+  CHECK(bitmap.to_uv == UvMap{2, 0, 0.5, 0, 4, -3.25});
+  CHECK(std::get<Diffuse>(loaded.scene.materials.back().bsdf).reflectance.texture == 0);
+  folder.write("a.mtl", "newmtl m\nKd 1 0.5 0.25\nmap_Kd no.png\n");
+  const LoadedScene without = folder.load(shape);
+  REQUIRE(without.warnings.size() == 1);
+  CHECK_THAT(without.warnings[0].message, Contains("no.png") && Contains("Kd stands"));
+  CHECK(without.warnings[0].where.line == 3);
+  CHECK(without.scene.textures.empty());
+}
+
+TEST_CASE("faults of images name the line") {
+  const ImageFolder folder;
+  const auto texture = [](const std::string& parameters) {
+    return "<bsdf type=\"diffuse\"><texture type=\"bitmap\" name=\"reflectance\">" + parameters + "</texture></bsdf>";
+  };
+  CHECK_THAT(folder.fault(texture("")), Contains("2:22") && Contains("needs the string \"filename\""));
+  CHECK_THAT(folder.fault(texture("<string name=\"filename\" value=\"no.png\"/>")),
+             Contains("2:64") && Contains("no.png"));
+  folder.write("text.png", "no image at all");
+  CHECK_THAT(folder.fault(texture("<string name=\"filename\" value=\"text.png\"/>")),
+             Contains("2:64") && Contains("is not an image"));
+  const std::string file = "<string name=\"filename\" value=\"a.png\"/>";
+  CHECK_THAT(folder.fault(texture(file + "<float name=\"gamma\" value=\"-2\"/>")), Contains("gamma -2"));
+  CHECK_THAT(folder.fault("<emitter type=\"envmap\">" + file +
+                          "<transform name=\"to_world\"><scale x=\"2\"/></transform></emitter>"),
+             Contains("must be a rotation"));
+  CHECK_THAT(folder.fault("<emitter type=\"constant\"/><emitter type=\"envmap\">" + file + "</emitter>"),
+             Contains("one constant or envmap emitter"));
+  CHECK_THAT(folder.load(texture(file + "<string name=\"wrap_mode\" value=\"miror\"/>")).warnings.at(0).message,
+             Contains("did you mean \"mirror\""));
+}
+
+}  // namespace
