@@ -4,8 +4,8 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "scene/scene_text.h"
 #include "scene/readers/metals.h"
+#include "scene/scene_text.h"
 #include "scene/spectra/observer.h"
 
 using namespace strahl;
