@@ -10,8 +10,8 @@
 #define SCENE_LANED_PASTE(name, lanes) name##_w_##lanes
 
 /// The surface where a path's ray ends, for shading.
-SELDOM_FN void take_surface_w(const Scene* scene, Paths_w* path, int lane, const Ray* ray, const Nearest* nearest,
-                              const FirstSample* first, Surfaces_w* to) {
+FN void take_surface_w(const Scene* scene, Paths_w* path, int lane, const Ray* ray, const Nearest* nearest,
+                       const FirstSample* first, Surfaces_w* to) {
   int is_hit = nearest->kind >= 0;
   Surface s = surface_none();
   if (is_hit) {
@@ -53,18 +53,25 @@ FN void widen_w(const Scene* scene, Rays_w* rays) {
 
 #include "hits/plain_surfaces_lanes.h"
 
+/// take_surface_w for the lanes that plain_surfaces_w leaves: seldom, so that it is called.
+SELDOM_FN void take_surface_alone_w(const Scene* scene, Paths_w* path, int lane, const Ray* ray, const Nearest* nearest,
+                                    const FirstSample* first, Surfaces_w* to) {
+  take_surface_w(scene, path, lane, ray, nearest, first, to);
+}
+
 FN Surfaces_w find_surfaces_w(const Scene* scene, Paths_w* path, int want, const FirstSample* first) {
   Surfaces_w s = surfaces_none_w();
   widen_w(scene, &path->rays);
   NearestEach_w each = packet_traverse_w(scene, &path->rays, want);
   s.hit = path->alive & ~lt_int_w(each.kind, splat_int_w(0));
   maskw single = path->alive;
+  int is_reported = HAS_AOV && first->lane >= 0;
   if (!HAS_TANGENT && !is_reported) single = single & ~plain_surfaces_w(scene, path, &each, &s);
   for (uint lanes = bits_w(single); lanes != 0u; lanes &= lanes - 1u) {
     int lane = first_bit(lanes);
     Ray ray = ray_of_w(&path->rays, lane);
     Nearest nearest = nearest_of_w(&each, lane);
-    take_surface_w(scene, path, lane, &ray, &nearest, first, &s);
+    take_surface_alone_w(scene, path, lane, &ray, &nearest, first, &s);
   }
   return s;
 }

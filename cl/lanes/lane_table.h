@@ -614,6 +614,7 @@
 #define take_nearest_w LANED(take_nearest_w)
 #define take_parameters_w LANED(take_parameters_w)
 #define take_polygons_w LANED(take_polygons_w)
+#define take_surface_alone_w LANED(take_surface_alone_w)
 #define take_surface_w LANED(take_surface_w)
 #define take_surfaces_w LANED(take_surfaces_w)
 #define texel_w LANED(texel_w)
