@@ -55,8 +55,14 @@ FN void begin_paths_w(const Scene* scene, Paths_w* path, Pixel* pixel) {
     dx = filter_offset_w(shading + index[HEADER_FILTER], random_unit_w(bits.x));
     dy = filter_offset_w(shading + index[HEADER_FILTER], random_unit_w(bits.y));
   }
+  Real2_w lens;
+  lens.x = lens.y = splat_w(R(0.0));
+  if (HAS_THIN_LENS) {
+    Random2_w bits = sample_pair_w(scene, &path->sample, USE_LENS);
+    lens = square_to_disk_w(random_between_w(bits.x), random_between_w(bits.y));
+  }
   Rays_w rays;
-  camera_rays_w(shading + index[HEADER_CAMERA], pixel->width, pixel->height, pixel->x, pixel->y, dx, dy, &rays);
+  camera_rays_w(shading + index[HEADER_CAMERA], pixel->width, pixel->height, pixel->x, pixel->y, dx, dy, lens, &rays);
   paths_begin_w(path, nonzero_w(is_begun), &rays);
 }
 

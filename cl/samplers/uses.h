@@ -11,6 +11,7 @@
 /// Numbers of the sample as a whole. A use that sample_pair draws takes two numbers, the first of them even.
 enum {
   USE_PIXEL = 0,  ///< The place within the pixel.
+  USE_LENS = 2,   ///< The place on the lens.
   PAIRS_A_SAMPLE = 4
 };
 

@@ -139,7 +139,10 @@ enum {
   CAMERA_DY = 15,
   CAMERA_NEAR = 18,  // t range in units of that direction
   CAMERA_FAR = 19,
-  CAMERA_REALS = 20
+  CAMERA_LENS_U = 20,  // the lens: two of its radii, at right angles
+  CAMERA_LENS_V = 23,
+  CAMERA_FOCUS = 26,  // one over t where the rays of a place on the picture meet
+  CAMERA_REALS = 27
 };
 
 enum { FILTER_CELLS = 1024 };

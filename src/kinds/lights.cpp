@@ -48,6 +48,41 @@ struct Row<PointLight> {
 };
 
 template <>
+struct Row<SpotLight> {
+  static constexpr LightFacts facts{.entry = "spot", .is_delta = true};
+  static constexpr auto colour = &SpotLight::intensity;
+  static std::vector<double> reals(const SpotLight& light, const UploadFrame& frame) {
+    const Vec3 p = frame.point(light.position), axis = normalized(light.axis);
+    const double area = frame.scale * frame.scale;
+    // Of a cone with a hard edge the largest power of ten that is far from the largest float.
+    const double edge = std::min(360 / (light.cutoff_degrees - light.beam_degrees), 1e30);
+    return {p.x,
+            p.y,
+            p.z,
+            axis.x,
+            axis.y,
+            axis.z,
+            area * light.intensity.r,
+            area * light.intensity.g,
+            area * light.intensity.b,
+            light.cutoff_degrees / 360,
+            edge};
+  }
+  static void move(SpotLight& light, const MapVec3& point) { light.position = point(light.position); }
+  static void scale(SpotLight& light, double factor) { multiply(light.intensity, factor * factor); }
+  static void mirror(SpotLight& light, const MapVec3& flip_x) { light.axis = flip_x(light.axis); }
+  static void check(const SpotLight& light, Faults& faults) {
+    faults.require(is_finite(light.position), "the position must be finite");
+    faults.require(is_finite(light.axis) && light.axis != Vec3{}, "the axis must be finite and not zero");
+    require_light(faults, light.intensity, "intensity");
+    faults.require(light.cutoff_degrees > 0 && light.cutoff_degrees < 180,
+                   "cutoff_angle must lie between 0 and 180 degrees");
+    faults.require(light.beam_degrees >= 0 && light.beam_degrees <= light.cutoff_degrees,
+                   "beam_width must lie between 0 and cutoff_angle");
+  }
+};
+
+template <>
 struct Row<DirectionalLight> {
   static constexpr LightFacts facts{.entry = "directional", .is_delta = true};
   static constexpr auto colour = &DirectionalLight::irradiance;

@@ -62,6 +62,12 @@ std::vector<double> camera_reals(const Camera& camera, const Film& film, const U
   put(layout::CAMERA_D, d);
   put(layout::CAMERA_DX, dx);
   put(layout::CAMERA_DY, dy);
+  const double radius = camera.aperture_radius;
+  if (radius > 0) {
+    put(layout::CAMERA_LENS_U, frame.vector(radius * normalized(right)));
+    put(layout::CAMERA_LENS_V, frame.vector(radius * normalized(down)));
+    reals[layout::CAMERA_FOCUS] = 1 / (frame.scale * camera.focus_distance);
+  }
   reals[layout::CAMERA_NEAR] = frame.scale * camera.near_clip;
   reals[layout::CAMERA_FAR] = frame.scale * camera.far_clip;
   return reals;

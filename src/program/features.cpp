@@ -163,6 +163,8 @@ Causes causes_of(const Scene& scene, const RenderSettings& settings) {
   // default.
   const bool is_spread = scene.sampler.kind != SamplerKind::centre;
   if (is_spread) call_for(causes, "PIXEL_FILTER", "samples anywhere but at the pixels' centres", scene.sampler.where);
+  if (is_spread && scene.camera.aperture_radius > 0)
+    call_for(causes, "THIN_LENS", "a sensor of type thinlens", scene.camera.where);
   if (is_spread || draws(facts, causes)) {
     const std::string sampler = sampler_entry(resolve_sampling(scene).kind);
     call_for(causes, "samplers/" + sampler, "numbers that samples draw", scene.sampler.where);

@@ -125,6 +125,12 @@ void check_camera(const Camera& camera, Checker& check) {
   check.require(camera.fov_degrees > 0 && camera.fov_degrees < 180, "fov must lie between 0 and 180 degrees");
   check.require(std::isfinite(camera.principal_point_offset_x) && std::isfinite(camera.principal_point_offset_y),
                 "the principal point offset must be finite");
+  check.require(std::isfinite(camera.aperture_radius) && camera.aperture_radius >= 0,
+                "aperture_radius must be finite and not negative");
+  check.require(std::isfinite(camera.focus_distance) && camera.focus_distance > 0,
+                "focus_distance must be finite and greater than 0");
+  check.require(camera.aperture_radius == 0 || camera.projection == Projection::perspective,
+                "only a perspective camera has a lens");
   check.require(camera.near_clip >= 0 && camera.far_clip > camera.near_clip, "0 <= near_clip < far_clip must hold");
 }
 

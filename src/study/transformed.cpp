@@ -53,6 +53,8 @@ Scene scaled(Scene scene, double factor) {
     for (const int column : {0, 1})
       set_column(camera.world_from_camera, static_cast<std::size_t>(column),
                  factor * camera.world_from_camera.column(column));
+  camera.aperture_radius *= factor;
+  camera.focus_distance *= factor;
   camera.near_clip *= factor;
   camera.far_clip *= factor;
   return scene;

@@ -111,6 +111,17 @@ TEST_CASE("Clipping distances count along the viewing axis, whatever the camera'
   CHECK(reals[layout::CAMERA_FAR] == 50);
 }
 
+TEST_CASE("A lens is two radii at right angles, and the rays of a place meet at the plane of focus") {
+  Camera camera = plain(90);
+  CHECK(Packed(camera, film(64, 64)).vector(layout::CAMERA_LENS_U) == Vec3{});
+  camera.aperture_radius = 0.5;
+  camera.focus_distance = 4;
+  const Packed reals(camera, film(64, 64), {{0, 0, 0}, 2});
+  CHECK(reals.vector(layout::CAMERA_LENS_U) == Vec3{1, 0, 0});
+  CHECK(reals.vector(layout::CAMERA_LENS_V) == Vec3{0, -1, 0});
+  CHECK(reals[layout::CAMERA_FOCUS] == 0.125);
+}
+
 TEST_CASE("An orthographic picture spans [-1, 1] of the camera's x, times its scale") {
   Camera camera = plain(60);
   camera.projection = Projection::orthographic;

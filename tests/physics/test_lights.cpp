@@ -34,10 +34,19 @@ std::function<void(Scene&)> put_lamp(const Emitter& emitter) {
 
 std::vector<LightRow> closed_forms() {
   const std::vector<Vec3> froms = {{0, 0, 0}, {3, -1, 2}, {1000, 0, -2000}};
-  const Vec3 lamp{1, 2, 3};
+  const Vec3 lamp{1, 2, 3}, axis{-1, -2, -3};
+  const auto falloff = [=](const Vec3& from, double cutoff, double beam) {
+    const double degrees = std::acos(dot(normalized(from - lamp), normalized(axis))) * 180 / std::numbers::pi;
+    if (degrees >= cutoff) return 0.0;
+    return degrees <= beam ? 1.0 : (cutoff - degrees) / (cutoff - beam);
+  };
   std::vector<LightRow> rows = {
       {"point", "", put_lamp(PointLight{lamp, {2, 1, 0.5}}), true, froms,
        [=](const Vec3& from) { return 2 / dot(lamp - from, lamp - from); }},
+      {"spot", "of a soft edge", put_lamp(SpotLight{lamp, 3.0 * axis, {2, 1, 0.5}, 100, 10}), true, froms,
+       [=](const Vec3& from) { return 2 * falloff(from, 100, 10) / dot(lamp - from, lamp - from); }},
+      {"spot", "of a hard edge", put_lamp(SpotLight{lamp, axis, {2, 1, 0.5}, 55, 55}), true, froms,
+       [=](const Vec3& from) { return 2 * falloff(from, 55, 55) / dot(lamp - from, lamp - from); }},
       {"directional", "", put_lamp(DirectionalLight{{1, -2, 0.5}, {2, 1, 0.5}}), true, froms,
        [](const Vec3&) { return 2; }},
       {"constant", "", put_lamp(ConstantLight{{2, 1, 0.5}}), false, froms,

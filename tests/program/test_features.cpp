@@ -2,8 +2,8 @@
 // What calls for each effect, what does not, and the place that `strahl explain` then names.
 #include <algorithm>
 #include <catch2/catch.hpp>
-#include <map>
 
+#include "kinds/entries.h"
 #include "program/features.h"
 
 using namespace strahl;
@@ -201,14 +201,14 @@ TEST_CASE("MESH_UVS: texture coordinates that --aov uv asks for") {
 }
 
 TEST_CASE("Lights count where the integrator sees them") {
-  const std::map<std::string, decltype(Light::emitter)> emitters = {
-      {"point", PointLight{}}, {"directional", DirectionalLight{}}, {"constant", ConstantLight{}}};
-  for (const std::string& kind : list_entries("lights")) {
-    if (kind == "area") continue;
+  const std::vector<decltype(Light::emitter)> emitters{PointLight{}, SpotLight{}, DirectionalLight{}, ConstantLight{}};
+  REQUIRE(emitters.size() + 1 == list_entries("lights").size());  // And area.
+  for (const auto& emitter : emitters) {
+    const Light light{"", emitter, line(15)};
+    const std::string kind = light_kind(light);
     Scene scene = scene_of(Sphere{});
     check_off(scene, {}, "lights/" + kind);
-    REQUIRE(emitters.contains(kind));
-    scene.lights.push_back({"", emitters.at(kind), line(15)});
+    scene.lights.push_back(light);
     const std::string why = "an emitter of type " + kind;
     check_on(scene, {}, "lights/" + kind, 15, why);
     scene.integrator.name = "emission";

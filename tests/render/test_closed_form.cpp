@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "render/stage.h"
+#include "scene/model/build.h"
 
 namespace strahl::test {
 namespace {
@@ -47,6 +48,25 @@ TEST_CASE("a directional light: rho / pi E cos") {
       worst = std::max(worst, std::fabs(image.data[i] / radiance - 1));
     }
     CHECK(worst < rounding(precision));
+  }
+}
+
+TEST_CASE("a lens sees a disk out of focus from a part of itself, and one in focus from everywhere") {
+  require_pocl_and_rusticl();
+  constexpr double focus = 4, aperture = 0.5, radius = 0.125;
+  for (const double depth : {3.0, 4.0, 7.0}) {
+    Scene scene = stage({Disk{{0, 0, -depth}, {radius, 0, 0}, {0, radius, 0}}});
+    scene.shapes.front().radiance = Rgb{1, 1, 1};
+    scene.integrator.name = "emission";
+    scene.camera = perspective_camera({0, 0, 0}, {0, 0, -1}, {0, 1, 0}, 0.001);
+    scene.camera.aperture_radius = aperture;
+    scene.camera.focus_distance = focus;
+    scene.film.width = scene.film.height = 1;
+    scene.sampler.kind = SamplerKind::sobol;
+    scene.sampler.sample_count = 4096;
+    // A ray through the focus meets the disk from places on the lens up to this share of its radius.
+    const double share = depth == focus ? 1 : std::min(radius / (aperture * std::fabs(1 - depth / focus)), 1.0);
+    CHECK(color(scene).at(0, 0, 0) == Approx(share * share).margin(0.003));
   }
 }
 

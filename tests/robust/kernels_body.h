@@ -11,6 +11,7 @@
 #include "robust/kernels.h"
 
 #define HAS_PIXEL_FILTER 1
+#define HAS_THIN_LENS 1
 #define HAS_EMISSION 1
 #define HAS_TWOSIDED 1
 #define HAS_TANGENT 1

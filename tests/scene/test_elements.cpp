@@ -70,6 +70,19 @@ TEST_CASE("sensors") {
   CHECK(sensor("", "orthographic").camera.projection == Projection::orthographic);
 }
 
+TEST_CASE("a thin lens has a radius and a plane of focus") {
+  const auto lens = [](const std::string& inside) { return sensor(inside, "thinlens").camera; };
+  const std::string radius = "<float name=\"aperture_radius\" value=\"0.2\"/>";
+  CHECK(lens(radius + "<float name=\"focus_distance\" value=\"3\"/>").focus_distance == 3);
+  CHECK(lens(radius).aperture_radius == 0.2);
+  CHECK(lens(radius).focus_distance == 1e4);
+  CHECK(lens(radius + "<float name=\"far_clip\" value=\"50\"/>").focus_distance == 50);
+  CHECK(sensor("").camera.aperture_radius == 0);
+  for (const std::string& fault : {std::string(), std::string("<float name=\"aperture_radius\" value=\"-1\"/>"),
+                                   radius + "<float name=\"focus_distance\" value=\"0\"/>"})
+    CHECK_THROWS_AS(lens(fault), SceneError);
+}
+
 TEST_CASE("film, filter, sampler") {
   const Film film =
       sensor(
@@ -143,6 +156,26 @@ TEST_CASE("lights") {
   CHECK(std::get<Diffuse>(black.bsdf).reflectance.color == Rgb{0, 0, 0});
   CHECK(scene.shapes[0].radiance_where.line == 3);
   CHECK(scene.shapes[0].radiance_where.column == 22);
+}
+
+TEST_CASE("a spot has a cone") {
+  const LoadedScene loaded = load_body(
+      "<emitter type=\"spot\"/><emitter type=\"spot\"><transform name=\"to_world\"><lookat origin=\"1, 2, 3\" "
+      "target=\"1, 2, 0\" up=\"0, 1, 0\"/></transform><rgb name=\"intensity\" value=\"4\"/><float "
+      "name=\"cutoff_angle\" value=\"40\"/><float name=\"beam_width\" value=\"40\"/></emitter>");
+  CHECK(loaded.warnings.empty());
+  const auto plain = std::get<SpotLight>(loaded.scene.lights.at(0).emitter);
+  CHECK(plain.cutoff_degrees == 20);
+  CHECK(plain.beam_degrees == 15);
+  CHECK(plain.axis == Vec3{0, 0, 1});
+  const auto lamp = std::get<SpotLight>(loaded.scene.lights.at(1).emitter);
+  CHECK(lamp.position == Vec3{1, 2, 3});
+  CHECK(lamp.axis == Vec3{0, 0, -1});
+  CHECK(lamp.intensity == Rgb{4, 4, 4});
+  CHECK(lamp.beam_degrees == 40);
+  for (const char* fault : {"<float name=\"cutoff_angle\" value=\"0\"/>", "<float name=\"beam_width\" value=\"21\"/>"})
+    CHECK(problems(around("<emitter type=\"spot\">" + std::string(fault) + "</emitter>")).at(0).find("2:1: error:") ==
+          0);
 }
 
 TEST_CASE("a scene without sensor is framed along -z") {

@@ -19,7 +19,7 @@ type="box"/></film><sampler type="independent"><integer name="sampleCount" value
 x="0" y="0" z="0"/><emitter type="area"><spectrum name="radiance" value="400:1, 700:2"/></emitter></shape>
 <shape type="plane"><vector name="normal" value="0 1 0"/><float name="d" value="-1"/></shape><shape type="cube"><transform
 name="toWorld"><matrix value="1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1"/></transform></shape><emitter type="point"/>
-<emitter type="point"><spectrum name="intensity"
+<emitter type="spot"><float name="cutoffAngle" value="30"/><float name="beamWidth" value="9"/><spectrum name="intensity"
 type="irregular"><string name="wavelengths" value="400, 500, 600"/><string name="values" value="1 2 .5"/></spectrum></emitter>
 <emitter type="constant"><blackbody name="radiance" temperature="5000K" scale="0.01"/></emitter><path value="."/>
 <bsdf type="diffuse" id="n"><spectrum name="reflectance" value="400:0.1, 500.5:0.3, 700:0.9"/></bsdf></scene>)";

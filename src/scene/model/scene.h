@@ -169,6 +169,16 @@ struct PointLight {
   Rgb intensity{1, 1, 1};  ///< W/sr.
 };
 
+/// A point that shines into a cone: all of its intensity up to beam_degrees off the axis, then less, in proportion to
+/// the angle, down to nothing at cutoff_degrees.
+struct SpotLight {
+  Vec3 position;
+  Vec3 axis{0, 0, 1};          ///< The way the light travels, any length > 0.
+  Rgb intensity{1, 1, 1};      ///< W/sr, on the axis.
+  double cutoff_degrees = 20;  ///< Within (0, 180).
+  double beam_degrees = 15;    ///< Within [0, cutoff_degrees].
+};
+
 struct DirectionalLight {
   Vec3 direction{0, 0, 1};  ///< The way the light travels, any length > 0.
   Rgb irradiance{1, 1, 1};  ///< W/m^2 on a plane perpendicular to it.
@@ -192,7 +202,7 @@ struct EnvironmentLight {
 
 struct Light {
   std::string id;
-  std::variant<PointLight, DirectionalLight, ConstantLight, EnvironmentLight> emitter;
+  std::variant<PointLight, SpotLight, DirectionalLight, ConstantLight, EnvironmentLight> emitter;
   SourceLocation where;
 };
 
@@ -212,6 +222,9 @@ struct Camera {
   /// right (heights below it) would go.
   double principal_point_offset_x = 0;
   double principal_point_offset_y = 0;
+  /// A thin lens where the radius is > 0 (perspective only); what lies at focus_distance along the axis is sharp.
+  double aperture_radius = 0;
+  double focus_distance = 1;
   double near_clip = 0;  ///< Distances along the viewing axis. Default: nothing is clipped (Mitsuba: 1e-2 … 1e4).
   double far_clip = std::numeric_limits<double>::infinity();
   SourceLocation where;

@@ -39,6 +39,21 @@ std::optional<Emitter> read_point(Properties& properties, SceneBuilder&) {
   return PointLight{to_world ? to_world->translation() : position, emission(properties, "intensity")};
 }
 
+std::optional<Emitter> read_spot(Properties& properties, SceneBuilder&) {
+  SpotLight light;
+  const Transform to_world = properties.transform("to_world").value_or(Transform{});
+  light.position = to_world.translation();
+  light.axis = to_world.column(2);
+  light.intensity = emission(properties, "intensity");
+  light.cutoff_degrees = properties.number("cutoff_angle").value_or(light.cutoff_degrees);
+  light.beam_degrees = properties.number("beam_width").value_or(0.75 * light.cutoff_degrees);
+  if (properties.has("texture"))
+    properties.diagnostics().unknown(properties.where("texture"),
+                                     "a texture of a spot is not supported yet; it shines evenly");
+  properties.accept({"texture"});
+  return light;
+}
+
 std::optional<Emitter> read_directional(Properties& properties, SceneBuilder&) {
   const Vec3 direction = properties.vector("direction").value_or(Vec3{0, 0, 1});
   const std::optional<Transform> to_world = transform_instead_of("direction", properties);

@@ -16,7 +16,8 @@ namespace {
 
 const PluginTable<Projection>& projections() {
   static const PluginTable<Projection> table{{"perspective", Projection::perspective},
-                                             {"orthographic", Projection::orthographic}};
+                                             {"orthographic", Projection::orthographic},
+                                             {"thinlens", Projection::perspective}};
   return table;
 }
 
@@ -94,6 +95,19 @@ void read_clipping(Properties& properties, Camera& camera) {
                                    "far_clip must be greater than near_clip");
 }
 
+/// As in Mitsuba the plane of focus is that of far_clip by default, which is 10,000 there.
+void read_lens(Properties& properties, Camera& camera) {
+  if (!properties.has("aperture_radius"))
+    properties.diagnostics().error(properties.where(),
+                                   fmt::format("{} needs the float \"aperture_radius\"", properties.title()));
+  const double radius = properties.number("aperture_radius").value_or(0);
+  if (radius < 0)
+    properties.diagnostics().error(properties.where("aperture_radius"), "aperture_radius is negative; it is a length");
+  camera.aperture_radius = radius;
+  camera.focus_distance =
+      properties.positive("focus_distance").value_or(std::isfinite(camera.far_clip) ? camera.far_clip : 1e4);
+}
+
 /// The only object of a kind; further ones are reported.
 const XmlElement* first_object(Properties& properties, std::string_view tag) {
   const std::vector<const XmlElement*> objects = properties.objects(tag);
@@ -119,6 +133,7 @@ void read_sensor(const XmlElement& element, SceneBuilder& builder) {
     camera.principal_point_offset_y = properties.number("principal_point_offset_y").value_or(0);
   }
   read_clipping(properties, camera);
+  if (properties.type() == "thinlens") read_lens(properties, camera);
   if (const XmlElement* film = first_object(properties, "film")) builder.scene.film = read_film(*film, builder);
   if (const XmlElement* sampler = first_object(properties, "sampler"))
     builder.scene.sampler = read_sampler(*sampler, builder);

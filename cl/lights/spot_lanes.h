@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// Spot light: intensity * falloff / distance^2. The falloff is 1 up to the beam's half angle and falls linearly with
+// the angle to 0 at the cutoff. Parameters: position x y z, unit axis x y z, intensity r g b (W/sr), cutoff in turns,
+// one over the turns between beam and cutoff.
+#include "math/atan2_lanes.h"
+
+FN LightSample_w spot_sample_w(const Scene* scene, GLOBAL const int* row, real3w from, LightNumbers_w numbers) {
+  GLOBAL const real* params = scene->shading + row[LIGHT_REALS];
+  (void)numbers;
+  LightSample_w s = no_light_w();
+  s.towards = sub3_w(splat3_w(load3(params)), from);
+  s.t_max = splat_w(R(1.0));
+  realw inverse = splat_w(R(1.0)) / length3_w(s.towards);
+  real3w out = scale3_w(-inverse, s.towards), axis = splat3_w(load3(params + 3));
+  realw turns = atan2_turns_w(length3_w(cross3_w(axis, out)), dot3_w(axis, out));
+  realw falloff = (splat_w(params[9]) - turns) * splat_w(params[10]);
+  falloff = max_w(min_w(falloff, splat_w(R(1.0))), splat_w(R(0.0)));
+  s.radiance = scale3_w(falloff * inverse, scale3_w(inverse, splat3_w(load3(params + 6))));
+  s.is_delta = ~none_w();
+  return s;
+}
+
+FN realw spot_density_w(const Scene* scene, GLOBAL const int* row, real3w from, real3w towards, const Surfaces_w* s) {
+  (void)scene;
+  (void)row;
+  (void)from;
+  (void)towards;
+  (void)s;
+  return splat_w(R(0.0));
+}
+
+FN real3w spot_background_w(const Scene* scene, GLOBAL const int* row, real3w towards) {
+  (void)scene;
+  (void)row;
+  (void)towards;
+  return splat3_w(vec3(R(0.0), R(0.0), R(0.0)));
+}
