@@ -593,6 +593,7 @@
 #define splat_of_w LANED(splat_of_w)
 #define splat_uint_w LANED(splat_uint_w)
 #define splat_w LANED(splat_w)
+#define spot_NUMBERS_w LANED(spot_NUMBERS_w)
 #define spot_background_w LANED(spot_background_w)
 #define spot_density_w LANED(spot_density_w)
 #define spot_sample_w LANED(spot_sample_w)

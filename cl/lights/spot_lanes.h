@@ -4,6 +4,8 @@
 // one over the turns between beam and cutoff.
 #include "math/atan2_lanes.h"
 
+enum { spot_NUMBERS_w = NUMBERS_NONE_w };
+
 FN LightSample_w spot_sample_w(const Scene* scene, GLOBAL const int* row, real3w from, LightNumbers_w numbers) {
   GLOBAL const real* params = scene->shading + row[LIGHT_REALS];
   (void)numbers;

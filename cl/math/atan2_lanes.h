@@ -1,6 +1,15 @@
 // SPDX-License-Identifier: MIT
-// atan2_turns of math/angle.h in lanes, operation by operation: the same bits (tests/physics/test_environment.cpp). One
-// width; no guard.
+// atan2_turns of math/angle.h in lanes, operation by operation: the same bits (tests/physics/test_environment.cpp).
+// Several lights include this file: once per width.
+#if !((LANES == 1 && defined(STRAHL_ATAN2_1)) || (LANES == 8 && defined(STRAHL_ATAN2_8)) || \
+      (LANES == 16 && defined(STRAHL_ATAN2_16)))
+#if LANES == 1
+#define STRAHL_ATAN2_1
+#elif LANES == 8
+#define STRAHL_ATAN2_8
+#else
+#define STRAHL_ATAN2_16
+#endif
 #include "math/angle.h"
 
 #define ANGLE_FIRST(c) realw tail = splat_w(c);
@@ -36,3 +45,4 @@ FN realw atan2_turns_w(realw y, realw x) {
   realw angle = base + sign * a;
   return sel_w(is_zero, zero, sel_w(lt_w(angle, one), angle, splat_w(ANGLE_BELOW_ONE)));
 }
+#endif

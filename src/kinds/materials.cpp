@@ -40,7 +40,9 @@ MaterialFacts facts(const char* kind, std::vector<MaterialSlot> slots, std::vect
 }
 
 bool is_finite_color(const Rgb& c) { return std::isfinite(c.r) && std::isfinite(c.g) && std::isfinite(c.b); }
-bool is_at_least(double least, const Rgb& c) { return is_finite_color(c) && c.r >= least && c.g >= least && c.b >= least; }
+bool is_at_least(double least, const Rgb& c) {
+  return is_finite_color(c) && c.r >= least && c.g >= least && c.b >= least;
+}
 
 /// Whether it reflects everything at every angle.
 bool is_ideal(const MetalIndex& index) { return index.eta.texture < 0 && index.eta.color == Rgb{0, 0, 0}; }
