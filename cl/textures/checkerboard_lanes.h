@@ -22,6 +22,7 @@ FN realw checker_wave_w(realw x, realw width) {
   realw point = sel_w(lt_w(splat_w(R(0.5)), x - floor_w(x)), -one, one);
   realw half_width = splat_w(R(0.5)) * width;
   realw mean = (checker_integral_w(x + half_width) - checker_integral_w(x - half_width)) / width;
+  mean = max_w(min_w(mean, one), -one);  // Rounded beyond where the box is as wide as a real tells it.
   return sel_w(is_finite, sel_w(lt_w(splat_w(R(0.25)), width), mean, point), zero);
 }
 

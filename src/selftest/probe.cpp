@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <stdexcept>
 
 #include "opencl/program.h"
@@ -44,17 +45,17 @@ struct Packed {
     left.clear();
   }
 
-  void add(const Question& question, std::size_t planes, std::size_t lanes) {
-    const std::size_t primitives = question.planes.size() / planes;
+  /// About the question's primitives from `begin` on, as many as `primitives`.
+  void add(const Question& question, std::size_t planes, std::size_t lanes, std::size_t begin, std::size_t primitives) {
     const std::size_t block_count = (primitives + lanes - 1) / lanes;
     const std::size_t reals_at = blocks.size(), ids_at = ids.size();
     blocks.resize(reals_at + block_count * lanes * planes, Real(0));
     ids.resize(ids_at + block_count * lanes, -1);
-    const double* value = question.planes.data();
+    const double* value = question.planes.data() + begin * planes;
     for (std::size_t i = 0; i < primitives; ++i) {
       Real* lane = &blocks[reals_at + i / lanes * lanes * planes + i % lanes];
       for (std::size_t plane = 0; plane < planes; ++plane) lane[plane * lanes] = static_cast<Real>(*value++);
-      ids[ids_at + i] = static_cast<std::int32_t>(i);
+      ids[ids_at + i] = static_cast<std::int32_t>(begin + i);
     }
     first.push_back(static_cast<std::int32_t>(ids.size() / lanes));
     left.push_back(question.left);
@@ -105,6 +106,8 @@ struct Probe::State {
   template <typename Real>
   void ask(std::span<const Question> questions, std::vector<Answer>& answers);
   template <typename Real>
+  Answer alone(const Question& question, std::size_t begin, std::size_t count);
+  template <typename Real>
   void launch(const Packed<Real>& packed, std::vector<Answer>& answers);
 };
 
@@ -149,12 +152,32 @@ void Probe::State::ask(std::span<const Question> questions, std::vector<Answer>&
   for (const Question& question : questions) {
     if (question.kind != kind)
       throw std::logic_error(fmt::format("a probe of {} is asked about {}", kind, question.kind));
-    packed.add(question, planes, lanes);
+    packed.add(question, planes, lanes, 0, question.planes.size() / planes);
     if (packed.blocks.size() < launch_reals) continue;
     launch(packed, answers);
     packed.clear();
   }
   if (!packed.left.empty()) launch(packed, answers);
+  for (std::size_t i = 0; i < questions.size(); ++i)
+    if (answers[i].primitive == layout::FOUND_CUT)
+      answers[i] = alone<Real>(questions[i], 0, questions[i].planes.size() / planes);
+}
+
+/// The nearest one of some primitives, in halves where the device ends the loops of all of them.
+template <typename Real>
+Answer Probe::State::alone(const Question& question, std::size_t begin, std::size_t count) {
+  Packed<Real> packed;
+  packed.clear();
+  packed.add(question, planes, lanes, begin, count);
+  std::vector<Answer> answers;
+  launch(packed, answers);
+  constexpr Answer no_answer{std::numeric_limits<double>::quiet_NaN(), layout::FOUND_CUT};
+  if (answers.front().primitive != layout::FOUND_CUT) return answers.front();
+  if (count <= lanes) return no_answer;
+  const Answer lower = alone<Real>(question, begin, count / 2);
+  const Answer upper = alone<Real>(question, begin + count / 2, count - count / 2);
+  if (lower.primitive == layout::FOUND_CUT || upper.primitive == layout::FOUND_CUT) return no_answer;
+  return upper.t < lower.t ? upper : lower;
 }
 
 Probe::Probe(const Device& device, const std::string& kind, Precision precision, const ProbeOptions& options) {

@@ -18,7 +18,7 @@ namespace strahl::selftest {
 
 struct Answer {
   double t = 0;        ///< Infinite for a miss, in units of the direction as given.
-  int primitive = -1;  ///< Within the question; -1 for a miss.
+  int primitive = -1;  ///< Within the question; -1 for a miss, FOUND_CUT (t is NaN) where loops were ended.
 };
 
 struct ProbeOptions {

@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include "kinds/entries.h"
+#include "kinds/lights.h"
 #include "program/features.h"
 
 using namespace strahl;
@@ -201,8 +202,9 @@ TEST_CASE("MESH_UVS: texture coordinates that --aov uv asks for") {
 }
 
 TEST_CASE("Lights count where the integrator sees them") {
-  const std::vector<decltype(Light::emitter)> emitters{PointLight{}, SpotLight{}, DirectionalLight{}, ConstantLight{}};
-  REQUIRE(emitters.size() + 1 == list_entries("lights").size());  // And area.
+  const decltype(Light::emitter) emitters[] = {PointLight{}, SpotLight{}, DirectionalLight{}, ConstantLight{},
+                                               EnvironmentLight{}};
+  REQUIRE(std::size(emitters) + 1 == list_entries("lights").size());  // And area.
   for (const auto& emitter : emitters) {
     const Light light{"", emitter, line(15)};
     const std::string kind = light_kind(light);
@@ -212,8 +214,8 @@ TEST_CASE("Lights count where the integrator sees them") {
     const std::string why = "an emitter of type " + kind;
     check_on(scene, {}, "lights/" + kind, 15, why);
     scene.integrator.name = "emission";
-    if (kind == "constant")
-      check_on(scene, {}, "lights/constant", 15, why);
+    if (kinds::light(light).is_background)
+      check_on(scene, {}, "lights/" + kind, 15, why);
     else
       check_off(scene, {}, "lights/" + kind);
     for (const char* integrator : {"depth", "normals"}) {
@@ -393,8 +395,6 @@ TEST_CASE("instances are called for where a group stands, not where there is a g
   Scene scene = scene_of(Sphere{});
   scene.groups.emplace_back().shapes = scene.shapes;
   check_off(scene, {}, "INSTANCES");
-  Instance instance;
-  instance.where = line(12);
-  scene.instances.push_back(instance);
+  scene.instances.emplace_back().where = line(12);
   check_on(scene, {}, "INSTANCES", 12, "an instance of a group");
 }

@@ -75,6 +75,51 @@ Traced everything(int count) {
   return traced;
 }
 
+/// A ball 2^20 of its radius away, and rays by the least distances from its silhouette.
+Traced tangents() {
+  Traced traced;
+  traced.scene.shapes.emplace_back().geometry = Sphere{};
+  const double slope = to_float(3e-7);
+  for (int k = -200; k < 200; ++k) {
+    Ray ray;
+    ray.origin = {-0x1p20, to_float(1 - 0x1p20 * slope) + k * 0x1p-24, 0};
+    ray.direction = {1, slope, 0};
+    traced.rays.push_back(ray);
+  }
+  return traced;
+}
+
+/// Rays that begin beside a tilted plane, far from the point that it is given by.
+Traced from_a_plane() {
+  Traced traced;
+  const Vec3 normal = normalized(Vec3{1, 0.7, 0.4});
+  const auto [a, b] = orthonormal_basis(normal);
+  traced.scene.shapes.emplace_back().geometry = Plane{{0, 0, 0}, normal, a, b};
+  oracle::Random random(6);
+  for (int i = 0; i < 400; ++i) {
+    const double x = random.uniform(-0x1p20, 0x1p20), y = random.uniform(-0x1p20, 0x1p20);
+    const Vec3 beside = x * a + y * b - 0.5 * normal;
+    Ray ray;
+    ray.origin = {to_float(beside.x), to_float(beside.y), to_float(beside.z)};
+    ray.direction = {1, to_float(random.uniform(0, 1)), to_float(random.uniform(0, 1))};
+    traced.rays.push_back(ray);
+  }
+  return traced;
+}
+
+/// Rays whose t lies exactly between two reals.
+Traced ties() {
+  Traced traced;
+  for (int i = 0; i < 32; ++i) {
+    traced.scene.shapes.emplace_back().geometry = Rectangle{{2.0 * i, 0, 1 + i * 0x1p-23}, {1, 0, 0}, {0, 1, 0}};
+    Ray ray;
+    ray.origin = {2 * i + 0.5, 0.5, -0x1p-24};
+    ray.direction = {0, 0, 1};
+    traced.rays.push_back(ray);
+  }
+  return traced;
+}
+
 std::vector<Hit> trace_on_host(Scene scene, const std::vector<Ray>& rays, int lanes) {
   scene.integrator.name = "emission";
   scene.materials.emplace_back();
@@ -140,6 +185,7 @@ void hold(const std::string& selector, const std::vector<int>& widths, const Tra
 TEST_CASE("PoCL has the host's bits in the robust tier") {
   require_pocl_and_rusticl();
   hold("pocl", {1, 8, 16}, everything(40), true);
+  for (const Traced& traced : {tangents(), from_a_plane(), ties()}) hold("pocl", {8}, traced, true);
 }
 
 TEST_CASE("PoCL has the same bits in double words") {
@@ -150,6 +196,7 @@ TEST_CASE("PoCL has the same bits in double words") {
   setenv("STRAHL_DOUBLE_WORDS", "1", 1);
   CHECK(text().find("WIDE_IS_DOUBLE") == std::string::npos);
   hold("pocl", {16}, everything(40), true);
+  for (const Traced& traced : {tangents(), from_a_plane(), ties()}) hold("pocl", {16}, traced, true);
   unsetenv("STRAHL_DOUBLE_WORDS");
 }
 

@@ -9,8 +9,8 @@
 #include "shapes/exact/exact_sum.h"
 
 /// What t is a root of. EXACT_PLANE: b.(a - o) / (b.d). EXACT_POLYGON: n.(a - o) / (n.d), n = a x b + b x c + c x a.
-/// EXACT_SPHERE: |o + t d - a| = r. EXACT_CYLINDER: |(o + t d - a) x b| = r |b|.
-enum { EXACT_PLANE, EXACT_POLYGON, EXACT_SPHERE, EXACT_CYLINDER };
+/// EXACT_SPHERE: |o + t d - a| = r. EXACT_MANTLE: |(o + t d - a) x b| = r |b|.
+enum { EXACT_PLANE, EXACT_POLYGON, EXACT_SPHERE, EXACT_MANTLE };
 
 /// The polynomial in t that is 0 there; its slope, or half of that; the same at t / 2; the discriminant of a sphere.
 enum { EXACT_VALUE, EXACT_SLOPE, EXACT_HALFWAY, EXACT_DISCRIMINANT };
@@ -105,7 +105,7 @@ FN void exact_terms(int kind, int polynomial, PRIVATE const ExactCase* c, ExactN
     if (polynomial == EXACT_VALUE) factor_add(z, exact_times(exact_number(c->r), b));
   }
   int is_slope = polynomial == EXACT_SLOPE || polynomial == EXACT_HALFWAY;
-  if (is_slope && (kind == EXACT_SPHERE || kind == EXACT_CYLINDER)) {
+  if (is_slope && (kind == EXACT_SPHERE || kind == EXACT_MANTLE)) {
     y->count = 0;
     if (kind == EXACT_SPHERE)
       factor_add(y, exact_number(d));
@@ -177,7 +177,7 @@ FN real exact_quotient(int kind, PRIVATE const ExactCase* c, real least, real mo
   return real_of_ordered(range.least);
 }
 
-/// The same for a root of a sphere or a cylinder that the line meets.
+/// The same for a root of a sphere or a mantle that the line meets.
 FN real exact_root(int kind, PRIVATE const ExactCase* c, real least, real most, int root) {
   ExactRange range = exact_range(least, most);
   int is_across = root == EXACT_ACROSS, is_far = root == EXACT_FAR;
@@ -199,11 +199,6 @@ SELDOM_FN real exact_plane_t(PRIVATE const ExactCase* c, real least, real most) 
 
 SELDOM_FN real exact_polygon_t(PRIVATE const ExactCase* c, real least, real most) {
   return exact_quotient(EXACT_POLYGON, c, least, most);
-}
-
-SELDOM_FN real exact_cylinder_t(PRIVATE const ExactCase* c, real least, real most, int root) {
-  if (!exact_is_finite(c)) return exact_nothing();
-  return exact_root(EXACT_CYLINDER, c, least, most, root);
 }
 
 /// The first root of a sphere from t_min on, the last one where there is none; NaN where the line misses the sphere.

@@ -2,6 +2,7 @@
 // Collects every problem of a scene, so that all are reported at once and in file order. Like ones become one.
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
@@ -25,8 +26,10 @@ class Diagnostics {
   void append(const std::vector<Diagnostic>& others) {
     for (const Diagnostic& other : others) add(other.severity, other.where, other.message);
   }
-  /// Files are reported in the order in which they were opened.
-  void opened(const std::string& file) { files_.push_back(file); }
+  /// Files are reported in the order in which they were first opened.
+  void opened(const std::string& file) {
+    if (std::find(files_.begin(), files_.end(), file) == files_.end()) files_.push_back(file);
+  }
   [[nodiscard]] const std::vector<std::string>& files() const { return files_; }
 
   [[nodiscard]] bool has_errors() const;
