@@ -11,6 +11,7 @@
 #include "kinds/lights.h"
 #include "packing/cl_layout.h"
 #include "packing/pack_areas.h"
+#include "packing/pack_chooser.h"
 #include "packing/pack_environment.h"
 #include "packing/shape_parts.h"
 
@@ -36,9 +37,9 @@ class LightTable {
     }
     area_lights(shapes, first_ids);
     header(layout::HEADER_LIGHT_COUNT) = count();
-    header(layout::HEADER_CHOOSER) = features_.entry_index("choosers", light_chooser);
-    header(layout::HEADER_LIGHTS_TAKEN) =
-        kinds::integrator(scene_.integrator.name).lamps == kinds::Lamps::drawn ? 0 : lamps;
+    const int taken = kinds::integrator(scene_.integrator.name).lamps == kinds::Lamps::drawn ? 0 : lamps;
+    header(layout::HEADER_LIGHTS_TAKEN) = taken;
+    pack_chooser(packed_, scene_, features_, frame_, std::span(reaches_).subspan(static_cast<std::size_t>(taken)));
     const int rows_at = packed_.put_index(rows_);
     header(layout::HEADER_LIGHTS) = rows_at;
     return std::move(light_of_part_);
@@ -54,6 +55,7 @@ class LightTable {
     if (kind < 0) return false;
     if (kinds::light_glows(light)) header(layout::HEADER_GLOWS) = 1;
     rows_.insert(rows_.end(), {kind, packed_.put_shading(kinds::light_reals(light, frame_)), 0, 0, 0, -1});
+    reaches_.push_back(kinds::light_reach(light, frame_));
     if (const auto* environment = std::get_if<EnvironmentLight>(&light.emitter)) put_environment(*environment);
     return true;
   }
@@ -96,9 +98,10 @@ class LightTable {
         if (!radiance || !glows) continue;
         glow(*radiance);
         if (!is_drawn) continue;
-        const std::optional<EmittingArea> area = emitting_area(shape, part, frame_);
+        const std::optional<EmittingArea> area = emitting_area(shape, part, *radiance, frame_);
         if (!area) continue;
         light_of_part_.back() = count();
+        reaches_.push_back(area->reach);
         std::vector<double> reals = {radiance->r, radiance->g, radiance->b, 1 / area->size, area->side};
         reals.insert(reals.end(), area->items.begin(), area->items.end());
         const int items = checked_offset(area->choices.size());
@@ -118,6 +121,7 @@ class LightTable {
   const Features& features_;
   const UploadFrame& frame_;
   std::vector<std::int32_t> rows_;
+  std::vector<LightReach> reaches_;  ///< One a row.
   std::vector<int> light_of_part_;
 };
 
