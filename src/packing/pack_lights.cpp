@@ -2,6 +2,7 @@
 #include "packing/pack_lights.h"
 
 #include <algorithm>
+#include <map>
 #include <optional>
 #include <span>
 #include <variant>
@@ -47,11 +48,17 @@ class LightTable {
 
  private:
   std::int32_t& header(int field) { return packed_.at(field); }
+  /// The number of an active entry, which is looked up once: there may be many lights.
+  int entry(const std::string& list, const std::string& name) {
+    const auto [found, is_new] = entries_.try_emplace({list, name}, -1);
+    if (is_new) found->second = features_.entry_index(list, name);
+    return found->second;
+  }
   [[nodiscard]] int count() const { return static_cast<int>(rows_.size()) / layout::LIGHT_INTS; }
 
   /// False where the program has no use for it.
   bool put_light(const Light& light) {
-    const int kind = features_.entry_index("lights", light_kind(light));
+    const int kind = entry("lights", light_kind(light));
     if (kind < 0) return false;
     if (kinds::light_glows(light)) header(layout::HEADER_GLOWS) = 1;
     rows_.insert(rows_.end(), {kind, packed_.put_shading(kinds::light_reals(light, frame_)), 0, 0, 0, -1});
@@ -108,9 +115,8 @@ class LightTable {
         header(layout::HEADER_MOST_ITEMS) = std::max(header(layout::HEADER_MOST_ITEMS), items);
         const int choice_at = put_choices(area->choices);
         const int first = first_of_area(shape.geometry, part);
-        rows_.insert(rows_.end(),
-                     {kind, packed_.put_shading(reals), features_.entry_index("areas", area_kind(shape.geometry)),
-                      items, choice_at, first < 0 ? -1 : first_ids[i] + first});
+        rows_.insert(rows_.end(), {kind, packed_.put_shading(reals), entry("areas", area_kind(shape.geometry)), items,
+                                   choice_at, first < 0 ? -1 : first_ids[i] + first});
       }
     }
   }
@@ -122,6 +128,7 @@ class LightTable {
   const UploadFrame& frame_;
   std::vector<std::int32_t> rows_;
   std::vector<LightReach> reaches_;  ///< One a row.
+  std::map<std::pair<std::string, std::string>, int> entries_;
   std::vector<int> light_of_part_;
 };
 
