@@ -27,7 +27,9 @@ enum {
   HEADER_LIGHTS,     // -> index, LIGHT_INTS a light
   HEADER_LIGHT_COUNT,
   HEADER_LIGHTS_TAKEN,  // Number of lights that every surface takes; one of the others is drawn.
-  HEADER_CHOOSER,       // CHOOSER_uniform, ...: how that one is chosen.
+  HEADER_CHOOSER,       // CHOOSER_uniform, ...: how that one is chosen, ...
+  HEADER_CHOICES,       // ... -> index, and ...
+  HEADER_CHANCES,       // ... -> shading: what it reads, as its file says.
   HEADER_MOST_ITEMS,    // The most items of any light; 0: no area lights.
   HEADER_BACKGROUND,    // The light that is seen by rays that leave the scene; -1: none.
   HEADER_GLOWS,         // 1: rays may hit emission, of a surface or the background.
@@ -122,6 +124,21 @@ enum { LIGHT_IMAGE = LIGHT_AREA };
 // An item is kept if a number of 32 bits is below the limit; else the alias is taken (A. Walker, "An Efficient Method
 // for Generating Discrete Random Variables with General Distributions", ACM TOMS 3(3), 1977).
 enum { CHOICE_LIMIT, CHOICE_OTHER, CHOICE_INTS };
+// A child of the tree of lights: the middle of the ball around its lights, x y z; the axis of the cone of their own
+// axes; their greatest intensities in sum (of lights infinitely far away the irradiances); the ball's radius, squared
+// (-1: infinitely far away); cosines of the cone's half angle and of the greatest angle from a light's axis at which
+// it shines. A node has two children, the root first. Ints: each light's way from the root, from the low bit on (1: the
+// right child); then two links a node: a node, or -1 less a light.
+enum {
+  LIGHT_CHILD_MIDDLE = 0,
+  LIGHT_CHILD_AXIS = 3,
+  LIGHT_CHILD_STRENGTH = 6,
+  LIGHT_CHILD_RADIUS2 = 7,
+  LIGHT_CHILD_COS_SPREAD = 8,
+  LIGHT_CHILD_COS_CUTOFF = 9,
+  LIGHT_CHILD_REALS = 10,
+  LIGHT_TREE_DEPTH = 32  // Nodes on a way, at most.
+};
 // Reals of an area light: radiance r g b, one over its area, +1 or -1 (emits outwards, inwards), then its items.
 enum { AREA_RADIANCE = 0, AREA_INVERSE = 3, AREA_SIDE = 4, AREA_ITEMS = 5 };
 // Reals of an environment: its axes in the world, x y z each; what its texels are multiplied by, r g b; the luminance

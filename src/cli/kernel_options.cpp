@@ -86,6 +86,12 @@ void add_program_options(CLI::App& app, KernelOptions& options) {
          "Filter images to the pixel's width (mip levels), where they are colours of surfaces: less noise far off, "
          "and a blur that the error does not tell")
       ->group(kGroup);
+  app.add_option("--light-choice", options.light_choice,
+                 "How a point chooses one of several lights: uniform, power, or tree (by power, distance and "
+                 "direction); default: power for few, tree for many; only the noise changes")
+      ->type_name("NAME")
+      ->check(CLI::IsMember({"uniform", "power", "tree"}))
+      ->group(kGroup);
   app.add_flag("--no-error", options.no_error,
                "Keep one sum a pixel instead of four and tell no error; sobol's samples are one sequence then, spread "
                "more evenly")
@@ -131,6 +137,7 @@ RenderSettings settings_of(const KernelOptions& options) {
   settings.generic = options.generic;
   settings.estimate_error = !options.no_error;
   settings.texture_lod = options.texture_lod;
+  settings.light_choice = options.light_choice;
   settings.disabled.insert(options.disabled.begin(), options.disabled.end());
   static_cast<void>(disabled_effects(settings.disabled));  // Says what is wrong with it before a scene is loaded.
   for (const std::string& name : options.aovs) settings.aovs.insert(aov_from_name(name));

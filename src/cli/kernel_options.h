@@ -27,6 +27,7 @@ struct KernelOptions {
   bool generic = false;
   bool no_error = false;
   bool texture_lod = false;
+  std::optional<std::string> light_choice;
   std::vector<std::string> aovs;
 };
 

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "kinds/extent.h"
 #include "kinds/upload_frame.h"
 
 namespace strahl::kinds {
@@ -17,9 +18,11 @@ class AreaItems {
     put(frame_.point(corner));
     put(frame_.vector(u));
     put(frame_.vector(v));
-    put((is_flipped_ ? -1.0 : 1.0) * normalized(cross(u, v)));
+    normals_.push_back((is_flipped_ ? -1.0 : 1.0) * normalized(cross(u, v)));
+    put(normals_.back());
     weights_.push_back(share * length(cross(frame_.vector(u), frame_.vector(v))));
   }
+  /// It faces all ways.
   void round(const std::vector<Vec3>& vectors, double area) {
     for (const Vec3& v : vectors) put(v);
     weights_.push_back(area);
@@ -30,6 +33,10 @@ class AreaItems {
   [[nodiscard]] bool is_flipped() const { return is_flipped_; }
   [[nodiscard]] std::vector<double>& items() { return items_; }
   [[nodiscard]] std::vector<double>& weights() { return weights_; }
+  /// Around the items, in the world: emit adds to it.
+  [[nodiscard]] Extent& extent() { return extent_; }
+  /// Of the flat items, whose weights are the first ones.
+  [[nodiscard]] const std::vector<Vec3>& normals() const { return normals_; }
 
  private:
   void put(const Vec3& v) { items_.insert(items_.end(), {v.x, v.y, v.z}); }
@@ -37,6 +44,8 @@ class AreaItems {
   const UploadFrame& frame_;
   bool is_flipped_;
   std::vector<double> items_, weights_;
+  std::vector<Vec3> normals_;
+  Extent extent_;
 };
 
 }  // namespace strahl::kinds

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <type_traits>
 #include <variant>
 
@@ -38,6 +39,11 @@ struct Row<PointLight> {
     const double area = frame.scale * frame.scale;
     return {p.x, p.y, p.z, area * light.intensity.r, area * light.intensity.g, area * light.intensity.b};
   }
+  static void reach(LightReach& reach, const PointLight& light, const UploadFrame& frame) {
+    reach.intensity = frame.scale * frame.scale * luminance(light.intensity);
+    reach.power = 4 * std::numbers::pi * reach.intensity;
+    reach.extent.add(frame.point(light.position));
+  }
   static void move(PointLight& light, const MapVec3& point) { light.position = point(light.position); }
   static void scale(PointLight& light, double factor) { multiply(light.intensity, factor * factor); }
   static void mirror(PointLight&, const MapVec3&) {}
@@ -68,6 +74,15 @@ struct Row<SpotLight> {
             light.cutoff_degrees / 360,
             edge};
   }
+  static void reach(LightReach& reach, const SpotLight& light, const UploadFrame& frame) {
+    const double a_degree = std::numbers::pi / 180, half = 0.5 * (light.beam_degrees + light.cutoff_degrees);
+    reach.intensity = frame.scale * frame.scale * luminance(light.intensity);
+    reach.power = 2 * std::numbers::pi * (1 - std::cos(a_degree * half)) * reach.intensity;
+    reach.extent.add(frame.point(light.position));
+    reach.axis = normalized(light.axis);
+    reach.spread = 0;
+    reach.cutoff = a_degree * light.cutoff_degrees;
+  }
   static void move(SpotLight& light, const MapVec3& point) { light.position = point(light.position); }
   static void scale(SpotLight& light, double factor) { multiply(light.intensity, factor * factor); }
   static void mirror(SpotLight& light, const MapVec3& flip_x) { light.axis = flip_x(light.axis); }
@@ -84,11 +99,14 @@ struct Row<SpotLight> {
 
 template <>
 struct Row<DirectionalLight> {
-  static constexpr LightFacts facts{.entry = "directional", .is_delta = true};
+  static constexpr LightFacts facts{.entry = "directional", .is_delta = true, .is_far = true};
   static constexpr auto colour = &DirectionalLight::irradiance;
   static std::vector<double> reals(const DirectionalLight& light, const UploadFrame&) {
     const Vec3 d = normalized(light.direction);
     return {d.x, d.y, d.z, light.irradiance.r, light.irradiance.g, light.irradiance.b};
+  }
+  static void reach(LightReach& reach, const DirectionalLight& light, const UploadFrame&) {
+    reach.power = reach.intensity = luminance(light.irradiance);
   }
   static void move(DirectionalLight&, const MapVec3&) {}
   static void scale(DirectionalLight&, double) {}
@@ -102,10 +120,14 @@ struct Row<DirectionalLight> {
 
 template <>
 struct Row<ConstantLight> {
-  static constexpr LightFacts facts{.entry = "constant", .is_background = true};
+  static constexpr LightFacts facts{.entry = "constant", .is_far = true, .is_background = true};
   static constexpr auto colour = &ConstantLight::radiance;
   static std::vector<double> reals(const ConstantLight& light, const UploadFrame&) {
     return {light.radiance.r, light.radiance.g, light.radiance.b};
+  }
+  /// Of a surface that sees half of the sphere.
+  static void reach(LightReach& reach, const ConstantLight& light, const UploadFrame&) {
+    reach.power = reach.intensity = std::numbers::pi * luminance(light.radiance);
   }
   static void move(ConstantLight&, const MapVec3&) {}
   static void scale(ConstantLight&, double) {}
@@ -115,7 +137,7 @@ struct Row<ConstantLight> {
 
 template <>
 struct Row<EnvironmentLight> {
-  static constexpr LightFacts facts{.entry = "envmap", .is_background = true};
+  static constexpr LightFacts facts{.entry = "envmap", .is_far = true, .is_background = true};
   static constexpr auto colour = &EnvironmentLight::scale;
   /// Up to ENVMAP_FLOOR; the rest belongs to its tables (packing/pack_environment.h).
   static std::vector<double> reals(const EnvironmentLight& light, const UploadFrame&) {
@@ -123,6 +145,20 @@ struct Row<EnvironmentLight> {
     for (const Vec3& axis : light.axes) values.insert(values.end(), {axis.x, axis.y, axis.z});
     values.insert(values.end(), {light.scale.r, light.scale.g, light.scale.b});
     return values;
+  }
+  /// As if it were the same in all directions.
+  static void reach(LightReach& reach, const EnvironmentLight& light, const UploadFrame&) {
+    const TexelDecoder decoded(*light.texels, light.curve);
+    double sum = 0, weights = 0;
+    for (int row = 0; row < light.texels->height; ++row) {
+      const double weight = std::sin(std::numbers::pi * row / (light.texels->height - 1));
+      for (int column = 0; column < light.texels->width; ++column) {
+        const std::array<double, 3> c = decoded(static_cast<std::size_t>(row * light.texels->width + column));
+        sum += weight * luminance({light.scale.r * c[0], light.scale.g * c[1], light.scale.b * c[2]});
+        weights += weight;
+      }
+    }
+    reach.power = reach.intensity = weights > 0 ? std::numbers::pi * sum / weights : 0;
   }
   static void move(EnvironmentLight&, const MapVec3&) {}
   static void scale(EnvironmentLight&, double) {}
@@ -163,6 +199,14 @@ const LightFacts& light(const Light& light) {
 
 std::vector<double> light_reals(const Light& light, const UploadFrame& frame) {
   return of_kind(light, [&](auto row, const auto& emitter) { return row.reals(emitter, frame); });
+}
+
+LightReach light_reach(const Light& light, const UploadFrame& frame) {
+  LightReach reach;
+  reach.is_far = kinds::light(light).is_far;
+  of_kind(light, [&](auto row, const auto& emitter) { row.reach(reach, emitter, frame); });
+  reach.weight = light.sampling_weight;
+  return reach;
 }
 
 const Rgb& light_colour(const Light& light) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "kinds/light_reach.h"
 #include "kinds/map_vec3.h"
 #include "scene/model/scene.h"
 
@@ -18,6 +19,7 @@ namespace strahl::kinds {
 struct LightFacts {
   const char* entry;           ///< Of cl/lights/lights.def.
   bool is_delta = false;       ///< A single direction at each point, so no ray hits it (Lamps in kinds/integrators.h).
+  bool is_far = false;         ///< Infinitely far away: it reaches every point alike.
   bool is_background = false;  ///< Rays that leave the scene see it; a scene has at most one.
 };
 
@@ -25,6 +27,8 @@ struct LightFacts {
 
 /// Its parameters, as its file in cl/lights says, in the frame's units.
 [[nodiscard]] std::vector<double> light_reals(const Light& light, const UploadFrame& frame);
+
+[[nodiscard]] LightReach light_reach(const Light& light, const UploadFrame& frame);
 
 /// Its intensity, irradiance or radiance; of an image what multiplies it.
 [[nodiscard]] const Rgb& light_colour(const Light& light);

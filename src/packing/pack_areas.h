@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "kinds/light_reach.h"
 #include "kinds/upload_frame.h"
 #include "scene/model/scene.h"
 
@@ -30,13 +31,16 @@ struct EmittingArea {
   double side = 1;            ///< 1: emits outwards, -1: inwards (round shapes; flat ones turn their normal).
   std::vector<double> items;  ///< As the entry's file says.
   std::vector<Choice> choices;
+  LightReach reach;
 };
 
 /// The shape's primitive that the part's first item is, if the items are primitives in its order: then none is in the
 /// way of itself. Else -1.
 [[nodiscard]] int first_of_area(const Geometry& geometry, int part);
 
-/// Of one part of a shape (0 for shapes without parts); none where there is no area to draw from.
-[[nodiscard]] std::optional<EmittingArea> emitting_area(const Shape& shape, int part, const UploadFrame& frame);
+/// Of one part of a shape (0 for shapes without parts), which emits `radiance`; none where there is no area to draw
+/// from.
+[[nodiscard]] std::optional<EmittingArea> emitting_area(const Shape& shape, int part, const Rgb& radiance,
+                                                        const UploadFrame& frame);
 
 }  // namespace strahl

@@ -11,13 +11,13 @@ namespace {
 
 using std::numbers::pi;
 
-/// As the kernels have it.
-double luminance(const std::array<double, 3>& rgb) { return 0.212671 * rgb[0] + 0.71516 * rgb[1] + 0.072169 * rgb[2]; }
-
 std::vector<double> luminances(const EnvironmentLight& light) {
   const TexelDecoder decoded(*light.texels, light.curve);
   std::vector<double> all(light.texels->count());
-  for (std::size_t n = 0; n < all.size(); ++n) all[n] = luminance(decoded(n));
+  for (std::size_t n = 0; n < all.size(); ++n) {
+    const std::array<double, 3> c = decoded(n);
+    all[n] = luminance({c[0], c[1], c[2]});
+  }
   return all;
 }
 

@@ -2,6 +2,7 @@
 #include "packing/pack_lights.h"
 
 #include <algorithm>
+#include <map>
 #include <optional>
 #include <span>
 #include <variant>
@@ -11,6 +12,7 @@
 #include "kinds/lights.h"
 #include "packing/cl_layout.h"
 #include "packing/pack_areas.h"
+#include "packing/pack_chooser.h"
 #include "packing/pack_environment.h"
 #include "packing/shape_parts.h"
 
@@ -36,9 +38,9 @@ class LightTable {
     }
     area_lights(shapes, first_ids);
     header(layout::HEADER_LIGHT_COUNT) = count();
-    header(layout::HEADER_CHOOSER) = features_.entry_index("choosers", light_chooser);
-    header(layout::HEADER_LIGHTS_TAKEN) =
-        kinds::integrator(scene_.integrator.name).lamps == kinds::Lamps::drawn ? 0 : lamps;
+    const int taken = kinds::integrator(scene_.integrator.name).lamps == kinds::Lamps::drawn ? 0 : lamps;
+    header(layout::HEADER_LIGHTS_TAKEN) = taken;
+    pack_chooser(packed_, scene_, features_, frame_, std::span(reaches_).subspan(static_cast<std::size_t>(taken)));
     const int rows_at = packed_.put_index(rows_);
     header(layout::HEADER_LIGHTS) = rows_at;
     return std::move(light_of_part_);
@@ -46,14 +48,21 @@ class LightTable {
 
  private:
   std::int32_t& header(int field) { return packed_.at(field); }
+  /// The number of an active entry, which is looked up once: there may be many lights.
+  int entry(const std::string& list, const std::string& name) {
+    const auto [found, is_new] = entries_.try_emplace({list, name}, -1);
+    if (is_new) found->second = features_.entry_index(list, name);
+    return found->second;
+  }
   [[nodiscard]] int count() const { return static_cast<int>(rows_.size()) / layout::LIGHT_INTS; }
 
   /// False where the program has no use for it.
   bool put_light(const Light& light) {
-    const int kind = features_.entry_index("lights", light_kind(light));
+    const int kind = entry("lights", light_kind(light));
     if (kind < 0) return false;
     if (kinds::light_glows(light)) header(layout::HEADER_GLOWS) = 1;
     rows_.insert(rows_.end(), {kind, packed_.put_shading(kinds::light_reals(light, frame_)), 0, 0, 0, -1});
+    reaches_.push_back(kinds::light_reach(light, frame_));
     if (const auto* environment = std::get_if<EnvironmentLight>(&light.emitter)) put_environment(*environment);
     return true;
   }
@@ -96,18 +105,18 @@ class LightTable {
         if (!radiance || !glows) continue;
         glow(*radiance);
         if (!is_drawn) continue;
-        const std::optional<EmittingArea> area = emitting_area(shape, part, frame_);
+        const std::optional<EmittingArea> area = emitting_area(shape, part, *radiance, frame_);
         if (!area) continue;
         light_of_part_.back() = count();
+        reaches_.push_back(area->reach);
         std::vector<double> reals = {radiance->r, radiance->g, radiance->b, 1 / area->size, area->side};
         reals.insert(reals.end(), area->items.begin(), area->items.end());
         const int items = checked_offset(area->choices.size());
         header(layout::HEADER_MOST_ITEMS) = std::max(header(layout::HEADER_MOST_ITEMS), items);
         const int choice_at = put_choices(area->choices);
         const int first = first_of_area(shape.geometry, part);
-        rows_.insert(rows_.end(),
-                     {kind, packed_.put_shading(reals), features_.entry_index("areas", area_kind(shape.geometry)),
-                      items, choice_at, first < 0 ? -1 : first_ids[i] + first});
+        rows_.insert(rows_.end(), {kind, packed_.put_shading(reals), entry("areas", area_kind(shape.geometry)), items,
+                                   choice_at, first < 0 ? -1 : first_ids[i] + first});
       }
     }
   }
@@ -118,6 +127,8 @@ class LightTable {
   const Features& features_;
   const UploadFrame& frame_;
   std::vector<std::int32_t> rows_;
+  std::vector<LightReach> reaches_;  ///< One a row.
+  std::map<std::pair<std::string, std::string>, int> entries_;
   std::vector<int> light_of_part_;
 };
 

@@ -23,7 +23,7 @@ const std::map<std::string, std::string>& needed() {
       {"BRANCHES", "integrator whitted follows glass by it; --integrator path draws one way of two"},
       {"BECKMANN", "rough surfaces are made of it; their materials can be left out"},
       {"GGX", "rough surfaces are made of it; their materials can be left out"},
-      {"choosers", "lights are drawn by it"},
+      {"choosers", "lights are drawn by it; --light-choice takes another one"},
       {"OPENNESS", "integrator ao is nothing else; --integrator takes another one"},
       {"AOV", "--aov asks for it; leave that out"},
       {"COUNT_RAYS", "--stats-detail asks for it; leave that out"},

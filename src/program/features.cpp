@@ -2,6 +2,8 @@
 // One predicate per entry and flag; the first element that calls for an effect is the one reported.
 #include "program/features.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <functional>
 #include <map>
@@ -14,6 +16,7 @@
 #include "kinds/lights.h"
 #include "kinds/materials.h"
 #include "program/disabled.h"
+#include "program/light_choice.h"
 #include "settings/sampling.h"
 
 namespace strahl {
@@ -26,8 +29,9 @@ struct Cause {
 
 struct Causes {
   std::set<std::string> left_out;
-  std::map<std::string, Cause> first;  ///< That was found of each name.
-  bool background = false;             ///< A light that rays find where they leave the scene.
+  std::map<std::string, Cause> first;       ///< That was found of each name.
+  std::optional<std::string> light_choice;  ///< As the settings have it.
+  bool background = false;                  ///< A light that rays find where they leave the scene.
 
   [[nodiscard]] bool allow(const std::string& name) const { return !left_out.contains(name); }
   [[nodiscard]] bool contains(const std::string& name) const { return first.contains(name); }
@@ -81,7 +85,7 @@ void shape_causes(const Scene& scene, const RenderSettings& settings, Causes& ca
   const auto look_at = [&](const Shape& shape) {
     const auto* mesh = std::get_if<Mesh>(&shape.geometry);
     if (!causes.allow("shapes/" + shape_kind(shape))) return;
-    if (!mesh && !!shape.priority &&
+    if (!mesh && !shape.priority &&
         !seen.emplace(shape.geometry.index(), shape.material, shape.radiance.has_value()).second)
       return;
     const std::string kind = shape_kind(shape);
@@ -143,12 +147,23 @@ void light_causes(const Scene& scene, Causes& causes) {
     causes.background = causes.background || (facts.is_background && causes.contains(effect));
     if (!facts.is_delta || integrator.lamps == kinds::Lamps::drawn) note(effect);
   }
-  if (integrator.is_lit() && drawn != nullptr)
-    call_for(causes, std::string("choosers/") + light_chooser, drawn->why, drawn->where);
+  if (!integrator.is_lit() || drawn == nullptr) return;
+  const DrawnLights lights = drawn_lights(scene, [&](const std::string& name) { return causes.contains(name); });
+  std::string chooser = light_chooser(lights);
+  if (lights.count > 1 && causes.light_choice) chooser = *causes.light_choice;
+  call_for(causes, "choosers/" + chooser,
+           lights.count < 2 ? drawn->why : fmt::format("{} lights to draw from", lights.count), drawn->where);
+}
+
+/// The chooser that the scene calls for.
+std::string chooser_of(const Causes& causes) {
+  for (const std::string& name : list_entries("choosers"))
+    if (causes.contains("choosers/" + name)) return name;
+  return "uniform";
 }
 
 Causes causes_of(const Scene& scene, const RenderSettings& settings) {
-  Causes causes{disabled_effects(settings.disabled), {}};
+  Causes causes{disabled_effects(settings.disabled), {}, settings.light_choice};
   shape_causes(scene, settings, causes);
   if (!scene.instances.empty()) call_for(causes, "INSTANCES", "an instance of a group", scene.instances.front().where);
   light_causes(scene, causes);
@@ -224,6 +239,7 @@ Features features_of(const Scene& scene, const RenderSettings& settings) {
     for (const std::string& entry : list_entries(list))
       if (report(list + "/" + entry, {})) active.insert(entry);
   }
+  features.light_chooser = chooser_of(causes);
   for (const auto& [name, purpose] : list_features()) features.flags.emplace_back(name, report(name, purpose));
   return features;
 }

@@ -23,15 +23,13 @@ struct Features {
   ActiveEntries entries;                            ///< Active entries of every list.
   std::vector<std::pair<std::string, bool>> flags;  ///< Every flag of features.def, in its order.
   std::vector<FeatureReport> report;                ///< All of them, lists first, each in file order.
+  std::string light_chooser = "uniform";            ///< The entry of choosers.def by which lights are drawn.
 
   [[nodiscard]] bool has(const std::string& list, const std::string& entry) const;
   [[nodiscard]] bool flag(const std::string& name) const;
   /// Number of an entry among the active ones, as the program's enumerators count; -1 where it is not active.
   [[nodiscard]] int entry_index(const std::string& list, const std::string& entry) const;
 };
-
-/// The entry of cl/choosers/choosers.def that chooses among the lights that are drawn.
-inline constexpr const char* light_chooser = "uniform";
 
 /// Pure. settings.generic: everything on; settings.disabled: off all the same. Throws UsageError for what cannot be.
 [[nodiscard]] Features features_of(const Scene& scene, const RenderSettings& settings);

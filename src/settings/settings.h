@@ -40,6 +40,8 @@ struct RenderSettings {
   /// Effects to leave out, as FeatureReport names them, though the scene calls for them (program/disabled.h).
   std::set<std::string> disabled;
   bool estimate_error = true;  ///< Keeps four sums a pixel apart, whose spread estimates its error.
+  /// An entry of cl/choosers/choosers.def, by which points choose among several lights; none: by their number.
+  std::optional<std::string> light_choice;
   bool texture_lod = false;    ///< Images are filtered to the pixel's width where they are colours of surfaces.
   bool cached_program = true;  ///< false: builds it whatever strahl's cache holds, to see how long that takes.
   bool count_rays = false;     ///< Instrumented program (--stats-detail): counts shadow and bounce rays.

@@ -66,6 +66,7 @@ template <class Real>
 std::vector<Draw> draws_on_mesh(const Scene& scene, std::uint32_t samples, std::vector<int>& of_light) {
   RenderSettings settings;
   settings.generic = true;
+  settings.light_choice = "uniform";
   const PackedScene<Real> packed = pack_scene<Real>(scene, features_of(scene, settings), {1, UploadFrame{}, 0});
   const HostBuffers<Real> buffers{packed.geometry.data(), packed.shading.data(), packed.index.data()};
   std::vector<Draw> draws;

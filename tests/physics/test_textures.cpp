@@ -230,7 +230,9 @@ TEST_CASE("filtered bitmaps: points up close, the mean far off, in between the m
     std::vector<Triad> narrow;
     for (const TransportTier& tier : transport_tiers()) {
       INFO(tier.name << ", " << tier.lanes << " lanes");
-      const TierScene filtered(scene_of_texture(row), tier, true), plain(scene_of_texture(row), tier);
+      RenderSettings settings;
+      settings.texture_lod = true;
+      const TierScene filtered(scene_of_texture(row), tier, settings), plain(scene_of_texture(row), tier);
       const std::vector<Triad> found = tier.texture(filtered.buffers(), 0, places);
       const std::vector<Triad> points = tier.texture(plain.buffers(), 0, places);
       for (std::size_t k = 0; k < footprints.size(); ++k) {

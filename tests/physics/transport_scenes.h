@@ -22,10 +22,8 @@ namespace strahl::test {
 /// A scene as a tier reads it.
 class TierScene {
  public:
-  TierScene(const Scene& scene, bool is_double, int lanes, bool texture_lod = false) {
-    RenderSettings settings;
+  TierScene(const Scene& scene, bool is_double, int lanes, RenderSettings settings = {}) {
     settings.generic = true;
-    settings.texture_lod = texture_lod;
     const Features features = features_of(scene, settings);
     const PackOptions options{lanes, UploadFrame{}, 0};
     if (is_double)
@@ -33,8 +31,8 @@ class TierScene {
     else
       packed_ = pack_scene<float>(scene, features, options);
   }
-  TierScene(const Scene& scene, const TransportTier& tier, bool texture_lod = false)
-      : TierScene(scene, std::string(tier.name) == "double", tier.lanes, texture_lod) {}
+  TierScene(const Scene& scene, const TransportTier& tier, const RenderSettings& settings = {})
+      : TierScene(scene, std::string(tier.name) == "double", tier.lanes, settings) {}
 
   [[nodiscard]] TierBuffers buffers() const {
     return std::visit(

@@ -58,6 +58,7 @@ std::optional<std::array<double, 9>> surface_frame(const Cube&, const UploadFram
 
 /// As in packing: outwards where the edges are right-handed.
 void emit(AreaItems& items, const Cube& cube, int) {
+  extend(items.extent(), cube);
   for (unsigned axis = 0; axis < 3; ++axis) {
     const Vec3 &u = cube.edge.at((axis + 1) % 3), &v = cube.edge.at((axis + 2) % 3);
     items.flat(cube.corner, v, u, 1);

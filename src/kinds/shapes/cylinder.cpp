@@ -38,6 +38,7 @@ std::optional<std::array<double, 9>> surface_frame(const Cylinder& c, const Uplo
 }
 
 void emit(AreaItems& items, const Cylinder& c, int) {
+  extend(items.extent(), c);
   const Vec3 axis = items.frame().vector(c.p1 - c.p0), first = items.frame().vector(c.radius * c.reference);
   const Vec3 second = cross(normalized(axis), first);
   items.round({items.frame().point(c.p0), axis, first, second}, 2 * std::numbers::pi * length(first) * length(axis));

@@ -60,6 +60,7 @@ void emit(AreaItems& items, const Mesh& mesh, int part) {
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     if (!mesh.parts.empty() && mesh.part_of_triangle[i] != part) continue;
     const auto corner = [&](std::size_t k) { return mesh.positions[static_cast<std::size_t>(mesh.triangles[i][k])]; };
+    for (std::size_t k = 0; k < 3; ++k) items.extent().add(corner(k));
     items.flat(corner(0), corner(1) - corner(0), corner(2) - corner(0), 0.5);
   }
 }

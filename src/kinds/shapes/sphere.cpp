@@ -27,6 +27,7 @@ std::optional<std::array<double, 9>> surface_frame(const Sphere& s, const Upload
 
 void emit(AreaItems& items, const Sphere& s, int) {
   const double radius = items.frame().scale * s.radius;
+  extend(items.extent(), s);
   items.round({items.frame().point(s.center)}, 4 * std::numbers::pi * radius * radius);
   items.number(radius);
 }

@@ -21,7 +21,10 @@ bool faces_inward(const Triangle&) { return false; }
 
 std::optional<std::array<double, 9>> surface_frame(const Triangle&, const UploadFrame&) { return std::nullopt; }
 
-void emit(AreaItems& items, const Triangle& t, int) { items.flat(t.p0, t.p1 - t.p0, t.p2 - t.p0, 0.5); }
+void emit(AreaItems& items, const Triangle& t, int) {
+  extend(items.extent(), t);
+  items.flat(t.p0, t.p1 - t.p0, t.p2 - t.p0, 0.5);
+}
 
 int first_of_area(const Triangle&, int) { return 0; }
 

@@ -105,6 +105,7 @@ struct Shape {
   Geometry geometry;
   int material = 0;               ///< Index into Scene::materials.
   std::optional<Rgb> radiance;    ///< Area emitter: emitted on the side that the normal points to.
+  double sampling_weight = 1;     ///< As a Light's, of what it emits.
   bool flip_normals = false;      ///< Mitsuba's flip_normals: reverses the normal as built.
   std::optional<int> priority;    ///< Of glass: where such shapes overlap the highest one is there. None: not tracked.
   SourceLocation where;           ///< The <shape> element.
@@ -204,6 +205,7 @@ struct Light {
   std::string id;
   std::variant<PointLight, SpotLight, DirectionalLight, ConstantLight, EnvironmentLight> emitter;
   SourceLocation where;
+  double sampling_weight = 1;  ///< Multiplies its chance to be drawn, not its light; at least 0.
 };
 
 // ---- camera, film, sampling -----------------------------------------------------------------------------------

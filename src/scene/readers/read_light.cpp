@@ -102,6 +102,14 @@ bool has_background(const Scene& scene) {
 
 }  // namespace
 
+double read_sampling_weight(Properties& properties) {
+  const double weight = properties.number("sampling_weight").value_or(1);
+  if (std::isfinite(weight) && weight >= 0) return weight;
+  properties.diagnostics().error(properties.where("sampling_weight"),
+                                 fmt::format("\"sampling_weight\" must be finite and at least 0, not {}", weight));
+  return 1;
+}
+
 void read_light(const XmlElement& element, SceneBuilder& builder) {
   Properties properties(element, builder.ids, builder.diagnostics);
   const std::string_view type = properties.type();
@@ -114,10 +122,9 @@ void read_light(const XmlElement& element, SceneBuilder& builder) {
   }
   const std::optional<Emitter> emitter = (*reader)(properties, builder);
   if (!emitter) return;
-  Light light{properties.id(), *emitter, element.where};
+  Light light{properties.id(), *emitter, element.where, read_sampling_weight(properties)};
   if (kinds::light(light).is_background && has_background(builder.scene))
     builder.diagnostics.error(element.where, "a scene has one constant or envmap emitter at most");
-  properties.accept({"sampling_weight"});
   properties.report_unknown();
   builder.scene.lights.push_back(light);
 }

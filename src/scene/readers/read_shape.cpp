@@ -8,6 +8,7 @@
 #include "kinds/materials.h"
 #include "scene/readers/plugin_table.h"
 #include "scene/readers/read_material.h"
+#include "scene/readers/readers.h"
 #include "scene/readers/shape_reader.h"
 
 namespace strahl {
@@ -53,7 +54,7 @@ void read_area_emitter(const XmlElement& element, Shape& shape, SceneBuilder& bu
   }
   shape.radiance = properties.color("radiance", ColorUse::emission, {1, 1, 1}).value_or(Rgb{1, 1, 1});
   shape.radiance_where = element.where;
-  properties.accept({"sampling_weight"});
+  shape.sampling_weight = read_sampling_weight(properties);
   properties.report_unknown();
 }
 

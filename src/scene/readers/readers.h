@@ -2,12 +2,15 @@
 // The readers of what is no shape and no material.
 #pragma once
 
+#include "scene/xml/properties.h"
 #include "scene/xml/scene_builder.h"
 
 namespace strahl {
 
 /// An <emitter> outside shapes (lights.def); area emitters belong to shapes.
 void read_light(const XmlElement& element, SceneBuilder& builder);
+/// Its sampling_weight, 1 where there is none; one below 0 is an error.
+[[nodiscard]] double read_sampling_weight(Properties& properties);
 /// <sensor> with its film and sampler.
 void read_sensor(const XmlElement& element, SceneBuilder& builder);
 [[nodiscard]] Film read_film(const XmlElement& element, SceneBuilder& builder);

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+// A binary tree of lights, walked from its root: each child is taken in proportion to what its lights may bring to the
+// point, by their strength, distance and direction (A. Conty Estevez, C. Kulla, "Importance Sampling of Many Lights
+// with Adaptive Tree Splitting", HPG 2018; without the splitting). A light's probability is the product along its way.
+// Layout: scene/layout.h, LIGHT_CHILD_....
+
+typedef struct {
+  realw cosine, sine;  ///< Of an angle between 0 and pi.
+} LightAngle_w;
+
+FN LightAngle_w angle_of_cosine_w(realw cosine) {
+  LightAngle_w angle;
+  angle.cosine = cosine;
+  angle.sine = sqrt_w(max_w(fma_w(-cosine, cosine, splat_w(R(1.0))), splat_w(R(0.0))));
+  return angle;
+}
+
+/// a - b, at least 0.
+FN LightAngle_w angle_beyond_w(LightAngle_w a, LightAngle_w b) {
+  maskw is_within = le_w(b.cosine, a.cosine);
+  LightAngle_w angle;
+  angle.cosine = fma_w(a.cosine, b.cosine, a.sine * b.sine);
+  angle.sine = difference_of_products_w(a.sine, b.cosine, a.cosine, b.sine);
+  angle.cosine = sel_w(is_within, splat_w(R(1.0)), angle.cosine);
+  angle.sine = sel_w(is_within, splat_w(R(0.0)), angle.sine);
+  return angle;
+}
+
+/// What the lights of a child may bring to a point: strength over the squared distance, less where they shine past it;
+/// 0 where none of them can reach it. Within the ball around them, strength over its squared radius.
+FN realw light_importance_w(GLOBAL const real* child, intw at, real3w from) {
+  realw zero = splat_w(R(0.0)), one = splat_w(R(1.0)), share = one;
+  realw strength = gather_w(child + LIGHT_CHILD_STRENGTH, at), radius2 = gather_w(child + LIGHT_CHILD_RADIUS2, at);
+  real3w away = sub3_w(from, gather3_w(child + LIGHT_CHILD_MIDDLE, at));
+  realw distance2 = dot3_w(away, away);
+  maskw is_everywhere = lt_w(radius2, zero), is_inside = le_w(distance2, radius2);
+  distance2 = sel_w(is_inside, radius2, distance2);
+  realw cos_spread = gather_w(child + LIGHT_CHILD_COS_SPREAD, at);
+  maskw is_turned = lt_w(-one, cos_spread) & ~is_inside;
+  if (any_w(is_turned)) {
+    realw cosine = dot3_w(gather3_w(child + LIGHT_CHILD_AXIS, at), away) / sqrt_w(distance2);
+    LightAngle_w size = angle_of_cosine_w(sqrt_w(max_w(one - radius2 / distance2, zero)));
+    LightAngle_w angle = angle_beyond_w(angle_of_cosine_w(cosine), angle_of_cosine_w(cos_spread));
+    angle = angle_beyond_w(angle, size);
+    share = max_w(angle.cosine, splat_w(R(0.0625)));
+    share = sel_w(lt_w(gather_w(child + LIGHT_CHILD_COS_CUTOFF, at), angle.cosine), share, zero);
+    share = sel_w(is_turned, share, one);
+  }
+  return sel_w(is_everywhere, strength, strength * share / distance2);
+}
+
+typedef struct {
+  realw left, right;  ///< Their sum is 1.
+} LightShares_w;
+
+/// Of a node's children. Where no light of either reaches the point, or numbers overflow, both are equal.
+FN LightShares_w light_shares_w(GLOBAL const real* children, intw node, real3w from) {
+  intw at = node * (int)(2 * LIGHT_CHILD_REALS);
+  realw left = light_importance_w(children, at, from);
+  realw right = light_importance_w(children + LIGHT_CHILD_REALS, at, from);
+  realw both = left + right, even = splat_w(R(0.5));
+  maskw is_sound = lt_w(splat_w(R(0.0)), both) & lt_w(both, splat_w(REAL_MAX));
+  LightShares_w shares;
+  shares.left = sel_w(is_sound, left / both, even);
+  shares.right = sel_w(is_sound, right / both, even);
+  return shares;
+}
+
+/// One over the product of the shares along the ways to the lights.
+FN realw tree_rarity_w(const Scene* scene, intw lights, real3w from) {
+  GLOBAL const real* children = scene->shading + scene->index[HEADER_CHANCES];
+  GLOBAL const int* ways = scene->index + scene->index[HEADER_CHOICES];
+  GLOBAL const int* links = ways + lights_drawn_from(scene);
+  intw first = splat_int_w(scene->index[HEADER_LIGHTS_TAKEN]), node = splat_int_w(0);
+  intw way = gather_int_w(ways, sel_int_w(lt_int_w(lights, first), splat_int_w(0), lights - first));
+  realw chance = splat_w(R(1.0));
+  for (maskw walks = ~none_w(); any_w(walks);) {
+    LightShares_w shares = light_shares_w(children, node, from);
+    maskw is_right = nonzero_w(way & splat_int_w(1));
+    chance = sel_w(walks, chance * sel_w(is_right, shares.right, shares.left), chance);
+    intw link = gather_int_w(links, node + node + (way & splat_int_w(1)));
+    walks = walks & ~lt_int_w(link, splat_int_w(0));
+    node = sel_int_w(walks, link, node);
+    way = way >> 1;
+  }
+  return splat_w(R(1.0)) / chance;
+}
+
+/// x in [0, 1) times 2^32; bits: fill what a real cannot hold.
+FN uintw number_of_share_w(realw x, uintw bits) {
+  intw upper = int_of_real_w(min_w(x, splat_w(R(0.999999940395355224609375))) * splat_w(R(0x1p31)));
+  return (uint_of_int_w(upper) << 1) ^ bits;
+}
+
+/// What is left of a number, of which all below `from` were of `share`, spread over 32 bits again. The number keeps its
+/// order; bits that it lacks come from its hash (the output function of M. O'Neill, "PCG", 2014).
+FN uintw number_again_w(uintw number, uintw from, realw share) {
+  uintw bits = number * 747796405u + 2891336453u;
+  bits = ((bits >> ((bits >> 28) + 4u)) ^ bits) * 277803737u;
+  bits = (bits >> 22) ^ bits;
+  realw x = (real_of_uint_w(number - from) + random_unit_w(bits)) * splat_w(R(0x1p-32)) / share;
+  return number_of_share_w(x, bits & 0xffu);
+}
+
+FN LightChoice_w tree_choose_w(const Scene* scene, real3w from, uintw number) {
+  GLOBAL const real* children = scene->shading + scene->index[HEADER_CHANCES];
+  GLOBAL const int* links = scene->index + scene->index[HEADER_CHOICES] + lights_drawn_from(scene);
+  intw first = splat_int_w(scene->index[HEADER_LIGHTS_TAKEN]), node = splat_int_w(0), zero = splat_int_w(0);
+  LightChoice_w choice;
+  choice.light = first;
+  realw chance = splat_w(R(1.0)), one = splat_w(R(1.0));
+  for (maskw walks = ~none_w(); any_w(walks);) {
+    LightShares_w shares = light_shares_w(children, node, from);
+    uintw limit = number_of_share_w(shares.left, splat_uint_w(0u));
+    maskw is_left = lt_uint_w(number, limit) | le_w(one, shares.left);
+    realw share = sel_w(is_left, shares.left, shares.right);
+    chance = sel_w(walks, chance * share, chance);
+    number = number_again_w(number, uint_of_int_w(sel_int_w(is_left, zero, int_of_uint_w(limit))), share);
+    intw link = gather_int_w(links, node + node + sel_int_w(is_left, zero, splat_int_w(1)));
+    maskw is_light = walks & lt_int_w(link, zero);
+    choice.light = sel_int_w(is_light, first - link - splat_int_w(1), choice.light);
+    walks = walks & ~is_light;
+    node = sel_int_w(walks, link, node);
+  }
+  choice.rarity = one / chance;
+  return choice;
+}

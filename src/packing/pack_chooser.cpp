@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#include "packing/pack_chooser.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+#include "packing/cl_layout.h"
+#include "packing/light_tree.h"
+#include "packing/pack_areas.h"
+
+namespace strahl {
+namespace {
+
+/// Around all bounded shapes and the places of the lights, in the frame's units; 1 where there are none.
+double radius_of(const Scene& scene, const UploadFrame& frame, std::span<const LightReach> lights) {
+  kinds::Extent extent;
+  const auto add = [&](const std::optional<Box>& box) {
+    if (box) extent.add(box->min), extent.add(box->max);
+  };
+  if (const std::optional<Box> box = bounds(scene)) add(Box{frame.point(box->min), frame.point(box->max)});
+  for (const LightReach& light : lights) add(light.extent.box());
+  const double radius = extent.box() ? 0.5 * length(extent.box()->max - extent.box()->min) : 0;
+  return radius > 0 ? radius : 1;
+}
+
+/// What of a far light's irradiance enters the scene is its power.
+std::vector<double> powers(const Scene& scene, const UploadFrame& frame, std::span<const LightReach> lights) {
+  const double radius = radius_of(scene, frame, lights), disc = std::numbers::pi * radius * radius;
+  std::vector<double> all;
+  for (const LightReach& light : lights) {
+    const double power = light.weight * light.power * (light.is_far ? disc : 1);
+    all.push_back(std::isfinite(power) ? power : 0);
+  }
+  if (std::accumulate(all.begin(), all.end(), 0.0) > 0) return all;
+  return std::vector<double>(lights.size(), 1);
+}
+
+}  // namespace
+
+template <typename Real>
+void pack_chooser(PackedScene<Real>& packed, const Scene& scene, const Features& features, const UploadFrame& frame,
+                  std::span<const LightReach> lights) {
+  packed.at(layout::HEADER_CHOOSER) = features.entry_index("choosers", features.light_chooser);
+  if (lights.size() < 2) return;
+  if (features.light_chooser == "power") {
+    const std::vector<double> all = powers(scene, frame, lights);
+    const double sum = std::accumulate(all.begin(), all.end(), 0.0);
+    std::vector<double> rarities;
+    for (const double power : all)
+      rarities.push_back(std::min(sum / power, static_cast<double>(std::numeric_limits<Real>::max())));
+    const int rarities_at = packed.put_shading(rarities);
+    const int choices_at = packed.index_end();
+    for (const Choice& choice : alias_table(all)) {
+      packed.index.push_back(static_cast<std::int32_t>(choice.limit));
+      packed.index.push_back(choice.other);
+    }
+    packed.at(layout::HEADER_CHANCES) = rarities_at;
+    packed.at(layout::HEADER_CHOICES) = choices_at;
+  }
+  if (features.light_chooser == "tree") {
+    const LightTree tree = light_tree(lights);
+    const int children_at = packed.put_shading(tree.children);
+    const int ways_at = packed.put_index(tree.ways);
+    packed.put_index(tree.links);
+    packed.at(layout::HEADER_CHANCES) = children_at;
+    packed.at(layout::HEADER_CHOICES) = ways_at;
+  }
+}
+
+template void pack_chooser(PackedScene<float>&, const Scene&, const Features&, const UploadFrame&,
+                           std::span<const LightReach>);
+template void pack_chooser(PackedScene<double>&, const Scene&, const Features&, const UploadFrame&,
+                           std::span<const LightReach>);
+
+}  // namespace strahl

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#include "program/light_choice.h"
+
+#include <algorithm>
+
+#include "kinds/entries.h"
+#include "kinds/integrators.h"
+#include "kinds/lights.h"
+
+namespace strahl {
+namespace {
+
+/// From here on a tree is worth its text in the program.
+constexpr std::size_t least_tree = 4;
+
+std::size_t lights_of(const Shape& shape) {
+  if (const auto* mesh = std::get_if<Mesh>(&shape.geometry); mesh != nullptr && !mesh->parts.empty())
+    return static_cast<std::size_t>(std::count_if(mesh->parts.begin(), mesh->parts.end(),
+                                                  [](const MeshPart& part) { return part.radiance.has_value(); }));
+  if (!shape.radiance) return 0;
+  const auto* cloud = std::get_if<SphereCloud>(&shape.geometry);
+  return cloud != nullptr ? cloud->spheres.size() : 1;
+}
+
+}  // namespace
+
+DrawnLights drawn_lights(const Scene& scene, const std::function<bool(const std::string&)>& is_used) {
+  DrawnLights lights;
+  for (const Shape& shape : scene.shapes)
+    if (is_used("lights/area") && is_used("areas/" + area_kind(shape.geometry))) lights.near += lights_of(shape);
+  lights.count = lights.near;
+  const bool draws_all = kinds::integrator(scene.integrator.name).lamps == kinds::Lamps::drawn;
+  for (const Light& light : scene.lights) {
+    const kinds::LightFacts& facts = kinds::light(light);
+    if ((facts.is_delta && !draws_all) || !is_used(std::string("lights/") + facts.entry)) continue;
+    ++lights.count;
+    if (!facts.is_far) ++lights.near;
+  }
+  return lights;
+}
+
+std::string light_chooser(const DrawnLights& lights) {
+  if (lights.count < 2) return "uniform";
+  return lights.count < least_tree || lights.near < 2 ? "power" : "tree";
+}
+
+}  // namespace strahl

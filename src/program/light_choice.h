@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// By which entry of cl/choosers points choose among a scene's lights.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "scene/model/scene.h"
+
+namespace strahl {
+
+struct DrawnLights {
+  std::size_t count = 0;
+  std::size_t near = 0;  ///< Of these, not infinitely far away.
+};
+
+/// Lights that are drawn from, as far as their kinds tell (one without an area counts too). is_used: whether the
+/// program holds an effect, as FeatureReport names it.
+[[nodiscard]] DrawnLights drawn_lights(const Scene& scene, const std::function<bool(const std::string&)>& is_used);
+
+/// "uniform" for a single light, "power" for few and for lights from afar, else "tree"
+/// (docs/decisions/0028-many-lights.md).
+[[nodiscard]] std::string light_chooser(const DrawnLights& lights);
+
+}  // namespace strahl

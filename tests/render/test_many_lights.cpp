@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+// A floor under many lamps, points and spots, against its closed form, by every way to choose among them: none is
+// biased. Power alone gains nothing where weak lamps stand close to the floor.
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <random>
+
+#include "render/stage.h"
+
+namespace strahl::test {
+namespace {
+
+constexpr double floor_albedo = 0.6;
+
+double falloff(const SpotLight& spot, const Vec3& way) {
+  const double degrees = 180 / std::numbers::pi * std::acos(dot(normalized(spot.axis), normalized(way)));
+  return std::clamp((spot.cutoff_degrees - degrees) / (spot.cutoff_degrees - spot.beam_degrees), 0.0, 1.0);
+}
+
+/// Radiance of the floor in units of a lamp's colour.
+double light_of_lamps(const Scene& scene, const Vec3& at) {
+  double sum = 0;
+  for (const Light& light : scene.lights) {
+    const auto* spot = std::get_if<SpotLight>(&light.emitter);
+    const Vec3 from = spot != nullptr ? spot->position : std::get<PointLight>(light.emitter).position;
+    const double intensity = spot != nullptr ? spot->intensity.r : std::get<PointLight>(light.emitter).intensity.r;
+    const Vec3 way = at - from;
+    const double d = length(way);
+    sum += intensity * (spot != nullptr ? falloff(*spot, way) : 1) * from.z / (d * d * d);
+  }
+  return floor_albedo / std::numbers::pi * sum;
+}
+
+Scene under_lamps() {
+  Scene scene = stage({floor_plane()}, diffuse({floor_albedo, floor_albedo, floor_albedo}));
+  std::mt19937 engine(5);
+  std::uniform_real_distribution<double> unit(0, 1);
+  const auto within = [&](double least, double most) { return least + (most - least) * unit(engine); };
+  for (int i = 0; i < 40; ++i) {
+    const Vec3 at{within(-2, 2), within(-2, 2), within(0.1, 0.6)};
+    const double power = std::pow(10, within(-2, 0));
+    if (i % 2 == 0)
+      scene.lights.push_back(light(PointLight{at, {power, power, power}}));
+    else
+      scene.lights.push_back(light(SpotLight{at, {within(-1, 1), within(-1, 1), -1}, {power, power, power}, 50, 20}));
+  }
+  scene.film.filter = {FilterKind::box, 1e-9};
+  scene.integrator.name = "path";
+  scene.integrator.max_depth = 2;
+  scene.sampler.kind = SamplerKind::independent;
+  scene.sampler.sample_count = 64;
+  return scene;
+}
+
+TEST_CASE("every way to choose among lamps has the same mean, and the tree the least noise") {
+  require_pocl_and_rusticl();
+  const Scene scene = under_lamps();
+  const Device device = Device::open("pocl");
+  double least = INFINITY;
+  for (const char* choice : {"uniform", "power", "tree"}) {
+    RenderSettings settings;
+    settings.precision = Precision::stable;
+    settings.generic = true;
+    settings.light_choice = choice;
+    const Image image = Renderer(device, scene, settings).render().color;
+    double sum = 0, squares = 0, light = 0;
+    constexpr double count = stage_size * stage_size;
+    for (int y = 0; y < stage_size; ++y)
+      for (int x = 0; x < stage_size; ++x) {
+        const double truth = light_of_lamps(scene, {stage_x(x), stage_y(y), 0});
+        const double off = static_cast<double>(image.at(x, y, 0)) - truth;
+        sum += off;
+        squares += off * off;
+        light += truth;
+      }
+    INFO(choice << ": rmse " << std::sqrt(squares / count) << " of a mean of " << light / count << ", " << sum / count
+                << " above it");
+    CHECK(std::fabs(sum) < 4 * std::sqrt(squares));
+    if (std::string(choice) == "tree") CHECK(squares < 0.3 * least);
+    least = std::min(least, squares);
+  }
+}
+
+}  // namespace
+}  // namespace strahl::test
