@@ -2,6 +2,7 @@
 // The materials of surfaces, and dispatch over the active materials. One width; no guard.
 #include "materials/bsdf_lanes.h"
 #include "materials/parameter_lanes.h"
+#include "materials/rows_lanes.h"
 #include "materials/all_lanes.h"
 
 /// Lanes of that kind.
@@ -9,23 +10,11 @@ FN maskw is_material_w(const Bsdf_w* b, int kind) {
   return ~nonzero_w(b->kind - splat_int_w(MATERIAL_COUNT == 1 ? 0 : kind));
 }
 
-/// Offset of each lane's row in the index.
-FN intw material_rows_w(const Scene* scene, intw materials) {
-  return materials * (int)MATERIAL_INTS + splat_int_w(scene->index[HEADER_MATERIALS]);
-}
-
 /// out: where the light goes to, unit, in the world.
-FN Bsdf_w bsdf_at_w(const Scene* scene, const Surfaces_w* s, real3w out) {
+FN Bsdf_w bsdf_at_w(const Scene* scene, const Surfaces_w* s, const MaterialRows_w* at, real3w out) {
   GLOBAL const int* index = scene->index;
-  intw rows = material_rows_w(scene, part_entry_w(scene, s, PART_MATERIAL));
-  real3w z = s->shading;
-  if (HAS_TWOSIDED) {
-    intw back = gather_int_w(index + MATERIAL_BACK, rows);
-    maskw is_behind = ~lt_int_w(back, splat_int_w(0)) & lt_w(dot3_w(out, z), splat_w(R(0.0)));
-    z = sel3_w(is_behind, negate3_w(z), z);
-    rows = sel_int_w(is_behind, material_rows_w(scene, back), rows);
-  }
-  Frame_w frame = frame_around_w(z);
+  intw rows = at->rows;
+  Frame_w frame = frame_around_w(at->normal);
   if (HAS_TANGENT) {
     // Twosided materials look from behind as from the front: x and y stay those of the front.
     maskw has_along = nonzero_w(gather_int_w(index + MATERIAL_ALONG, rows));

@@ -11,7 +11,7 @@
 namespace strahl {
 namespace {
 
-int lobes_of(const std::string& kind) {
+int lobes_of_kind(const std::string& kind) {
   using namespace lobes;
 #define MATERIAL(name, reals, its_lobes) \
   if (kind == #name) return its_lobes;
@@ -32,11 +32,12 @@ MaterialSlot value_slot(const char* name, const Varying& value) {
 
 MaterialFacts facts(const char* kind, std::vector<MaterialSlot> slots, std::vector<std::string> faults = {}) {
   return {.kind = kind,
-          .lobes = lobes_of(kind),
+          .lobes = lobes_of_kind(kind),
           .slots = std::move(slots),
           .opacity = {},
           .flags = {},
-          .faults = std::move(faults)};
+          .faults = std::move(faults),
+          .blended = {}};
 }
 
 bool is_finite_color(const Rgb& c) { return std::isfinite(c.r) && std::isfinite(c.g) && std::isfinite(c.b); }
@@ -145,6 +146,14 @@ struct Facts {
       plastic.faults.emplace_back("the roughness of a roughplastic must be one number");
     return plastic;
   }
+  MaterialFacts operator()(const Blend& blend) const {
+    MaterialFacts facts;
+    facts.kind = "blendbsdf";
+    facts.slots = {slot("weight", blend.weight)};
+    facts.flags = {"BLEND"};
+    facts.blended = {blend.first, blend.second};
+    return facts;
+  }
 };
 
 }  // namespace
@@ -156,7 +165,16 @@ MaterialFacts material_facts(const Material& material) {
   return facts;
 }
 
-bool transmits(const Material& material) { return material_facts(material).has_lobe(lobes::LOBE_TRANSMIT); }
+int lobes_of(const Scene& scene, const Material& material) {
+  const MaterialFacts facts = material_facts(material);
+  int all = facts.lobes;
+  for (const int blended : facts.blended) all |= lobes_of(scene, scene.materials.at(static_cast<std::size_t>(blended)));
+  return all;
+}
+
+bool transmits(const Scene& scene, const Material& material) {
+  return (lobes_of(scene, material) & lobes::LOBE_TRANSMIT) != 0;
+}
 
 bool has_lobe(const Scene& scene, int lobe) {
   return std::any_of(scene.materials.begin(), scene.materials.end(),

@@ -25,7 +25,7 @@ struct MaterialSlot {
 };
 
 struct MaterialFacts {
-  std::string kind;  ///< An entry of cl/materials/materials.def.
+  std::string kind;  ///< An entry of cl/materials/materials.def; "blendbsdf" of a blend.
   int lobes = 0;     ///< lobes::LOBE_...: those that it may have.
   std::vector<MaterialSlot> slots;
   std::optional<MaterialSlot> opacity;  ///< Of a mask.
@@ -34,13 +34,17 @@ struct MaterialFacts {
   bool is_twosided = false;             ///< Its back looks as its front does.
   bool is_boundary = false;             ///< Of two media: shapes of it may have a priority.
   bool has_along = false;               ///< It scatters differently along u and across; calls for TANGENT.
+  std::vector<int> blended;             ///< Indices of the two materials of a blend.
 
   [[nodiscard]] bool has_lobe(int lobe) const { return (lobes & lobe) == lobe; }
 };
 
 [[nodiscard]] MaterialFacts material_facts(const Material& material);
 
-[[nodiscard]] bool transmits(const Material& material);
+/// Lobes of the material, or of those that it blends.
+[[nodiscard]] int lobes_of(const Scene& scene, const Material& material);
+
+[[nodiscard]] bool transmits(const Scene& scene, const Material& material);
 
 /// Whether a lobe of a material of the scene has all of these properties.
 [[nodiscard]] bool has_lobe(const Scene& scene, int lobe);

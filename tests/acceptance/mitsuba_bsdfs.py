@@ -40,6 +40,14 @@ def bsdfs():
     yield "roughplastic", red + microfacets("beckmann", 0.02) + '<float name="int_ior" value="1.33"/>'
 
 
+    shiny = '<bsdf type="roughconductor"><float name="alpha" value="0.3"/></bsdf>'
+    dull = f'<bsdf type="plastic">{red}</bsdf>'
+    yield "blendbsdf", shiny + dull + '<float name="weight" value="0.3"/>'
+    inner = f'<bsdf type="blendbsdf"><float name="weight" value="0.8"/>{dull}<bsdf type="diffuse"/></bsdf>'
+    yield "blendbsdf", f'<float name="weight" value="0.25"/>{inner}{shiny}'
+    yield "blendbsdf", f'<float name="weight" value="0.6"/><bsdf type="roughdielectric"/><bsdf type="twosided">{shiny}</bsdf>'
+
+
 def directions(cosines, first_turn):
     for number, cosine in enumerate(cosines):
         sine, turn = math.sqrt(max(1 - cosine * cosine, 0)), first_turn + 0.61803 * number

@@ -59,6 +59,19 @@ struct TexturePlace {
   double u, v, footprint;
 };
 
+/// A point of a surface whose normal is z, seen from `out`, and the number with which blends are drawn there.
+struct SeenPlace {
+  double u, v, number;
+  Triad out;
+};
+
+/// cl/materials/rows_lanes.h
+struct DrawnRow {
+  int row;  ///< Index into Scene::materials.
+  Triad normal;
+  double opacity;
+};
+
 struct GivenRay {
   Triad o, d;
   double t_min, t_max;
@@ -87,6 +100,8 @@ struct TransportTier {
   double (*rarity)(const TierBuffers& scene, int light, const Triad& from);
   /// On part 0.
   std::vector<Triad> (*texture)(const TierBuffers& scene, int texture, const std::vector<TexturePlace>& points);
+  /// The materials of part 0.
+  std::vector<DrawnRow> (*rows)(const TierBuffers& scene, const std::vector<SeenPlace>& places);
   /// Turns of the vectors (u, v), in lanes and by the function for one.
   std::vector<double> (*angles)(const std::vector<TexturePlace>& vectors);
   std::vector<double> (*angles_alone)(const std::vector<TexturePlace>& vectors);

@@ -137,6 +137,33 @@ inline std::vector<Triad> LANED(texture_values)(const TierBuffers& buffers, int 
   return found;
 }
 
+inline std::vector<DrawnRow> LANED(material_rows)(const TierBuffers& buffers, const std::vector<SeenPlace>& places) {
+  const Scene scene = scene_of(buffers);
+  std::vector<DrawnRow> found(places.size());
+  for (std::size_t first = 0; first < places.size(); first += LANES) {
+    Surfaces_w s = surfaces_none_w();
+    s.hit = ~none_w();
+    s.normal = s.shading = LANED(splat_triad)({0, 0, 1});
+    s.along = LANED(splat_triad)({1, 0, 0});
+    real3w out = s.normal;
+    realw number = splat_w(R(0.5));
+    LANED(for_lanes)
+    (first, places.size(), [&](std::size_t i, int lane) {
+      put_w(&s.tex_u, lane, (real)places[i].u);
+      put_w(&s.tex_v, lane, (real)places[i].v);
+      put_w(&number, lane, (real)places[i].number);
+      put_real3_w(&out, lane, vec3((real)places[i].out[0], (real)places[i].out[1], (real)places[i].out[2]));
+    });
+    const MaterialRows_w m = rows_at_w(&scene, &s, s.hit, out, number);
+    LANED(for_lanes)
+    (first, places.size(), [&](std::size_t i, int lane) {
+      found[i] = {(get_int_w(&m.rows, lane) - scene.index[HEADER_MATERIALS]) / MATERIAL_INTS,
+                  LANED(triad_at)(m.normal, lane), get_w(&m.opacity, lane)};
+    });
+  }
+  return found;
+}
+
 inline std::vector<double> LANED(angles_of)(const std::vector<TexturePlace>& points) {
   std::vector<double> found(points.size());
   for (std::size_t first = 0; first < points.size(); first += LANES) {

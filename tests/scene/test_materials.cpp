@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 
+#include "kinds/materials.h"
 #include "scene/scene_text.h"
+#include "scene/validate.h"
 
 using namespace strahl;
 using namespace strahl::test;
@@ -73,6 +75,37 @@ TEST_CASE("microfacets are Beckmann's by default, alike along u and v or not") {
   CHECK(problem(rough("<float name=\"alpha\" value=\"-.1\"/>")).find("negative") != std::string::npos);
   CHECK(problem(rough("<string name=\"distribution\" value=\"gx\"/>")).find("there are beckmann and ggx") !=
         std::string::npos);
+}
+
+TEST_CASE("a blend has two materials, each read once, and blends, masks and sides around it") {
+  const std::string white = "<bsdf type=\"diffuse\" id=\"white\"/>", ref = "<ref id=\"white\"/>";
+  const auto scene_of = [&](const std::string& body) { return load_body(white + body).scene; };
+  const Scene blend = scene_of(
+      "<bsdf type=\"blendbsdf\"><rgb name=\"weight\" value=\".1, .2, .6\"/><bsdf type=\"plastic\"/>" + ref + "</bsdf>");
+  const auto blend_in = [](const Scene& scene) { return std::get<Blend>(scene.materials.back().bsdf); };
+  CHECK(blend_in(blend).weight.color.g == Approx(0.3));
+  CHECK(material_facts(blend.materials.at(static_cast<std::size_t>(blend_in(blend).first))).kind == "plastic");
+  CHECK(blend.materials.at(static_cast<std::size_t>(blend_in(blend).second)).id == "white");
+  CHECK(blend_in(scene_of("<bsdf type=\"blendbsdf\">" + ref + ref + "</bsdf>")).weight.color == Rgb{0.5, 0.5, 0.5});
+  const Scene beside =
+      scene_of("<bsdf type=\"twosided\"><bsdf type=\"blendbsdf\">" + ref + "<bsdf type=\"conductor\"/></bsdf></bsdf>");
+  CHECK(beside.materials.back().twosided);
+  CHECK(lobes_of(beside, beside.materials.back()) == (lobes::LOBE_DELTA | lobes::LOBE_DIFFUSE | lobes::LOBE_REFLECT));
+  const std::string glass = "<bsdf type=\"blendbsdf\">" + ref + "<bsdf type=\"dielectric\"/></bsdf>";
+  CHECK(transmits(scene_of(glass), scene_of(glass).materials.back()));
+  CHECK_FALSE(scene_of("<bsdf type=\"twosided\">" + glass + "</bsdf>").materials.back().twosided);
+  CHECK(problems(around("<bsdf type=\"blendbsdf\">" + white + "</bsdf>")).at(0) ==
+        "2:1: error: <bsdf type=\"blendbsdf\"> needs two <bsdf> inside");
+  CHECK(problems(around("<bsdf type=\"blendbsdf\" id=\"x\"><ref id=\"x\"/>" + white + "</bsdf>")).at(0) ==
+        "2:1: error: bsdf \"x\" contains itself");
+}
+
+TEST_CASE("a blend of materials that do not stand before it is refused") {
+  Scene scene = load_body("<bsdf type=\"diffuse\"/>").scene;
+  scene.materials.back().bsdf = Blend{{{0.5, 0.5, 0.5}}, 0, static_cast<int>(scene.materials.size()) - 1};
+  const std::vector<Diagnostic> found = validate(scene);
+  REQUIRE(found.size() == 1);
+  CHECK(found[0].message.find("stand before it") != std::string::npos);
 }
 
 TEST_CASE("a mask has an opacity, nothing is a mask, and two sides may differ") {

@@ -88,9 +88,17 @@ struct RoughPlastic {
   Microfacets microfacets = {};
 };
 
+/// Two other materials, each for a share of the light.
+struct Blend {
+  Reflectance weight{{0.5, 0.5, 0.5}};  ///< The share of the second.
+  /// Indices into Scene::materials, of materials before this one.
+  int first = -1, second = -1;
+};
+
 struct Material {
   std::string id;
-  std::variant<Diffuse, Conductor, Dielectric, RoughConductor, RoughDielectric, ThinDielectric, Plastic, RoughPlastic>
+  std::variant<Diffuse, Conductor, Dielectric, RoughConductor, RoughDielectric, ThinDielectric, Plastic, RoughPlastic,
+               Blend>
       bsdf;
   bool twosided = false;  ///< false: black from behind, as in Mitsuba. Of what transmits light it says nothing.
   SourceLocation where;
