@@ -93,7 +93,8 @@ enum {
 // From MATERIAL_SLOTS on a slot a parameter: >= 0: -> shading, 3 reals; else ~ row of the texture table. Those that the
 // material does not have are 0, which may be read. MATERIAL_BACK: the row of what is seen from behind; -1: nothing.
 // MATERIAL_ALONG: 1: its frame has x where u grows. MATERIAL_OPACITY: a slot, defined only in programs with MASK.
-// MATERIAL_FIRST, MATERIAL_SECOND: rows that a blend draws from, its weight in the first slot; -1: no blend.
+// MATERIAL_FIRST, MATERIAL_SECOND: rows that a blend draws from, its weight in the first slot; of a relief
+// (materials/relief_lanes.h) the row inside it, and -1; else both -1.
 enum { MATERIAL_MOST_SLOTS = 10 };
 enum {
   MATERIAL_KIND,

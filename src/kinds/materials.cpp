@@ -37,7 +37,7 @@ MaterialFacts facts(const char* kind, std::vector<MaterialSlot> slots, std::vect
           .opacity = {},
           .flags = {},
           .faults = std::move(faults),
-          .blended = {}};
+          .nested = {}};
 }
 
 bool is_finite_color(const Rgb& c) { return std::isfinite(c.r) && std::isfinite(c.g) && std::isfinite(c.b); }
@@ -151,7 +151,25 @@ struct Facts {
     facts.kind = "blendbsdf";
     facts.slots = {slot("weight", blend.weight)};
     facts.flags = {"BLEND"};
-    facts.blended = {blend.first, blend.second};
+    facts.nested = {blend.first, blend.second};
+    return facts;
+  }
+  MaterialFacts operator()(const Relief& relief) const {
+    const bool has_heights = relief.kind == Relief::Kind::heights;
+    MaterialFacts facts;
+    facts.kind = has_heights ? "bumpmap" : "normalmap";
+    MaterialSlot options{"scale",
+                         {relief.flip_invalid_normals ? 1.0 : 0.0, relief.use_shadowing_function ? 1.0 : 0.0,
+                          has_heights ? relief.scale : 0.0},
+                         -1,
+                         false};
+    options.has_length = true;
+    facts.slots = {value_slot("map", relief.map), options};
+    facts.flags = {"RELIEF"};
+    facts.nested = {relief.nested};
+    facts.has_along = true;
+    if (!std::isfinite(relief.scale)) facts.faults.emplace_back("scale must be finite");
+    if (!is_finite_color(relief.map.color)) facts.faults.emplace_back("normalmap must be finite");
     return facts;
   }
 };
@@ -168,7 +186,7 @@ MaterialFacts material_facts(const Material& material) {
 int lobes_of(const Scene& scene, const Material& material) {
   const MaterialFacts facts = material_facts(material);
   int all = facts.lobes;
-  for (const int blended : facts.blended) all |= lobes_of(scene, scene.materials.at(static_cast<std::size_t>(blended)));
+  for (const int nested : facts.nested) all |= lobes_of(scene, scene.materials.at(static_cast<std::size_t>(nested)));
   return all;
 }
 

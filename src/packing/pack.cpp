@@ -71,7 +71,9 @@ class Packing {
   void materials() {
     index(layout::HEADER_MATERIALS) = index_end();
     const auto slot_of = [this](const MaterialSlot& slot) {
-      return slot.texture < 0 ? packed_.put_shading(slot.reals) : ~texture_row(slot);
+      std::array<double, 3> reals = slot.reals;
+      if (slot.has_length) reals[2] *= options_.frame.scale;
+      return slot.texture < 0 ? packed_.put_shading(reals) : ~texture_row(slot);
     };
     for (std::size_t row = 0; row < scene_.materials.size(); ++row) {
       const PackedMaterial packed = packed_material(row, scene_, features_);

@@ -76,6 +76,16 @@ def lines():
                     yield " ".join(f"{x:.9g}" for x in [*wo, *wi, *value])
 
 
+def differ(written, found):
+    """Exit status: whether the values of two texts differ by more than 1e-4."""
+    def numbers(whole):
+        return [[float(x) for x in line.split()] for line in whole.splitlines() if line[0] not in "#<"]
+    ours, theirs = numbers(written), numbers(found)
+    far = [(a, b) for a, b in zip(ours, theirs) if any(abs(x - y) > 1e-4 * max(abs(y), 1e-6) for x, y in zip(a, b))]
+    print(f"{len(theirs)} values, {len(far)} differ, {abs(len(ours) - len(theirs))} missing")
+    return 1 if far or len(ours) != len(theirs) else 0
+
+
 def main():
     try:
         text = "\n".join(lines()) + "\n"
@@ -85,12 +95,7 @@ def main():
     if "--check" not in sys.argv:
         FILE.write_text(text)
         return 0
-    def numbers(whole):
-        return [[float(x) for x in line.split()] for line in whole.splitlines() if line[0] not in "#<"]
-    ours, theirs = numbers(FILE.read_text()), numbers(text)
-    far = [(a, b) for a, b in zip(ours, theirs) if any(abs(x - y) > 1e-4 * max(abs(y), 1e-6) for x, y in zip(a, b))]
-    print(f"{len(theirs)} values, {len(far)} differ, {abs(len(ours) - len(theirs))} missing")
-    return 1 if far or len(ours) != len(theirs) else 0
+    return differ(FILE.read_text(), text)
 
 
 if __name__ == "__main__":

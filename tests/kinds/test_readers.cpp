@@ -35,7 +35,7 @@ struct Used {
       if (const std::string area = area_kind(shape.geometry); !area.empty()) areas.insert(area);
     });
     for (const Material& material : scene.materials)
-      if (const MaterialFacts facts = material_facts(material); facts.blended.empty()) materials.insert(facts.kind);
+      if (const MaterialFacts facts = material_facts(material); facts.nested.empty()) materials.insert(facts.kind);
     for (const Light& light : scene.lights) lights.insert(light_kind(light));
     for (const Texture& texture : scene.textures) textures.insert(texture_kind(texture));
     integrators.insert(scene.integrator.name);

@@ -28,10 +28,10 @@ struct Case {
 
 void add_cases(const strahl::Scene& scene, const strahl::Material& material, double share, std::vector<Case>& cases) {
   const strahl::MaterialFacts facts = strahl::material_facts(material);
-  if (!facts.blended.empty()) {
+  if (!facts.nested.empty()) {
     const double weight = facts.slots.at(0).reals[0];
     for (const std::size_t i : {0, 1}) {
-      const auto row = static_cast<std::size_t>(facts.blended.at(i));
+      const auto row = static_cast<std::size_t>(facts.nested.at(i));
       add_cases(scene, scene.materials.at(row), share * (i == 0 ? 1 - weight : weight), cases);
     }
     return;

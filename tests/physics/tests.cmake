@@ -32,7 +32,7 @@ target_compile_options(strahl_host_transport PRIVATE -O1 -Wno-psabi -Wno-int-in-
                        -Wno-deprecated-enum-enum-conversion -Wno-maybe-uninitialized
                        $<$<BOOL:${STRAHL_HOST_HAS_FMA}>:-mfma>)
 
-foreach(name areas blends lights choosers textures environment mitsuba_images integrators)
+foreach(name areas blends reliefs lights choosers textures environment mitsuba_images integrators)
   strahl_test(physics/test_${name}.cpp LABEL unit LIBS strahl_host_transport)
 endforeach()
 strahl_test(physics/test_packets.cpp LABEL unit LIBS strahl_host_transport strahl_selftest)

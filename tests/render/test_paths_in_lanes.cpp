@@ -94,6 +94,12 @@ TEST_CASE("blends, masks and sides in lanes") {
   require_same(of("materials/mask.xml"), plain(Precision::robust, 8));
 }
 
+TEST_CASE("bent normals in lanes") {
+  require_pocl_and_rusticl();
+  require_same(of("materials/normalmap.xml"), plain());
+  require_same(of("materials/bumpmap.xml"), plain(Precision::robust, 8));
+}
+
 TEST_CASE("textures in lanes") {
   require_pocl_and_rusticl();
   require_same(of("accuracy/checkerboard.xml"), plain());

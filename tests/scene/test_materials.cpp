@@ -100,6 +100,36 @@ TEST_CASE("a blend has two materials, each read once, and blends, masks and side
         "2:1: error: bsdf \"x\" contains itself");
 }
 
+TEST_CASE("reliefs have a map, Mitsuba's options and a material inside") {
+  const std::string map = "<rgb name=\"normalmap\" value=\"0.6, 0.4, 0.9\"/>", white = "<bsdf type=\"diffuse\"/>";
+  const std::string letter = "<texture type=\"bitmap\"><string name=\"filename\" value=\"" STRAHL_SOURCE_DIR
+                             "/scenes/textures/letter.png\"/></texture>";
+  const auto relief_of = [](const std::string& bsdf) {
+    const LoadedScene loaded = load_body(bsdf);
+    CHECK(loaded.warnings.empty());
+    return std::get<Relief>(loaded.scene.materials.back().bsdf);
+  };
+  const Relief normals = relief_of("<bsdf type=\"normalmap\">" + map + white + "</bsdf>");
+  CHECK(normals.kind == Relief::Kind::normals);
+  CHECK(normals.map.color == Rgb{0.6, 0.4, 0.9});
+  CHECK(normals.flip_invalid_normals);
+  CHECK(normals.use_shadowing_function);
+  const Relief heights =
+      relief_of("<bsdf type=\"bumpmap\">" + letter + white +
+                "<float name=\"scale\" value=\"-2.5\"/><boolean name=\"flip_invalid_normals\" "
+                "value=\"false\"/><boolean name=\"use_shadowing_function\" value=\"false\"/></bsdf>");
+  CHECK(heights.kind == Relief::Kind::heights);
+  CHECK(heights.map.texture == 0);
+  CHECK(heights.scale == -2.5);
+  CHECK_FALSE(heights.flip_invalid_normals);
+  CHECK_FALSE(heights.use_shadowing_function);
+  CHECK(problem("<bsdf type=\"normalmap\">" + white + "</bsdf>").find("needs a normalmap") != std::string::npos);
+  CHECK(problem("<bsdf type=\"bumpmap\">" + white + "</bsdf>").find("needs one <texture>") != std::string::npos);
+  CHECK(problem("<bsdf type=\"bumpmap\">" + letter + "</bsdf>").find("needs one <bsdf>") != std::string::npos);
+  CHECK(problem("<bsdf type=\"normalmap\">" + map + "<bsdf type=\"normalmap\">" + map + white + "</bsdf></bsdf>")
+            .find("bent twice") != std::string::npos);
+}
+
 TEST_CASE("a blend of materials that do not stand before it is refused") {
   Scene scene = load_body("<bsdf type=\"diffuse\"/>").scene;
   scene.materials.back().bsdf = Blend{{{0.5, 0.5, 0.5}}, 0, static_cast<int>(scene.materials.size()) - 1};

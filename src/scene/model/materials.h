@@ -95,10 +95,24 @@ struct Blend {
   int first = -1, second = -1;
 };
 
+/// Another material, whose normals a texture bends.
+struct Relief {
+  enum class Kind {
+    normals,  ///< The texture holds them relative to the surface's frame, x -> (x + 1) / 2.
+    heights   ///< Over the surface, in units of the scene.
+  };
+  Kind kind = Kind::normals;
+  Varying map{{0.5, 0.5, 1}};
+  double scale = 1;                    ///< Multiplies heights.
+  bool flip_invalid_normals = true;    ///< Turns a normal that faces away from the view.
+  bool use_shadowing_function = true;  ///< Fades shallow light.
+  int nested = -1;                     ///< As of a Blend.
+};
+
 struct Material {
   std::string id;
   std::variant<Diffuse, Conductor, Dielectric, RoughConductor, RoughDielectric, ThinDielectric, Plastic, RoughPlastic,
-               Blend>
+               Blend, Relief>
       bsdf;
   bool twosided = false;  ///< false: black from behind, as in Mitsuba. Of what transmits light it says nothing.
   SourceLocation where;
