@@ -3,8 +3,9 @@
 // and what is "of" some of them, or "not of" some, where it has one of those, or another one.
 #include "math/fresnel_lanes.h"           // not of diffuse
 #include "math/metal_fresnel_lanes.h"     // of conductor, roughconductor
-#include "materials/microfacets_lanes.h"  // of roughconductor, roughdielectric, roughplastic
+#include "materials/microfacets_lanes.h"  // of roughconductor, roughdielectric, roughplastic, principled, principledthin
 #include "materials/base_lanes.h"         // of plastic, roughplastic
+#include "materials/disney_lanes.h"       // of principled, principledthin
 #include "materials/diffuse_lanes.h"
 #include "materials/conductor_lanes.h"
 #include "materials/dielectric_lanes.h"
@@ -13,3 +14,5 @@
 #include "materials/thindielectric_lanes.h"
 #include "materials/plastic_lanes.h"
 #include "materials/roughplastic_lanes.h"
+#include "materials/principled_lanes.h"
+#include "materials/principledthin_lanes.h"

@@ -81,6 +81,8 @@ FN realw luminance_w(real3w rgb) {
   return sel_w(is_grey, rgb.x, sum);
 }
 
+FN real3w sqrt3_w(real3w a) { return vec3_w(sqrt_w(a.x), sqrt_w(a.y), sqrt_w(a.z)); }
+
 FN real3w unit3_w(real3w v) {
   realw norm = sqrt_w(dot3_w(v, v));
   return vec3_w(v.x / norm, v.y / norm, v.z / norm);

@@ -95,7 +95,7 @@ enum {
 // MATERIAL_ALONG: 1: its frame has x where u grows. MATERIAL_OPACITY: a slot, defined only in programs with MASK.
 // MATERIAL_FIRST, MATERIAL_SECOND: rows that a blend draws from, its weight in the first slot; of a relief
 // (materials/relief_lanes.h) the row inside it, and -1; else both -1.
-enum { MATERIAL_MOST_SLOTS = 10 };
+enum { MATERIAL_MOST_SLOTS = 13 };
 enum {
   MATERIAL_KIND,
   MATERIAL_BACK,

@@ -96,6 +96,86 @@ MaterialFacts plastic_facts(const char* kind, const Plastic& plastic, double inn
                index_faults(plastic.int_ior, plastic.ext_ior));
 }
 
+bool is_black(const Reflectance& share) { return share.texture < 0 && share.color == Rgb{0, 0, 0}; }
+
+/// Numbers up to a limit, as the kernels read them, after the slots that are there.
+void add_numbers(const std::vector<std::pair<const char*, const Varying*>>& numbers, double most,
+                 MaterialFacts& facts) {
+  for (const auto& [name, value] : numbers) {
+    facts.slots.push_back(value_slot(name, *value));
+    if (!is_at_least(0, value->color) || std::max({value->color.r, value->color.g, value->color.b}) > most)
+      facts.faults.push_back(std::string(name) + (most == 1 ? " must lie in [0, 1]" : " must lie in [0, 2]"));
+  }
+}
+
+/// Each must be finite and not negative, and one of them above 0.
+void require_rates(const std::vector<double>& rates, MaterialFacts& facts) {
+  double sum = 0;
+  for (const double rate : rates) sum += rate >= 0 ? rate : std::nan("");
+  if (!std::isfinite(sum) || sum == 0)
+    facts.faults.emplace_back("sampling rates must be finite, not negative, and not all 0");
+}
+
+constexpr double largest_eta = 1e3;
+
+MaterialFacts principled_facts(const Principled& bsdf) {
+  MaterialFacts found = facts("principled", {slot("base_color", bsdf.base_color)});
+  add_numbers({{"roughness", &bsdf.roughness},
+               {"anisotropic", &bsdf.anisotropic},
+               {"metallic", &bsdf.metallic},
+               {"spec_trans", &bsdf.spec_trans},
+               {"spec_tint", &bsdf.spec_tint},
+               {"sheen", &bsdf.sheen},
+               {"sheen_tint", &bsdf.sheen_tint},
+               {"flatness", &bsdf.flatness},
+               {"clearcoat", &bsdf.clearcoat},
+               {"clearcoat_gloss", &bsdf.clearcoat_gloss}},
+              1, found);
+  const std::array<double, 3> rates{bsdf.main_specular_sampling_rate, bsdf.clearcoat_sampling_rate,
+                                    bsdf.diffuse_reflectance_sampling_rate};
+  found.slots.push_back({"eta", {bsdf.eta, 0, 0}, -1, false});
+  found.slots.push_back({"sampling_rate", rates, -1, false});
+  require_rates({rates.begin(), rates.end()}, found);
+  found.flags.emplace_back("GGX");
+  found.has_along = !is_black(bsdf.anisotropic);
+  if (is_black(bsdf.spec_trans)) found.lobes &= ~lobes::LOBE_TRANSMIT;
+  if (!(bsdf.eta >= 1 / largest_eta && bsdf.eta <= largest_eta))
+    found.faults.emplace_back("eta must be from 0.001 to 1000");
+  if (bsdf.eta == 1 && !is_black(bsdf.spec_trans))
+    found.faults.emplace_back("eta of what lets light through must differ from 1");
+  return found;
+}
+
+MaterialFacts principledthin_facts(const PrincipledThin& bsdf) {
+  MaterialFacts found = facts("principledthin", {slot("base_color", bsdf.base_color)});
+  add_numbers({{"roughness", &bsdf.roughness},
+               {"anisotropic", &bsdf.anisotropic},
+               {"spec_trans", &bsdf.spec_trans},
+               {"spec_tint", &bsdf.spec_tint},
+               {"sheen", &bsdf.sheen},
+               {"sheen_tint", &bsdf.sheen_tint},
+               {"flatness", &bsdf.flatness}},
+              1, found);
+  add_numbers({{"diff_trans", &bsdf.diff_trans}}, 2, found);
+  found.slots.push_back(value_slot("eta", bsdf.eta));
+  found.slots.push_back({"sampling_rate",
+                         {bsdf.specular_reflectance_sampling_rate, bsdf.specular_transmittance_sampling_rate,
+                          bsdf.diffuse_reflectance_sampling_rate},
+                         -1,
+                         false});
+  found.slots.push_back({"sampling_rate", {bsdf.diffuse_transmittance_sampling_rate, 0, 0}, -1, false});
+  require_rates({bsdf.specular_reflectance_sampling_rate, bsdf.specular_transmittance_sampling_rate,
+                 bsdf.diffuse_reflectance_sampling_rate, bsdf.diffuse_transmittance_sampling_rate},
+                found);
+  found.flags.emplace_back("GGX");
+  found.has_along = !is_black(bsdf.anisotropic);
+  if (is_black(bsdf.spec_trans) && is_black(bsdf.diff_trans)) found.lobes &= ~lobes::LOBE_TRANSMIT;
+  const Rgb& eta = bsdf.eta.color;
+  if (!is_at_least(1 / largest_eta, eta) || std::max({eta.r, eta.g, eta.b}) > largest_eta)
+    found.faults.emplace_back("eta must be from 0.001 to 1000");
+  return found;
+}
+
 /// The slots stand in the order in which the kernels number them.
 struct Facts {
   MaterialFacts operator()(const Diffuse& bsdf) const {
@@ -146,6 +226,8 @@ struct Facts {
       plastic.faults.emplace_back("the roughness of a roughplastic must be one number");
     return plastic;
   }
+  MaterialFacts operator()(const Principled& bsdf) const { return principled_facts(bsdf); }
+  MaterialFacts operator()(const PrincipledThin& bsdf) const { return principledthin_facts(bsdf); }
   MaterialFacts operator()(const Blend& blend) const {
     MaterialFacts facts;
     facts.kind = "blendbsdf";

@@ -2,6 +2,7 @@
 // Metals and rough materials as scene files have them.
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <cmath>
 
 #include "kinds/materials.h"
 #include "scene/scene_text.h"
@@ -128,6 +129,35 @@ TEST_CASE("reliefs have a map, Mitsuba's options and a material inside") {
   CHECK(problem("<bsdf type=\"bumpmap\">" + letter + "</bsdf>").find("needs one <bsdf>") != std::string::npos);
   CHECK(problem("<bsdf type=\"normalmap\">" + map + "<bsdf type=\"normalmap\">" + map + white + "</bsdf></bsdf>")
             .find("bent twice") != std::string::npos);
+}
+
+TEST_CASE("principled materials have Mitsuba's defaults, and eta or specular") {
+  const auto is_grey = [](const Varying& value, double grey) { return value.color == Rgb{grey, grey, grey}; };
+  const Principled plain = read_as<Principled>("<bsdf type=\"principled\"/>");
+  CHECK(is_grey(plain.base_color, 0.5));
+  CHECK(is_grey(plain.roughness, 0.5));
+  CHECK(is_grey(plain.clearcoat, 0));
+  CHECK(plain.eta == Approx(1.5));
+  const auto eta_of = [](const std::string& inside) {
+    return read_as<Principled>("<bsdf type=\"principled\">" + inside + "</bsdf>").eta;
+  };
+  const std::string glass = "<float name=\"spec_trans\" value=\"0.5\"/>",
+                    flat = "<float name=\"specular\" value=\"0\"/>";
+  CHECK(eta_of("<float name=\"eta\" value=\"1.3\"/>") == 1.3);
+  CHECK(eta_of(flat) == 1);
+  CHECK(eta_of(flat + glass) == Approx(2 / (1 - std::sqrt(0.08e-3)) - 1));
+  CHECK(eta_of("<float name=\"eta\" value=\"1\"/>" + glass) == 1.001);
+  CHECK(
+      problem("<bsdf type=\"principled\"><float name=\"eta\" value=\"1.3\"/>" + flat + "</bsdf>").find("either eta") !=
+      std::string::npos);
+  CHECK(problem("<bsdf type=\"principled\"><float name=\"metallic\" value=\"2\"/></bsdf>").find("[0, 1]") !=
+        std::string::npos);
+  const Scene sides = load_body("<bsdf type=\"twosided\"><bsdf type=\"principled\"/></bsdf>").scene;
+  CHECK(sides.materials.back().twosided);
+  const PrincipledThin sheet =
+      read_as<PrincipledThin>("<bsdf type=\"principledthin\"><float name=\"diff_trans\" value=\"1.5\"/></bsdf>");
+  CHECK(is_grey(sheet.diff_trans, 1.5));
+  CHECK(is_grey(sheet.eta, 1.5));
 }
 
 TEST_CASE("a blend of materials that do not stand before it is refused") {

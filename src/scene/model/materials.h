@@ -88,6 +88,40 @@ struct RoughPlastic {
   Microfacets microfacets = {};
 };
 
+/// B. Burley's material of many looks; each number lies within [0, 1].
+struct Principled {
+  Reflectance base_color{{0.5, 0.5, 0.5}};
+  Varying roughness{{0.5, 0.5, 0.5}};
+  Varying anisotropic{{0, 0, 0}};  ///< Of the roughness: wider along u.
+  Varying metallic{{0, 0, 0}};
+  Varying spec_trans{{0, 0, 0}};  ///< The share of what is no metal that is glass.
+  Varying spec_tint{{0, 0, 0}};
+  Varying sheen{{0, 0, 0}};
+  Varying sheen_tint{{0, 0, 0}};
+  Varying flatness{{0, 0, 0}};
+  Varying clearcoat{{0, 0, 0}};
+  Varying clearcoat_gloss{{0, 0, 0}};
+  double eta = 1.5;  ///< Index of refraction inside over outside.
+  /// How often each lobe is drawn, next to the others.
+  double main_specular_sampling_rate = 1, clearcoat_sampling_rate = 1, diffuse_reflectance_sampling_rate = 1;
+};
+
+/// The same of a sheet, alike from both sides.
+struct PrincipledThin {
+  Reflectance base_color{{0.5, 0.5, 0.5}};
+  Varying roughness{{0.5, 0.5, 0.5}};
+  Varying anisotropic{{0, 0, 0}};
+  Varying spec_trans{{0, 0, 0}};
+  Varying spec_tint{{0, 0, 0}};
+  Varying sheen{{0, 0, 0}};
+  Varying sheen_tint{{0, 0, 0}};
+  Varying flatness{{0, 0, 0}};
+  Varying diff_trans{{0, 0, 0}};  ///< From 0 to 2, where all of the base's light goes through.
+  Varying eta{{1.5, 1.5, 1.5}};
+  double specular_reflectance_sampling_rate = 1, specular_transmittance_sampling_rate = 1;
+  double diffuse_reflectance_sampling_rate = 1, diffuse_transmittance_sampling_rate = 1;
+};
+
 /// Two other materials, each for a share of the light.
 struct Blend {
   Reflectance weight{{0.5, 0.5, 0.5}};  ///< The share of the second.
@@ -112,7 +146,7 @@ struct Relief {
 struct Material {
   std::string id;
   std::variant<Diffuse, Conductor, Dielectric, RoughConductor, RoughDielectric, ThinDielectric, Plastic, RoughPlastic,
-               Blend, Relief>
+               Principled, PrincipledThin, Blend, Relief>
       bsdf;
   bool twosided = false;  ///< false: black from behind, as in Mitsuba. Of what transmits light it says nothing.
   SourceLocation where;
