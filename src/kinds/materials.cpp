@@ -116,6 +116,41 @@ void require_rates(const std::vector<double>& rates, MaterialFacts& facts) {
     facts.faults.emplace_back("sampling rates must be finite, not negative, and not all 0");
 }
 
+/// What a highlight and a diffuse base reflect; the chance that the highlight is drawn.
+struct Parts {
+  Reflectance diffuse, specular;
+  double chance;
+};
+
+/// Together at most all that is received, as in Mitsuba 0.x: else both are scaled down.
+Parts parts_of(Reflectance diffuse, Reflectance specular) {
+  Rgb &d = diffuse.color, &s = specular.color;
+  const double most = std::max({d.r + s.r, d.g + s.g, d.b + s.b, 1.0});
+  d = {d.r / most, d.g / most, d.b / most};
+  s = {s.r / most, s.g / most, s.b / most};
+  const double both = mean(specular) + mean(diffuse);
+  return {diffuse, specular, both > 0 ? mean(specular) / both : 0.5};
+}
+
+MaterialFacts phong_facts(const Phong& phong) {
+  const Parts parts = parts_of(phong.diffuse_reflectance, phong.specular_reflectance);
+  MaterialFacts found = facts("phong", {slot("diffuse_reflectance", parts.diffuse),
+                                        slot("specular_reflectance", parts.specular),
+                                        value_slot("exponent", phong.exponent),
+                                        {"chance", {parts.chance, 0, 0}, -1, false}});
+  if (!is_at_least(0, phong.exponent.color)) found.faults.emplace_back("exponent must be finite and not negative");
+  return found;
+}
+
+MaterialFacts ward_facts(const Ward& ward) {
+  const Parts parts = parts_of(ward.diffuse_reflectance, ward.specular_reflectance);
+  MaterialFacts found =
+      facts("ward", {slot("diffuse_reflectance", parts.diffuse), slot("specular_reflectance", parts.specular)});
+  add_microfacets({MicrofacetKind::beckmann, ward.alpha_u, ward.alpha_v, false}, found);
+  found.slots.push_back({"variant", {parts.chance, static_cast<double>(ward.variant), 0}, -1, false});
+  return found;
+}
+
 constexpr double largest_eta = 1e3;
 
 MaterialFacts principled_facts(const Principled& bsdf) {
@@ -225,6 +260,19 @@ struct Facts {
     if (plastic.has_along || microfacets.alpha_u.texture >= 0)
       plastic.faults.emplace_back("the roughness of a roughplastic must be one number");
     return plastic;
+  }
+  MaterialFacts operator()(const Phong& bsdf) const { return phong_facts(bsdf); }
+  MaterialFacts operator()(const Ward& bsdf) const { return ward_facts(bsdf); }
+  MaterialFacts operator()(const RoughDiffuse& bsdf) const {
+    MaterialFacts found =
+        facts("roughdiffuse", {slot("reflectance", bsdf.reflectance),
+                               value_slot("deviation", bsdf.alpha),
+                               {"use_fast_approx", {bsdf.use_fast_approx ? 1.0 : 0.0, 0, 0}, -1, false}});
+    if (!is_at_least(0, bsdf.alpha.color)) found.faults.emplace_back("alpha must be finite and not negative");
+    return found;
+  }
+  MaterialFacts operator()(const DiffTrans& bsdf) const {
+    return facts("difftrans", {slot("transmittance", bsdf.transmittance)});
   }
   MaterialFacts operator()(const Principled& bsdf) const { return principled_facts(bsdf); }
   MaterialFacts operator()(const PrincipledThin& bsdf) const { return principledthin_facts(bsdf); }

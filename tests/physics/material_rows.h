@@ -146,6 +146,17 @@ inline const std::map<std::string, std::vector<MaterialRow>>& material_rows() {
        {{rough_plastic(0.4, false, {0.8, 0.5, 0.1}, true)},
         {rough_plastic(0.5, true, {1, 1, 1}, false)},
         {rough_plastic(0.01, false, {1, 1, 1}, true)}}},
+      {"phong",
+       {{{0.5, 0.3, 0.1, 0.2, 0.2, 0.2, 5, 0, 0, 0.3, 0, 0}},
+        {{0, 0, 0, 1, 1, 1, 8, 0, 0, 1, 0, 0}},
+        {{0.5, 0.5, 0.5, 0.5, 0.5, 0.5, 1e4, 0, 0, 0.5, 0, 0}, false, 0.001}}},
+      {"roughdiffuse",
+       {{{0.9, 0.5, 0.1, 0, 0, 0, 0, 0, 0}}, {{0.9, 0.9, 0.5, 1, 0, 0, 0, 0, 0}}, {{1, 1, 1, 0.5, 0, 0, 1, 0, 0}}}},
+      {"ward",
+       {{{0.3, 0.3, 0.1, 0.6, 0.5, 0.2, 0.4, 0, 0, 0.5, 0, 0, 0, 0, 0, 0.6, 2, 0}},
+        {{0, 0, 0, 1, 1, 1, 0.02, 0, 0, 0.3, 0, 0, 0, 0, 0, 1, 2, 0}},
+        {{0.3, 0.3, 0.1, 0.6, 0.5, 0.2, 0.4, 0, 0, 0.4, 0, 0, 0, 0, 0, 0.6, 0, 0}, false, 1, 1.5}}},
+      {"difftrans", {{{1, 1, 1}, true}}},
       {"principled", principled_rows()},
       {"principledthin", principledthin_rows()},
       {"thindielectric", {{{1, 1, 1, 1, 1, 1, 1.5, 1.5, 1}, true}, {{1, 1, 1, 1, 1, 1, 1, 1, 1}, true}}},
@@ -165,6 +176,7 @@ inline const std::map<std::string, std::vector<MaterialRow>>& material_rows() {
 inline double spread_of(const std::string& slot, double value) {
   if (slot.starts_with("alpha")) return value;
   // Times the least that anisotropy leaves, and of glass in sheets the narrower of two lobes.
+  if (slot == "exponent") return std::sqrt(2 / (value + 2));
   if (slot == "roughness") return std::max(0.2 * value * value, 1e-3);
   if (slot == "clearcoat_gloss") return 0.1 - 0.099 * value;
   return 1;

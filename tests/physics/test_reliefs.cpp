@@ -202,6 +202,8 @@ TEST_CASE("gradients of texture coordinates are what the coordinates do, on ever
   std::mt19937_64 engine(2);
   for (const bool is_placed : {false, true})
     for (const Geometry& geometry : shapes()) {
+      // A group holds nothing infinite.
+      if (is_placed && std::holds_alternative<Plane>(geometry)) continue;
       Scene scene = empty_scene();
       Shape shape;
       shape.geometry = geometry;

@@ -160,6 +160,29 @@ TEST_CASE("principled materials have Mitsuba's defaults, and eta or specular") {
   CHECK(is_grey(sheet.eta, 1.5));
 }
 
+TEST_CASE("materials of Mitsuba 0.x, by its names and by Mitsuba 3's") {
+  const std::string old = "<scene version=\"0.6.0\"><sensor type=\"perspective\"/>";
+  const auto last = [](const std::string& text) { return load_text(text + "</scene>").scene.materials.back(); };
+  const Phong phong = std::get<Phong>(
+      last(old + "<bsdf type=\"phong\"><rgb name=\"diffuseReflectance\" value=\".1, .2, .3\"/></bsdf>").bsdf);
+  CHECK(phong.diffuse_reflectance.color == Rgb{.1, .2, .3});
+  CHECK(phong.specular_reflectance.color == Rgb{.2, .2, .2});
+  CHECK(phong.exponent.color == Rgb{30, 30, 30});
+  const RoughDiffuse rough = std::get<RoughDiffuse>(
+      last(old + "<bsdf type=\"roughdiffuse\"><boolean name=\"useFastApprox\" value=\"true\"/></bsdf>").bsdf);
+  CHECK(rough.use_fast_approx);
+  CHECK(rough.alpha.color == Rgb{.2, .2, .2});
+  CHECK(read_as<DiffTrans>("<bsdf type=\"difftrans\"/>").transmittance.color == Rgb{.5, .5, .5});
+  const Ward ward = read_as<Ward>("<bsdf type=\"ward\"><string name=\"variant\" value=\"ward-duer\"/></bsdf>");
+  CHECK(ward.variant == Ward::Variant::ward_duer);
+  CHECK(ward.alpha_u.color == Rgb{.1, .1, .1});
+  CHECK(problem("<bsdf type=\"ward\"><string name=\"variant\" value=\"new\"/></bsdf>").find("no variant") !=
+        std::string::npos);
+  Material both;
+  both.bsdf = Phong{{{0.8, 0.8, 0.8}}, {{0.8, 0.8, 0.8}}};
+  CHECK(material_facts(both).slots[0].reals[0] == Approx(0.5));
+}
+
 TEST_CASE("a blend of materials that do not stand before it is refused") {
   Scene scene = load_body("<bsdf type=\"diffuse\"/>").scene;
   scene.materials.back().bsdf = Blend{{{0.5, 0.5, 0.5}}, 0, static_cast<int>(scene.materials.size()) - 1};

@@ -122,6 +122,35 @@ struct PrincipledThin {
   double diffuse_reflectance_sampling_rate = 1, diffuse_transmittance_sampling_rate = 1;
 };
 
+/// A highlight of Mitsuba 0.x over a diffuse base.
+struct Phong {
+  Reflectance diffuse_reflectance{{0.5, 0.5, 0.5}};
+  Reflectance specular_reflectance{{0.2, 0.2, 0.2}};
+  Varying exponent{{30, 30, 30}};
+};
+
+/// Ward's highlight of Mitsuba 0.x over a diffuse base.
+struct Ward {
+  enum class Variant { ward, ward_duer, balanced };
+  Variant variant = Variant::balanced;
+  Reflectance diffuse_reflectance{{0.5, 0.5, 0.5}};
+  Reflectance specular_reflectance{{0.2, 0.2, 0.2}};
+  Varying alpha_u{{0.1, 0.1, 0.1}};
+  Varying alpha_v{{0.1, 0.1, 0.1}};
+};
+
+/// Oren's and Nayar's diffuse facets, of Mitsuba 0.x.
+struct RoughDiffuse {
+  Reflectance reflectance{{0.5, 0.5, 0.5}};
+  Varying alpha{{0.2, 0.2, 0.2}};  ///< sqrt(2) times the standard deviation of the facets' angle.
+  bool use_fast_approx = false;
+};
+
+/// A diffuse sheet of Mitsuba 0.x: all that it scatters goes through.
+struct DiffTrans {
+  Reflectance transmittance{{0.5, 0.5, 0.5}};
+};
+
 /// Two other materials, each for a share of the light.
 struct Blend {
   Reflectance weight{{0.5, 0.5, 0.5}};  ///< The share of the second.
@@ -146,7 +175,7 @@ struct Relief {
 struct Material {
   std::string id;
   std::variant<Diffuse, Conductor, Dielectric, RoughConductor, RoughDielectric, ThinDielectric, Plastic, RoughPlastic,
-               Principled, PrincipledThin, Blend, Relief>
+               Principled, PrincipledThin, Phong, RoughDiffuse, DiffTrans, Ward, Blend, Relief>
       bsdf;
   bool twosided = false;  ///< false: black from behind, as in Mitsuba. Of what transmits light it says nothing.
   SourceLocation where;
