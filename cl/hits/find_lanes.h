@@ -66,7 +66,7 @@ FN Surfaces_w find_surfaces_w(const Scene* scene, Paths_w* path, int want, const
   s.hit = path->alive & ~lt_int_w(each.kind, splat_int_w(0));
   maskw single = path->alive;
   int is_reported = HAS_AOV && first->lane >= 0;
-  if (!HAS_TANGENT && !is_reported) single = single & ~plain_surfaces_w(scene, path, &each, &s);
+  if (HAS_TANGENT + HAS_RELIEF == 0 && !is_reported) single = single & ~plain_surfaces_w(scene, path, &each, &s);
   for (uint lanes = bits_w(single); lanes != 0u; lanes &= lanes - 1u) {
     int lane = first_bit(lanes);
     Ray ray = ray_of_w(&path->rays, lane);

@@ -11,17 +11,18 @@
 enum { OUTLINE_NONE, OUTLINE_TRIANGLE, OUTLINE_PARALLELOGRAM, OUTLINE_BOX, OUTLINE_ROUND };
 
 typedef struct {
-  real3 position;           ///< On the surface to rounding, not o + t d where the shape knows better.
-  real3 normal;             ///< Unit, geometric, as built.
-  real3 shading;            ///< Unit: interpolated vertex normals where there are any.
-  real3 along;              ///< Where u grows, of any length; set only with TANGENT. 0: the shape does not say.
-  real u, v;                ///< The shape's own parameters (docs/scene-format.md).
-  real tex_u, tex_v;        ///< Texture coordinates: the mesh's uvs where there are any, else u, v.
-  real footprint;           ///< How wide the pixel is here; set only where there are textures (textures/footprint.h).
-  int outline;              ///< OUTLINE_...
-  real off;                 ///< Bound on the position's distance from its plane; 0: that of its outline.
-  real facing;              ///< Below 0: the ray comes from the normal's side. Known before the normal is.
-  int is_flipped;           ///< 1: the normal points the other way than the shape has it.
+  real3 position;        ///< On the surface to rounding, not o + t d where the shape knows better.
+  real3 normal;          ///< Unit, geometric, as built.
+  real3 shading;         ///< Unit: interpolated vertex normals where there are any.
+  real3 along;           ///< Where u grows, of any length; set only with TANGENT. 0: the shape does not say.
+  real3 grad_u, grad_v;  ///< Gradients of tex_u and tex_v on the surface; set only with RELIEF. 0: they are constant.
+  real u, v;             ///< The shape's own parameters (docs/scene-format.md).
+  real tex_u, tex_v;     ///< Texture coordinates: the mesh's uvs where there are any, else u, v.
+  real footprint;        ///< How wide the pixel is here; set only where there are textures (textures/footprint.h).
+  int outline;           ///< OUTLINE_...
+  real off;              ///< Bound on the position's distance from its plane; 0: that of its outline.
+  real facing;           ///< Below 0: the ray comes from the normal's side. Known before the normal is.
+  int is_flipped;        ///< 1: the normal points the other way than the shape has it.
   GLOBAL const real* prim;  ///< Its planes, `stride` apart.
   int stride;
   int shape;                  ///< Index in file order.
@@ -35,7 +36,7 @@ typedef struct {
 FN Surface surface_none(void) {
   Surface s;
   s.position = s.normal = s.shading = vec3(R(0.0), R(0.0), R(0.0));
-  s.along = s.normal;
+  s.along = s.grad_u = s.grad_v = s.normal;
   s.u = s.v = s.tex_u = s.tex_v = s.footprint = s.facing = s.off = R(0.0);
   s.outline = OUTLINE_NONE;
   s.is_flipped = s.stride = s.shape = s.primitive = s.part = 0;

@@ -9,6 +9,7 @@ typedef struct {
   realw t;                           ///< In units of the ray's prepared direction.
   real3w position, normal, shading;  ///< As in hits/surface.h.
   real3w along;                      ///< Kept only with TANGENT.
+  real3w grad_u, grad_v;             ///< Kept only with RELIEF.
   realw facing;
   realw tex_u, tex_v, footprint;  ///< Kept only where there are textures.
   intw part, id, instance;        ///< id: the primitive's, scene-wide.
@@ -28,7 +29,7 @@ FN Surfaces_w surfaces_none_w(void) {
   realw zero = splat_w(R(0.0));
   s.hit = none_w();
   s.t = s.facing = s.tex_u = s.tex_v = s.footprint = s.bound = zero;
-  s.position = s.normal = s.shading = s.along = s.point = s.move = vec3_w(zero, zero, zero);
+  s.position = s.normal = s.shading = s.along = s.grad_u = s.grad_v = s.point = s.move = vec3_w(zero, zero, zero);
   s.part = s.id = s.is_round = s.is_flipped = splat_int_w(0);
   s.instance = splat_int_w(-1);
   return s;
@@ -42,6 +43,10 @@ FN void surface_to_w(Surfaces_w* to, int lane, const Surface* s, int id, real t)
   put_real3_w(&to->shading, lane, s->shading);
   put_w(&to->facing, lane, s->facing);
   if (HAS_TANGENT) put_real3_w(&to->along, lane, s->along);
+  if (HAS_RELIEF) {
+    put_real3_w(&to->grad_u, lane, s->grad_u);
+    put_real3_w(&to->grad_v, lane, s->grad_v);
+  }
   if (TEXTURE_COUNT > 0) {
     put_w(&to->tex_u, lane, s->tex_u);
     put_w(&to->tex_v, lane, s->tex_v);

@@ -46,14 +46,17 @@ FN void surface_scatter_w(const Scene* scene, Paths_w* path, const Surfaces_w* s
   realw t_max = path->rays.planes[RAY_PLANE_T_MAX] - s->t;
   maskw passed = passes_on_w(scene, path, s, on);
   on = on & ~passed;
+  real3w wo = unit3_w(negate3_w(d));
+  realw number = splat_w(R(0.0));
+  if (HAS_BLEND) number = random_between_w(vertex_number_w(scene, &path->sample, path->depth, USE_BLEND));
+  MaterialRows_w at = rows_at_w(scene, s, on, wo, number);
   if (HAS_MASK) {
-    maskw open = passes_masks_w(scene, path, s, on);
+    maskw open = passes_masks_w(scene, path, &at, on);
     passed = passed | open;
     on = on & ~open;
   }
   if (any_w(on)) {
-    real3w wo = unit3_w(negate3_w(d));
-    Bsdf_w b = bsdf_at_w(scene, s, wo);
+    Bsdf_w b = bsdf_at_w(scene, s, &at, wo);
     Crossing_w crossing;
     if (HAS_PRIORITY) {
       crossing = crossing_of_w(scene, &path->within, s, on, &b);

@@ -15,14 +15,9 @@ FN maskw passes_on_w(const Scene* scene, const Paths_w* path, const Surfaces_w* 
 }
 
 /// Lanes of `which` that masks let pass. Density 0: no light is drawn through a mask.
-FN maskw passes_masks_w(const Scene* scene, Paths_w* path, const Surfaces_w* s, maskw which) {
-  intw rows = material_rows_w(scene, part_entry_w(scene, s, PART_MATERIAL));
-  real3w rgb = parameter_at_w(scene, s, which, rows, (int)MATERIAL_OPACITY - (int)MATERIAL_SLOTS);
-  realw opacity = fma_w(splat_w(R(0.2126)), rgb.x, fma_w(splat_w(R(0.7152)), rgb.y, splat_w(R(0.0722)) * rgb.z));
+FN maskw passes_masks_w(const Scene* scene, Paths_w* path, const MaterialRows_w* at, maskw which) {
   realw number = random_between_w(vertex_number_w(scene, &path->sample, path->depth, USE_MASK));
-  // Where the channels are alike the sum may be off by rounding: opaque is opaque.
-  maskw is_grey = eq_w(rgb.x, rgb.y) & eq_w(rgb.y, rgb.z);
-  which = which & le_w(sel_w(is_grey, rgb.x, opacity), number);
+  which = which & le_w(at->opacity, number);
   path->depth = sel_int_w(which, path->depth + splat_int_w(1), path->depth);
   path->density = sel_w(which, splat_w(R(0.0)), path->density);
   return which;

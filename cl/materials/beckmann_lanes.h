@@ -3,7 +3,6 @@
 // (docs/decisions/0025-microfacets.md). B. Walter and others, "Microfacet Models for Refraction through Rough
 // Surfaces", EGSR 2007; E. Heitz, "Understanding the Masking-Shadowing Function in Microfacet-Based BRDFs", JCGT 3(2),
 // 2014. One width; no guard.
-#include "math/exp_log_lanes.h"
 #include "math/erfc_lanes.h"
 
 #define ONE_OVER_SQRT_PI R(0.564189583547756286948)

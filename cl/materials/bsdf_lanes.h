@@ -2,6 +2,8 @@
 // The records of all materials: how LANES points scatter light, and the directions that are drawn there. Directions are
 // unit vectors, point away from the surface and are given in its frame, whose z is the normal. One width; no guard.
 #include "materials/active_bsdfs.h"
+#include "materials/parameter_lanes.h"
+#include "materials/rows_lanes.h"
 
 typedef struct {
   intw kind;            ///< MATERIAL_...
@@ -9,6 +11,7 @@ typedef struct {
   real3w wo;            ///< Where the light goes to.
   real3w out;           ///< wo in the world, as the frame has not rounded it.
   realw p[BSDF_REALS];  ///< The material's parameters at the point, from constants or textures.
+  Relief_w relief;      ///< Kept only with RELIEF.
 } Bsdf_w;
 
 typedef struct {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The materials of surfaces, and dispatch over the active materials. One width; no guard.
 #include "materials/bsdf_lanes.h"
-#include "materials/parameter_lanes.h"
 #include "materials/all_lanes.h"
 
 /// Lanes of that kind.
@@ -9,23 +8,11 @@ FN maskw is_material_w(const Bsdf_w* b, int kind) {
   return ~nonzero_w(b->kind - splat_int_w(MATERIAL_COUNT == 1 ? 0 : kind));
 }
 
-/// Offset of each lane's row in the index.
-FN intw material_rows_w(const Scene* scene, intw materials) {
-  return materials * (int)MATERIAL_INTS + splat_int_w(scene->index[HEADER_MATERIALS]);
-}
-
 /// out: where the light goes to, unit, in the world.
-FN Bsdf_w bsdf_at_w(const Scene* scene, const Surfaces_w* s, real3w out) {
+FN Bsdf_w bsdf_at_w(const Scene* scene, const Surfaces_w* s, const MaterialRows_w* at, real3w out) {
   GLOBAL const int* index = scene->index;
-  intw rows = material_rows_w(scene, part_entry_w(scene, s, PART_MATERIAL));
-  real3w z = s->shading;
-  if (HAS_TWOSIDED) {
-    intw back = gather_int_w(index + MATERIAL_BACK, rows);
-    maskw is_behind = ~lt_int_w(back, splat_int_w(0)) & lt_w(dot3_w(out, z), splat_w(R(0.0)));
-    z = sel3_w(is_behind, negate3_w(z), z);
-    rows = sel_int_w(is_behind, material_rows_w(scene, back), rows);
-  }
-  Frame_w frame = frame_around_w(z);
+  intw rows = at->rows;
+  Frame_w frame = frame_around_w(at->normal);
   if (HAS_TANGENT) {
     // Twosided materials look from behind as from the front: x and y stay those of the front.
     maskw has_along = nonzero_w(gather_int_w(index + MATERIAL_ALONG, rows));
@@ -34,7 +21,17 @@ FN Bsdf_w bsdf_at_w(const Scene* scene, const Surfaces_w* s, real3w out) {
     frame.y = sel3_w(has_along, turned.y, frame.y);
   }
   intw kind = MATERIAL_COUNT == 1 ? splat_int_w(0) : gather_int_w(index + MATERIAL_KIND, rows);
-  Bsdf_w b = {kind, frame, to_frame_w(&frame, out), out, {splat_w(R(0.0))}};
+  if (HAS_RELIEF) {
+    frame.x = sel3_w(at->relief.which, at->relief.frame.x, frame.x);
+    frame.y = sel3_w(at->relief.which, at->relief.frame.y, frame.y);
+  }
+  Bsdf_w b;
+  b.kind = kind;
+  b.frame = frame;
+  b.wo = to_frame_w(&frame, out);
+  b.out = out;
+  for (int i = 0; i < BSDF_REALS; ++i) b.p[i] = splat_w(R(0.0));
+  if (HAS_RELIEF) b.relief = at->relief;
 #define MATERIAL(name, reals, lobes)                                                     \
   {                                                                                      \
     maskw is_one = is_material_w(&b, MATERIAL_##name);                                   \
@@ -63,6 +60,11 @@ FN real3w bsdf_eval_w(const Bsdf_w* b, real3w wi, PRIVATE realw* density) {
   }
 #include "materials/materials.def"
 #undef MATERIAL
+  if (HAS_RELIEF) {
+    realw share = relief_share_w(&b->relief, wi, in_frame.z);
+    *density = sel_w(lt_w(splat_w(R(0.0)), share), *density, splat_w(R(0.0)));
+    value = scale3_w(share, value);
+  }
   return value;
 }
 
@@ -98,6 +100,7 @@ FN BsdfSample_w bsdf_sample_w(const Bsdf_w* b, int lobes, realw number, realw u,
 #undef MATERIAL
   real3w wi = from_frame_w(&b->frame, s.wi);
   if (HAS_DELTA_LOBES) wi = sel3_w(is_lobe_w(&s, LOBE_DELTA), delta_way_w(b, &s), wi);
+  if (HAS_RELIEF) s.weight = scale3_w(relief_share_w(&b->relief, wi, s.wi.z), s.weight);
   s.wi = wi;
   return s;
 }

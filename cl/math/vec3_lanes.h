@@ -73,6 +73,16 @@ FN real3w sel3_w(maskw m, real3w a, real3w b) {
   return vec3_w(sel_w(m, a.x, b.x), sel_w(m, a.y, b.y), sel_w(m, a.z, b.z));
 }
 
+/// One number from a colour: its luminance.
+FN realw luminance_w(real3w rgb) {
+  realw sum = fma_w(splat_w(R(0.2126)), rgb.x, fma_w(splat_w(R(0.7152)), rgb.y, splat_w(R(0.0722)) * rgb.z));
+  // Where the channels are alike the sum may be off by rounding: opaque is opaque.
+  maskw is_grey = eq_w(rgb.x, rgb.y) & eq_w(rgb.y, rgb.z);
+  return sel_w(is_grey, rgb.x, sum);
+}
+
+FN real3w sqrt3_w(real3w a) { return vec3_w(sqrt_w(a.x), sqrt_w(a.y), sqrt_w(a.z)); }
+
 FN real3w unit3_w(real3w v) {
   realw norm = sqrt_w(dot3_w(v, v));
   return vec3_w(v.x / norm, v.y / norm, v.z / norm);

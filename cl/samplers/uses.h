@@ -25,6 +25,7 @@ enum {
   USE_ROULETTE = 7,  ///< Whether the path goes on.
   USE_TEXEL = 12,    ///< Which row and column of an environment.
   USE_MASK = 14,     ///< Whether a mask lets the path pass.
+  USE_BLEND = 15,    ///< Which of the materials of a blend.
   PAIRS_A_VERTEX = 8
 };
 

@@ -95,12 +95,16 @@ enum {
 // From MATERIAL_SLOTS on a slot a parameter: >= 0: -> shading, 3 reals; else ~ row of the texture table. Those that the
 // material does not have are 0, which may be read. MATERIAL_BACK: the row of what is seen from behind; -1: nothing.
 // MATERIAL_ALONG: 1: its frame has x where u grows. MATERIAL_OPACITY: a slot, defined only in programs with MASK.
-enum { MATERIAL_MOST_SLOTS = 10 };
+// MATERIAL_FIRST, MATERIAL_SECOND: rows that a blend draws from, its weight in the first slot; of a relief
+// (materials/relief_lanes.h) the row inside it, and -1; else both -1.
+enum { MATERIAL_MOST_SLOTS = 13 };
 enum {
   MATERIAL_KIND,
   MATERIAL_BACK,
   MATERIAL_ALONG,
   MATERIAL_OPACITY,
+  MATERIAL_FIRST,
+  MATERIAL_SECOND,
   MATERIAL_SLOTS,
   MATERIAL_INTS = MATERIAL_SLOTS + MATERIAL_MOST_SLOTS
 };

@@ -56,6 +56,7 @@ FN Surface surface_at(const Scene* scene, const Ray* ray, const Nearest* hit, in
   s.primitive = hit->id - part[PART_FIRST_ID];
   s.position = s.normal = within.o;
   if (HAS_TANGENT) s.along = vec3(R(0.0), R(0.0), R(0.0));
+  if (HAS_RELIEF) s.grad_u = s.grad_v = vec3(R(0.0), R(0.0), R(0.0));
   s.facing = s.off = s.u = s.v = R(0.0);
   s.outline = OUTLINE_NONE;
   s.prim = scene->geometry;
@@ -98,11 +99,20 @@ FN Surface surface_at(const Scene* scene, const Ray* ray, const Nearest* hit, in
   if (HAS_MESH_UVS && part[PART_UVS] >= 0) {
     GLOBAL const real* uv = scene->shading + part[PART_UVS] + 6 * s.primitive;
     if (HAS_TANGENT) s.along = triangle_along(s.prim, s.stride, uv);
+    if (HAS_RELIEF) {
+      real3 u = s.grad_u, v = s.grad_v;
+      s.grad_u = fma3(uv[2] - uv[0], u, scale3(uv[4] - uv[0], v));
+      s.grad_v = fma3(uv[3] - uv[1], u, scale3(uv[5] - uv[1], v));
+    }
     real w = R(1.0) - s.u - s.v;
     s.tex_u = real_fma(s.v, uv[4], real_fma(s.u, uv[2], w * uv[0]));
     s.tex_v = real_fma(s.v, uv[5], real_fma(s.u, uv[3], w * uv[1]));
   }
   if (HAS_TANGENT && HAS_INSTANCES && hit->instance >= 0) s.along = vector_to_world(s.placed, s.along);
+  if (HAS_RELIEF && HAS_INSTANCES && hit->instance >= 0) {
+    s.grad_u = normal_to_world(s.placed, s.grad_u);
+    s.grad_v = normal_to_world(s.placed, s.grad_v);
+  }
   return s;
 }
 

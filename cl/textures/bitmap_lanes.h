@@ -71,6 +71,33 @@ FN realw texels_a_pixel_w(const Scene* scene, GLOBAL const int* row, TexturePlac
   return sel_w(lt_w(width, one), one, width);
 }
 
+/// 1, or -1 where the image is mirrored.
+FN realw direction_w(realw x, int wrap) {
+  realw one = splat_w(R(1.0)), turns = splat_w(R(0.5)) * x;
+  return sel_w(lt_w(splat_w(R(0.5)), turns - floor_w(turns)), wrap == WRAP_MIRROR ? -one : one, one);
+}
+
+/// How the luminance of the bilinear mean, of the first level, changes with u and v.
+FN Real2_w bitmap_slope_w(const Scene* scene, GLOBAL const int* row, TexturePlace_w at) {
+  GLOBAL const real* m = scene->shading + row[TEXTURE_REALS];
+  GLOBAL const int* image = scene->index + row[TEXTURE_IMAGE];
+  Real2_w p = mapped_uv_w(m, at.u, at.v), slope;
+  int wrap = row[TEXTURE_WRAP], filter = row[TEXTURE_FILTER], width = image[IMAGE_WIDTH], height = image[IMAGE_HEIGHT];
+  Neighbours_w x = neighbours_w(wrapped_w(p.x, wrap), width, wrap, filter);
+  Neighbours_w y = neighbours_w(wrapped_w(p.y, wrap), height, wrap, filter);
+  intw first = y.first * splat_int_w(width), second = y.second * splat_int_w(width);
+  real3w scale = splat3_w(load3(m + 6));
+  realw a = luminance_w(mul3_w(scale, texel_w(scene, image, first + x.first)));
+  realw b = luminance_w(mul3_w(scale, texel_w(scene, image, first + x.second)));
+  realw c = luminance_w(mul3_w(scale, texel_w(scene, image, second + x.first)));
+  realw d = luminance_w(mul3_w(scale, texel_w(scene, image, second + x.second)));
+  realw along = splat_w((real)width) * direction_w(p.x, wrap) * fma_w(y.weight, (d - c) - (b - a), b - a);
+  realw across = splat_w((real)height) * direction_w(p.y, wrap) * fma_w(x.weight, (d - b) - (c - a), c - a);
+  slope.x = fma_w(splat_w(m[0]), along, splat_w(m[3]) * across);
+  slope.y = fma_w(splat_w(m[1]), along, splat_w(m[4]) * across);
+  return slope;
+}
+
 FN real3w bitmap_value_w(const Scene* scene, GLOBAL const int* row, TexturePlace_w at) {
   GLOBAL const real* params = scene->shading + row[TEXTURE_REALS];
   Real2_w p = mapped_uv_w(params, at.u, at.v);

@@ -26,6 +26,16 @@ FN realw checker_wave_w(realw x, realw width) {
   return sel_w(is_finite, sel_w(lt_w(splat_w(R(0.25)), width), mean, point), zero);
 }
 
+/// Both colours are flat.
+FN Real2_w checkerboard_slope_w(const Scene* scene, GLOBAL const int* row, TexturePlace_w at) {
+  (void)scene;
+  (void)row;
+  (void)at;
+  Real2_w slope;
+  slope.x = slope.y = splat_w(R(0.0));
+  return slope;
+}
+
 FN real3w checkerboard_value_w(const Scene* scene, GLOBAL const int* row, TexturePlace_w at) {
   GLOBAL const real* params = scene->shading + row[TEXTURE_REALS];
   GLOBAL const real* m = params + 6;

@@ -20,6 +20,49 @@ FN real3w texture_value_w(const Scene* scene, int texture, TexturePlace_w at) {
   }
 }
 
+/// How the luminance of one texture changes with u and v.
+FN Real2_w texture_slope_w(const Scene* scene, int texture, TexturePlace_w at) {
+  GLOBAL const int* row = scene->index + scene->index[HEADER_TEXTURES] + texture * TEXTURE_INTS;
+  Real2_w none;
+  switch (row[TEXTURE_KIND]) {
+#define TEXTURE(name)  \
+  case TEXTURE_##name: \
+    return name##_slope_w(scene, row, at);
+#include "textures/textures.def"
+#undef TEXTURE
+    default:
+      (void)at;
+      none.x = none.y = splat_w(R(0.0));
+      return none;
+  }
+}
+
+/// Without a footprint: points.
+FN TexturePlace_w texture_point_w(const Surfaces_w* s) {
+  TexturePlace_w at;
+  at.u = s->tex_u;
+  at.v = s->tex_v;
+  at.du = at.dv = splat_w(R(0.0));
+  return at;
+}
+
+/// texture_slope of the textures in the lanes of `which`; 0 in the others.
+FN Real2_w texture_slopes_w(const Scene* scene, const Surfaces_w* s, maskw which, intw textures) {
+  Real2_w slope;
+  slope.x = slope.y = splat_w(R(0.0));
+  uint lanes = bits_w(which);
+  TexturePlace_w at = texture_point_w(s);
+  while (lanes != 0u) {
+    int texture = get_int_w(&textures, first_bit(lanes));
+    maskw is_one = which & ~nonzero_w(textures - splat_int_w(texture));
+    Real2_w found = texture_slope_w(scene, texture, at);
+    slope.x = sel_w(is_one, found.x, slope.x);
+    slope.y = sel_w(is_one, found.y, slope.y);
+    lanes &= ~bits_w(is_one);
+  }
+  return slope;
+}
+
 /// Those textures in the lanes of `which`, and `value` in the others.
 FN real3w texture_values_w(const Scene* scene, const Surfaces_w* s, maskw which, intw textures, real3w value) {
   uint lanes = bits_w(which);

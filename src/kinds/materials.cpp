@@ -11,7 +11,7 @@
 namespace strahl {
 namespace {
 
-int lobes_of(const std::string& kind) {
+int lobes_of_kind(const std::string& kind) {
   using namespace lobes;
 #define MATERIAL(name, reals, its_lobes) \
   if (kind == #name) return its_lobes;
@@ -32,11 +32,12 @@ MaterialSlot value_slot(const char* name, const Varying& value) {
 
 MaterialFacts facts(const char* kind, std::vector<MaterialSlot> slots, std::vector<std::string> faults = {}) {
   return {.kind = kind,
-          .lobes = lobes_of(kind),
+          .lobes = lobes_of_kind(kind),
           .slots = std::move(slots),
           .opacity = {},
           .flags = {},
-          .faults = std::move(faults)};
+          .faults = std::move(faults),
+          .nested = {}};
 }
 
 bool is_finite_color(const Rgb& c) { return std::isfinite(c.r) && std::isfinite(c.g) && std::isfinite(c.b); }
@@ -95,6 +96,121 @@ MaterialFacts plastic_facts(const char* kind, const Plastic& plastic, double inn
                index_faults(plastic.int_ior, plastic.ext_ior));
 }
 
+bool is_black(const Reflectance& share) { return share.texture < 0 && share.color == Rgb{0, 0, 0}; }
+
+/// Numbers up to a limit, as the kernels read them, after the slots that are there.
+void add_numbers(const std::vector<std::pair<const char*, const Varying*>>& numbers, double most,
+                 MaterialFacts& facts) {
+  for (const auto& [name, value] : numbers) {
+    facts.slots.push_back(value_slot(name, *value));
+    if (!is_at_least(0, value->color) || std::max({value->color.r, value->color.g, value->color.b}) > most)
+      facts.faults.push_back(std::string(name) + (most == 1 ? " must lie in [0, 1]" : " must lie in [0, 2]"));
+  }
+}
+
+/// Each must be finite and not negative, and one of them above 0.
+void require_rates(const std::vector<double>& rates, MaterialFacts& facts) {
+  double sum = 0;
+  for (const double rate : rates) sum += rate >= 0 ? rate : std::nan("");
+  if (!std::isfinite(sum) || sum == 0)
+    facts.faults.emplace_back("sampling rates must be finite, not negative, and not all 0");
+}
+
+/// What a highlight and a diffuse base reflect; the chance that the highlight is drawn.
+struct Parts {
+  Reflectance diffuse, specular;
+  double chance;
+};
+
+/// Together at most all that is received, as in Mitsuba 0.x: else both are scaled down.
+Parts parts_of(Reflectance diffuse, Reflectance specular) {
+  Rgb &d = diffuse.color, &s = specular.color;
+  const double most = std::max({d.r + s.r, d.g + s.g, d.b + s.b, 1.0});
+  d = {d.r / most, d.g / most, d.b / most};
+  s = {s.r / most, s.g / most, s.b / most};
+  const double both = mean(specular) + mean(diffuse);
+  return {diffuse, specular, both > 0 ? mean(specular) / both : 0.5};
+}
+
+MaterialFacts phong_facts(const Phong& phong) {
+  const Parts parts = parts_of(phong.diffuse_reflectance, phong.specular_reflectance);
+  MaterialFacts found = facts("phong", {slot("diffuse_reflectance", parts.diffuse),
+                                        slot("specular_reflectance", parts.specular),
+                                        value_slot("exponent", phong.exponent),
+                                        {"chance", {parts.chance, 0, 0}, -1, false}});
+  if (!is_at_least(0, phong.exponent.color)) found.faults.emplace_back("exponent must be finite and not negative");
+  return found;
+}
+
+MaterialFacts ward_facts(const Ward& ward) {
+  const Parts parts = parts_of(ward.diffuse_reflectance, ward.specular_reflectance);
+  MaterialFacts found =
+      facts("ward", {slot("diffuse_reflectance", parts.diffuse), slot("specular_reflectance", parts.specular)});
+  add_microfacets({MicrofacetKind::beckmann, ward.alpha_u, ward.alpha_v, false}, found);
+  found.slots.push_back({"variant", {parts.chance, static_cast<double>(ward.variant), 0}, -1, false});
+  return found;
+}
+
+constexpr double largest_eta = 1e3;
+
+MaterialFacts principled_facts(const Principled& bsdf) {
+  MaterialFacts found = facts("principled", {slot("base_color", bsdf.base_color)});
+  add_numbers({{"roughness", &bsdf.roughness},
+               {"anisotropic", &bsdf.anisotropic},
+               {"metallic", &bsdf.metallic},
+               {"spec_trans", &bsdf.spec_trans},
+               {"spec_tint", &bsdf.spec_tint},
+               {"sheen", &bsdf.sheen},
+               {"sheen_tint", &bsdf.sheen_tint},
+               {"flatness", &bsdf.flatness},
+               {"clearcoat", &bsdf.clearcoat},
+               {"clearcoat_gloss", &bsdf.clearcoat_gloss}},
+              1, found);
+  const std::array<double, 3> rates{bsdf.main_specular_sampling_rate, bsdf.clearcoat_sampling_rate,
+                                    bsdf.diffuse_reflectance_sampling_rate};
+  found.slots.push_back({"eta", {bsdf.eta, 0, 0}, -1, false});
+  found.slots.push_back({"sampling_rate", rates, -1, false});
+  require_rates({rates.begin(), rates.end()}, found);
+  found.flags.emplace_back("GGX");
+  found.has_along = !is_black(bsdf.anisotropic);
+  if (is_black(bsdf.spec_trans)) found.lobes &= ~lobes::LOBE_TRANSMIT;
+  if (!(bsdf.eta >= 1 / largest_eta && bsdf.eta <= largest_eta))
+    found.faults.emplace_back("eta must be from 0.001 to 1000");
+  if (bsdf.eta == 1 && !is_black(bsdf.spec_trans))
+    found.faults.emplace_back("eta of what lets light through must differ from 1");
+  return found;
+}
+
+MaterialFacts principledthin_facts(const PrincipledThin& bsdf) {
+  MaterialFacts found = facts("principledthin", {slot("base_color", bsdf.base_color)});
+  add_numbers({{"roughness", &bsdf.roughness},
+               {"anisotropic", &bsdf.anisotropic},
+               {"spec_trans", &bsdf.spec_trans},
+               {"spec_tint", &bsdf.spec_tint},
+               {"sheen", &bsdf.sheen},
+               {"sheen_tint", &bsdf.sheen_tint},
+               {"flatness", &bsdf.flatness}},
+              1, found);
+  add_numbers({{"diff_trans", &bsdf.diff_trans}}, 2, found);
+  found.slots.push_back(value_slot("eta", bsdf.eta));
+  found.slots.push_back({"sampling_rate",
+                         {bsdf.specular_reflectance_sampling_rate, bsdf.specular_transmittance_sampling_rate,
+                          bsdf.diffuse_reflectance_sampling_rate},
+                         -1,
+                         false});
+  found.slots.push_back({"sampling_rate", {bsdf.diffuse_transmittance_sampling_rate, 0, 0}, -1, false});
+  require_rates({bsdf.specular_reflectance_sampling_rate, bsdf.specular_transmittance_sampling_rate,
+                 bsdf.diffuse_reflectance_sampling_rate, bsdf.diffuse_transmittance_sampling_rate},
+                found);
+  found.flags.emplace_back("GGX");
+  found.has_along = !is_black(bsdf.anisotropic);
+  if (is_black(bsdf.spec_trans) && is_black(bsdf.diff_trans)) found.lobes &= ~lobes::LOBE_TRANSMIT;
+  const Rgb& eta = bsdf.eta.color;
+  if (!is_at_least(1 / largest_eta, eta) || std::max({eta.r, eta.g, eta.b}) > largest_eta)
+    found.faults.emplace_back("eta must be from 0.001 to 1000");
+  return found;
+}
+
 /// The slots stand in the order in which the kernels number them.
 struct Facts {
   MaterialFacts operator()(const Diffuse& bsdf) const {
@@ -145,6 +261,47 @@ struct Facts {
       plastic.faults.emplace_back("the roughness of a roughplastic must be one number");
     return plastic;
   }
+  MaterialFacts operator()(const Phong& bsdf) const { return phong_facts(bsdf); }
+  MaterialFacts operator()(const Ward& bsdf) const { return ward_facts(bsdf); }
+  MaterialFacts operator()(const RoughDiffuse& bsdf) const {
+    MaterialFacts found =
+        facts("roughdiffuse", {slot("reflectance", bsdf.reflectance),
+                               value_slot("deviation", bsdf.alpha),
+                               {"use_fast_approx", {bsdf.use_fast_approx ? 1.0 : 0.0, 0, 0}, -1, false}});
+    if (!is_at_least(0, bsdf.alpha.color)) found.faults.emplace_back("alpha must be finite and not negative");
+    return found;
+  }
+  MaterialFacts operator()(const DiffTrans& bsdf) const {
+    return facts("difftrans", {slot("transmittance", bsdf.transmittance)});
+  }
+  MaterialFacts operator()(const Principled& bsdf) const { return principled_facts(bsdf); }
+  MaterialFacts operator()(const PrincipledThin& bsdf) const { return principledthin_facts(bsdf); }
+  MaterialFacts operator()(const Blend& blend) const {
+    MaterialFacts facts;
+    facts.kind = "blendbsdf";
+    facts.slots = {slot("weight", blend.weight)};
+    facts.flags = {"BLEND"};
+    facts.nested = {blend.first, blend.second};
+    return facts;
+  }
+  MaterialFacts operator()(const Relief& relief) const {
+    const bool has_heights = relief.kind == Relief::Kind::heights;
+    MaterialFacts facts;
+    facts.kind = has_heights ? "bumpmap" : "normalmap";
+    MaterialSlot options{"scale",
+                         {relief.flip_invalid_normals ? 1.0 : 0.0, relief.use_shadowing_function ? 1.0 : 0.0,
+                          has_heights ? relief.scale : 0.0},
+                         -1,
+                         false};
+    options.has_length = true;
+    facts.slots = {value_slot("map", relief.map), options};
+    facts.flags = {"RELIEF"};
+    facts.nested = {relief.nested};
+    facts.has_along = true;
+    if (!std::isfinite(relief.scale)) facts.faults.emplace_back("scale must be finite");
+    if (!is_finite_color(relief.map.color)) facts.faults.emplace_back("normalmap must be finite");
+    return facts;
+  }
 };
 
 }  // namespace
@@ -156,7 +313,16 @@ MaterialFacts material_facts(const Material& material) {
   return facts;
 }
 
-bool transmits(const Material& material) { return material_facts(material).has_lobe(lobes::LOBE_TRANSMIT); }
+int lobes_of(const Scene& scene, const Material& material) {
+  const MaterialFacts facts = material_facts(material);
+  int all = facts.lobes;
+  for (const int nested : facts.nested) all |= lobes_of(scene, scene.materials.at(static_cast<std::size_t>(nested)));
+  return all;
+}
+
+bool transmits(const Scene& scene, const Material& material) {
+  return (lobes_of(scene, material) & lobes::LOBE_TRANSMIT) != 0;
+}
 
 bool has_lobe(const Scene& scene, int lobe) {
   return std::any_of(scene.materials.begin(), scene.materials.end(),

@@ -22,10 +22,11 @@ struct MaterialSlot {
   std::array<double, 3> reals;  ///< What the kernels read where there is no texture.
   int texture = -1;             ///< Index into Scene::textures; -1: none.
   bool is_share = true;         ///< A share of the light: within [0, 1]. Faults of the others are in MaterialFacts.
+  bool has_length = false;      ///< The last real is a length of the scene.
 };
 
 struct MaterialFacts {
-  std::string kind;  ///< An entry of cl/materials/materials.def.
+  std::string kind;  ///< An entry of cl/materials/materials.def; else its name in scene files.
   int lobes = 0;     ///< lobes::LOBE_...: those that it may have.
   std::vector<MaterialSlot> slots;
   std::optional<MaterialSlot> opacity;  ///< Of a mask.
@@ -34,13 +35,17 @@ struct MaterialFacts {
   bool is_twosided = false;             ///< Its back looks as its front does.
   bool is_boundary = false;             ///< Of two media: shapes of it may have a priority.
   bool has_along = false;               ///< It scatters differently along u and across; calls for TANGENT.
+  std::vector<int> nested;              ///< Indices of the materials inside it: of a blend two, of a relief one.
 
   [[nodiscard]] bool has_lobe(int lobe) const { return (lobes & lobe) == lobe; }
 };
 
 [[nodiscard]] MaterialFacts material_facts(const Material& material);
 
-[[nodiscard]] bool transmits(const Material& material);
+/// Lobes of the material, or of those inside it.
+[[nodiscard]] int lobes_of(const Scene& scene, const Material& material);
+
+[[nodiscard]] bool transmits(const Scene& scene, const Material& material);
 
 /// Whether a lobe of a material of the scene has all of these properties.
 [[nodiscard]] bool has_lobe(const Scene& scene, int lobe);

@@ -71,12 +71,15 @@ class Packing {
   void materials() {
     index(layout::HEADER_MATERIALS) = index_end();
     const auto slot_of = [this](const MaterialSlot& slot) {
-      return slot.texture < 0 ? packed_.put_shading(slot.reals) : ~texture_row(slot);
+      std::array<double, 3> reals = slot.reals;
+      if (slot.has_length) reals[2] *= options_.frame.scale;
+      return slot.texture < 0 ? packed_.put_shading(reals) : ~texture_row(slot);
     };
     for (std::size_t row = 0; row < scene_.materials.size(); ++row) {
       const PackedMaterial packed = packed_material(row, scene_, features_);
-      packed_.index.insert(packed_.index.end(), {packed.kind, packed.back, packed.has_along ? 1 : 0,
-                                                 features_.flag("MASK") ? slot_of(packed.opacity) : 0});
+      packed_.index.insert(packed_.index.end(),
+                           {packed.kind, packed.back, packed.has_along ? 1 : 0,
+                            features_.flag("MASK") ? slot_of(packed.opacity) : 0, packed.first, packed.second});
       if (packed.slots.size() > layout::MATERIAL_MOST_SLOTS)
         throw std::logic_error("a material has more parameters than MATERIAL_MOST_SLOTS");
       for (const MaterialSlot& slot : packed.slots) packed_.index.push_back(slot_of(slot));
@@ -144,7 +147,7 @@ class Packing {
   int rank_of(const Shape& shape, const MeshPart& look) const {
     const Material& material = scene_.materials.at(static_cast<std::size_t>(look.material));
     const auto rank = ranks_.find(&shape);
-    return rank == ranks_.end() || !transmits(material) ? -1 : rank->second;
+    return rank == ranks_.end() || !transmits(scene_, material) ? -1 : rank->second;
   }
 
   void parts() {

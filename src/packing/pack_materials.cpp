@@ -12,7 +12,9 @@ PackedMaterial packed_material(std::size_t row, const Scene& scene, const Featur
   const Material& material = scene.materials[row];
   const MaterialFacts facts = material_facts(material);
   PackedMaterial packed;
-  packed.kind = features.entry_index("materials", facts.kind);
+  if (facts.nested.empty()) packed.kind = features.entry_index("materials", facts.kind);
+  if (!facts.nested.empty()) packed.first = facts.nested[0];
+  if (facts.nested.size() > 1) packed.second = facts.nested[1];
   if (facts.is_twosided) packed.back = material.back < 0 ? static_cast<int>(row) : material.back;
   packed.has_along = facts.has_along;
   packed.opacity = facts.opacity.value_or(packed.opacity);

@@ -23,6 +23,8 @@ const std::map<std::string, std::string>& needed() {
       {"BRANCHES", "integrator whitted follows glass by it; --integrator path draws one way of two"},
       {"BECKMANN", "rough surfaces are made of it; their materials can be left out"},
       {"GGX", "rough surfaces are made of it; their materials can be left out"},
+      {"BLEND", "a blend is two materials; one of them can take its place in the scene"},
+      {"RELIEF", "a normal map is a material inside it; that can take its place in the scene"},
       {"choosers", "lights are drawn by it; --light-choice takes another one"},
       {"OPENNESS", "integrator ao is nothing else; --integrator takes another one"},
       {"AOV", "--aov asks for it; leave that out"},

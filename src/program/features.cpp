@@ -55,7 +55,7 @@ void shape_causes(const Scene& scene, const RenderSettings& settings, Causes& ca
     const Material& material = material_at(scene, index);
     const MaterialFacts facts = material_facts(material);
     const SourceLocation& place = material.where.line > 0 ? material.where : where;
-    call_for(causes, "materials/" + facts.kind, "material of type " + facts.kind, place);
+    if (facts.nested.empty()) call_for(causes, "materials/" + facts.kind, "material of type " + facts.kind, place);
     for (const std::string& flag : facts.flags) call_for(causes, flag, "material of type " + facts.kind, place);
     if (facts.is_twosided) call_for(causes, "TWOSIDED", "a twosided material", place);
     if (integrator.follows == kinds::Follows::mirrors &&
@@ -69,6 +69,8 @@ void shape_causes(const Scene& scene, const RenderSettings& settings, Causes& ca
       slots.push_back(*facts.opacity);
     }
     if (facts.is_twosided && material.back >= 0 && use_material(material.back, where)) reads_uv = true;
+    for (const int nested : facts.nested)
+      if (use_material(nested, where)) reads_uv = true;
     for (const MaterialSlot& slot : slots) {
       if (slot.texture < 0) continue;
       const Texture& texture = scene.textures.at(static_cast<std::size_t>(slot.texture));

@@ -56,8 +56,7 @@ IntegratorChoice integrator_for(const Scene& scene) {
   if (reflecting.size() == 1 && scene.groups.empty()) {
     const Shape& shape = *reflecting.front();
     const Material& material = scene.materials.at(static_cast<std::size_t>(shape.material));
-    const MaterialFacts facts = material_facts(material);
-    if (is_convex(shape, material) && !facts.has_lobe(lobes::LOBE_DELTA) && !transmits(material))
+    if (is_convex(shape, material) && (lobes_of(scene, material) & (lobes::LOBE_DELTA | lobes::LOBE_TRANSMIT)) == 0)
       return {"direct", "the only surface that reflects is convex, so light is reflected once at most"};
   }
   return {"path", "light may be reflected more than once"};

@@ -108,6 +108,24 @@ void check_material(const Material& material, const Scene& scene, Checker& check
   for (const std::string& fault : facts.faults) check.require(false, "{}", fault);
 }
 
+void check_nested(const Scene& scene, Checker& check) {
+  bool are_before = true;
+  for (std::size_t i = 0; i < scene.materials.size(); ++i) {
+    check.at(scene.materials[i].where);
+    for (const int nested : material_facts(scene.materials[i]).nested) {
+      are_before = are_before && is_index(nested, i);
+      check.require(is_index(nested, i), "materials inside another must stand before it; {} does not", nested);
+    }
+  }
+  if (!are_before) return;
+  for (const Material& material : scene.materials) {
+    check.at(material.where);
+    const bool has_nested = !material_facts(material).nested.empty();
+    check.require(!has_nested || !material.twosided || !transmits(scene, material),
+                  "what is twosided must not let light through");
+  }
+}
+
 void check_texture(const Texture& texture, Checker& check) {
   check.at(texture.where);
   for (const std::string& fault : kinds::texture(texture).faults) check.require(false, "{}", fault);
@@ -160,6 +178,7 @@ std::vector<Diagnostic> validate(const Scene& scene) {
   check.at(nowhere);
   check.require(!scene.materials.empty(), "materials[0], the default, is missing");
   for (const Material& material : scene.materials) check_material(material, scene, check);
+  check_nested(scene, check);
   for (const Texture& texture : scene.textures) check_texture(texture, check);
   int backgrounds = 0;
   for (const Light& light : scene.lights) {

@@ -40,6 +40,26 @@ def bsdfs():
     yield "roughplastic", red + microfacets("beckmann", 0.02) + '<float name="int_ior" value="1.33"/>'
 
 
+    def principled(**values):
+        color = '<rgb name="base_color" value="0.8, 0.4, 0.1"/>'
+        return color + "".join(f'<float name="{name}" value="{value}"/>' for name, value in values.items())
+    yield "principled", ""
+    yield "principled", principled(roughness=0.6, metallic=0.7, specular=0.9, spec_tint=0.8, anisotropic=0.5)
+    yield "principled", principled(roughness=0.4, clearcoat=0.8, clearcoat_gloss=0.2, sheen=0.7, sheen_tint=0.6, flatness=0.5)
+    yield "principled", principled(roughness=0.7, spec_trans=0.6, eta=1.4, metallic=0.2, spec_tint=0.3, flatness=1, clearcoat=1)
+    yield "principled", principled(roughness=0.5, spec_trans=1, eta=0.7, anisotropic=0.9)
+    yield "principled", principled(roughness=0.3, spec_trans=0.5, specular=0, clearcoat=0.5, clearcoat_gloss=1, sheen=1)
+    yield "principledthin", ""
+    yield "principledthin", principled(roughness=0.6, spec_trans=0.7, diff_trans=0.8, spec_tint=0.4, anisotropic=0.6, eta=1.7)
+    yield "principledthin", principled(roughness=0.5, diff_trans=1.6, sheen=0.8, sheen_tint=0.5, flatness=0.7)
+    shiny = '<bsdf type="roughconductor"><float name="alpha" value="0.3"/></bsdf>'
+    dull = f'<bsdf type="plastic">{red}</bsdf>'
+    yield "blendbsdf", shiny + dull + '<float name="weight" value="0.3"/>'
+    inner = f'<bsdf type="blendbsdf"><float name="weight" value="0.8"/>{dull}<bsdf type="diffuse"/></bsdf>'
+    yield "blendbsdf", f'<float name="weight" value="0.25"/>{inner}{shiny}'
+    yield "blendbsdf", f'<float name="weight" value="0.6"/><bsdf type="roughdielectric"/><bsdf type="twosided">{shiny}</bsdf>'
+
+
 def directions(cosines, first_turn):
     for number, cosine in enumerate(cosines):
         sine, turn = math.sqrt(max(1 - cosine * cosine, 0)), first_turn + 0.61803 * number
@@ -68,6 +88,16 @@ def lines():
                     yield " ".join(f"{x:.9g}" for x in [*wo, *wi, *value])
 
 
+def differ(written, found):
+    """Exit status: whether the values of two texts differ by more than 1e-4."""
+    def numbers(whole):
+        return [[float(x) for x in line.split()] for line in whole.splitlines() if line[0] not in "#<"]
+    ours, theirs = numbers(written), numbers(found)
+    far = [(a, b) for a, b in zip(ours, theirs) if any(abs(x - y) > 1e-4 * max(abs(y), 1e-6) for x, y in zip(a, b))]
+    print(f"{len(theirs)} values, {len(far)} differ, {abs(len(ours) - len(theirs))} missing")
+    return 1 if far or len(ours) != len(theirs) else 0
+
+
 def main():
     try:
         text = "\n".join(lines()) + "\n"
@@ -77,12 +107,7 @@ def main():
     if "--check" not in sys.argv:
         FILE.write_text(text)
         return 0
-    def numbers(whole):
-        return [[float(x) for x in line.split()] for line in whole.splitlines() if line[0] not in "#<"]
-    ours, theirs = numbers(FILE.read_text()), numbers(text)
-    far = [(a, b) for a, b in zip(ours, theirs) if any(abs(x - y) > 1e-4 * max(abs(y), 1e-6) for x, y in zip(a, b))]
-    print(f"{len(theirs)} values, {len(far)} differ, {abs(len(ours) - len(theirs))} missing")
-    return 1 if far or len(ours) != len(theirs) else 0
+    return differ(FILE.read_text(), text)
 
 
 if __name__ == "__main__":

@@ -11,6 +11,8 @@
 #define HAS_GGX 1
 #define HAS_TANGENT 1
 #define HAS_MASK 1
+#define HAS_BLEND 1
+#define HAS_RELIEF 1
 #define HAS_BRANCHES 1
 #define HAS_PRIORITY 1
 #define HAS_SMOOTH_NORMALS 1

@@ -34,7 +34,8 @@ struct Used {
       lights.insert("area");
       if (const std::string area = area_kind(shape.geometry); !area.empty()) areas.insert(area);
     });
-    for (const Material& material : scene.materials) materials.insert(material_facts(material).kind);
+    for (const Material& material : scene.materials)
+      if (const MaterialFacts facts = material_facts(material); facts.nested.empty()) materials.insert(facts.kind);
     for (const Light& light : scene.lights) lights.insert(light_kind(light));
     for (const Texture& texture : scene.textures) textures.insert(texture_kind(texture));
     integrators.insert(scene.integrator.name);

@@ -13,9 +13,14 @@
 #include "materials/material_lanes.h"
 
 inline Bsdf_w LANED(bsdf_of)(int kind, const std::vector<double>& p, const Triad& wo) {
-  Bsdf_w b;
+  Bsdf_w b{};
   b.kind = splat_int_w(kind);
   b.frame = frame_around_w(splat3_w(vec3(R(0.0), R(0.0), R(1.0))));
+  b.relief.which = none_w();
+  b.relief.is_seen = ~none_w();
+  b.relief.frame = b.frame;
+  b.relief.base = b.frame.z;
+  b.relief.fading = splat_w(R(0.0));
   b.wo = b.out = splat3_w(vec3((real)wo[0], (real)wo[1], (real)wo[2]));
   for (std::size_t i = 0; i < BSDF_REALS; ++i) b.p[i] = splat_w(i < p.size() ? (real)p[i] : R(0.0));
   return b;

@@ -59,6 +59,35 @@ struct TexturePlace {
   double u, v, footprint;
 };
 
+/// A point of a surface whose normal is z, seen from `out`, and the number with which blends are drawn there.
+struct SeenPlace {
+  double u, v, number;
+  Triad out;
+};
+
+/// cl/materials/rows_lanes.h
+struct DrawnRow {
+  int row;  ///< Index into Scene::materials.
+  Triad normal;
+  double opacity;
+};
+
+/// Light from wi there, by the scene's material and by a draw with u and v.
+struct Lit {
+  Triad value;
+  double density;
+  Triad drawn, weight;
+  double drawn_density;
+  int lobe;
+};
+
+/// Texture coordinates where a ray ends, and their gradients.
+struct Mapped {
+  Triad position;
+  double u, v;
+  Triad grad_u, grad_v;
+};
+
 struct GivenRay {
   Triad o, d;
   double t_min, t_max;
@@ -87,6 +116,12 @@ struct TransportTier {
   double (*rarity)(const TierBuffers& scene, int light, const Triad& from);
   /// On part 0.
   std::vector<Triad> (*texture)(const TierBuffers& scene, int texture, const std::vector<TexturePlace>& points);
+  /// The materials of part 0.
+  std::vector<DrawnRow> (*rows)(const TierBuffers& scene, const std::vector<SeenPlace>& places);
+  /// At those places, whose u grows along x and v along y; numbers: of each place's draw.
+  std::vector<Lit> (*lit)(const TierBuffers& scene, const std::vector<SeenPlace>& places, const std::vector<Triad>& wi,
+                          const std::vector<Triad>& numbers);
+  std::vector<Mapped> (*mapped)(const TierBuffers& scene, const std::vector<GivenRay>& rays);
   /// Turns of the vectors (u, v), in lanes and by the function for one.
   std::vector<double> (*angles)(const std::vector<TexturePlace>& vectors);
   std::vector<double> (*angles_alone)(const std::vector<TexturePlace>& vectors);

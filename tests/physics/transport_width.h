@@ -137,6 +137,91 @@ inline std::vector<Triad> LANED(texture_values)(const TierBuffers& buffers, int 
   return found;
 }
 
+inline void LANED(put_triad)(real3w* to, int lane, const Triad& v) {
+  put_real3_w(to, lane, vec3((real)v[0], (real)v[1], (real)v[2]));
+}
+
+/// As many places as there are lanes, from the first on; the lanes beyond the last are as the surface is upright.
+inline Surfaces_w LANED(surfaces_at)(const std::vector<SeenPlace>& places, std::size_t first, real3w* out,
+                                     realw* number) {
+  Surfaces_w s = surfaces_none_w();
+  s.hit = ~none_w();
+  s.normal = s.shading = *out = LANED(splat_triad)({0, 0, 1});
+  s.along = s.grad_u = LANED(splat_triad)({1, 0, 0});
+  s.grad_v = LANED(splat_triad)({0, 1, 0});
+  *number = splat_w(R(0.5));
+  LANED(for_lanes)
+  (first, places.size(), [&](std::size_t i, int lane) {
+    put_w(&s.tex_u, lane, (real)places[i].u);
+    put_w(&s.tex_v, lane, (real)places[i].v);
+    put_w(number, lane, (real)places[i].number);
+    LANED(put_triad)(out, lane, places[i].out);
+  });
+  return s;
+}
+
+inline std::vector<DrawnRow> LANED(material_rows)(const TierBuffers& buffers, const std::vector<SeenPlace>& places) {
+  const Scene scene = scene_of(buffers);
+  std::vector<DrawnRow> found(places.size());
+  for (std::size_t first = 0; first < places.size(); first += LANES) {
+    real3w out;
+    realw number;
+    const Surfaces_w s = LANED(surfaces_at)(places, first, &out, &number);
+    const MaterialRows_w m = rows_at_w(&scene, &s, s.hit, out, number);
+    LANED(for_lanes)
+    (first, places.size(), [&](std::size_t i, int lane) {
+      found[i] = {(get_int_w(&m.rows, lane) - scene.index[HEADER_MATERIALS]) / MATERIAL_INTS,
+                  LANED(triad_at)(m.normal, lane), get_w(&m.opacity, lane)};
+    });
+  }
+  return found;
+}
+
+inline std::vector<Lit> LANED(lit_places)(const TierBuffers& buffers, const std::vector<SeenPlace>& places,
+                                          const std::vector<Triad>& wi, const std::vector<Triad>& numbers) {
+  const Scene scene = scene_of(buffers);
+  std::vector<Lit> found(places.size());
+  for (std::size_t first = 0; first < places.size(); first += LANES) {
+    real3w out, towards = LANED(splat_triad)({0, 0, 1}), drawing = LANED(splat_triad)({0.5, 0.5, 0.5});
+    realw number, density;
+    const Surfaces_w s = LANED(surfaces_at)(places, first, &out, &number);
+    LANED(for_lanes)
+    (first, places.size(), [&](std::size_t i, int lane) {
+      LANED(put_triad)(&towards, lane, wi[i]);
+      LANED(put_triad)(&drawing, lane, numbers[i]);
+    });
+    const MaterialRows_w m = rows_at_w(&scene, &s, s.hit, out, number);
+    const Bsdf_w b = bsdf_at_w(&scene, &s, &m, out);
+    const real3w value = bsdf_eval_w(&b, towards, &density);
+    const BsdfSample_w way = bsdf_sample_w(&b, LOBES_ALL, drawing.x, drawing.y, drawing.z);
+    LANED(for_lanes)
+    (first, places.size(), [&](std::size_t i, int lane) {
+      found[i] = {LANED(triad_at)(value, lane),      get_w(&density, lane),     LANED(triad_at)(way.wi, lane),
+                  LANED(triad_at)(way.weight, lane), get_w(&way.density, lane), get_int_w(&way.lobe, lane)};
+    });
+  }
+  return found;
+}
+
+inline std::vector<Mapped> LANED(mapped_at)(const TierBuffers& buffers, const std::vector<GivenRay>& given) {
+  const Scene scene = scene_of(buffers);
+  const FirstSample unreported{nullptr, nullptr, -1};
+  std::vector<Mapped> found(given.size());
+  for (std::size_t first = 0; first < given.size(); first += LANES) {
+    const Rays_w rays = LANED(rays_at)(given, first);
+    Paths_w path;
+    paths_none_w(&path);
+    paths_begin_w(&path, ~none_w(), &rays);
+    const Surfaces_w s = find_surfaces_w(&scene, &path, FIND_NEAREST, &unreported);
+    LANED(for_lanes)
+    (first, given.size(), [&](std::size_t i, int lane) {
+      found[i] = {LANED(triad_at)(s.position, lane), get_w(&s.tex_u, lane), get_w(&s.tex_v, lane),
+                  LANED(triad_at)(s.grad_u, lane), LANED(triad_at)(s.grad_v, lane)};
+    });
+  }
+  return found;
+}
+
 inline std::vector<double> LANED(angles_of)(const std::vector<TexturePlace>& points) {
   std::vector<double> found(points.size());
   for (std::size_t first = 0; first < points.size(); first += LANES) {

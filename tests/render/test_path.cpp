@@ -102,6 +102,28 @@ TEST_CASE("a mask lets pass what does not meet it, and counts as a surface") {
   CHECK(mean(path_picture(scene).color).value == 0);
 }
 
+TEST_CASE("a blend reflects what its materials do in proportion to its weight, under lamps and sky") {
+  require_pocl_and_rusticl();
+  const auto mean_of = [](const Material& material, std::vector<Material> blended) {
+    Scene scene = stage({Sphere{{0, 0, 0}, 1.5}}, diffuse({0, 0, 0}));
+    for (Material& each : blended) scene.materials.push_back(each);
+    scene.materials.push_back(material);
+    scene.shapes[0].material = static_cast<int>(scene.materials.size()) - 1;
+    add(scene, ConstantLight{{0.5, 0.5, 0.5}});
+    add(scene, PointLight{{0, 1, 4}, {8, 8, 8}});
+    scene.integrator.name = "path";
+    scene.sampler.kind = SamplerKind::sobol;
+    scene.sampler.sample_count = 256;
+    return mean(path_picture(scene).color).value;
+  };
+  Material metal, blend;
+  metal.bsdf = RoughConductor{};
+  blend.bsdf = Blend{{{0.25, 0.25, 0.25}}, 1, 2};
+  const Material dark = diffuse({0.2, 0.2, 0.2});
+  const double expected = 0.75 * mean_of(dark, {}) + 0.25 * mean_of(metal, {});
+  CHECK(mean_of(blend, {dark, metal}) == Approx(expected).epsilon(3e-3));
+}
+
 TEST_CASE("a twosided material may be another from behind") {
   require_pocl_and_rusticl();
   const auto red_over_green = [](bool is_flipped) {

@@ -88,6 +88,18 @@ TEST_CASE("glass in a tree, in lanes, and more samples than a pool holds") {
   require_same(small_scene(scene_folder / "materials/dielectric.xml", 12, 10, 150), settings);
 }
 
+TEST_CASE("blends, masks and sides in lanes") {
+  require_pocl_and_rusticl();
+  require_same(of("materials/blendbsdf.xml"), plain());
+  require_same(of("materials/mask.xml"), plain(Precision::robust, 8));
+}
+
+TEST_CASE("bent normals in lanes") {
+  require_pocl_and_rusticl();
+  require_same(of("materials/normalmap.xml"), plain());
+  require_same(of("materials/bumpmap.xml"), plain(Precision::robust, 8));
+}
+
 TEST_CASE("textures in lanes") {
   require_pocl_and_rusticl();
   require_same(of("accuracy/checkerboard.xml"), plain());

@@ -227,16 +227,6 @@ TEST_CASE("errors of a mesh name the place that asks for it; MTL is told of only
             .empty());
 }
 
-TEST_CASE("of a blend the heavier part stands for both") {
-  for (const auto& [weight, expected] : {std::pair{"0.9", 0.75}, std::pair{"0.1", 0.25}}) {
-    const Scene scene = load_body("<bsdf type=\"blendbsdf\"><float name=\"weight\" value=\"" + std::string(weight) +
-                                  "\"/><bsdf type=\"diffuse\"><rgb name=\"reflectance\" value=\"0.25\"/></bsdf>"
-                                  "<bsdf type=\"diffuse\"><rgb name=\"reflectance\" value=\"0.75\"/></bsdf></bsdf>")
-                            .scene;
-    CHECK(std::get<Diffuse>(scene.materials.at(1).bsdf).reflectance.color.g == expected);
-  }
-}
-
 TEST_CASE("films of 0.x") {
   const LoadedScene loaded = load_text(
       "<scene version=\"0.6.0\"><sensor type=\"perspective\"><film type=\"ldrfilm\"><integer name=\"width\" "

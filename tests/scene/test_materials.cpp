@@ -2,8 +2,11 @@
 // Metals and rough materials as scene files have them.
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <cmath>
 
+#include "kinds/materials.h"
 #include "scene/scene_text.h"
+#include "scene/validate.h"
 
 using namespace strahl;
 using namespace strahl::test;
@@ -73,6 +76,119 @@ TEST_CASE("microfacets are Beckmann's by default, alike along u and v or not") {
   CHECK(problem(rough("<float name=\"alpha\" value=\"-.1\"/>")).find("negative") != std::string::npos);
   CHECK(problem(rough("<string name=\"distribution\" value=\"gx\"/>")).find("there are beckmann and ggx") !=
         std::string::npos);
+}
+
+TEST_CASE("a blend has two materials, each read once, and blends, masks and sides around it") {
+  const std::string white = "<bsdf type=\"diffuse\" id=\"white\"/>", ref = "<ref id=\"white\"/>";
+  const auto scene_of = [&](const std::string& body) { return load_body(white + body).scene; };
+  const Scene blend = scene_of(
+      "<bsdf type=\"blendbsdf\"><rgb name=\"weight\" value=\".1, .2, .6\"/><bsdf type=\"plastic\"/>" + ref + "</bsdf>");
+  const auto blend_in = [](const Scene& scene) { return std::get<Blend>(scene.materials.back().bsdf); };
+  CHECK(blend_in(blend).weight.color.g == Approx(0.3));
+  CHECK(material_facts(blend.materials.at(static_cast<std::size_t>(blend_in(blend).first))).kind == "plastic");
+  CHECK(blend.materials.at(static_cast<std::size_t>(blend_in(blend).second)).id == "white");
+  CHECK(blend_in(scene_of("<bsdf type=\"blendbsdf\">" + ref + ref + "</bsdf>")).weight.color == Rgb{0.5, 0.5, 0.5});
+  const Scene beside =
+      scene_of("<bsdf type=\"twosided\"><bsdf type=\"blendbsdf\">" + ref + "<bsdf type=\"conductor\"/></bsdf></bsdf>");
+  CHECK(beside.materials.back().twosided);
+  CHECK(lobes_of(beside, beside.materials.back()) == (lobes::LOBE_DELTA | lobes::LOBE_DIFFUSE | lobes::LOBE_REFLECT));
+  const std::string glass = "<bsdf type=\"blendbsdf\">" + ref + "<bsdf type=\"dielectric\"/></bsdf>";
+  CHECK(transmits(scene_of(glass), scene_of(glass).materials.back()));
+  CHECK_FALSE(scene_of("<bsdf type=\"twosided\">" + glass + "</bsdf>").materials.back().twosided);
+  CHECK(problems(around("<bsdf type=\"blendbsdf\">" + white + "</bsdf>")).at(0) ==
+        "2:1: error: <bsdf type=\"blendbsdf\"> needs two <bsdf> inside");
+  CHECK(problems(around("<bsdf type=\"blendbsdf\" id=\"x\"><ref id=\"x\"/>" + white + "</bsdf>")).at(0) ==
+        "2:1: error: bsdf \"x\" contains itself");
+}
+
+TEST_CASE("reliefs have a map, Mitsuba's options and a material inside") {
+  const std::string map = "<rgb name=\"normalmap\" value=\"0.6, 0.4, 0.9\"/>", white = "<bsdf type=\"diffuse\"/>";
+  const std::string letter = "<texture type=\"bitmap\"><string name=\"filename\" value=\"" STRAHL_SOURCE_DIR
+                             "/scenes/textures/letter.png\"/></texture>";
+  const auto relief_of = [](const std::string& bsdf) {
+    const LoadedScene loaded = load_body(bsdf);
+    CHECK(loaded.warnings.empty());
+    return std::get<Relief>(loaded.scene.materials.back().bsdf);
+  };
+  const Relief normals = relief_of("<bsdf type=\"normalmap\">" + map + white + "</bsdf>");
+  CHECK(normals.kind == Relief::Kind::normals);
+  CHECK(normals.map.color == Rgb{0.6, 0.4, 0.9});
+  CHECK(normals.flip_invalid_normals);
+  CHECK(normals.use_shadowing_function);
+  const Relief heights =
+      relief_of("<bsdf type=\"bumpmap\">" + letter + white +
+                "<float name=\"scale\" value=\"-2.5\"/><boolean name=\"flip_invalid_normals\" "
+                "value=\"false\"/><boolean name=\"use_shadowing_function\" value=\"false\"/></bsdf>");
+  CHECK(heights.kind == Relief::Kind::heights);
+  CHECK(heights.map.texture == 0);
+  CHECK(heights.scale == -2.5);
+  CHECK_FALSE(heights.flip_invalid_normals);
+  CHECK_FALSE(heights.use_shadowing_function);
+  CHECK(problem("<bsdf type=\"normalmap\">" + white + "</bsdf>").find("needs a normalmap") != std::string::npos);
+  CHECK(problem("<bsdf type=\"bumpmap\">" + white + "</bsdf>").find("needs one <texture>") != std::string::npos);
+  CHECK(problem("<bsdf type=\"bumpmap\">" + letter + "</bsdf>").find("needs one <bsdf>") != std::string::npos);
+  CHECK(problem("<bsdf type=\"normalmap\">" + map + "<bsdf type=\"normalmap\">" + map + white + "</bsdf></bsdf>")
+            .find("bent twice") != std::string::npos);
+}
+
+TEST_CASE("principled materials have Mitsuba's defaults, and eta or specular") {
+  const auto is_grey = [](const Varying& value, double grey) { return value.color == Rgb{grey, grey, grey}; };
+  const Principled plain = read_as<Principled>("<bsdf type=\"principled\"/>");
+  CHECK(is_grey(plain.base_color, 0.5));
+  CHECK(is_grey(plain.roughness, 0.5));
+  CHECK(is_grey(plain.clearcoat, 0));
+  CHECK(plain.eta == Approx(1.5));
+  const auto eta_of = [](const std::string& inside) {
+    return read_as<Principled>("<bsdf type=\"principled\">" + inside + "</bsdf>").eta;
+  };
+  const std::string glass = "<float name=\"spec_trans\" value=\"0.5\"/>",
+                    flat = "<float name=\"specular\" value=\"0\"/>";
+  CHECK(eta_of("<float name=\"eta\" value=\"1.3\"/>") == 1.3);
+  CHECK(eta_of(flat) == 1);
+  CHECK(eta_of(flat + glass) == Approx(2 / (1 - std::sqrt(0.08e-3)) - 1));
+  CHECK(eta_of("<float name=\"eta\" value=\"1\"/>" + glass) == 1.001);
+  CHECK(
+      problem("<bsdf type=\"principled\"><float name=\"eta\" value=\"1.3\"/>" + flat + "</bsdf>").find("either eta") !=
+      std::string::npos);
+  CHECK(problem("<bsdf type=\"principled\"><float name=\"metallic\" value=\"2\"/></bsdf>").find("[0, 1]") !=
+        std::string::npos);
+  const Scene sides = load_body("<bsdf type=\"twosided\"><bsdf type=\"principled\"/></bsdf>").scene;
+  CHECK(sides.materials.back().twosided);
+  const PrincipledThin sheet =
+      read_as<PrincipledThin>("<bsdf type=\"principledthin\"><float name=\"diff_trans\" value=\"1.5\"/></bsdf>");
+  CHECK(is_grey(sheet.diff_trans, 1.5));
+  CHECK(is_grey(sheet.eta, 1.5));
+}
+
+TEST_CASE("materials of Mitsuba 0.x, by its names and by Mitsuba 3's") {
+  const std::string old = "<scene version=\"0.6.0\"><sensor type=\"perspective\"/>";
+  const auto last = [](const std::string& text) { return load_text(text + "</scene>").scene.materials.back(); };
+  const Phong phong = std::get<Phong>(
+      last(old + "<bsdf type=\"phong\"><rgb name=\"diffuseReflectance\" value=\".1, .2, .3\"/></bsdf>").bsdf);
+  CHECK(phong.diffuse_reflectance.color == Rgb{.1, .2, .3});
+  CHECK(phong.specular_reflectance.color == Rgb{.2, .2, .2});
+  CHECK(phong.exponent.color == Rgb{30, 30, 30});
+  const RoughDiffuse rough = std::get<RoughDiffuse>(
+      last(old + "<bsdf type=\"roughdiffuse\"><boolean name=\"useFastApprox\" value=\"true\"/></bsdf>").bsdf);
+  CHECK(rough.use_fast_approx);
+  CHECK(rough.alpha.color == Rgb{.2, .2, .2});
+  CHECK(read_as<DiffTrans>("<bsdf type=\"difftrans\"/>").transmittance.color == Rgb{.5, .5, .5});
+  const Ward ward = read_as<Ward>("<bsdf type=\"ward\"><string name=\"variant\" value=\"ward-duer\"/></bsdf>");
+  CHECK(ward.variant == Ward::Variant::ward_duer);
+  CHECK(ward.alpha_u.color == Rgb{.1, .1, .1});
+  CHECK(problem("<bsdf type=\"ward\"><string name=\"variant\" value=\"new\"/></bsdf>").find("no variant") !=
+        std::string::npos);
+  Material both;
+  both.bsdf = Phong{{{0.8, 0.8, 0.8}}, {{0.8, 0.8, 0.8}}};
+  CHECK(material_facts(both).slots[0].reals[0] == Approx(0.5));
+}
+
+TEST_CASE("a blend of materials that do not stand before it is refused") {
+  Scene scene = load_body("<bsdf type=\"diffuse\"/>").scene;
+  scene.materials.back().bsdf = Blend{{{0.5, 0.5, 0.5}}, 0, static_cast<int>(scene.materials.size()) - 1};
+  const std::vector<Diagnostic> found = validate(scene);
+  REQUIRE(found.size() == 1);
+  CHECK(found[0].message.find("stand before it") != std::string::npos);
 }
 
 TEST_CASE("a mask has an opacity, nothing is a mask, and two sides may differ") {

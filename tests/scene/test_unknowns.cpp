@@ -69,9 +69,9 @@ TEST_CASE("unknown things warn with their place; strict makes them errors") {
 TEST_CASE("substitutes keep what they can") {
   const Scene scene =
       load_body(
-          "<bsdf type=\"phong\"><rgb name=\"diffuse_reflectance\" value=\".1 .2 .3\"/></bsdf>"
+          "<bsdf type=\"hk\"><rgb name=\"diffuse_reflectance\" value=\".1 .2 .3\"/></bsdf>"
           "<bsdf type=\"coating\"><bsdf type=\"diffuse\"><rgb name=\"reflectance\" value=\".4\"/></bsdf>"
-          "</bsdf><bsdf type=\"principled\"/>")
+          "</bsdf><bsdf type=\"hair\"/>")
           .scene;
   REQUIRE(scene.materials.size() == 4);
   CHECK(std::get<Diffuse>(scene.materials[1].bsdf).reflectance.color == Rgb{.1, .2, .3});

@@ -19,6 +19,10 @@ FN void cylinder_surface(const Ray* ray, GLOBAL const real* prim, int stride, GL
   s->facing = dot3(s->normal, ray->d);
   if (HAS_TANGENT) s->along = cross3(axis, s->normal);
   s->position = add3(fma3(radius, s->normal, scale3(along, axis)), p0);
+  if (HAS_RELIEF) {
+    s->grad_u = scale3(ONE_OVER_TWO_PI / radius, cross3(axis, s->normal));
+    s->grad_v = scale3(R(1.0) / length, axis);
+  }
   real v = along / length;
   s->u = atan2_turns(dot3(s->normal, load3(frame + 3)), dot3(s->normal, load3(frame)));
   s->v = v > R(0.0) ? (v < R(1.0) ? v : R(1.0)) : R(0.0);

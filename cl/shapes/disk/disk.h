@@ -18,6 +18,12 @@ FN void disk_surface(const Ray* ray, GLOBAL const real* prim, int stride, GLOBAL
   s->u = real_sqrt(real_fma(x, x, y * y));
   if (s->u > R(1.0)) s->u = R(1.0);
   if (HAS_TANGENT) s->along = fma3(x, load3(frame), scale3(y, load3(frame + 3)));
+  if (HAS_RELIEF && s->u > R(0.0)) {
+    real inverse = R(1.0) / s->u, turn = ONE_OVER_TWO_PI * inverse;
+    real cosine = x * inverse, sine = y * inverse;
+    s->grad_u = fma3(cosine, load3(frame), scale3(sine, load3(frame + 3)));
+    s->grad_v = scale3(turn, fma3(cosine, load3(frame + 3), scale3(-sine, load3(frame))));
+  }
   s->v = atan2_turns(y, x);
 }
 

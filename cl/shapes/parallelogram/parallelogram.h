@@ -4,6 +4,7 @@
 #ifndef STRAHL_SHAPES_PARALLELOGRAM_H
 #define STRAHL_SHAPES_PARALLELOGRAM_H
 
+#include "hits/edge_gradients.h"
 #include "shapes/polygon/edges.h"
 #include "shapes/polygon/near_point.h"
 
@@ -17,6 +18,7 @@ FN void parallelogram_surface(const Ray* ray, GLOBAL const real* prim, int strid
   s->normal = normalize3(cross3(edge_u, edge_v));
   s->facing = dot3(s->normal, ray->d);
   if (HAS_TANGENT) s->along = edge_u;
+  if (HAS_RELIEF) take_edge_gradients(edge_u, edge_v, s);
   take_near_point(ray, a, edge_u, edge_v, t, s);
   s->outline = OUTLINE_PARALLELOGRAM;
 }

@@ -18,6 +18,10 @@ FN void plane_surface(const Ray* ray, GLOBAL const real* prim, int stride, GLOBA
     real3 across = cross3(load3(frame + 3), s->normal);
     s->along = dot3(across, load3(frame)) < R(0.0) ? negate3(across) : across;
   }
+  if (HAS_RELIEF) {
+    s->grad_u = load3(frame);
+    s->grad_v = load3(frame + 3);
+  }
   s->u = dot3(from_origin, load3(frame));
   s->v = dot3(from_origin, load3(frame + 3));
 }

@@ -46,8 +46,16 @@ FN void sphere_surface(const Ray* ray, GLOBAL const real* prim, int stride, GLOB
   real y = dot3(s->normal, load3(frame + 3));
   real z = dot3(s->normal, load3(frame + 6));
   if (HAS_TANGENT) s->along = fma3(x, load3(frame + 3), scale3(-y, load3(frame)));
+  real sine = real_sqrt(real_fma(x, x, y * y));
+  if (HAS_RELIEF && sine > R(0.0)) {
+    // Along the circles of latitude, and from the pole z down.
+    real3 outward = scale3(R(1.0) / sine, fma3(x, load3(frame), scale3(y, load3(frame + 3))));
+    real3 around = scale3(R(1.0) / sine, fma3(x, load3(frame + 3), scale3(-y, load3(frame))));
+    s->grad_u = scale3(ONE_OVER_TWO_PI / (radius * sine), around);
+    s->grad_v = scale3(R(2.0) * ONE_OVER_TWO_PI / radius, fma3(z, outward, scale3(-sine, load3(frame + 6))));
+  }
   s->u = atan2_turns(y, x);
-  s->v = R(2.0) * atan2_turns(real_sqrt(real_fma(x, x, y * y)), z);
+  s->v = R(2.0) * atan2_turns(sine, z);
 }
 
 #endif

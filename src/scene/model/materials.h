@@ -88,9 +88,94 @@ struct RoughPlastic {
   Microfacets microfacets = {};
 };
 
+/// B. Burley's material of many looks; each number lies within [0, 1].
+struct Principled {
+  Reflectance base_color{{0.5, 0.5, 0.5}};
+  Varying roughness{{0.5, 0.5, 0.5}};
+  Varying anisotropic{{0, 0, 0}};  ///< Of the roughness: wider along u.
+  Varying metallic{{0, 0, 0}};
+  Varying spec_trans{{0, 0, 0}};  ///< The share of what is no metal that is glass.
+  Varying spec_tint{{0, 0, 0}};
+  Varying sheen{{0, 0, 0}};
+  Varying sheen_tint{{0, 0, 0}};
+  Varying flatness{{0, 0, 0}};
+  Varying clearcoat{{0, 0, 0}};
+  Varying clearcoat_gloss{{0, 0, 0}};
+  double eta = 1.5;  ///< Index of refraction inside over outside.
+  /// How often each lobe is drawn, next to the others.
+  double main_specular_sampling_rate = 1, clearcoat_sampling_rate = 1, diffuse_reflectance_sampling_rate = 1;
+};
+
+/// The same of a sheet, alike from both sides.
+struct PrincipledThin {
+  Reflectance base_color{{0.5, 0.5, 0.5}};
+  Varying roughness{{0.5, 0.5, 0.5}};
+  Varying anisotropic{{0, 0, 0}};
+  Varying spec_trans{{0, 0, 0}};
+  Varying spec_tint{{0, 0, 0}};
+  Varying sheen{{0, 0, 0}};
+  Varying sheen_tint{{0, 0, 0}};
+  Varying flatness{{0, 0, 0}};
+  Varying diff_trans{{0, 0, 0}};  ///< From 0 to 2, where all of the base's light goes through.
+  Varying eta{{1.5, 1.5, 1.5}};
+  double specular_reflectance_sampling_rate = 1, specular_transmittance_sampling_rate = 1;
+  double diffuse_reflectance_sampling_rate = 1, diffuse_transmittance_sampling_rate = 1;
+};
+
+/// A highlight of Mitsuba 0.x over a diffuse base.
+struct Phong {
+  Reflectance diffuse_reflectance{{0.5, 0.5, 0.5}};
+  Reflectance specular_reflectance{{0.2, 0.2, 0.2}};
+  Varying exponent{{30, 30, 30}};
+};
+
+/// Ward's highlight of Mitsuba 0.x over a diffuse base.
+struct Ward {
+  enum class Variant { ward, ward_duer, balanced };
+  Variant variant = Variant::balanced;
+  Reflectance diffuse_reflectance{{0.5, 0.5, 0.5}};
+  Reflectance specular_reflectance{{0.2, 0.2, 0.2}};
+  Varying alpha_u{{0.1, 0.1, 0.1}};
+  Varying alpha_v{{0.1, 0.1, 0.1}};
+};
+
+/// Oren's and Nayar's diffuse facets, of Mitsuba 0.x.
+struct RoughDiffuse {
+  Reflectance reflectance{{0.5, 0.5, 0.5}};
+  Varying alpha{{0.2, 0.2, 0.2}};  ///< sqrt(2) times the standard deviation of the facets' angle.
+  bool use_fast_approx = false;
+};
+
+/// A diffuse sheet of Mitsuba 0.x: all that it scatters goes through.
+struct DiffTrans {
+  Reflectance transmittance{{0.5, 0.5, 0.5}};
+};
+
+/// Two other materials, each for a share of the light.
+struct Blend {
+  Reflectance weight{{0.5, 0.5, 0.5}};  ///< The share of the second.
+  /// Indices into Scene::materials, of materials before this one.
+  int first = -1, second = -1;
+};
+
+/// Another material, whose normals a texture bends.
+struct Relief {
+  enum class Kind {
+    normals,  ///< The texture holds them relative to the surface's frame, x -> (x + 1) / 2.
+    heights   ///< Over the surface, in units of the scene.
+  };
+  Kind kind = Kind::normals;
+  Varying map{{0.5, 0.5, 1}};
+  double scale = 1;                    ///< Multiplies heights.
+  bool flip_invalid_normals = true;    ///< Turns a normal that faces away from the view.
+  bool use_shadowing_function = true;  ///< Fades shallow light.
+  int nested = -1;                     ///< As of a Blend.
+};
+
 struct Material {
   std::string id;
-  std::variant<Diffuse, Conductor, Dielectric, RoughConductor, RoughDielectric, ThinDielectric, Plastic, RoughPlastic>
+  std::variant<Diffuse, Conductor, Dielectric, RoughConductor, RoughDielectric, ThinDielectric, Plastic, RoughPlastic,
+               Principled, PrincipledThin, Phong, RoughDiffuse, DiffTrans, Ward, Blend, Relief>
       bsdf;
   bool twosided = false;  ///< false: black from behind, as in Mitsuba. Of what transmits light it says nothing.
   SourceLocation where;

@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include "scene/readers/plugin_table.h"
-#include "scene/xml/parse_value.h"
 
 namespace strahl {
 
@@ -16,7 +15,8 @@ const PluginTable<MaterialReader>& material_readers() {
 #define MATERIAL(name, reals, lobes) {#name, read_##name},
 #include "../../../cl/materials/materials.def"
 #undef MATERIAL
-      {"twosided", read_twosided}, {"mask", read_mask}, {"null", read_null}};
+      {"twosided", read_twosided}, {"mask", read_mask},           {"null", read_null},
+      {"blendbsdf", read_blend},   {"normalmap", read_normalmap}, {"bumpmap", read_bumpmap}};
   return table;
 }
 
@@ -24,15 +24,7 @@ const PluginTable<MaterialReader>& material_readers() {
 Material substitute_for(Properties& properties, SceneBuilder& builder) {
   const std::string what = not_available("bsdf", properties.type(), types_of(material_readers()));
   const std::vector<const XmlElement*> nested = properties.objects("bsdf");
-  const XmlElement* weight = properties.type() == "blendbsdf" ? properties.peek("weight") : nullptr;
-  const bool is_second_heavier = weight != nullptr && parse_number(weight->text("value")).value_or(0) > 0.5;
   properties.accept_all();
-  if (nested.size() == 2 && is_second_heavier) {
-    builder.diagnostics.unknown(properties.where(), what +
-                                                        "; the second bsdf inside it, of the larger weight, takes its "
-                                                        "place");
-    return material_of(*nested.back(), builder);
-  }
   if (!nested.empty()) {
     builder.diagnostics.unknown(properties.where(), what + "; the bsdf inside it takes its place");
     return material_of(*nested.front(), builder);

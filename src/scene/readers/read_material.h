@@ -19,6 +19,10 @@ Material read_twosided(Properties& properties, SceneBuilder& builder);
 /// Nor these: a share of what is inside, and nothing.
 Material read_mask(Properties& properties, SceneBuilder& builder);
 Material read_null(Properties& properties, SceneBuilder& builder);
+/// Nor these: two others, and another with normals that a texture bends.
+Material read_blend(Properties& properties, SceneBuilder& builder);
+Material read_normalmap(Properties& properties, SceneBuilder& builder);
+Material read_bumpmap(Properties& properties, SceneBuilder& builder);
 
 /// The material that a <bsdf> describes; each element is read once. An unknown type is replaced with a warning.
 [[nodiscard]] Material material_of(const XmlElement& bsdf, SceneBuilder& builder);

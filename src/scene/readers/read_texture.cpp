@@ -80,6 +80,15 @@ Reflectance read_reflectance(Properties& properties, SceneBuilder& builder, cons
   return {properties.color(name, ColorUse::reflectance, {0.5, 0.5, 0.5}).value_or(absent)};
 }
 
+Varying read_nested_texture(const XmlElement& element, SceneBuilder& builder) {
+  const std::string_view type = element.text("type");
+  if (const TextureReader* reader = find_plugin(texture_readers(), type))
+    return {{0.5, 0.5, 0.5}, texture_index(element, *reader, builder)};
+  builder.diagnostics.unknown(element.where, not_available("texture", type, types_of(texture_readers())) +
+                                                 "; the constant 0.5 takes its place");
+  return {{0.5, 0.5, 0.5}};
+}
+
 Varying read_varying(Properties& properties, SceneBuilder& builder, const std::string& name, const Rgb& absent) {
   if (const int texture = texture_of(properties, builder, name); texture >= 0) return {absent, texture};
   return {properties.color(name, ColorUse::value, absent).value_or(absent)};

@@ -27,6 +27,9 @@ using TextureReader = Texture (*)(Properties&, SceneBuilder&);
 [[nodiscard]] Reflectance read_reflectance(Properties& properties, SceneBuilder& builder, const std::string& name,
                                            const Rgb& absent);
 
+/// A <texture> that has no name of its own; 0.5 where strahl does not have it, with a warning.
+[[nodiscard]] Varying read_nested_texture(const XmlElement& element, SceneBuilder& builder);
+
 /// As read_reflectance, of values that are no shares of light.
 [[nodiscard]] Varying read_varying(Properties& properties, SceneBuilder& builder, const std::string& name,
                                    const Rgb& absent);

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+// <bsdf type="normalmap"> and <bsdf type="bumpmap">: the bsdf inside them, whose normals a texture bends.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "kinds/materials.h"
+#include "scene/readers/read_material.h"
+#include "scene/readers/read_texture.h"
+
+namespace strahl {
+
+namespace {
+
+bool has_relief(const Scene& scene, int index) {
+  const Material& material = scene.materials.at(static_cast<std::size_t>(index));
+  if (std::holds_alternative<Relief>(material.bsdf)) return true;
+  const std::vector<int> nested = material_facts(material).nested;
+  return std::any_of(nested.begin(), nested.end(), [&](int each) { return has_relief(scene, each); });
+}
+
+Material relief_of(Properties& properties, SceneBuilder& builder, Relief relief) {
+  const std::vector<const XmlElement*> inside = properties.objects("bsdf");
+  if (inside.size() != 1) {
+    builder.diagnostics.error(properties.where(), fmt::format("{} needs one <bsdf> inside", properties.title()));
+    return {};
+  }
+  relief.flip_invalid_normals = properties.boolean("flip_invalid_normals").value_or(true);
+  relief.use_shadowing_function = properties.boolean("use_shadowing_function").value_or(true);
+  relief.nested = material_index(*inside.front(), builder);
+  if (has_relief(builder.scene, relief.nested))
+    builder.diagnostics.unknown(inside.front()->where,
+                                "normals are bent twice here; shallow light fades by the inner map alone");
+  Material material;
+  material.bsdf = relief;
+  return material;
+}
+
+}  // namespace
+
+Material read_normalmap(Properties& properties, SceneBuilder& builder) {
+  Relief relief;
+  if (!properties.has("normalmap"))
+    builder.diagnostics.error(properties.where(), fmt::format("{} needs a normalmap", properties.title()));
+  relief.map = read_varying(properties, builder, "normalmap", {0.5, 0.5, 1});
+  return relief_of(properties, builder, relief);
+}
+
+Material read_bumpmap(Properties& properties, SceneBuilder& builder) {
+  Relief relief;
+  relief.kind = Relief::Kind::heights;
+  relief.scale = properties.number("scale").value_or(1);
+  const std::vector<const XmlElement*> textures = properties.objects("texture");
+  if (textures.size() != 1)
+    builder.diagnostics.error(properties.where(), fmt::format("{} needs one <texture> inside", properties.title()));
+  else
+    relief.map = read_nested_texture(*textures.front(), builder);
+  return relief_of(properties, builder, relief);
+}
+
+}  // namespace strahl

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: MIT
+// The lobes of principled and principledthin together: draws against the stated density by chi^2, and the density's
+// integral, over a grid that is fine enough for the narrowest of them; finite at grazing light and at the least
+// roughness. 10 s.
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <numbers>
+
+#include "kinds/materials.h"
+#include "physics/bsdf_tiers.h"
+#include "physics/statistics.h"
+
+using namespace strahl::test;
+
+namespace {
+
+using namespace strahl::lobes;
+
+strahl::Varying grey(double value) { return {{value, value, value}}; }
+
+template <class Bsdf>
+std::vector<double> parameters(const Bsdf& bsdf) {
+  strahl::Material material;
+  material.bsdf = bsdf;
+  std::vector<double> p;
+  for (const strahl::MaterialSlot& slot : strahl::material_facts(material).slots)
+    p.insert(p.end(), slot.reals.begin(), slot.reals.end());
+  return p;
+}
+
+strahl::Principled principled(double roughness, double metallic, double spec_trans, double clearcoat) {
+  strahl::Principled bsdf;
+  bsdf.base_color = {{0.9, 0.6, 0.3}};
+  bsdf.roughness = grey(roughness);
+  bsdf.metallic = grey(metallic);
+  bsdf.spec_trans = grey(spec_trans);
+  bsdf.clearcoat = grey(clearcoat);
+  bsdf.sheen = bsdf.sheen_tint = bsdf.flatness = grey(0.5);
+  bsdf.anisotropic = bsdf.spec_tint = grey(0.4);
+  return bsdf;
+}
+
+strahl::PrincipledThin thin(double roughness, double spec_trans, double diff_trans) {
+  strahl::PrincipledThin bsdf;
+  bsdf.base_color = {{0.9, 0.6, 0.3}};
+  bsdf.roughness = grey(roughness);
+  bsdf.spec_trans = grey(spec_trans);
+  bsdf.diff_trans = grey(diff_trans);
+  bsdf.sheen = bsdf.spec_tint = bsdf.anisotropic = grey(0.4);
+  return bsdf;
+}
+
+int entry_of(const std::string& name) {
+  const std::vector<BsdfEntry> entries = bsdf_entries();
+  const auto found =
+      std::find_if(entries.begin(), entries.end(), [&](const BsdfEntry& entry) { return entry.name == name; });
+  REQUIRE(found != entries.end());
+  return static_cast<int>(found - entries.begin());
+}
+
+struct Look {
+  std::string entry;
+  std::vector<double> p;
+};
+
+std::vector<Look> looks() {
+  strahl::Principled rarely = principled(0.8, 0.1, 0.5, 1);
+  rarely.main_specular_sampling_rate = 0.3;
+  rarely.clearcoat_sampling_rate = 2;
+  rarely.diffuse_reflectance_sampling_rate = 0.5;
+  return {
+      {"principled", parameters(principled(0.7, 0, 0, 0))},     {"principled", parameters(principled(0.8, 0.5, 0, 1))},
+      {"principled", parameters(principled(0.9, 0.2, 0.7, 0))}, {"principled", parameters(rarely)},
+      {"principledthin", parameters(thin(0.8, 0.6, 0.7))},      {"principledthin", parameters(thin(0.7, 0.2, 1.6))}};
+}
+
+Triad towards(double cosine, double turn) {
+  const double sine = std::sqrt((1 - cosine) * (1 + cosine));
+  return {sine * std::cos(turn), sine * std::sin(turn), cosine};
+}
+
+std::vector<Triad> random_numbers(std::size_t count) {
+  std::mt19937_64 engine(17);
+  std::vector<Triad> numbers(count);
+  for (Triad& triple : numbers) triple = {unit_number(engine), unit_number(engine), unit_number(engine)};
+  return numbers;
+}
+
+/// The widest of each tier: all widths give the same bits (test_materials.cpp).
+std::vector<BsdfTier> widest_tiers() {
+  std::vector<BsdfTier> widest;
+  for (const BsdfTier& tier : bsdf_tiers()) {
+    if (!widest.empty() && std::string(widest.back().name) == tier.name) widest.pop_back();
+    widest.push_back(tier);
+  }
+  return widest;
+}
+
+TEST_CASE("directions are drawn as densely as is said, and densities integrate to what is drawn") {
+  constexpr int rings = 8, sectors = 8, within = 40;
+  const std::vector<Triad> numbers = random_numbers(6000);
+  for (const Look& look : looks())
+    for (const BsdfTier& tier : widest_tiers())
+      for (const double cosine : {0.95, 0.5, 0.1, -0.7}) {
+        const Triad wo = towards(cosine, 0.7);
+        INFO(tier.name << ", " << look.entry << " " << Catch::Detail::stringify(look.p) << ", cosine " << cosine);
+        std::vector<double> hits(rings * sectors, 0), expected(rings * sectors, 0);
+        double others = 0;
+        const int kind = entry_of(look.entry);
+        for (const Way& way : tier.sample(kind, look.p, wo, LOBES_ALL, numbers)) {
+          if (way.density == 0) {
+            others += 1;
+            continue;
+          }
+          const double turn = std::atan2(way.wi[1], way.wi[0]) / (2 * std::numbers::pi);
+          const int ring = std::min(static_cast<int>((0.5 + 0.5 * way.wi[2]) * rings), rings - 1);
+          const int sector = static_cast<int>((turn + 1) * sectors) % sectors;
+          hits.at(static_cast<std::size_t>(ring * sectors + sector)) += 1;
+        }
+        std::vector<Triad> middles;
+        for (int i = 0; i < rings * within; ++i)
+          for (int j = 0; j < sectors * within; ++j)
+            middles.push_back(
+                towards(2 * (i + 0.5) / (rings * within) - 1, 2 * std::numbers::pi * (j + 0.5) / (sectors * within)));
+        const std::vector<Scattered> found = tier.eval(kind, look.p, wo, middles);
+        double whole = 0;
+        const auto n = static_cast<double>(numbers.size());
+        for (std::size_t i = 0; i < found.size(); ++i) {
+          const double share = found[i].density * 4 * std::numbers::pi / static_cast<double>(found.size());
+          const std::size_t ring = i / (sectors * within) / within, sector = i % (sectors * within) / within;
+          expected[ring * sectors + sector] += share * n;
+          whole += share;
+        }
+        if (others == n) {
+          CHECK(whole == 0);
+          continue;
+        }
+        const double share = others / n;
+        CHECK(whole + share == Approx(1).margin(5e-3 + 4 * std::sqrt(share * (1 - share) / n)));
+        hold_counts(hits, expected);
+      }
+}
+
+TEST_CASE("finite and of the values told for them, from grazing light to the least roughness") {
+  const std::vector<Triad> numbers = random_numbers(256);
+  for (const double roughness : {0.0, 0.01, 0.1, 1.0})
+    for (const double cosine : {1.0, 0.3, 1e-3, 1e-7, -1e-7, -0.4})
+      for (const BsdfTier& tier : widest_tiers()) {
+        INFO(tier.name << ", roughness " << roughness << ", cosine " << cosine);
+        strahl::Principled bsdf = principled(roughness, 0.3, 0.5, 1);
+        bsdf.clearcoat_gloss = grey(1);
+        for (const Look& look :
+             {Look{"principled", parameters(bsdf)}, Look{"principledthin", parameters(thin(roughness, 0.7, 1))}}) {
+          const int kind = entry_of(look.entry);
+          int drawn = 0;
+          for (const Way& way : tier.sample(kind, look.p, towards(cosine, 2), LOBES_ALL, numbers)) {
+            CHECK(std::isfinite(way.density));
+            for (const double weight : way.weight) CHECK((std::isfinite(weight) && weight >= 0));
+            if (way.density > 0) ++drawn;
+          }
+          CHECK(drawn > 20);
+        }
+      }
+}
+
+}  // namespace
