@@ -179,8 +179,9 @@ FN real exact_quotient(int kind, PRIVATE const ExactCase* c, real least, real mo
   return real_of_ordered(range.least);
 }
 
-/// The same for a root of a sphere or a cylinder that the line meets.
+/// The same for a root of a quadric that the line meets; NaN where its numbers are not finite.
 FN real exact_root(int kind, PRIVATE const ExactCase* c, real least, real most, int root) {
+  if (!exact_is_finite(c)) return exact_nothing();
   ExactRange range = exact_range(least, most);
   int is_across = root == EXACT_ACROSS, is_far = root == EXACT_FAR;
   while (range.least < range.most) {
@@ -201,11 +202,6 @@ FN real exact_plane_t(PRIVATE const ExactCase* c, real least, real most) {
 
 FN real exact_polygon_t(PRIVATE const ExactCase* c, real least, real most) {
   return exact_quotient(EXACT_POLYGON, c, least, most);
-}
-
-FN real exact_cylinder_t(PRIVATE const ExactCase* c, real least, real most, int root) {
-  if (!exact_is_finite(c)) return exact_nothing();
-  return exact_root(EXACT_CYLINDER, c, least, most, root);
 }
 
 /// The first root of a sphere from t_min on, the last one where there is none; NaN where the line misses the sphere.
