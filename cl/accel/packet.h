@@ -15,13 +15,11 @@
 #define STACK_ENTRIES STACK_16
 #endif
 
-/// Up to so many rays go on alone: of a packet that is alike; of another one from a node, or from a leaf.
-enum { FEW_ALIKE_w = 2, FEW_AT_NODE_w = LANES / 4, FEW_AT_LEAF_w = LANES / 4 };
+/// Up to so many rays go on alone: of a packet that is alike, and of another one.
+enum { FEW_ALIKE_w = 2, FEW_UNLIKE_w = LANES / 4 };
 
-FN int are_few_w(const Packet_w* p, int reference, maskw active) {
-  int few = reference >= 0 ? FEW_AT_NODE_w : FEW_AT_LEAF_w;
-  if (is_alike_w(p)) few = FEW_ALIKE_w;
-  return HAS_TREE && (int)lanes_among(bits_w(active)) <= few;
+FN int are_few_w(const Packet_w* p, maskw active) {
+  return (int)lanes_among(bits_w(active)) <= (is_alike_w(p) ? (int)FEW_ALIKE_w : (int)FEW_UNLIKE_w);
 }
 
 /// Where any hit will do: ends the rays that have hit something.
@@ -95,7 +93,7 @@ FN void packet_walk_w(const Scene* scene, Packet_w* world) {
   push_lists_w(scene, p, 0, &stack);
   for (;;) {
     int is_within = HAS_INSTANCES && place.instance >= 0;
-    if (is_within && stack.top == place.floor) {
+    if (HAS_INSTANCES && is_within && stack.top == place.floor) {
       packet_leave_w(scene, &place, &within, world);
       p = world;
       if (is_alike_w(p)) p->last = largest_w(p->bound);
@@ -110,7 +108,7 @@ FN void packet_walk_w(const Scene* scene, Packet_w* world) {
     if (HAS_TREE && entry == NO_REFERENCE) reference = is_within ? place.group[GROUP_ROOT] : scene->index[HEADER_ROOT];
 
     int is_list = reference < 0 && leaf_is_list(reference);
-    if (!(is_within && is_list) && are_few_w(p, reference, active)) {
+    if (HAS_TREE && !(is_within && is_list) && are_few_w(p, active)) {
       packet_alone_w(scene, p, reference, active);
     } else if (HAS_TREE && reference >= 0) {
       push_children_w(p, nodes, reference, active, &stack);

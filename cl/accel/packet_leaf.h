@@ -21,7 +21,10 @@ FN void settle_one_w(const Ray* ray, Nearest* best) {
       int lane = first_bit(lanes);                                     \
       Nearest best = nearest_of_w(&each, lane);                        \
       Ray world = ray_of_w(p->rays, lane), ray = ray_of_world(&world); \
-      name##_block_w(&ray, block, ids, b* LANES, &best);               \
+      if (HAS_TREE)                                                    \
+        meet_blocks_w(scene, &ray, kind, b, 1, FIND_NEAREST, &best);   \
+      else                                                             \
+        name##_block_w(&ray, block, ids, b* LANES, &best);             \
       settle_one_w(&ray, &best);                                       \
       packet_put_exact_w(p, lane, &best);                              \
     }                                                                  \

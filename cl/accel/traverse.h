@@ -138,17 +138,16 @@ FN int puts_off_w(int kind) {
 }
 #endif
 
-/// Tests the blocks of a leaf, or all blocks that the kind lists in that place.
-FN void meet_leaf_w(const Scene* scene, const Ray* ray, const Place* place, int reference, int want, Nearest* best) {
-  uint leaf = (uint)~reference;
-  int kind = (int)(leaf & (REFERENCE_MOST_KINDS - 1)), first = (int)(leaf >> REFERENCE_BLOCK);
-  int count = (int)(leaf >> REFERENCE_COUNT) & REFERENCE_MOST_BLOCKS;
+/// What a leaf calls: not inlined in the tree's traversal, where the bodies of several kinds would take the registers
+/// that it needs (docs/decisions/0017-once.md).
+#define LEAF_FN_0 FN
+#define LEAF_FN_1 ONCE_FN
+#define LEAF_FN LANED_EXPAND(LEAF_FN, HAS_TREE)
+
+/// Tests `count` blocks of a kind, from `first` on.
+LEAF_FN void meet_blocks_w(const Scene* scene, const Ray* ray, int kind, int first, int count, int want,
+                           Nearest* best) {
   GLOBAL const int* row = scene_shape_row(scene, kind);
-  if (count == 0) count = row[SHAPE_LISTED];
-  if (HAS_INSTANCES && is_within(place) && leaf_is_list(reference)) {
-    first = place->group[GROUP_LISTED + 2 * kind];
-    count = place->group[GROUP_LISTED + 2 * kind + 1];
-  }
   GLOBAL const int* ids = scene->index + row[SHAPE_IDS] + first * LANES;
   GLOBAL const real* geometry = scene->geometry + row[SHAPE_GEOMETRY];
   prefetch_ints_w(ids);
@@ -169,11 +168,18 @@ FN void meet_leaf_w(const Scene* scene, const Ray* ray, const Place* place, int 
   }
 }
 
-/// As meet_leaf_w, for the traversal of the tree. It is not inlined there: the bodies of several kinds would take the
-/// registers that the traversal needs (docs/decisions/0017-once.md).
-ONCE_FN void meet_leaf_once_w(const Scene* scene, const Ray* ray, const Place* place, int reference, int want,
-                              Nearest* best) {
-  meet_leaf_w(scene, ray, place, reference, want, best);
+/// Tests the blocks of a leaf, or all blocks that the kind lists in that place.
+FN void meet_leaf_w(const Scene* scene, const Ray* ray, const Place* place, int reference, int want, Nearest* best) {
+  uint leaf = (uint)~reference;
+  int kind = (int)(leaf & (REFERENCE_MOST_KINDS - 1)), first = (int)(leaf >> REFERENCE_BLOCK);
+  int count = (int)(leaf >> REFERENCE_COUNT) & REFERENCE_MOST_BLOCKS;
+  GLOBAL const int* row = scene_shape_row(scene, kind);
+  if (count == 0) count = row[SHAPE_LISTED];
+  if (HAS_INSTANCES && is_within(place) && leaf_is_list(reference)) {
+    first = place->group[GROUP_LISTED + 2 * kind];
+    count = place->group[GROUP_LISTED + 2 * kind + 1];
+  }
+  meet_blocks_w(scene, ray, kind, first, count, want, best);
 }
 
 /// Tests all listed primitives, for scenes without a tree. A function of its own, because what the tree traversal
@@ -261,7 +267,7 @@ FN Nearest walk_w(const Scene* scene, const Ray* world, int start, Nearest best,
 #undef SHAPE
       }
     } else if (reference < 0) {
-      meet_leaf_once_w(scene, &ray, &place, reference, want, &best);
+      meet_leaf_w(scene, &ray, &place, reference, want, &best);
       if (want == FIND_ANY && best.kind >= 0) break;
     }
     do {

@@ -144,26 +144,45 @@ ONCE_FN void follow_paths_w(const Scene* scene, Paths_w* path, Branches_w* branc
   }
 }
 
-/// The samples of a pixel, in lanes that begin a new one when an eighth of them is idle.
-FN void follow_in_lanes_w(const Scene* scene, Pixel pixel, FirstSample first, const PixelFilm* film) {
+FN PixelFilm pixel_film(const Scene* scene, GLOBAL long* sums, GLOBAL uint* done, int times) {
+  PixelFilm film;
+  film.sums = sums;
+  film.sub_sums = sub_sums_of(scene);
+  film.done = done;
+  film.times = times;
+  return film;
+}
+
+/// The pixel's samples, `times` each, in lanes that begin a new one when an eighth of them is idle. sums: the pixel's
+/// in the film; done: as in add_to_film.
+FN void follow_in_lanes_w(Scene scene, Pixel pixel, FirstSample first, GLOBAL long* sums, GLOBAL uint* done,
+                          int times) {
+  PixelFilm film = pixel_film(&scene, sums, done, times);
   Paths_w path;
   paths_none_w(&path);
   Branches_w branches;
   branches.count = splat_int_w(0);
   while (pixel.next < pixel.end) {
-    begin_paths_w(scene, &path, &pixel);
+    begin_paths_w(&scene, &path, &pixel);
     int is_full;
     do {
-      follow_paths_w(scene, &path, &branches, &first, film);
+      follow_paths_w(&scene, &path, &branches, &first, &film);
       // After the last sample idle lanes stay idle.
       is_full = pixel.next >= pixel.end || 8u * lanes_among(bits_w(~path.alive)) < LANES;
     } while (is_full && any_w(path.alive));
   }
 }
 
+ONCE_FN void follow_in_lanes_once_w(Scene scene, Pixel pixel, FirstSample first, GLOBAL long* sums, GLOBAL uint* done,
+                                    int times) {
+  follow_in_lanes_w(scene, pixel, first, sums, done, times);
+}
+
 #if LANES != 1
-/// The samples of a pixel, in pools.
-FN void follow_in_pools_w(const Scene* scene, Pixel pixel, FirstSample first, const PixelFilm* film) {
+/// The same, in pools.
+ONCE_FN void follow_in_pools_w(Scene scene, Pixel pixel, FirstSample first, GLOBAL long* sums, GLOBAL uint* done,
+                               int times) {
+  PixelFilm film = pixel_film(&scene, sums, done, times);
   PathPool_w pool;
   Paths_w path;
   Branches_w branches;
@@ -175,11 +194,11 @@ FN void follow_in_pools_w(const Scene* scene, Pixel pixel, FirstSample first, co
     for (int i = 0; i < count; i += LANES) {
       if (are_new) {
         path.alive = none_w();
-        begin_paths_w(scene, &path, &pixel);
+        begin_paths_w(&scene, &path, &pixel);
       } else {
         pool_take_w(&pool, i, &path);
       }
-      follow_paths_w(scene, &path, &branches, &first, film);
+      follow_paths_w(&scene, &path, &branches, &first, &film);
       pool_put_w(&pool, i, are_new, &path);
     }
     pool_turn_w(&pool);
@@ -187,31 +206,23 @@ FN void follow_in_pools_w(const Scene* scene, Pixel pixel, FirstSample first, co
 }
 #endif
 
-/// The pixel's samples, `times` each. sums: the pixel's in the film; done: as in add_to_film.
-FN void render_pixel_w(Scene scene, Pixel pixel, FirstSample first, GLOBAL long* sums, GLOBAL uint* done, int times) {
-  PixelFilm film;
-  film.sums = sums;
-  film.sub_sums = sub_sums_of(&scene);
-  film.done = done;
-  film.times = times;
-#if LANES != 1
-  // Branches wait in the lane of their sample.
-  if (!HAS_BRANCHES) {
-    follow_in_pools_w(&scene, pixel, first, &film);
-    return;
-  }
-#endif
-  follow_in_lanes_w(&scene, pixel, first, &film);
-}
-
-ONCE_FN void render_pixel_once_w(Scene scene, Pixel pixel, FirstSample first, GLOBAL long* sums, GLOBAL uint* done,
-                                 int times) {
-  render_pixel_w(scene, pixel, first, sums, done, times);
-}
-
 /// 1: the work of a pixel is a function that is called, so that it is compiled once. In short programs the call costs
 /// more (docs/decisions/0017-once.md).
 enum { IS_PROGRAM_LARGE = (LANES != 1) | (LIGHT_COUNT > 0) | (SCENE_LANED(IS_TRAVERSAL_LARGE) != 0) };
+
+FN void render_pixel_w(Scene scene, Pixel pixel, FirstSample first, GLOBAL long* sums, GLOBAL uint* done, int times) {
+#if LANES != 1
+  // Branches wait in the lane of their sample.
+  if (!HAS_BRANCHES) {
+    follow_in_pools_w(scene, pixel, first, sums, done, times);
+    return;
+  }
+#endif
+  if (IS_PROGRAM_LARGE)
+    follow_in_lanes_once_w(scene, pixel, first, sums, done, times);
+  else
+    follow_in_lanes_w(scene, pixel, first, sums, done, times);
+}
 
 KERNEL LANE_HINT_OF(SCENE_LANES) void render(GLOBAL const real* geometry, GLOBAL const real* shading,
                                              GLOBAL const int* index, GLOBAL long* film, GLOBAL real* aov_reals,
@@ -247,10 +258,7 @@ KERNEL LANE_HINT_OF(SCENE_LANES) void render(GLOBAL const real* geometry, GLOBAL
   first.lane = HAS_AOV && next == 0 ? 0 : -1;
   GLOBAL long* sums = film + slot * (ulong)(index[HEADER_SUMS] * FILM_CHANNELS * FILM_SUM_WORDS);
   int times = do_differ ? 1 : end - next;
-  if (IS_PROGRAM_LARGE)
-    render_pixel_once_w(scene, pixel, first, sums, done, times);
-  else
-    render_pixel_w(scene, pixel, first, sums, done, times);
+  render_pixel_w(scene, pixel, first, sums, done, times);
   if (HAS_LOOP_LIMIT && (int)*done < end) {
     count_event(&scene, COUNT_CUT);
     if ((int)*done <= next) count_event(&scene, COUNT_STUCK);

@@ -16,6 +16,13 @@
 #define LANE_HINT_OF(lanes) LANED_EXPAND(WIDE_BODIES, lanes)
 #define LANE_HINT LANE_HINT_OF(LANES)
 
+/// As FN, for large functions of which a program with wide lanes holds one copy (docs/decisions/0017-once.md). With one
+/// lane they are inlined.
+#define WIDE_FN_1 FN
+#define WIDE_FN_8 SELDOM_FN
+#define WIDE_FN_16 SELDOM_FN
+#define WIDE_FN LANED_EXPAND(WIDE_FN, LANES)
+
 #define realw LANED(realw)
 #define intw LANED(intw)
 #define maskw LANED(maskw)

@@ -20,7 +20,7 @@ typedef struct {
   real3w upper_first, upper_second, lower_first, lower_second;
 } EnvmapCorners_w;
 
-FN EnvmapCorners_w envmap_corners_w(const Scene* scene, GLOBAL const int* row, const EnvmapPlace_w* p) {
+WIDE_FN EnvmapCorners_w envmap_corners_w(const Scene* scene, GLOBAL const int* row, const EnvmapPlace_w* p) {
   GLOBAL const int* image = scene->index + row[LIGHT_IMAGE];
   int width = image[IMAGE_WIDTH];
   intw next = p->column + splat_int_w(1), upper = p->row * splat_int_w(width), lower = upper + splat_int_w(width);

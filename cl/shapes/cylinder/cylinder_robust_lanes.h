@@ -30,9 +30,7 @@ SELDOM_FN realw cylinders_decided_w(const Ray* ray, GLOBAL const real* block, ui
     one.b = one.c = vec3(prim[3 * LANES], prim[4 * LANES], prim[5 * LANES]);
     one.r = prim[7 * LANES];
     int root = (departed >> i & 1u) != 0u ? EXACT_ACROSS : (is_near >> i & 1u) != 0u ? EXACT_NEAR : EXACT_FAR;
-    real root_t = exact_nothing();
-    if (exact_is_finite(&one)) root_t = exact_root(EXACT_MANTLE, &one, get_w(least, i), get_w(most, i), root);
-    put_w(&t, i, root_t);
+    put_w(&t, i, exact_root(EXACT_MANTLE, &one, get_w(least, i), get_w(most, i), root));
   }
   return t;
 }

@@ -90,8 +90,8 @@ FN void exact_add(PRIVATE ExactSum* sum, ExactNumber x, ExactNumber y) {
 }
 
 /// sum + x y; negative: sum - x y.
-ONCE_FN void exact_add_product(PRIVATE ExactSum* sum, PRIVATE const ExactFactor* x, PRIVATE const ExactFactor* y,
-                               uint negative) {
+FN void exact_add_product(PRIVATE ExactSum* sum, PRIVATE const ExactFactor* x, PRIVATE const ExactFactor* y,
+                          uint negative) {
   for (int i = 0; i < x->count; ++i)
     for (int k = 0; k < y->count; ++k) {
       ExactNumber one = x->of[i];

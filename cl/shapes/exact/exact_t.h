@@ -114,8 +114,9 @@ FN void exact_terms(int kind, int polynomial, PRIVATE const ExactCase* c, ExactN
   }
 }
 
-/// Of the polynomial at the midpoint after the real of this order: -1, 0 or 1.
-FN int exact_sign_of(int kind, int polynomial, PRIVATE const ExactCase* c, int order) {
+/// Of the polynomial at the midpoint after the real of this order: -1, 0 or 1. A program holds one for all kinds,
+/// and it calls nothing (docs/decisions/0017-once.md).
+SELDOM_FN int exact_sign_of(int kind, int polynomial, PRIVATE const ExactCase* c, int order) {
   ExactSum sum;
   ExactTerms terms;
   ExactNumber m = exact_midpoint(order);
@@ -123,8 +124,9 @@ FN int exact_sign_of(int kind, int polynomial, PRIVATE const ExactCase* c, int o
   exact_clear(&sum);
   for (int i = 0; i < 3; ++i) {
     exact_terms(kind, polynomial, c, m, i, &terms);
-    exact_add_product(&sum, &terms.x, &terms.y, terms.is_negative);
-    exact_add_product(&sum, &terms.z, &terms.z, terms.is_z_negative);
+    for (int k = 0; k < 2; ++k)
+      exact_add_product(&sum, k == 0 ? &terms.x : &terms.z, k == 0 ? &terms.y : &terms.z,
+                        k == 0 ? terms.is_negative : terms.is_z_negative);
   }
   return exact_sign(&sum);
 }
@@ -177,8 +179,9 @@ FN real exact_quotient(int kind, PRIVATE const ExactCase* c, real least, real mo
   return real_of_ordered(range.least);
 }
 
-/// The same for a root of a sphere or a mantle that the line meets.
+/// The same for a root of a quadric that the line meets; NaN where its numbers are not finite.
 FN real exact_root(int kind, PRIVATE const ExactCase* c, real least, real most, int root) {
+  if (!exact_is_finite(c)) return exact_nothing();
   ExactRange range = exact_range(least, most);
   int is_across = root == EXACT_ACROSS, is_far = root == EXACT_FAR;
   while (range.least < range.most) {
@@ -193,18 +196,17 @@ FN real exact_root(int kind, PRIVATE const ExactCase* c, real least, real most, 
   return real_of_ordered(range.least);
 }
 
-SELDOM_FN real exact_plane_t(PRIVATE const ExactCase* c, real least, real most) {
+FN real exact_plane_t(PRIVATE const ExactCase* c, real least, real most) {
   return exact_quotient(EXACT_PLANE, c, least, most);
 }
 
-SELDOM_FN real exact_polygon_t(PRIVATE const ExactCase* c, real least, real most) {
+FN real exact_polygon_t(PRIVATE const ExactCase* c, real least, real most) {
   return exact_quotient(EXACT_POLYGON, c, least, most);
 }
 
 /// The first root of a sphere from t_min on, the last one where there is none; NaN where the line misses the sphere.
 /// least, most: of the near root, then of the far one.
-SELDOM_FN real exact_sphere_t(PRIVATE const ExactCase* c, real t_min, PRIVATE const real* least,
-                              PRIVATE const real* most) {
+FN real exact_sphere_t(PRIVATE const ExactCase* c, real t_min, PRIVATE const real* least, PRIVATE const real* most) {
   real t = exact_nothing();
   if (!exact_is_finite(c) || exact_sign_of(EXACT_SPHERE, EXACT_DISCRIMINANT, c, 0) < 0) return t;
   for (int is_far = 0; is_far < 2 && !(t_min <= t); ++is_far)

@@ -76,14 +76,14 @@ FN realw settled_kind_w(const Scene* scene, const Rays_w* rays, const PutOff_w* 
 }
 
 /// Lanes of put_off->which: the exact t. Others are undefined.
-SELDOM_FN realw settled_w(const Scene* scene, const Rays_w* rays, const PutOff_w* put_off) {
+FN realw settled_w(const Scene* scene, const Rays_w* rays, const PutOff_w* put_off) {
   realw t = put_off->approximate;
   PutOff_w kind = *put_off;
   (void)scene;  // For a scene without these kinds.
   (void)rays;
   (void)kind;
 #define SHAPE(name, planes)                                                                                            \
-  if (body_puts_off_w(PACKET_BODY_##name##_w)) {                                                                       \
+  if ((int)PACKET_BODY_##name##_w < (int)PACKET_BODY_PLANE) {                                                          \
     kind.which = put_off->which & ~nonzero_w(put_off->kind - splat_int_w(SHAPE_##name));                               \
     realw of_kind = t;                                                                                                 \
     if (any_w(kind.which)) of_kind = settled_kind_w(scene, rays, &kind, SHAPE_##name, PACKET_BODY_##name##_w, planes); \
