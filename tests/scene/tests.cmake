@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-foreach(test vec transform elements images shapes spheres instances faults materials unknowns auto_integrator census_kinds foreign_scenes spectra expansion validate scenes shared_scenes)
+foreach(test vec transform elements images mtl_materials shapes spheres instances faults materials unknowns auto_integrator census_kinds foreign_scenes spectra expansion
+             validate scenes shared_scenes)
   strahl_test(scene/test_${test}.cpp LABEL unit)
 endforeach()
 strahl_test(scene/test_fuzz.cpp LABEL fuzz)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Materials of OBJ files: usemtl, mtllib in all its spellings, Kd and Ke.
+// Materials of OBJ files: usemtl, mtllib in all its spellings, the values that are read.
 #include "scene_mesh/temp_folder.h"
 
 namespace strahl {
@@ -29,6 +29,27 @@ TEST_CASE("triangles know their material; materials come in the order of use, ea
   CHECK(file.materials[2].name == "two words");
   CHECK(file.materials[2].reflectance == Rgb{1, 0, 0});
   CHECK(file.warnings.empty());
+}
+
+TEST_CASE("values of highlights, mirrors and glass") {
+  const TempFolder folder;
+  folder.write("m.mtl", "newmtl a\nKs 0.1 0.2 0.3\nNs 96\nNi 1.33\nTf 0.5\nillum 7\nd 0.25\nmap_d -clamp on a.png\n");
+  const MeshFile file = read_mesh(folder.write("a.obj", "mtllib m.mtl\n" + obj_square + "usemtl a\nf 1 2 3\n"));
+  const MeshMaterial& a = file.materials.at(0);
+  CHECK(a.specular == Rgb{0.1, 0.2, 0.3});
+  CHECK(a.exponent == 96);
+  CHECK(a.index == 1.33);
+  CHECK(a.filter == Rgb{0.5, 0.5, 0.5});
+  CHECK(a.illumination == 7);
+  CHECK(a.opacity == 0.25);
+  REQUIRE(a.opacity_map);
+  CHECK(a.opacity_map->is_clamped);
+  folder.write("m.mtl", "newmtl a\nNi\nNs -4\nillum many\nd 3\n");
+  CHECK(text_of(read_mesh(folder.path() + "/a.obj").material_warnings) ==
+        "m.mtl:2:1: warning: Ni: \"\" is not a number; the line is ignored\n"
+        "m.mtl:3:1: warning: Ns -4 is outside [0, inf] and is clamped\n"
+        "m.mtl:4:1: warning: illum: \"many\" is not a number; the line is ignored\n"
+        "m.mtl:5:1: warning: d 3 is outside [0, 1] and is clamped\n");
 }
 
 TEST_CASE("faces before the first usemtl get a default material without a name") {

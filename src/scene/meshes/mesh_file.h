@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Triangle meshes from OBJ (+ MTL Kd, map_Kd, Ke), PLY and serialized files, read in double.
+// Triangle meshes from OBJ with MTL, PLY and serialized files, read in double.
 //
 // A face that cannot be read, has fewer than 3 corners, no area, or edges that cross is skipped and counted in a
 // warning. An index out of range, a number that is not finite where a face uses it, a truncated file and a mesh
@@ -14,25 +14,10 @@
 #include <vector>
 
 #include "errors.h"
+#include "scene/meshes/mesh_material.h"
 #include "scene/model/scene.h"
 
 namespace strahl {
-
-/// A map_Kd of an MTL file: u' = scale u + offset, v likewise, both from the image's lower left corner.
-struct MeshTexture {
-  std::string file;  ///< Resolved; it may not exist.
-  Vec2 scale{1, 1}, offset{0, 0};
-  bool is_clamped = false;
-  SourceLocation where;
-};
-
-/// A material that an OBJ file names: diffuse Kd and emission Ke of its MTL entry.
-struct MeshMaterial {
-  std::string name;
-  Rgb reflectance{0.5, 0.5, 0.5};
-  std::optional<MeshTexture> reflectance_map;  ///< Multiplied by Kd, which is 1 where the file gives only the map.
-  std::optional<Rgb> radiance;                 ///< Present where Ke is not black.
-};
 
 /// Faces before the first usemtl have a material without a name where others have one.
 struct MeshFile {

@@ -4,13 +4,13 @@
 
 #include <string>
 
-#include "scene/meshes/mesh_file.h"
+#include "scene/meshes/mesh_material.h"
 #include "scene/meshes/text_cursor.h"
 
 namespace strahl {
 
-/// At the first word behind "map_Kd". The file is sought beside the MTL file, with slashes of either direction; empty
-/// where the line names none. Options without a counterpart are passed over.
+/// At the first word behind "map_Kd" or another map. The file is sought beside the MTL file, with slashes of either
+/// direction; empty where the line names none. Options without a counterpart are passed over.
 [[nodiscard]] MeshTexture read_mtl_map(TextCursor& cursor, const std::string& mtl_path);
 
 }  // namespace strahl

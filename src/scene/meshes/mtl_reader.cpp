@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Reads newmtl, Kd, map_Kd and Ke of an MTL file ("Object Files", Wavefront Advanced Visualizer manual, appendix B1).
-// What has no counterpart in a diffuse material (Ka, Ks, Ns, d, illum, other textures) is passed over in silence.
-// Values outside [0, 1] (Kd) and below 0 (Ke) are clamped with a warning.
+// Reads what MeshMaterial holds. What has no counterpart (Ka, other maps, sharpness) is passed over in silence. Values
+// outside [0, 1] (Kd, Ks, Tf, d) and below 0 (Ke, Ns) are clamped with a warning.
 #include "scene/meshes/mtl_reader.h"
 
 #include <fmt/format.h>
@@ -35,17 +34,9 @@ class MtlReader {
         const std::string name = material.name;
         const auto [entry, is_new] = library_.materials.try_emplace(name, std::move(material));
         current_ = is_new ? &entry->second : &ignored_;
-        has_kd_ = false;
-      } else if (keyword == "Kd") {
-        if (const auto color = read_color(cursor, at, "Kd", 1)) {
-          current_->reflectance = *color;
-          has_kd_ = true;
-        }
-      } else if (keyword == "Ke") {
-        const auto color = read_color(cursor, at, "Ke", HUGE_VAL);
-        if (color) current_->radiance = *color == Rgb{} ? std::nullopt : color;
-      } else if (keyword == "map_Kd") {
-        read_map(cursor, at);
+        has_kd_ = has_d_ = false;
+      } else {
+        read_value(keyword, cursor, at);
       }
     }
     const auto found = source_.all();
@@ -53,12 +44,65 @@ class MtlReader {
   }
 
  private:
-  /// "Kd r g b", or "Kd r" for grey.
-  std::optional<Rgb> read_color(TextCursor& cursor, const char* at, const char* name, double most) {
-    if (current_ == nullptr) {
+  void read_value(std::string_view keyword, TextCursor& cursor, const char* at) {
+    if (keyword == "Kd") {
+      if (const auto color = read_color(cursor, at, "Kd", 1)) {
+        current_->reflectance = *color;
+        has_kd_ = true;
+      }
+    } else if (keyword == "Ke") {
+      const auto color = read_color(cursor, at, "Ke", HUGE_VAL);
+      if (color) current_->radiance = *color == Rgb{} ? std::nullopt : color;
+    } else if (keyword == "Ks") {
+      if (const auto color = read_color(cursor, at, "Ks", 1)) current_->specular = *color;
+    } else if (keyword == "Tf") {
+      if (const auto color = read_color(cursor, at, "Tf", 1)) current_->filter = *color;
+    } else if (keyword == "Ns") {
+      if (const auto value = read_number(cursor, at, "Ns", 0, HUGE_VAL)) current_->exponent = *value;
+    } else if (keyword == "Ni") {
+      if (const auto value = read_number(cursor, at, "Ni", 0.001, 10)) current_->index = *value;
+    } else if (keyword == "illum") {
+      if (const auto value = read_number(cursor, at, "illum", 0, 10)) current_->illumination = static_cast<int>(*value);
+    } else if (keyword == "d") {
+      if (const auto value = read_number(cursor, at, "d", 0, 1)) current_->opacity = *value;
+      has_d_ = true;
+    } else if (keyword == "Tr" && !has_d_) {
+      // Of 1 - d; some mean d by it, and what is invisible would hardly be there.
+      const auto value = read_number(cursor, at, "Tr", 0, 1);
+      if (value && *value < 1) current_->opacity = 1 - *value;
+    } else if (keyword == "map_Kd") {
+      const auto map = read_map(cursor, at, "map_Kd");
+      if (map && !has_kd_) current_->reflectance = {1, 1, 1};
+      if (map) current_->reflectance_map = map;
+    } else if (keyword == "map_d") {
+      if (const auto map = read_map(cursor, at, "map_d")) current_->opacity_map = map;
+    }
+  }
+
+  bool has_material(const char* at, const char* name) {
+    if (current_ == nullptr)
       source_.warn(at, fmt::format("{} before the first newmtl belongs to no material and is ignored", name));
+    return current_ != nullptr;
+  }
+
+  /// Clamped to least ... most. "d -halo 0.5" is 0.5.
+  std::optional<double> read_number(TextCursor& cursor, const char* at, const char* name, double least, double most) {
+    if (!has_material(at, name)) return std::nullopt;
+    std::string_view word = cursor.find_word() ? cursor.word() : std::string_view{};
+    if (word == "-halo" && cursor.find_word()) word = cursor.word();
+    double value = 0;
+    if (!parse_number(word, value) || !std::isfinite(value)) {
+      source_.warn(at, fmt::format("{}: {} is not a number; the line is ignored", name, in_quotes(word)));
       return std::nullopt;
     }
+    if (value >= least && value <= most) return value;
+    source_.warn(at, fmt::format("{} {} is outside [{}, {}] and is clamped", name, value, least, most));
+    return std::clamp(value, least, most);
+  }
+
+  /// "Kd r g b", or "Kd r" for grey.
+  std::optional<Rgb> read_color(TextCursor& cursor, const char* at, const char* name, double most) {
+    if (!has_material(at, name)) return std::nullopt;
     std::array<double, 3> values{};
     std::size_t n = 0;
     for (; n < 3 && cursor.find_word(); ++n) {
@@ -91,26 +135,20 @@ class MtlReader {
     return color;
   }
 
-  void read_map(TextCursor& cursor, const char* at) {
-    if (current_ == nullptr) {
-      source_.warn(at, "map_Kd before the first newmtl belongs to no material and is ignored");
-      return;
-    }
+  std::optional<MeshTexture> read_map(TextCursor& cursor, const char* at, const char* name) {
+    if (!has_material(at, name)) return std::nullopt;
     MeshTexture map = read_mtl_map(cursor, source_.path());
     map.where = source_.place(at);
-    if (map.file.empty()) {
-      source_.warn(at, "map_Kd names no file; the line is ignored");
-      return;
-    }
-    current_->reflectance_map = map;
-    if (!has_kd_) current_->reflectance = {1, 1, 1};
+    if (!map.file.empty()) return map;
+    source_.warn(at, fmt::format("{} names no file; the line is ignored", name));
+    return std::nullopt;
   }
 
   MeshSource source_;
   MtlLibrary& library_;
   MeshMaterial ignored_;
   MeshMaterial* current_ = nullptr;
-  bool has_kd_ = false;  ///< The current one.
+  bool has_kd_ = false, has_d_ = false;  ///< The current one.
 };
 
 }  // namespace

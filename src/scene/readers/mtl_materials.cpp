@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+#include "scene/readers/mtl_materials.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "image/file_bytes.h"
+#include "kinds/textures.h"
+#include "scene/xml/color_value.h"
+
+namespace strahl {
+namespace {
+
+double brightest(const Rgb& c) { return std::max({c.r, c.g, c.b}); }
+Rgb times(double factor, const Rgb& c) { return {factor * c.r, factor * c.g, factor * c.b}; }
+
+class Import {
+ public:
+  Import(const MeshMaterial& from, const Shape& shape, Scene& scene, ImageFiles& images, Diagnostics& diagnostics)
+      : from_(from), shape_(shape), scene_(scene), images_(images), diagnostics_(diagnostics) {}
+
+  int run() {
+    switch (from_.illumination) {
+      case 3:
+      case 5:
+      case 8:
+        return mirror();
+      case 4:
+      case 6:
+      case 7:
+      case 9:
+        return glass();
+      default:
+        return highlight();
+    }
+  }
+
+ private:
+  int glass() {
+    Dielectric glass;
+    glass.int_ior = from_.index;
+    const double most = brightest(from_.filter);
+    if (most > 0) glass.transmittance.color = times(1 / most, from_.filter);
+    Material material = named(glass);
+    material.twosided = false;
+    return add(material);
+  }
+
+  int highlight() {
+    const Reflectance base = base_reflectance();
+    const Rgb specular = specular_beside(base.color);
+    if (from_.illumination < 2 || from_.exponent <= 0 || brightest(specular) <= 0) return opaque(named(Diffuse{base}));
+    const Varying exponent{{from_.exponent, from_.exponent, from_.exponent}};
+    return opaque(named(Phong{base, {specular}, exponent}));
+  }
+
+  /// A blend in which each of the two has the share of its brightest colour.
+  int mirror() {
+    const Reflectance base = base_reflectance();
+    const Rgb specular = specular_beside(base.color);
+    const double rest = brightest(base.color), both = rest + brightest(specular);
+    if (brightest(specular) <= 0) return opaque(named(Diffuse{base}));
+    if (rest <= 0) return opaque(named(Conductor{{specular}}));
+    const double share = brightest(specular) / both;
+    Reflectance own = base;
+    own.color = times(1 / (1 - share), base.color);
+    if (own.texture >= 0) std::get<Bitmap>(scene_.textures.back().pattern).scale = own.color;
+    Blend blend;
+    blend.weight.color = {share, share, share};
+    blend.first = add(twosided(named(Diffuse{own})));
+    blend.second = add(twosided(named(Conductor{{times(1 / share, specular)}})));
+    return opaque(named(blend));
+  }
+
+  Rgb specular_beside(const Rgb& base) const {
+    return {std::min(from_.specular.r, 1 - base.r), std::min(from_.specular.g, 1 - base.g),
+            std::min(from_.specular.b, 1 - base.b)};
+  }
+
+  Reflectance base_reflectance() {
+    Reflectance base{
+        clamped_reflectance(from_.reflectance, shape_.where, fmt::format("Kd of {}", from_.name), diagnostics_)};
+    if (from_.reflectance_map) base.texture = added_texture(*from_.reflectance_map, base.color, {}, "Kd stands");
+    return base;
+  }
+
+  template <typename Bsdf>
+  Material named(const Bsdf& bsdf) const {
+    Material material;
+    material.id = from_.name;
+    material.bsdf = bsdf;
+    material.where = shape_.where;
+    return material;
+  }
+
+  static Material twosided(Material material) {
+    material.twosided = true;
+    return material;
+  }
+
+  int opaque(const Material& from) {
+    Material material = twosided(from);
+    if (from_.opacity < 1 || from_.opacity_map) {
+      Reflectance opacity{{from_.opacity, from_.opacity, from_.opacity}};
+      if (from_.opacity_map)
+        opacity.texture = added_texture(*from_.opacity_map, opacity.color, {TexelCurve::Kind::linear}, "d stands");
+      material.opacity = opacity;
+    }
+    return add(material);
+  }
+
+  int add(const Material& material) {
+    scene_.materials.push_back(material);
+    return static_cast<int>(scene_.materials.size()) - 1;
+  }
+
+  /// Its index; -1 where the file cannot be read.
+  int added_texture(const MeshTexture& from, const Rgb& scale, const TexelCurve& curve, const char* otherwise) {
+    const std::string obstacle = unreadable_because(from.file);
+    if (!obstacle.empty()) {
+      diagnostics_.warning(from.where, fmt::format("cannot read \"{}\": {}; {}", from.file, obstacle, otherwise));
+      return -1;
+    }
+    Bitmap bitmap;
+    bitmap.texels = images_.read(from.file, from.where, diagnostics_);
+    if (!bitmap.texels) return -1;
+    bitmap.curve = curve;
+    bitmap.scale = scale;
+    bitmap.wrap = from.is_clamped ? TextureWrap::clamp : TextureWrap::repeat;
+    // v counts from the bottom in the file and from the top in the mesh.
+    bitmap.to_uv = {from.scale.x, 0, from.offset.x, 0, from.scale.y, 1 - from.scale.y - from.offset.y};
+    bitmap.mean = kinds::mean_of(*bitmap.texels, bitmap.curve);
+    scene_.textures.push_back({"", bitmap, from.where});
+    return static_cast<int>(scene_.textures.size()) - 1;
+  }
+
+  const MeshMaterial& from_;
+  const Shape& shape_;
+  Scene& scene_;
+  ImageFiles& images_;
+  Diagnostics& diagnostics_;
+};
+
+}  // namespace
+
+int added_material(const MeshMaterial& from, const Shape& shape, Scene& scene, ImageFiles& images,
+                   Diagnostics& diagnostics) {
+  return Import(from, shape, scene, images, diagnostics).run();
+}
+
+}  // namespace strahl

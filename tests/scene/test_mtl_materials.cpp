@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+// What MTL's illumination models become.
+#include <catch2/catch.hpp>
+
+#include "image/image_io.h"
+#include "scene/scene_text.h"
+
+using namespace strahl;
+using namespace strahl::test;
+
+namespace {
+
+/// The scene of a triangle whose material has these lines; the part's material is the last one.
+LoadedScene with_mtl(const std::string& lines) {
+  const SceneFolder folder;
+  write_image(Image{2, 2, {"R", "G", "B"}, std::vector<float>(12, 0.5F), {}}, folder.path("half.png"));
+  folder.write("a.mtl", "newmtl a\n" + lines);
+  return load_scene(folder.write("a.obj", "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\n"));
+}
+
+template <typename Bsdf>
+Bsdf bsdf_of(const LoadedScene& loaded) {
+  CHECK(loaded.warnings.empty());
+  return std::get<Bsdf>(loaded.scene.materials.back().bsdf);
+}
+
+bool is_close(const Rgb& a, const Rgb& b) {
+  return std::max({std::fabs(a.r - b.r), std::fabs(a.g - b.g), std::fabs(a.b - b.b)}) < 1e-12;
+}
+
+}  // namespace
+
+TEST_CASE("a highlight needs Ks, Ns and illum 2, and takes what Kd leaves") {
+  const LoadedScene loaded = with_mtl("Kd 0.6 0.2 0\nKs 0.7 0.7 0.7\nNs 32\nillum 2\n");
+  const auto phong = bsdf_of<Phong>(loaded);
+  CHECK(is_close(phong.diffuse_reflectance.color, {0.6, 0.2, 0}));
+  CHECK(is_close(phong.specular_reflectance.color, {0.4, 0.7, 0.7}));
+  CHECK(phong.exponent.color == Rgb{32, 32, 32});
+  CHECK(loaded.scene.materials.back().twosided);
+  CHECK_FALSE(loaded.scene.materials.back().opacity);
+  for (const char* lines : {"Ks 0.7\nNs 32\nillum 1\n", "Ks 0.7\n", "Ks 0\nNs 32\n", "Kd 1\nKs 0.5\nNs 9\n"})
+    CHECK(bsdf_of<Diffuse>(with_mtl(lines)).reflectance.texture < 0);
+}
+
+TEST_CASE("mirrors: what is diffuse and what is mirrored add up to Kd and Ks") {
+  for (const char* illum : {"illum 3\n", "illum 5\n", "illum 8\n"}) {
+    const LoadedScene loaded = with_mtl("Kd 0.01 0.02 0.03\nKs 0.9 0.9 0.45\n" + std::string(illum));
+    const auto blend = bsdf_of<Blend>(loaded);
+    const auto at = [&](int i) { return loaded.scene.materials.at(static_cast<std::size_t>(i)).bsdf; };
+    const double share = blend.weight.color.r;
+    const Rgb base = std::get<Diffuse>(at(blend.first)).reflectance.color;
+    const Rgb mirror = std::get<Conductor>(at(blend.second)).reflectance.color;
+    CHECK(is_close({(1 - share) * base.r, (1 - share) * base.g, (1 - share) * base.b}, {0.01, 0.02, 0.03}));
+    CHECK(is_close({share * mirror.r, share * mirror.g, share * mirror.b}, {0.9, 0.9, 0.45}));
+    for (const Rgb& c : {base, mirror}) CHECK(std::max({c.r, c.g, c.b}) <= 1);
+  }
+  CHECK(bsdf_of<Conductor>(with_mtl("Kd 0 0 0\nKs 0.9 0.8 0.7\nillum 3\n")).reflectance.color == Rgb{0.9, 0.8, 0.7});
+  CHECK(bsdf_of<Diffuse>(with_mtl("Kd 0.3\nillum 3\n")).reflectance.color == Rgb{0.3, 0.3, 0.3});
+}
+
+TEST_CASE("glass has the index Ni and Tf's hue, whatever its d") {
+  for (const char* illum : {"illum 4\n", "illum 6\n", "illum 7\n", "illum 9\n"}) {
+    const LoadedScene loaded = with_mtl("Kd 0.01\nKs 0.3\nTf 0.1 0.05 0.1\nNi 2.5\nd 0.2\n" + std::string(illum));
+    const auto glass = bsdf_of<Dielectric>(loaded);
+    CHECK(glass.int_ior == 2.5);
+    CHECK(is_close(glass.transmittance.color, {1, 0.5, 1}));
+    CHECK_FALSE(loaded.scene.materials.back().twosided);
+    CHECK_FALSE(loaded.scene.materials.back().opacity);
+  }
+}
+
+TEST_CASE("d, Tr and map_d are masks") {
+  const auto opacity = [](const std::string& lines) { return with_mtl(lines).scene.materials.back().opacity; };
+  CHECK(opacity("d 0.25\n").value().color == Rgb{0.25, 0.25, 0.25});
+  CHECK(opacity("d -halo 0.25\n").value().color.g == 0.25);
+  CHECK(opacity("Tr 0.75\n").value().color.g == 0.25);
+  CHECK(opacity("d 0.5\nTr 0.75\n").value().color.g == 0.5);
+  CHECK_FALSE(opacity("d 1\nTr 0\n"));
+  CHECK_FALSE(opacity("Tr 1\n"));
+  const LoadedScene loaded = with_mtl("map_Kd half.png\nmap_d half.png\n");
+  const Material& material = loaded.scene.materials.back();
+  REQUIRE(material.opacity);
+  const auto bitmap = [&](int texture) {
+    return std::get<Bitmap>(loaded.scene.textures.at(static_cast<std::size_t>(texture)).pattern);
+  };
+  CHECK(bitmap(material.opacity->texture).curve.kind == TexelCurve::Kind::linear);
+  CHECK(bitmap(std::get<Diffuse>(material.bsdf).reflectance.texture).curve.kind == TexelCurve::Kind::srgb);
+}
