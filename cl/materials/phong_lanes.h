@@ -17,10 +17,11 @@ FN void phong_load_w(const Scene* scene, const Surfaces_w* s, intw rows, maskw w
 
 /// The cosine of wi and the mirrored wo, to the power of the exponent.
 FN realw phong_power_w(const Bsdf_w* b, real3w wi) {
-  realw zero = splat_w(R(0.0)), one = splat_w(R(1.0)), least = splat_w(R(1e-30));
+  realw zero = splat_w(R(0.0)), one = splat_w(R(1.0));
   realw cosine = fma_w(wi.z, b->wo.z, -fma_w(wi.y, b->wo.y, wi.x * b->wo.x));
-  realw power = exp_minus_w(b->p[PHONG_EXPONENT_w] * minus_log_w(min_w(max_w(cosine, least), one)));
-  return sel_w(lt_w(zero, cosine), power, zero);
+  maskw is_above = lt_w(zero, cosine);
+  realw power = exp_minus_w(b->p[PHONG_EXPONENT_w] * minus_log_w(sel_w(is_above, min_w(cosine, one), one)));
+  return sel_w(is_above, power, zero);
 }
 
 SELDOM_FN real3w phong_eval_w(const Bsdf_w* b, real3w wi, PRIVATE realw* density) {
