@@ -48,8 +48,13 @@
 #endif
 #endif
 
-/// unused: a program holds only some of the callers.
+/// unused: a program holds only some of the callers. Tests compile this text on the host, where inlining all of it
+/// would take minutes.
+#ifdef __cplusplus
+#define FN static inline __attribute__((unused))
+#else
 #define FN static inline __attribute__((always_inline, unused))
+#endif
 
 /// As FN, for large functions that are seldom called: a program holds one copy, and callers pay for the call.
 #define SELDOM_FN static __attribute__((noinline, unused))

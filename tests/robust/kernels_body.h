@@ -15,6 +15,7 @@
 #define HAS_EMISSION 1
 #define HAS_TWOSIDED 1
 #define HAS_TANGENT 1
+#define HAS_RELIEF 1
 #define HAS_SMOOTH_NORMALS 1
 #define HAS_MESH_UVS 1
 #define HAS_TEXTURE_LOD 1
