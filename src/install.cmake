@@ -34,6 +34,7 @@ target_sources(
          src/scene/model/build.h
          src/scene/loader.h
          src/scene/meshes/mesh_file.h
+         src/scene/meshes/mesh_material.h
          src/scene/model/materials.h
          src/scene/model/scene.h
          src/scene/validate.h

@@ -53,16 +53,36 @@ typedef struct {
   realw left, right;  ///< Their sum is 1.
 } LightShares_w;
 
-/// Of a node's children. Where no light of either reaches the point, or numbers overflow, both are equal.
-FN LightShares_w light_shares_w(GLOBAL const real* children, intw node, real3w from) {
+/// Of the lights of both children.
+FN realw importance_of_node_w(GLOBAL const real* children, intw node, real3w from) {
   intw at = node * (int)(2 * LIGHT_CHILD_REALS);
+  return light_importance_w(children, at, from) + light_importance_w(children + LIGHT_CHILD_REALS, at, from);
+}
+
+/// Of a node's children. Where no light of either reaches the point, or numbers overflow, both are equal. Where one
+/// holds lights from afar (the left one) and the other near ones, what the near ones may bring is told by the next
+/// node: a light far out makes the ball around all of them say nothing. Each of the two has an eighth at least.
+FN LightShares_w light_shares_w(GLOBAL const real* children, GLOBAL const int* links, intw node, real3w from) {
+  intw at = node * (int)(2 * LIGHT_CHILD_REALS);
+  realw zero = splat_w(R(0.0)), one = splat_w(R(1.0)), even = splat_w(R(0.5)), eighth = splat_w(R(0.125));
   realw left = light_importance_w(children, at, from);
   realw right = light_importance_w(children + LIGHT_CHILD_REALS, at, from);
-  realw both = left + right, even = splat_w(R(0.5));
-  maskw is_sound = lt_w(splat_w(R(0.0)), both) & lt_w(both, splat_w(REAL_MAX));
+  maskw is_mixed = lt_w(gather_w(children + LIGHT_CHILD_RADIUS2, at), zero) &
+                   ~lt_w(gather_w(children + LIGHT_CHILD_REALS + LIGHT_CHILD_RADIUS2, at), zero);
+  if (any_w(is_mixed)) {
+    intw next = gather_int_w(links + 1, node + node);
+    maskw is_node = is_mixed & ~lt_int_w(next, splat_int_w(0));
+    if (any_w(is_node))
+      right = sel_w(is_node, importance_of_node_w(children, sel_int_w(is_node, next, splat_int_w(0)), from), right);
+  }
+  realw both = left + right;
+  maskw is_sound = lt_w(zero, both) & lt_w(both, splat_w(REAL_MAX));
   LightShares_w shares;
   shares.left = sel_w(is_sound, left / both, even);
   shares.right = sel_w(is_sound, right / both, even);
+  realw far = min_w(max_w(shares.left, eighth), one - eighth);
+  shares.left = sel_w(is_mixed, far, shares.left);
+  shares.right = sel_w(is_mixed, one - far, shares.right);
   return shares;
 }
 
@@ -75,7 +95,7 @@ FN realw tree_rarity_w(const Scene* scene, intw lights, real3w from) {
   intw way = gather_int_w(ways, sel_int_w(lt_int_w(lights, first), splat_int_w(0), lights - first));
   realw chance = splat_w(R(1.0));
   for (maskw walks = ~none_w(); any_w(walks);) {
-    LightShares_w shares = light_shares_w(children, node, from);
+    LightShares_w shares = light_shares_w(children, links, node, from);
     maskw is_right = nonzero_w(way & splat_int_w(1));
     chance = sel_w(walks, chance * sel_w(is_right, shares.right, shares.left), chance);
     intw link = gather_int_w(links, node + node + (way & splat_int_w(1)));
@@ -110,7 +130,7 @@ FN LightChoice_w tree_choose_w(const Scene* scene, real3w from, uintw number) {
   choice.light = first;
   realw chance = splat_w(R(1.0)), one = splat_w(R(1.0));
   for (maskw walks = ~none_w(); any_w(walks);) {
-    LightShares_w shares = light_shares_w(children, node, from);
+    LightShares_w shares = light_shares_w(children, links, node, from);
     uintw limit = number_of_share_w(shares.left, splat_uint_w(0u));
     maskw is_left = lt_uint_w(number, limit) | le_w(one, shares.left);
     realw share = sel_w(is_left, shares.left, shares.right);

@@ -395,6 +395,7 @@
 #define hit_normal_to_world_w LANED(hit_normal_to_world_w)
 #define hit_places_w LANED(hit_places_w)
 #define hit_point_to_world_w LANED(hit_point_to_world_w)
+#define importance_of_node_w LANED(importance_of_node_w)
 #define in_range_approximately_w LANED(in_range_approximately_w)
 #define in_range_w LANED(in_range_w)
 #define independent_begin_w LANED(independent_begin_w)

@@ -25,7 +25,8 @@ double radius_of(const Scene& scene, const UploadFrame& frame, std::span<const L
   return radius > 0 ? radius : 1;
 }
 
-/// What of a far light's irradiance enters the scene is its power.
+/// What of a far light's irradiance enters the scene is its power. As in the tree, lights from afar and near ones each
+/// have an eighth of the whole at least: the size of a scene says little of what a point in it sees.
 std::vector<double> powers(const Scene& scene, const UploadFrame& frame, std::span<const LightReach> lights) {
   const double radius = radius_of(scene, frame, lights), disc = std::numbers::pi * radius * radius;
   std::vector<double> all;
@@ -33,8 +34,14 @@ std::vector<double> powers(const Scene& scene, const UploadFrame& frame, std::sp
     const double power = light.weight * light.power * (light.is_far ? disc : 1);
     all.push_back(std::isfinite(power) ? power : 0);
   }
-  if (std::accumulate(all.begin(), all.end(), 0.0) > 0) return all;
-  return std::vector<double>(lights.size(), 1);
+  const double sum = std::accumulate(all.begin(), all.end(), 0.0);
+  if (!(sum > 0)) return std::vector<double>(lights.size(), 1);
+  double far = 0;
+  for (std::size_t i = 0; i < lights.size(); ++i) far += lights[i].is_far ? all[i] : 0;
+  if (!(far > 0) || !(far < sum)) return all;
+  const double share = std::clamp(far / sum, 0.125, 0.875);
+  for (std::size_t i = 0; i < lights.size(); ++i) all[i] *= lights[i].is_far ? share / far : (1 - share) / (sum - far);
+  return all;
 }
 
 }  // namespace
