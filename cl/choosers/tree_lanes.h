@@ -60,8 +60,8 @@ FN realw importance_of_node_w(GLOBAL const real* children, intw node, real3w fro
 }
 
 /// Of a node's children. Where no light of either reaches the point, or numbers overflow, both are equal. Where one
-/// holds lights from afar (the left one) and the other near ones, what the near ones may bring is told by the next
-/// node: a light far out makes the ball around all of them say nothing. Each of the two has an eighth at least.
+/// holds lights from afar (the left one) and the other near ones, the children of the latter give its importance: a
+/// light far out makes the ball around all near ones too wide to tell. Each of the two has an eighth at least.
 FN LightShares_w light_shares_w(GLOBAL const real* children, GLOBAL const int* links, intw node, real3w from) {
   intw at = node * (int)(2 * LIGHT_CHILD_REALS);
   realw zero = splat_w(R(0.0)), one = splat_w(R(1.0)), even = splat_w(R(0.5)), eighth = splat_w(R(0.125));

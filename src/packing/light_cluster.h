@@ -2,8 +2,8 @@
 // Lights together: what bounds where they are and which way they shine.
 #pragma once
 
-#include <array>
 #include <optional>
+#include <vector>
 
 #include "kinds/light_reach.h"
 #include "scene/model/vec.h"

@@ -6,6 +6,7 @@
 #include <bit>
 #include <cmath>
 #include <numeric>
+#include <optional>
 
 #include "packing/cl_layout.h"
 #include "packing/light_cluster.h"

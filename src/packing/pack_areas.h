@@ -3,27 +3,16 @@
 // area.
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "kinds/light_reach.h"
 #include "kinds/upload_frame.h"
+#include "packing/alias_table.h"
 #include "scene/model/scene.h"
 
 namespace strahl {
-
-/// A row of an alias table: with a number of 32 bits below the limit the row's own item, else the other.
-struct Choice {
-  std::uint32_t limit = 0xffffffff;
-  std::int32_t other = 0;
-};
-
-/// Draws an item in proportion to its weight: all of them, one at least, finite and not negative, their sum positive.
-/// A. Walker's method with M. Vose's table, "A Linear Algorithm for Generating Random Numbers with a Given
-/// Distribution", IEEE Transactions on Software Engineering 17(9), 1991.
-[[nodiscard]] std::vector<Choice> alias_table(const std::vector<double>& weights);
 
 /// In the frame's units.
 struct EmittingArea {

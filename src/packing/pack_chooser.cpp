@@ -6,9 +6,9 @@
 #include <numbers>
 #include <numeric>
 
+#include "packing/alias_table.h"
 #include "packing/cl_layout.h"
 #include "packing/light_tree.h"
-#include "packing/pack_areas.h"
 
 namespace strahl {
 namespace {
@@ -58,11 +58,7 @@ void pack_chooser(PackedScene<Real>& packed, const Scene& scene, const Features&
     for (const double power : all)
       rarities.push_back(std::min(sum / power, static_cast<double>(std::numeric_limits<Real>::max())));
     const int rarities_at = packed.put_shading(rarities);
-    const int choices_at = packed.index_end();
-    for (const Choice& choice : alias_table(all)) {
-      packed.index.push_back(static_cast<std::int32_t>(choice.limit));
-      packed.index.push_back(choice.other);
-    }
+    const int choices_at = put_choices(packed, alias_table(all));
     packed.at(layout::HEADER_CHANCES) = rarities_at;
     packed.at(layout::HEADER_CHOICES) = choices_at;
   }

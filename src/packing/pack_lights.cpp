@@ -62,7 +62,9 @@ class LightTable {
     if (kind < 0) return false;
     if (kinds::light_glows(light)) header(layout::HEADER_GLOWS) = 1;
     rows_.insert(rows_.end(), {kind, packed_.put_shading(kinds::light_reals(light, frame_)), 0, 0, 0, -1});
-    reaches_.push_back(kinds::light_reach(light, frame_));
+    // That of an image reads all of its texels.
+    const bool is_chosen = features_.light_chooser != "uniform";
+    reaches_.push_back(is_chosen ? kinds::light_reach(light, frame_) : LightReach{});
     if (const auto* environment = std::get_if<EnvironmentLight>(&light.emitter)) put_environment(*environment);
     return true;
   }
@@ -76,20 +78,11 @@ class LightTable {
     packed_.put_shading(tables.rows);
     const std::span row = std::span(rows_).last(layout::LIGHT_INTS);
     row[layout::LIGHT_IMAGE] = images_.row(*light.texels, light.curve);
-    row[layout::LIGHT_CHOICE] = put_choices(tables.choices);
+    row[layout::LIGHT_CHOICE] = put_choices(packed_, tables.choices);
   }
 
   void glow(const Rgb& radiance) {
     if (radiance.r > 0 || radiance.g > 0 || radiance.b > 0) header(layout::HEADER_GLOWS) = 1;
-  }
-
-  int put_choices(const std::vector<Choice>& choices) {
-    const int at = packed_.index_end();
-    for (const Choice& choice : choices) {
-      packed_.index.push_back(static_cast<std::int32_t>(choice.limit));
-      packed_.index.push_back(choice.other);
-    }
-    return at;
   }
 
   /// One for each part that emits and has an area that can be drawn from; light_of_part_ for each part of the scene.
@@ -113,7 +106,7 @@ class LightTable {
         reals.insert(reals.end(), area->items.begin(), area->items.end());
         const int items = checked_offset(area->choices.size());
         header(layout::HEADER_MOST_ITEMS) = std::max(header(layout::HEADER_MOST_ITEMS), items);
-        const int choice_at = put_choices(area->choices);
+        const int choice_at = put_choices(packed_, area->choices);
         const int first = first_of_area(shape.geometry, part);
         rows_.insert(rows_.end(), {kind, packed_.put_shading(reals), entry("areas", area_kind(shape.geometry)), items,
                                    choice_at, first < 0 ? -1 : first_ids[i] + first});

@@ -31,6 +31,7 @@ struct Causes {
   std::set<std::string> left_out;
   std::map<std::string, Cause> first;       ///< That was found of each name.
   std::optional<std::string> light_choice;  ///< As the settings have it.
+  std::string light_chooser = "uniform";    ///< The entry that is called for, if any is.
   bool background = false;                  ///< A light that rays find where they leave the scene.
 
   [[nodiscard]] bool allow(const std::string& name) const { return !left_out.contains(name); }
@@ -151,17 +152,10 @@ void light_causes(const Scene& scene, Causes& causes) {
   }
   if (!integrator.is_lit() || drawn == nullptr) return;
   const DrawnLights lights = drawn_lights(scene, [&](const std::string& name) { return causes.contains(name); });
-  std::string chooser = light_chooser(lights);
-  if (lights.count > 1 && causes.light_choice) chooser = *causes.light_choice;
-  call_for(causes, "choosers/" + chooser,
+  causes.light_chooser = light_chooser(lights);
+  if (lights.count > 1 && causes.light_choice) causes.light_chooser = *causes.light_choice;
+  call_for(causes, "choosers/" + causes.light_chooser,
            lights.count < 2 ? drawn->why : fmt::format("{} lights to draw from", lights.count), drawn->where);
-}
-
-/// The chooser that the scene calls for.
-std::string chooser_of(const Causes& causes) {
-  for (const std::string& name : list_entries("choosers"))
-    if (causes.contains("choosers/" + name)) return name;
-  return "uniform";
 }
 
 Causes causes_of(const Scene& scene, const RenderSettings& settings) {
@@ -241,7 +235,7 @@ Features features_of(const Scene& scene, const RenderSettings& settings) {
     for (const std::string& entry : list_entries(list))
       if (report(list + "/" + entry, {})) active.insert(entry);
   }
-  features.light_chooser = chooser_of(causes);
+  features.light_chooser = causes.light_chooser;
   for (const auto& [name, purpose] : list_features()) features.flags.emplace_back(name, report(name, purpose));
   return features;
 }

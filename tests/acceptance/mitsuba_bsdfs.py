@@ -98,17 +98,18 @@ def differ(written, found):
     return 1 if far or len(ours) != len(theirs) else 0
 
 
-def main():
+def main(lines, file):
+    """Writes these lines to the file or, with --check, compares them with it."""
     try:
         text = "\n".join(lines()) + "\n"
     except ImportError as missing:
         print(f"skipped: {missing}")
         return 77
     if "--check" not in sys.argv:
-        FILE.write_text(text)
+        file.write_text(text)
         return 0
-    return differ(FILE.read_text(), text)
+    return differ(file.read_text(), text)
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(main(lines, FILE))

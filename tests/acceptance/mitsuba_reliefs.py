@@ -1,3 +1,4 @@
+#!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """What Mitsuba 3's normal and bump maps scatter between directions: the values that tests/physics/test_reliefs.cpp
 holds.
@@ -5,11 +6,10 @@ holds.
 mitsuba_reliefs.py            writes tests/physics/mitsuba_reliefs.txt anew
 mitsuba_reliefs.py --check    exit status 1 where the installed Mitsuba has other values, 77 where there is none
 """
-import math
 import pathlib
 import sys
 
-from mitsuba_bsdfs import differ, directions
+from mitsuba_bsdfs import directions, main
 
 FILE = pathlib.Path(__file__).parents[1] / "physics" / "mitsuba_reliefs.txt"
 ROOT = pathlib.Path(__file__).parents[2]
@@ -67,17 +67,5 @@ def lines():
                 yield " ".join(f"{x:.9g}" for x in [*si.uv, *wo, *wi, *value])
 
 
-def main():
-    try:
-        text = "\n".join(lines()) + "\n"
-    except ImportError as missing:
-        print(f"skipped: {missing}")
-        return 77
-    if "--check" not in sys.argv:
-        FILE.write_text(text)
-        return 0
-    return differ(FILE.read_text(), text)
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(main(lines, FILE))
