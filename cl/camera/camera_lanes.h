@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Camera rays of one pixel. Perspective and orthographic are one affine map of the place on the picture
+// Camera rays of pixels of one row. Perspective and orthographic are one affine map of the place on the picture
 // (scene/layout.h); through a lens they
 // begin anywhere on it and meet again at the plane of focus. The pixel's middle enters as the exact integer numerator 2
 // i + 1 - W: one rounding, so the picture of a mirrored scene is exactly mirrored. One width; no guard.
 
-/// Pixel (x, y) of the whole picture; dx, dy: offset from its middle in pixels; lens: the place on the lens, in radii.
-FN void camera_rays_w(GLOBAL const real* camera, int width, int height, int x, int y, realw dx, realw dy, Real2_w lens,
+/// Pixels (x, y) of the whole picture; dx, dy: offset from its middle in pixels; lens: the place on the lens, in radii.
+FN void camera_rays_w(GLOBAL const real* camera, int width, int height, intw x, int y, realw dx, realw dy, Real2_w lens,
                       Rays_w* rays) {
   realw two = splat_w(R(2.0));
-  realw sx = fma_w(two, dx, splat_w((real)(2 * x + 1 - width))) / splat_w((real)width);
+  realw sx = fma_w(two, dx, real_of_int_w(x + x + splat_int_w(1 - width))) / splat_w((real)width);
   realw sy = fma_w(two, dy, splat_w((real)(2 * y + 1 - height))) / splat_w((real)height);
   real3w o = fma3_w(sx, splat3_w(load3(camera + CAMERA_OX)), splat3_w(load3(camera + CAMERA_O)));
   o = fma3_w(sy, splat3_w(load3(camera + CAMERA_OY)), o);

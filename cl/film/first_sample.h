@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The values of a pixel's first sample that are reported beside the picture (scene/layout.h, AOV_...).
+// The values of each pixel's first sample that are reported beside the picture (scene/layout.h, AOV_...).
 #ifndef STRAHL_FILM_FIRST_SAMPLE_H
 #define STRAHL_FILM_FIRST_SAMPLE_H
 
@@ -7,14 +7,17 @@
 #include "scene/layout.h"
 
 typedef struct {
-  GLOBAL real* reals;
+  GLOBAL real* reals;  ///< The first pixel's of a span; the others' follow.
   GLOBAL int* ints;
-  int lane;  ///< Of the paths that are being followed; -1: it is not among them.
-} FirstSample;
+  int first_pixel;  ///< Its number in the picture.
+  uint lanes;       ///< Those of the paths being followed that are first samples on their first ray, a bit each.
+} FirstSamples;
 
-FN void store_first_sample(const FirstSample* first, const Ray* ray, int hit, real t, const Surface* s) {
-  GLOBAL real* reals = first->reals;
-  GLOBAL int* ints = first->ints;
+FN int is_first_sample(const FirstSamples* first, int lane) { return HAS_AOV && (first->lanes >> lane & 1u) != 0u; }
+
+FN void store_first_sample(const FirstSamples* first, int pixel, const Ray* ray, int hit, real t, const Surface* s) {
+  GLOBAL real* reals = first->reals + (ulong)(pixel - first->first_pixel) * AOV_REALS;
+  GLOBAL int* ints = first->ints + (ulong)(pixel - first->first_pixel) * AOV_INTS;
   for (int i = 0; i < AOV_REALS; ++i) reals[i] = R(0.0);
   ints[AOV_SHAPE] = -1;
   ints[AOV_PRIMITIVE] = -1;

@@ -11,7 +11,7 @@
 
 /// The surface where a path's ray ends, for shading.
 FN void take_surface_w(const Scene* scene, Paths_w* path, int lane, const Ray* ray, const Nearest* nearest,
-                       const FirstSample* first, Surfaces_w* to) {
+                       const FirstSamples* first, Surfaces_w* to) {
   int is_hit = nearest->kind >= 0;
   Surface s = surface_none();
   if (is_hit) {
@@ -23,12 +23,15 @@ FN void take_surface_w(const Scene* scene, Paths_w* path, int lane, const Ray* r
     }
     surface_to_w(to, lane, &s, nearest->id, nearest->t);
   }
-  if (HAS_AOV && lane == first->lane) store_first_sample(first, ray, is_hit, nearest->t, &s);
+  if (is_first_sample(first, lane)) {
+    int pixel = get_int_w((PRIVATE const intw*)&path->sample.pixel, lane);
+    store_first_sample(first, pixel, ray, is_hit, nearest->t, &s);
+  }
 }
 
 #if LANES == 1
 /// want: FIND_NEAREST or FIND_NEAREST_APPROXIMATELY.
-FN Surfaces_w find_surfaces_w(const Scene* scene, Paths_w* path, int want, const FirstSample* first) {
+FN Surfaces_w find_surfaces_w(const Scene* scene, Paths_w* path, int want, const FirstSamples* first) {
   Surfaces_w s = surfaces_none_w();
   Ray ray = ray_of_w(&path->rays, 0);
   Nearest nearest = SCENE_LANED(closest_hit)(scene, &ray, want);
@@ -55,18 +58,25 @@ FN void widen_w(const Scene* scene, Rays_w* rays) {
 
 /// take_surface_w for the lanes that plain_surfaces_w leaves: seldom, so that it is called.
 SELDOM_FN void take_surface_alone_w(const Scene* scene, Paths_w* path, int lane, const Ray* ray, const Nearest* nearest,
-                                    const FirstSample* first, Surfaces_w* to) {
+                                    const FirstSamples* first, Surfaces_w* to) {
   take_surface_w(scene, path, lane, ray, nearest, first, to);
 }
 
-FN Surfaces_w find_surfaces_w(const Scene* scene, Paths_w* path, int want, const FirstSample* first) {
+FN Surfaces_w find_surfaces_w(const Scene* scene, Paths_w* path, int want, const FirstSamples* first) {
   Surfaces_w s = surfaces_none_w();
   widen_w(scene, &path->rays);
   NearestEach_w each = packet_traverse_w(scene, &path->rays, want);
   s.hit = path->alive & ~lt_int_w(each.kind, splat_int_w(0));
   maskw single = path->alive;
-  int is_reported = HAS_AOV && first->lane >= 0;
-  if (HAS_TANGENT + HAS_RELIEF == 0 && !is_reported) single = single & ~plain_surfaces_w(scene, path, &each, &s);
+  if (HAS_TANGENT + HAS_RELIEF == 0) {
+    realw travelled = path->travelled;
+    maskw is_plain = plain_surfaces_w(scene, path, &each, &s);
+    if (HAS_AOV) {  // Surfaces that are reported are computed whole.
+      is_plain = is_plain & ~nonzero_w(int_of_uint_w(splat_uint_w(first->lanes) >> lane_numbers_w() & 1u));
+      if (TEXTURE_COUNT > 0) path->travelled = sel_w(is_plain, path->travelled, travelled);
+    }
+    single = single & ~is_plain;
+  }
   for (uint lanes = bits_w(single); lanes != 0u; lanes &= lanes - 1u) {
     int lane = first_bit(lanes);
     Ray ray = ray_of_w(&path->rays, lane);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// A pool of paths of one pixel, between the groups of LANES that are followed at a time. After every surface the paths
+// A pool of paths of one span, between the groups of LANES that are followed at a time. After every surface the paths
 // that go on are taken in new groups, so that few lanes are idle, and paths that go the same way stand together
 // (docs/decisions/0026-path-pool.md). A path is a function of its pixel and its number, so the groups do not show in
 // the picture. More than one lane. One width; no guard.
 
-/// POOL_w: the most paths of a pool. A sector is one of the eight combinations of signs of a direction.
-enum { POOL_w = 64, SECTORS_w = 8 };
+/// A sector is one of the eight combinations of signs of a direction.
+enum { SECTORS_w = 8 };
 
 /// What is kept of a path. The rest of its ray is prepared again. Each real is kept only where programs use it.
 enum {
@@ -23,6 +23,7 @@ enum {
   KEPT_DEPARTED_w = 0,
   KEPT_DEPTH_w,
   KEPT_OUTWARD_w,
+  KEPT_PIXEL_w,
   KEPT_SAMPLE_w,
   KEPT_REVERSED_w,
   KEPT_KEY_w,
@@ -38,12 +39,12 @@ typedef struct {
 } KeptPaths_w;
 
 typedef struct {
-  int count;                        ///< Paths that go on.
-  uchar order[POOL_w];              ///< Their places, in the order in which they are taken.
-  uchar places[SECTORS_w][POOL_w];  ///< Places of the paths that are put back, by sector,
-  int counts[SECTORS_w];            ///< and their number.
-  real reals[POOL_w * KEPT_REALS_w];
-  int ints[POOL_w * KEPT_INTS_w];
+  int count;                            ///< Paths that go on.
+  uchar order[POOL_PATHS];              ///< Their places, in the order in which they are taken.
+  uchar places[SECTORS_w][POOL_PATHS];  ///< Places of the paths that are put back, by sector,
+  int counts[SECTORS_w];                ///< and their number.
+  real reals[POOL_PATHS * KEPT_REALS_w];
+  int ints[POOL_PATHS * KEPT_INTS_w];
 } PathPool_w;
 
 FN void keep3_w(PRIVATE realw* to, real3w v) {
@@ -64,6 +65,7 @@ FN void kept_of_paths_w(const Paths_w* path, KeptPaths_w* kept) {
   kept->ints[KEPT_DEPARTED_w] = path->rays.departed;
   kept->ints[KEPT_DEPTH_w] = path->depth;
   kept->ints[KEPT_OUTWARD_w] = path->rays.is_outward;
+  kept->ints[KEPT_PIXEL_w] = int_of_uint_w(path->sample.pixel);
   kept->ints[KEPT_SAMPLE_w] = int_of_uint_w(path->sample.sample);
   kept->ints[KEPT_REVERSED_w] = int_of_uint_w(path->sample.reversed);
   kept->ints[KEPT_KEY_w] = int_of_uint_w(path->sample.key);
@@ -77,7 +79,7 @@ FN void kept_of_paths_w(const Paths_w* path, KeptPaths_w* kept) {
   }
 }
 
-/// path: its sample's pixel, seed and sequences are those of the pool.
+/// path: its sample's seed and sequences are those of the pool.
 FN void paths_of_kept_w(const KeptPaths_w* kept, maskw alive, Paths_w* path) {
   PRIVATE const realw* reals = kept->reals;
   realw t_max = sel_w(alive, reals[KEPT_RAY_w + 6], splat_w(-R(1.0)));
@@ -95,6 +97,7 @@ FN void paths_of_kept_w(const KeptPaths_w* kept, maskw alive, Paths_w* path) {
   path->eta2 = HAS_TRANSMISSION ? reals[KEPT_ETA2_w] : splat_w(R(1.0));
   path->travelled = TEXTURE_COUNT > 0 ? reals[KEPT_TRAVELLED_w] : splat_w(R(0.0));
   path->depth = kept->ints[KEPT_DEPTH_w];
+  path->sample.pixel = uint_of_int_w(kept->ints[KEPT_PIXEL_w]);
   path->sample.sample = uint_of_int_w(kept->ints[KEPT_SAMPLE_w]);
   path->sample.reversed = uint_of_int_w(kept->ints[KEPT_REVERSED_w]);
   path->sample.key = uint_of_int_w(kept->ints[KEPT_KEY_w]);

@@ -33,7 +33,7 @@ FN void paths_none_w(Paths_w* path) {
   }
   path->depth = path->rays.departed = path->rays.departed_instance = path->rays.aim = splat_int_w(-1);
   path->rays.is_outward = splat_int_w(0);
-  path->sample.sample = splat_uint_w(0u);
+  path->sample.sample = path->sample.pixel = splat_uint_w(0u);
 #if LANES != 1
   for (int k = 0; k < RAY_PLANES; ++k) path->rays.planes[k] = zero;
 #endif

@@ -8,7 +8,7 @@
 //   none_w() first_lanes_w(n)  mask of no lane, of the first n lanes
 //   lane_numbers_w()          0, 1, 2 ...
 //   high_product_w(a, b)      the upper half of the product
-//   real_of_uint_w(a)         rounded
+//   real_of_uint_w(a) real_of_int_w(a)  rounded
 //   int_of_real_w(x)          towards 0
 //   uint_of_int_w int_of_uint_w  the same bits
 //   gather_w gather_int_w(p, i)  p[i], a place for each lane
@@ -27,6 +27,7 @@ FN maskw lt_uint_w(uintw a, uintw b) { return -(int)(a < b); }
 FN uintw lane_numbers_w(void) { return 0u; }
 FN uintw high_product_w(uintw a, uintw b) { return high_product(a, b); }
 FN realw real_of_uint_w(uintw a) { return (real)a; }
+FN realw real_of_int_w(intw a) { return (real)a; }
 FN intw int_of_real_w(realw x) { return (int)x; }
 FN uintw uint_of_int_w(intw a) { return (uint)a; }
 FN intw int_of_uint_w(uintw a) { return (int)a; }
@@ -53,6 +54,7 @@ FN uintw high_product_w(uintw a, uintw b) {
   return a;
 }
 FN realw real_of_uint_w(uintw a) { return __builtin_convertvector(a, realw); }
+FN realw real_of_int_w(intw a) { return __builtin_convertvector(a, realw); }
 FN intw int_of_real_w(realw x) { return __builtin_convertvector(x, intw); }
 FN uintw uint_of_int_w(intw a) { return (uintw)a; }
 FN intw int_of_uint_w(uintw a) { return (intw)a; }
@@ -70,9 +72,11 @@ FN uintw splat_uint_w(uint x) { return (uintw)(x); }
 #if REAL_BITS == 64
 FN intw sel_int_w(maskw m, intw a, intw b) { return LANE_VECTOR(convert_int)(m) ? a : b; }
 FN realw real_of_uint_w(uintw a) { return LANE_VECTOR(convert_double)(a); }
+FN realw real_of_int_w(intw a) { return LANE_VECTOR(convert_double)(a); }
 #else
 FN intw sel_int_w(maskw m, intw a, intw b) { return m ? a : b; }
 FN realw real_of_uint_w(uintw a) { return LANE_VECTOR(convert_float)(a); }
+FN realw real_of_int_w(intw a) { return LANE_VECTOR(convert_float)(a); }
 #endif
 FN intw int_of_real_w(realw x) { return LANE_VECTOR(convert_int)(x); }
 FN maskw lt_int_w(intw a, intw b) { return LANE_TO_MASK(a < b); }

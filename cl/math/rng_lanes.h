@@ -7,9 +7,9 @@ typedef struct {
   uintw x, y, z, w;
 } Random4_w;
 
-FN Random4_w random4_w(uint pixel, uintw sample, uintw dimension, uint seed) {
+FN Random4_w random4_w(uintw pixel, uintw sample, uintw dimension, uint seed) {
   Random4_w v;
-  v.x = splat_uint_w(pixel * 1664525u + 1013904223u);
+  v.x = pixel * 1664525u + 1013904223u;
   v.y = sample * 1664525u + 1013904223u;
   v.z = dimension * 1664525u + 1013904223u;
   v.w = splat_uint_w(seed * 1664525u + 1013904223u);

@@ -5,7 +5,7 @@
 #include "samplers/uses.h"
 #include "samplers/all_lanes.h"
 
-FN SampleState_w sample_begin_w(const Scene* scene, uint pixel, uintw sample) {
+FN SampleState_w sample_begin_w(const Scene* scene, uintw pixel, uintw sample) {
   SampleState_w state;
   state.pixel = pixel;
   state.sample = sample;

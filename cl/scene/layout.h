@@ -178,6 +178,9 @@ enum { ROULETTE_LONGEST = 512 };
 // (film/film_sum.h), docs/decisions/0002-film.md.
 enum { FILM_SUBSUMS = 4, FILM_CHANNELS = 3, FILM_SUM_WORDS = 2 };
 
+// Paths of a pool (integrators/path_pool_lanes.h): what a work-item of more than one lane follows at a time.
+enum { POOL_PATHS = 64 };
+
 // Of sampler sobol where the film keeps FILM_SUBSUMS sums (docs/decisions/0011-error.md).
 enum { SOBOL_SEQUENCES = 2 };
 

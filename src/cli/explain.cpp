@@ -184,7 +184,7 @@ ExitCode explain(const ExplainOptions& options) {
   all.features = features_of(scene, all.settings);
   all.lanes = lanes_for(options, all.settings);
   const bool has_tree = calls_for_tree(scene, all.features, all.lanes.tree, all.settings.acceleration);
-  const int paths = path_lanes(all.features, all.settings, all.lanes.count, resolve_sampling(scene).spp);
+  const int paths = path_lanes(all.features, all.settings, all.lanes.count);
   all.program = program_hash(program_source("kernels/render.cl", all.features, all.settings.precision, all.lanes.count,
                                             all.lanes.tree, has_tree, paths));
   if (options.cost) all.costs = costs_of(options, scene, all.settings);

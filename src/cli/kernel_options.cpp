@@ -100,8 +100,8 @@ void add_program_options(CLI::App& app, KernelOptions& options) {
 
 void add_launch_options(CLI::App& app, KernelOptions& options) {
   app.add_option("--paths", options.paths,
-                 "Samples of a pixel followed at a time: one, or as many as --lanes (lanes); default: by the scene and "
-                 "its samples; the picture does not change")
+                 "Samples followed at a time: one, or as many as --lanes (lanes); default: by the scene; the picture does "
+                 "not change")
       ->type_name("NAME")
       ->check(CLI::IsMember({"one", "lanes"}))
       ->group(kGroup);

@@ -200,8 +200,6 @@ ExitCode render(const RenderOptions& options, const Invocation& invocation) {
   const ResolvedSampling sampling = resolve_sampling(scene);
   // A large scene should not be there twice where nothing is counted.
   const Scene counted = options.stats_detail ? scene : Scene{};
-  // A deadline is kept by passes of single samples.
-  if (options.goal.time && !settings.paths_in_lanes) settings.paths_in_lanes = false;
   Renderer renderer(device, std::move(scene), settings);
   if (!options.dump_kernel.empty()) write_text(options.dump_kernel, renderer.program_text());
 

@@ -169,13 +169,16 @@ bool FilmRun::render_band(const Pass& pass, int row, int rows) {
   const double least = least_launch_seconds + state_.launch_overhead;
   bool carry_on = true;
   while (carry_on && !plan.finished()) {
-    const double left = seconds_left();
-    if (pass.count == 1 && left < least) {
-      is_cut_ = true;
-      return false;
+    double most = std::numeric_limits<double>::infinity();
+    if (pass.count == 1) {
+      const double left = seconds_left();
+      if (left < least) {
+        is_cut_ = true;
+        return false;
+      }
+      most = std::max(least, left / 2);  // How long a launch takes is known only roughly.
     }
-    // Half of what is left: how long a launch takes is known only roughly.
-    Launch next = plan.next(std::max(least, left / 2));
+    Launch next = plan.next(most);
     next.row_first += row;
     next.sample_first += pass.first;
     plan.measured(launch_and_count(next, row));

@@ -26,8 +26,8 @@ class LaunchPlan {
 
   /// passes: split the samples into that many ranges regardless of time. overhead_seconds: the time of a launch without
   /// pixels. It counts neither as work nor towards the target; otherwise a slow start would shrink launches to nothing.
-  /// samples_at_once: number of samples that a work-item takes together, so that fewer cost as much; ranges are
-  /// multiples of it where there are enough samples.
+  /// samples_at_once: number of samples of a pixel that a work-item takes together, if there are as many; ranges are
+  /// multiples of it.
   LaunchPlan(int columns, int rows, int samples, std::optional<int> passes, double overhead_seconds = 0,
              int samples_at_once = 1);
 

@@ -11,8 +11,9 @@ namespace {
 
 constexpr int sums_a_pixel = layout::FILM_SUBSUMS;
 
-/// A pass of several samples is not ended part-way, so it must be short compared with the tolerance of a deadline.
-constexpr double uncut_seconds = 0.004;
+/// A pass of several samples is not ended part-way. The share of the time left that it may take: it would have to take
+/// four times as long as the one before it says to miss the deadline.
+constexpr double share_of_time = 0.25;
 
 /// Ratio of the interval's upper end to the wanted error at which a picture is done: a picture of few pixels must not
 /// be done by luck.
@@ -32,7 +33,7 @@ std::optional<Pass> PassPlan::next(double sample_seconds, double seconds_left) {
   int count = spp_ - done_;
   if (goal_.max_error) count = std::min(count, check_at_ - done_);
   if (goal_.deadline) {
-    const double fitting = sample_seconds > 0 ? std::min(uncut_seconds, seconds_left / 4) / sample_seconds : 1;
+    const double fitting = sample_seconds > 0 ? share_of_time * seconds_left / sample_seconds : 1;
     count = static_cast<int>(std::clamp(fitting, 1.0, static_cast<double>(count)));
   }
   const Pass pass{done_, count};

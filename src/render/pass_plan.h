@@ -15,9 +15,9 @@ struct Pass {
   int count = 0;
 };
 
-/// Without a deadline or an error to reach: one pass. With a deadline: passes so short that leaving one out, or ending
-/// one of a single sample part-way, wastes nothing and leaves pixels one sample apart at the most. With an error: up to
-/// where the error so far says that it may be reached.
+/// Without a deadline or an error to reach: one pass. With a deadline: each pass takes a quarter of the time
+/// that is left, down to passes of a single sample; only those end part-way, which leaves pixels one sample apart at
+/// the most. With an error: up to where the error so far says that it may be reached.
 class PassPlan {
  public:
   /// spp: samples at which the render ends in any case.

@@ -23,7 +23,7 @@ Renderer::State::Choice Renderer::State::choose_program() {
   choice.traversal = choose_traversal(scene, features, settings, choice.width);
   has_tree = choice.traversal.has_tree;
   stats.lanes = choice.width.lanes;
-  choice.paths = path_lanes_of(sampling.spp);
+  choice.paths = path_lanes(features, settings, choice.width.lanes);
   source = program_source("kernels/render.cl", features, settings.precision, choice.width.lanes, choice.width.tree,
                           has_tree, choice.paths);
   return choice;
@@ -37,8 +37,8 @@ void Renderer::State::prepare() {
   const Stopwatch start;
   const auto [width, traversal, paths] = choose_program();
   static_cast<void>(samples_of({}));
-  // Few lanes idle at the end if there are several samples for each lane.
-  samples_at_once = paths == 1 ? 1 : 4 * paths;
+  // Paths of one pixel are more alike than those of a span.
+  samples_at_once = paths == 1 ? 1 : layout::POOL_PATHS;
   ProgramReport report;
   const cl::Program program = program_on(device, source, &report, settings.cached_program);
   kernel = checked(device.info().text(), [&] { return cl::Kernel(program, "render"); });
@@ -76,13 +76,16 @@ void Renderer::State::prepare() {
     if (row.on) stats.features.push_back(row.name);
 }
 
-int Renderer::State::path_lanes_of(int spp) const { return path_lanes(features, settings, stats.lanes, spp); }
-
 int Renderer::State::samples_of(const RenderGoal& goal) const {
   const int spp = goal.spp.value_or(goal.is_open() ? max_spp : sampling.spp);
   if (spp < 1 || spp > max_spp)
     throw UsageError(fmt::format("--spp {}: the film holds 1 to {} samples per pixel", spp, max_spp));
   return spp;
+}
+
+int Renderer::State::span_columns(const Launch& l) const {
+  if (stats.path_lanes == 1 || l.samples < 1) return 1;
+  return std::max(1, layout::POOL_PATHS / l.samples);
 }
 
 void Renderer::State::launch(const Launch& l, int film_row) {
@@ -93,13 +96,15 @@ void Renderer::State::launch(const Launch& l, int film_row) {
     for (const cl::Buffer* buffer :
          {&buffers.geometry, &buffers.shading, &buffers.index, &film, &aov_reals, &aov_ints, &counters})
       kernel.setArg(arg++, *buffer);
+    const int span = span_columns(l);
     const int film_first = (l.row_first - film_row) * window.width() + l.column_first;
     for (const int value : {scene.film.width, scene.film.height, window.x0 + l.column_first, window.y0 + l.row_first,
-                            l.columns, l.rows, film_first, window.width(), l.sample_first, l.samples})
+                            l.columns, l.rows, span, film_first, window.width(), l.sample_first, l.samples})
       kernel.setArg(arg++, value);
     device.queue().enqueueNDRangeKernel(
         kernel, cl::NullRange,
-        cl::NDRange(round_up(std::max(l.columns, 1), group.x), round_up(std::max(l.rows, 1), group.y)),
+        cl::NDRange(round_up(std::max((l.columns + span - 1) / span, 1), group.x),
+                    round_up(std::max(l.rows, 1), group.y)),
         cl::NDRange(static_cast<std::size_t>(group.x), static_cast<std::size_t>(group.y)));
     return device.queue().finish();
   });
@@ -150,9 +155,5 @@ bool Renderer::load_program_again() const {
   static_cast<void>(build_program(state_->device, state_->source));
   return true;
 }
-
-bool Renderer::has_program_of(int spp) const { return state_->path_lanes_of(spp) == state_->stats.path_lanes; }
-
-int Renderer::samples_at_once() const { return state_->samples_at_once; }
 
 }  // namespace strahl

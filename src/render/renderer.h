@@ -67,13 +67,6 @@ class Renderer {
   /// Loads the program from the cache as a later process would, to measure the time; false: it is not there.
   bool load_program_again() const;
 
-  /// Whether a renderer made for `spp` samples a pixel has the same program as this one. Both make the same picture, in
-  /// different times.
-  [[nodiscard]] bool has_program_of(int spp) const;
-
-  /// The number of samples of a pixel that a work-item takes together; fewer may take as long.
-  [[nodiscard]] int samples_at_once() const;
-
  private:
   struct State;
   friend class FilmRun;

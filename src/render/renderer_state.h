@@ -68,7 +68,6 @@ struct Renderer::State {
     return static_cast<int>(std::clamp<std::size_t>(limit / row, 1, static_cast<std::size_t>(window.height())));
   }
 
-  [[nodiscard]] int path_lanes_of(int spp) const;
   /// The most samples a pixel, by the goal, the scene and the film. Throws UsageError.
   [[nodiscard]] int samples_of(const RenderGoal& goal) const;
   /// The choices that determine the program.
@@ -80,6 +79,8 @@ struct Renderer::State {
   /// Fills in `features` and `source`; nothing is built or uploaded.
   Choice choose_program();
   void prepare();
+  /// Pixels of a work-item, so that their samples fill a pool.
+  [[nodiscard]] int span_columns(const Launch& launch) const;
   /// film_row: the film's first.
   void launch(const Launch& launch, int film_row);
   void warm_up();

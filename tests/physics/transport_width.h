@@ -60,7 +60,7 @@ inline std::vector<AreaDraw> LANED(area_places)(const TierBuffers& buffers, int 
 inline std::vector<Sight> LANED(look_along)(const TierBuffers& buffers, const Triad& at,
                                             const std::vector<Triad>& directions) {
   const Scene scene = scene_of(buffers);
-  const FirstSample unreported{nullptr, nullptr, -1};
+  const FirstSamples unreported{nullptr, nullptr, 0, 0u};
   const real3w from = LANED(splat_triad)(at);
   std::vector<Sight> seen(directions.size());
   for (std::size_t first = 0; first < directions.size(); first += LANES) {
@@ -102,7 +102,7 @@ inline std::vector<LightPick> LANED(pick_lights)(const TierBuffers& buffers, con
   const real3w from = LANED(splat_triad)(at);
   std::vector<LightPick> picked(count);
   for (std::uint32_t first = 0; first < count; first += LANES) {
-    const SampleState_w sample = sample_begin_w(&scene, 0u, lane_numbers_w() + first);
+    const SampleState_w sample = sample_begin_w(&scene, splat_uint_w(0u), lane_numbers_w() + first);
     const LightChoice_w choice = choose_light_w(&scene, &sample, splat_int_w(0), from);
     const realw told = light_rarity_w(&scene, choice.light, from);
     LANED(for_lanes)
@@ -205,7 +205,7 @@ inline std::vector<Lit> LANED(lit_places)(const TierBuffers& buffers, const std:
 
 inline std::vector<Mapped> LANED(mapped_at)(const TierBuffers& buffers, const std::vector<GivenRay>& given) {
   const Scene scene = scene_of(buffers);
-  const FirstSample unreported{nullptr, nullptr, -1};
+  const FirstSamples unreported{nullptr, nullptr, 0, 0u};
   std::vector<Mapped> found(given.size());
   for (std::size_t first = 0; first < given.size(); first += LANES) {
     const Rays_w rays = LANED(rays_at)(given, first);
@@ -243,7 +243,7 @@ inline std::vector<Triad> LANED(radiance_along)(const TierBuffers& buffers, cons
   uint counters[COUNTERS] = {};
   Scene scene = scene_of(buffers);
   scene.counters = counters;
-  const FirstSample unreported{nullptr, nullptr, -1};
+  const FirstSamples unreported{nullptr, nullptr, 0, 0u};
   const Rays_w rays = LANED(rays_at)({ray}, 0);
   std::vector<Triad> found(samples);
   for (std::uint32_t first = 0; first < samples; first += LANES) {
@@ -251,7 +251,7 @@ inline std::vector<Triad> LANED(radiance_along)(const TierBuffers& buffers, cons
     paths_none_w(&path);
     Branches_w branches;
     branches.count = splat_int_w(0);
-    path.sample = sample_begin_w(&scene, 0u, lane_numbers_w() + first);
+    path.sample = sample_begin_w(&scene, splat_uint_w(0u), lane_numbers_w() + first);
     paths_begin_w(&path, ~none_w(), &rays);
     while (any_w(path.alive)) {
       const Surfaces_w s = find_surfaces_w(&scene, &path, FIND_NEAREST_APPROXIMATELY, &unreported);

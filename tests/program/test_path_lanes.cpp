@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// When samples of a pixel are followed in lanes: in single precision, where packets may hold the scene's kinds, and a
-// pixel has samples enough that differ.
+// When samples are followed in lanes: in single precision, where packets may hold the scene's kinds and samples differ.
 #include <catch2/catch.hpp>
 #include <map>
 
@@ -8,13 +7,12 @@
 #include "program/path_lanes.h"
 #include "scene/loader.h"
 #include "scene/model/build.h"
-#include "settings/sampling.h"
 
 namespace strahl {
 namespace {
 
 int lanes_of(const Scene& scene, const RenderSettings& settings = {}) {
-  return path_lanes(features_of(scene, settings), settings, 16, resolve_sampling(scene).spp);
+  return path_lanes(features_of(scene, settings), settings, 16);
 }
 
 TEST_CASE("kinds with a body for packets, as the kernels have them") {
@@ -48,11 +46,6 @@ TEST_CASE("paths go in lanes where packets pay") {
   settings.precision = Precision::stable;
   CHECK(lanes_of(scene, settings) == 16);
   CHECK(lanes_of(with_disk, settings) == 1);
-  Scene few = scene;
-  few.sampler.sample_count = 7;
-  CHECK(lanes_of(few) == 1);
-  few.sampler.sample_count = 8;
-  CHECK(lanes_of(few) == 16);
   Scene alike = load_scene(STRAHL_SOURCE_DIR "/scenes/lecture/lit.xml").scene;
   alike.sampler.kind = SamplerKind::centre;
   CHECK(lanes_of(alike) == 1);

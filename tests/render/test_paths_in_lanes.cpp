@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Samples of a pixel that are followed in lanes give the picture, the AOVs and the counts of samples followed one by
 // one, bit for bit: kinds with a body for packets and without, trees, instances, smooth meshes, drawn and taken lights,
-// mirrors, glass, textures, hidden emitters, samples that do not fill the lanes, and more samples than a pool holds.
+// mirrors, glass, textures, hidden emitters, more samples than a pool holds, and few, so that a work-item takes a span
+// of pixels.
 #include <catch2/catch.hpp>
 
 #include "render/pictures.h"
@@ -103,6 +104,38 @@ TEST_CASE("bent normals in lanes") {
 TEST_CASE("textures in lanes") {
   require_pocl_and_rusticl();
   require_same(of("accuracy/checkerboard.xml"), plain());
+}
+
+/// Spans that end before the row does, and rows of a part of the picture.
+void require_same_in_spans(Scene scene, const RenderSettings& settings) {
+  scene.film.width = 27;
+  scene.film.crop = Window{3, 2, 26, 19};
+  for (const int samples : {1, 3, 7}) {
+    INFO(samples << " samples");
+    scene.sampler.sample_count = samples;
+    require_same(scene, settings);
+  }
+}
+
+TEST_CASE("few samples in lanes: meshes, first samples that are reported with textures, branches") {
+  require_pocl_and_rusticl();
+  require_same_in_spans(of("mesh/torus-and-icosphere.xml"), plain());
+  RenderSettings settings = all_aovs();
+  settings.lanes = 8;
+  require_same_in_spans(of("accuracy/checkerboard.xml"), settings);
+  Scene branching = of("materials/dielectric.xml");
+  branching.integrator.name = "whitted";
+  require_same_in_spans(branching, plain(Precision::robust, 8));
+}
+
+TEST_CASE("few samples in lanes by any launches") {
+  require_pocl_and_rusticl();
+  const Scene scene = small_scene(scene_folder / "cornell/cornell-box.xml", 70, 9, 6);
+  RenderSettings settings = plain();
+  const RenderResult whole = followed(scene, settings, true);
+  settings.passes = 4;
+  settings.work_group = {4, 2};
+  CHECK(same_bits(whole, followed(scene, settings, true)));
 }
 
 }  // namespace

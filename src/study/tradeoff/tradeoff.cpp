@@ -91,7 +91,7 @@ bool Sweep::report(const std::string& what, const WorkEstimate& work) const {
 }
 
 Renderer& Sweep::renderer_for(const TradeoffSetting& setting) {
-  if (!made_for_ || !made_for_->is_same_but_for_samples(setting) || !renderer_->has_program_of(setting.spp)) {
+  if (!made_for_ || !made_for_->is_same_but_for_samples(setting)) {
     renderer_.reset();  // Two large scenes at a time may be one too many.
     renderer_.emplace(device_, scene_of(scene_, setting), render_settings(setting));
     made_for_ = setting;

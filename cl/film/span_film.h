@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+// Where the samples of a span of pixels go. Needs Scene.
+#ifndef STRAHL_FILM_SPAN_FILM_H
+#define STRAHL_FILM_SPAN_FILM_H
+
+#include "film/film.h"
+#include "film/sub_sums.h"
+
+typedef struct {
+  GLOBAL long* sums;  ///< The first pixel's in the film; the others' follow.
+  GLOBAL uint* done;  ///< The word behind the counters (scene/layout.h); used only where a span is one pixel.
+  SubSums sub_sums;
+  int first_pixel;  ///< Its number in the picture.
+  int times;        ///< Each sample counts so many times.
+} SpanFilm;
+
+FN SubSums sub_sums_of(const Scene* scene) {
+  SubSums sums;
+  // One sum has the same mean as four.
+  sums.count = HAS_ERROR_SUMS ? scene->index[HEADER_SUMS] : 1;
+  sums.sequences = HAS_ERROR_SUMS ? scene->index[HEADER_SEQUENCES] : 1;
+  sums.turn_bits = scene->index[HEADER_TURN_BITS];
+  return sums;
+}
+
+/// One sample.
+FN void add_sample(const Scene* scene, GLOBAL long* pixel_sums, SubSums sums, int sample, real3 light) {
+  GLOBAL long* sum = pixel_sums + sub_sum_of(sums, sample) * (FILM_CHANNELS * FILM_SUM_WORDS);
+  film_add_sample(scene, sum, light.x);
+  film_add_sample(scene, sum + FILM_SUM_WORDS, light.y);
+  film_add_sample(scene, sum + 2 * FILM_SUM_WORDS, light.z);
+}
+
+/// Adds `times` samples of a pixel from `sample` on, all with this radiance.
+FN void add_to_film(const Scene* scene, const SpanFilm* film, int pixel, int sample, real3 light) {
+  GLOBAL uint* done = film->done;
+  SubSums sums = film->sub_sums;
+  int times = film->times;
+  // A black sample need not touch the film.
+  if (light.x == R(0.0) && light.y == R(0.0) && light.z == R(0.0)) {
+    if (HAS_LOOP_LIMIT) *done = (uint)(sample + times);
+    return;
+  }
+  ulong place =
+      (ulong)(pixel - film->first_pixel) * (ulong)(scene->index[HEADER_SUMS] * FILM_CHANNELS * FILM_SUM_WORDS);
+  GLOBAL long* pixel_sums = film->sums + place;
+  if (HAS_LOOP_LIMIT) {
+    for (int i = sample; i < sample + times; ++i) {
+      add_sample(scene, pixel_sums, sums, i, light);
+      *done = (uint)(i + 1);  // Each by itself: the device may end this loop, too.
+    }
+    return;
+  }
+  if (times == 1) {
+    add_sample(scene, pixel_sums, sums, sample, light);
+    return;
+  }
+  for (int k = 0; k < sums.count; ++k) {
+    int number = sub_sum_size(sums, k, sample + times) - sub_sum_size(sums, k, sample);
+    GLOBAL long* sum = pixel_sums + k * (FILM_CHANNELS * FILM_SUM_WORDS);
+    if (number == 0) continue;
+    film_add_slowly(scene, sum, light.x, number);
+    film_add_slowly(scene, sum + FILM_SUM_WORDS, light.y, number);
+    film_add_slowly(scene, sum + 2 * FILM_SUM_WORDS, light.z, number);
+  }
+}
+
+#endif
