@@ -99,9 +99,10 @@ void add_program_options(CLI::App& app, KernelOptions& options) {
 }
 
 void add_launch_options(CLI::App& app, KernelOptions& options) {
-  app.add_option("--paths", options.paths,
-                 "Samples followed at a time: one, or as many as --lanes (lanes); default: by the scene; the picture does "
-                 "not change")
+  app.add_option(
+         "--paths", options.paths,
+         "Samples followed at a time: one, or as many as --lanes (lanes); default: by the scene; the picture does "
+         "not change")
       ->type_name("NAME")
       ->check(CLI::IsMember({"one", "lanes"}))
       ->group(kGroup);
