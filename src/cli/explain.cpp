@@ -18,10 +18,10 @@
 #include "opencl/device.h"
 #include "opencl/program.h"
 #include "opencl/tuned_width.h"
-#include "packing/pack_tree.h"
 #include "program/features.h"
 #include "program/path_lanes.h"
 #include "program/program_text.h"
+#include "render/traversal_choice.h"
 #include "settings/sampling.h"
 #include "study/effect_costs.h"
 
@@ -183,8 +183,9 @@ ExitCode explain(const ExplainOptions& options) {
   apply(options.overrides, scene);
   all.features = features_of(scene, all.settings);
   all.lanes = lanes_for(options, all.settings);
-  const bool has_tree = calls_for_tree(scene, all.features, all.lanes.tree, all.settings.acceleration);
   const int paths = path_lanes(all.features, all.settings, all.lanes.count);
+  const bool has_tree =
+      choose_traversal(scene, all.features, all.settings, {all.lanes.count, all.lanes.tree}, paths).has_tree;
   all.program = program_hash(program_source("kernels/render.cl", all.features, all.settings.precision, all.lanes.count,
                                             all.lanes.tree, has_tree, paths));
   if (options.cost) all.costs = costs_of(options, scene, all.settings);

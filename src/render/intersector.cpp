@@ -303,7 +303,7 @@ Intersector::Intersector(const Device& device, const Scene& scene, const RenderS
   const Width width = width_on(device, settings);
   const Stopwatch start;
   const Features features = intersection_features(scene, settings);
-  const auto [has_tree, acceleration] = choose_traversal(scene, features, settings, width);
+  const auto [has_tree, acceleration] = choose_traversal(scene, features, settings, width, 1);
   // Where the device may end loops, each ray must take as few turns as possible.
   const bool packets = settings.coherent && width.lanes > 1 && !settings.loop_turns;
   s.source = [=, precision = settings.precision, has_tree = has_tree](bool any_hit) {

@@ -20,10 +20,10 @@ Renderer::State::Choice Renderer::State::choose_program() {
   window = scene.film.window();
   Choice choice{width_on(device, settings), {}, 1};
   features = features_of(scene, settings);
-  choice.traversal = choose_traversal(scene, features, settings, choice.width);
+  choice.paths = path_lanes(features, settings, choice.width.lanes);
+  choice.traversal = choose_traversal(scene, features, settings, choice.width, choice.paths);
   has_tree = choice.traversal.has_tree;
   stats.lanes = choice.width.lanes;
-  choice.paths = path_lanes(features, settings, choice.width.lanes);
   source = program_source("kernels/render.cl", features, settings.precision, choice.width.lanes, choice.width.tree,
                           has_tree, choice.paths);
   return choice;

@@ -1,14 +1,37 @@
 // SPDX-License-Identifier: MIT
 #include "render/traversal_choice.h"
 
+#include "kinds/entries.h"
 #include "packing/pack_tree.h"
+#include "packing/primitive_bounds.h"
 
 namespace strahl {
+namespace {
+
+/// Beyond it a tree is faster than a list for rays in lanes (docs/decisions/0026-path-pool.md).
+constexpr double most_list_cost = 24;
+
+/// What a packet pays for all primitives that a tree could hold; the unit is the test of a polygon.
+double list_cost(const Scene& scene, const Features& features) {
+  double cost = 0;
+  for (const Shape& shape : scene.shapes) {
+    const std::string kind = shape_kind(shape);
+    if (!features.has("shapes", kind) || bounds_function<float>(kind) == nullptr) continue;
+    cost += (kind == "sphere" ? 0.25 : 1.0) * primitive_count(shape);
+    if (cost > most_list_cost) break;
+  }
+  return cost;
+}
+
+}  // namespace
 
 TraversalChoice choose_traversal(const Scene& scene, const Features& features, const RenderSettings& settings,
-                                 Width width) {
-  const bool has_tree = calls_for_tree(scene, features, width.tree, settings.acceleration);
-  return {has_tree, has_tree ? settings.acceleration : Acceleration::list};
+                                 Width width, int path_lanes) {
+  Acceleration acceleration = settings.acceleration;
+  if (acceleration == Acceleration::automatic && path_lanes > 1 && !features.flag("INSTANCES"))
+    acceleration = list_cost(scene, features) > most_list_cost ? Acceleration::tree : Acceleration::list;
+  const bool has_tree = calls_for_tree(scene, features, width.tree, acceleration);
+  return {has_tree, has_tree ? acceleration : Acceleration::list};
 }
 
 }  // namespace strahl

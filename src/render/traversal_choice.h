@@ -12,8 +12,9 @@ struct TraversalChoice {
   Acceleration acceleration{};  ///< What the scene is to be packed with.
 };
 
-/// The choice of the settings; where they leave it open, the one that suits the scene.
+/// The choice of the settings; where they leave it open, the one that suits the scene. path_lanes: of render.cl, or 1.
 [[nodiscard]] TraversalChoice choose_traversal(const Scene& scene, const Features& features,
-                                               const RenderSettings& settings, Width width);
+                                               const RenderSettings& settings, Width width,
+                                               int path_lanes);
 
 }  // namespace strahl

@@ -9,14 +9,15 @@ namespace strahl::test {
 namespace {
 
 TraversalChoice choice(int spheres, Acceleration acceleration = Acceleration::automatic,
-                       std::optional<std::uint64_t> loop_turns = std::nullopt) {
+                       std::optional<std::uint64_t> loop_turns = std::nullopt, int path_lanes = 1) {
   std::vector<Geometry> row;
   for (int i = 0; i < spheres; ++i) row.emplace_back(Sphere{{0.01 * i, 0, 0}, 0.004});
   const Scene scene = stage(row);
   RenderSettings settings;
   settings.loop_turns = loop_turns;
   settings.acceleration = acceleration;
-  return choose_traversal(scene, features_of(scene, settings), settings, {1, 4});
+  return choose_traversal(scene, features_of(scene, settings), settings, path_lanes == 1 ? Width{1, 4} : Width{16, 16},
+                          path_lanes);
 }
 
 TEST_CASE("many primitives stand in a tree, also where a device ends long loops") {
@@ -28,6 +29,17 @@ TEST_CASE("many primitives stand in a tree, also where a device ends long loops"
 TEST_CASE("a few are listed") {
   CHECK_FALSE(choice(2).has_tree);
   CHECK(choice(2).acceleration == Acceleration::list);
+}
+
+TEST_CASE("paths in lanes meet lists of a hundred spheres or two dozen polygons") {
+  CHECK_FALSE(choice(90, Acceleration::automatic, std::nullopt, 16).has_tree);
+  CHECK(choice(100, Acceleration::automatic, std::nullopt, 16).has_tree);
+  const auto quadrilaterals = [](int count) {
+    const Scene scene = stage(std::vector<Geometry>(static_cast<std::size_t>(count), Rectangle{}));
+    return choose_traversal(scene, features_of(scene, {}), {}, {16, 16}, 16).has_tree;
+  };
+  CHECK_FALSE(quadrilaterals(20));
+  CHECK(quadrilaterals(30));
 }
 
 TEST_CASE("what was asked for is not changed") {
