@@ -14,7 +14,6 @@ struct TraversalChoice {
 
 /// The choice of the settings; where they leave it open, the one that suits the scene. path_lanes: of render.cl, or 1.
 [[nodiscard]] TraversalChoice choose_traversal(const Scene& scene, const Features& features,
-                                               const RenderSettings& settings, Width width,
-                                               int path_lanes);
+                                               const RenderSettings& settings, Width width, int path_lanes);
 
 }  // namespace strahl
