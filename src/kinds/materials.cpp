@@ -219,6 +219,7 @@ struct Facts {
   MaterialFacts operator()(const Conductor& bsdf) const {
     MaterialFacts metal = facts("conductor", {slot("specular_reflectance", bsdf.reflectance),
                                               value_slot("eta", bsdf.index.eta), value_slot("k", bsdf.index.k)});
+    metal.is_metal = true;
     if (!is_ideal(bsdf.index)) metal.flags.emplace_back("METAL");
     require_index(bsdf.index, metal);
     return metal;
@@ -226,6 +227,7 @@ struct Facts {
   MaterialFacts operator()(const RoughConductor& bsdf) const {
     MaterialFacts metal = facts("roughconductor", {slot("specular_reflectance", bsdf.reflectance),
                                                    value_slot("eta", bsdf.index.eta), value_slot("k", bsdf.index.k)});
+    metal.is_metal = true;
     require_index(bsdf.index, metal);
     add_microfacets(bsdf.microfacets, metal);
     return metal;

@@ -21,7 +21,12 @@ struct TextureFacts {
 
 [[nodiscard]] TextureFacts texture(const Texture& texture);
 
-/// The mean of an image.
+/// Of an image: its mean, and its greatest values channel by channel.
 [[nodiscard]] Rgb mean_of(const Texels& texels, const TexelCurve& curve);
+[[nodiscard]] Rgb brightest_of(const Texels& texels, const TexelCurve& curve);
+/// The greatest values of a texture.
+[[nodiscard]] Rgb brightest(const Texture& texture);
+
+[[nodiscard]] inline Rgb times(const Rgb& a, const Rgb& b) { return {a.r * b.r, a.g * b.g, a.b * b.b}; }
 
 }  // namespace strahl::kinds

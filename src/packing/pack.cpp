@@ -11,6 +11,7 @@
 #include "kinds/integrators.h"
 #include "kinds/textures.h"
 #include "packing/cl_layout.h"
+#include "packing/light_textures.h"
 #include "packing/pack_camera.h"
 #include "packing/pack_images.h"
 #include "packing/pack_instances.h"
@@ -77,9 +78,9 @@ class Packing {
     };
     for (std::size_t row = 0; row < scene_.materials.size(); ++row) {
       const PackedMaterial packed = packed_material(row, scene_, features_);
-      packed_.index.insert(packed_.index.end(),
-                           {packed.kind, packed.back, packed.has_along ? 1 : 0,
-                            features_.flag("MASK") ? slot_of(packed.opacity) : 0, packed.first, packed.second});
+      packed_.index.insert(packed_.index.end(), {packed.kind, packed.back, packed.has_along ? 1 : 0,
+                                                 features_.flag("MASK") ? slot_of(packed.opacity) : 0, packed.first,
+                                                 packed.second, packed.is_metal ? 1 : 0});
       if (packed.slots.size() > layout::MATERIAL_MOST_SLOTS)
         throw std::logic_error("a material has more parameters than MATERIAL_MOST_SLOTS");
       for (const MaterialSlot& slot : packed.slots) packed_.index.push_back(slot_of(slot));
@@ -180,11 +181,14 @@ class Packing {
       }
       for (int part = 0; part < part_count(shape); ++part) {
         const MeshPart look = look_of_part(shape, part);
-        const int radiance_at = look.radiance ? packed_.put_rgb(*look.radiance) : -1;
+        const TexturedColour radiance =
+            textured_colour(look.radiance.value_or(Rgb{}), look.radiance_texture, scene_, features_);
+        const int radiance_at = look.radiance ? packed_.put_rgb(radiance.colour) : -1;
         const int light = light_of_part_[static_cast<std::size_t>(part_rows_)];
-        packed_.index.insert(packed_.index.end(), {static_cast<int>(i), first_id, look.material, radiance_at, light,
-                                                   shape.flip_normals != faces_inward(shape.geometry) ? 1 : 0, frame_at,
-                                                   normals_at, uvs_at, rates_at, rank_of(shape, look)});
+        packed_.index.insert(packed_.index.end(),
+                             {static_cast<int>(i), first_id, look.material, radiance_at, radiance.row, light,
+                              shape.flip_normals != faces_inward(shape.geometry) ? 1 : 0, frame_at, normals_at, uvs_at,
+                              rates_at, rank_of(shape, look)});
         ++part_rows_;
       }
     }

@@ -28,6 +28,7 @@ const std::map<std::string, std::string>& needed() {
       {"choosers", "lights are drawn by it; --light-choice takes another one"},
       {"OPENNESS", "integrator ao is nothing else; --integrator takes another one"},
       {"AOV", "--aov asks for it; leave that out"},
+      {"ALBEDO", "--aov albedo asks for it; leave that out"},
       {"COUNT_RAYS", "--stats-detail asks for it; leave that out"},
       {"LOOP_LIMIT", "the device ends long loops, and a picture might be wrong without a word"},
       {"TEXTURE_LOD", "--texture-lod asks for it; leave that out"},

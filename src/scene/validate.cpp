@@ -49,6 +49,12 @@ class Checker {
 
 bool is_index(int index, std::size_t size) { return index >= 0 && static_cast<std::size_t>(index) < size; }
 
+/// -1: none.
+void check_light_texture(int texture, const Scene& scene, Checker& check) {
+  check.require(texture == -1 || is_index(texture, scene.textures.size()), "texture {} does not exist; there are {}",
+                texture, scene.textures.size());
+}
+
 void check_shape(const Shape& shape, const Scene& scene, Checker& check, std::vector<Diagnostic>& found) {
   check.at(shape.where);
   check.require(is_index(shape.material, scene.materials.size()), "material {} does not exist; there are {}",
@@ -60,11 +66,13 @@ void check_shape(const Shape& shape, const Scene& scene, Checker& check, std::ve
       check.require(is_index(part.material, scene.materials.size()), "material {} of a mesh part does not exist",
                     part.material);
       if (part.radiance) check.require_light(*part.radiance, "radiance of a mesh part");
+      check_light_texture(part.radiance_texture, scene, check);
     }
   }
   if (!shape.radiance) return;
   if (!shape.radiance_where.file.empty()) check.at(shape.radiance_where);
   check.require_light(*shape.radiance, "radiance");
+  check_light_texture(shape.radiance_texture, scene, check);
 }
 
 void check_group(const Group& group, const Scene& scene, Checker& check, std::vector<Diagnostic>& found) {
@@ -104,6 +112,9 @@ void check_material(const Material& material, const Scene& scene, Checker& check
     check.require(!slot.is_share || is_reflectance({r, g, b}), "{} must lie in [0, 1]", slot.name);
     check.require(slot.texture == -1 || is_index(slot.texture, scene.textures.size()),
                   "texture {} does not exist; there are {}", slot.texture, scene.textures.size());
+    check.require(!slot.is_share || !is_index(slot.texture, scene.textures.size()) ||
+                      !scene.textures[static_cast<std::size_t>(slot.texture)].is_light,
+                  "texture {} is a light's and no {}", slot.texture, slot.name);
   }
   for (const std::string& fault : facts.faults) check.require(false, "{}", fault);
 }
@@ -131,8 +142,9 @@ void check_texture(const Texture& texture, Checker& check) {
   for (const std::string& fault : kinds::texture(texture).faults) check.require(false, "{}", fault);
 }
 
-void check_light(const Light& light, Checker& check) {
+void check_light(const Light& light, const Scene& scene, Checker& check) {
   check.at(light.where);
+  check_light_texture(kinds::light_texture(light), scene, check);
   for (const std::string& fault : kinds::light_faults(light)) check.require(false, "{}", fault);
 }
 
@@ -182,7 +194,7 @@ std::vector<Diagnostic> validate(const Scene& scene) {
   for (const Texture& texture : scene.textures) check_texture(texture, check);
   int backgrounds = 0;
   for (const Light& light : scene.lights) {
-    check_light(light, check);
+    check_light(light, scene, check);
     const bool is_background = kinds::light(light).is_background;
     backgrounds += is_background ? 1 : 0;
     check.require(backgrounds <= 1 || !is_background, "a scene has one constant or envmap emitter at most");

@@ -5,6 +5,7 @@
 #define HAS_PIXEL_FILTER 1
 #define HAS_THIN_LENS 1
 #define HAS_EMISSION 1
+#define HAS_LIGHT_TEXTURE 1
 #define HAS_TWOSIDED 1
 #define HAS_METAL 1
 #define HAS_BECKMANN 1
@@ -22,4 +23,5 @@
 #define HAS_TREE 1
 #define HAS_OPENNESS 1
 #define HAS_AOV 1
+#define HAS_ALBEDO 1
 #define HAS_COUNT_RAYS 0

@@ -10,6 +10,8 @@
 // As above.
 #include "hits/surfaces_lanes.h"
 // As above.
+#include "textures/texture_lanes.h"
+// As above.
 #include "materials/material_lanes.h"
 
 inline Bsdf_w LANED(bsdf_of)(int kind, const std::vector<double>& p, const Triad& wo) {

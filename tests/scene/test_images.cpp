@@ -97,6 +97,36 @@ TEST_CASE("files are read once, and named among those of the scene") {
   CHECK(loaded.scene.files == std::vector<std::string>{folder.path("scene.xml"), folder.path("a.png")});
 }
 
+TEST_CASE("lights have textures that may exceed 1, beside those of materials") {
+  const ImageFolder folder;
+  const std::string file =
+      "<texture type=\"bitmap\" id=\"bright\"><string name=\"filename\" value=\"bright.exr\"/></texture>";
+  const std::string board =
+      "<texture type=\"checkerboard\" name=\"texture\"><rgb name=\"color0\" value=\"7, 8, 9\"/></texture>";
+  const LoadedScene loaded = folder.load(
+      file + "<shape type=\"sphere\"><bsdf type=\"diffuse\"><ref id=\"bright\" name=\"reflectance\"/></bsdf>" +
+      "<emitter type=\"area\"><ref id=\"bright\" name=\"radiance\"/></emitter></shape>" +
+      "<emitter type=\"projector\"><ref id=\"bright\" name=\"irradiance\"/><float name=\"scale\" value=\"2\"/>" +
+      "<float name=\"fov\" value=\"90\"/></emitter><emitter type=\"spot\">" + board + "</emitter>");
+  REQUIRE(loaded.warnings.size() == 1);  // Of the reflectance.
+  const std::vector<Texture>& textures = loaded.scene.textures;
+  REQUIRE(textures.size() == 3);
+  const Shape& shape = loaded.scene.shapes.at(0);
+  const auto texture = [&](int i) { return textures.at(static_cast<std::size_t>(i)); };
+  CHECK(shape.radiance == Rgb{1, 1, 1});
+  CHECK(texture(shape.radiance_texture).is_light);
+  CHECK(TexelDecoder(*std::get<Bitmap>(texture(shape.radiance_texture).pattern).texels, {})(2)[1] == 8);
+  const auto projector = std::get<ProjectorLight>(loaded.scene.lights.at(0).emitter);
+  CHECK(projector.texture == shape.radiance_texture);
+  CHECK(projector.irradiance == Rgb{2, 2, 2});
+  CHECK(projector.tan_x == 1);
+  CHECK(projector.tan_y == 0.75);  // The image is 4 x 3.
+  const auto spot = std::get<SpotLight>(loaded.scene.lights.at(1).emitter);
+  CHECK(std::get<Checkerboard>(texture(spot.texture).pattern).color0 == Rgb{7, 8, 9});
+  CHECK_THAT(folder.fault("<emitter type=\"spot\"><float name=\"cutoff_angle\" value=\"95\"/>" + board + "</emitter>"),
+             Contains("less than 90 degrees"));
+}
+
 TEST_CASE("what reflects more than all is cut, with a warning; light is not") {
   const ImageFolder folder;
   const std::string file = "<string name=\"filename\" value=\"bright.exr\"/>";

@@ -62,6 +62,9 @@ void emit(AreaItems& items, const Mesh& mesh, int part) {
     const auto corner = [&](std::size_t k) { return mesh.positions[static_cast<std::size_t>(mesh.triangles[i][k])]; };
     for (std::size_t k = 0; k < 3; ++k) items.extent().add(corner(k));
     items.flat(corner(0), corner(1) - corner(0), corner(2) - corner(0), 0.5);
+    if (mesh.uvs.empty()) continue;
+    const auto uv = [&](std::size_t k) { return mesh.uvs[static_cast<std::size_t>(mesh.triangles[i][k])]; };
+    items.map(uv(0), uv(1), uv(2));
   }
 }
 
