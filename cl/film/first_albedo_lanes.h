@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The albedo where a pixel's first sample meets a surface, beside what film/first_sample.h stores. Of a blend it is that
-// of the material that the sample draws. One width; no guard.
+// The albedo where a pixel's first sample meets a surface, beside what film/first_sample.h stores. Of a blend it is
+// that of the material that the sample draws. One width; no guard.
 #include "materials/albedo_lanes.h"
 
 FN void store_albedo_w(const Scene* scene, const Paths_w* path, const Surfaces_w* s, const FirstSample* first) {

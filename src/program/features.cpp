@@ -123,7 +123,8 @@ void shape_causes(const Scene& scene, const RenderSettings& settings, Causes& ca
       if (use_light_texture(scene, shape.radiance_texture, causes)) reads_uv = true;
     }
     if (reflects && shape.priority) call_for(causes, "PRIORITY", "a shape with a priority", shape.where);
-    if (reads_materials && !(mesh && !mesh->parts.empty()) && use_material(shape.material, shape.where)) reads_uv = true;
+    if (reads_materials && !(mesh && !mesh->parts.empty()) && use_material(shape.material, shape.where))
+      reads_uv = true;
     if (!mesh) return;
     for (const MeshPart& part : mesh->parts) {
       if (lit && part.radiance) {
