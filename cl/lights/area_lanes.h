@@ -81,7 +81,15 @@ FN real3w area_texture_w(const Scene* scene, GLOBAL const int* row, intw item, c
       (void)p;
       break;
   }
-  return texture_value_w(scene, row[LIGHT_TEXTURE], texture_at_w(uv.x, uv.y));
+  TexturePlace_w at = texture_at_w(uv.x, uv.y);
+  if (HAS_MESH_ATTRIBUTE) {
+    // A mesh with attributes has one part, whose items are its primitives.
+    at.own_u = p->u;
+    at.own_v = p->v;
+    at.part = splat_int_w(row[LIGHT_PART]);
+    at.primitive = item;
+  }
+  return texture_value_w(scene, row[LIGHT_TEXTURE], at);
 }
 
 FN LightSample_w area_sample_w(const Scene* scene, GLOBAL const int* row, real3w from, LightNumbers_w numbers) {

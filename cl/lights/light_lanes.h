@@ -121,7 +121,7 @@ FN real3w emitted_radiance_w(const Scene* scene, const Surfaces_w* s) {
       if (HAS_LIGHT_TEXTURE) {
         intw textures = part_entry_w(scene, s, PART_GLOW);
         maskw is_textured = emits & ~lt_int_w(textures, splat_int_w(0));
-        real3w shares = textures_at_w(scene, is_textured, textures, texture_at_w(s->tex_u, s->tex_v), radiance);
+        real3w shares = textures_at_w(scene, is_textured, textures, texture_point_w(scene, s), radiance);
         radiance = sel3_w(is_textured, mul3_w(radiance, shares), radiance);
       }
     }

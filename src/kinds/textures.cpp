@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "kinds/reflectance.h"
 
@@ -31,6 +32,7 @@ struct TextureRow {
                        .reals = {a.r, a.g, a.b, b.r, b.g, b.b},
                        .mean = {0.5 * (a.r + b.r), 0.5 * (a.g + b.g), 0.5 * (a.b + b.b)},
                        .bitmap = nullptr,
+                       .attribute = {},
                        .faults = {}};
     facts.reals.insert(facts.reals.end(), board.to_uv.begin(), board.to_uv.end());
     require_colour(a, "the colours of a texture", facts);
@@ -43,11 +45,27 @@ struct TextureRow {
                        .reals = {bitmap.to_uv.begin(), bitmap.to_uv.end()},
                        .mean = times(bitmap.scale, bitmap.mean),
                        .bitmap = &bitmap,
+                       .attribute = {},
                        .faults = {}};
     facts.reals.insert(facts.reals.end(), {bitmap.scale.r, bitmap.scale.g, bitmap.scale.b});
     require_colour(bitmap.scale, "the scale of a bitmap", facts);
     if (!bitmap.texels || bitmap.texels->count() == 0) facts.faults.emplace_back("a bitmap needs an image");
     if (!is_finite_map(bitmap.to_uv)) facts.faults.emplace_back("to_uv must be finite");
+    return facts;
+  }
+  TextureFacts operator()(const AttributeTexture& attribute) const {
+    const double most = of_light ? static_cast<double>(std::numeric_limits<float>::max()) : 1;
+    const double half = attribute.scale / 2;
+    TextureFacts facts{.entry = "mesh_attribute",
+                       .reals = {attribute.scale, most},
+                       .mean = {half, half, half},
+                       .bitmap = nullptr,
+                       .attribute = attribute.name,
+                       .faults = {}};
+    if (!(std::isfinite(attribute.scale) && attribute.scale >= 0))
+      facts.faults.emplace_back("the scale of a mesh_attribute must be finite and not negative");
+    if (!attribute.name.starts_with("vertex_") && !attribute.name.starts_with("face_"))
+      facts.faults.emplace_back("the name of a mesh_attribute must begin with vertex_ or face_");
     return facts;
   }
 };
@@ -80,6 +98,8 @@ Rgb brightest_of(const Texels& texels, const TexelCurve& curve) {
 Rgb brightest(const Texture& texture) {
   if (const auto* bitmap = std::get_if<Bitmap>(&texture.pattern))
     return times(bitmap->scale, brightest_of(*bitmap->texels, bitmap->curve));
+  if (const auto* attribute = std::get_if<AttributeTexture>(&texture.pattern))
+    return {attribute->scale, attribute->scale, attribute->scale};
   const auto& [a, b, to_uv] = std::get<Checkerboard>(texture.pattern);
   return {std::max(a.r, b.r), std::max(a.g, b.g), std::max(a.b, b.b)};
 }

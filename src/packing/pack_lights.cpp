@@ -67,7 +67,7 @@ class LightTable {
     kinds::light_colour(light) = colour.colour;
     if (kinds::light_glows(light)) header(layout::HEADER_GLOWS) = 1;
     rows_.insert(rows_.end(),
-                 {kind, packed_.put_shading(kinds::light_reals(light, frame_)), 0, 0, 0, -1, colour.row, -1});
+                 {kind, packed_.put_shading(kinds::light_reals(light, frame_)), 0, 0, 0, -1, colour.row, -1, -1});
     // That of an image reads all of its texels.
     const bool is_chosen = features_.light_chooser != "uniform";
     kinds::light_colour(light) = colour.mean;
@@ -122,7 +122,8 @@ class LightTable {
         const int first = first_of_area(shape.geometry, part);
         const int uvs_at = area->uvs.empty() ? -1 : packed_.put_shading(area->uvs);
         rows_.insert(rows_.end(), {kind, packed_.put_shading(reals), entry("areas", area_kind(shape.geometry)), items,
-                                   choice_at, first < 0 ? -1 : first_ids[i] + first, radiance.row, uvs_at});
+                                   choice_at, first < 0 ? -1 : first_ids[i] + first, radiance.row, uvs_at,
+                                   static_cast<int>(light_of_part_.size()) - 1});
       }
     }
   }

@@ -24,6 +24,7 @@ const std::map<std::string, std::string>& needed() {
       {"BECKMANN", "rough surfaces are made of it; their materials can be left out"},
       {"GGX", "rough surfaces are made of it; their materials can be left out"},
       {"BLEND", "a blend is two materials; one of them can take its place in the scene"},
+      {"COAT", "a coating is a material under it; that can take its place in the scene"},
       {"RELIEF", "a normal map is a material inside it; that can take its place in the scene"},
       {"choosers", "lights are drawn by it; --light-choice takes another one"},
       {"OPENNESS", "integrator ao is nothing else; --integrator takes another one"},
@@ -31,6 +32,7 @@ const std::map<std::string, std::string>& needed() {
       {"ALBEDO", "--aov albedo asks for it; leave that out"},
       {"COUNT_RAYS", "--stats-detail asks for it; leave that out"},
       {"LOOP_LIMIT", "the device ends long loops, and a picture might be wrong without a word"},
+      {"MESH_ATTRIBUTE", "the texture mesh_attribute reads by it; that can be left out"},
       {"TEXTURE_LOD", "--texture-lod asks for it; leave that out"},
       {"ERROR_SUMS", "--no-error leaves it out"},
   };

@@ -46,6 +46,11 @@ const Material& material_at(const Scene& scene, int index) {
   return scene.materials.at(static_cast<std::size_t>(index));
 }
 
+void call_for_attribute(Causes& causes, const Texture& texture) {
+  if (std::holds_alternative<AttributeTexture>(texture.pattern))
+    call_for(causes, "MESH_ATTRIBUTE", "a texture of type mesh_attribute", texture.where);
+}
+
 /// Whether the program has the texture (-1: none) of a light.
 bool use_light_texture(const Scene& scene, int index, Causes& causes) {
   if (index < 0 || !causes.allow("LIGHT_TEXTURE")) return false;
@@ -54,6 +59,7 @@ bool use_light_texture(const Scene& scene, int index, Causes& causes) {
   if (!causes.allow(effect)) return false;
   call_for(causes, effect, "a light with a texture of type " + texture_kind(texture), texture.where);
   call_for(causes, "LIGHT_TEXTURE", "a light with a texture", texture.where);
+  call_for_attribute(causes, texture);
   return true;
 }
 
@@ -91,6 +97,7 @@ void shape_causes(const Scene& scene, const RenderSettings& settings, Causes& ca
       if (!causes.allow("textures/" + pattern)) continue;
       call_for(causes, "textures/" + pattern, "a reflectance from a texture of type " + pattern,
                texture.where.line > 0 ? texture.where : place);
+      call_for_attribute(causes, texture);
       reads_uv = true;
     }
     return reads_uv;

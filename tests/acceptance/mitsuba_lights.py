@@ -45,11 +45,20 @@ def shape_rows(rng):
             yield "glowing-shapes", "glow", d, colour
 
 
+def attribute_rows(rng):
+    for name in ("vertex_color", "vertex_heat", "vertex_flow", "face_color"):
+        scene = load(f"glowing-{name}")
+        for d in np.round(np.array((0, 0, 2)) + rng.uniform(-0.9, 0.9, (8, 3)) * [1, 1, 0.1], 4):
+            seen = scene.ray_intersect(mi.Ray3f([0, 0, 0], mi.Vector3f(d / np.linalg.norm(d))))
+            colour = np.array(seen.emitter(scene).eval(seen)).ravel() if seen.is_valid() else [0, 0, 0]
+            yield f"glowing-{name}", "glow", d, colour
+
+
 def table():
     mi.set_variant("scalar_rgb")
     rng = np.random.default_rng(5)
     lines = ["scene,what,x,y,z,r,g,b"]
-    for scene, what, at, colour in [*lamp_rows(rng), *shape_rows(rng)]:
+    for scene, what, at, colour in [*lamp_rows(rng), *shape_rows(rng), *attribute_rows(rng)]:
         lines.append(f"{scene},{what}," + ",".join(f"{value:.9g}" for value in (*at, *np.array(colour).ravel()[:3])))
     return lines
 

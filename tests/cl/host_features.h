@@ -10,6 +10,7 @@
 #define HAS_METAL 1
 #define HAS_BECKMANN 1
 #define HAS_GGX 1
+#define HAS_COAT 1
 #define HAS_TANGENT 1
 #define HAS_MASK 1
 #define HAS_BLEND 1
@@ -18,6 +19,7 @@
 #define HAS_PRIORITY 1
 #define HAS_SMOOTH_NORMALS 1
 #define HAS_MESH_UVS 1
+#define HAS_MESH_ATTRIBUTE 1
 #define HAS_TEXTURE_LOD 1
 #define HAS_INSTANCES 1
 #define HAS_TREE 1

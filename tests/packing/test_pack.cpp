@@ -152,7 +152,7 @@ TEST_CASE("Every shape has a part: its look and its frame") {
   lamp.flip_normals = true;
   add(scene, lamp);
   const Read<double> read(scene, {8, {}});
-  CHECK(read.part(0) == Ints{0, 0, red, -1, -1, -1, 0, -1, -1, -1, -1, -1});
+  CHECK(read.part(0) == Ints{0, 0, red, -1, -1, -1, 0, -1, -1, -1, -1, -1, -1});
   const Ints part = read.part(1);
   CHECK(part[layout::PART_SHAPE] == 1);
   CHECK(part[layout::PART_FIRST_ID] == 1);
@@ -201,12 +201,12 @@ TEST_CASE("A mesh has a part for each of its materials, and its triangles know t
   const Read<double> read(scene, {8, {}});
   CHECK(read.ids("triangle") == Ints{0, 1, 2, 3, 4, -1, -1, -1});
   CHECK(read.parts_of("triangle") == Ints{0, 2, 1, 2, 3, 0, 0, 0});
-  CHECK(read.part(1) == Ints{1, 1, 0, -1, -1, -1, 0, -1, -1, -1, -1, -1});
+  CHECK(read.part(1) == Ints{1, 1, 0, -1, -1, -1, 0, -1, -1, -1, -1, -1, -1});
   CHECK(read.part(2)[layout::PART_SHAPE] == 1);
   CHECK(read.part(2)[layout::PART_FIRST_ID] == 1);
   CHECK(read.part(2)[layout::PART_MATERIAL] == sheet);
   CHECK(read.shading(read.part(2)[layout::PART_RADIANCE], 3) == Reals{1, 2, 3});
-  CHECK(read.part(3) == Ints{2, 4, 0, -1, -1, -1, 0, -1, -1, -1, -1, -1});
+  CHECK(read.part(3) == Ints{2, 4, 0, -1, -1, -1, 0, -1, -1, -1, -1, -1, -1});
 }
 
 TEST_CASE("Lights with textures: their rows, texture coordinates of their places, and power by the mean") {

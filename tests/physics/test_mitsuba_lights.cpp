@@ -50,7 +50,7 @@ const Scene& scene_named(const std::string& name) {
 
 TEST_CASE("lights with textures shine as Mitsuba's") {
   const std::vector<Told> all = told_by_mitsuba();
-  REQUIRE(all.size() == 140);
+  REQUIRE(all.size() == 172);
   for (const TransportTier& tier : transport_tiers())
     for (const Told& told : all) {
       INFO(tier.name << ", " << tier.lanes << " lanes, " << told.scene << " at " << told.at[0] << " " << told.at[1]
@@ -60,6 +60,27 @@ TEST_CASE("lights with textures shine as Mitsuba's") {
                               ? tier.draw(scene.buffers(), 0, told.at, place_numbers(1)).front().radiance
                               : tier.look(scene.buffers(), {0, 0, 0}, {told.at}).front().radiance;
       for (std::size_t k = 0; k < 3; ++k) CHECK(found[k] == Approx(told.colour[k]).epsilon(3e-4).margin(3e-5));
+    }
+}
+
+/// Places of a mesh know their attributes, as hits do.
+TEST_CASE("places that are drawn on a mesh have its attributes") {
+  const std::vector<PlaceNumbers> numbers = place_numbers(64);
+  for (const TransportTier& tier : transport_tiers())
+    for (const char* name : {"glowing-vertex_color", "glowing-vertex_heat", "glowing-face_color"}) {
+      const TierScene packed(scene_named(name), tier);
+      std::vector<Triad> directions, colours;
+      for (const LightDraw& drawn : tier.draw(packed.buffers(), 0, {0, 0, 0}, numbers)) {
+        if (drawn.radiance[0] <= 0) continue;
+        directions.push_back(triad(normalized(vec(drawn.towards))));
+        colours.push_back(drawn.radiance);
+      }
+      REQUIRE(directions.size() > 32);
+      const std::vector<Sight> seen = tier.look(packed.buffers(), {0, 0, 0}, directions);
+      for (std::size_t i = 0; i < seen.size(); ++i) {
+        INFO(tier.name << ", " << tier.lanes << " lanes, " << name << ", place " << i);
+        for (std::size_t k = 0; k < 3; ++k) CHECK(seen[i].radiance[k] == Approx(colours[i][k]).epsilon(1e-3));
+      }
     }
 }
 

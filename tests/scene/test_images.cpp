@@ -127,6 +127,35 @@ TEST_CASE("lights have textures that may exceed 1, beside those of materials") {
              Contains("less than 90 degrees"));
 }
 
+TEST_CASE("a mesh_attribute is of the meshes that it is on; others are dropped") {
+  const ImageFolder folder;
+  folder.write(
+      "a.ply",
+      "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nproperty "
+      "float r\nproperty float g\nproperty float b\nproperty float heat_0\nelement face 1\nproperty list uchar "
+      "int vertex_indices\nend_header\n0 0 0 1 0 0 1\n1 0 0 0 1 0 2\n0 1 0 0 0 1 3\n3 0 1 2\n");
+  const auto body = [](const std::string& name, const std::string& shape) {
+    return "<bsdf type=\"diffuse\" id=\"a\"><texture type=\"mesh_attribute\" name=\"reflectance\"><string "
+           "name=\"name\" "
+           "value=\"" +
+           name + "\"/><float name=\"scale\" value=\"0.5\"/></texture></bsdf>" + shape;
+  };
+  const std::string mesh =
+      "<shape type=\"ply\"><string name=\"filename\" value=\"a.ply\"/><bsdf type=\"twosided\"><ref "
+      "id=\"a\"/></bsdf></shape>";
+  const Scene scene = folder.load(body("vertex_heat", mesh)).scene;
+  const auto attribute = std::get<AttributeTexture>(scene.textures.at(0).pattern);
+  CHECK(attribute.name == "vertex_heat");
+  CHECK(attribute.scale == 0.5);
+  const std::vector<MeshAttribute>& kept = std::get<Mesh>(scene.shapes.at(0).geometry).attributes;
+  REQUIRE(kept.size() == 1);
+  CHECK(kept[0].values == std::vector<Rgb>{{1, 1, 1}, {2, 2, 2}, {3, 3, 3}});
+  CHECK_THAT(folder.fault(body("vertex_cold", mesh)), Contains("has no attribute \"vertex_cold\""));
+  CHECK_THAT(folder.fault(body("vertex_heat", "<shape type=\"sphere\"><ref id=\"a\"/></shape>")),
+             Contains("has no attribute \"vertex_heat\""));
+  CHECK_THAT(folder.fault(body("heat", mesh)), Contains("vertex_ or face_"));
+}
+
 TEST_CASE("what reflects more than all is cut, with a warning; light is not") {
   const ImageFolder folder;
   const std::string file = "<string name=\"filename\" value=\"bright.exr\"/>";

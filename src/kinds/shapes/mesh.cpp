@@ -42,6 +42,15 @@ void check(Faults& faults, const Mesh& mesh) {
   faults.require(outside == mesh.triangles.end(), "triangle {} has a vertex index out of range",
                  outside - mesh.triangles.begin());
   check_parts(faults, mesh);
+  for (const MeshAttribute& attribute : mesh.attributes) {
+    const std::size_t count = attribute.is_of_faces() ? mesh.triangles.size() : vertices;
+    faults.require(attribute.values.size() == count, "attribute {} has {} values, not {}", attribute.name,
+                   attribute.values.size(), count);
+    faults.require(std::all_of(attribute.values.begin(), attribute.values.end(),
+                               [](const Rgb& c) { return std::isfinite(c.r + c.g + c.b); }),
+                   "attribute {} must be finite", attribute.name);
+  }
+  faults.require(mesh.attributes.empty() || mesh.parts.empty(), "a mesh with parts has no attributes");
 }
 
 void pack(const Planes& to, const Mesh& mesh) {

@@ -89,14 +89,22 @@ struct MeshPart {
   int radiance_texture = -1;  ///< As a Shape's.
 };
 
+/// Values of a mesh's vertices or faces, which textures name.
+struct MeshAttribute {
+  std::string name;         ///< "vertex_..." or "face_...".
+  std::vector<Rgb> values;  ///< As many as there are positions, or triangles; grey of a single number.
+  [[nodiscard]] bool is_of_faces() const { return name.starts_with("face_"); }
+};
+
 /// Triangles over shared vertices; `normals` and `uvs` are empty or as long as `positions`.
 struct Mesh {
   std::vector<Vec3> positions;
   std::vector<Vec3> normals;  ///< Unit; empty: shade with the face normal.
   std::vector<Vec2> uvs;
   std::vector<std::array<int, 3>> triangles;
-  std::vector<MeshPart> parts;        ///< Empty: the shape's own material and radiance hold everywhere.
-  std::vector<int> part_of_triangle;  ///< As long as `triangles` where parts is not empty.
+  std::vector<MeshPart> parts;            ///< Empty: the shape's own material and radiance hold everywhere.
+  std::vector<int> part_of_triangle;      ///< As long as `triangles` where parts is not empty.
+  std::vector<MeshAttribute> attributes;  ///< Of meshes without parts.
 };
 
 using Geometry = std::variant<Sphere, Plane, Box, Triangle, Rectangle, Cube, Disk, Cylinder, Mesh, SphereCloud>;
@@ -158,10 +166,16 @@ struct Bitmap {
   Rgb mean{0.5, 0.5, 0.5};  ///< Of the texels; replaces them where textures are disabled.
 };
 
+/// What the meshes that it is on have by this name; they must have it.
+struct AttributeTexture {
+  std::string name;
+  double scale = 1;  ///< Multiplies the values; what is above 1 then counts as 1, but for lights.
+};
+
 /// A colour that varies over a surface.
 struct Texture {
   std::string id;
-  std::variant<Checkerboard, Bitmap> pattern;
+  std::variant<Checkerboard, Bitmap, AttributeTexture> pattern;
   SourceLocation where;
   bool is_light = false;  ///< Of a light: its colours are not held to [0, 1].
 };
