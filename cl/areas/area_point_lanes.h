@@ -5,6 +5,7 @@ typedef struct {
   real3w position;
   real3w normal;  ///< Unit, on the side that emits.
   realw density;  ///< Per solid angle; 0: the back of the surface is seen.
+  realw u, v;     ///< What made the place; with the normal, name_uv knows its texture coordinates by them.
 } AreaPoint_w;
 
 /// The density, per solid angle, of a place drawn uniformly from the whole area.
@@ -14,8 +15,10 @@ FN realw uniform_density_w(GLOBAL const real* area, real3w towards, real3w norma
   return sel_w(lt_w(zero, facing), density, zero);
 }
 
-FN AreaPoint_w uniform_point_w(GLOBAL const real* area, real3w from, real3w position, real3w normal) {
+FN AreaPoint_w uniform_point_w(GLOBAL const real* area, real3w from, real3w position, real3w normal, realw u, realw v) {
   AreaPoint_w p;
+  p.u = u;
+  p.v = v;
   p.position = position;
   p.normal = normal;
   p.density = uniform_density_w(area, sub3_w(position, from), normal);
@@ -26,5 +29,14 @@ FN AreaPoint_w uniform_point_w(GLOBAL const real* area, real3w from, real3w posi
 FN AreaPoint_w flat_point_w(GLOBAL const real* item, GLOBAL const real* area, real3w from, realw of_u, realw of_v) {
   real3w edge_u = splat3_w(load3(item + 3)), edge_v = splat3_w(load3(item + 6));
   real3w position = add3_w(fma3_w(of_u, edge_u, scale3_w(of_v, edge_v)), splat3_w(load3(item)));
-  return uniform_point_w(area, from, position, splat3_w(load3(item + 9)));
+  return uniform_point_w(area, from, position, splat3_w(load3(item + 9)), of_u, of_v);
+}
+
+/// Texture coordinates of places on flat items. uvs: six reals an item, those of the corner and what each edge adds.
+FN Real2_w flat_uv_w(GLOBAL const real* uvs, intw item, const AreaPoint_w* p) {
+  intw at = item * 6;
+  Real2_w uv;
+  uv.x = fma_w(p->v, gather_w(uvs + 4, at), fma_w(p->u, gather_w(uvs + 2, at), gather_w(uvs, at)));
+  uv.y = fma_w(p->v, gather_w(uvs + 5, at), fma_w(p->u, gather_w(uvs + 3, at), gather_w(uvs + 1, at)));
+  return uv;
 }

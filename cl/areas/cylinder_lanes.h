@@ -5,7 +5,7 @@ FN AreaPoint_w cylinder_point_w(GLOBAL const real* item, GLOBAL const real* area
   SinCos_w turned = sincos_turns_w(u);
   real3w outward = fma3_w(turned.cosine, splat3_w(load3(item + 6)), scale3_w(turned.sine, splat3_w(load3(item + 9))));
   real3w position = add3_w(fma3_w(v, splat3_w(load3(item + 3)), outward), splat3_w(load3(item)));
-  return uniform_point_w(area, from, position, normalize3_w(scale3_w(splat_w(area[AREA_SIDE]), outward)));
+  return uniform_point_w(area, from, position, normalize3_w(scale3_w(splat_w(area[AREA_SIDE]), outward)), u, v);
 }
 
 FN realw cylinder_density_w(GLOBAL const real* item, GLOBAL const real* area, real3w from, real3w towards,
@@ -13,4 +13,14 @@ FN realw cylinder_density_w(GLOBAL const real* item, GLOBAL const real* area, re
   (void)item;
   (void)from;
   return uniform_density_w(area, towards, normal);
+}
+
+FN Real2_w cylinder_uv_w(GLOBAL const real* uvs, intw item, const AreaPoint_w* p, real side) {
+  (void)uvs;
+  (void)item;
+  (void)side;
+  Real2_w uv;
+  uv.x = p->u;
+  uv.y = p->v;
+  return uv;
 }

@@ -11,3 +11,8 @@ FN realw parallelogram_density_w(GLOBAL const real* item, GLOBAL const real* are
   (void)from;
   return uniform_density_w(area, towards, normal);
 }
+
+FN Real2_w parallelogram_uv_w(GLOBAL const real* uvs, intw item, const AreaPoint_w* p, real side) {
+  (void)side;
+  return flat_uv_w(uvs, item, p);
+}

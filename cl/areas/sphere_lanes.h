@@ -3,6 +3,7 @@
 // C. Wang, K. Zimmerman, "Monte Carlo Techniques for Direct Lighting Calculations", ACM TOG 15(1), 1996. The formulas
 // use 1 - cos and ratios of sines, so that nothing cancels for a small or distant sphere. From inside, where only a
 // sphere that emits inwards is visible, places are drawn uniformly from its area.
+#include "math/atan2_lanes.h"
 
 typedef struct {
   real3w axis;  ///< Unit, towards the centre.
@@ -45,10 +46,12 @@ FN AreaPoint_w sphere_point_w(GLOBAL const real* item, GLOBAL const real* area, 
   p.normal = normalize3_w(from_frame_w(&frame, vec3_w(across * disk.x, across * disk.y, -along)));
   p.position = fma3_w(radius, p.normal, centre);
   p.density = sphere_cone_density_w(area, &cone);
+  p.u = u;
+  p.v = v;
   if (any_w(~cone.is_outside)) {
     real3w outward = square_to_sphere_w(u, v);
     AreaPoint_w within =
-        uniform_point_w(area, from, fma3_w(radius, outward, centre), scale3_w(splat_w(area[AREA_SIDE]), outward));
+        uniform_point_w(area, from, fma3_w(radius, outward, centre), scale3_w(splat_w(area[AREA_SIDE]), outward), u, v);
     p.normal = sel3_w(cone.is_outside, p.normal, within.normal);
     p.position = sel3_w(cone.is_outside, p.position, within.position);
     p.density = sel_w(cone.is_outside, p.density, within.density);
@@ -60,4 +63,15 @@ FN realw sphere_density_w(GLOBAL const real* item, GLOBAL const real* area, real
                           real3w normal) {
   SphereCone_w cone = sphere_cone_w(item, from);
   return sel_w(cone.is_outside, sphere_cone_density_w(area, &cone), uniform_density_w(area, towards, normal));
+}
+
+/// uvs: the sphere's axes, x y z each. As cl/shapes/sphere/sphere.h has it.
+FN Real2_w sphere_uv_w(GLOBAL const real* uvs, intw item, const AreaPoint_w* p, real side) {
+  (void)item;
+  real3w outward = scale3_w(splat_w(side), p->normal);
+  realw x = dot3_w(outward, splat3_w(load3(uvs))), y = dot3_w(outward, splat3_w(load3(uvs + 3)));
+  Real2_w uv;
+  uv.x = atan2_turns_w(y, x);
+  uv.y = splat_w(R(2.0)) * atan2_turns_w(sqrt_w(fma_w(x, x, y * y)), dot3_w(outward, splat3_w(load3(uvs + 6))));
+  return uv;
 }

@@ -12,3 +12,8 @@ FN realw triangle_density_w(GLOBAL const real* item, GLOBAL const real* area, re
   (void)from;
   return uniform_density_w(area, towards, normal);
 }
+
+FN Real2_w triangle_uv_w(GLOBAL const real* uvs, intw item, const AreaPoint_w* p, real side) {
+  (void)side;
+  return flat_uv_w(uvs, item, p);
+}

@@ -33,6 +33,10 @@ FN void smooth_each_w(const Scene* scene, const SurfaceHits_w* hits, maskw which
 FN void texture_each_w(const Scene* scene, Paths_w* path, const SurfaceHits_w* hits, maskw which,
                        const HitParameters_w* at, Surfaces_w* s) {
   realw u = at->u, v = at->v;
+  if (HAS_MESH_ATTRIBUTE) {
+    s->own_u = sel_w(which, u, s->own_u);
+    s->own_v = sel_w(which, v, s->own_v);
+  }
   if (HAS_MESH_UVS) {
     intw uvs = part_entry_w(scene, s, PART_UVS), zero = splat_int_w(0);
     maskw has_uvs = which & ~lt_int_w(uvs, zero);

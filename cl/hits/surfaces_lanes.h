@@ -12,6 +12,7 @@ typedef struct {
   real3w grad_u, grad_v;             ///< Kept only with RELIEF.
   realw facing;
   realw tex_u, tex_v, footprint;  ///< Kept only where there are textures.
+  realw own_u, own_v;             ///< The shape's own u, v; kept only with MESH_ATTRIBUTE.
   intw part, id, instance;        ///< id: the primitive's, scene-wide.
   intw is_round, is_flipped;      ///< Kept only where a surface may be round.
   real3w point, move;             ///< As in hits/departure.h.
@@ -28,7 +29,7 @@ FN Surfaces_w surfaces_none_w(void) {
   Surfaces_w s;
   realw zero = splat_w(R(0.0));
   s.hit = none_w();
-  s.t = s.facing = s.tex_u = s.tex_v = s.footprint = s.bound = zero;
+  s.t = s.facing = s.tex_u = s.tex_v = s.own_u = s.own_v = s.footprint = s.bound = zero;
   s.position = s.normal = s.shading = s.along = s.grad_u = s.grad_v = s.point = s.move = vec3_w(zero, zero, zero);
   s.part = s.id = s.is_round = s.is_flipped = splat_int_w(0);
   s.instance = splat_int_w(-1);
@@ -51,6 +52,10 @@ FN void surface_to_w(Surfaces_w* to, int lane, const Surface* s, int id, real t)
     put_w(&to->tex_u, lane, s->tex_u);
     put_w(&to->tex_v, lane, s->tex_v);
     put_w(&to->footprint, lane, s->footprint);
+  }
+  if (HAS_MESH_ATTRIBUTE) {
+    put_w(&to->own_u, lane, s->u);
+    put_w(&to->own_v, lane, s->v);
   }
   put_int_w(&to->part, lane, s->part);
   put_int_w(&to->id, lane, id);

@@ -30,6 +30,7 @@
 #include "camera/span_lanes.h"
 #include "hits/find_lanes.h"
 #include "integrators/integrator_lanes.h"
+#include "film/first_albedo_lanes.h"
 #if LANES != 1
 #include "integrators/path_pool_lanes.h"
 #endif
@@ -48,6 +49,7 @@ ONCE_FN void follow_paths_w(const Scene* scene, Paths_w* path, Branches_w* branc
                             const SpanFilm* film) {
   uint before = bits_w(path->alive);
   Surfaces_w surfaces = find_surfaces_w(scene, path, wanted_w(scene, path, first), first);
+  if (HAS_ALBEDO) store_albedo_w(scene, path, &surfaces, first);
   surface_step_w(scene, path, &surfaces, branches);
   if (HAS_AOV) first->lanes = 0u;
   for (uint ended = before & ~bits_w(path->alive); ended != 0u; ended &= ended - 1u) {

@@ -2,6 +2,7 @@
 // Every light. Only includes: a program holds those that its scene uses.
 #include "lights/point_lanes.h"
 #include "lights/spot_lanes.h"
+#include "lights/projector_lanes.h"
 #include "lights/directional_lanes.h"
 #include "lights/constant_lanes.h"
 #include "lights/envmap_lanes.h"

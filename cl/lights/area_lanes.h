@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A surface that emits the same radiance everywhere and in every direction on one side. Parameters: scene/layout.h,
+// A surface that emits the same radiance in every direction on one side, the same everywhere or as a texture says; its
+// places are drawn without regard to the texture, which is read at points. Parameters: scene/layout.h,
 // AREA_...; the shape's own file draws a place on it, and items are drawn in proportion to their area.
 #include "areas/area_point_lanes.h"
 #include "areas/all_lanes.h"
@@ -28,7 +29,7 @@ FN AreaPoint_w area_point_of_w(const Scene* scene, GLOBAL const int* row, real3w
       (void)u;
       (void)v;
       none.position = none.normal = from;
-      none.density = splat_w(R(0.0));
+      none.density = none.u = none.v = splat_w(R(0.0));
       return none;
   }
 }
@@ -43,6 +44,10 @@ FN AreaPoint_w area_point_w(const Scene* scene, GLOBAL const int* row, real3w fr
     p.position = sel3_w(of_one, other.position, p.position);
     p.normal = sel3_w(of_one, other.normal, p.normal);
     p.density = sel_w(of_one, other.density, p.density);
+    if (HAS_LIGHT_TEXTURE) {
+      p.u = sel_w(of_one, other.u, p.u);
+      p.v = sel_w(of_one, other.v, p.v);
+    }
     others &= ~bits_w(of_one);
   }
   return p;
@@ -54,6 +59,37 @@ FN AreaPoint_w area_point_w(const Scene* scene, GLOBAL const int* row, real3w fr
 /// square of a distance of the same size.
 FN realw area_rounding_w(real3w position, real3w from) {
   return splat_w(R(16.0) * real_roundoff()) * (max3_w(abs3_w(position)) + max3_w(abs3_w(from)));
+}
+
+/// The texture of a light that has one, at a place on it.
+FN real3w area_texture_w(const Scene* scene, GLOBAL const int* row, intw item, const AreaPoint_w* p) {
+  GLOBAL const real* uvs = scene->shading + row[LIGHT_UVS];
+  real side = scene->shading[row[LIGHT_REALS] + AREA_SIDE];
+  Real2_w uv;
+  uv.x = uv.y = splat_w(R(0.0));
+  switch (row[LIGHT_AREA]) {
+#define AREA(name, reals)                 \
+  case AREA_##name:                       \
+    uv = name##_uv_w(uvs, item, p, side); \
+    break;
+#include "areas/areas.def"
+#undef AREA
+    default:
+      (void)uvs;
+      (void)side;
+      (void)item;
+      (void)p;
+      break;
+  }
+  TexturePlace_w at = texture_at_w(uv.x, uv.y);
+  if (HAS_MESH_ATTRIBUTE) {
+    // A mesh with attributes has one part, whose items are its primitives.
+    at.own_u = p->u;
+    at.own_v = p->v;
+    at.part = splat_int_w(row[LIGHT_PART]);
+    at.primitive = item;
+  }
+  return texture_value_w(scene, row[LIGHT_TEXTURE], at);
 }
 
 FN LightSample_w area_sample_w(const Scene* scene, GLOBAL const int* row, real3w from, LightNumbers_w numbers) {
@@ -72,7 +108,9 @@ FN LightSample_w area_sample_w(const Scene* scene, GLOBAL const int* row, real3w
 #endif
   s.density = p.density;
   if (row[LIGHT_FIRST_ID] >= 0) s.aim = splat_int_w(row[LIGHT_FIRST_ID]) + item;
-  s.radiance = sel3_w(is_lit, splat3_w(load3(scene->shading + row[LIGHT_REALS] + AREA_RADIANCE)), s.radiance);
+  real3w radiance = splat3_w(load3(scene->shading + row[LIGHT_REALS] + AREA_RADIANCE));
+  if (HAS_LIGHT_TEXTURE && row[LIGHT_TEXTURE] >= 0) radiance = mul3_w(radiance, area_texture_w(scene, row, item, &p));
+  s.radiance = sel3_w(is_lit, radiance, s.radiance);
   return s;
 }
 

@@ -4,6 +4,7 @@
 #include "lights/light_table.h"
 #include "lights/light_sample_lanes.h"
 #include "lights/alias_lanes.h"
+#include "textures/texture_lanes.h"
 #include "lights/all_lanes.h"
 #include "choosers/chooser_lanes.h"
 
@@ -117,6 +118,12 @@ FN real3w emitted_radiance_w(const Scene* scene, const Surfaces_w* s) {
     if (any_w(emits)) {
       at = sel_int_w(emits, at, splat_int_w(0));
       radiance = sel3_w(emits, gather3_w(scene->shading, at), radiance);
+      if (HAS_LIGHT_TEXTURE) {
+        intw textures = part_entry_w(scene, s, PART_GLOW);
+        maskw is_textured = emits & ~lt_int_w(textures, splat_int_w(0));
+        real3w shares = textures_at_w(scene, is_textured, textures, texture_point_w(scene, s), radiance);
+        radiance = sel3_w(is_textured, mul3_w(radiance, shares), radiance);
+      }
     }
   }
   return radiance;

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Spot light: intensity * falloff / distance^2. The falloff is 1 up to the beam's half angle and falls linearly with
 // the angle to 0 at the cutoff. Parameters: position x y z, unit axis x y z, intensity r g b (W/sr), cutoff in turns,
-// one over the turns between beam and cutoff.
+// one over the turns between beam and cutoff; of one with a texture, two vectors across the axis: the texture fills the
+// square around the cone, u and v from 0 to 1 where their products with the direction, over the axis's, go from -1
+// to 1.
 #include "math/atan2_lanes.h"
 
 enum { spot_NUMBERS_w = NUMBERS_NONE_w };
@@ -18,6 +20,13 @@ FN LightSample_w spot_sample_w(const Scene* scene, GLOBAL const int* row, real3w
   realw falloff = (splat_w(params[9]) - turns) * splat_w(params[10]);
   falloff = max_w(min_w(falloff, splat_w(R(1.0))), splat_w(R(0.0)));
   s.radiance = scale3_w(falloff * inverse, scale3_w(inverse, splat3_w(load3(params + 6))));
+  if (HAS_LIGHT_TEXTURE && row[LIGHT_TEXTURE] >= 0) {
+    realw zero = splat_w(R(0.0)), half_one = splat_w(R(0.5)), along = dot3_w(axis, out);
+    realw half_over = half_one / sel_w(lt_w(zero, along), along, splat_w(R(1.0)));
+    realw u = fma_w(dot3_w(splat3_w(load3(params + 11)), out), half_over, half_one);
+    realw v = fma_w(dot3_w(splat3_w(load3(params + 14)), out), half_over, half_one);
+    s.radiance = mul3_w(s.radiance, texture_value_w(scene, row[LIGHT_TEXTURE], texture_at_w(u, v)));
+  }
   s.is_delta = ~none_w();
   return s;
 }

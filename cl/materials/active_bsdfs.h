@@ -21,7 +21,7 @@ enum {
 #include "materials/materials.def"
 #undef MATERIAL
   ,
-  HAS_DELTA_LOBES = (BSDF_LOBES & LOBE_DELTA) != 0,
+  HAS_DELTA_LOBES = (BSDF_LOBES & LOBE_DELTA) != 0 || HAS_COAT,
   HAS_TRANSMISSION = (BSDF_LOBES & LOBE_TRANSMIT) != 0
 };
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Every material, after what several of them share. Only includes: a program holds the materials that its scene uses,
 // and what is "of" some of them, or "not of" some, where it has one of those, or another one.
-#include "math/fresnel_lanes.h"  // not of diffuse, phong, roughdiffuse, difftrans, ward
-#include "math/exp_log_lanes.h"  // not of diffuse, conductor, dielectric, thindielectric, plastic, roughdiffuse, difftrans
 #include "math/atan2_lanes.h"          // of roughdiffuse
 #include "math/metal_fresnel_lanes.h"  // of conductor, roughconductor
 #include "materials/microfacets_lanes.h"  // of roughconductor, roughdielectric, roughplastic, principled, principledthin, ward

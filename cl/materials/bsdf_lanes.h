@@ -8,10 +8,11 @@
 typedef struct {
   intw kind;            ///< MATERIAL_...
   Frame_w frame;        ///< z the shading normal; of a twosided material, that on the side of wo.
-  real3w wo;            ///< Where the light goes to.
+  real3w wo;            ///< Where the light goes to; under a coat below it.
   real3w out;           ///< wo in the world, as the frame has not rounded it.
   realw p[BSDF_REALS];  ///< The material's parameters at the point, from constants or textures.
   Relief_w relief;      ///< Kept only with RELIEF.
+  Coat_w coat;          ///< Kept only with COAT.
 } Bsdf_w;
 
 typedef struct {

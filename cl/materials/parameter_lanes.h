@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Parameters at points of surfaces. Each is one int of the material's row: if >= 0 an offset to constants, else the
-// complement (~) of a row of the texture table. One width; no guard.
-
-#include "textures/texture_lanes.h"
+// complement (~) of a row of the texture table. textures/texture_lanes.h comes before. One width; no guard.
 
 /// Reads up to three reals in the lanes of `which`. number: the number of the parameter in the material. rows: offsets
 /// into the index.

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: MIT
 // Which row of the material table describes each lane's surface: what is seen from behind may be another row, and of a
 // blend one of two rows is drawn, in proportion to their shares of the light; a relief bends the normal of the row
-// inside it. So shading knows single materials alone (docs/decisions/0027-nested-materials.md). One width; no guard.
+// inside it; a coat lies on it. So shading knows single materials alone (docs/decisions/0027-nested-materials.md). One
+// width; no guard.
 #include "materials/relief_lanes.h"
+#include "materials/coat_lanes.h"
 
 typedef struct {
   intw rows;        ///< Offsets into the index.
   real3w normal;    ///< The shading normal; of what is seen from behind as from the front, that on the side of `out`.
   realw opacity;    ///< The share of rays that meet the surface; kept only with MASK.
   Relief_w relief;  ///< Kept only with RELIEF; its frame's z is the normal.
+  Coat_w coat;      ///< Kept only with COAT.
 } MaterialRows_w;
 
 /// Offset of each lane's row in the index.
@@ -27,7 +30,8 @@ FN void turn_rows_w(const Scene* scene, real3w out, MaterialRows_w* m) {
   m->rows = sel_int_w(is_behind, material_rows_w(scene, back), m->rows);
 }
 
-/// Goes on to the row inside, of the lanes of `which`: of a blend one of two, of a relief the one that it bends.
+/// Goes on to the row inside, of the lanes of `which`: of a blend one of two, of a relief the one that it bends, of a
+/// coat the one below.
 /// Returns the lanes that had one. number: within (0, 1); what a draw leaves of it is spread evenly again, for blends
 /// within blends.
 FN maskw enter_rows_w(const Scene* scene, const Surfaces_w* s, maskw which, real3w out, MaterialRows_w* m,
@@ -37,7 +41,12 @@ FN maskw enter_rows_w(const Scene* scene, const Surfaces_w* s, maskw which, real
   which = which & ~lt_int_w(first, splat_int_w(0));
   if (!any_w(which)) return which;
   intw second = gather_int_w(scene->index + MATERIAL_SECOND, m->rows);
-  maskw is_blend = which & ~lt_int_w(second, splat_int_w(0)), is_relief = which & ~is_blend;
+  maskw is_blend = which & ~lt_int_w(second, splat_int_w(0)), is_relief = which & ~is_blend, is_coat = none_w();
+  if (HAS_COAT) {
+    is_coat = which & ~nonzero_w(second + splat_int_w(2));
+    is_relief = is_relief & ~is_coat;
+    if (any_w(is_coat)) coat_load_w(scene, s, is_coat, m->rows, &m->coat);
+  }
   if (HAS_BLEND && any_w(is_blend)) {
     realw weight = luminance_w(parameter_at_w(scene, s, is_blend, m->rows, 0));
     maskw is_second = is_blend & lt_w(*number, weight);
@@ -69,6 +78,7 @@ FN MaterialRows_w rows_at_w(const Scene* scene, const Surfaces_w* s, maskw which
     m.relief.is_seen = ~none_w();
     m.relief.fading = splat_w(R(0.0));
   }
+  if (HAS_COAT) coat_none_w(&m.coat);
   maskw at = which;
   do {
     if (HAS_MASK) {
@@ -77,7 +87,7 @@ FN MaterialRows_w rows_at_w(const Scene* scene, const Surfaces_w* s, maskw which
       m.opacity = sel_w(at, m.opacity * share, m.opacity);
     }
     if (HAS_TWOSIDED) turn_rows_w(scene, out, &m);
-    at = HAS_BLEND || HAS_RELIEF ? enter_rows_w(scene, s, at, out, &m, &number) : none_w();
-  } while ((HAS_BLEND || HAS_RELIEF) && any_w(at));
+    at = HAS_BLEND || HAS_RELIEF || HAS_COAT ? enter_rows_w(scene, s, at, out, &m, &number) : none_w();
+  } while ((HAS_BLEND || HAS_RELIEF || HAS_COAT) && any_w(at));
   return m;
 }

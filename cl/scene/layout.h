@@ -78,17 +78,19 @@ enum { GROUP_ROOT, GROUP_BOUNDS, GROUP_LISTED };
 enum { STACK_2 = 64, STACK_4 = 96, STACK_8 = 128, STACK_16 = 192 };
 
 enum {
-  PART_SHAPE,     // index in file order
-  PART_FIRST_ID,  // scene-wide id of the shape's primitive 0
-  PART_MATERIAL,  // row of the material table
-  PART_RADIANCE,  // -> shading, r g b; -1: does not emit
-  PART_LIGHT,     // Its row in the table of lights; -1: no light that could be drawn.
-  PART_FLIP,      // 1: the normal is reversed
-  PART_AXES,      // -> shading, 9 reals, meaning by kind; -1: none
-  PART_NORMALS,   // -> shading, 9 reals a primitive of the shape; -1: none
-  PART_UVS,       // -> shading, 6 reals a primitive of the shape; -1: none
-  PART_UV_RATES,  // -> shading, 2 reals: change of tex_u and tex_v per unit of length; -1: no textures
-  PART_RANK,      // Rank among the shapes with a priority, the lowest 0; -1: it has no priority.
+  PART_SHAPE,       // index in file order
+  PART_FIRST_ID,    // scene-wide id of the shape's primitive 0
+  PART_MATERIAL,    // row of the material table
+  PART_RADIANCE,    // -> shading, r g b; -1: does not emit
+  PART_GLOW,        // The row of the table of textures that multiplies it; -1: none.
+  PART_LIGHT,       // Its row in the table of lights; -1: no light that could be drawn.
+  PART_FLIP,        // 1: the normal is reversed
+  PART_AXES,        // -> shading, 9 reals, meaning by kind; -1: none
+  PART_NORMALS,     // -> shading, 9 reals a primitive of the shape; -1: none
+  PART_UVS,         // -> shading, 6 reals a primitive of the shape; -1: none
+  PART_ATTRIBUTES,  // -> index, what textures/mesh_attribute_lanes.h reads; -1: none
+  PART_UV_RATES,    // -> shading, 2 reals: change of tex_u and tex_v per unit of length; -1: no textures
+  PART_RANK,        // Rank among the shapes with a priority, the lowest 0; -1: it has no priority.
   PART_INTS
 };
 
@@ -96,7 +98,8 @@ enum {
 // material does not have are 0, which may be read. MATERIAL_BACK: the row of what is seen from behind; -1: nothing.
 // MATERIAL_ALONG: 1: its frame has x where u grows. MATERIAL_OPACITY: a slot, defined only in programs with MASK.
 // MATERIAL_FIRST, MATERIAL_SECOND: rows that a blend draws from, its weight in the first slot; of a relief
-// (materials/relief_lanes.h) the row inside it, and -1; else both -1.
+// (materials/relief_lanes.h) the row inside it, and -1; of a coat (materials/coat_lanes.h) that and -2; else both -1.
+// MATERIAL_METAL: 1: its second and third slot are eta and k.
 enum { MATERIAL_MOST_SLOTS = 13 };
 enum {
   MATERIAL_KIND,
@@ -105,9 +108,11 @@ enum {
   MATERIAL_OPACITY,
   MATERIAL_FIRST,
   MATERIAL_SECOND,
+  MATERIAL_METAL,
   MATERIAL_SLOTS,
   MATERIAL_INTS = MATERIAL_SLOTS + MATERIAL_MOST_SLOTS
 };
+// TEXTURE_IMAGE of a mesh_attribute: which one (textures/mesh_attribute_lanes.h).
 // TEXTURE_IMAGE to TEXTURE_LEVELS are a bitmap's: -> index, IMAGE_INTS a level; FILTER_...; WRAP_...; the number of
 // levels, each half as wide and high as the one before.
 enum { TEXTURE_KIND, TEXTURE_REALS, TEXTURE_IMAGE, TEXTURE_FILTER, TEXTURE_WRAP, TEXTURE_LEVELS, TEXTURE_INTS };
@@ -120,8 +125,21 @@ enum { IMAGE_WIDTH, IMAGE_HEIGHT, IMAGE_FORMAT, IMAGE_TEXELS, IMAGE_TABLE, IMAGE
 // exponent) an int a texel, RGB_16 two, with blue alone in the second.
 enum { TEXELS_GREY_8, TEXELS_GREY_16, TEXELS_GREY_REAL, TEXELS_RGB_8, TEXELS_RGB_16, TEXELS_RGB_REAL, TEXELS_RGBE };
 // LIGHT_AREA to LIGHT_FIRST_ID are an area light's: AREA_sphere, ...; number of items; -> index, CHOICE_INTS an item;
-// scene-wide id of item 0 where the items are primitives in order, else -1.
-enum { LIGHT_KIND, LIGHT_REALS, LIGHT_AREA, LIGHT_ITEMS, LIGHT_CHOICE, LIGHT_FIRST_ID, LIGHT_INTS };
+// scene-wide id of item 0 where the items are primitives in order, else -1. LIGHT_TEXTURE: the row of the table of
+// textures that multiplies its colour; -1: none. LIGHT_UVS: of an area light with a texture, -> shading, what texture
+// coordinates of its places follow from (the area's file says how). LIGHT_PART: an area light's row of the part table.
+enum {
+  LIGHT_KIND,
+  LIGHT_REALS,
+  LIGHT_AREA,
+  LIGHT_ITEMS,
+  LIGHT_CHOICE,
+  LIGHT_FIRST_ID,
+  LIGHT_TEXTURE,
+  LIGHT_UVS,
+  LIGHT_PART,
+  LIGHT_INTS
+};
 // Of an environment: -> index, IMAGE_INTS; LIGHT_CHOICE leads to a table of the rows of cells, and from there on one of
 // the cells of each row.
 enum { LIGHT_IMAGE = LIGHT_AREA };
@@ -184,9 +202,18 @@ enum { POOL_PATHS = 64 };
 // Of sampler sobol where the film keeps FILM_SUBSUMS sums (docs/decisions/0011-error.md).
 enum { SOBOL_SEQUENCES = 2 };
 
-// First-sample values of a pixel: depth, normal, position, uv, t and the ray that it belongs to (RAY_O ...); shape,
-// primitive.
-enum { AOV_DEPTH = 0, AOV_NORMAL = 1, AOV_POSITION = 4, AOV_UV = 7, AOV_T = 9, AOV_RAY = 10, AOV_REALS = 18 };
+// First-sample values of a pixel: depth, normal, position, uv, t and the ray that it belongs to (RAY_O ...), albedo;
+// shape, primitive.
+enum {
+  AOV_DEPTH = 0,
+  AOV_NORMAL = 1,
+  AOV_POSITION = 4,
+  AOV_UV = 7,
+  AOV_T = 9,
+  AOV_RAY = 10,
+  AOV_ALBEDO = 18,
+  AOV_REALS = 21
+};
 enum { AOV_SHAPE, AOV_PRIMITIVE, AOV_INTS };
 
 // COUNT_CUT, COUNT_STUCK: work-items whose loops the device has ended before their last sample, or before their first.

@@ -5,6 +5,9 @@
 typedef struct {
   realw u, v;    ///< As in hits/surface.h.
   realw du, dv;  ///< The size of the pixel in u and v.
+  // Used with MESH_ATTRIBUTE alone.
+  realw own_u, own_v;    ///< The shape's own parameters.
+  intw part, primitive;  ///< Of the part table, of the shape.
 } TexturePlace_w;
 
 /// m: u' = m0 u + m1 v + m2, v' = m3 u + m4 v + m5.

@@ -37,12 +37,25 @@ FN Real2_w texture_slope_w(const Scene* scene, int texture, TexturePlace_w at) {
   }
 }
 
-/// Without a footprint: points.
-FN TexturePlace_w texture_point_w(const Surfaces_w* s) {
+/// A point without a footprint, of no mesh.
+FN TexturePlace_w texture_at_w(realw u, realw v) {
   TexturePlace_w at;
-  at.u = s->tex_u;
-  at.v = s->tex_v;
+  at.u = at.own_u = u;
+  at.v = at.own_v = v;
   at.du = at.dv = splat_w(R(0.0));
+  at.part = at.primitive = splat_int_w(0);
+  return at;
+}
+
+/// Points of surfaces.
+FN TexturePlace_w texture_point_w(const Scene* scene, const Surfaces_w* s) {
+  TexturePlace_w at = texture_at_w(s->tex_u, s->tex_v);
+  if (HAS_MESH_ATTRIBUTE) {
+    at.own_u = s->own_u;
+    at.own_v = s->own_v;
+    at.part = s->part;
+    at.primitive = s->id - part_entry_w(scene, s, PART_FIRST_ID);
+  }
   return at;
 }
 
@@ -51,7 +64,7 @@ FN Real2_w texture_slopes_w(const Scene* scene, const Surfaces_w* s, maskw which
   Real2_w slope;
   slope.x = slope.y = splat_w(R(0.0));
   uint lanes = bits_w(which);
-  TexturePlace_w at = texture_point_w(s);
+  TexturePlace_w at = texture_point_w(scene, s);
   while (lanes != 0u) {
     int texture = get_int_w(&textures, first_bit(lanes));
     maskw is_one = which & ~nonzero_w(textures - splat_int_w(texture));
@@ -64,15 +77,8 @@ FN Real2_w texture_slopes_w(const Scene* scene, const Surfaces_w* s, maskw which
 }
 
 /// Those textures in the lanes of `which`, and `value` in the others.
-FN real3w texture_values_w(const Scene* scene, const Surfaces_w* s, maskw which, intw textures, real3w value) {
+FN real3w textures_at_w(const Scene* scene, maskw which, intw textures, TexturePlace_w at, real3w value) {
   uint lanes = bits_w(which);
-  if (lanes == 0u) return value;
-  intw rates = part_entry_w(scene, s, PART_UV_RATES);
-  TexturePlace_w at;
-  at.u = s->tex_u;
-  at.v = s->tex_v;
-  at.du = s->footprint * gather_w(scene->shading, rates);
-  at.dv = s->footprint * gather_w(scene->shading + 1, rates);
   while (lanes != 0u) {
     int texture = get_int_w(&textures, first_bit(lanes));
     maskw is_one = which & ~nonzero_w(textures - splat_int_w(texture));
@@ -80,4 +86,14 @@ FN real3w texture_values_w(const Scene* scene, const Surfaces_w* s, maskw which,
     lanes &= ~bits_w(is_one);
   }
   return value;
+}
+
+/// The same, as wide as the pixel is on the surface.
+FN real3w texture_values_w(const Scene* scene, const Surfaces_w* s, maskw which, intw textures, real3w value) {
+  if (!any_w(which)) return value;
+  intw rates = part_entry_w(scene, s, PART_UV_RATES);
+  TexturePlace_w at = texture_point_w(scene, s);
+  at.du = s->footprint * gather_w(scene->shading, rates);
+  at.dv = s->footprint * gather_w(scene->shading + 1, rates);
+  return textures_at_w(scene, which, textures, at, value);
 }

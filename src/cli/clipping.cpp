@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "kinds/lights.h"
+#include "kinds/textures.h"
 
 namespace strahl::cli {
 namespace {
@@ -31,13 +32,16 @@ bool is_lamp(const float* rgb, const std::vector<Rgb>& lamps) {
 
 std::vector<Rgb> lamps_of(const Scene& scene) {
   std::vector<Rgb> lamps;
-  const auto add = [&](const std::optional<Rgb>& radiance) {
-    if (radiance && std::max({radiance->r, radiance->g, radiance->b}) > 0) lamps.push_back(*radiance);
+  const auto add = [&](const std::optional<Rgb>& radiance, int texture = -1) {
+    if (!radiance || !(std::max({radiance->r, radiance->g, radiance->b}) > 0)) return;
+    lamps.push_back(
+        texture < 0 ? *radiance
+                    : kinds::times(*radiance, kinds::brightest(scene.textures.at(static_cast<std::size_t>(texture)))));
   };
   for_each_shape(scene, [&](const Shape& shape) {
-    add(shape.radiance);
+    add(shape.radiance, shape.radiance_texture);
     if (const auto* mesh = std::get_if<Mesh>(&shape.geometry))
-      for (const MeshPart& part : mesh->parts) add(part.radiance);
+      for (const MeshPart& part : mesh->parts) add(part.radiance, part.radiance_texture);
   });
   for (const Light& light : scene.lights)
     if (kinds::light_glows(light)) add(kinds::brightest(light));

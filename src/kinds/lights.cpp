@@ -9,6 +9,7 @@
 #include <variant>
 
 #include "kinds/faults.h"
+#include "kinds/textures.h"
 #include "kinds/upload_frame.h"
 
 namespace strahl::kinds {
@@ -25,6 +26,14 @@ void require_light(Faults& faults, const Rgb& c, const char* what) {
 }
 
 void multiply(Rgb& colour, double by) { colour = {by * colour.r, by * colour.g, by * colour.b}; }
+
+bool is_orthonormal(const std::array<Vec3, 3>& axes) {
+  constexpr double rounding = 1e-5;  // Of matrices written with six digits.
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j <= i; ++j)
+      if (!(std::fabs(dot(axes[i], axes[j]) - (i == j ? 1 : 0)) <= rounding)) return false;
+  return true;
+}
 
 /// facts; colour, the member that light_colour() returns; the other questions of lights.h.
 template <typename Emitter>
@@ -62,6 +71,8 @@ struct Row<SpotLight> {
     const double area = frame.scale * frame.scale;
     // Of a cone with a hard edge the largest power of ten that is far from the largest float.
     const double edge = std::min(360 / (light.cutoff_degrees - light.beam_degrees), 1e30);
+    const double inverse = 1 / std::tan(light.cutoff_degrees * std::numbers::pi / 180);
+    const Vec3 x = inverse * light.x, y = inverse * light.y;
     return {p.x,
             p.y,
             p.z,
@@ -72,7 +83,13 @@ struct Row<SpotLight> {
             area * light.intensity.g,
             area * light.intensity.b,
             light.cutoff_degrees / 360,
-            edge};
+            edge,
+            x.x,
+            x.y,
+            x.z,
+            y.x,
+            y.y,
+            y.z};
   }
   static void reach(LightReach& reach, const SpotLight& light, const UploadFrame& frame) {
     const double a_degree = std::numbers::pi / 180, half = 0.5 * (light.beam_degrees + light.cutoff_degrees);
@@ -85,7 +102,9 @@ struct Row<SpotLight> {
   }
   static void move(SpotLight& light, const MapVec3& point) { light.position = point(light.position); }
   static void scale(SpotLight& light, double factor) { multiply(light.intensity, factor * factor); }
-  static void mirror(SpotLight& light, const MapVec3& flip_x) { light.axis = flip_x(light.axis); }
+  static void mirror(SpotLight& light, const MapVec3& flip_x) {
+    for (Vec3* axis : {&light.axis, &light.x, &light.y}) *axis = flip_x(*axis);
+  }
   static void check(const SpotLight& light, Faults& faults) {
     faults.require(is_finite(light.position), "the position must be finite");
     faults.require(is_finite(light.axis) && light.axis != Vec3{}, "the axis must be finite and not zero");
@@ -94,6 +113,48 @@ struct Row<SpotLight> {
                    "cutoff_angle must lie between 0 and 180 degrees");
     faults.require(light.beam_degrees >= 0 && light.beam_degrees <= light.cutoff_degrees,
                    "beam_width must lie between 0 and cutoff_angle");
+    if (light.texture < 0) return;
+    faults.require(light.cutoff_degrees < 90, "cutoff_angle of a spot with a texture must be less than 90 degrees");
+    faults.require(is_finite(light.x) && is_finite(light.y), "the axes of a spot with a texture must be finite");
+  }
+};
+
+template <>
+struct Row<ProjectorLight> {
+  static constexpr LightFacts facts{.entry = "projector", .is_delta = true};
+  static constexpr auto colour = &ProjectorLight::irradiance;
+  static std::vector<double> reals(const ProjectorLight& light, const UploadFrame& frame) {
+    const Vec3 p = frame.point(light.position), right = (-1 / light.tan_x) * light.axes[0];
+    const Vec3 down = (-1 / light.tan_y) * light.axes[1];
+    std::vector<double> values;
+    for (const Vec3& v : {p, right, down, light.axes[2]}) values.insert(values.end(), {v.x, v.y, v.z});
+    const double factor = std::numbers::pi * frame.scale * frame.scale;
+    values.insert(values.end(),
+                  {factor * light.irradiance.r, factor * light.irradiance.g, factor * light.irradiance.b});
+    return values;
+  }
+  static void reach(LightReach& reach, const ProjectorLight& light, const UploadFrame& frame) {
+    const double middle = std::numbers::pi * frame.scale * frame.scale * luminance(light.irradiance);
+    const double corner = std::hypot(1, light.tan_x, light.tan_y);  // One over its cosine from the axis.
+    reach.intensity = middle * corner * corner * corner;
+    reach.power = 4 * light.tan_x * light.tan_y * middle;
+    reach.extent.add(frame.point(light.position));
+    reach.axis = light.axes[2];
+    reach.spread = 0;
+    reach.cutoff = std::acos(1 / corner);
+  }
+  static void move(ProjectorLight& light, const MapVec3& point) { light.position = point(light.position); }
+  static void scale(ProjectorLight& light, double factor) { multiply(light.irradiance, factor * factor); }
+  static void mirror(ProjectorLight& light, const MapVec3& flip_x) {
+    for (Vec3& axis : light.axes) axis = flip_x(axis);
+  }
+  static void check(const ProjectorLight& light, Faults& faults) {
+    faults.require(is_finite(light.position), "the position must be finite");
+    faults.require(is_orthonormal(light.axes), "to_world of a projector must be a rotation; it may move and scale");
+    require_light(faults, light.irradiance, "irradiance");
+    const auto is_width = [](double x) { return std::isfinite(x) && x > 0; };
+    faults.require(is_width(light.tan_x) && is_width(light.tan_y),
+                   "the field of view must lie between 0 and 180 degrees");
   }
 };
 
@@ -172,13 +233,6 @@ struct Row<EnvironmentLight> {
     faults.require(is_orthonormal(light.axes),
                    "to_world of an environment must be a rotation; it may mirror, and scale all axes alike");
   }
-  static bool is_orthonormal(const std::array<Vec3, 3>& axes) {
-    constexpr double rounding = 1e-5;  // Of matrices written with six digits.
-    for (std::size_t i = 0; i < 3; ++i)
-      for (std::size_t j = 0; j <= i; ++j)
-        if (!(std::fabs(dot(axes[i], axes[j]) - (i == j ? 1 : 0)) <= rounding)) return false;
-    return true;
-  }
 };
 
 /// ask(row, emitter) of the light's kind.
@@ -221,13 +275,14 @@ Rgb brightest(const Light& light) {
   const Rgb colour = light_colour(light);
   const auto* environment = std::get_if<EnvironmentLight>(&light.emitter);
   if (environment == nullptr || !environment->texels) return colour;
-  const TexelDecoder decoded(*environment->texels, environment->curve);
-  Rgb most;
-  for (std::size_t n = 0; n < environment->texels->count(); ++n) {
-    const std::array<double, 3> rgb = decoded(n);
-    most = {std::max(most.r, rgb[0]), std::max(most.g, rgb[1]), std::max(most.b, rgb[2])};
-  }
-  return {colour.r * most.r, colour.g * most.g, colour.b * most.b};
+  return times(colour, brightest_of(*environment->texels, environment->curve));
+}
+
+int light_texture(const Light& light) {
+  return of_kind(light, [](auto, const auto& emitter) {
+    if constexpr (requires { emitter.texture; }) return emitter.texture;
+    return -1;
+  });
 }
 
 bool gives_light(const Light& light) {

@@ -33,6 +33,8 @@ struct LightFacts {
 /// Its intensity, irradiance or radiance; of an image what multiplies it.
 [[nodiscard]] const Rgb& light_colour(const Light& light);
 [[nodiscard]] Rgb& light_colour(Light& light);
+/// Index of the texture that multiplies that; -1: none.
+[[nodiscard]] int light_texture(const Light& light);
 /// Of all directions, channel by channel.
 [[nodiscard]] Rgb brightest(const Light& light);
 [[nodiscard]] bool gives_light(const Light& light);

@@ -219,6 +219,7 @@ struct Facts {
   MaterialFacts operator()(const Conductor& bsdf) const {
     MaterialFacts metal = facts("conductor", {slot("specular_reflectance", bsdf.reflectance),
                                               value_slot("eta", bsdf.index.eta), value_slot("k", bsdf.index.k)});
+    metal.is_metal = true;
     if (!is_ideal(bsdf.index)) metal.flags.emplace_back("METAL");
     require_index(bsdf.index, metal);
     return metal;
@@ -226,6 +227,7 @@ struct Facts {
   MaterialFacts operator()(const RoughConductor& bsdf) const {
     MaterialFacts metal = facts("roughconductor", {slot("specular_reflectance", bsdf.reflectance),
                                                    value_slot("eta", bsdf.index.eta), value_slot("k", bsdf.index.k)});
+    metal.is_metal = true;
     require_index(bsdf.index, metal);
     add_microfacets(bsdf.microfacets, metal);
     return metal;
@@ -300,6 +302,26 @@ struct Facts {
     facts.has_along = true;
     if (!std::isfinite(relief.scale)) facts.faults.emplace_back("scale must be finite");
     if (!is_finite_color(relief.map.color)) facts.faults.emplace_back("normalmap must be finite");
+    return facts;
+  }
+  MaterialFacts operator()(const Coat& coat) const {
+    const Rgb& s = coat.sigma_a.color;
+    const auto left = [&](double sigma) { return std::exp(-2 * sigma * coat.thickness); };
+    // As often as Mitsuba draws it.
+    const double weight = 1 / (1 + (left(s.r) + left(s.g) + left(s.b)) / 3);
+    MaterialFacts facts;
+    facts.kind = "coating";
+    facts.lobes = lobes::LOBE_DELTA | lobes::LOBE_REFLECT;
+    facts.slots = {slot("specular_reflectance", coat.specular_reflectance),
+                   value_slot("sigma_a", coat.sigma_a),
+                   {"int_ior", {coat.int_ior / coat.ext_ior, weight, coat.thickness}, -1, false}};
+    facts.flags = {"COAT"};
+    facts.faults = index_faults(coat.int_ior, coat.ext_ior);
+    facts.nested = {coat.nested};
+    facts.is_coat = true;
+    if (!std::isfinite(coat.thickness) || coat.thickness < 0)
+      facts.faults.emplace_back("thickness must be finite and not negative");
+    if (!is_at_least(0, s)) facts.faults.emplace_back("sigma_a must be finite and not negative");
     return facts;
   }
 };

@@ -34,8 +34,10 @@ struct MaterialFacts {
   std::vector<std::string> faults;      ///< Descriptions of its faults, except for shares outside [0, 1].
   bool is_twosided = false;             ///< Its back looks as its front does.
   bool is_boundary = false;             ///< Of two media: shapes of it may have a priority.
+  bool is_coat = false;                 ///< The one inside it lies below it.
+  bool is_metal = false;                ///< Its second and third slot are eta and k.
   bool has_along = false;               ///< It scatters differently along u and across; calls for TANGENT.
-  std::vector<int> nested;              ///< Indices of the materials inside it: of a blend two, of a relief one.
+  std::vector<int> nested;              ///< Indices of the materials inside it: of a blend two, else one.
 
   [[nodiscard]] bool has_lobe(int lobe) const { return (lobes & lobe) == lobe; }
 };

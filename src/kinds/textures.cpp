@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "kinds/reflectance.h"
 
@@ -13,38 +14,65 @@ bool is_finite_map(const std::array<double, 6>& to_uv) {
   return std::all_of(to_uv.begin(), to_uv.end(), [](double x) { return std::isfinite(x); });
 }
 
+bool is_light(const Rgb& c) {
+  const auto is_sound = [](double x) { return std::isfinite(x) && x >= 0; };
+  return is_sound(c.r) && is_sound(c.g) && is_sound(c.b);
+}
+
 struct TextureRow {
+  bool of_light;
+
+  void require_colour(const Rgb& colour, const char* what, TextureFacts& facts) const {
+    if (of_light && !is_light(colour)) facts.faults.push_back(std::string(what) + " must be finite and not negative");
+    if (!of_light && !is_reflectance(colour)) facts.faults.push_back(std::string(what) + " must lie in [0, 1]");
+  }
   TextureFacts operator()(const Checkerboard& board) const {
     const Rgb &a = board.color0, &b = board.color1;
     TextureFacts facts{.entry = "checkerboard",
                        .reals = {a.r, a.g, a.b, b.r, b.g, b.b},
                        .mean = {0.5 * (a.r + b.r), 0.5 * (a.g + b.g), 0.5 * (a.b + b.b)},
                        .bitmap = nullptr,
+                       .attribute = {},
                        .faults = {}};
     facts.reals.insert(facts.reals.end(), board.to_uv.begin(), board.to_uv.end());
-    if (!is_reflectance(a) || !is_reflectance(b))
-      facts.faults.emplace_back("the colours of a texture must lie in [0, 1]");
+    require_colour(a, "the colours of a texture", facts);
+    require_colour(b, "the colours of a texture", facts);
     if (!is_finite_map(board.to_uv)) facts.faults.emplace_back("to_uv must be finite");
     return facts;
   }
   TextureFacts operator()(const Bitmap& bitmap) const {
-    TextureFacts facts{
-        .entry = "bitmap",
-        .reals = {bitmap.to_uv.begin(), bitmap.to_uv.end()},
-        .mean = {bitmap.scale.r * bitmap.mean.r, bitmap.scale.g * bitmap.mean.g, bitmap.scale.b * bitmap.mean.b},
-        .bitmap = &bitmap,
-        .faults = {}};
+    TextureFacts facts{.entry = "bitmap",
+                       .reals = {bitmap.to_uv.begin(), bitmap.to_uv.end()},
+                       .mean = times(bitmap.scale, bitmap.mean),
+                       .bitmap = &bitmap,
+                       .attribute = {},
+                       .faults = {}};
     facts.reals.insert(facts.reals.end(), {bitmap.scale.r, bitmap.scale.g, bitmap.scale.b});
-    if (!is_reflectance(bitmap.scale)) facts.faults.emplace_back("the scale of a bitmap must lie in [0, 1]");
+    require_colour(bitmap.scale, "the scale of a bitmap", facts);
     if (!bitmap.texels || bitmap.texels->count() == 0) facts.faults.emplace_back("a bitmap needs an image");
     if (!is_finite_map(bitmap.to_uv)) facts.faults.emplace_back("to_uv must be finite");
+    return facts;
+  }
+  TextureFacts operator()(const AttributeTexture& attribute) const {
+    const double most = of_light ? static_cast<double>(std::numeric_limits<float>::max()) : 1;
+    const double half = attribute.scale / 2;
+    TextureFacts facts{.entry = "mesh_attribute",
+                       .reals = {attribute.scale, most},
+                       .mean = {half, half, half},
+                       .bitmap = nullptr,
+                       .attribute = attribute.name,
+                       .faults = {}};
+    if (!(std::isfinite(attribute.scale) && attribute.scale >= 0))
+      facts.faults.emplace_back("the scale of a mesh_attribute must be finite and not negative");
+    if (!attribute.name.starts_with("vertex_") && !attribute.name.starts_with("face_"))
+      facts.faults.emplace_back("the name of a mesh_attribute must begin with vertex_ or face_");
     return facts;
   }
 };
 
 }  // namespace
 
-TextureFacts texture(const Texture& texture) { return std::visit(TextureRow{}, texture.pattern); }
+TextureFacts texture(const Texture& texture) { return std::visit(TextureRow{texture.is_light}, texture.pattern); }
 
 Rgb mean_of(const Texels& texels, const TexelCurve& curve) {
   const TexelDecoder decoded(texels, curve);
@@ -55,6 +83,25 @@ Rgb mean_of(const Texels& texels, const TexelCurve& curve) {
   }
   const auto count = static_cast<double>(texels.count());
   return {sum[0] / count, sum[1] / count, sum[2] / count};
+}
+
+Rgb brightest_of(const Texels& texels, const TexelCurve& curve) {
+  const TexelDecoder decoded(texels, curve);
+  Rgb most;
+  for (std::size_t n = 0; n < texels.count(); ++n) {
+    const std::array<double, 3> rgb = decoded(n);
+    most = {std::max(most.r, rgb[0]), std::max(most.g, rgb[1]), std::max(most.b, rgb[2])};
+  }
+  return most;
+}
+
+Rgb brightest(const Texture& texture) {
+  if (const auto* bitmap = std::get_if<Bitmap>(&texture.pattern))
+    return times(bitmap->scale, brightest_of(*bitmap->texels, bitmap->curve));
+  if (const auto* attribute = std::get_if<AttributeTexture>(&texture.pattern))
+    return {attribute->scale, attribute->scale, attribute->scale};
+  const auto& [a, b, to_uv] = std::get<Checkerboard>(texture.pattern);
+  return {std::max(a.r, b.r), std::max(a.g, b.g), std::max(a.b, b.b)};
 }
 
 }  // namespace strahl::kinds

@@ -12,16 +12,22 @@
 namespace strahl::kinds {
 
 struct TextureFacts {
-  std::string entry;                ///< Of cl/textures/textures.def.
-  std::vector<double> reals;        ///< Its parameters, as its file in cl/textures says.
-  Rgb mean;                         ///< Replaces the texture where it is disabled.
+  std::string entry;          ///< Of cl/textures/textures.def.
+  std::vector<double> reals;  ///< Its parameters, as its file in cl/textures says.
+  Rgb mean;                   ///< Replaces the texture where it is disabled; of what meshes have, half of its scale.
   const Bitmap* bitmap = nullptr;   ///< Of an image.
+  std::string attribute;            ///< Of meshes, that it shows.
   std::vector<std::string> faults;  ///< Descriptions of its faults.
 };
 
 [[nodiscard]] TextureFacts texture(const Texture& texture);
 
-/// The mean of an image.
+/// Of an image: its mean, and its greatest values channel by channel.
 [[nodiscard]] Rgb mean_of(const Texels& texels, const TexelCurve& curve);
+[[nodiscard]] Rgb brightest_of(const Texels& texels, const TexelCurve& curve);
+/// The greatest values of a texture; of what meshes have, its scale.
+[[nodiscard]] Rgb brightest(const Texture& texture);
+
+[[nodiscard]] inline Rgb times(const Rgb& a, const Rgb& b) { return {a.r * b.r, a.g * b.g, a.b * b.b}; }
 
 }  // namespace strahl::kinds

@@ -25,6 +25,15 @@ std::uint64_t mebibytes(std::uint64_t bytes) { return (bytes + (1U << 20) - 1) >
 
 }  // namespace
 
+namespace {
+
+bool is_shown(const Scene& scene, const std::string& attribute) {
+  return std::any_of(scene.textures.begin(), scene.textures.end(),
+                     [&](const Texture& texture) { return kinds::texture(texture).attribute == attribute; });
+}
+
+}  // namespace
+
 MemoryNeed least_memory(const Scene& scene, const Features& features, Precision precision, int lanes) {
   const std::uint64_t real = precision == Precision::fp64 ? sizeof(double) : sizeof(float);
   const auto block = static_cast<std::uint64_t>(lanes);
@@ -37,6 +46,9 @@ MemoryNeed least_memory(const Scene& scene, const Features& features, Precision 
     if (mesh == nullptr) return;
     if (!mesh->normals.empty() && features.flag("SMOOTH_NORMALS")) need.shading += count * reals_of_normals * real;
     if (!mesh->uvs.empty() && features.flag("MESH_UVS")) need.shading += count * reals_of_uvs * real;
+    if (!features.has("textures", "mesh_attribute")) return;
+    for (const MeshAttribute& attribute : mesh->attributes)
+      if (is_shown(scene, attribute.name)) need.shading += count * (attribute.is_of_faces() ? 3 : 9) * real;
   });
   std::set<const Texels*> images;
   const auto add_image = [&](const Texels& texels) {

@@ -11,6 +11,7 @@
 #include "kinds/integrators.h"
 #include "kinds/textures.h"
 #include "packing/cl_layout.h"
+#include "packing/light_textures.h"
 #include "packing/pack_camera.h"
 #include "packing/pack_images.h"
 #include "packing/pack_instances.h"
@@ -77,9 +78,9 @@ class Packing {
     };
     for (std::size_t row = 0; row < scene_.materials.size(); ++row) {
       const PackedMaterial packed = packed_material(row, scene_, features_);
-      packed_.index.insert(packed_.index.end(),
-                           {packed.kind, packed.back, packed.has_along ? 1 : 0,
-                            features_.flag("MASK") ? slot_of(packed.opacity) : 0, packed.first, packed.second});
+      packed_.index.insert(packed_.index.end(), {packed.kind, packed.back, packed.has_along ? 1 : 0,
+                                                 features_.flag("MASK") ? slot_of(packed.opacity) : 0, packed.first,
+                                                 packed.second, packed.is_metal ? 1 : 0});
       if (packed.slots.size() > layout::MATERIAL_MOST_SLOTS)
         throw std::logic_error("a material has more parameters than MATERIAL_MOST_SLOTS");
       for (const MaterialSlot& slot : packed.slots) packed_.index.push_back(slot_of(slot));
@@ -106,8 +107,9 @@ class Packing {
       const kinds::TextureFacts facts = kinds::texture(texture);
       const int kind = features_.entry_index("textures", facts.entry);
       rows.insert(rows.end(), {kind, packed_.put_shading(facts.reals), 0, 0, 0, 1});
-      if (kind < 0 || facts.bitmap == nullptr) continue;
       const std::span last = std::span(rows).last(layout::TEXTURE_INTS);
+      if (kind >= 0 && !facts.attribute.empty()) last[layout::TEXTURE_IMAGE] = attribute_number(facts.attribute);
+      if (kind < 0 || facts.bitmap == nullptr) continue;
       const Texels& texels = *facts.bitmap->texels;
       const TexelCurve& curve = facts.bitmap->curve;
       if (has_levels && facts.bitmap->filter != TextureFilter::nearest) {
@@ -120,6 +122,30 @@ class Packing {
       last[layout::TEXTURE_FILTER] = static_cast<std::int32_t>(facts.bitmap->filter);
       last[layout::TEXTURE_WRAP] = static_cast<std::int32_t>(facts.bitmap->wrap);
     }
+  }
+
+  int attribute_number(const std::string& name) {
+    const auto found = std::find(attributes_.begin(), attributes_.end(), name);
+    if (found == attributes_.end()) attributes_.push_back(name);
+    return static_cast<int>(std::find(attributes_.begin(), attributes_.end(), name) - attributes_.begin());
+  }
+
+  /// PART_ATTRIBUTES of a mesh; -1 where it has none that the program reads.
+  int put_attributes(const Mesh& mesh) {
+    if (attributes_.empty() || mesh.attributes.empty()) return -1;
+    std::vector<std::int32_t> table(2 * attributes_.size(), 0);
+    for (std::size_t i = 0; i < attributes_.size(); ++i)
+      for (const MeshAttribute& attribute : mesh.attributes) {
+        if (attribute.name != attributes_[i]) continue;
+        const auto reals = [](const Rgb& c) { return std::array{c.r, c.g, c.b}; };
+        table[2 * i] = checked_offset(packed_.shading.size());
+        table[2 * i + 1] = attribute.is_of_faces() ? 3 : 9;
+        if (attribute.is_of_faces())
+          for (const Rgb& value : attribute.values) packed_.put_rgb(value);
+        else
+          put_corners(mesh, attribute.values, true, reals);
+      }
+    return packed_.put_index(table);
   }
 
   /// Per-corner attributes of a mesh, three corners a triangle; -1 where the program has no use for them.
@@ -152,6 +178,10 @@ class Packing {
 
   void parts() {
     rank_shapes();
+    for (const Shape* shape : shapes_) {
+      const auto* mesh = std::get_if<Mesh>(&shape->geometry);
+      attributes_at_.push_back(mesh != nullptr ? put_attributes(*mesh) : -1);
+    }
     index(layout::HEADER_PARTS) = index_end();
     put_parts(scene_.shapes, options_.frame);
     for (const Group& group : scene_.groups) put_parts(group.shapes, group_frame(group, options_.frame));
@@ -163,7 +193,7 @@ class Packing {
       const Shape& shape = shapes[i];
       const std::int32_t first_id = first_ids_[first_part_.size()];
       first_part_.push_back(part_rows_);
-      int frame_at = -1, normals_at = -1, uvs_at = -1;
+      int frame_at = -1, normals_at = -1, uvs_at = -1, attributes_at = -1;
       if (const auto frame = surface_frame(shape.geometry, frame_in_use)) frame_at = packed_.put_shading(*frame);
       int rates_at = -1;
       if (has_textures_) {
@@ -177,14 +207,18 @@ class Packing {
         uvs_at = put_corners(*mesh, mesh->uvs, features_.flag("MESH_UVS"), [](const Vec2& uv) {
           return std::array{uv.x, uv.y};
         });
+        attributes_at = attributes_at_[first_part_.size() - 1];
       }
       for (int part = 0; part < part_count(shape); ++part) {
         const MeshPart look = look_of_part(shape, part);
-        const int radiance_at = look.radiance ? packed_.put_rgb(*look.radiance) : -1;
+        const TexturedColour radiance =
+            textured_colour(look.radiance.value_or(Rgb{}), look.radiance_texture, scene_, features_);
+        const int radiance_at = look.radiance ? packed_.put_rgb(radiance.colour) : -1;
         const int light = light_of_part_[static_cast<std::size_t>(part_rows_)];
-        packed_.index.insert(packed_.index.end(), {static_cast<int>(i), first_id, look.material, radiance_at, light,
-                                                   shape.flip_normals != faces_inward(shape.geometry) ? 1 : 0, frame_at,
-                                                   normals_at, uvs_at, rates_at, rank_of(shape, look)});
+        packed_.index.insert(packed_.index.end(),
+                             {static_cast<int>(i), first_id, look.material, radiance_at, radiance.row, light,
+                              shape.flip_normals != faces_inward(shape.geometry) ? 1 : 0, frame_at, normals_at, uvs_at,
+                              attributes_at, rates_at, rank_of(shape, look)});
         ++part_rows_;
       }
     }
@@ -310,6 +344,8 @@ class Packing {
   std::vector<std::int32_t> first_ids_;
   std::vector<int> first_part_, light_of_part_;
   int part_rows_ = 0;
+  std::vector<int> attributes_at_;       ///< Of each of the shapes.
+  std::vector<std::string> attributes_;  ///< Of meshes, that textures show, by their number.
   std::map<const Shape*, int> ranks_;
   std::vector<PackedTree<Real>> groups_;
   std::vector<Real> instances_;  ///< INSTANCE_REALS each.

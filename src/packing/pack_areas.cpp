@@ -42,8 +42,9 @@ LightReach reach_of(kinds::AreaItems& items, double size, const Rgb& radiance, c
 
 }  // namespace
 
-std::optional<EmittingArea> emitting_area(const Shape& shape, int part, const Rgb& radiance, const UploadFrame& frame) {
-  kinds::AreaItems items(frame, shape.flip_normals != faces_inward(shape.geometry));
+std::optional<EmittingArea> emitting_area(const Shape& shape, int part, const Rgb& radiance, kinds::UvSource uv_source,
+                                          const UploadFrame& frame) {
+  kinds::AreaItems items(frame, shape.flip_normals != faces_inward(shape.geometry), uv_source);
   std::visit([&](const auto& geometry) { kinds::emit(items, geometry, part); }, shape.geometry);
   std::vector<double>& weights = items.weights();
   for (double& weight : weights)
@@ -55,6 +56,7 @@ std::optional<EmittingArea> emitting_area(const Shape& shape, int part, const Rg
   area.reach = reach_of(items, area.size, radiance, frame);
   area.reach.weight = shape.sampling_weight;
   area.items = std::move(items.items());
+  area.uvs = std::move(items.uvs());
   area.choices = alias_table(weights);
   return area;
 }

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "kinds/area_items.h"
 #include "kinds/light_reach.h"
 #include "kinds/upload_frame.h"
 #include "packing/alias_table.h"
@@ -20,6 +21,7 @@ struct EmittingArea {
   double side = 1;            ///< 1: emits outwards, -1: inwards (round shapes; flat ones turn their normal).
   std::vector<double> items;  ///< As the entry's file says.
   std::vector<Choice> choices;
+  std::vector<double> uvs;  ///< LIGHT_UVS of cl/scene/layout.h; empty without a texture.
   LightReach reach;
 };
 
@@ -27,9 +29,9 @@ struct EmittingArea {
 /// way of itself. Else -1.
 [[nodiscard]] int first_of_area(const Geometry& geometry, int part);
 
-/// Of one part of a shape (0 for shapes without parts), which emits `radiance`; none where there is no area to draw
-/// from.
+/// Of one part of a shape (0 for shapes without parts), which emits `radiance` on the average; none where there is no
+/// area to draw from.
 [[nodiscard]] std::optional<EmittingArea> emitting_area(const Shape& shape, int part, const Rgb& radiance,
-                                                        const UploadFrame& frame);
+                                                        kinds::UvSource uv_source, const UploadFrame& frame);
 
 }  // namespace strahl

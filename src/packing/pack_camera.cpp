@@ -4,34 +4,9 @@
 #include <cmath>
 
 #include "packing/cl_layout.h"
+#include "scene/model/framing.h"
 
 namespace strahl {
-namespace {
-
-/// Half the opening's tangent, across the picture's width.
-double tan_half_width(const Camera& camera, const Film& film) {
-  // Through long double, so that tan(45 degrees) is 1.
-  const long double half = static_cast<long double>(camera.fov_degrees) * std::acos(-1.0L) / 360.0L;
-  const double tangent = static_cast<double>(std::tan(half));
-  const double width = film.width, height = film.height;
-  const bool wide = width >= height;
-  switch (camera.fov_axis) {
-    case FovAxis::x:
-      return tangent;
-    case FovAxis::y:
-      return tangent * width / height;
-    case FovAxis::diagonal:
-      return tangent * width / std::hypot(width, height);
-    case FovAxis::smaller:
-      return wide ? tangent * width / height : tangent;
-    case FovAxis::larger:
-      return wide ? tangent : tangent * width / height;
-  }
-  return tangent;
-}
-
-}  // namespace
-
 std::vector<double> camera_reals(const Camera& camera, const Film& film, const UploadFrame& frame) {
   const Transform& world = camera.world_from_camera;
   const Vec3 forward = world.column(2);
@@ -42,7 +17,7 @@ std::vector<double> camera_reals(const Camera& camera, const Film& film, const U
 
   Vec3 o = frame.point(world.translation()), ox, oy, d = depth * forward, dx, dy;
   if (camera.projection == Projection::perspective) {
-    const double tangent = tan_half_width(camera, film);
+    const double tangent = tan_half_width(camera.fov_degrees, camera.fov_axis, film.width, film.height);
     dx = (tangent * depth) * right;
     dy = (tangent * aspect * depth) * down;
     d = d + 2 * camera.principal_point_offset_x * dx + 2 * camera.principal_point_offset_y * dy;

@@ -11,6 +11,7 @@
 #include "kinds/integrators.h"
 #include "kinds/lights.h"
 #include "packing/cl_layout.h"
+#include "packing/light_textures.h"
 #include "packing/pack_areas.h"
 #include "packing/pack_chooser.h"
 #include "packing/pack_environment.h"
@@ -57,13 +58,19 @@ class LightTable {
   [[nodiscard]] int count() const { return static_cast<int>(rows_.size()) / layout::LIGHT_INTS; }
 
   /// False where the program has no use for it.
-  bool put_light(const Light& light) {
-    const int kind = entry("lights", light_kind(light));
+  bool put_light(const Light& from) {
+    const int kind = entry("lights", light_kind(from));
     if (kind < 0) return false;
+    Light light = from;
+    const TexturedColour colour =
+        textured_colour(kinds::light_colour(from), kinds::light_texture(from), scene_, features_);
+    kinds::light_colour(light) = colour.colour;
     if (kinds::light_glows(light)) header(layout::HEADER_GLOWS) = 1;
-    rows_.insert(rows_.end(), {kind, packed_.put_shading(kinds::light_reals(light, frame_)), 0, 0, 0, -1});
+    rows_.insert(rows_.end(),
+                 {kind, packed_.put_shading(kinds::light_reals(light, frame_)), 0, 0, 0, -1, colour.row, -1, -1});
     // That of an image reads all of its texels.
     const bool is_chosen = features_.light_chooser != "uniform";
+    kinds::light_colour(light) = colour.mean;
     reaches_.push_back(is_chosen ? kinds::light_reach(light, frame_) : LightReach{});
     if (const auto* environment = std::get_if<EnvironmentLight>(&light.emitter)) put_environment(*environment);
     return true;
@@ -94,22 +101,29 @@ class LightTable {
       const bool is_drawn = kind >= 0 && features_.has("areas", area_kind(shape.geometry));
       for (int part = 0; part < part_count(shape); ++part) {
         light_of_part_.push_back(-1);
-        const std::optional<Rgb> radiance = look_of_part(shape, part).radiance;
-        if (!radiance || !glows) continue;
-        glow(*radiance);
+        const MeshPart look = look_of_part(shape, part);
+        if (!look.radiance || !glows) continue;
+        const TexturedColour radiance = textured_colour(*look.radiance, look.radiance_texture, scene_, features_);
+        glow(radiance.colour);
         if (!is_drawn) continue;
-        const std::optional<EmittingArea> area = emitting_area(shape, part, *radiance, frame_);
+        const kinds::UvSource uv_source = radiance.row < 0             ? kinds::UvSource::none
+                                          : features_.flag("MESH_UVS") ? kinds::UvSource::mesh
+                                                                       : kinds::UvSource::parameters;
+        const std::optional<EmittingArea> area = emitting_area(shape, part, radiance.mean, uv_source, frame_);
         if (!area) continue;
         light_of_part_.back() = count();
         reaches_.push_back(area->reach);
-        std::vector<double> reals = {radiance->r, radiance->g, radiance->b, 1 / area->size, area->side};
+        const Rgb& colour = radiance.colour;
+        std::vector<double> reals = {colour.r, colour.g, colour.b, 1 / area->size, area->side};
         reals.insert(reals.end(), area->items.begin(), area->items.end());
         const int items = checked_offset(area->choices.size());
         header(layout::HEADER_MOST_ITEMS) = std::max(header(layout::HEADER_MOST_ITEMS), items);
         const int choice_at = put_choices(packed_, area->choices);
         const int first = first_of_area(shape.geometry, part);
+        const int uvs_at = area->uvs.empty() ? -1 : packed_.put_shading(area->uvs);
         rows_.insert(rows_.end(), {kind, packed_.put_shading(reals), entry("areas", area_kind(shape.geometry)), items,
-                                   choice_at, first < 0 ? -1 : first_ids[i] + first});
+                                   choice_at, first < 0 ? -1 : first_ids[i] + first, radiance.row, uvs_at,
+                                   static_cast<int>(light_of_part_.size()) - 1});
       }
     }
   }

@@ -15,8 +15,10 @@ PackedMaterial packed_material(std::size_t row, const Scene& scene, const Featur
   if (facts.nested.empty()) packed.kind = features.entry_index("materials", facts.kind);
   if (!facts.nested.empty()) packed.first = facts.nested[0];
   if (facts.nested.size() > 1) packed.second = facts.nested[1];
+  if (facts.is_coat) packed.second = -2;
   if (facts.is_twosided) packed.back = material.back < 0 ? static_cast<int>(row) : material.back;
   packed.has_along = facts.has_along;
+  packed.is_metal = facts.is_metal;
   packed.opacity = facts.opacity.value_or(packed.opacity);
   packed.slots = facts.slots;
   if (packed.slots.size() > layout::MATERIAL_MOST_SLOTS)

@@ -22,7 +22,7 @@ int part_count(const Shape& shape) {
 
 MeshPart look_of_part(const Shape& shape, int part) {
   if (const Mesh* mesh = mesh_with_parts(shape)) return mesh->parts[static_cast<std::size_t>(part)];
-  return {shape.material, shape.radiance};
+  return {shape.material, shape.radiance, shape.radiance_texture};
 }
 
 int part_of_primitive(const Shape& shape, int primitive) {

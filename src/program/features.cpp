@@ -46,10 +46,28 @@ const Material& material_at(const Scene& scene, int index) {
   return scene.materials.at(static_cast<std::size_t>(index));
 }
 
+void call_for_attribute(Causes& causes, const Texture& texture) {
+  if (std::holds_alternative<AttributeTexture>(texture.pattern))
+    call_for(causes, "MESH_ATTRIBUTE", "a texture of type mesh_attribute", texture.where);
+}
+
+/// Whether the program has the texture (-1: none) of a light.
+bool use_light_texture(const Scene& scene, int index, Causes& causes) {
+  if (index < 0 || !causes.allow("LIGHT_TEXTURE")) return false;
+  const Texture& texture = scene.textures.at(static_cast<std::size_t>(index));
+  const std::string effect = "textures/" + texture_kind(texture);
+  if (!causes.allow(effect)) return false;
+  call_for(causes, effect, "a light with a texture of type " + texture_kind(texture), texture.where);
+  call_for(causes, "LIGHT_TEXTURE", "a light with a texture", texture.where);
+  call_for_attribute(causes, texture);
+  return true;
+}
+
 void shape_causes(const Scene& scene, const RenderSettings& settings, Causes& causes) {
   const kinds::IntegratorFacts& integrator = kinds::integrator(scene.integrator.name);
   const bool lit = integrator.shows_emission;
   const bool reflects = integrator.is_lit();
+  const bool reads_materials = reflects || settings.aovs.contains(Aov::albedo);
   // Normals interpolated over a mesh reach the picture through lighting, the normals picture and its AOV.
   const bool shading = integrator.reads_shading || settings.aovs.contains(Aov::normal);
   std::function<bool(int, const SourceLocation&)> use_material = [&](int index, const SourceLocation& where) {
@@ -79,17 +97,19 @@ void shape_causes(const Scene& scene, const RenderSettings& settings, Causes& ca
       if (!causes.allow("textures/" + pattern)) continue;
       call_for(causes, "textures/" + pattern, "a reflectance from a texture of type " + pattern,
                texture.where.line > 0 ? texture.where : place);
+      call_for_attribute(causes, texture);
       reads_uv = true;
     }
     return reads_uv;
   };
   // Only the first cause of each is told: of a million spheres one is looked at.
-  std::set<std::tuple<std::size_t, int, bool>> seen;
+  std::set<std::tuple<std::size_t, int, bool, int>> seen;
   const auto look_at = [&](const Shape& shape) {
     const auto* mesh = std::get_if<Mesh>(&shape.geometry);
     if (!causes.allow("shapes/" + shape_kind(shape))) return;
     if (!mesh && !shape.priority &&
-        !seen.emplace(shape.geometry.index(), shape.material, shape.radiance.has_value()).second)
+        !seen.emplace(shape.geometry.index(), shape.material, shape.radiance.has_value(), shape.radiance_texture)
+             .second)
       return;
     const std::string kind = shape_kind(shape);
     call_for(causes, "shapes/" + kind, "a shape made of " + kind + " primitives", shape.where);
@@ -103,23 +123,26 @@ void shape_causes(const Scene& scene, const RenderSettings& settings, Causes& ca
       call_for(causes, "areas/" + area, "an area emitter on a " + kind, where);
       call_for(causes, "lights/area", "an area emitter", where);
     };
+    bool reads_uv = false;
     if (lit && shape.radiance) {
       call_for(causes, "EMISSION", "an area emitter", shape.radiance_where);
       emit(shape.radiance_where);
+      if (use_light_texture(scene, shape.radiance_texture, causes)) reads_uv = true;
     }
     if (reflects && shape.priority) call_for(causes, "PRIORITY", "a shape with a priority", shape.where);
-    bool reads_uv = false;
-    if (reflects && !(mesh && !mesh->parts.empty())) reads_uv = use_material(shape.material, shape.where);
+    if (reads_materials && !(mesh && !mesh->parts.empty()) && use_material(shape.material, shape.where))
+      reads_uv = true;
     if (!mesh) return;
     for (const MeshPart& part : mesh->parts) {
       if (lit && part.radiance) {
         call_for(causes, "EMISSION", "a mesh material that emits", shape.where);
         emit(shape.where);
+        if (use_light_texture(scene, part.radiance_texture, causes)) reads_uv = true;
       }
-      if (reflects && use_material(part.material, shape.where)) reads_uv = true;
+      if (reads_materials && use_material(part.material, shape.where)) reads_uv = true;
     }
     if (reads_uv && !mesh->uvs.empty())
-      call_for(causes, "MESH_UVS", "a mesh with texture coordinates, for its material", shape.where);
+      call_for(causes, "MESH_UVS", "a mesh with texture coordinates, for its textures", shape.where);
   };
   for (const Shape& shape : scene.shapes) look_at(shape);
   if (!causes.allow("INSTANCES")) return;
@@ -148,6 +171,7 @@ void light_causes(const Scene& scene, Causes& causes) {
     const std::string kind = facts.entry, effect = "lights/" + kind;
     call_for(causes, effect, "an emitter of type " + kind, light.where);
     causes.background = causes.background || (facts.is_background && causes.contains(effect));
+    if (causes.contains(effect)) use_light_texture(scene, kinds::light_texture(light), causes);
     if (!facts.is_delta || integrator.lamps == kinds::Lamps::drawn) note(effect);
   }
   if (!integrator.is_lit() || drawn == nullptr) return;
@@ -176,7 +200,8 @@ Causes causes_of(const Scene& scene, const RenderSettings& settings) {
   if (is_spread) call_for(causes, "PIXEL_FILTER", "samples anywhere but at the pixels' centres", scene.sampler.where);
   if (is_spread && scene.camera.aperture_radius > 0)
     call_for(causes, "THIN_LENS", "a sensor of type thinlens", scene.camera.where);
-  if (is_spread || draws(facts, causes)) {
+  const bool draws_blends = settings.aovs.contains(Aov::albedo) && causes.contains("BLEND");
+  if (is_spread || draws_blends || draws(facts, causes)) {
     const std::string sampler = sampler_entry(resolve_sampling(scene).kind);
     call_for(causes, "samplers/" + sampler, "numbers that samples draw", scene.sampler.where);
   }
@@ -184,6 +209,7 @@ Causes causes_of(const Scene& scene, const RenderSettings& settings) {
   if (settings.texture_lod && causes.contains("textures/bitmap"))
     call_for(causes, "TEXTURE_LOD", "--texture-lod, and a bitmap", {});
   if (!settings.aovs.empty()) call_for(causes, "AOV", "--aov", {});
+  if (settings.aovs.contains(Aov::albedo)) call_for(causes, "ALBEDO", "--aov albedo", {});
   if (settings.estimate_error) call_for(causes, "ERROR_SUMS", "the estimate of the picture's error", {});
   if (settings.count_rays) call_for(causes, "COUNT_RAYS", "--stats-detail", {});
   if (settings.loop_turns) call_for(causes, "LOOP_LIMIT", "a device that ends long loops", {});

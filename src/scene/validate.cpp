@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <set>
 #include <utility>
 
 #include "kinds/entries.h"
@@ -49,6 +51,12 @@ class Checker {
 
 bool is_index(int index, std::size_t size) { return index >= 0 && static_cast<std::size_t>(index) < size; }
 
+/// -1: none.
+void check_light_texture(int texture, const Scene& scene, Checker& check) {
+  check.require(texture == -1 || is_index(texture, scene.textures.size()), "texture {} does not exist; there are {}",
+                texture, scene.textures.size());
+}
+
 void check_shape(const Shape& shape, const Scene& scene, Checker& check, std::vector<Diagnostic>& found) {
   check.at(shape.where);
   check.require(is_index(shape.material, scene.materials.size()), "material {} does not exist; there are {}",
@@ -60,11 +68,43 @@ void check_shape(const Shape& shape, const Scene& scene, Checker& check, std::ve
       check.require(is_index(part.material, scene.materials.size()), "material {} of a mesh part does not exist",
                     part.material);
       if (part.radiance) check.require_light(*part.radiance, "radiance of a mesh part");
+      check_light_texture(part.radiance_texture, scene, check);
     }
   }
   if (!shape.radiance) return;
   if (!shape.radiance_where.file.empty()) check.at(shape.radiance_where);
   check.require_light(*shape.radiance, "radiance");
+  check_light_texture(shape.radiance_texture, scene, check);
+}
+
+/// Textures that a material reads, inside it and from behind too.
+void add_textures(const Scene& scene, int index, std::set<int>& textures) {
+  if (!is_index(index, scene.materials.size())) return;
+  const Material& material = scene.materials[static_cast<std::size_t>(index)];
+  const MaterialFacts facts = material_facts(material);
+  for (const MaterialSlot& slot : facts.slots) textures.insert(slot.texture);
+  if (facts.opacity) textures.insert(facts.opacity->texture);
+  if (material.back >= 0 && material.back < index) add_textures(scene, material.back, textures);
+  for (const int nested : facts.nested)
+    if (nested < index) add_textures(scene, nested, textures);
+}
+
+/// Attributes that a shape must have. Known of its material are those that were asked for before.
+void check_attributes(const Shape& shape, const Scene& scene, std::map<int, std::set<int>>& known, Checker& check) {
+  const auto [found, is_new] = known.try_emplace(shape.material);
+  if (is_new) add_textures(scene, shape.material, found->second);
+  std::set<int> textures = found->second;
+  if (shape.radiance) textures.insert(shape.radiance_texture);
+  for (const int index : textures) {
+    if (!is_index(index, scene.textures.size())) continue;
+    const auto* texture = std::get_if<AttributeTexture>(&scene.textures[static_cast<std::size_t>(index)].pattern);
+    if (texture == nullptr) continue;
+    const auto* mesh = std::get_if<Mesh>(&shape.geometry);
+    const bool has_it = mesh != nullptr && std::any_of(mesh->attributes.begin(), mesh->attributes.end(),
+                                                       [&](const auto& one) { return one.name == texture->name; });
+    check.at(shape.where);
+    check.require(has_it, "the shape has no attribute \"{}\", which a texture of its shows", texture->name);
+  }
 }
 
 void check_group(const Group& group, const Scene& scene, Checker& check, std::vector<Diagnostic>& found) {
@@ -104,6 +144,9 @@ void check_material(const Material& material, const Scene& scene, Checker& check
     check.require(!slot.is_share || is_reflectance({r, g, b}), "{} must lie in [0, 1]", slot.name);
     check.require(slot.texture == -1 || is_index(slot.texture, scene.textures.size()),
                   "texture {} does not exist; there are {}", slot.texture, scene.textures.size());
+    check.require(!slot.is_share || !is_index(slot.texture, scene.textures.size()) ||
+                      !scene.textures[static_cast<std::size_t>(slot.texture)].is_light,
+                  "texture {} is a light's and no {}", slot.texture, slot.name);
   }
   for (const std::string& fault : facts.faults) check.require(false, "{}", fault);
 }
@@ -120,6 +163,8 @@ void check_nested(const Scene& scene, Checker& check) {
   if (!are_before) return;
   for (const Material& material : scene.materials) {
     check.at(material.where);
+    check.require(!material_facts(material).is_coat || !transmits(scene, material),
+                  "what lies under a coating must not let light through");
     const bool has_nested = !material_facts(material).nested.empty();
     check.require(!has_nested || !material.twosided || !transmits(scene, material),
                   "what is twosided must not let light through");
@@ -131,8 +176,14 @@ void check_texture(const Texture& texture, Checker& check) {
   for (const std::string& fault : kinds::texture(texture).faults) check.require(false, "{}", fault);
 }
 
-void check_light(const Light& light, Checker& check) {
+void check_light(const Light& light, const Scene& scene, Checker& check) {
   check.at(light.where);
+  const int texture = kinds::light_texture(light);
+  check_light_texture(texture, scene, check);
+  check.require(
+      !is_index(texture, scene.textures.size()) ||
+          !std::holds_alternative<AttributeTexture>(scene.textures[static_cast<std::size_t>(texture)].pattern),
+      "a light without a mesh has no mesh_attribute");
   for (const std::string& fault : kinds::light_faults(light)) check.require(false, "{}", fault);
 }
 
@@ -171,6 +222,11 @@ void check_film(const Film& film, Checker& check) {
 std::vector<Diagnostic> validate(const Scene& scene) {
   std::vector<Diagnostic> found;
   Checker check(found);
+  const bool has_attributes = std::any_of(scene.textures.begin(), scene.textures.end(), [](const Texture& texture) {
+    return std::holds_alternative<AttributeTexture>(texture.pattern);
+  });
+  std::map<int, std::set<int>> known;
+  if (has_attributes) for_each_shape(scene, [&](const Shape& shape) { check_attributes(shape, scene, known, check); });
   for (const Shape& shape : scene.shapes) check_shape(shape, scene, check, found);
   for (const Group& group : scene.groups) check_group(group, scene, check, found);
   for (const Instance& instance : scene.instances) check_instance(instance, scene, check);
@@ -182,7 +238,7 @@ std::vector<Diagnostic> validate(const Scene& scene) {
   for (const Texture& texture : scene.textures) check_texture(texture, check);
   int backgrounds = 0;
   for (const Light& light : scene.lights) {
-    check_light(light, check);
+    check_light(light, scene, check);
     const bool is_background = kinds::light(light).is_background;
     backgrounds += is_background ? 1 : 0;
     check.require(backgrounds <= 1 || !is_background, "a scene has one constant or envmap emitter at most");

@@ -21,7 +21,7 @@ constexpr std::array<std::pair<const char*, Precision>, 4> kPrecisions{{
     {"double", Precision::fp64},
 }};
 
-constexpr std::array<std::pair<const char*, Aov>, 7> kAovs{{
+constexpr std::array<std::pair<const char*, Aov>, 8> kAovs{{
     {"depth", Aov::depth},
     {"normal", Aov::normal},
     {"position", Aov::position},
@@ -29,6 +29,7 @@ constexpr std::array<std::pair<const char*, Aov>, 7> kAovs{{
     {"shape_id", Aov::shape_id},
     {"primitive_id", Aov::primitive_id},
     {"numeric_error", Aov::numeric_error},
+    {"albedo", Aov::albedo},
 }};
 
 template <typename Table>

@@ -23,7 +23,7 @@ enum class Acceleration { automatic, list, tree };
 
 /// Values of the first sample of each pixel, beside the picture.
 /// numeric_error: how far the hit's t is off, in ulps of float (render/numeric_error.h).
-enum class Aov { depth, normal, position, uv, shape_id, primitive_id, numeric_error };
+enum class Aov { depth, normal, position, uv, shape_id, primitive_id, numeric_error, albedo };
 
 [[nodiscard]] Aov aov_from_name(const std::string& name);  ///< Throws UsageError that lists the names.
 

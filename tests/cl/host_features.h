@@ -5,10 +5,12 @@
 #define HAS_PIXEL_FILTER 1
 #define HAS_THIN_LENS 1
 #define HAS_EMISSION 1
+#define HAS_LIGHT_TEXTURE 1
 #define HAS_TWOSIDED 1
 #define HAS_METAL 1
 #define HAS_BECKMANN 1
 #define HAS_GGX 1
+#define HAS_COAT 1
 #define HAS_TANGENT 1
 #define HAS_MASK 1
 #define HAS_BLEND 1
@@ -17,9 +19,11 @@
 #define HAS_PRIORITY 1
 #define HAS_SMOOTH_NORMALS 1
 #define HAS_MESH_UVS 1
+#define HAS_MESH_ATTRIBUTE 1
 #define HAS_TEXTURE_LOD 1
 #define HAS_INSTANCES 1
 #define HAS_TREE 1
 #define HAS_OPENNESS 1
 #define HAS_AOV 1
+#define HAS_ALBEDO 1
 #define HAS_COUNT_RAYS 0

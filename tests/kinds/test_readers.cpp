@@ -72,6 +72,7 @@ TEST_CASE("every entry stands in a scene") {
 
 /// What an entry cannot be without.
 std::string needed_by(const std::string& name) {
+  if (name == "mesh_attribute") return "<string name=\"name\" value=\"vertex_color\"/>";
   const std::map<std::string, std::string> files = {{"bitmap", "textures/letter.png"}, {"envmap", "lights/sky.hdr"}};
   const auto file = files.find(name);
   if (file == files.end()) return "";
@@ -90,7 +91,11 @@ TEST_CASE("every entry has a reader, by its own name") {
   }
   for (const std::string& name : list_entries("textures")) {
     INFO(name);
-    CHECK(of_body("<shape type=\"sphere\"><bsdf type=\"diffuse\"><texture name=\"reflectance\" type=\"" + name + "\">" +
+    const std::string shape = name == "mesh_attribute"
+                                  ? "<shape type=\"ply\"><string name=\"filename\" value=\"" STRAHL_SOURCE_DIR
+                                    "/scenes/textures/coloured.ply\"/>"
+                                  : "<shape type=\"sphere\">";
+    CHECK(of_body(shape + "<bsdf type=\"diffuse\"><texture name=\"reflectance\" type=\"" + name + "\">" +
                   needed_by(name) + "</texture></bsdf></shape>")
               .textures == Names{name});
   }

@@ -152,7 +152,7 @@ TEST_CASE("Every shape has a part: its look and its frame") {
   lamp.flip_normals = true;
   add(scene, lamp);
   const Read<double> read(scene, {8, {}});
-  CHECK(read.part(0) == Ints{0, 0, red, -1, -1, 0, -1, -1, -1, -1, -1});
+  CHECK(read.part(0) == Ints{0, 0, red, -1, -1, -1, 0, -1, -1, -1, -1, -1, -1});
   const Ints part = read.part(1);
   CHECK(part[layout::PART_SHAPE] == 1);
   CHECK(part[layout::PART_FIRST_ID] == 1);
@@ -201,12 +201,55 @@ TEST_CASE("A mesh has a part for each of its materials, and its triangles know t
   const Read<double> read(scene, {8, {}});
   CHECK(read.ids("triangle") == Ints{0, 1, 2, 3, 4, -1, -1, -1});
   CHECK(read.parts_of("triangle") == Ints{0, 2, 1, 2, 3, 0, 0, 0});
-  CHECK(read.part(1) == Ints{1, 1, 0, -1, -1, 0, -1, -1, -1, -1, -1});
+  CHECK(read.part(1) == Ints{1, 1, 0, -1, -1, -1, 0, -1, -1, -1, -1, -1, -1});
   CHECK(read.part(2)[layout::PART_SHAPE] == 1);
   CHECK(read.part(2)[layout::PART_FIRST_ID] == 1);
   CHECK(read.part(2)[layout::PART_MATERIAL] == sheet);
   CHECK(read.shading(read.part(2)[layout::PART_RADIANCE], 3) == Reals{1, 2, 3});
-  CHECK(read.part(3) == Ints{2, 4, 0, -1, -1, 0, -1, -1, -1, -1, -1});
+  CHECK(read.part(3) == Ints{2, 4, 0, -1, -1, -1, 0, -1, -1, -1, -1, -1, -1});
+}
+
+TEST_CASE("Lights with textures: their rows, texture coordinates of their places, and power by the mean") {
+  Scene scene;
+  scene.integrator.name = "path";
+  Texture board{"", Checkerboard{{6, 6, 6}, {2, 2, 2}}, {}};
+  board.is_light = true;
+  scene.textures = {Texture{"", Checkerboard{}, {}}, board};
+  Mesh mesh;
+  mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  mesh.uvs = {{0.5, 0.25}, {1, 0.25}, {0.5, 1}};
+  mesh.triangles = {{0, 1, 2}};
+  for (const Geometry& geometry : {Geometry(mesh), Geometry(Box{{0, 0, 0}, {1, 1, 1}}), Geometry(Sphere{})}) {
+    Shape shape = emitting(geometry, {1, 2, 3});
+    shape.radiance_texture = 1;
+    add(scene, shape);
+  }
+  add(scene, emitting(Sphere{}, {4, 8, 12}));
+  const auto light = [&](const Read<double>& read, int i) {
+    return read.ints(read.header(layout::HEADER_LIGHTS) + i * layout::LIGHT_INTS, layout::LIGHT_INTS);
+  };
+  const Read<double> read(scene, {1, {}});
+  REQUIRE(read.header(layout::HEADER_LIGHT_COUNT) == 4);
+  for (int i = 0; i < 4; ++i) {
+    CHECK(light(read, i)[layout::LIGHT_TEXTURE] == (i < 3 ? 1 : -1));
+    CHECK(read.part(i)[layout::PART_GLOW] == (i < 3 ? 1 : -1));
+  }
+  CHECK(read.shading(light(read, 0)[layout::LIGHT_UVS], 6) == Reals{0.5, 0.25, 0.5, 0, 0, 0.75});
+  CHECK(read.shading(light(read, 1)[layout::LIGHT_UVS], 36) == Reals(36, 0));
+  CHECK(read.shading(light(read, 2)[layout::LIGHT_UVS], 9) == Reals{1, 0, 0, 0, 1, 0, 0, 0, 1});
+  CHECK(light(read, 3)[layout::LIGHT_UVS] == -1);
+  // The two spheres are as bright on the average: a texture of mean 4 on 1, 2, 3.
+  RenderSettings by_power;
+  by_power.light_choice = "power";
+  const Read<double> powers(scene, {1, {}}, by_power);
+  const Reals rarities = powers.shading(powers.header(layout::HEADER_CHANCES), 4);
+  CHECK(rarities[2] == Approx(rarities[3]));
+  RenderSettings plain;
+  plain.disabled = {"textures/checkerboard"};
+  const Read<double> even(scene, {1, {}}, plain);
+  CHECK(light(even, 2)[layout::LIGHT_TEXTURE] == -1);
+  CHECK(even.shading(light(even, 2)[layout::LIGHT_REALS], 3) == Reals{4, 8, 12});
+  CHECK(even.shading(even.part(2)[layout::PART_RADIANCE], 3) == Reals{4, 8, 12});
 }
 
 TEST_CASE("Vertex normals and texture coordinates are there for the programs that use them") {

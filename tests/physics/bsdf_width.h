@@ -10,12 +10,15 @@
 // As above.
 #include "hits/surfaces_lanes.h"
 // As above.
+#include "textures/texture_lanes.h"
+// As above.
 #include "materials/material_lanes.h"
 
 inline Bsdf_w LANED(bsdf_of)(int kind, const std::vector<double>& p, const Triad& wo) {
   Bsdf_w b{};
   b.kind = splat_int_w(kind);
   b.frame = frame_around_w(splat3_w(vec3(R(0.0), R(0.0), R(1.0))));
+  coat_none_w(&b.coat);
   b.relief.which = none_w();
   b.relief.is_seen = ~none_w();
   b.relief.frame = b.frame;

@@ -40,6 +40,17 @@ std::vector<LightRow> closed_forms() {
     if (degrees >= cutoff) return 0.0;
     return degrees <= beam ? 1.0 : (cutoff - degrees) / (cutoff - beam);
   };
+  const ProjectorLight projector{lamp,
+                                 {normalized(Vec3{-2, 1, 0}), normalized(Vec3{3, 6, -5}), normalized(Vec3{-1, -2, -3})},
+                                 1.5,
+                                 0.5,
+                                 {2, 1, 0.5}};
+  const auto on_screen = [=](const Vec3& from) {
+    const Vec3 way = from - lamp;
+    const double z = dot(way, projector.axes[2]), x = dot(way, projector.axes[0]) / z;
+    const bool is_lit = z > 0 && std::fabs(x) < 1.5 && std::fabs(dot(way, projector.axes[1]) / z) < 0.5;
+    return is_lit ? 2 * std::numbers::pi * length(way) / (z * z * z) : 0;
+  };
   std::vector<LightRow> rows = {
       {"point", "", put_lamp(PointLight{lamp, {2, 1, 0.5}}), true, froms,
        [=](const Vec3& from) { return 2 / dot(lamp - from, lamp - from); }},
@@ -47,6 +58,7 @@ std::vector<LightRow> closed_forms() {
        [=](const Vec3& from) { return 2 * falloff(from, 100, 10) / dot(lamp - from, lamp - from); }},
       {"spot", "of a hard edge", put_lamp(SpotLight{lamp, axis, {2, 1, 0.5}, 55, 55}), true, froms,
        [=](const Vec3& from) { return 2 * falloff(from, 55, 55) / dot(lamp - from, lamp - from); }},
+      {"projector", "", put_lamp(projector), true, froms, on_screen},
       {"directional", "", put_lamp(DirectionalLight{{1, -2, 0.5}, {2, 1, 0.5}}), true, froms,
        [](const Vec3&) { return 2; }},
       {"constant", "", put_lamp(ConstantLight{{2, 1, 0.5}}), false, froms,

@@ -68,6 +68,17 @@ std::vector<TextureRow> texture_rows() {
                                    1,
                                    [=](double u, double v) { return checker(u + 2 * v + 0.125, v - 2 * u, a, b); },
                                    {}}};
+  // Of the corners of a triangle; its continuation goes from 0 to 1.
+  Texture attribute;
+  attribute.pattern = AttributeTexture{"vertex_color", 0.5};
+  const auto corner = [](double u, double v, double at_a, double at_b, double at_c) {
+    return std::clamp(0.5 * (at_a + u * (at_b - at_a) + v * (at_c - at_a)), 0.0, 1.0);
+  };
+  TextureRow of_mesh{"mesh_attribute", attribute, {0, 0, 0}, {1, 1, 1}, {0.5, 0.5, 0.5}, 0, {}, {}, false, 64};
+  of_mesh.value = [=](double u, double v) {
+    return Triad{corner(u, v, 0.25, 1, 0.5), corner(u, v, 1, 0, 0.75), corner(u, v, 0.5, 0.5, 2)};
+  };
+  rows.push_back(of_mesh);
   for (const Bitmap& bitmap : bitmaps()) {
     const TexelDecoder decoded(*bitmap.texels, bitmap.curve);
     TextureRow row{"bitmap",       {}, {1, 1, 1}, {0, 0, 0}, {bitmap.mean.r, bitmap.mean.g, bitmap.mean.b},
@@ -96,6 +107,13 @@ Scene scene_of_texture(const TextureRow& row) {
   scene.textures.push_back(row.texture);
   scene.materials.front().bsdf = Diffuse{{{}, 0}};
   scene.shapes.emplace_back().geometry = Rectangle{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  if (row.entry == "mesh_attribute") {
+    Mesh mesh;
+    mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    mesh.triangles = {{0, 1, 2}};
+    mesh.attributes = {{"vertex_color", {{0.25, 1, 0.5}, {1, 0, 0.5}, {0.5, 0.75, 2}}}};
+    scene.shapes.back().geometry = mesh;
+  }
   return scene;
 }
 

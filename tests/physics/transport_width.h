@@ -129,6 +129,8 @@ inline std::vector<Triad> LANED(texture_values)(const TierBuffers& buffers, int 
     (first, points.size(), [&](std::size_t i, int lane) {
       put_w(&s.tex_u, lane, (real)points[i].u);
       put_w(&s.tex_v, lane, (real)points[i].v);
+      put_w(&s.own_u, lane, (real)points[i].u);
+      put_w(&s.own_v, lane, (real)points[i].v);
       put_w(&s.footprint, lane, (real)points[i].footprint);
     });
     const real3w value = texture_values_w(&scene, &s, ~none_w(), splat_int_w(texture), s.position);

@@ -123,7 +123,7 @@ TEST_CASE("Mirrors and textures count where a shape has them") {
   Mesh mesh = small_mesh();
   mesh.uvs = {{0, 0}, {1, 0}, {0, 1}};
   scene.shapes[0].geometry = mesh;
-  check_on(scene, {}, "MESH_UVS", 10, "a mesh with texture coordinates, for its material");
+  check_on(scene, {}, "MESH_UVS", 10, "a mesh with texture coordinates, for its textures");
   scene.integrator.name = "normals";
   for (const char* effect : {"materials/diffuse", "textures/checkerboard", "MESH_UVS"}) check_off(scene, {}, effect);
 }
@@ -202,8 +202,8 @@ TEST_CASE("MESH_UVS: texture coordinates that --aov uv asks for") {
 }
 
 TEST_CASE("Lights count where the integrator sees them") {
-  const decltype(Light::emitter) emitters[] = {PointLight{}, SpotLight{}, DirectionalLight{}, ConstantLight{},
-                                               EnvironmentLight{}};
+  const decltype(Light::emitter) emitters[] = {PointLight{},       SpotLight{},     ProjectorLight{},
+                                               DirectionalLight{}, ConstantLight{}, EnvironmentLight{}};
   REQUIRE(std::size(emitters) + 1 == list_entries("lights").size());  // And area.
   for (const auto& emitter : emitters) {
     const Light light{"", emitter, line(15)};

@@ -24,7 +24,7 @@ Scene scene_of(double half, Vec3 along, Ground ground) {
   if (ground == Ground::rectangle)
     add(scene, Rectangle{-1.0 * (u + v), 2.0 * u, 2.0 * v});
   else
-    add(scene, Mesh{{-1.0 * (u + v), u - v, u + v, v - u}, {}, {}, {{0, 1, 2}, {0, 2, 3}}, {}, {}});
+    add(scene, Mesh{{-1.0 * (u + v), u - v, u + v, v - u}, {}, {}, {{0, 1, 2}, {0, 2, 3}}, {}, {}, {}});
   add(scene, PointLight{{2, -3, 3}, {30, 30, 30}});
   scene.camera = perspective_camera({0, -6, 5}, {0, 0, 0}, {0, 0, 1}, 40);
   scene.film.width = scene.film.height = 16;

@@ -97,6 +97,65 @@ TEST_CASE("files are read once, and named among those of the scene") {
   CHECK(loaded.scene.files == std::vector<std::string>{folder.path("scene.xml"), folder.path("a.png")});
 }
 
+TEST_CASE("lights have textures that may exceed 1, beside those of materials") {
+  const ImageFolder folder;
+  const std::string file =
+      "<texture type=\"bitmap\" id=\"bright\"><string name=\"filename\" value=\"bright.exr\"/></texture>";
+  const std::string board =
+      "<texture type=\"checkerboard\" name=\"texture\"><rgb name=\"color0\" value=\"7, 8, 9\"/></texture>";
+  const LoadedScene loaded = folder.load(
+      file + "<shape type=\"sphere\"><bsdf type=\"diffuse\"><ref id=\"bright\" name=\"reflectance\"/></bsdf>" +
+      "<emitter type=\"area\"><ref id=\"bright\" name=\"radiance\"/></emitter></shape>" +
+      "<emitter type=\"projector\"><ref id=\"bright\" name=\"irradiance\"/><float name=\"scale\" value=\"2\"/>" +
+      "<float name=\"fov\" value=\"90\"/></emitter><emitter type=\"spot\">" + board + "</emitter>");
+  REQUIRE(loaded.warnings.size() == 1);  // Of the reflectance.
+  const std::vector<Texture>& textures = loaded.scene.textures;
+  REQUIRE(textures.size() == 3);
+  const Shape& shape = loaded.scene.shapes.at(0);
+  const auto texture = [&](int i) { return textures.at(static_cast<std::size_t>(i)); };
+  CHECK(shape.radiance == Rgb{1, 1, 1});
+  CHECK(texture(shape.radiance_texture).is_light);
+  CHECK(TexelDecoder(*std::get<Bitmap>(texture(shape.radiance_texture).pattern).texels, {})(2)[1] == 8);
+  const auto projector = std::get<ProjectorLight>(loaded.scene.lights.at(0).emitter);
+  CHECK(projector.texture == shape.radiance_texture);
+  CHECK(projector.irradiance == Rgb{2, 2, 2});
+  CHECK(projector.tan_x == 1);
+  CHECK(projector.tan_y == 0.75);  // The image is 4 x 3.
+  const auto spot = std::get<SpotLight>(loaded.scene.lights.at(1).emitter);
+  CHECK(std::get<Checkerboard>(texture(spot.texture).pattern).color0 == Rgb{7, 8, 9});
+  CHECK_THAT(folder.fault("<emitter type=\"spot\"><float name=\"cutoff_angle\" value=\"95\"/>" + board + "</emitter>"),
+             Contains("less than 90 degrees"));
+}
+
+TEST_CASE("a mesh_attribute is of the meshes that it is on; others are dropped") {
+  const ImageFolder folder;
+  folder.write(
+      "a.ply",
+      "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nproperty "
+      "float r\nproperty float g\nproperty float b\nproperty float heat_0\nelement face 1\nproperty list uchar "
+      "int vertex_indices\nend_header\n0 0 0 1 0 0 1\n1 0 0 0 1 0 2\n0 1 0 0 0 1 3\n3 0 1 2\n");
+  const auto body = [](const std::string& name, const std::string& shape) {
+    return "<bsdf type=\"diffuse\" id=\"a\"><texture type=\"mesh_attribute\" name=\"reflectance\"><string "
+           "name=\"name\" "
+           "value=\"" +
+           name + "\"/><float name=\"scale\" value=\"0.5\"/></texture></bsdf>" + shape;
+  };
+  const std::string mesh =
+      "<shape type=\"ply\"><string name=\"filename\" value=\"a.ply\"/><bsdf type=\"twosided\"><ref "
+      "id=\"a\"/></bsdf></shape>";
+  const Scene scene = folder.load(body("vertex_heat", mesh)).scene;
+  const auto attribute = std::get<AttributeTexture>(scene.textures.at(0).pattern);
+  CHECK(attribute.name == "vertex_heat");
+  CHECK(attribute.scale == 0.5);
+  const std::vector<MeshAttribute>& kept = std::get<Mesh>(scene.shapes.at(0).geometry).attributes;
+  REQUIRE(kept.size() == 1);
+  CHECK(kept[0].values == std::vector<Rgb>{{1, 1, 1}, {2, 2, 2}, {3, 3, 3}});
+  CHECK_THAT(folder.fault(body("vertex_cold", mesh)), Contains("has no attribute \"vertex_cold\""));
+  CHECK_THAT(folder.fault(body("vertex_heat", "<shape type=\"sphere\"><ref id=\"a\"/></shape>")),
+             Contains("has no attribute \"vertex_heat\""));
+  CHECK_THAT(folder.fault(body("heat", mesh)), Contains("vertex_ or face_"));
+}
+
 TEST_CASE("what reflects more than all is cut, with a warning; light is not") {
   const ImageFolder folder;
   const std::string file = "<string name=\"filename\" value=\"bright.exr\"/>";

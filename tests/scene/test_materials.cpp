@@ -28,6 +28,28 @@ std::string problem(const std::string& bsdf) {
 
 std::string rough(const std::string& inside) { return "<bsdf type=\"roughconductor\">" + inside + "</bsdf>"; }
 
+TEST_CASE("a coating has the parameters of Mitsuba 0.x") {
+  const std::string grey = "<bsdf type=\"diffuse\"/>";
+  const LoadedScene loaded = load_text(
+      "<scene version=\"0.6.0\"><bsdf type=\"coating\"><float name=\"intIOR\" value=\"1.7\"/><float name=\"thickness\" "
+      "value=\"2\"/><rgb name=\"sigmaA\" value=\"0.1, 2, 3\"/>" +
+      grey + "</bsdf><bsdf type=\"coating\">" + grey + "</bsdf><sensor type=\"perspective\"/></scene>");
+  CHECK(loaded.warnings.empty());
+  const auto at = [&](std::size_t i) { return loaded.scene.materials.at(i).bsdf; };
+  const Coat coat = std::get<Coat>(at(2)), plain = std::get<Coat>(at(4));
+  CHECK(coat.int_ior == 1.7);
+  CHECK(coat.thickness == 2);
+  CHECK(coat.sigma_a.color == Rgb{0.1, 2, 3});
+  CHECK(std::holds_alternative<Diffuse>(at(static_cast<std::size_t>(coat.nested))));
+  CHECK(plain.int_ior == 1.5046);
+  CHECK(plain.thickness == 1);
+  CHECK(plain.sigma_a.color == Rgb{0, 0, 0});
+  CHECK(plain.specular_reflectance.color == Rgb{1, 1, 1});
+  const LoadedScene glass = load_body("<bsdf type=\"coating\"><bsdf type=\"dielectric\"/></bsdf>");
+  REQUIRE(glass.warnings.size() == 1);
+  CHECK(std::holds_alternative<Dielectric>(glass.scene.materials.back().bsdf));
+}
+
 }  // namespace
 
 TEST_CASE("metals have a name, or eta and k, over the index outside") {

@@ -69,6 +69,33 @@ TEST_CASE("glass has the index Ni and Tf's hue, whatever its d") {
   }
 }
 
+TEST_CASE("map_Bump and norm bend the normals of all that a material is") {
+  for (const char* keyword : {"map_Bump", "map_bump", "bump"}) {
+    const LoadedScene loaded = with_mtl("Kd 0.6\nd 0.25\n" + std::string(keyword) + " -bm 0.125 -s 2 3 half.png\n");
+    const auto relief = bsdf_of<Relief>(loaded);
+    CHECK(relief.kind == Relief::Kind::heights);
+    CHECK(relief.scale == 0.125);
+    const Material& material = loaded.scene.materials.back();
+    const Material& inside = loaded.scene.materials.at(static_cast<std::size_t>(relief.nested));
+    CHECK(std::get<Diffuse>(inside.bsdf).reflectance.color.r == 0.6);
+    CHECK(material.twosided);
+    CHECK(material.opacity);
+    CHECK_FALSE(inside.opacity);
+    const auto map = std::get<Bitmap>(loaded.scene.textures.at(static_cast<std::size_t>(relief.map.texture)).pattern);
+    CHECK(map.curve.kind == TexelCurve::Kind::linear);
+    CHECK(map.to_uv == std::array<double, 6>{2, 0, 0, 0, 3, -2});
+  }
+  const LoadedScene both = with_mtl("illum 3\nKs 0.4\nbump half.png\nnorm half.png\n");
+  const auto relief = bsdf_of<Relief>(both);
+  CHECK(relief.kind == Relief::Kind::normals);
+  CHECK(std::holds_alternative<Blend>(both.scene.materials.at(static_cast<std::size_t>(relief.nested)).bsdf));
+  const auto glass = bsdf_of<Relief>(with_mtl("illum 4\nbump -bm 2 half.png\n"));
+  CHECK(glass.scale == 2);
+  const LoadedScene absent = with_mtl("Kd 0.6\nbump none.png\n");
+  REQUIRE(absent.warnings.size() == 1);
+  CHECK(std::holds_alternative<Diffuse>(absent.scene.materials.back().bsdf));
+}
+
 TEST_CASE("d, Tr and map_d are masks") {
   const auto opacity = [](const std::string& lines) { return with_mtl(lines).scene.materials.back().opacity; };
   CHECK(opacity("d 0.25\n").value().color == Rgb{0.25, 0.25, 0.25});

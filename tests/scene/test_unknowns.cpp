@@ -70,7 +70,7 @@ TEST_CASE("substitutes keep what they can") {
   const Scene scene =
       load_body(
           "<bsdf type=\"hk\"><rgb name=\"diffuse_reflectance\" value=\".1 .2 .3\"/></bsdf>"
-          "<bsdf type=\"coating\"><bsdf type=\"diffuse\"><rgb name=\"reflectance\" value=\".4\"/></bsdf>"
+          "<bsdf type=\"roughcoating\"><bsdf type=\"diffuse\"><rgb name=\"reflectance\" value=\".4\"/></bsdf>"
           "</bsdf><bsdf type=\"hair\"/>")
           .scene;
   REQUIRE(scene.materials.size() == 4);

@@ -45,6 +45,51 @@ TEST_CASE("text is read in double where it is declared as float") {
   CHECK(file.mesh.positions[0] == Vec3{0.1, 0.5, 1e-3});
 }
 
+TEST_CASE("further properties are attributes by Mitsuba's names") {
+  const TempFolder folder;
+  const std::string header =
+      "ply\nformat ascii 1.0\nelement vertex 4\n" + xyz +
+      "property uchar red\nproperty uchar green\nproperty uchar blue\nproperty float nx\nproperty float ny\nproperty "
+      "float nz\nproperty float heat_0\nproperty double flow_x\nproperty double flow_y\nproperty double "
+      "flow_z\nproperty "
+      "float tint_r\nproperty float tint_g\nproperty float tint_b\nproperty float odd_1\nproperty float "
+      "odd_2\nproperty "
+      "float quality\nelement face 2\nproperty float g\nproperty list uchar int vertex_indices\nproperty float "
+      "b\nproperty float r\nproperty ushort mark_0\nend_header\n";
+  // The second vertex has no normal, so that it is split between the two faces.
+  const std::string data =
+      "0 0 0 255 0 51 0 0 1 5 1 2 3 7 8 9 0 0 0\n1 0 0 0 255 0 0 0 0 6 4 5 6 1 1 1 0 0 0\n"
+      "1 1 0.5 0 0 255 0 0 1 7 0 0 0 2 2 2 0 0 0\n0 1 0 1 2 3 0 0 1 8 9 9 9 3 3 3 0 0 0\n"
+      "0.2 3 0 1 2 0.3 0.1 17\n0.5 3 1 3 2 0.6 0.4 18\n";
+  const Mesh mesh = read_mesh(folder.write("a.ply", header + data)).mesh;
+  const auto values = [&](const std::string& name) {
+    for (const MeshAttribute& attribute : mesh.attributes)
+      if (attribute.name == name) return attribute.values;
+    return std::vector<Rgb>{};
+  };
+  CHECK(mesh.attributes.size() == 6);
+  REQUIRE(mesh.positions.size() == 5);
+  CHECK(mesh.positions[4] == mesh.positions[1]);
+  CHECK(values("vertex_color") ==
+        std::vector<Rgb>{{1, 0, 0.2}, {0, 1, 0}, {0, 0, 1}, {1 / 255., 2 / 255., 3 / 255.}, {0, 1, 0}});
+  CHECK(values("vertex_heat") == std::vector<Rgb>{{5, 5, 5}, {6, 6, 6}, {7, 7, 7}, {8, 8, 8}, {6, 6, 6}});
+  CHECK(values("vertex_flow")[0] == Rgb{1, 2, 3});
+  CHECK(values("vertex_tint_color")[3] == Rgb{3, 3, 3});
+  CHECK(values("face_color") == std::vector<Rgb>{{0.1, 0.2, 0.3}, {0.4, 0.5, 0.6}});
+  CHECK(values("face_mark") == std::vector<Rgb>{{17, 17, 17}, {18, 18, 18}});
+}
+
+TEST_CASE("a polygon's attributes are those of all its triangles") {
+  const TempFolder folder;
+  const std::string header =
+      "ply\nformat ascii 1.0\nelement vertex 4\n" + xyz +
+      "element face 3\nproperty list uchar int vertex_indices\nproperty float heat_0\nend_header\n";
+  // The second face has no area.
+  const MeshFile file =
+      read_mesh(folder.write("a.ply", header + "0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3 7\n3 0 0 1 8\n3 0 1 2 9\n"));
+  CHECK(file.mesh.attributes.at(0).values == std::vector<Rgb>{{7, 7, 7}, {7, 7, 7}, {9, 9, 9}});
+}
+
 TEST_CASE("binary of both byte orders, doubles, header with each line end") {
   const TempFolder folder;
   for (bool big : {false, true}) {

@@ -42,7 +42,7 @@ TEST_CASE("positions and triangles in both versions and precisions") {
   }
 }
 
-TEST_CASE("normals become unit vectors, texture coordinates are kept, colours passed over") {
+TEST_CASE("normals become unit vectors, texture coordinates and colours are kept") {
   const TempFolder folder;
   SerializedMesh mesh;
   mesh.flags = 0x200B;
@@ -53,6 +53,9 @@ TEST_CASE("normals become unit vectors, texture coordinates are kept, colours pa
   CHECK(file.mesh.normals == std::vector<Vec3>{{0, 0, 1}, {0, 1, 0}, {1, 0, 0}});
   CHECK(file.mesh.uvs == std::vector<Vec2>{{.1, .2}, {.3, .4}, {.5, .6}});
   CHECK(file.mesh.triangles == Triangles{{0, 1, 2}});
+  REQUIRE(file.mesh.attributes.size() == 1);
+  CHECK(file.mesh.attributes[0].name == "vertex_color");
+  CHECK(file.mesh.attributes[0].values == std::vector<Rgb>{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
   mesh.flags |= 0x0010;
   file = read_mesh(folder.write("a.serialized", serialized_file({mesh})));
   CHECK(file.mesh.normals.empty());

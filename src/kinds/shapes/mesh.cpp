@@ -42,6 +42,15 @@ void check(Faults& faults, const Mesh& mesh) {
   faults.require(outside == mesh.triangles.end(), "triangle {} has a vertex index out of range",
                  outside - mesh.triangles.begin());
   check_parts(faults, mesh);
+  for (const MeshAttribute& attribute : mesh.attributes) {
+    const std::size_t count = attribute.is_of_faces() ? mesh.triangles.size() : vertices;
+    faults.require(attribute.values.size() == count, "attribute {} has {} values, not {}", attribute.name,
+                   attribute.values.size(), count);
+    faults.require(std::all_of(attribute.values.begin(), attribute.values.end(),
+                               [](const Rgb& c) { return std::isfinite(c.r + c.g + c.b); }),
+                   "attribute {} must be finite", attribute.name);
+  }
+  faults.require(mesh.attributes.empty() || mesh.parts.empty(), "a mesh with parts has no attributes");
 }
 
 void pack(const Planes& to, const Mesh& mesh) {
@@ -62,6 +71,9 @@ void emit(AreaItems& items, const Mesh& mesh, int part) {
     const auto corner = [&](std::size_t k) { return mesh.positions[static_cast<std::size_t>(mesh.triangles[i][k])]; };
     for (std::size_t k = 0; k < 3; ++k) items.extent().add(corner(k));
     items.flat(corner(0), corner(1) - corner(0), corner(2) - corner(0), 0.5);
+    if (mesh.uvs.empty()) continue;
+    const auto uv = [&](std::size_t k) { return mesh.uvs[static_cast<std::size_t>(mesh.triangles[i][k])]; };
+    items.map(uv(0), uv(1), uv(2));
   }
 }
 

@@ -30,6 +30,7 @@ void emit(AreaItems& items, const Sphere& s, int) {
   extend(items.extent(), s);
   items.round({items.frame().point(s.center)}, 4 * std::numbers::pi * radius * radius);
   items.number(radius);
+  items.axes(s.frame);
 }
 
 int first_of_area(const Sphere&, int) { return 0; }

@@ -90,6 +90,7 @@ void MeshBuilder::set_normals() {
       mesh_.positions.push_back(Vec3(p[v]));
       mesh_.normals.push_back(n);
       if (has_uvs_) mesh_.uvs.push_back(Vec2(mesh_.uvs[v]));
+      for (MeshAttribute& attribute : mesh_.attributes) attribute.values.push_back(Rgb(attribute.values[v]));
       vertex = static_cast<int>(mesh_.positions.size()) - 1;
     }
   }
@@ -101,6 +102,12 @@ Mesh MeshBuilder::finish() {
     for (const MeshCorner& c : corner_of_vertex_) {
       mesh_.uvs.push_back(c.uv < 0 ? Vec2{} : attributes_.uvs[static_cast<std::size_t>(c.uv)]);
     }
+  }
+  for (const MeshAttribute& from : attributes_.others) {
+    MeshAttribute& attribute = mesh_.attributes.emplace_back(MeshAttribute{from.name, {}});
+    attribute.values.reserve(corner_of_vertex_.size());
+    for (const MeshCorner& c : corner_of_vertex_)
+      attribute.values.push_back(from.values[static_cast<std::size_t>(c.position)]);
   }
   if (has_normals_) set_normals();
   return std::move(mesh_);

@@ -27,6 +27,7 @@ struct MeshAttributes {
   std::vector<Vec3> positions;
   std::vector<Vec2> uvs;
   std::vector<Vec3> normals;
+  std::vector<MeshAttribute> others;  ///< Of vertices: a value for each position.
 };
 
 class MeshBuilder {

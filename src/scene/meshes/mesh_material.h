@@ -15,6 +15,7 @@ struct MeshTexture {
   std::string file;  ///< Resolved; it may not exist.
   Vec2 scale{1, 1}, offset{0, 0};
   bool is_clamped = false;
+  double multiplier = 1;  ///< -bm, of heights.
   SourceLocation where;
 };
 
@@ -30,6 +31,8 @@ struct MeshMaterial {
   Rgb filter{1, 1, 1};                     ///< Tf.
   double opacity = 1;                      ///< d, or 1 - Tr.
   std::optional<MeshTexture> opacity_map;  ///< map_d.
+  std::optional<MeshTexture> bump_map;     ///< map_Bump or bump: heights.
+  std::optional<MeshTexture> normal_map;   ///< norm.
   std::optional<Rgb> radiance;             ///< Ke, where it is not black.
 };
 

@@ -46,6 +46,8 @@ MeshTexture read_mtl_map(TextCursor& cursor, const std::string& mtl_path) {
       map.offset = numbers(cursor, {0, 0});
     else if (option == "-t")
       (void)numbers(cursor, {0, 0});
+    else if (option == "-bm")
+      map.multiplier = numbers(cursor, {1, 1}).x;
     else if (option == "-clamp")
       map.is_clamped = cursor.word() == "on";
     else

@@ -76,6 +76,10 @@ class MtlReader {
       if (map) current_->reflectance_map = map;
     } else if (keyword == "map_d") {
       if (const auto map = read_map(cursor, at, "map_d")) current_->opacity_map = map;
+    } else if (keyword == "map_Bump" || keyword == "map_bump" || keyword == "bump") {
+      if (const auto map = read_map(cursor, at, "map_Bump")) current_->bump_map = map;
+    } else if (keyword == "norm") {
+      if (const auto map = read_map(cursor, at, "norm")) current_->normal_map = map;
     }
   }
 

@@ -2,7 +2,7 @@
 // PLY ("The PLY Polygon File Format", G. Turk, Stanford, 1994), text and binary: positions, normals (nx ny nz),
 // texture coordinates (u v, s t, texture_u texture_v) and polygons (vertex_indices or vertex_index), or, where there
 // are none, triangle strips (tristrips, a list in which -1 begins a strip anew: Stanford's archives). Elements and
-// properties may come in any order; others are passed over.
+// properties may come in any order; others are attributes (ply_attributes.h) or passed over.
 #include <fmt/format.h>
 
 #include <bit>
@@ -11,6 +11,7 @@
 
 #include "scene/meshes/mesh_builder.h"
 #include "scene/meshes/mesh_file.h"
+#include "scene/meshes/ply_attributes.h"
 #include "scene/meshes/ply_data.h"
 
 namespace strahl {
@@ -136,11 +137,20 @@ class PlyReader {
     has_normals_ = assign(3, {"nx"}) & assign(4, {"ny"}) & assign(5, {"nz"});
     has_uvs_ = assign(6, {"u", "s", "texture_u", "texture_s"}) & assign(7, {"v", "t", "texture_v", "texture_t"});
 
+    std::vector<bool> is_taken;
+    for (std::size_t k = 0; k < slots.size(); ++k)
+      is_taken.push_back(slots[k] != none || vertices_->properties[k].count_type.has_value());
+    const std::vector<PlyAttribute> others = attributes_of(*vertices_, "vertex_", is_taken);
+    std::size_t numbers = none + 1;
+    for (const PlyAttribute& attribute : others) {
+      attributes_.others.push_back({attribute.name, {}});
+      for (const std::size_t k : attribute.properties) slots[k] = numbers++;
+    }
+    std::vector<double> x(numbers, 0.0);
     attributes_.positions.reserve(vertices_->count);
     if (has_normals_) attributes_.normals.reserve(vertices_->count);
     if (has_uvs_) attributes_.uvs.reserve(vertices_->count);
     for (std::size_t i = 0; i < vertices_->count; ++i) {
-      std::array<double, none + 1> x{};
       data.begin_element();
       const char* at = data.position();
       source_.passed(at);
@@ -158,15 +168,52 @@ class PlyReader {
       attributes_.positions.push_back({x[0], x[1], x[2]});
       if (has_normals_) attributes_.normals.push_back({x[3], x[4], x[5]});
       if (has_uvs_) attributes_.uvs.push_back({x[6], x[7]});
+      for (std::size_t k = 0, at_number = none + 1; k < others.size(); ++k) {
+        attributes_.others[k].values.push_back(value_of(others[k], &x[at_number]));
+        at_number += others[k].properties.size();
+      }
       double sum = 0;  // of zeros, or NaN
-      for (std::size_t k = 0; k < none; ++k) sum += 0 * x[k];
+      for (const double number : x) sum += 0 * number;
       if (!(sum == 0)) bad_.add(i, at);
     }
     builder_.emplace(attributes_, faces_->count);
   }
 
+  /// One number is grey.
+  static Rgb value_of(const PlyAttribute& attribute, const double* numbers) {
+    const double s = attribute.scale;
+    if (attribute.properties.size() == 1) return {s * numbers[0], s * numbers[0], s * numbers[0]};
+    return {s * numbers[0], s * numbers[1], s * numbers[2]};
+  }
+
+  void find_face_attributes() {
+    std::vector<bool> is_taken;
+    for (const PlyProperty& property : faces_->properties) is_taken.push_back(property.count_type.has_value());
+    face_slots_.assign(faces_->properties.size(), -1);
+    if (are_strips_) return;
+    of_faces_ = attributes_of(*faces_, "face_", is_taken);
+    for (const PlyAttribute& attribute : of_faces_) {
+      face_values_.push_back({attribute.name, {}});
+      for (const std::size_t k : attribute.properties) {
+        face_slots_[k] = static_cast<int>(face_numbers_.size());
+        face_numbers_.push_back(0);
+      }
+    }
+  }
+
+  /// For each triangle that the face has become.
+  void put_face_values() {
+    for (std::size_t k = 0, number = 0; k < of_faces_.size(); ++k) {
+      const Rgb value = value_of(of_faces_[k], &face_numbers_[number]);
+      const bool is_sound = std::isfinite(value.r + value.g + value.b);
+      face_values_[k].values.resize(builder_->triangle_count(), is_sound ? value : Rgb{});
+      number += of_faces_[k].properties.size();
+    }
+  }
+
   template <class Data>
   void read_faces(Data& data) {
+    find_face_attributes();
     for (std::uint64_t i = 0; i < faces_->count; ++i) {
       data.begin_element();
       const char* face = data.position();
@@ -179,11 +226,14 @@ class PlyReader {
           read_face(data, property, face);
         } else if (property.count_type) {
           skip_list(data, property);
+        } else if (face_slots_[k] >= 0) {
+          face_numbers_[static_cast<std::size_t>(face_slots_[k])] = data.real(property.type);
         } else {
           data.skip(property.type, 1);
         }
       }
       data.end_element();
+      put_face_values();
     }
   }
 
@@ -250,6 +300,7 @@ class PlyReader {
     }
     MeshFile file;
     file.mesh = builder_->finish();
+    for (MeshAttribute& attribute : face_values_) file.mesh.attributes.push_back(std::move(attribute));
     file.mesh.part_of_triangle.clear();
     for (const std::string& warning : builder_->warnings()) source_.warn(nullptr, warning);
     file.skipped_faces = skipped_.count;
@@ -267,6 +318,10 @@ class PlyReader {
   BadNumbers bad_{"vertex"};
   std::optional<MeshBuilder> builder_;
   std::vector<MeshCorner> corners_;
+  std::vector<PlyAttribute> of_faces_;
+  std::vector<int> face_slots_;  // of each property of a face: where it stands in face_numbers_; -1: nowhere
+  std::vector<double> face_numbers_;
+  std::vector<MeshAttribute> face_values_;
   Tally skipped_;
 };
 

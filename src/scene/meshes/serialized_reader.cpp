@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Mitsuba's serialized meshes (W. Jakob et al., Mitsuba 3 documentation, plugin "serialized"), versions 3 and 4:
-// indexed triangles with normals and texture coordinates in single or double precision, behind zlib. Colours are passed
-// over.
+// indexed triangles with normals, texture coordinates and colours (vertex_color) in single or double precision, behind
+// zlib.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -130,7 +130,13 @@ class SerializedReader {
         if (!finite) bad_uvs_.add(i, begin_);
       });
     }
-    if (has(has_colors)) read_numbers<3>([](std::uint64_t, const std::array<double, 3>&, bool) {});
+    if (!has(has_colors)) return;
+    std::vector<Rgb>& colors = attributes_.others.emplace_back(MeshAttribute{"vertex_color", {}}).values;
+    colors.reserve(vertices_);
+    read_numbers<3>([&](std::uint64_t i, const std::array<double, 3>& x, bool finite) {
+      colors.push_back({x[0], x[1], x[2]});
+      if (!finite) bad_colors_.add(i, begin_);
+    });
   }
 
   void read_triangles(MeshBuilder& builder) {
@@ -147,6 +153,7 @@ class SerializedReader {
         }
         usable &= !bad_positions_.check(indices[k], begin_, source_);
         usable &= !with_normals || !bad_normals_.check(indices[k], begin_, source_);
+        usable &= !bad_colors_.check(indices[k], begin_, source_);
         usable &= !with_uvs || !bad_uvs_.check(indices[k], begin_, source_);
         const int i = static_cast<int>(indices[k]);
         corners[k] = {i, with_uvs ? i : -1, with_normals ? i : -1};
@@ -157,7 +164,7 @@ class SerializedReader {
 
   MeshFile finish(MeshBuilder& builder) {
     if (skipped_.count > 0) source_.warn(begin_, fmt::format("triangles without area skipped: {}", skipped_.count));
-    for (const BadNumbers* bad : {&bad_positions_, &bad_uvs_, &bad_normals_}) bad->warn_unused(source_);
+    for (const BadNumbers* bad : {&bad_positions_, &bad_uvs_, &bad_normals_, &bad_colors_}) bad->warn_unused(source_);
     if (builder.triangle_count() == 0 && !source_.has_errors()) {
       source_.error_of_empty_mesh(begin_);
     }
@@ -176,7 +183,7 @@ class SerializedReader {
   std::uint32_t flags_ = 0;
   std::uint64_t vertices_ = 0, triangles_ = 0;
   MeshAttributes attributes_;
-  BadNumbers bad_positions_{"vertex"}, bad_uvs_{"texture coordinate"}, bad_normals_{"normal"};
+  BadNumbers bad_positions_{"vertex"}, bad_uvs_{"texture coordinate"}, bad_normals_{"normal"}, bad_colors_{"colour"};
   Tally skipped_;
 };
 

@@ -25,4 +25,24 @@ Camera camera_framing(const std::optional<Box>& box) {
   return camera;
 }
 
+double tan_half_width(double fov_degrees, FovAxis axis, double width, double height) {
+  // Through long double, so that tan(45 degrees) is 1.
+  const long double half = static_cast<long double>(fov_degrees) * std::acos(-1.0L) / 360.0L;
+  const double tangent = static_cast<double>(std::tan(half));
+  const bool wide = width >= height;
+  switch (axis) {
+    case FovAxis::x:
+      return tangent;
+    case FovAxis::y:
+      return tangent * width / height;
+    case FovAxis::diagonal:
+      return tangent * width / std::hypot(width, height);
+    case FovAxis::smaller:
+      return wide ? tangent * width / height : tangent;
+    case FovAxis::larger:
+      return wide ? tangent : tangent * width / height;
+  }
+  return tangent;
+}
+
 }  // namespace strahl

@@ -172,10 +172,20 @@ struct Relief {
   int nested = -1;                     ///< As of a Blend.
 };
 
+/// A smooth layer of glass over another material, of Mitsuba 0.x.
+struct Coat {
+  double int_ior = 1.5046;    ///< bk7
+  double ext_ior = 1.000277;  ///< air
+  double thickness = 1;
+  Varying sigma_a{{0, 0, 0}};  ///< Absorption per unit of the thickness.
+  Reflectance specular_reflectance{{1, 1, 1}};
+  int nested = -1;  ///< As of a Blend; it lets no light through.
+};
+
 struct Material {
   std::string id;
   std::variant<Diffuse, Conductor, Dielectric, RoughConductor, RoughDielectric, ThinDielectric, Plastic, RoughPlastic,
-               Principled, PrincipledThin, Phong, RoughDiffuse, DiffTrans, Ward, Blend, Relief>
+               Principled, PrincipledThin, Phong, RoughDiffuse, DiffTrans, Ward, Blend, Relief, Coat>
       bsdf;
   bool twosided = false;  ///< false: black from behind, as in Mitsuba. Of what transmits light it says nothing.
   SourceLocation where;

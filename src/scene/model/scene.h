@@ -86,6 +86,14 @@ struct Cylinder {
 struct MeshPart {
   int material = -1;  ///< Index into Scene::materials.
   std::optional<Rgb> radiance;
+  int radiance_texture = -1;  ///< As a Shape's.
+};
+
+/// Values of a mesh's vertices or faces, which textures name.
+struct MeshAttribute {
+  std::string name;         ///< "vertex_..." or "face_...".
+  std::vector<Rgb> values;  ///< As many as there are positions, or triangles; grey of a single number.
+  [[nodiscard]] bool is_of_faces() const { return name.starts_with("face_"); }
 };
 
 /// Triangles over shared vertices; `normals` and `uvs` are empty or as long as `positions`.
@@ -94,8 +102,9 @@ struct Mesh {
   std::vector<Vec3> normals;  ///< Unit; empty: shade with the face normal.
   std::vector<Vec2> uvs;
   std::vector<std::array<int, 3>> triangles;
-  std::vector<MeshPart> parts;        ///< Empty: the shape's own material and radiance hold everywhere.
-  std::vector<int> part_of_triangle;  ///< As long as `triangles` where parts is not empty.
+  std::vector<MeshPart> parts;            ///< Empty: the shape's own material and radiance hold everywhere.
+  std::vector<int> part_of_triangle;      ///< As long as `triangles` where parts is not empty.
+  std::vector<MeshAttribute> attributes;  ///< Of meshes without parts.
 };
 
 using Geometry = std::variant<Sphere, Plane, Box, Triangle, Rectangle, Cube, Disk, Cylinder, Mesh, SphereCloud>;
@@ -105,6 +114,7 @@ struct Shape {
   Geometry geometry;
   int material = 0;               ///< Index into Scene::materials.
   std::optional<Rgb> radiance;    ///< Area emitter: emitted on the side that the normal points to.
+  int radiance_texture = -1;      ///< Index into Scene::textures, of one that multiplies the radiance; -1: none.
   double sampling_weight = 1;     ///< As a Light's, of what it emits.
   bool flip_normals = false;      ///< Mitsuba's flip_normals: reverses the normal as built.
   std::optional<int> priority;    ///< Of glass: where such shapes overlap the highest one is there. None: not tracked.
@@ -156,11 +166,18 @@ struct Bitmap {
   Rgb mean{0.5, 0.5, 0.5};  ///< Of the texels; replaces them where textures are disabled.
 };
 
+/// What the meshes that it is on have by this name; they must have it.
+struct AttributeTexture {
+  std::string name;
+  double scale = 1;  ///< Multiplies the values; what is above 1 then counts as 1, but for lights.
+};
+
 /// A colour that varies over a surface.
 struct Texture {
   std::string id;
-  std::variant<Checkerboard, Bitmap> pattern;
+  std::variant<Checkerboard, Bitmap, AttributeTexture> pattern;
   SourceLocation where;
+  bool is_light = false;  ///< Of a light: its colours are not held to [0, 1].
 };
 
 // ---- lights (emitters that are not shapes) --------------------------------------------------------------------
@@ -178,6 +195,21 @@ struct SpotLight {
   Rgb intensity{1, 1, 1};      ///< W/sr, on the axis.
   double cutoff_degrees = 20;  ///< Within (0, 180).
   double beam_degrees = 15;    ///< Within [0, cutoff_degrees].
+  /// Index into Scene::textures, of one that multiplies the intensity; -1: none. It fills the square around the cone at
+  /// a distance of 1, u along x and v along y, unit vectors that are perpendicular to the axis and each other. Its cone
+  /// is narrower than 90 degrees.
+  int texture = -1;
+  Vec3 x{1, 0, 0}, y{0, 1, 0};
+};
+
+/// A point that shows a picture: a camera the other way round.
+struct ProjectorLight {
+  Vec3 position;
+  /// Unit and at right angles: to the picture's left, up, and the way the light travels.
+  std::array<Vec3, 3> axes{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};
+  double tan_x = 0.41421356237309503, tan_y = tan_x;  ///< Of half the opening, across and up; > 0.
+  Rgb irradiance{1, 1, 1};  ///< Over pi, on a plane across the axis, at distance 1, as Mitsuba has it.
+  int texture = -1;         ///< Index into Scene::textures, of the picture that multiplies it; -1: none.
 };
 
 struct DirectionalLight {
@@ -203,7 +235,7 @@ struct EnvironmentLight {
 
 struct Light {
   std::string id;
-  std::variant<PointLight, SpotLight, DirectionalLight, ConstantLight, EnvironmentLight> emitter;
+  std::variant<PointLight, SpotLight, ProjectorLight, DirectionalLight, ConstantLight, EnvironmentLight> emitter;
   SourceLocation where;
   double sampling_weight = 1;  ///< Multiplies its chance to be drawn, not its light; at least 0.
 };

@@ -20,12 +20,13 @@ void add_mesh_materials(MeshFile& file, bool has_material, const Shape& shape, S
     MeshPart part;
     part.material = has_material ? shape.material : added_material(from, shape, scene, images, diagnostics);
     part.radiance = shape.radiance ? shape.radiance : from.radiance;
+    part.radiance_texture = shape.radiance_texture;
     mesh.parts.push_back(part);
   }
   const bool has_plain =
       std::any_of(mesh.part_of_triangle.begin(), mesh.part_of_triangle.end(), [](int p) { return p < 0; });
   if (!has_plain) return;
-  mesh.parts.push_back({shape.material, shape.radiance});
+  mesh.parts.push_back({shape.material, shape.radiance, shape.radiance_texture});
   for (int& part : mesh.part_of_triangle)
     if (part < 0) part = static_cast<int>(mesh.parts.size()) - 1;
 }

@@ -44,7 +44,7 @@ class Import {
     if (most > 0) glass.transmittance.color = times(1 / most, from_.filter);
     Material material = named(glass);
     material.twosided = false;
-    return add(material);
+    return add(in_relief(material));
   }
 
   int highlight() {
@@ -100,7 +100,7 @@ class Import {
   }
 
   int opaque(const Material& from) {
-    Material material = twosided(from);
+    Material material = in_relief(twosided(from));
     if (from_.opacity < 1 || from_.opacity_map) {
       Reflectance opacity{{from_.opacity, from_.opacity, from_.opacity}};
       if (from_.opacity_map)
@@ -108,6 +108,24 @@ class Import {
       material.opacity = opacity;
     }
     return add(material);
+  }
+
+  /// The material itself where there is no map, or none that can be read.
+  Material in_relief(const Material& material) {
+    const bool has_heights = !from_.normal_map;
+    const std::optional<MeshTexture>& map = has_heights ? from_.bump_map : from_.normal_map;
+    if (!map) return material;
+    Relief relief;
+    relief.kind = has_heights ? Relief::Kind::heights : Relief::Kind::normals;
+    relief.scale = map->multiplier;
+    if (has_heights) relief.map.color = {0, 0, 0};
+    relief.map.texture =
+        added_texture(*map, {1, 1, 1}, {TexelCurve::Kind::linear}, "the surface stays as smooth as it is");
+    if (relief.map.texture < 0) return material;
+    relief.nested = add(material);
+    Material bent = named(relief);
+    bent.twosided = material.twosided;
+    return bent;
   }
 
   int add(const Material& material) {

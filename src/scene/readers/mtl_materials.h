@@ -6,8 +6,9 @@
 //   illum 4, 6, 7, 9         glass of index Ni, in the hue of Tf
 //
 // Ks is at most what Kd leaves of the light. Of Tf only the hue counts: files that mean clear glass have any brightness
-// there. d, Tr and map_d make a mask, but of glass. All but glass are two-sided: OBJ files know no sidedness, and many
-// do not care for their winding.
+// there. d, Tr and map_d make a mask, but of glass. norm bends the normals of all that, else map_Bump, whose texels
+// times -bm are heights in units of the scene. All but glass are two-sided: OBJ files know no sidedness, and many do
+// not care for their winding.
 #pragma once
 
 #include "scene/meshes/mesh_material.h"

@@ -51,7 +51,7 @@ TextureWrap read_wrap(Properties& properties) {
 
 }  // namespace
 
-Texture read_bitmap(Properties& properties, SceneBuilder& builder) {
+Texture read_bitmap(Properties& properties, SceneBuilder& builder, ColorUse) {
   Bitmap bitmap;
   bitmap.texels = read_image_file(properties, builder);
   bitmap.curve = read_curve(properties);

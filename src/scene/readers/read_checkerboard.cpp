@@ -4,11 +4,11 @@
 
 namespace strahl {
 
-Texture read_checkerboard(Properties& properties, SceneBuilder&) {
+Texture read_checkerboard(Properties& properties, SceneBuilder&, ColorUse use) {
   Checkerboard board;
   const Rgb grey{0.5, 0.5, 0.5};
-  board.color0 = properties.color("color0", ColorUse::reflectance, grey).value_or(board.color0);
-  board.color1 = properties.color("color1", ColorUse::reflectance, grey).value_or(board.color1);
+  board.color0 = properties.color("color0", use, grey).value_or(board.color0);
+  board.color1 = properties.color("color1", use, grey).value_or(board.color1);
   board.to_uv = read_uv_map(properties);
   Texture texture;
   texture.pattern = board;

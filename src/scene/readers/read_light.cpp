@@ -7,7 +7,10 @@
 #include <optional>
 
 #include "kinds/lights.h"
+#include "kinds/textures.h"
+#include "scene/model/framing.h"
 #include "scene/readers/plugin_table.h"
+#include "scene/readers/read_parts.h"
 #include "scene/readers/read_texture.h"
 #include "scene/readers/readers.h"
 #include "scene/xml/properties.h"
@@ -39,7 +42,7 @@ std::optional<Emitter> read_point(Properties& properties, SceneBuilder&) {
   return PointLight{to_world ? to_world->translation() : position, emission(properties, "intensity")};
 }
 
-std::optional<Emitter> read_spot(Properties& properties, SceneBuilder&) {
+std::optional<Emitter> read_spot(Properties& properties, SceneBuilder& builder) {
   SpotLight light;
   const Transform to_world = properties.transform("to_world").value_or(Transform{});
   light.position = to_world.translation();
@@ -47,10 +50,35 @@ std::optional<Emitter> read_spot(Properties& properties, SceneBuilder&) {
   light.intensity = emission(properties, "intensity");
   light.cutoff_degrees = properties.number("cutoff_angle").value_or(light.cutoff_degrees);
   light.beam_degrees = properties.number("beam_width").value_or(0.75 * light.cutoff_degrees);
-  if (properties.has("texture"))
-    properties.diagnostics().unknown(properties.where("texture"),
-                                     "a texture of a spot is not supported yet; it shines evenly");
-  properties.accept({"texture"});
+  if (properties.has("texture")) {
+    const Emission texture = read_emission(properties, builder, "texture");
+    light.intensity = kinds::times(light.intensity, texture.color);
+    light.texture = texture.texture;
+    light.x = normalized(to_world.column(0));
+    light.y = normalized(to_world.column(1));
+  }
+  return light;
+}
+
+/// Its picture is as wide for its height as the texture.
+std::optional<Emitter> read_projector(Properties& properties, SceneBuilder& builder) {
+  ProjectorLight light;
+  const Transform to_world = properties.transform("to_world").value_or(Transform{});
+  light.position = to_world.translation();
+  for (std::size_t i = 0; i < 3; ++i) light.axes[i] = normalized(to_world.column(static_cast<int>(i)));
+  const Emission irradiance = read_emission(properties, builder, "irradiance");
+  const double scale = properties.number("scale").value_or(1);
+  light.irradiance = kinds::times({scale, scale, scale}, irradiance.color);
+  light.texture = irradiance.texture;
+  double width = 1, height = 1;
+  if (light.texture >= 0) {
+    const Texture& texture = builder.scene.textures[static_cast<std::size_t>(light.texture)];
+    const auto* bitmap = std::get_if<Bitmap>(&texture.pattern);
+    if (bitmap != nullptr && bitmap->texels) width = bitmap->texels->width, height = bitmap->texels->height;
+  }
+  const FieldOfView fov = read_field_of_view(properties);
+  light.tan_x = tan_half_width(fov.degrees, fov.axis, width, height);
+  light.tan_y = light.tan_x * height / width;
   return light;
 }
 

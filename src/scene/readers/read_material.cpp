@@ -15,8 +15,8 @@ const PluginTable<MaterialReader>& material_readers() {
 #define MATERIAL(name, reals, lobes) {#name, read_##name},
 #include "../../../cl/materials/materials.def"
 #undef MATERIAL
-      {"twosided", read_twosided}, {"mask", read_mask},           {"null", read_null},
-      {"blendbsdf", read_blend},   {"normalmap", read_normalmap}, {"bumpmap", read_bumpmap}};
+      {"twosided", read_twosided},   {"mask", read_mask},       {"null", read_null},      {"blendbsdf", read_blend},
+      {"normalmap", read_normalmap}, {"bumpmap", read_bumpmap}, {"coating", read_coating}};
   return table;
 }
 

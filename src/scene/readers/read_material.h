@@ -23,6 +23,8 @@ Material read_null(Properties& properties, SceneBuilder& builder);
 Material read_blend(Properties& properties, SceneBuilder& builder);
 Material read_normalmap(Properties& properties, SceneBuilder& builder);
 Material read_bumpmap(Properties& properties, SceneBuilder& builder);
+/// Nor this: a layer over another.
+Material read_coating(Properties& properties, SceneBuilder& builder);
 
 /// The material that a <bsdf> describes; each element is read once. An unknown type is replaced with a warning.
 [[nodiscard]] Material material_of(const XmlElement& bsdf, SceneBuilder& builder);

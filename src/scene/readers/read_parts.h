@@ -10,6 +10,15 @@ namespace strahl {
 /// A number > 0 or the name of a medium.
 [[nodiscard]] double read_index_of_refraction(Properties& properties, const char* name, double otherwise);
 
+/// Along which axis of a picture a view opens how wide.
+struct FieldOfView {
+  double degrees = 50;
+  FovAxis axis = FovAxis::x;
+};
+
+/// `fov` and `fov_axis`, or `focal_length`, 50mm by default.
+[[nodiscard]] FieldOfView read_field_of_view(Properties& properties);
+
 /// Indices and shares of glass of any kind.
 [[nodiscard]] Dielectric read_glass(Properties& properties, SceneBuilder& builder);
 

@@ -72,6 +72,24 @@ void read_definitions(const std::vector<const XmlElement*>& elements, SceneBuild
 
 }  // namespace
 
+namespace {
+
+/// What files say of their meshes beyond what the scene asks for.
+void drop_unused_attributes(Scene& scene) {
+  std::set<std::string> shown;
+  for (const Texture& texture : scene.textures)
+    if (const auto* attribute = std::get_if<AttributeTexture>(&texture.pattern)) shown.insert(attribute->name);
+  const auto drop = [&](std::vector<Shape>& shapes) {
+    for (Shape& shape : shapes)
+      if (auto* mesh = std::get_if<Mesh>(&shape.geometry))
+        std::erase_if(mesh->attributes, [&](const MeshAttribute& one) { return !shown.contains(one.name); });
+  };
+  drop(scene.shapes);
+  for (Group& group : scene.groups) drop(group.shapes);
+}
+
+}  // namespace
+
 void read_scene(const XmlElement& root, SceneBuilder& builder) {
   Properties properties(root, builder.ids, builder.diagnostics);
   for (const XmlElement* bsdf : properties.objects("bsdf")) static_cast<void>(material_index(*bsdf, builder));
@@ -84,6 +102,7 @@ void read_scene(const XmlElement& root, SceneBuilder& builder) {
   read_sensors(properties.objects("sensor"), root, builder);
   for (const char* tag : {"texture", "spectrum", "rgb", "film", "sampler", "rfilter"})
     read_definitions(properties.objects(tag), builder);
+  drop_unused_attributes(builder.scene);
   properties.report_unknown();
 }
 

@@ -3,11 +3,10 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <numbers>
 
 #include "scene/readers/plugin_table.h"
+#include "scene/readers/read_parts.h"
 #include "scene/readers/readers.h"
-#include "scene/xml/parse_value.h"
 #include "scene/xml/properties.h"
 
 namespace strahl {
@@ -19,70 +18,6 @@ const PluginTable<Projection>& projections() {
                                              {"orthographic", Projection::orthographic},
                                              {"thinlens", Projection::perspective}};
   return table;
-}
-
-const PluginTable<FovAxis>& fov_axes() {
-  static const PluginTable<FovAxis> table{{"x", FovAxis::x},
-                                          {"y", FovAxis::y},
-                                          {"diagonal", FovAxis::diagonal},
-                                          {"smaller", FovAxis::smaller},
-                                          {"larger", FovAxis::larger}};
-  return table;
-}
-
-/// Opening angle along the diagonal of 36 mm x 24 mm film, as in Mitsuba.
-double diagonal_fov_degrees(double focal_length_mm) {
-  return 2 * std::atan(std::hypot(36.0, 24.0) / (2 * focal_length_mm)) * 180 / std::numbers::pi;
-}
-
-void read_focal_length(Properties& properties, Camera& camera) {
-  camera.fov_axis = FovAxis::diagonal;
-  camera.fov_degrees = diagonal_fov_degrees(50);
-  const std::optional<std::string> text = properties.string("focal_length");
-  if (!text) return;
-  const std::size_t unit = text->rfind("mm");
-  const std::optional<double> length = parse_number(text->substr(0, unit));
-  if (length && std::isfinite(*length) && *length > 0) {
-    camera.fov_degrees = diagonal_fov_degrees(*length);
-  } else {
-    properties.diagnostics().error(properties.where("focal_length"),
-                                   fmt::format("\"{}\" is not a focal length such as \"50mm\"", *text));
-  }
-}
-
-void read_fov_axis(Properties& properties, Camera& camera) {
-  const std::optional<std::string> name = properties.string("fov_axis");
-  if (!name) return;
-  const FovAxis* axis = find_plugin(fov_axes(), *name);
-  if (axis != nullptr) {
-    camera.fov_axis = *axis;
-  } else {
-    properties.diagnostics().error(properties.where("fov_axis"),
-                                   fmt::format("fov_axis \"{}\" is none of x, y, diagonal, smaller, larger{}", *name,
-                                               did_you_mean_plugin(fov_axes(), *name)));
-  }
-}
-
-void read_field_of_view(Properties& properties, Camera& camera) {
-  if (properties.has("fov") && properties.has("focal_length")) {
-    properties.accept({"fov", "focal_length", "fov_axis"});
-    properties.diagnostics().error(properties.where("focal_length"),
-                                   "give either \"fov\" or \"focal_length\", not both");
-  } else if (!properties.has("fov")) {
-    read_focal_length(properties, camera);
-    if (properties.has("fov_axis")) {
-      properties.accept({"fov_axis"});
-      properties.diagnostics().unknown(
-          properties.where("fov_axis"),
-          "fov_axis needs \"fov\"; a focal length counts along the diagonal, so it is ignored");
-    }
-  } else {
-    camera.fov_degrees = properties.number("fov").value_or(50);
-    if (!(camera.fov_degrees > 0 && camera.fov_degrees < 180))
-      properties.diagnostics().error(
-          properties.where("fov"), fmt::format("fov is {}; it must lie between 0 and 180 degrees", camera.fov_degrees));
-    read_fov_axis(properties, camera);
-  }
 }
 
 void read_clipping(Properties& properties, Camera& camera) {
@@ -128,7 +63,9 @@ void read_sensor(const XmlElement& element, SceneBuilder& builder) {
   camera.world_from_camera = properties.transform("to_world").value_or(Transform{});
   const bool may_have_fov = camera.projection == Projection::perspective;
   if (may_have_fov) {
-    read_field_of_view(properties, camera);
+    const FieldOfView fov = read_field_of_view(properties);
+    camera.fov_degrees = fov.degrees;
+    camera.fov_axis = fov.axis;
     camera.principal_point_offset_x = properties.number("principal_point_offset_x").value_or(0);
     camera.principal_point_offset_y = properties.number("principal_point_offset_y").value_or(0);
   }

@@ -8,6 +8,7 @@
 #include "kinds/materials.h"
 #include "scene/readers/plugin_table.h"
 #include "scene/readers/read_material.h"
+#include "scene/readers/read_texture.h"
 #include "scene/readers/readers.h"
 #include "scene/readers/shape_reader.h"
 
@@ -52,7 +53,9 @@ void read_area_emitter(const XmlElement& element, Shape& shape, SceneBuilder& bu
     builder.lost_emitters.emplace_back(properties.type());
     return;
   }
-  shape.radiance = properties.color("radiance", ColorUse::emission, {1, 1, 1}).value_or(Rgb{1, 1, 1});
+  const Emission radiance = read_emission(properties, builder, "radiance");
+  shape.radiance = radiance.color;
+  shape.radiance_texture = radiance.texture;
   shape.radiance_where = element.where;
   shape.sampling_weight = read_sampling_weight(properties);
   properties.report_unknown();

@@ -36,30 +36,33 @@ void clamp_to_one(Texture& texture, const XmlElement& element, SceneBuilder& bui
   bitmap->mean = kinds::mean_of(*bitmap->texels, bitmap->curve);
 }
 
-int texture_index(const XmlElement& element, TextureReader reader, SceneBuilder& builder) {
-  const auto known = builder.texture_indices.find(&element);
+int texture_index(const XmlElement& element, TextureReader reader, SceneBuilder& builder, ColorUse use) {
+  const bool is_light = use == ColorUse::emission;
+  const auto known = builder.texture_indices.find({&element, is_light});
   if (known != builder.texture_indices.end()) return known->second;
   Properties properties(element, builder.ids, builder.diagnostics);
-  Texture texture = reader(properties, builder);
-  clamp_to_one(texture, element, builder);
+  Texture texture = reader(properties, builder, use);
+  if (!is_light) clamp_to_one(texture, element, builder);
+  texture.is_light = is_light;
   properties.report_unknown();
   texture.id = properties.id();
   texture.where = element.where;
   builder.scene.textures.push_back(std::move(texture));
   const int index = static_cast<int>(builder.scene.textures.size()) - 1;
-  builder.texture_indices.emplace(&element, index);
+  builder.texture_indices.emplace(std::pair(&element, is_light), index);
   return index;
 }
 
 /// -1: no texture that strahl has.
-int texture_of(Properties& properties, SceneBuilder& builder, const std::string& name) {
+int texture_of(Properties& properties, SceneBuilder& builder, const std::string& name,
+               ColorUse use = ColorUse::reflectance) {
   const XmlElement* texture = properties.peek(name);
   // <spectrum type="bitmap"> is another way to write it.
   if (texture == nullptr || (texture->tag != "texture" && texture->tag != "spectrum")) return -1;
   const TextureReader* reader = find_plugin(texture_readers(), texture->text("type"));
   if (reader == nullptr) return -1;
   properties.accept({name.c_str()});
-  return texture_index(*texture, *reader, builder);
+  return texture_index(*texture, *reader, builder, use);
 }
 
 }  // namespace
@@ -83,10 +86,17 @@ Reflectance read_reflectance(Properties& properties, SceneBuilder& builder, cons
 Varying read_nested_texture(const XmlElement& element, SceneBuilder& builder) {
   const std::string_view type = element.text("type");
   if (const TextureReader* reader = find_plugin(texture_readers(), type))
-    return {{0.5, 0.5, 0.5}, texture_index(element, *reader, builder)};
+    return {{0.5, 0.5, 0.5}, texture_index(element, *reader, builder, ColorUse::reflectance)};
   builder.diagnostics.unknown(element.where, not_available("texture", type, types_of(texture_readers())) +
                                                  "; the constant 0.5 takes its place");
   return {{0.5, 0.5, 0.5}};
+}
+
+Emission read_emission(Properties& properties, SceneBuilder& builder, const std::string& name) {
+  const Rgb white{1, 1, 1};
+  if (const int texture = texture_of(properties, builder, name, ColorUse::emission); texture >= 0)
+    return {white, texture};
+  return {properties.color(name, ColorUse::emission, white).value_or(white)};
 }
 
 Varying read_varying(Properties& properties, SceneBuilder& builder, const std::string& name, const Rgb& absent) {

@@ -10,10 +10,10 @@
 
 namespace strahl {
 
-/// Fills `pattern`; the rest is done by read_reflectance() and read_varying().
-using TextureReader = Texture (*)(Properties&, SceneBuilder&);
+/// Fills `pattern`; the rest is done by read_reflectance() and its like. use: of its colours.
+using TextureReader = Texture (*)(Properties&, SceneBuilder&, ColorUse use);
 
-#define TEXTURE(name) Texture read_##name(Properties& properties, SceneBuilder& builder);
+#define TEXTURE(name) Texture read_##name(Properties& properties, SceneBuilder& builder, ColorUse use);
 #include "../../../cl/textures/textures.def"
 #undef TEXTURE
 
@@ -29,6 +29,15 @@ using TextureReader = Texture (*)(Properties&, SceneBuilder&);
 
 /// A <texture> that has no name of its own; 0.5 where strahl does not have it, with a warning.
 [[nodiscard]] Varying read_nested_texture(const XmlElement& element, SceneBuilder& builder);
+
+/// Light: a colour, or a texture that multiplies it.
+struct Emission {
+  Rgb color{1, 1, 1};
+  int texture = -1;  ///< Index into Scene::textures; -1: none.
+};
+
+/// The parameter `name`, else white.
+[[nodiscard]] Emission read_emission(Properties& properties, SceneBuilder& builder, const std::string& name);
 
 /// As read_reflectance, of values that are no shares of light.
 [[nodiscard]] Varying read_varying(Properties& properties, SceneBuilder& builder, const std::string& name,

@@ -6,6 +6,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "scene/loader.h"
@@ -30,9 +31,9 @@ struct SceneBuilder {
   std::map<const XmlElement*, Material> materials{};
   std::map<const XmlElement*, int> material_indices{};
   std::set<const XmlElement*> materials_being_read{};
-  std::set<const XmlElement*> integrators_being_read{};             ///< Those around others.
-  std::optional<int> black_material{};                              ///< read_shape.cpp, once it is needed.
-  std::map<const XmlElement*, int> texture_indices{};               ///< read_texture.cpp, likewise.
+  std::set<const XmlElement*> integrators_being_read{};                 ///< Those around others.
+  std::optional<int> black_material{};                                  ///< read_shape.cpp, once it is needed.
+  std::map<std::pair<const XmlElement*, bool>, int> texture_indices{};  ///< read_texture.cpp; true: of a light.
   std::map<const XmlElement*, std::optional<int>> group_indices{};  ///< read_group.cpp; none: nothing is left of it.
   std::vector<std::string> lost_emitters{};                         ///< The type of each emitter that was left out.
 };
