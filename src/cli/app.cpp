@@ -97,6 +97,7 @@ ExitCode run(std::vector<std::string> arguments, const Invocation& invocation) {
     names.emplace_back(name);
   };
   add("render", "Render a scene or a mesh to a picture", [&](CLI::App& sub) { return add_render(sub, invocation); });
+  add("merge", "Add up parts of a picture's samples", [&](CLI::App& sub) { return add_merge(sub, invocation); });
   add("intersect", "Trace rays of a NumPy file, write where they hit",
       [&](CLI::App& sub) { return add_intersect(sub, invocation); });
   add("devices", "List OpenCL platforms and devices", add_devices);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // POSIX: rename() replaces its target in one step as long as both names are in one file system, hence in one folder.
-// No fsync: what is promised is that no other process sees half a file, not that it outlives a power failure.
+// commit() promises that no other process sees half a file, not that it outlives a power failure: flushing takes
+// milliseconds, and a picture can be rendered again.
 #include "image/atomic_file.h"
 
 #include <fcntl.h>
@@ -116,6 +117,24 @@ void AtomicFile::commit() {
   if (temporary_.empty()) return;
   if (std::rename(temporary_.c_str(), target_.c_str()) != 0) fail(errno);
   temporary_.clear();
+}
+
+void AtomicFile::commit_to_disk() {
+  if (failure_ == 0 && (std::fflush(file_) != 0 || ::fsync(::fileno(file_)) != 0)) {
+    // Pipes and some devices have nothing to flush.
+    if (!temporary_.empty() || errno != EINVAL) fail(errno);
+  }
+  const bool is_renamed = !temporary_.empty();
+  commit();
+  if (is_renamed) flush_folder();
+}
+
+void AtomicFile::flush_folder() {
+  const int folder = ::open(folder_of(target_).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (folder < 0) fail(errno);
+  const int error = ::fsync(folder) == 0 || errno == EINVAL ? 0 : errno;  // Some file systems cannot.
+  ::close(folder);
+  if (error != 0) fail(error);
 }
 
 void AtomicFile::fail(int error) {

@@ -26,9 +26,12 @@ class AtomicFile {
   [[nodiscard]] std::uint64_t tell();
   /// Once, after the last write. Fails if any earlier call failed, even if somebody swallowed that exception.
   void commit();
+  /// The same, and it outlives a power failure: file and folder are flushed to the disk before it returns.
+  void commit_to_disk();
 
  private:
   [[noreturn]] void fail(int error);
+  void flush_folder();
 
   std::string path_;       // As the user named it.
   std::string target_;     // The same with a symbolic link resolved.

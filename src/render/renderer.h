@@ -10,6 +10,7 @@
 #include "render/error_estimate.h"
 #include "render/goal.h"
 #include "render/stats.h"
+#include "render/sub_sums.h"
 #include "scene/model/scene.h"
 #include "settings/sampling.h"
 #include "settings/settings.h"
@@ -40,6 +41,7 @@ struct RenderResult {
 };
 
 class FilmRun;
+struct FilmKeeper;
 
 class Renderer {
  public:
@@ -51,10 +53,16 @@ class Renderer {
   Renderer& operator=(Renderer&&) noexcept;
 
   /// Each call renders the picture from the start. Throws UsageError for more samples than the film holds,
-  /// NoDeviceError where the device ends loops before a sample is done (RenderSettings::loop_turns).
-  [[nodiscard]] RenderResult render(const ProgressCallback& progress = {}, const RenderGoal& goal = {});
+  /// NoDeviceError where the device ends loops before a sample is done (RenderSettings::loop_turns). keeper: gets the
+  /// film now and then, or gives one to go on from; InputError where that is of another picture.
+  [[nodiscard]] RenderResult render(const ProgressCallback& progress = {}, const RenderGoal& goal = {},
+                                    const FilmKeeper* keeper = nullptr);
 
   [[nodiscard]] const Scene& scene() const;
+  /// Of the preparations; each render's own go on from them.
+  [[nodiscard]] const RunStats& stats() const;
+  /// Which sums the samples go to.
+  [[nodiscard]] SubSums sub_sums(const RenderGoal& goal) const;
 
   /// The exact program: text with includes expanded, options in its first comment line.
   [[nodiscard]] std::string program_text() const;

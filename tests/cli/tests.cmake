@@ -7,7 +7,9 @@ strahl_test(cli/test_progress.cpp LABEL unit SOURCES ${PROJECT_SOURCE_DIR}/src/c
             ${PROJECT_SOURCE_DIR}/src/cli/progress_bar.cpp ${PROJECT_SOURCE_DIR}/src/cli/console.cpp LIBS fmt::fmt)
 strahl_test(cli/test_summary.cpp LABEL unit SOURCES ${PROJECT_SOURCE_DIR}/src/cli/summary.cpp
             ${PROJECT_SOURCE_DIR}/src/cli/clipping.cpp LIBS fmt::fmt)
-foreach(test driver_environment render goals interrupt stats intersect canary stress tradeoff bench explain_cost)
+foreach(test driver_environment render goals interrupt checkpoint memory_limit stats intersect canary stress tradeoff bench explain_cost)
   strahl_test(cli/test_${test}.cpp LABEL device SOURCES cli/program.cpp LIBS nlohmann_json::nlohmann_json fmt::fmt)
 endforeach()
 strahl_runs_program(cli_tests)
+add_test(NAME cli_test_checkpoint_kills COMMAND cli_tests "killed at any moment, again and again, it ends with the same picture")
+set_tests_properties(cli_test_checkpoint_kills PROPERTIES LABELS slow TIMEOUT 3600 ENVIRONMENT STRAHL_KILLS=50)
