@@ -63,7 +63,7 @@ bool FilmRun::go_on_from(const FilmState& state) {
 
 /// One band has its sums on the device; of several the device adds to none, and the host adds them up.
 void FilmRun::begin_band_with(const FilmState& state) {
-  clear(band_.count, has_first_samples_);
+  clear(band_.count, false);
   const std::size_t first = static_cast<std::size_t>(band_.first) * static_cast<std::size_t>(width_);
   const std::size_t pixels = static_cast<std::size_t>(band_.count) * static_cast<std::size_t>(width_);
   if (is_one_band()) write_buffer(state_.device, state_.film, state.film.words.data(), film_bytes(pixels));

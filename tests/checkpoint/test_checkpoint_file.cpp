@@ -118,6 +118,19 @@ TEST_CASE("what is not finished, or of another size, is no part") {
   CHECK_THROWS_WITH(merged({folder / "a", folder / "b"}, false), Contains("of 64 samples") && Contains("of 65"));
 }
 
+TEST_CASE("a part has as many samples in each sub-sum as its numbers say") {
+  // Points 48 to 79 of both sequences; turns of 64.
+  FilmSums film(1, 1, {4, 2, 6}, 1);
+  film.first_sample = 96;
+  film.samples = {64};
+  for (int sub = 0; sub < 4; ++sub) CHECK(film.sub_sum_samples(0, sub) == 16);
+  film.first_sample = 97;
+  film.samples = {30};
+  CHECK(film.sub_sum_samples(0, 0) == 15);
+  CHECK(film.sub_sum_samples(0, 1) == 15);
+  CHECK(film.sub_sum_samples(0, 2) == 0);
+}
+
 TEST_CASE("what pixels lack, as rectangles") {
   FilmSums film(4, 5, {4, 2, 0}, 1);
   film.first_sample = 10;
