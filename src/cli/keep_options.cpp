@@ -13,11 +13,10 @@ namespace strahl::cli {
 
 void add_keep_options(CLI::App& app, KeepOptions& options) {
   const std::string group = "So that nothing is lost";
-  CLI::Option* checkpoint =
-      app.add_option("--checkpoint", options.checkpoint,
-                     "Keep the samples so far in this file, now and then and at the end; for --resume and `merge`")
-          ->type_name("FILE")
-          ->group(group);
+  app.add_option("--checkpoint", options.checkpoint,
+                 "Keep the samples so far in this file, now and then and at the end; for --resume and `merge`")
+      ->type_name("FILE")
+      ->group(group);
   app.add_option("--every", options.every, "How often, as 10s or 5m")
       ->type_name("TIME")
       ->capture_default_str()
@@ -30,7 +29,6 @@ void add_keep_options(CLI::App& app, KeepOptions& options) {
   app.add_option("--samples", options.samples,
                  "Only samples A to B - 1 of every pixel: a part for `strahl merge`; a picture of it only with -o")
       ->type_name("A:B")
-      ->needs(checkpoint)
       ->group(group);
   app.add_option("--snapshot-every", options.snapshot_every,
                  "Write the picture so far beside the picture (out.snapshot.png), as 30s; SIGUSR1 does so once")
@@ -46,6 +44,7 @@ void check_keeping(const RenderOptions& options) {
   if (is_kept && options.goal.frames) throw UsageError("--frames renders many pictures, a checkpoint is of one");
   if (is_kept && options.goal.dry_run) throw UsageError("--dry-run makes no picture, so there is nothing to keep");
   if (!keep.samples) return;
+  if (!is_kept) throw UsageError("--samples makes a part for `strahl merge`: name its file with --checkpoint");
   static_cast<void>(sample_range(*keep.samples));
   if (options.goal.time || options.goal.max_error)
     throw UsageError(

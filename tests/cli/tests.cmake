@@ -13,3 +13,6 @@ endforeach()
 strahl_runs_program(cli_tests)
 add_test(NAME cli_test_checkpoint_kills COMMAND cli_tests "killed at any moment, again and again, it ends with the same picture")
 set_tests_properties(cli_test_checkpoint_kills PROPERTIES LABELS slow TIMEOUT 3600 ENVIRONMENT STRAHL_KILLS=50)
+add_test(NAME cli_test_parallel_recipe COMMAND ${CMAKE_CURRENT_LIST_DIR}/test_parallel_recipe $<TARGET_FILE:strahl-bin>
+                                               ${PROJECT_SOURCE_DIR}/scenes/cornell/cornell-box.xml)
+set_tests_properties(cli_test_parallel_recipe PROPERTIES LABELS device SKIP_RETURN_CODE 77 TIMEOUT 120)
