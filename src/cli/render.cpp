@@ -228,7 +228,9 @@ ExitCode render(const RenderOptions& options, const Invocation& invocation) {
         return !guard.interrupted();
       },
       goal, &keeper.film_keeper());
+  // The picture is written all the same.
   const std::optional<std::string> not_kept = keeper.finish();
+  if (not_kept) say("strahl: error: " + *not_kept);
   canary.note_in(result.stats);
   result.stats.seconds.start = invocation.main_seconds;
   result.stats.seconds.device = device_seconds;
@@ -249,7 +251,7 @@ ExitCode render(const RenderOptions& options, const Invocation& invocation) {
     if (options.stats_detail) json["detail"] = detail;
     write_text(options.stats, json.dump(2) + "\n");
   }
-  if (not_kept) throw Error(*not_kept);
+  if (not_kept) return ExitCode::failure;
   if (guard.interrupted()) {
     if (!options.keep.target().empty() && !options.scene.quiet)
       say(fmt::format("strahl: the samples so far are in {}; --resume goes on from there", options.keep.target()));
