@@ -131,7 +131,11 @@ void add_rounding(const RenderOptions& options, const Invocation& invocation, co
   const Stopwatch start;
   std::optional<double> most;
   if (!options.scene.verbose) most = rounding_share * invocation.seconds();
-  stats.error->rounding = rounding_rmse(device, scene, settings, stats, most);
+  try {
+    stats.error->rounding = rounding_rmse(device, scene, settings, stats, most);
+  } catch (const std::exception& fault) {  // The picture is written by now, and is what it is.
+    say(fmt::format("strahl: warning: float rounding is not measured: {}", fault.what()));
+  }
   stats.seconds.error += start.seconds();
 }
 
