@@ -12,6 +12,7 @@
 
 #include "cli/console.h"
 #include "did_you_mean.h"
+#include "opencl/program.h"
 
 namespace strahl::cli {
 namespace {
@@ -125,6 +126,7 @@ ExitCode run(std::vector<std::string> arguments, const Invocation& invocation) {
   }
   const auto chosen =
       std::find_if(commands.begin(), commands.end(), [](const auto& command) { return command.first->parsed(); });
+  if (const std::string fault = program_cache_fault(); !fault.empty()) say("strahl: warning: " + fault);
   return chosen->second();
 }
 

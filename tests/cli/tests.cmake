@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
 # The built program, run as a user runs it. unit: no OpenCL device is needed.
-foreach(test usage option_values distinct_files unreadable_inputs output_checks compare devices explain load_progress rays_file stats_json)
+foreach(test usage option_values distinct_files unreadable_inputs output_checks compare devices explain load_progress rays_file stats_json hostile_scenes)
   strahl_test(cli/test_${test}.cpp LABEL unit SOURCES cli/program.cpp LIBS nlohmann_json::nlohmann_json)
 endforeach()
 strahl_test(cli/test_progress.cpp LABEL unit SOURCES ${PROJECT_SOURCE_DIR}/src/cli/progress_text.cpp
-            ${PROJECT_SOURCE_DIR}/src/cli/progress_bar.cpp ${PROJECT_SOURCE_DIR}/src/cli/console.cpp LIBS fmt::fmt)
+            ${PROJECT_SOURCE_DIR}/src/cli/progress_bar.cpp ${PROJECT_SOURCE_DIR}/src/cli/console.cpp ${PROJECT_SOURCE_DIR}/src/cli/printable.cpp LIBS fmt::fmt)
 strahl_test(cli/test_summary.cpp LABEL unit SOURCES ${PROJECT_SOURCE_DIR}/src/cli/summary.cpp
             ${PROJECT_SOURCE_DIR}/src/cli/clipping.cpp LIBS fmt::fmt)
 foreach(test driver_environment render goals interrupt checkpoint memory_limit stats intersect canary stress tradeoff bench explain_cost)

@@ -64,25 +64,9 @@ struct Wrapped<member, name, Result (*)(Arguments...)> {
 
 cl_icd_dispatch wrapped;
 
-// What the program calls, and what the C++ bindings call for it.
-#define CALLS(X)                                                                                                      \
-  X(clGetPlatformIDs)                                                                                                 \
-  X(clGetPlatformInfo)                                                                                                \
-  X(clGetDeviceIDs)                                                                                                   \
-  X(clGetDeviceInfo)                                                                                                  \
-  X(clRetainDevice)                                                                                                   \
-  X(clReleaseDevice) X(clCreateContext) X(clGetContextInfo) X(clRetainContext) X(clReleaseContext)                    \
-      X(clCreateCommandQueue) X(clRetainCommandQueue) X(clReleaseCommandQueue) X(clCreateBuffer) X(clRetainMemObject) \
-          X(clReleaseMemObject) X(clCreateProgramWithSource) X(clCreateProgramWithBinary) X(clBuildProgram)           \
-              X(clGetProgramInfo) X(clGetProgramBuildInfo) X(clRetainProgram) X(clReleaseProgram) X(clCreateKernel)   \
-                  X(clSetKernelArg) X(clRetainKernel) X(clReleaseKernel) X(clGetKernelWorkGroupInfo)                  \
-                      X(clEnqueueNDRangeKernel) X(clEnqueueReadBuffer) X(clEnqueueWriteBuffer) X(clEnqueueFillBuffer) \
-                          X(clEnqueueCopyBuffer) X(clFinish) X(clFlush) X(clWaitForEvents) X(clGetEventProfilingInfo) \
-                              X(clReleaseEvent) X(clRetainEvent)
-
-#define NAME(function) constexpr char function##_name[] = #function;
-CALLS(NAME)
-#undef NAME
+#define CALL(function) constexpr char function##_name[] = #function;
+#include "opencl_calls.def"
+#undef CALL
 
 }  // namespace
 
@@ -101,9 +85,9 @@ CL_API_ENTRY cl_int CL_API_CALL clInitLayer(cl_uint count, const cl_icd_dispatch
   if (count < sizeof wrapped / sizeof wrapped.clGetPlatformIDs) return CL_INVALID_VALUE;
   target = below;
   wrapped = *below;
-#define WRAP(function) wrapped.function = &Wrapped<&cl_icd_dispatch::function, function##_name>::call;
-  CALLS(WRAP)
-#undef WRAP
+#define CALL(function) wrapped.function = &Wrapped<&cl_icd_dispatch::function, function##_name>::call;
+#include "opencl_calls.def"
+#undef CALL
   *count_here = sizeof wrapped / sizeof wrapped.clGetPlatformIDs;
   *here = &wrapped;
   return CL_SUCCESS;
