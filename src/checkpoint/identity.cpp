@@ -68,7 +68,6 @@ PictureIdentity identity_of(const Device& device, const Renderer& renderer, cons
   const Scene& scene = renderer.scene();
   const Window window = scene.film.window();
   const ResolvedSampling sampling = resolve_sampling(scene);
-  const SubSums sums = renderer.sub_sums(goal);
   PictureIdentity identity;
   const auto add = [&](std::string name, std::string value, std::string note = {}) {
     identity.parts.push_back({std::move(name), std::move(value), std::move(note)});
@@ -97,8 +96,7 @@ PictureIdentity identity_of(const Device& device, const Renderer& renderer, cons
   add("--texture-lod", settings.texture_lod ? "on" : "off");
   add("--light-choice", settings.light_choice.value_or("by the lights"));
   add("--aov", aov_list(settings));
-  add("what the told error is made from (--spp, --no-error, --time, --max-error)",
-      fmt::format("{} sum{} in turns of {}", sums.count, sums.count == 1 ? "" : "s", 1 << sums.turn_bits));
+  add("what the told error is made from (--spp, --no-error, --time, --max-error)", renderer.division_text(goal));
   return identity;
 }
 

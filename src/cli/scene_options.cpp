@@ -22,8 +22,9 @@ void add_scene_options(CLI::App& app, SceneOptions& options) {
       ->type_name("NAME=VALUE")
       ->allow_extra_args(false);
   app.add_flag("--strict", options.strict, "Unknown plugins and parameters of the scene are errors");
-  app.add_option("--root", options.root,
-                 "Read none of the scene's files but those below this folder, links resolved: for other people's scenes")
+  app.add_option(
+         "--root", options.root,
+         "Read none of the scene's files but those below this folder, links resolved: for other people's scenes")
       ->type_name("DIR");
   CLI::Option* quiet = app.add_flag("-q", options.quiet, "Say nothing but warnings and errors");
   app.add_flag("-v", options.verbose, "Say more: device, program, cache, launches")->excludes(quiet);

@@ -152,7 +152,10 @@ const Scene& Renderer::scene() const { return state_->scene; }
 
 const RunStats& Renderer::stats() const { return state_->stats; }
 
-SubSums Renderer::sub_sums(const RenderGoal& goal) const { return state_->sub_sums(goal); }
+std::string Renderer::division_text(const RenderGoal& goal) const {
+  const SubSums sums = state_->sub_sums(goal);
+  return fmt::format("{} sum{} in turns of {}", sums.count, sums.count == 1 ? "" : "s", 1 << sums.turn_bits);
+}
 
 std::string Renderer::program_text() const { return completed_for(state_->device, state_->source).text; }
 

@@ -10,7 +10,6 @@
 #include "render/error_estimate.h"
 #include "render/goal.h"
 #include "render/stats.h"
-#include "render/sub_sums.h"
 #include "scene/model/scene.h"
 #include "settings/sampling.h"
 #include "settings/settings.h"
@@ -61,8 +60,8 @@ class Renderer {
   [[nodiscard]] const Scene& scene() const;
   /// Of the preparations; each render's own go on from them.
   [[nodiscard]] const RunStats& stats() const;
-  /// Which sums the samples go to.
-  [[nodiscard]] SubSums sub_sums(const RenderGoal& goal) const;
+  /// How the samples are divided among a pixel's sums: "4 sums in turns of 8". Films that differ in it do not add up.
+  [[nodiscard]] std::string division_text(const RenderGoal& goal) const;
 
   /// The exact program: text with includes expanded, options in its first comment line.
   [[nodiscard]] std::string program_text() const;
