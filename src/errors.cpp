@@ -14,10 +14,22 @@ std::string SourceLocation::text() const {
   return fmt::format("{}:{}:{}", file, line, column);
 }
 
+namespace {
+
+/// Names from a scene must not end a line and begin another that looks like strahl's own.
+std::string on_one_line(std::string text) {
+  for (std::size_t at = 0; (at = text.find_first_of("\n\r", at)) != std::string::npos; at += 2)
+    text.replace(at, 1, text[at] == '\n' ? "\\n" : "\\r");
+  return text;
+}
+
+}  // namespace
+
 std::string Diagnostic::text() const {
   const char* kind = severity == Severity::error ? "error" : "warning";
   const std::string place = where.text();
-  return place.empty() ? fmt::format("{}: {}", kind, message) : fmt::format("{}: {}: {}", place, kind, message);
+  return on_one_line(place.empty() ? fmt::format("{}: {}", kind, message)
+                                   : fmt::format("{}: {}: {}", place, kind, message));
 }
 
 namespace {

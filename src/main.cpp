@@ -11,6 +11,8 @@
 #include "cli/app.h"
 #include "cli/console.h"
 #include "cli/process_clock.h"
+#include "opencl/cl_code.h"
+#include "opencl/opencl.h"
 #include "process_memory.h"
 
 namespace {
@@ -46,6 +48,8 @@ ExitCode run(const std::vector<std::string>& arguments, const strahl::cli::Invoc
   } catch (const strahl::Error& error) {
     say(std::string("strahl: error: ") + error.what());
     return error.exit_code();
+  } catch (const cl::Error& error) {  // By the bindings' own counting of references.
+    say(std::string("strahl: error: ") + error.what() + " failed with " + strahl::cl_code_name(error.err()));
   } catch (const std::bad_alloc&) {
     say("strahl: error: out of memory on the host; a smaller picture (--width, --crop), fewer --aov or fewer rays at a "
         "time need less");

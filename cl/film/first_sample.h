@@ -15,8 +15,13 @@ typedef struct {
 
 FN int is_first_sample(const FirstSamples* first, int lane) { return HAS_AOV && (first->lanes >> lane & 1u) != 0u; }
 
+/// Where a pixel's are.
+FN GLOBAL real* first_reals(const FirstSamples* first, int pixel) {
+  return first->reals + (ulong)(pixel - first->first_pixel) * AOV_REALS;
+}
+
 FN void store_first_sample(const FirstSamples* first, int pixel, const Ray* ray, int hit, real t, const Surface* s) {
-  GLOBAL real* reals = first->reals + (ulong)(pixel - first->first_pixel) * AOV_REALS;
+  GLOBAL real* reals = first_reals(first, pixel);
   GLOBAL int* ints = first->ints + (ulong)(pixel - first->first_pixel) * AOV_INTS;
   for (int i = 0; i < AOV_REALS; ++i) reals[i] = R(0.0);
   ints[AOV_SHAPE] = -1;

@@ -12,6 +12,7 @@
 
 #include "cli/console.h"
 #include "did_you_mean.h"
+#include "opencl/program.h"
 
 namespace strahl::cli {
 namespace {
@@ -97,6 +98,7 @@ ExitCode run(std::vector<std::string> arguments, const Invocation& invocation) {
     names.emplace_back(name);
   };
   add("render", "Render a scene or a mesh to a picture", [&](CLI::App& sub) { return add_render(sub, invocation); });
+  add("merge", "Add up parts of a picture's samples", [&](CLI::App& sub) { return add_merge(sub, invocation); });
   add("intersect", "Trace rays of a NumPy file, write where they hit",
       [&](CLI::App& sub) { return add_intersect(sub, invocation); });
   add("devices", "List OpenCL platforms and devices", add_devices);
@@ -124,6 +126,7 @@ ExitCode run(std::vector<std::string> arguments, const Invocation& invocation) {
   }
   const auto chosen =
       std::find_if(commands.begin(), commands.end(), [](const auto& command) { return command.first->parsed(); });
+  if (const std::string fault = program_cache_fault(); !fault.empty()) say("strahl: warning: " + fault);
   return chosen->second();
 }
 

@@ -29,6 +29,7 @@ struct Invocation {
 using Command = std::function<ExitCode()>;
 
 Command add_render(CLI::App& app, const Invocation& invocation);
+Command add_merge(CLI::App& app, const Invocation& invocation);
 Command add_intersect(CLI::App& app, const Invocation& invocation);
 Command add_devices(CLI::App& app);
 Command add_explain(CLI::App& app);

@@ -9,7 +9,9 @@
 #include <cstdio>
 #include <cstring>
 #include <mutex>
+#include <new>
 
+#include "cli/printable.h"
 #include "errors.h"
 
 namespace strahl::cli {
@@ -18,6 +20,20 @@ namespace {
 
 std::mutex mutex;
 bool is_shown = false;  ///< There is a line that goes with the next one.
+
+void put(const std::string& text) {
+  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)
+    throw Error(std::string("cannot write to standard output: ") + std::strerror(errno));
+}
+
+/// Nothing where there is no memory left for it: what is shown raw may do anything to a terminal.
+std::string printable_or_nothing(const std::string& text) noexcept {
+  try {
+    return printable(text);
+  } catch (const std::bad_alloc&) {
+    return {};
+  }
+}
 
 void wipe() noexcept {
   if (is_shown) std::fputs("\r\033[K", stderr);
@@ -29,22 +45,25 @@ void wipe() noexcept {
 void print(const std::string& text) {
   const std::scoped_lock lock(mutex);
   wipe();
-  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)
-    throw Error(std::string("cannot write to standard output: ") + std::strerror(errno));
+  // A file or a program gets the bytes as they are.
+  if (isatty(STDOUT_FILENO) != 0) return put(printable(text));
+  put(text);
 }
 
 void say(const std::string& line) noexcept {
+  const std::string safe = printable_or_nothing(line);
   const std::scoped_lock lock(mutex);
   wipe();
-  std::fwrite(line.data(), 1, line.size(), stderr);
+  std::fwrite(safe.data(), 1, safe.size(), stderr);
   std::fputc('\n', stderr);
 }
 
 void show_line(const std::string& line) noexcept {
+  const std::string safe = printable_or_nothing(line);
   const std::scoped_lock lock(mutex);
   if (line.empty()) return wipe();
   std::fputc('\r', stderr);
-  std::fwrite(line.data(), 1, line.size(), stderr);
+  std::fwrite(safe.data(), 1, safe.size(), stderr);
   std::fputs("\033[K", stderr);
   is_shown = true;
 }

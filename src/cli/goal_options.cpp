@@ -36,7 +36,7 @@ void add_goal_options(CLI::App& app, GoalOptions& options) {
       ->group(group);
 }
 
-double duration_seconds(const std::string& text) {
+double duration_seconds(const std::string& text, const char* option) {
   const std::size_t number_end = std::min(text.find_first_not_of("0123456789.eE+-"), text.size());
   const std::optional<double> value = parse_number(std::string_view(text).substr(0, number_end));
   const std::string unit = text.substr(number_end);
@@ -47,8 +47,8 @@ double duration_seconds(const std::string& text) {
                                                       : 0;
   const double seconds = value.value_or(0) * scale;
   if (!(seconds > 0) || !std::isfinite(seconds))
-    throw UsageError(
-        fmt::format("--time: must be a finite time > 0, as 16ms, 2.5 or 90s (seconds), 10m or 1.5h, not \"{}\"", text));
+    throw UsageError(fmt::format(
+        "{}: must be a finite time > 0, as 16ms, 2.5 or 90s (seconds), 10m or 1.5h, not \"{}\"", option, text));
   return seconds;
 }
 

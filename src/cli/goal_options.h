@@ -20,7 +20,7 @@ struct GoalOptions {
 
 void add_goal_options(CLI::App& app, GoalOptions& options);
 
-/// Seconds of "16ms", "90s", "10m", "1.5h" or "2.5" (seconds). Throws UsageError.
-[[nodiscard]] double duration_seconds(const std::string& text);
+/// Seconds of "16ms", "90s", "10m", "1.5h" or "2.5" (seconds). Throws UsageError, which names the option.
+[[nodiscard]] double duration_seconds(const std::string& text, const char* option = "--time");
 
 }  // namespace strahl::cli

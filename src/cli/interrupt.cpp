@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Ctrl-C, SIGTERM and SIGHUP while a picture is rendered (POSIX).
+// Ctrl-C, SIGTERM, SIGHUP and SIGUSR1 while a picture is rendered (POSIX).
 #include "cli/interrupt.h"
 
 namespace strahl::cli {
 namespace {
 
 volatile std::sig_atomic_t received_signal = 0;
+volatile std::sig_atomic_t is_snapshot_wanted = 0;
 
 constexpr std::array signals{SIGINT, SIGTERM, SIGHUP};
 
@@ -15,11 +16,13 @@ extern "C" void remember_signal(int signal) {
   for (const int one : signals) std::signal(one, SIG_DFL);
 }
 
-void install(int signal, struct sigaction& old) {
+extern "C" void remember_snapshot(int /*signal*/) { is_snapshot_wanted = 1; }
+
+void install(int signal, void (*handler)(int), struct sigaction& old) {
   sigaction(signal, nullptr, &old);
   if (old.sa_handler == SIG_IGN) return;
   struct sigaction action {};
-  action.sa_handler = remember_signal;
+  action.sa_handler = handler;
   action.sa_flags = SA_RESTART;
   sigemptyset(&action.sa_mask);
   sigaction(signal, &action, nullptr);
@@ -29,12 +32,19 @@ void install(int signal, struct sigaction& old) {
 
 InterruptGuard::InterruptGuard() {
   received_signal = 0;
-  for (std::size_t i = 0; i < signals.size(); ++i) install(signals[i], old_[i]);
+  is_snapshot_wanted = 0;
+  for (std::size_t i = 0; i < signals.size(); ++i) install(signals[i], remember_signal, old_[i]);
+  install(SIGUSR1, remember_snapshot, old_snapshot_);
 }
 
 InterruptGuard::~InterruptGuard() {
   for (std::size_t i = 0; i < signals.size(); ++i) sigaction(signals[i], &old_[i], nullptr);
+  sigaction(SIGUSR1, &old_snapshot_, nullptr);
 }
+
+bool InterruptGuard::wants_snapshot() const { return is_snapshot_wanted != 0; }
+
+void InterruptGuard::snapshot_is_taken() { is_snapshot_wanted = 0; }
 
 bool InterruptGuard::interrupted() const { return received_signal != 0; }
 

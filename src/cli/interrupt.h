@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Ctrl-C, SIGTERM and a closed terminal (SIGHUP) while a picture is rendered: asked for politely the first time, obeyed
-// at once the second time.
+// at once the second time. SIGUSR1 asks for a snapshot.
 #pragma once
 
 #include <array>
@@ -22,9 +22,13 @@ class InterruptGuard {
   [[nodiscard]] bool interrupted() const;
   /// ok, interrupted (SIGINT), terminated (SIGTERM) or hung_up (SIGHUP).
   [[nodiscard]] ExitCode exit_code() const;
+  /// SIGUSR1 has come since the last snapshot.
+  [[nodiscard]] bool wants_snapshot() const;
+  void snapshot_is_taken();
 
  private:
   std::array<struct sigaction, 3> old_{};  ///< What each of the signals did before.
+  struct sigaction old_snapshot_ {};
 };
 
 }  // namespace strahl::cli

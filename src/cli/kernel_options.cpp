@@ -109,11 +109,29 @@ void add_launch_options(CLI::App& app, KernelOptions& options) {
   app.add_option("--work-group", options.work_group, "Work-items per group; the picture does not change")
       ->type_name("XxY")
       ->group(kGroup);
+  app.add_option("--memory-limit", options.memory_limit,
+                 "The most that scene and film may take on the device, as 512M or 2G; a film that does not fit is "
+                 "rendered in bands, a scene that does not is refused; the picture does not change")
+      ->type_name("BYTES")
+      ->group(kGroup);
   app.add_option("--passes", options.passes,
                  "Split the samples into N launches; default: by measured time; the picture does not change")
       ->type_name("N")
       ->check(CLI::Range(1, std::numeric_limits<int>::max()).description(""))
       ->group(kGroup);
+}
+
+std::optional<std::uint64_t> memory_limit(const KernelOptions& options) {
+  if (!options.memory_limit) return std::nullopt;
+  const std::string& text = *options.memory_limit;
+  const char* const end = text.data() + text.size();
+  std::uint64_t number = 0;
+  const auto [at, error] = std::from_chars(text.data(), end, number);
+  const std::string unit(at, end);
+  const int shift = unit.empty() ? 0 : unit == "k" || unit == "K" ? 10 : unit == "M" ? 20 : unit == "G" ? 30 : -1;
+  if (error != std::errc() || shift < 0 || number == 0 || number > UINT64_MAX >> shift)
+    throw UsageError(fmt::format("--memory-limit takes bytes, as 512M or 2G, not \"{}\"", text));
+  return number << shift;
 }
 
 RenderSettings settings_of(const KernelOptions& options) {

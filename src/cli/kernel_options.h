@@ -2,6 +2,7 @@
 // Options that say how a scene is computed: precision, lanes, work-groups, passes, AOVs.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -23,6 +24,7 @@ struct KernelOptions {
   std::string acceleration;  ///< "auto", "list" or "tree"; empty: auto.
   std::string work_group;    ///< "8x8", "64"; empty: the default.
   std::optional<int> passes;
+  std::optional<std::string> memory_limit;  ///< "512M"
   std::vector<std::string> disabled;
   bool generic = false;
   bool no_error = false;
@@ -39,6 +41,10 @@ void add_canary_option(CLI::App& app, KernelOptions& options);
 void add_program_options(CLI::App& app, KernelOptions& options);
 /// --work-group and --passes: how a render is launched.
 void add_launch_options(CLI::App& app, KernelOptions& options);
+
+/// Bytes of "512M", "2G", "1500000k" or a plain number, in powers of 1024; none where nothing is asked for. Throws
+/// UsageError.
+[[nodiscard]] std::optional<std::uint64_t> memory_limit(const KernelOptions& options);
 
 /// Throws UsageError.
 [[nodiscard]] RenderSettings settings_of(const KernelOptions& options);

@@ -14,6 +14,8 @@
 #include "cli/interrupt.h"
 #include "cli/number_options.h"
 #include "cli/output_file.h"
+#include "cli/picture_keeper.h"
+#include "cli/picture_metadata.h"
 #include "cli/process_clock.h"
 #include "cli/progress_bar.h"
 #include "cli/render_files.h"
@@ -39,29 +41,12 @@ Examples:
   strahl render scene.xml --time 10s                 the best picture in ten seconds
   strahl render scene.xml --max-error 0.01           until the RMSE is 0.01
   strahl render scene.xml --max-error 0.01 --dry-run what that would take
+  strahl render scene.xml --spp 4096 --checkpoint s.ckpt     kept every minute ...
+  strahl render scene.xml --spp 4096 --resume s.ckpt         ... and gone on from, bit for bit
+  strahl render scene.xml --spp 4096 --samples 0:1024 --checkpoint a.ckpt   a part, for `strahl merge`
 
 Ctrl-C finishes the launch under way and writes the picture so far; a second one ends at once.
 docs/cli.md describes every option.)";
-
-std::map<std::string, std::string> metadata_of(const RenderOptions& options, const Invocation& invocation,
-                                               const RenderResult& result) {
-  std::map<std::string, std::string> metadata{
-      {"Software", "strahl " STRAHL_VERSION},
-      {"command", invocation.command_line},
-      {"scene", options.scene.path},
-      {"device", result.stats.device},
-      {"precision", result.stats.precision},
-      {"spp", std::to_string(result.stats.spp)},
-      {"seed", std::to_string(result.stats.seed)},
-  };
-  if (result.stats.texture_lod) metadata["texture_lod"] = "true";
-  if (!result.stats.disabled.empty()) metadata["disabled"] = fmt::format("{}", fmt::join(result.stats.disabled, ", "));
-  if (const std::optional<ErrorBudget>& error = result.stats.error)
-    metadata["rmse"] =
-        fmt::format("{:.4g} ({:.4g} to {:.4g})", error->noise.rmse, error->noise.rmse_low, error->noise.rmse_high);
-  if (!result.complete) metadata["incomplete"] = "interrupted";
-  return metadata;
-}
 
 /// What costs nothing to find out before the scene is loaded.
 void require_writable_outputs(const RenderOptions& options) {
@@ -71,6 +56,8 @@ void require_writable_outputs(const RenderOptions& options) {
   if (!options.error_map.empty()) require_writable(options.error_map);
   for (const std::string& path : {options.stats, options.dump_kernel})
     if (!path.empty() && path != "-") require_writable(path);
+  if (!options.keep.resume.empty()) static_cast<void>(read_checkpoint_header(options.keep.resume));
+  if (!options.keep.target().empty()) require_writable(options.keep.target());
 }
 
 void print_pixel(const Image& color) {
@@ -120,6 +107,9 @@ void say_summary(const RenderOptions& options, const std::string& picture, const
   say(options.brief ? brief_bill(result.stats, billed) : bill(result.stats, billed));
 }
 
+/// Bytes a second that a disk takes at the least, flushed. What it falls short of makes a picture late, not wrong.
+constexpr double checkpoint_rate = 1e8;
+
 /// What writing the pictures may take; 0 where no deadline wants to know.
 double end_seconds(const RenderOptions& options, const PictureFiles& files, const Window& window) {
   if (!options.goal.time) return 0;
@@ -129,6 +119,7 @@ double end_seconds(const RenderOptions& options, const PictureFiles& files, cons
   if (!files.path.empty())
     seconds += expected_write_seconds(files.path, files.png, pixels, 3 * (1 + options.kernel.aovs.size()));
   if (!options.error_map.empty()) seconds += expected_write_seconds(options.error_map, {}, pixels, 3);
+  if (!options.keep.target().empty()) seconds += 0.02 + pixels * 196 / checkpoint_rate;
   return seconds;
 }
 
@@ -140,7 +131,11 @@ void add_rounding(const RenderOptions& options, const Invocation& invocation, co
   const Stopwatch start;
   std::optional<double> most;
   if (!options.scene.verbose) most = rounding_share * invocation.seconds();
-  stats.error->rounding = rounding_rmse(device, scene, settings, stats, most);
+  try {
+    stats.error->rounding = rounding_rmse(device, scene, settings, stats, most);
+  } catch (const std::exception& fault) {  // The picture is written by now, and is what it is.
+    say(fmt::format("strahl: warning: float rounding is not measured: {}", fault.what()));
+  }
   stats.seconds.error += start.seconds();
 }
 
@@ -169,10 +164,25 @@ Clipping write_outputs(const RenderOptions& options, const PictureFiles& files, 
   return clipping;
 }
 
+/// Without a checkpoint nobody asks what it would be of.
+CheckpointHeader checkpoint_header(const RenderOptions& options, const Invocation& invocation, const Device& device,
+                                   const Renderer& renderer, const RenderSettings& settings, const RenderGoal& goal) {
+  CheckpointHeader header;
+  header.metadata = metadata_of(options, invocation, renderer.stats());
+  for (const Aov aov : settings.aovs) header.aovs.emplace_back(aov_name(aov));
+  header.is_length = kinds::integrator(renderer.scene().integrator.name).is_length;
+  if (goal.samples) header.first_sample = goal.samples->first;
+  if (options.keep.target().empty()) return header;
+  header.identity = identity_of(device, renderer, settings, options.scene.defines, goal);
+  if (!goal.is_open()) header.spp = goal.spp.value_or(renderer.stats().spp);
+  return header;
+}
+
 ExitCode render(const RenderOptions& options, const Invocation& invocation) {
   RenderSettings settings = settings_of(options.kernel);
   settings.error_map = !options.error_map.empty();
   check_goal(options);
+  static_cast<void>(memory_limit(options.kernel));
   require_writable_outputs(options);
   double load_seconds = 0;
   Scene scene = load(options.scene, load_seconds);
@@ -182,7 +192,7 @@ ExitCode render(const RenderOptions& options, const Invocation& invocation) {
   if (const auto warning = too_wide_for_single(scene); warning && is_scaled_single) say(warning->text());
 
   PictureFiles files{options.output, options.png, kinds::integrator(scene.integrator.name).is_length, lamps_of(scene)};
-  const bool only_values = options.overrides.pixel && options.output.empty();
+  const bool only_values = (options.overrides.pixel || options.keep.samples) && options.output.empty();
   if (!only_values) {
     if (files.path.empty()) files.path = scene.name + ".png";
     require_writable(files);
@@ -192,8 +202,9 @@ ExitCode render(const RenderOptions& options, const Invocation& invocation) {
   std::optional<ProgressBar> bar;
   bar.emplace(options.goal.dry_run ? "dry run" : "render", !options.scene.quiet && !options.scene.no_progress);
   const double opening = invocation.seconds();
-  const Device device = Device::open(
-      options.device, {settings.precision == Precision::fp64 || settings.aovs.contains(Aov::numeric_error)});
+  const Device device =
+      Device::open(options.device, {settings.precision == Precision::fp64 || settings.aovs.contains(Aov::numeric_error),
+                                    memory_limit(options.kernel)});
   const double device_seconds = invocation.seconds() - opening;
   const Canary canary = ask_canary(device, options.kernel, settings);
   const Window window = scene.film.window();
@@ -203,19 +214,25 @@ ExitCode render(const RenderOptions& options, const Invocation& invocation) {
   Renderer renderer(device, std::move(scene), settings);
   if (!options.dump_kernel.empty()) write_text(options.dump_kernel, renderer.program_text());
 
-  const InterruptGuard guard;
+  InterruptGuard guard;
   if (options.goal.frames) {
     bar.reset();
     return render_frames(renderer, options, files, sampling.seed, guard);
   }
   const double end = end_seconds(options, files, window);
   if (options.goal.dry_run) return dry_run(renderer, options, invocation, {canary.seconds, end, sampling.spp});
+  const RenderGoal goal = goal_of(options, invocation, end);
+  PictureKeeper keeper(options.keep, files, checkpoint_header(options, invocation, device, renderer, settings, goal),
+                       guard);
   RenderResult result = renderer.render(
       [&](const Progress& progress) {
         bar->show(progress);
         return !guard.interrupted();
       },
-      goal_of(options, invocation, end));
+      goal, &keeper.film_keeper());
+  // The picture is written all the same.
+  const std::optional<std::string> not_kept = keeper.finish();
+  if (not_kept) say("strahl: error: " + *not_kept);
   canary.note_in(result.stats);
   result.stats.seconds.start = invocation.main_seconds;
   result.stats.seconds.device = device_seconds;
@@ -236,7 +253,12 @@ ExitCode render(const RenderOptions& options, const Invocation& invocation) {
     if (options.stats_detail) json["detail"] = detail;
     write_text(options.stats, json.dump(2) + "\n");
   }
-  if (guard.interrupted()) return guard.exit_code();
+  if (not_kept) return ExitCode::failure;
+  if (guard.interrupted()) {
+    if (!options.keep.target().empty() && !options.scene.quiet)
+      say(fmt::format("strahl: the samples so far are in {}; --resume goes on from there", options.keep.target()));
+    return guard.exit_code();
+  }
   const std::optional<std::string> missed = missed_goal(options, result);
   if (missed) say("strahl: " + *missed);
   return missed ? ExitCode::target_missed : ExitCode::ok;
@@ -279,6 +301,7 @@ Command add_render(CLI::App& app, const Invocation& invocation) {
   add_device_option(app, options->device);
   add_output_options(app, *options);
   add_goal_options(app, options->goal);
+  add_keep_options(app, options->keep);
   add_scene_overrides(app, options->overrides);
   add_kernel_options(app, options->kernel);
   add_canary_option(app, options->kernel);

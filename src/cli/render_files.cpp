@@ -18,6 +18,7 @@ namespace fs = std::filesystem;
 void add_picture(const RenderOptions& options, const std::string& name, const std::string& path,
                  std::vector<NamedFile>& files) {
   files.push_back({name, path});
+  if (options.keep.snapshot_every) files.push_back({"the snapshot", path_beside(path, "snapshot")});
   if (image_format(path) == ImageFormat::exr) return;
   for (const std::string& layer : std::set(options.kernel.aovs.begin(), options.kernel.aovs.end()))
     files.push_back({"the picture of --aov " + layer, path_beside(path, layer)});
@@ -45,7 +46,10 @@ void require_distinct_files(const RenderOptions& options, const std::string& pic
                             const std::vector<std::string>& scene_files) {
   std::vector<NamedFile> outputs{
       {"--error-map", options.error_map}, {"--stats", options.stats}, {"--dump-kernel", options.dump_kernel}};
-  const std::vector<NamedFile> inputs = cli::scene_files(options.scene.path, scene_files);
+  // What is resumed may be written on to, by name: it is whole at any moment.
+  if (!options.keep.target().empty()) outputs.push_back({"the checkpoint", options.keep.target()});
+  std::vector<NamedFile> inputs = cli::scene_files(options.scene.path, scene_files);
+  if (options.keep.resume != options.keep.target()) inputs.push_back({"--resume", options.keep.resume});
   if (!picture.empty() && !options.goal.frames) {
     add_picture(options, options.output.empty() ? "the picture" : "-o", picture, outputs);
   } else if (!picture.empty()) {

@@ -16,11 +16,13 @@ void check_goal(const RenderOptions& options) {
     throw UsageError("--passes splits a number of samples that is known; with --time or --max-error it is not");
   if (goal.frames && options.overrides.pixel) throw UsageError("--frames writes pictures, --pixel prints one value");
   if (goal.time) static_cast<void>(duration_seconds(*goal.time));
+  check_keeping(options);
 }
 
 RenderGoal goal_of(const RenderOptions& options, const Invocation& invocation, double end_seconds) {
   RenderGoal goal;
   goal.spp = options.overrides.spp;
+  if (options.keep.samples) goal.samples = sample_range(*options.keep.samples);
   goal.max_error = options.goal.max_error;
   if (options.goal.time) {
     const double seconds = duration_seconds(*options.goal.time) - end_seconds;

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "cli/goal_options.h"
+#include "cli/keep_options.h"
 #include "cli/kernel_options.h"
 #include "cli/picture_files.h"
 #include "cli/scene_options.h"
@@ -17,6 +18,7 @@ struct RenderOptions {
   SceneOverrides overrides;
   KernelOptions kernel;
   GoalOptions goal;
+  KeepOptions keep;
   std::string device;
   std::string output;
   std::string error_map;

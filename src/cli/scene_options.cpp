@@ -22,6 +22,10 @@ void add_scene_options(CLI::App& app, SceneOptions& options) {
       ->type_name("NAME=VALUE")
       ->allow_extra_args(false);
   app.add_flag("--strict", options.strict, "Unknown plugins and parameters of the scene are errors");
+  app.add_option(
+         "--root", options.root,
+         "Read none of the scene's files but those below this folder, links resolved: for other people's scenes")
+      ->type_name("DIR");
   CLI::Option* quiet = app.add_flag("-q", options.quiet, "Say nothing but warnings and errors");
   app.add_flag("-v", options.verbose, "Say more: device, program, cache, launches")->excludes(quiet);
   app.add_flag("--no-progress", options.no_progress, "No progress bar");
@@ -37,6 +41,7 @@ void add_device_option(CLI::App& app, std::string& selector) {
 Scene load(const SceneOptions& options, double& seconds) {
   LoadOptions load_options;
   load_options.strict = options.strict;
+  load_options.root = options.root;
   for (const std::string& define : options.defines) {
     const std::size_t equals = define.find('=');
     if (equals == std::string::npos || equals == 0)

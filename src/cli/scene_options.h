@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What every subcommand that loads a scene offers: the scene, -D, --strict, -q, -v, --no-progress; and -d where a
-// device is used.
+// What every subcommand that loads a scene offers: the scene, -D, --strict, --root, -q, -v, --no-progress; and -d where
+// a device is used.
 #pragma once
 
 #include <string>
@@ -18,6 +18,7 @@ struct SceneOptions {
   std::string path;
   std::vector<std::string> defines;  ///< name=value
   bool strict = false;
+  std::string root;  ///< Empty: the scene may name any file.
   bool quiet = false;
   bool no_progress = false;
   bool verbose = false;

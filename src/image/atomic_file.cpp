@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // POSIX: rename() replaces its target in one step as long as both names are in one file system, hence in one folder.
-// No fsync: what is promised is that no other process sees half a file, not that it outlives a power failure.
+// commit() promises that no other process sees half a file, not that it outlives a power failure: flushing takes
+// milliseconds, and a picture can be rendered again.
 #include "image/atomic_file.h"
 
 #include <fcntl.h>
@@ -10,6 +11,7 @@
 
 #include <atomic>
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
 #include <filesystem>
 
@@ -19,6 +21,8 @@ namespace strahl {
 namespace fs = std::filesystem;
 
 namespace {
+
+constexpr std::size_t buffer_bytes = std::size_t{1} << 16;
 
 std::string folder_of(const std::string& path) {
   const std::string folder = fs::path(path).parent_path().string();
@@ -60,62 +64,97 @@ AtomicFile::AtomicFile(const std::string& path) : path_(path), target_(path) {
     target_ = fs::canonical(path, unknown).string();
     if (unknown) fail(unknown.value());
     if (!replaces) {
-      file_ = std::fopen(target_.c_str(), "wb");
-      if (!file_) fail(errno);
+      descriptor_ = ::open(target_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+      if (descriptor_ < 0) fail(errno);
       return;
     }
   }
 
   // The name is free of the target's, which may already be as long as a name can be.
   static std::atomic<unsigned> counter{0};
-  int descriptor = -1;
   do {
     temporary_ = (fs::path(folder_of(target_)) / fmt::format(".strahl-{}-{}.tmp", ::getpid(), counter++)).string();
-    descriptor = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-  } while (descriptor < 0 && errno == EEXIST);
-  if (descriptor < 0) {
+    descriptor_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  } while (descriptor_ < 0 && errno == EEXIST);
+  if (descriptor_ < 0) {
     const int error = errno;
     temporary_.clear();
     fail(error);
   }
-  int error = replaces && ::fchmod(descriptor, static_cast<mode_t>(status.permissions()) & 07777) != 0 ? errno : 0;
-  if (error == 0) {
-    file_ = ::fdopen(descriptor, "wb");
-    if (file_) return;
-    error = errno;
-  }
-  ::close(descriptor);
+  if (!replaces || ::fchmod(descriptor_, static_cast<mode_t>(status.permissions()) & 07777) == 0) return;
+  const int error = errno;
+  ::close(descriptor_);
   ::unlink(temporary_.c_str());
   fail(error);
 }
 
 AtomicFile::~AtomicFile() {
-  if (file_) std::fclose(file_);
+  if (descriptor_ >= 0) ::close(descriptor_);
   if (!temporary_.empty()) ::unlink(temporary_.c_str());
 }
 
+/// A signal, or a disk that is nearly full, may end a write part-way.
+void AtomicFile::put(std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t count = ::write(descriptor_, bytes.data(), bytes.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) fail(count < 0 ? errno : EIO);
+    bytes.remove_prefix(static_cast<std::size_t>(count));
+  }
+}
+
+void AtomicFile::flush_buffer() {
+  put(buffer_);
+  buffer_.clear();
+}
+
 void AtomicFile::write(const void* data, std::size_t size) {
-  if (size != 0 && std::fwrite(data, 1, size, file_) != size) fail(errno);
+  const std::string_view bytes(static_cast<const char*>(data), size);
+  if (buffer_.size() + size > buffer_bytes) flush_buffer();
+  if (size > buffer_bytes)
+    put(bytes);
+  else
+    buffer_.append(bytes);
 }
 
 void AtomicFile::seek(std::uint64_t position) {
-  if (::fseeko(file_, static_cast<off_t>(position), SEEK_SET) != 0) fail(errno);
+  flush_buffer();
+  if (::lseek(descriptor_, static_cast<off_t>(position), SEEK_SET) < 0) fail(errno);
 }
 
 std::uint64_t AtomicFile::tell() {
-  const off_t position = ::ftello(file_);
+  const off_t position = ::lseek(descriptor_, 0, SEEK_CUR);
   if (position < 0) fail(errno);
-  return static_cast<std::uint64_t>(position);
+  return static_cast<std::uint64_t>(position) + buffer_.size();
 }
 
 void AtomicFile::commit() {
   if (failure_ != 0) fail(failure_);
-  std::FILE* file = file_;
-  file_ = nullptr;
-  if (std::fclose(file) != 0) fail(errno);
+  flush_buffer();
+  const int descriptor = descriptor_;
+  descriptor_ = -1;
+  if (::close(descriptor) != 0) fail(errno);
   if (temporary_.empty()) return;
   if (std::rename(temporary_.c_str(), target_.c_str()) != 0) fail(errno);
   temporary_.clear();
+}
+
+void AtomicFile::commit_to_disk() {
+  if (failure_ != 0) fail(failure_);
+  flush_buffer();
+  // Pipes and some devices have nothing to flush.
+  if (::fsync(descriptor_) != 0 && (!temporary_.empty() || errno != EINVAL)) fail(errno);
+  const bool is_renamed = !temporary_.empty();
+  commit();
+  if (is_renamed) flush_folder();
+}
+
+void AtomicFile::flush_folder() {
+  const int folder = ::open(folder_of(target_).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (folder < 0) fail(errno);
+  const int error = ::fsync(folder) == 0 || errno == EINVAL ? 0 : errno;  // Some file systems cannot.
+  ::close(folder);
+  if (error != 0) fail(error);
 }
 
 void AtomicFile::fail(int error) {

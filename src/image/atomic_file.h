@@ -4,8 +4,8 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <cstdio>
 #include <string>
+#include <string_view>
 
 namespace strahl {
 
@@ -26,15 +26,21 @@ class AtomicFile {
   [[nodiscard]] std::uint64_t tell();
   /// Once, after the last write. Fails if any earlier call failed, even if somebody swallowed that exception.
   void commit();
+  /// The same, and it outlives a power failure: file and folder are flushed to the disk before it returns.
+  void commit_to_disk();
 
  private:
   [[noreturn]] void fail(int error);
+  void put(std::string_view bytes);
+  void flush_buffer();
+  void flush_folder();
 
   std::string path_;       // As the user named it.
   std::string target_;     // The same with a symbolic link resolved.
   std::string temporary_;  // Empty where target_ is written to directly.
-  std::FILE* file_ = nullptr;
-  int failure_ = 0;  // The first errno.
+  int descriptor_ = -1;
+  std::string buffer_;  // Behind what is in the file.
+  int failure_ = 0;     // The first errno.
 };
 
 }  // namespace strahl

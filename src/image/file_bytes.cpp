@@ -13,6 +13,7 @@
 #include <memory>
 
 #include "errors.h"
+#include "image/confined_reads.h"
 
 namespace strahl {
 namespace {
@@ -37,6 +38,7 @@ std::string cause_and_remedy(int error) {
 
 std::string unreadable_because(const std::string& path) {
   struct stat status {};
+  if (std::string outside = outside_because(path); !outside.empty()) return outside;
   if (stat(path.c_str(), &status) != 0) return cause_and_remedy(errno);
   if (S_ISDIR(status.st_mode)) return "it is a folder; name a file in it";
   if (S_ISCHR(status.st_mode) || S_ISBLK(status.st_mode)) return "it is a device; name a file or a pipe";

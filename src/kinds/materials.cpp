@@ -306,7 +306,7 @@ struct Facts {
   }
   MaterialFacts operator()(const Coat& coat) const {
     const Rgb& s = coat.sigma_a.color;
-    const auto left = [&](double sigma) { return std::exp(-2 * sigma * coat.thickness); };
+    const auto left = [&](double absorbed) { return std::exp(-2 * absorbed * coat.thickness); };
     // As often as Mitsuba draws it.
     const double weight = 1 / (1 + (left(s.r) + left(s.g) + left(s.b)) / 3);
     MaterialFacts facts;

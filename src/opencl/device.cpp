@@ -105,6 +105,11 @@ Device Device::open(const std::string& selector_text, const DeviceNeeds& needs) 
   if (chosen->platform == "Portable Computing Language") launch_what_the_binary_holds();
   Device device;
   device.info_ = *chosen;
+  if (needs.most_memory) {
+    device.info_.is_memory_limited = *needs.most_memory < device.info_.global_memory;
+    device.info_.global_memory = std::min(device.info_.global_memory, *needs.most_memory);
+    device.info_.max_allocation = std::min(device.info_.max_allocation, *needs.most_memory);
+  }
   device.programs_ = std::make_shared<ProgramShelf>();
   checked(chosen->text(), [&] {
     const cl::Platform& platform = handles[static_cast<std::size_t>(chosen->platform_index)];

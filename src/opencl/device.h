@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,8 +27,9 @@ struct DeviceInfo {
   bool fma = false;                       ///< In single precision; else programs compute it (cl/math/soft_fma.h).
   unsigned compute_units = 0;
   unsigned clock_mhz = 0;
-  std::uint64_t global_memory = 0;   ///< bytes
+  std::uint64_t global_memory = 0;   ///< bytes; of an open device no more than DeviceNeeds::most_memory
   std::uint64_t max_allocation = 0;  ///< bytes
+  bool is_memory_limited = false;    ///< DeviceNeeds::most_memory is less than it has.
   std::size_t max_work_group = 0;
   unsigned native_vector_width = 0;  ///< CL_DEVICE_NATIVE_VECTOR_WIDTH_FLOAT
   bool available = true;             ///< The driver says so, has a compiler, and speaks OpenCL 1.2 or later.
@@ -53,6 +55,8 @@ class ProgramShelf;
 /// What a render asks of a device.
 struct DeviceNeeds {
   bool fp64 = false;
+  /// Bytes that buffers may take there, all together; none: what the device has.
+  std::optional<std::uint64_t> most_memory = std::nullopt;
 };
 
 /// An open device: one context, one in-order queue with profiling.

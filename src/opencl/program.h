@@ -46,7 +46,10 @@ struct ProgramReport {
 
 /// Removes every cached binary and every dumped source; returns how many binaries there were. Throws Error.
 std::size_t clear_program_cache();
-/// The directory in use; empty where there is none (no home directory): nothing is cached.
+/// The directory in use; empty where there is none (no home directory), or where program_cache_fault() says why not:
+/// nothing is cached.
 [[nodiscard]] std::string program_cache_directory();
+/// Why the directory is not used, with the remedy: somebody else could put programs there. Empty: nothing is wrong.
+[[nodiscard]] std::string program_cache_fault();
 
 }  // namespace strahl

@@ -2,10 +2,14 @@
 // Files: magic, key size, binary size, FNV-1a of all that follows, key, binary; integers as this machine has them.
 #include "opencl/program_cache.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <stdlib.h>  // NOLINT(modernize-deprecated-headers): mkstemp is POSIX
+#include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <charconv>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
@@ -33,13 +37,7 @@ const char* variable_of(const char* name) {
   return value != nullptr && *value != 0 ? value : nullptr;
 }
 
-fs::path cached_file(const std::string& name, const std::string& key) {
-  return fs::path(program_cache_directory()) / fmt::format("{}-{:016x}.program", name, fnv1a(key));
-}
-
-}  // namespace
-
-std::string program_cache_directory() {
+std::string named_directory() {
   if (const char* directory = variable_of("STRAHL_CACHE_DIR")) return directory;
   // A relative XDG_CACHE_HOME is invalid and to be ignored (XDG Base Directory Specification).
   if (const char* cache = variable_of("XDG_CACHE_HOME"); cache != nullptr && *cache == '/') {
@@ -49,15 +47,77 @@ std::string program_cache_directory() {
   return {};
 }
 
+fs::path cached_file(const std::string& name, const std::string& key) {
+  return fs::path(program_cache_directory()) / fmt::format("{}-{:016x}.program", name, fnv1a(key));
+}
+
+std::uintmax_t most_bytes() {
+  constexpr std::uintmax_t mebibyte = 1 << 20;
+  std::uintmax_t mebibytes = 512;
+  if (const char* stated = variable_of("STRAHL_CACHE_MIB"); stated != nullptr) {
+    const auto [end, error] = std::from_chars(stated, stated + std::strlen(stated), mebibytes);
+    if (error != std::errc() || *end != 0) mebibytes = 512;
+  }
+  return std::min(mebibytes, UINTMAX_MAX / mebibyte) * mebibyte;
+}
+
+/// Until what is left fits; `newest` stays. Another process may remove files at the same time.
+void remove_unused(const fs::path& newest) {
+  struct Entry {
+    fs::path path;
+    fs::file_time_type used;
+    std::uintmax_t bytes;
+  };
+  std::vector<Entry> entries;
+  std::uintmax_t bytes = 0;
+  std::error_code failed;
+  for (fs::directory_iterator at(newest.parent_path(), failed), end; !failed && at != end; at.increment(failed)) {
+    const std::string name = at->path().filename().string();
+    // What a writer that was killed left behind counts too: its turn comes.
+    if (name.find(".program") == std::string::npos) continue;
+    std::error_code gone;
+    Entry entry{at->path(), at->last_write_time(gone), 0};
+    if (!gone) entry.bytes = at->file_size(gone);
+    if (gone) continue;
+    bytes += entry.bytes;
+    entries.push_back(std::move(entry));
+  }
+  std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) { return a.used < b.used; });
+  for (const Entry& entry : entries) {
+    if (bytes <= most_bytes()) return;
+    if (entry.path == newest) continue;
+    fs::remove(entry.path, failed);
+    bytes -= entry.bytes;
+  }
+}
+
+}  // namespace
+
+std::string program_cache_fault() {
+  const std::string directory = named_directory();
+  struct stat status {};
+  if (directory.empty() || ::stat(directory.c_str(), &status) != 0) return {};
+  const bool is_ours = status.st_uid == ::geteuid() || status.st_uid == 0;
+  if (is_ours && (status.st_mode & (S_IWGRP | S_IWOTH)) == 0) return {};
+  const char* remedy = is_ours ? "chmod go-w it" : "it belongs to another user";
+  return fmt::format(
+      "the program cache \"{}\" is not used, because others can write to it: {}, or name another folder "
+      "with STRAHL_CACHE_DIR",
+      directory, remedy);
+}
+
+std::string program_cache_directory() { return program_cache_fault().empty() ? named_directory() : std::string(); }
+
 std::vector<unsigned char> read_cached_binary(const std::string& name, const std::string& key) {
   if (program_cache_directory().empty()) return {};
   const fs::path file = cached_file(name, key);
+  struct stat status {};
+  if (::lstat(file.c_str(), &status) != 0 || !S_ISREG(status.st_mode) || status.st_uid != ::geteuid()) return {};
   std::ifstream in(file, std::ios::binary);
   Header header;
   if (!in.read(reinterpret_cast<char*>(&header), sizeof header)) return {};
-  std::error_code failed;
-  const std::uintmax_t size = fs::file_size(file, failed);
-  if (failed || std::memcmp(header.magic, Header().magic, sizeof header.magic) != 0 || header.key_size != key.size() ||
+  const auto size = static_cast<std::uint64_t>(status.st_size);
+  if (std::memcmp(header.magic, Header().magic, sizeof header.magic) != 0 || header.key_size != key.size() ||
       size < sizeof header + key.size() || header.binary_size != size - sizeof header - key.size()) {
     return {};
   }
@@ -67,6 +127,7 @@ std::vector<unsigned char> read_cached_binary(const std::string& name, const std
   in.read(reinterpret_cast<char*>(binary.data()), static_cast<std::streamsize>(binary.size()));
   const std::string_view bytes(reinterpret_cast<const char*>(binary.data()), binary.size());
   if (!in || found != key || header.checksum != fnv1a(bytes, fnv1a(key))) return {};
+  ::utimensat(AT_FDCWD, file.c_str(), nullptr, 0);  // Used now, for remove_unused().
   return binary;
 }
 
@@ -74,7 +135,8 @@ void write_cached_binary(const std::string& name, const std::string& key, const 
   if (program_cache_directory().empty() || binary.empty()) return;
   const fs::path file = cached_file(name, key);
   std::error_code failed;
-  fs::create_directories(file.parent_path(), failed);
+  if (!file.parent_path().parent_path().empty()) fs::create_directories(file.parent_path().parent_path(), failed);
+  ::mkdir(file.parent_path().c_str(), 0700);
   std::string temporary = file.string() + ".XXXXXX";
   const int descriptor = mkstemp(temporary.data());
   if (descriptor < 0) return;
@@ -92,6 +154,7 @@ void write_cached_binary(const std::string& name, const std::string& key, const 
   out.close();
   if (out) fs::rename(temporary, file, failed);
   if (!out || failed) fs::remove(temporary, failed);
+  remove_unused(file);
 }
 
 std::string failed_program_path(const std::string& name) {

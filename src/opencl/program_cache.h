@@ -3,7 +3,10 @@
 //
 // A file holds the complete key (all that the binary depends on, the source included) and a checksum, so neither an
 // equal hash nor a damaged file can give a wrong program. Processes may share the directory: files are renamed into
-// place. Whatever goes wrong with the cache means "not cached".
+// place. Files of another user, or that are no plain files, do not count. Whatever goes wrong with the cache means "not
+// cached".
+//
+// All programs together take at most STRAHL_CACHE_MIB (512 without it): those used longest ago go first.
 #pragma once
 
 #include <cstdint>

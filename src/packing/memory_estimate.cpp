@@ -90,9 +90,9 @@ void require_memory(const MemoryNeed& need, const DeviceInfo& device, Precision 
   if (need.total() <= device.global_memory && largest <= device.max_allocation) return;
   throw NoDeviceError(fmt::format(
       "the scene takes at least {} MiB (geometry {}, normals and texture coordinates {}, tables and texels {}); {} has "
-      "{} MiB, {} MiB in one buffer. Choose a device with more memory (-d){}, or simplify the meshes or images",
+      "{} MiB{}, {} MiB in one buffer. Choose a device with more memory (-d){}, or simplify the meshes or images",
       mebibytes(need.total()), mebibytes(need.geometry), mebibytes(need.shading), mebibytes(need.index), device.text(),
-      device.global_memory >> 20, device.max_allocation >> 20,
+      device.global_memory >> 20, device.is_memory_limited ? " by --memory-limit" : "", device.max_allocation >> 20,
       precision == Precision::fp64 ? ", a --precision other than double, which takes half" : ""));
 }
 

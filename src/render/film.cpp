@@ -36,7 +36,28 @@ double FilmSums::sub_sum(std::size_t pixel, int sub, int channel) const {
   return unit * value_of(film_bins(at[0], at[1]));
 }
 
-int FilmSums::sub_sum_samples(std::size_t pixel, int sub) const { return sub_sum_size(sums, sub, samples[pixel]); }
+int FilmSums::sub_sum_samples(std::size_t pixel, int sub) const {
+  return sub_sum_size(sums, sub, first_sample + samples[pixel]) - sub_sum_size(sums, sub, first_sample);
+}
+
+std::vector<Launch> FilmSums::missing(int row, int rows, int end) const {
+  std::vector<Launch> all;
+  for (int y = row; y < row + rows; ++y) {
+    const int* has = &samples[static_cast<std::size_t>(y) * static_cast<std::size_t>(width)];
+    for (int x = 0, past; x < width; x = past) {
+      for (past = x + 1; past < width && has[past] == has[x];) ++past;
+      const int next = first_sample + has[x];
+      if (next >= end) continue;
+      // A row that is whole and as far as the one above it.
+      if (past - x == width && !all.empty() && all.back().columns == width && all.back().sample_first == next &&
+          all.back().row_first + all.back().rows == y)
+        ++all.back().rows;
+      else
+        all.push_back({x, y, past - x, 1, next, end - next});
+    }
+  }
+  return all;
+}
 
 Image FilmSums::black() const {
   Image image;

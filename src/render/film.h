@@ -18,13 +18,16 @@ struct FilmSums {
   int width = 0;
   int height = 0;
   SubSums sums;                     ///< Which sample is in which.
+  int first_sample = 0;             ///< The number of each pixel's first sample; others only in a part (RenderGoal).
   double unit = 1;                  ///< Radiance that corresponds to 1 in the kernels.
   std::vector<std::int64_t> words;  ///< height x width x sums.count x 3 x 2, as cl/film/film_sum.h has them.
-  std::vector<int> samples;         ///< height x width: how many samples a pixel has.
+  std::vector<int> samples;         ///< height x width: how many samples a pixel has, from first_sample on.
 
   /// holds_words: false where the words stay on the device (put_mean).
   FilmSums(int width, int height, SubSums sums, double unit, bool holds_words = true);
   [[nodiscard]] std::size_t words_per_pixel() const;
+  /// What rows [row, row + rows) lack of the samples below `end`: rectangles of pixels that are equally far.
+  [[nodiscard]] std::vector<Launch> missing(int row, int rows, int end) const;
   /// Counts the samples that a launch has added to its pixels; rows are those of the window.
   void add_samples(const Launch& launch);
   /// Adds another film's words of rows [row, row + its height), for the samples that are counted already.

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <limits>
 
 #include "errors.h"
@@ -21,35 +20,39 @@ constexpr double least_launch_seconds = 0.0005;
 /// A part of the film that stays in a processor's cache.
 constexpr std::size_t part_bytes = std::size_t{1} << 20;
 
-/// With fewer samples than sub-sums no error can be estimated, and one sum needs a quarter of the memory.
-SubSums sub_sums_of(const RenderSettings& settings, SamplerKind sampler, const RenderGoal& goal, int spp) {
-  if (!settings.estimate_error || spp < layout::FILM_SUBSUMS) return {1, 1, 0};
-  if (sampler == SamplerKind::independent) return {layout::FILM_SUBSUMS, layout::FILM_SUBSUMS, 0};
-  // The largest power of two that is at most half of a sequence. With an open goal the length of the sequence is
-  // unknown.
-  const auto half = static_cast<unsigned>(spp / (2 * layout::SOBOL_SEQUENCES));
-  const int turn_bits = static_cast<int>(std::bit_width(half)) - 1;
-  return {layout::FILM_SUBSUMS, layout::SOBOL_SEQUENCES, goal.is_open() ? 0 : turn_bits};
-}
-
 }  // namespace
 
 /// One sum a pixel that stays on the device is used only for its mean, so the host keeps no copy. Memory takes most of
 /// the time of a picture of one sample.
 FilmSums FilmRun::black_film() const {
-  const SubSums sums = sub_sums_of(state_.settings, state_.sampling.kind, goal_, spp_);
-  return {width_, height_, sums, state_.radiance_unit(), !is_one_band() || sums.count > 1};
+  const SubSums sums = state_.sub_sums(goal_);
+  FilmSums film(width_, height_, sums, state_.radiance_unit(), !is_one_band() || sums.count > 1);
+  if (goal_.samples) film.first_sample = goal_.samples->first;
+  return film;
 }
 
-FilmRun::FilmRun(Renderer::State& state, const RenderGoal& goal, const ProgressCallback& progress)
+/// Behind the last sample that is asked for.
+int FilmRun::end_of_samples() const {
+  const int spp = state_.samples_of(goal_);
+  if (!goal_.samples) return spp;
+  const auto [first, count] = *goal_.samples;
+  if (goal_.is_open()) throw UsageError("a part of the samples has a known number of them, not a time or an error");
+  if (first < 0 || count < 1 || count > spp - first)
+    throw UsageError(fmt::format("samples {}:{} are not among the {} of a pixel", first, first + count, spp));
+  return first + count;
+}
+
+FilmRun::FilmRun(Renderer::State& state, const RenderGoal& goal, const ProgressCallback& progress,
+                 const FilmKeeper* keeper)
     : state_(state),
       goal_(goal),
       progress_(progress),
+      keeper_(keeper),
       width_(state.window.width()),
       height_(state.window.height()),
       band_rows_(state.band_rows()),
-      spp_(state.samples_of(goal)),
-      passes_(goal, spp_),
+      end_(end_of_samples()),
+      passes_(goal, end_, goal.samples ? goal.samples->first : 0),
       film_(black_film()) {
   const std::size_t pixels = film_.samples.size();
   aov_reals_.resize(state.has_aov() ? pixels * layout::AOV_REALS : 0, 0.0);
@@ -69,14 +72,17 @@ double FilmRun::seconds_left() const {
 }
 
 bool FilmRun::report() {
+  if (keeper_ != nullptr && keeper_->is_due && keeper_->is_due()) keeper_->keep(state_now());
   if (!progress_) return true;
   const std::uint64_t done = result_.stats.camera_rays;
   const double pixels = static_cast<double>(film_.samples.size());
   const double seconds = watch_.seconds();
-  std::optional<double> total = pixels * spp_;
+  // Of this run: what it began with took none of its time.
+  const auto of_all_pixels = [&](int samples) { return pixels * (samples - film_.first_sample) - samples_before_; };
+  std::optional<double> total = of_all_pixels(end_);
   if (goal_.max_error) {
     total.reset();
-    if (passes_.expected()) total = pixels * *passes_.expected();
+    if (passes_.expected()) total = of_all_pixels(*passes_.expected());
   }
   if (goal_.deadline) {
     const double in_time = static_cast<double>(done) * (seconds + std::max(0.0, seconds_left())) / seconds;
@@ -103,74 +109,17 @@ void FilmRun::clear(int rows, bool aovs_too) {
   result_.stats.seconds.readback += start.seconds();
 }
 
-FilmRun::Unfinished FilmRun::launch_once(const Launch& launch, int band_row) {
-  RunStats& run = result_.stats;
-  const std::vector<std::uint32_t> zero(layout::COUNTERS, 0);
-  write_buffer(state_.device, state_.counters, zero.data(), zero.size() * sizeof(std::uint32_t));
-  const Stopwatch start;
-  state_.launch(launch, band_row);
-  run.kernel_runs.push_back(start.seconds());
-  run.seconds.kernel += run.kernel_runs.back();
-  std::vector<std::uint32_t> counted(layout::COUNTERS);
-  read_buffer(state_.device, state_.counters, counted.data(), counted.size() * sizeof(std::uint32_t));
-  run.saturated_samples += counted[layout::COUNT_SATURATED];
-  run.invalid_samples += counted[layout::COUNT_INVALID];
-  run.weak_branches += counted[layout::COUNT_BRANCHES];
-  run.lost_interfaces += counted[layout::COUNT_INTERFACES];
-  if (state_.settings.count_rays) {
-    *run.shadow_rays += counted[layout::COUNT_SHADOW];
-    *run.bounce_rays += counted[layout::COUNT_BOUNCE];
-    *run.nodes_visited += counted[layout::COUNT_NODES];
-    *run.primitives_tested += counted[layout::COUNT_PRIMITIVES];
-  }
-  return {counted[layout::COUNT_CUT], counted[layout::COUNT_STUCK]};
-}
-
-/// Work-items continue where an earlier launch stopped. Where none makes progress, a part of them is launched alone,
-/// because work-items that run in step share their turns.
-void FilmRun::launch_to_end(const Launch& launch, int band_row) {
-  Unfinished left = launch_once(launch, band_row);
-  while (left.cut > left.stuck) left = launch_once(launch, band_row);
-  if (left.cut == 0) return;
-  Launch first = launch, second = launch;
-  if (launch.columns > 1) {
-    first.columns = launch.columns / 2;
-    second.columns -= first.columns;
-    second.column_first += first.columns;
-  } else if (launch.rows > 1) {
-    first.rows = launch.rows / 2;
-    second.rows -= first.rows;
-    second.row_first += first.rows;
-  } else {
-    throw NoDeviceError(fmt::format(
-        "{} ends the loops of a work-item after {} turns, and a sample of pixel {}, {} takes more; choose another "
-        "device (-d), a smaller max_depth (--max-depth) or fewer shapes",
-        state_.device.info().text(), state_.settings.loop_turns.value_or(0), state_.window.x0 + launch.column_first,
-        state_.window.y0 + launch.row_first));
-  }
-  launch_to_end(first, band_row);
-  launch_to_end(second, band_row);
-}
-
-double FilmRun::launch_and_count(const Launch& launch, int band_row) {
-  RunStats& run = result_.stats;
-  const double before = run.seconds.kernel;
-  launch_to_end(launch, band_row);
-  film_.add_samples(launch);
-  run.camera_rays += static_cast<std::uint64_t>(launch.columns) * static_cast<std::uint64_t>(launch.rows) *
-                     static_cast<std::uint64_t>(launch.samples);
-  return run.seconds.kernel - before;
-}
-
-/// false: stopped by the callback or, in a pass of single samples, by the deadline.
-bool FilmRun::render_band(const Pass& pass, int row, int rows) {
-  LaunchPlan plan(width_, rows, pass.count, state_.settings.passes, state_.launch_overhead, state_.samples_at_once);
+/// false: stopped by the callback or, in a pass of single samples, by the deadline. all: pixels and samples, as a
+/// launch has them.
+bool FilmRun::render_all_of(const Launch& all) {
+  LaunchPlan plan(all.columns, all.rows, all.samples, state_.settings.passes, state_.launch_overhead,
+                  state_.samples_at_once);
   if (state_.last_plan) plan.learn_from(*state_.last_plan);
   const double least = least_launch_seconds + state_.launch_overhead;
   bool carry_on = true;
   while (carry_on && !plan.finished()) {
     double most = std::numeric_limits<double>::infinity();
-    if (pass.count == 1) {
+    if (all.samples == 1) {
       const double left = seconds_left();
       if (left < least) {
         is_cut_ = true;
@@ -179,9 +128,10 @@ bool FilmRun::render_band(const Pass& pass, int row, int rows) {
       most = std::max(least, left / 2);  // How long a launch takes is known only roughly.
     }
     Launch next = plan.next(most);
-    next.row_first += row;
-    next.sample_first += pass.first;
-    plan.measured(launch_and_count(next, row));
+    next.column_first += all.column_first;
+    next.row_first += all.row_first;
+    next.sample_first += all.sample_first;
+    plan.measured(launch_and_count(next, band_.first));
     carry_on = report();
   }
   state_.last_plan = plan;
@@ -213,15 +163,21 @@ void FilmRun::read_aovs(int row, int rows) {
 bool FilmRun::render_pass(const Pass& pass) {
   bool carry_on = true;
   for (int row = 0; row < height_ && carry_on; row += band_rows_) {
-    const int rows = std::min(band_rows_, height_ - row);
-    if (!is_one_band() || pass.first == 0) clear(rows, pass.first == 0);
-    carry_on = render_band(pass, row, rows);
-    const Stopwatch start;
-    if (!is_one_band()) read_band(row, rows);
-    if (pass.first == 0 && state_.has_aov()) read_aovs(row, rows);
-    result_.stats.seconds.readback += start.seconds();
+    band_ = {row, std::min(band_rows_, height_ - row)};
+    has_first_samples_ = pass.first == 0;
+    if (!is_one_band() || pass.first == film_.first_sample) clear(band_.count, has_first_samples_);
+    carry_on = render_all_of({0, row, width_, band_.count, pass.first, pass.count});
+    end_band();
   }
   return carry_on;
+}
+
+void FilmRun::end_band() {
+  const Stopwatch start;
+  if (!is_one_band()) read_band(band_.first, band_.count);
+  if (has_first_samples_ && state_.has_aov()) read_aovs(band_.first, band_.count);
+  band_ = {};
+  result_.stats.seconds.readback += start.seconds();
 }
 
 void FilmRun::read_film() {
@@ -282,17 +238,21 @@ RenderResult FilmRun::run() {
   });
   if (goal_.deadline && !state_.finish_seconds) measure_finish();
   bool carry_on = true;
+  // What is kept must be a film even where there is no time for a single pass.
+  if (keeper_ != nullptr && is_one_band()) clear(height_, true);
+  if (keeper_ != nullptr && keeper_->begin_with != nullptr) carry_on = go_on_from(*keeper_->begin_with);
   while (carry_on) {
+    if (passes_.wants_error()) {
+      read_film();
+      const Stopwatch estimating;
+      passes_.estimated(estimate_error(film_));
+      result_.stats.seconds.error += estimating.seconds();
+    }
     const std::optional<Pass> pass = passes_.next(sample_seconds_, seconds_left());
     if (!pass) break;
     const Stopwatch start;
     carry_on = render_pass(*pass);
     sample_seconds_ = start.seconds() / pass->count;
-    if (!carry_on || !passes_.wants_error()) continue;
-    read_film();
-    const Stopwatch estimating;
-    passes_.estimated(estimate_error(film_));
-    result_.stats.seconds.error += estimating.seconds();
   }
   const Stopwatch finishing;
   finish();
@@ -302,13 +262,14 @@ RenderResult FilmRun::run() {
   const auto [least, most] = std::minmax_element(film_.samples.begin(), film_.samples.end());
   run.least_spp = *least;
   run.most_spp = *most;
-  run.spp = goal_.is_open() ? *most : spp_;
+  run.spp = goal_.is_open() ? *most : end_ - film_.first_sample;
   result_.ending = is_cut_ ? Ending::deadline : carry_on ? passes_.ending() : Ending::stopped;
   // Stopping after the last sample stops nothing.
-  if (result_.ending == Ending::stopped && !goal_.is_open() && *least == spp_) result_.ending = Ending::samples;
+  if (result_.ending == Ending::stopped && !goal_.is_open() && *least == run.spp) result_.ending = Ending::samples;
   result_.complete = result_.ending != Ending::stopped;
 
   run.ending = ending_name(result_.ending);
+  if (keeper_ != nullptr && keeper_->keep_last) keeper_->keep_last(state_now());
   if (result_.error) run.error = ErrorBudget{*result_.error, 0, 0, std::nullopt};
   const Stopwatch convert;
   if (state_.settings.aovs.contains(Aov::numeric_error))
@@ -321,8 +282,8 @@ RenderResult FilmRun::run() {
   return std::move(result_);
 }
 
-RenderResult Renderer::render(const ProgressCallback& progress, const RenderGoal& goal) {
-  if (!goal.rows) return FilmRun(*state_, goal, progress).run();
+RenderResult Renderer::render(const ProgressCallback& progress, const RenderGoal& goal, const FilmKeeper* keeper) {
+  if (!goal.rows) return FilmRun(*state_, goal, progress, keeper).run();
   /// The window of some rows while they are rendered.
   struct RowsOnly {
     Window& window;
@@ -338,7 +299,7 @@ RenderResult Renderer::render(const ProgressCallback& progress, const RenderGoal
   if (goal.rows->first < 0 || goal.rows->count < 1 || goal.rows->first + goal.rows->count > state_->window.height())
     throw UsageError("rows outside of the picture");
   const RowsOnly only(state_->window, *goal.rows);
-  return FilmRun(*state_, goal, progress).run();
+  return FilmRun(*state_, goal, progress, keeper).run();
 }
 
 }  // namespace strahl

@@ -3,6 +3,7 @@
 // short, until the goal holds.
 #pragma once
 
+#include "render/film_state.h"
 #include "render/renderer_state.h"
 #include "stopwatch.h"
 
@@ -10,7 +11,7 @@ namespace strahl {
 
 class FilmRun {
  public:
-  FilmRun(Renderer::State& state, const RenderGoal& goal, const ProgressCallback& progress);
+  FilmRun(Renderer::State& state, const RenderGoal& goal, const ProgressCallback& progress, const FilmKeeper* keeper);
   [[nodiscard]] RenderResult run();
 
  private:
@@ -21,11 +22,17 @@ class FilmRun {
   }
   /// From the members before film_.
   [[nodiscard]] FilmSums black_film() const;
+  [[nodiscard]] int end_of_samples() const;
   [[nodiscard]] double seconds_left() const;
   [[nodiscard]] bool report();
   void clear(int rows, bool aovs_too);
   bool render_pass(const Pass& pass);
-  bool render_band(const Pass& pass, int row, int rows);
+  bool render_all_of(const Launch& all);
+  void end_band();
+  /// Takes over an earlier run's film and renders the pass that was under way to its end; false as render_pass.
+  bool go_on_from(const FilmState& state);
+  void begin_band_with(const FilmState& state);
+  [[nodiscard]] FilmState state_now();
   /// Work-items of a launch whose loops the device has ended; `stuck`: those of them that have no sample more.
   struct Unfinished {
     std::uint32_t cut, stuck;
@@ -45,13 +52,18 @@ class FilmRun {
   Renderer::State& state_;
   RenderGoal goal_;
   const ProgressCallback& progress_;
-  int width_, height_, band_rows_, spp_;
+  const FilmKeeper* keeper_;  ///< Or none.
+  int width_, height_, band_rows_;
+  int end_;  ///< Samples are rendered up to here.
   PassPlan passes_;
   FilmSums film_;
   std::vector<double> aov_reals_;
   std::vector<std::int32_t> aov_ints_;
-  double sample_seconds_ = 0;  ///< What one sample of every pixel took in the last pass.
-  bool is_cut_ = false;        ///< The deadline ended a pass part-way.
+  double sample_seconds_ = 0;       ///< What one sample of every pixel took in the last pass.
+  bool is_cut_ = false;             ///< The deadline ended a pass part-way.
+  Rows band_;                       ///< That is on the device and not fetched yet; of one band, while it is rendered.
+  bool has_first_samples_ = false;  ///< They are rendered in this pass.
+  double samples_before_ = 0;       ///< Of all pixels, in the film that it began with.
   Stopwatch watch_;
   RenderResult result_;
 };

@@ -23,6 +23,12 @@ struct Rows {
   int count = 0;
 };
 
+/// Some samples of every pixel.
+struct SampleRange {
+  int first = 0;
+  int count = 0;
+};
+
 /// Whatever holds first ends the render.
 struct RenderGoal {
   /// Samples a pixel; none: the number that the scene states, or with one of the two goals below as many as needed.
@@ -33,6 +39,8 @@ struct RenderGoal {
   std::optional<double> max_error;
   std::optional<std::uint32_t> seed;  ///< None: the scene's.
   std::optional<Rows> rows;           ///< A picture of these rows alone; none: of all rows.
+  /// Only these of the samples: a part that adds up with others to the picture of `spp` samples. Not with an open goal.
+  std::optional<SampleRange> samples;
 
   [[nodiscard]] bool is_open() const { return deadline || max_error; }
 };

@@ -21,16 +21,22 @@ constexpr double tolerated = 1.1;
 
 }  // namespace
 
-PassPlan::PassPlan(const RenderGoal& goal, int spp) : goal_(goal), spp_(spp), check_at_(2 * sums_a_pixel) {}
+PassPlan::PassPlan(const RenderGoal& goal, int end, int first)
+    : goal_(goal), end_(end), done_(first), check_at_(2 * sums_a_pixel) {}
+
+void PassPlan::go_on_from(const PassPosition& position) {
+  done_ = std::min(position.done, end_);
+  check_at_ = position.check_at;
+}
 
 std::optional<Pass> PassPlan::next(double sample_seconds, double seconds_left) {
   if (ending_ == Ending::error) return std::nullopt;
-  if (done_ >= spp_) return std::nullopt;
+  if (done_ >= end_) return std::nullopt;
   if (goal_.deadline && seconds_left <= 0) {
     ending_ = Ending::deadline;
     return std::nullopt;
   }
-  int count = spp_ - done_;
+  int count = end_ - done_;
   if (goal_.max_error) count = std::min(count, check_at_ - done_);
   if (goal_.deadline) {
     const double fitting = sample_seconds > 0 ? share_of_time * seconds_left / sample_seconds : 1;
@@ -53,10 +59,10 @@ void PassPlan::estimated(const std::optional<ErrorEstimate>& error) {
     // whole.
     const double ratio = std::max(error->rmse / wanted, error->rmse_high / (tolerated * wanted));
     factor = std::clamp(0.8 * ratio * ratio, 1.15, 4.0);
-    expected_ = static_cast<int>(std::min(std::ceil(done_ * std::max(1.0, ratio * ratio)), static_cast<double>(spp_)));
+    expected_ = static_cast<int>(std::min(std::ceil(done_ * std::max(1.0, ratio * ratio)), static_cast<double>(end_)));
   }
   const double next = std::ceil(done_ * factor / sums_a_pixel) * sums_a_pixel;
-  check_at_ = static_cast<int>(std::min(next, static_cast<double>(spp_)));
+  check_at_ = static_cast<int>(std::min(next, static_cast<double>(end_)));
 }
 
 }  // namespace strahl

@@ -15,13 +15,19 @@ struct Pass {
   int count = 0;
 };
 
+/// How far a plan is.
+struct PassPosition {
+  int done = 0;      ///< Samples of every pixel, those of the pass under way included.
+  int check_at = 0;  ///< Samples at which to look at the error.
+};
+
 /// Without a deadline or an error to reach: one pass. With a deadline: each pass takes a quarter of the time
 /// that is left, down to passes of a single sample; only those end part-way, which leaves pixels one sample apart at
 /// the most. With an error: up to where the error so far says that it may be reached.
 class PassPlan {
  public:
-  /// spp: samples at which the render ends in any case.
-  PassPlan(const RenderGoal& goal, int spp);
+  /// end: samples at which the render ends in any case; first: those that are not to be rendered.
+  PassPlan(const RenderGoal& goal, int end, int first = 0);
 
   /// The next pass; none where one of the goals holds. sample_seconds: what one sample of every pixel takes (0: not
   /// known yet); seconds_left: until the deadline.
@@ -35,9 +41,13 @@ class PassPlan {
   /// The reason why next() returned none.
   [[nodiscard]] Ending ending() const { return ending_; }
 
+  [[nodiscard]] PassPosition position() const { return {done_, check_at_}; }
+  /// As if an earlier plan's passes had been this one's.
+  void go_on_from(const PassPosition& position);
+
  private:
   RenderGoal goal_;
-  int spp_;
+  int end_;
   int done_ = 0;      ///< Samples of every pixel.
   int check_at_ = 0;  ///< Samples at which to look at the error.
   std::optional<int> expected_;

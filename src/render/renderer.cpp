@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 #include <utility>
 
 #include "opencl/compiling.h"
@@ -47,6 +48,11 @@ void Renderer::State::prepare() {
   const Stopwatch upload_start;
   buffers = upload_scene(device, scene, features, settings.precision,
                          {width.lanes, frame(), width.tree, traversal.acceleration});
+  if (row_bytes() > memory_left())
+    throw NoDeviceError(
+        fmt::format("a row of the picture takes {} KiB beside the scene's {} KiB, and {} has {} KiB: choose a device "
+                    "with more memory (-d), a larger --memory-limit or a part of the picture (--crop)",
+                    row_bytes() >> 10, buffers.bytes >> 10, device.info().text(), device.info().global_memory >> 10));
   const std::size_t pixels = static_cast<std::size_t>(window.width()) * static_cast<std::size_t>(band_rows());
   film = allocate(device, pixels * film_bytes_per_pixel, "one band of the film");
   aov_reals = allocate(device, aov_real_bytes(pixels), "the auxiliary values");
@@ -86,6 +92,18 @@ int Renderer::State::samples_of(const RenderGoal& goal) const {
 int Renderer::State::span_columns(const Launch& l) const {
   if (stats.path_lanes == 1 || l.samples < 1) return 1;
   return std::max(1, layout::POOL_PATHS / l.samples);
+}
+
+/// With fewer samples than sub-sums no error can be estimated, and one sum needs a quarter of the memory.
+SubSums Renderer::State::sub_sums(const RenderGoal& goal) const {
+  const int spp = samples_of(goal);
+  if (!settings.estimate_error || spp < layout::FILM_SUBSUMS) return {1, 1, 0};
+  if (sampling.kind == SamplerKind::independent) return {layout::FILM_SUBSUMS, layout::FILM_SUBSUMS, 0};
+  // The largest power of two that is at most half of a sequence. With an open goal the length of the sequence is
+  // unknown.
+  const auto half = static_cast<unsigned>(spp / (2 * layout::SOBOL_SEQUENCES));
+  const int turn_bits = static_cast<int>(std::bit_width(half)) - 1;
+  return {layout::FILM_SUBSUMS, layout::SOBOL_SEQUENCES, goal.is_open() ? 0 : turn_bits};
 }
 
 void Renderer::State::launch(const Launch& l, int film_row) {
@@ -136,6 +154,13 @@ Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
 const Scene& Renderer::scene() const { return state_->scene; }
+
+const RunStats& Renderer::stats() const { return state_->stats; }
+
+std::string Renderer::division_text(const RenderGoal& goal) const {
+  const SubSums sums = state_->sub_sums(goal);
+  return fmt::format("{} sum{} in turns of {}", sums.count, sums.count == 1 ? "" : "s", 1 << sums.turn_bits);
+}
 
 std::string Renderer::program_text() const { return completed_for(state_->device, state_->source).text; }
 

@@ -40,6 +40,7 @@ struct RenderResult {
 };
 
 class FilmRun;
+struct FilmKeeper;
 
 class Renderer {
  public:
@@ -51,10 +52,16 @@ class Renderer {
   Renderer& operator=(Renderer&&) noexcept;
 
   /// Each call renders the picture from the start. Throws UsageError for more samples than the film holds,
-  /// NoDeviceError where the device ends loops before a sample is done (RenderSettings::loop_turns).
-  [[nodiscard]] RenderResult render(const ProgressCallback& progress = {}, const RenderGoal& goal = {});
+  /// NoDeviceError where the device ends loops before a sample is done (RenderSettings::loop_turns). keeper: gets the
+  /// film now and then, or gives one to go on from; InputError where that is of another picture.
+  [[nodiscard]] RenderResult render(const ProgressCallback& progress = {}, const RenderGoal& goal = {},
+                                    const FilmKeeper* keeper = nullptr);
 
   [[nodiscard]] const Scene& scene() const;
+  /// Of the preparations; each render's own go on from them.
+  [[nodiscard]] const RunStats& stats() const;
+  /// How the samples are divided among a pixel's sums: "4 sums in turns of 8". Films that differ in it do not add up.
+  [[nodiscard]] std::string division_text(const RenderGoal& goal) const;
 
   /// The exact program: text with includes expanded, options in its first comment line.
   [[nodiscard]] std::string program_text() const;

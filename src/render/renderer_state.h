@@ -61,15 +61,27 @@ struct Renderer::State {
     return features.flag("LOOP_LIMIT") ? pixels * sizeof(std::uint32_t) : 0;
   }
 
-  /// Rows whose film fits into one buffer.
+  /// What a row of the picture takes in device buffers.
+  [[nodiscard]] std::size_t row_bytes() const {
+    const auto pixels = static_cast<std::size_t>(window.width());
+    return pixels * film_bytes_per_pixel + aov_real_bytes(pixels) + aov_int_bytes(pixels) + done_bytes(pixels);
+  }
+  /// Beside the scene, once that is there.
+  [[nodiscard]] std::size_t memory_left() const {
+    const std::uint64_t all = device.info().global_memory;
+    return all > buffers.bytes ? all - buffers.bytes : 0;
+  }
+  /// Rows whose film fits into one buffer, and with all that belongs to them into the memory that is left.
   [[nodiscard]] int band_rows() const {
     const std::size_t row = static_cast<std::size_t>(window.width()) * film_bytes_per_pixel;
     const std::size_t limit = std::min<std::size_t>(film_buffer_bytes, device.info().max_allocation);
-    return static_cast<int>(std::clamp<std::size_t>(limit / row, 1, static_cast<std::size_t>(window.height())));
+    const std::size_t fitting = std::min(limit / row, memory_left() / row_bytes());
+    return static_cast<int>(std::clamp<std::size_t>(fitting, 1, static_cast<std::size_t>(window.height())));
   }
 
   /// The most samples a pixel, by the goal, the scene and the film. Throws UsageError.
   [[nodiscard]] int samples_of(const RenderGoal& goal) const;
+  [[nodiscard]] SubSums sub_sums(const RenderGoal& goal) const;
   /// The choices that determine the program.
   struct Choice {
     Width width;

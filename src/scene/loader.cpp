@@ -5,7 +5,9 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <optional>
 
+#include "image/confined_reads.h"
 #include "scene/auto_integrator.h"
 #include "scene/meshes/mesh_file.h"
 #include "scene/model/framing.h"
@@ -62,6 +64,8 @@ Scene scene_of_mesh(const std::string& path, const LoadOptions& options, Diagnos
 }  // namespace
 
 LoadedScene load_scene(const std::string& path, const LoadOptions& options) {
+  std::optional<ConfinedReads> confined;
+  if (!options.root.empty()) confined.emplace(options.root);
   Diagnostics diagnostics(options.strict);
   diagnostics.opened(path);
   Scene scene;

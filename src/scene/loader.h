@@ -18,6 +18,7 @@ struct LoadOptions {
   std::map<std::string, std::string> defines;  ///< -D name=value; overrides <default>.
   bool strict = false;                         ///< Unknown plugins and parameters are errors.
   LoadProgress progress = {};
+  std::string root = {};  ///< Files outside of this folder are not read; empty: all may be.
 };
 
 struct LoadedScene {

@@ -42,17 +42,22 @@ auto by_name(const Table& table, const char* what, const std::string& name) {
   throw UsageError(fmt::format("unknown {} \"{}\"; known: {}", what, name, known));
 }
 
+template <typename Table, typename Value>
+const char* name_of(const Table& table, Value value) {
+  const auto* entry =
+      std::find_if(table.begin(), table.end(), [value](const auto& known) { return known.second == value; });
+  if (entry == table.end()) throw std::logic_error("a setting without a name");
+  return entry->first;
+}
+
 }  // namespace
 
 Precision precision_from_name(const std::string& name) { return by_name(kPrecisions, "precision", name); }
 
-const char* precision_name(Precision precision) {
-  const auto* entry = std::find_if(kPrecisions.begin(), kPrecisions.end(),
-                                   [precision](const auto& known) { return known.second == precision; });
-  if (entry == kPrecisions.end()) throw std::logic_error("a precision without a name");
-  return entry->first;
-}
+const char* precision_name(Precision precision) { return name_of(kPrecisions, precision); }
 
 Aov aov_from_name(const std::string& name) { return by_name(kAovs, "AOV", name); }
+
+const char* aov_name(Aov aov) { return name_of(kAovs, aov); }
 
 }  // namespace strahl

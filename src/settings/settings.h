@@ -26,6 +26,7 @@ enum class Acceleration { automatic, list, tree };
 enum class Aov { depth, normal, position, uv, shape_id, primitive_id, numeric_error, albedo };
 
 [[nodiscard]] Aov aov_from_name(const std::string& name);  ///< Throws UsageError that lists the names.
+[[nodiscard]] const char* aov_name(Aov aov);
 
 /// Work-items per group, x times y.
 struct WorkGroup {

@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <thread>
 
+#include "opencl/own_cache.h"
 #include "opencl/program.h"
 #include "opencl/program_cache.h"
 #include "opencl/program_shelf.h"
@@ -14,37 +14,10 @@
 
 using namespace strahl;
 using Catch::Contains;
+using strahl::test::OwnCache;
 namespace fs = std::filesystem;
 
 namespace {
-
-/// A cache directory of one's own for one test case.
-class OwnCache {
- public:
-  OwnCache() {
-    std::string pattern = (fs::temp_directory_path() / "strahl-test-XXXXXX").string();
-    directory_ = mkdtemp(pattern.data());
-    setenv("STRAHL_CACHE_DIR", directory_.c_str(), 1);
-  }
-  OwnCache(const OwnCache&) = delete;
-  OwnCache& operator=(const OwnCache&) = delete;
-  ~OwnCache() {
-    std::error_code ignored;
-    fs::remove_all(directory_, ignored);
-    unsetenv("STRAHL_CACHE_DIR");
-  }
-
-  [[nodiscard]] std::vector<fs::path> files() const {
-    std::vector<fs::path> paths;
-    for (const auto& entry : fs::directory_iterator(directory_)) paths.push_back(entry.path());
-    return paths;
-  }
-
-  [[nodiscard]] const fs::path& directory() const { return directory_; }
-
- private:
-  fs::path directory_;
-};
 
 const ProgramSource twice = {"__kernel void twice(__global int* a) { a[get_global_id(0)] *= FACTOR; }", "-DFACTOR=2"};
 
@@ -196,23 +169,6 @@ TEST_CASE("A cache that cannot be written is no error") {
   CHECK_FALSE(cached(device));
   CHECK_FALSE(cached(device));
   CHECK(clear_program_cache() == 0);
-}
-
-TEST_CASE("Writers and readers of one cache file never meet a half of it") {
-  const OwnCache cache;
-  const std::vector<unsigned char> binary(200000, 7);
-  const auto write_often = [&binary] {
-    for (int i = 0; i < 50; ++i) write_cached_binary("name", "key", binary);
-  };
-  write_often();
-  std::thread first(write_often);
-  std::thread second(write_often);
-  int broken = 0;
-  for (int i = 0; i < 200; ++i) broken += read_cached_binary("name", "key") != binary;
-  first.join();
-  second.join();
-  CHECK(broken == 0);
-  CHECK(cache.files().size() == 1);
 }
 
 TEST_CASE("A kernel that does not build is reported with place, options, log and source") {

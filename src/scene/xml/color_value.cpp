@@ -60,6 +60,7 @@ std::optional<Rgb> read_spectrum(const XmlElement& element, ColorUse use, Diagno
                                                    *value));
   } else {
     try {
+      diagnostics.opened(std::string(*file));
       curve = curve_of_file(std::string(*file));
     } catch (const InputError& fault) {
       diagnostics.error(element.where, fault.what());

@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: MIT
+// Files: magic, size of the header, header (JSON), samples, words, AOVs, checksum of all before it.
+#include <fmt/format.h>
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <bit>
+#include <cstring>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "checkpoint/checkpoint.h"
+#include "image/atomic_file.h"
+#include "image/file_bytes.h"
+#include "opencl/program_cache.h"
+#include "packing/cl_layout.h"
+#include "settings/sampling.h"
+
+namespace strahl {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+static_assert(std::endian::native == std::endian::little, "numbers are stored as they are in memory");
+constexpr std::string_view magic = "strahlK1";
+constexpr std::uint64_t most_header = std::uint64_t{1} << 28;
+constexpr int most_side = 65536;  // As validate.h.
+
+template <class T>
+std::string_view bytes_of(const std::vector<T>& values) {
+  return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)};
+}
+
+std::string json_of(const Checkpoint& checkpoint) {
+  const CheckpointHeader& header = checkpoint.header;
+  const FilmState& state = checkpoint.state;
+  const FilmSums& film = state.film;
+  const UploadFrame& frame = state.frame;
+  Json identity = Json::array();
+  for (const IdentityPart& part : header.identity.parts) identity.push_back({part.name, part.value, part.note});
+  const Json json = {
+      {"identity", identity},
+      {"metadata", header.metadata},
+      {"aovs", header.aovs},
+      {"is_length", header.is_length},
+      {"spp", header.spp},
+      {"least", header.least},
+      {"most", header.most},
+      {"film",
+       {{"width", film.width},
+        {"height", film.height},
+        {"sums", film.sums.count},
+        {"sequences", film.sums.sequences},
+        {"turn_bits", film.sums.turn_bits},
+        {"first_sample", film.first_sample},
+        {"unit", film.unit}}},
+      {"has_aovs", !state.aov_reals.empty()},
+      {"position", {{"done", state.position.done}, {"check_at", state.position.check_at}}},
+      {"unusual",
+       {{"saturated", state.unusual.saturated},
+        {"invalid", state.unusual.invalid},
+        {"weak_branches", state.unusual.weak_branches},
+        {"lost_interfaces", state.unusual.lost_interfaces}}},
+      {"frame", {frame.origin.x, frame.origin.y, frame.origin.z, frame.scale}},
+  };
+  // Names of files need not be UTF-8.
+  return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+class Writer {
+ public:
+  explicit Writer(const std::string& path) : file_(path) {}
+  void add(std::string_view bytes) {
+    file_.write(bytes.data(), bytes.size());
+    hash_ = fnv1a(bytes, hash_);
+  }
+  void add(std::uint64_t number) { add({reinterpret_cast<const char*>(&number), sizeof number}); }
+  void finish() {
+    const std::uint64_t hash = hash_;
+    file_.write(&hash, sizeof hash);
+    file_.commit_to_disk();
+  }
+
+ private:
+  AtomicFile file_;
+  std::uint64_t hash_ = fnv1a("");
+};
+
+class Reader {
+ public:
+  explicit Reader(const std::string& path) : path_(path), file_(nullptr, &std::fclose) {
+    const std::string obstacle = unreadable_because(path);
+    if (!obstacle.empty()) fail_to_read(obstacle);
+    file_.reset(std::fopen(path.c_str(), "rb"));
+    struct stat status {};
+    if (!file_ || ::fstat(::fileno(file_.get()), &status) != 0) fail_to_read(std::strerror(errno));
+    if (!S_ISREG(status.st_mode)) fail_to_read("a checkpoint is a file");
+    size_ = static_cast<std::uint64_t>(status.st_size);
+  }
+  [[nodiscard]] std::uint64_t size() const { return size_; }
+
+  template <class T>
+  void take(T* values, std::size_t count) {
+    if (std::fread(values, sizeof(T), count, file_.get()) != count)
+      std::ferror(file_.get()) ? fail_to_read(std::strerror(errno)) : fail("ends too early");
+    hash_ = fnv1a({reinterpret_cast<const char*>(values), count * sizeof(T)}, hash_);
+  }
+  template <class T>
+  void take(std::vector<T>& values) {
+    take(values.data(), values.size());
+  }
+  void require_checksum() {
+    const std::uint64_t expected = hash_;
+    std::uint64_t found = 0;
+    take(&found, 1);
+    if (found != expected) fail("its checksum is wrong");
+  }
+  [[noreturn]] void fail(const std::string& why) const {
+    throw InputError(
+        fmt::format("\"{}\" is damaged: {}; use another checkpoint, or render from the start", path_, why));
+  }
+  [[noreturn]] void fail_to_read(const std::string& why) const {
+    throw InputError(fmt::format("cannot read \"{}\": {}", path_, why));
+  }
+  [[noreturn]] void fail_as_foreign() const {
+    throw InputError(fmt::format("\"{}\" is no checkpoint of this version of strahl", path_));
+  }
+
+ private:
+  std::string path_;
+  std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
+  std::uint64_t size_ = 0;
+  std::uint64_t hash_ = fnv1a("");
+};
+
+/// A number of the header within [least, most].
+int number(const Json& json, int least, int most) {
+  const auto value = json.get<std::int64_t>();
+  if (value < least || value > most) throw std::out_of_range("a number is out of range");
+  return static_cast<int>(value);
+}
+
+/// The film with its arrays' sizes, empty; header and arrays follow from it.
+struct Head {
+  CheckpointHeader header;
+  int width, height;
+  SubSums sums;
+  double unit;
+  bool has_aovs;
+  PassPosition position;
+  UnusualSamples unusual;
+  UploadFrame frame;
+
+  [[nodiscard]] std::uint64_t pixels() const {
+    return static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height);
+  }
+  [[nodiscard]] std::uint64_t array_bytes() const {
+    const auto words = static_cast<std::uint64_t>(sums.count * layout::FILM_CHANNELS * layout::FILM_SUM_WORDS);
+    const std::uint64_t aovs = has_aovs ? layout::AOV_REALS * sizeof(double) + layout::AOV_INTS * sizeof(int) : 0;
+    return pixels() * (sizeof(int) + words * sizeof(std::int64_t) + aovs);
+  }
+};
+
+Head head_of(const Json& json) {
+  Head head;
+  for (const Json& part : json.at("identity"))
+    head.header.identity.parts.push_back(
+        {part.at(0).get<std::string>(), part.at(1).get<std::string>(), part.at(2).get<std::string>()});
+  head.header.metadata = json.at("metadata").get<std::map<std::string, std::string>>();
+  head.header.aovs = json.at("aovs").get<std::vector<std::string>>();
+  head.header.is_length = json.at("is_length").get<bool>();
+  head.header.spp = number(json.at("spp"), 0, max_spp);
+  head.header.least = number(json.at("least"), 0, max_spp);
+  head.header.most = number(json.at("most"), head.header.least, max_spp);
+  const Json& film = json.at("film");
+  head.width = number(film.at("width"), 1, most_side);
+  head.height = number(film.at("height"), 1, most_side);
+  head.sums.count = number(film.at("sums"), 1, layout::FILM_SUBSUMS);
+  head.sums.sequences = number(film.at("sequences"), 1, head.sums.count);
+  head.sums.turn_bits = number(film.at("turn_bits"), 0, 20);
+  if (!std::has_single_bit(static_cast<unsigned>(head.sums.count)) ||
+      !std::has_single_bit(static_cast<unsigned>(head.sums.sequences)))
+    throw std::out_of_range("a number of sums is no power of two");
+  head.header.first_sample = number(film.at("first_sample"), 0, max_spp);
+  head.unit = film.at("unit").get<double>();
+  head.has_aovs = json.at("has_aovs").get<bool>();
+  head.position.done = number(json.at("position").at("done"), 0, max_spp);
+  head.position.check_at = number(json.at("position").at("check_at"), 0, max_spp);
+  const Json& unusual = json.at("unusual");
+  head.unusual = {unusual.at("saturated").get<std::uint64_t>(), unusual.at("invalid").get<std::uint64_t>(),
+                  unusual.at("weak_branches").get<std::uint64_t>(), unusual.at("lost_interfaces").get<std::uint64_t>()};
+  const Json& frame = json.at("frame");
+  head.frame = {{frame.at(0).get<double>(), frame.at(1).get<double>(), frame.at(2).get<double>()},
+                frame.at(3).get<double>()};
+  return head;
+}
+
+Head read_head(Reader& in) {
+  char found[magic.size()];
+  std::uint64_t header_size = 0;
+  if (in.size() < sizeof found) in.fail_as_foreign();
+  in.take(found, sizeof found);
+  if (std::string_view(found, sizeof found) != magic) in.fail_as_foreign();
+  in.take(&header_size, 1);
+  const std::uint64_t fixed = sizeof found + 2 * sizeof(std::uint64_t);
+  if (in.size() < fixed || header_size > std::min(most_header, in.size() - fixed)) in.fail("it is cut short");
+  std::string text(header_size, 0);
+  in.take(text.data(), text.size());
+  std::optional<Head> head;
+  try {
+    head = head_of(Json::parse(text));
+  } catch (const Json::exception& fault) {
+    in.fail(fault.what());
+  } catch (const std::out_of_range& fault) {
+    in.fail(fault.what());
+  }
+  const std::uint64_t expected = fixed + header_size + head->array_bytes();
+  if (in.size() != expected) in.fail(fmt::format("it has {} bytes and should have {}", in.size(), expected));
+  return *head;
+}
+
+}  // namespace
+
+void Checkpoint::told_of_film() {
+  const auto [least, most] = std::minmax_element(state.film.samples.begin(), state.film.samples.end());
+  header.least = *least;
+  header.most = *most;
+  header.first_sample = state.film.first_sample;
+}
+
+void write_checkpoint(const std::string& path, const Checkpoint& checkpoint) {
+  Writer out(path);
+  const std::string header = json_of(checkpoint);
+  out.add(magic);
+  out.add(header.size());
+  out.add(header);
+  out.add(bytes_of(checkpoint.state.film.samples));
+  out.add(bytes_of(checkpoint.state.film.words));
+  out.add(bytes_of(checkpoint.state.aov_reals));
+  out.add(bytes_of(checkpoint.state.aov_ints));
+  out.finish();
+}
+
+CheckpointHeader read_checkpoint_header(const std::string& path) {
+  Reader in(path);
+  return read_head(in).header;
+}
+
+Checkpoint read_checkpoint(const std::string& path) {
+  Reader in(path);
+  const Head head = read_head(in);
+  Checkpoint checkpoint{
+      head.header,
+      {FilmSums(head.width, head.height, head.sums, head.unit), head.position, head.unusual, {}, {}, head.frame}};
+  FilmState& state = checkpoint.state;
+  state.film.first_sample = head.header.first_sample;
+  if (head.has_aovs) {
+    state.aov_reals.resize(head.pixels() * layout::AOV_REALS);
+    state.aov_ints.resize(head.pixels() * layout::AOV_INTS);
+  }
+  in.take(state.film.samples);
+  in.take(state.film.words);
+  in.take(state.aov_reals);
+  in.take(state.aov_ints);
+  in.require_checksum();
+  for (const int count : state.film.samples)
+    if (count < head.header.least || count > head.header.most) in.fail("a pixel's number of samples is wrong");
+  return checkpoint;
+}
+
+}  // namespace strahl

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#include "cli/keep_options.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+
+#include "cli/render_options.h"
+#include "errors.h"
+
+namespace strahl::cli {
+
+void add_keep_options(CLI::App& app, KeepOptions& options) {
+  const std::string group = "So that nothing is lost";
+  app.add_option("--checkpoint", options.checkpoint,
+                 "Keep the samples so far in this file, now and then and at the end; for --resume and `merge`")
+      ->type_name("FILE")
+      ->group(group);
+  app.add_option("--every", options.every, "How often, as 10s or 5m")
+      ->type_name("TIME")
+      ->capture_default_str()
+      ->group(group);
+  app.add_option("--resume", options.resume,
+                 "Go on from this checkpoint; the same scene and options give the bits of one run. It is written on "
+                 "to, unless --checkpoint names another")
+      ->type_name("FILE")
+      ->group(group);
+  app.add_option("--samples", options.samples,
+                 "Only samples A to B - 1 of every pixel: a part for `strahl merge`; a picture of it only with -o")
+      ->type_name("A:B")
+      ->group(group);
+  app.add_option("--snapshot-every", options.snapshot_every,
+                 "Write the picture so far beside the picture (out.snapshot.png), as 30s; SIGUSR1 does so once")
+      ->type_name("TIME")
+      ->group(group);
+}
+
+void check_keeping(const RenderOptions& options) {
+  const KeepOptions& keep = options.keep;
+  static_cast<void>(duration_seconds(keep.every, "--every"));
+  if (keep.snapshot_every) static_cast<void>(duration_seconds(*keep.snapshot_every, "--snapshot-every"));
+  const bool is_kept = !keep.target().empty();
+  if (is_kept && options.goal.frames) throw UsageError("--frames renders many pictures, a checkpoint is of one");
+  if (is_kept && options.goal.dry_run) throw UsageError("--dry-run makes no picture, so there is nothing to keep");
+  if (!keep.samples) return;
+  if (!is_kept) throw UsageError("--samples makes a part for `strahl merge`: name its file with --checkpoint");
+  static_cast<void>(sample_range(*keep.samples));
+  if (options.goal.time || options.goal.max_error)
+    throw UsageError(
+        "--samples takes a part of a known number of samples (--spp); with --time or --max-error it is not known");
+  for (const std::string& aov : options.kernel.aovs)
+    if (aov == "numeric_error")
+      throw UsageError("--aov numeric_error traces the scene again, which `merge` has not; render it by itself");
+}
+
+SampleRange sample_range(const std::string& text) {
+  const char* const end = text.data() + text.size();
+  int first = -1, past = -1;
+  auto at = std::from_chars(text.data(), end, first);
+  if (at.ec == std::errc() && at.ptr != end && *at.ptr == ':') at = std::from_chars(at.ptr + 1, end, past);
+  if (at.ec != std::errc() || at.ptr != end || first < 0 || past <= first)
+    throw UsageError(fmt::format("--samples takes A:B, the samples A <= i < B, as 64:128, not \"{}\"", text));
+  return {first, past - first};
+}
+
+}  // namespace strahl::cli

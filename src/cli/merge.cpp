@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+// `strahl merge`: parts of a picture's samples to the picture, or to a larger part.
+#include "checkpoint/merge.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <memory>
+#include <set>
+
+#include "cli/commands.h"
+#include "cli/console.h"
+#include "cli/distinct_files.h"
+#include "cli/number_options.h"
+#include "cli/output_file.h"
+#include "cli/picture_files.h"
+#include "cli/picture_metadata.h"
+#include "render/aov.h"
+
+namespace strahl::cli {
+namespace {
+
+constexpr const char* kMergeFooter = R"(
+Parts come from `strahl render --samples A:B --checkpoint PART`, with the same scene and options. In any order the sum
+has the bits of one run, its told error too. A finished checkpoint of a whole picture is a part as well.
+
+Examples:
+  strahl merge part*.ckpt -o out.exr            all samples must be there, each once
+  strahl merge a.ckpt b.ckpt -o ab.ckpt         a larger part
+  strahl merge part*.ckpt -o out.png --error-map error.exr)";
+
+struct MergeOptions {
+  std::vector<std::string> parts;
+  std::string output;
+  std::string error_map;
+  PngOptions png;
+  bool quiet = false;
+};
+
+bool is_checkpoint(const std::string& path) { return std::filesystem::path(path).extension() == ".ckpt"; }
+
+void require_outputs(const MergeOptions& options) {
+  if (!is_checkpoint(options.output)) static_cast<void>(image_format(options.output));
+  std::vector<NamedFile> outputs{{"-o", options.output}, {"--error-map", options.error_map}}, inputs;
+  for (const std::string& part : options.parts) inputs.push_back({"a part", part});
+  require_distinct(outputs, inputs);
+  for (const std::string& path : {options.output, options.error_map})
+    if (!path.empty()) require_writable(path);
+  if (!options.error_map.empty()) static_cast<void>(image_format(options.error_map));
+}
+
+RenderResult result_of(const Checkpoint& sum) {
+  const FilmState& state = sum.state;
+  RenderResult result;
+  result.color = state.film.mean();
+  result.aov.channels.clear();
+  std::set<Aov> aovs;
+  for (const std::string& name : sum.header.aovs) aovs.insert(aov_from_name(name));
+  if (aovs.contains(Aov::numeric_error))
+    throw InputError("--aov numeric_error traces the scene again, which `merge` has not; render it by itself");
+  if (!aovs.empty())
+    result.aov = aov_image(state.film.width, state.film.height, aovs, state.aov_reals, state.aov_ints, state.frame);
+  if (state.unusual.saturated + state.unusual.invalid == 0) result.error = estimate_error(state.film);
+  return result;
+}
+
+void write_picture(const MergeOptions& options, const Checkpoint& sum, const Invocation& invocation) {
+  const RenderResult result = result_of(sum);
+  std::map<std::string, std::string> metadata = sum.header.metadata;
+  metadata["command"] = invocation.command_line;
+  metadata["spp"] = std::to_string(sum.header.most);
+  if (result.error) metadata["rmse"] = rmse_text(*result.error);
+  static_cast<void>(write({options.output, options.png, sum.header.is_length, {}}, result, metadata, options.quiet));
+  if (!options.error_map.empty()) {
+    if (!result.error)
+      say(fmt::format("strahl: warning: {} not written: the error is not known", options.error_map));
+    else
+      write_error_map(options.error_map, standard_error(sum.state.film), metadata);
+  }
+  if (!options.quiet)
+    say(fmt::format("{} {}×{} · {} spp of {} part{} · {}", options.output, result.color.width, result.color.height,
+                    sum.header.most, options.parts.size(), options.parts.size() == 1 ? "" : "s",
+                    result.error ? "RMSE " + rmse_text(*result.error) : "error not known"));
+}
+
+ExitCode merge(const MergeOptions& options, const Invocation& invocation) {
+  require_outputs(options);
+  const bool is_part = is_checkpoint(options.output);
+  if (is_part && !options.error_map.empty())
+    throw UsageError("--error-map is of a picture; name one with -o (.exr, .png or .pfm)");
+  const Checkpoint sum = merged(options.parts, !is_part);
+  if (!is_part) {
+    write_picture(options, sum, invocation);
+    return ExitCode::ok;
+  }
+  write_checkpoint(options.output, sum);
+  if (!options.quiet)
+    say(fmt::format("{}: samples {}:{} of {}", options.output, sum.header.first_sample,
+                    sum.header.first_sample + sum.header.most, sum.header.spp));
+  return ExitCode::ok;
+}
+
+}  // namespace
+
+Command add_merge(CLI::App& app, const Invocation& invocation) {
+  const auto options = std::make_shared<MergeOptions>();
+  app.add_option("parts", options->parts, "Checkpoints of parts")->required()->type_name("PART");
+  app.add_option("-o,--output", options->output, "Picture (.png, .exr or .pfm), or a larger part (.ckpt)")
+      ->required()
+      ->type_name("FILE");
+  app.add_option("--error-map", options->error_map, "Standard error of each pixel, as of `render`")->type_name("FILE");
+  require_between(app.add_option("--exposure", options->png.exposure, "PNG: brighter by so many stops"), -64, 64)
+      ->type_name("STOPS");
+  app.add_option("--png-bits", options->png.bits, "PNG: 8 or 16 bits a channel")
+      ->type_name("N")
+      ->check(CLI::IsMember({8, 16}))
+      ->capture_default_str();
+  app.add_flag("-q", options->quiet, "Say nothing but warnings and errors");
+  app.footer(kMergeFooter);
+  return [options, &invocation] { return merge(*options, invocation); };
+}
+
+}  // namespace strahl::cli

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#include "image/confined_reads.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "errors.h"
+
+namespace strahl {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Empty: all may be read.
+fs::path& root() {
+  static fs::path path;
+  return path;
+}
+
+}  // namespace
+
+ConfinedReads::ConfinedReads(const std::string& folder) {
+  std::error_code fault;
+  const fs::path there = fs::canonical(folder, fault);
+  if (fault || !fs::is_directory(there))
+    throw UsageError(fmt::format("--root \"{}\": there is no such folder", folder));
+  root() = there;
+}
+
+ConfinedReads::~ConfinedReads() { root().clear(); }
+
+std::string outside_because(const std::string& path) {
+  if (root().empty()) return {};
+  std::error_code fault;
+  const fs::path there = fs::canonical(path, fault);
+  if (fault) return {};  // It cannot be read at all.
+  const auto [of_root, rest] = std::mismatch(root().begin(), root().end(), there.begin(), there.end());
+  if (of_root == root().end()) return {};
+  return fmt::format("it lies outside of --root \"{}\"; put a copy there, or render without --root", root().string());
+}
+
+}  // namespace strahl

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+// A launch of samples, to its end on devices that end loops too, and what it counted.
+#include <fmt/format.h>
+
+#include "errors.h"
+#include "render/film_run.h"
+
+namespace strahl {
+
+FilmRun::Unfinished FilmRun::launch_once(const Launch& launch, int band_row) {
+  RunStats& run = result_.stats;
+  const std::vector<std::uint32_t> zero(layout::COUNTERS, 0);
+  write_buffer(state_.device, state_.counters, zero.data(), zero.size() * sizeof(std::uint32_t));
+  const Stopwatch start;
+  state_.launch(launch, band_row);
+  run.kernel_runs.push_back(start.seconds());
+  run.seconds.kernel += run.kernel_runs.back();
+  std::vector<std::uint32_t> counted(layout::COUNTERS);
+  read_buffer(state_.device, state_.counters, counted.data(), counted.size() * sizeof(std::uint32_t));
+  run.saturated_samples += counted[layout::COUNT_SATURATED];
+  run.invalid_samples += counted[layout::COUNT_INVALID];
+  run.weak_branches += counted[layout::COUNT_BRANCHES];
+  run.lost_interfaces += counted[layout::COUNT_INTERFACES];
+  if (state_.settings.count_rays) {
+    *run.shadow_rays += counted[layout::COUNT_SHADOW];
+    *run.bounce_rays += counted[layout::COUNT_BOUNCE];
+    *run.nodes_visited += counted[layout::COUNT_NODES];
+    *run.primitives_tested += counted[layout::COUNT_PRIMITIVES];
+  }
+  return {counted[layout::COUNT_CUT], counted[layout::COUNT_STUCK]};
+}
+
+/// Work-items continue where an earlier launch stopped. Where none makes progress, a part of them is launched alone,
+/// because work-items that run in step share their turns.
+void FilmRun::launch_to_end(const Launch& launch, int band_row) {
+  Unfinished left = launch_once(launch, band_row);
+  while (left.cut > left.stuck) left = launch_once(launch, band_row);
+  if (left.cut == 0) return;
+  Launch first = launch, second = launch;
+  if (launch.columns > 1) {
+    first.columns = launch.columns / 2;
+    second.columns -= first.columns;
+    second.column_first += first.columns;
+  } else if (launch.rows > 1) {
+    first.rows = launch.rows / 2;
+    second.rows -= first.rows;
+    second.row_first += first.rows;
+  } else {
+    throw NoDeviceError(fmt::format(
+        "{} ends the loops of a work-item after {} turns, and a sample of pixel {}, {} takes more; choose another "
+        "device (-d), a smaller max_depth (--max-depth) or fewer shapes",
+        state_.device.info().text(), state_.settings.loop_turns.value_or(0), state_.window.x0 + launch.column_first,
+        state_.window.y0 + launch.row_first));
+  }
+  launch_to_end(first, band_row);
+  launch_to_end(second, band_row);
+}
+
+double FilmRun::launch_and_count(const Launch& launch, int band_row) {
+  RunStats& run = result_.stats;
+  const double before = run.seconds.kernel;
+  launch_to_end(launch, band_row);
+  film_.add_samples(launch);
+  run.camera_rays += static_cast<std::uint64_t>(launch.columns) * static_cast<std::uint64_t>(launch.rows) *
+                     static_cast<std::uint64_t>(launch.samples);
+  return run.seconds.kernel - before;
+}
+
+}  // namespace strahl

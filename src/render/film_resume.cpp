@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+// A picture that goes on from the film of an earlier run, and the film of one under way.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "errors.h"
+#include "render/film_run.h"
+
+namespace strahl {
+namespace {
+
+bool are_alike(const FilmSums& a, const FilmSums& b) {
+  return a.width == b.width && a.height == b.height && a.sums.count == b.sums.count &&
+         a.sums.sequences == b.sums.sequences && a.sums.turn_bits == b.sums.turn_bits &&
+         a.first_sample == b.first_sample && a.unit == b.unit;
+}
+
+}  // namespace
+
+bool FilmRun::go_on_from(const FilmState& state) {
+  const std::vector<int>& has = state.film.samples;
+  if (!are_alike(state.film, film_) || state.film.words.size() != has.size() * film_.words_per_pixel() ||
+      has.size() != film_.samples.size() || state.aov_reals.size() != aov_reals_.size() ||
+      state.aov_ints.size() != aov_ints_.size())
+    throw InputError("the film to go on from is of another picture");
+  const auto [least, most] = std::minmax_element(has.begin(), has.end());
+  if (film_.first_sample + *most > end_)
+    throw InputError(fmt::format("the film to go on from has {} samples in a pixel, more than the {} asked for", *most,
+                                 end_ - film_.first_sample));
+  const Stopwatch start;
+  if (!is_read_in_parts()) film_.words = state.film.words;
+  film_.samples = has;
+  aov_reals_ = state.aov_reals;
+  aov_ints_ = state.aov_ints;
+  RunStats& run = result_.stats;
+  run.saturated_samples = state.unusual.saturated;
+  run.invalid_samples = state.unusual.invalid;
+  run.weak_branches = state.unusual.weak_branches;
+  run.lost_interfaces = state.unusual.lost_interfaces;
+  samples_before_ = std::accumulate(has.begin(), has.end(), 0.0);
+  passes_.go_on_from(state.position);
+  has_first_samples_ = film_.first_sample + *least == 0;
+  if (is_one_band()) {
+    band_ = {0, height_};
+    begin_band_with(state);
+  }
+  run.seconds.readback += start.seconds();
+
+  bool carry_on = true;
+  for (int row = 0; row < height_ && carry_on; row += band_rows_) {
+    band_ = {row, std::min(band_rows_, height_ - row)};
+    const std::vector<Launch> missing = film_.missing(row, band_.count, passes_.position().done);
+    if (missing.empty()) continue;
+    if (!is_one_band()) begin_band_with(state);
+    for (std::size_t i = 0; i < missing.size() && carry_on; ++i) carry_on = render_all_of(missing[i]);
+    end_band();
+  }
+  band_ = {};
+  return carry_on;
+}
+
+/// One band has its sums on the device; of several the device adds to none, and the host adds them up.
+void FilmRun::begin_band_with(const FilmState& state) {
+  clear(band_.count, false);
+  const std::size_t first = static_cast<std::size_t>(band_.first) * static_cast<std::size_t>(width_);
+  const std::size_t pixels = static_cast<std::size_t>(band_.count) * static_cast<std::size_t>(width_);
+  if (is_one_band()) write_buffer(state_.device, state_.film, state.film.words.data(), film_bytes(pixels));
+  if (!has_first_samples_ || !state_.has_aov()) return;
+  write_buffer(state_.device, state_.aov_ints, &state.aov_ints[first * layout::AOV_INTS], state_.aov_int_bytes(pixels));
+  const double* reals = &state.aov_reals[first * layout::AOV_REALS];
+  if (state_.settings.precision == Precision::fp64) {
+    write_buffer(state_.device, state_.aov_reals, reals, state_.aov_real_bytes(pixels));
+  } else {
+    const std::vector<float> floats(reals, reals + pixels * layout::AOV_REALS);
+    write_buffer(state_.device, state_.aov_reals, floats.data(), state_.aov_real_bytes(pixels));
+  }
+}
+
+FilmState FilmRun::state_now() {
+  read_film();
+  if (has_first_samples_ && band_.count > 0 && state_.has_aov()) read_aovs(band_.first, band_.count);
+  const RunStats& run = result_.stats;
+  FilmState state{film_,
+                  passes_.position(),
+                  {run.saturated_samples, run.invalid_samples, run.weak_branches, run.lost_interfaces},
+                  aov_reals_,
+                  aov_ints_,
+                  state_.frame()};
+  if (is_read_in_parts()) {
+    state.film.words.resize(film_.samples.size() * film_.words_per_pixel());
+    read_buffer(state_.device, state_.film, state.film.words.data(), film_bytes(film_.samples.size()));
+  } else if (!is_one_band() && band_.count > 0) {
+    std::vector<std::int64_t> words(static_cast<std::size_t>(band_.count) * static_cast<std::size_t>(width_) *
+                                    film_.words_per_pixel());
+    read_buffer(state_.device, state_.film, words.data(), words.size() * sizeof(std::int64_t));
+    state.film.add_words(band_.first, words);
+  }
+  return state;
+}
+
+}  // namespace strahl

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// All that a picture under way consists of: what another run needs to go on from it, here or elsewhere, or to add it to
+// other parts of the same picture (docs/decisions/0029-checkpoints.md).
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "kinds/upload_frame.h"
+#include "render/film.h"
+#include "render/pass_plan.h"
+
+namespace strahl {
+
+/// Of RunStats: samples that are told of with the picture.
+struct UnusualSamples {
+  std::uint64_t saturated = 0, invalid = 0, weak_branches = 0, lost_interfaces = 0;
+
+  friend bool operator==(const UnusualSamples&, const UnusualSamples&) = default;
+};
+
+struct FilmState {
+  FilmSums film;
+  PassPosition position;
+  UnusualSamples unusual;
+  std::vector<double> aov_reals;       ///< As aov_image takes them; empty where no AOV was asked for.
+  std::vector<std::int32_t> aov_ints;  ///< -1 where there is none yet.
+  UploadFrame frame;
+};
+
+/// Who keeps the film of a picture while it is rendered.
+struct FilmKeeper {
+  const FilmState* begin_with = nullptr;     ///< What an earlier run has kept; none: a black film.
+  std::function<bool()> is_due;              ///< Asked after each launch.
+  std::function<void(FilmState)> keep;       ///< Then, with what there is. The render waits for it.
+  std::function<void(FilmState)> keep_last;  ///< At the end, whatever ended the render.
+};
+
+}  // namespace strahl

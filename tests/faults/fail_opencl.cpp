@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+// A layer for the OpenCL loader (CL/cl_layer.h; OPENCL_LAYERS names its file) that fails the n-th call of a program.
+//
+//   STRAHL_CL_FAULT_LOG    a line for each call: its name
+//   STRAHL_CL_FAULT_CALL   n, from 1; without it all calls go through
+//   STRAHL_CL_FAULT_CODE   what it returns, as -5
+#define CL_TARGET_OPENCL_VERSION 300
+#include <CL/cl.h>
+#include <CL/cl_icd.h>
+#include <CL/cl_layer.h>
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <cstring>
+#include <string>
+#include <tuple>
+#include <type_traits>
+
+namespace {
+
+const cl_icd_dispatch* target = nullptr;
+std::atomic<long> calls{0};
+
+std::string text_of(const char* name) {
+  const char* value = std::getenv(name);
+  return value != nullptr ? value : "";
+}
+
+/// What this call shall return; CL_SUCCESS: what it returns.
+cl_int fault_of(const char* call) {
+  const long number = ++calls;
+  if (const std::string log = text_of("STRAHL_CL_FAULT_LOG"); !log.empty()) {
+    const std::string line = std::string(call) + "\n";
+    const int file = ::open(log.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0600);
+    if (file < 0 || ::write(file, line.data(), line.size()) < 0) std::abort();
+    ::close(file);
+  }
+  const std::string at = text_of("STRAHL_CL_FAULT_CALL");
+  return !at.empty() && number == std::atol(at.c_str()) ? std::atoi(text_of("STRAHL_CL_FAULT_CODE").c_str())
+                                                        : CL_SUCCESS;
+}
+
+/// In place of a function of the dispatch: the code is returned, or goes where the last argument points.
+template <auto member, const char* name, class Function = std::remove_cvref_t<decltype(target->*member)>>
+struct Wrapped;
+
+template <auto member, const char* name, class Result, class... Arguments>
+struct Wrapped<member, name, Result (*)(Arguments...)> {
+  static Result call(Arguments... arguments) {
+    const cl_int fault = fault_of(name);
+    if (fault == CL_SUCCESS) return (target->*member)(arguments...);
+    if constexpr (std::is_same_v<Result, cl_int>) {
+      return fault;
+    } else {
+      const auto all = std::make_tuple(arguments...);
+      cl_int* code = std::get<sizeof...(Arguments) - 1>(all);
+      if (code != nullptr) *code = fault;
+      return nullptr;
+    }
+  }
+};
+
+cl_icd_dispatch wrapped;
+
+#define CALL(function) constexpr char function##_name[] = #function;
+#include "opencl_calls.def"
+#undef CALL
+
+}  // namespace
+
+extern "C" {
+
+CL_API_ENTRY cl_int CL_API_CALL clGetLayerInfo(cl_layer_info what, size_t size, void* value, size_t* needed) {
+  if (what != CL_LAYER_API_VERSION) return CL_INVALID_VALUE;
+  if (value != nullptr && size < sizeof(cl_layer_api_version)) return CL_INVALID_VALUE;
+  if (value != nullptr) *static_cast<cl_layer_api_version*>(value) = CL_LAYER_API_VERSION_100;
+  if (needed != nullptr) *needed = sizeof(cl_layer_api_version);
+  return CL_SUCCESS;
+}
+
+CL_API_ENTRY cl_int CL_API_CALL clInitLayer(cl_uint count, const cl_icd_dispatch* below, cl_uint* count_here,
+                                            const cl_icd_dispatch** here) {
+  if (count < sizeof wrapped / sizeof wrapped.clGetPlatformIDs) return CL_INVALID_VALUE;
+  target = below;
+  wrapped = *below;
+#define CALL(function) wrapped.function = &Wrapped<&cl_icd_dispatch::function, function##_name>::call;
+#include "opencl_calls.def"
+#undef CALL
+  *count_here = sizeof wrapped / sizeof wrapped.clGetPlatformIDs;
+  *here = &wrapped;
+  return CL_SUCCESS;
+}
+}

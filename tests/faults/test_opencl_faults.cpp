@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+// Every OpenCL call of a render fails in turn: no crash, no hang (the test's time limit), no success whose picture is
+// another one, and nothing older than the last checkpoint is lost (docs/reliability.md).
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cstdlib>
+#include <filesystem>
+#include <map>
+#include <sstream>
+
+#include "checkpoint/checkpoint.h"
+#include "cli/program.h"
+#include "image/image_io.h"
+
+using namespace strahl_test;
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr int out_of_resources = -5;
+
+/// A scene in small, gone on with from a checkpoint.
+class FaultyRender {
+ public:
+  explicit FaultyRender(const std::string& scene) : scene_(STRAHL_SOURCE_DIR "/scenes/" + scene) {
+    const Outcome before = folder_.run({scene_, "--width", "24", "--spp", "8", "-d", "pocl", "-q", "--sampler", "sobol",
+                                        "--checkpoint", "kept", "-o", "before.pfm"});
+    INFO(before.err);
+    REQUIRE(before.code == 0);
+    kept_ = read_text(folder_.path("kept"));
+    REQUIRE(run({}).code == 0);
+    picture_ = strahl::read_image(folder_.path("out.pfm"));
+    std::istringstream log(read_text(folder_.path("calls.log")));
+    for (std::string line; std::getline(log, line);) calls_.push_back(line);
+    REQUIRE(calls_.size() > 100);
+  }
+
+  [[nodiscard]] const std::vector<std::string>& calls() const { return calls_; }
+
+  /// call: counts from 1.
+  void fail(std::size_t call, int code) {
+    INFO(scene_ << ", call " << call << " of " << calls_.size() << " (" << calls_[call - 1] << ") returns " << code);
+    const Outcome outcome =
+        run({{"STRAHL_CL_FAULT_CALL", std::to_string(call)}, {"STRAHL_CL_FAULT_CODE", std::to_string(code)}});
+    INFO(outcome.err);
+    REQUIRE(outcome.signal == 0);
+    if (outcome.code == 0) {
+      ++successes;
+      CHECK(strahl::read_image(folder_.path("out.pfm")).data == picture_.data);
+    } else {
+      ++failures;
+      CHECK((outcome.code == 1 || outcome.code == 4 || outcome.code == 5));
+      CHECK(contains(outcome.err, "strahl: error: "));
+      if (fs::exists(folder_.path("out.pfm"))) CHECK(strahl::read_image(folder_.path("out.pfm")).data == picture_.data);
+    }
+    CHECK(strahl::read_checkpoint(folder_.path("c.ckpt")).header.least >= 8);
+  }
+
+  int successes = 0, failures = 0;
+
+ private:
+  [[nodiscard]] Outcome run(std::map<std::string, std::string> environment) {
+    for (const char* name : {"out.pfm", "calls.log"}) fs::remove(folder_.path(name));
+    folder_.file("c.ckpt", kept_);
+    environment["OPENCL_LAYERS"] = STRAHL_FAIL_OPENCL;
+    environment["STRAHL_CL_FAULT_LOG"] = folder_.path("calls.log");
+    return folder_.run({scene_, "--width", "24", "--spp", "9", "-d", "pocl", "-q", "--sampler", "sobol", "--resume",
+                        "c.ckpt", "-o", "out.pfm"},
+                       environment);
+  }
+
+  Folder folder_;
+  std::string scene_, kept_;
+  strahl::Image picture_;
+  std::vector<std::string> calls_;
+};
+
+}  // namespace
+
+TEST_CASE("each OpenCL call fails in turn") {
+  FaultyRender faulty("cornell/cornell-box.xml");
+  // The first and the last call of each function.
+  std::map<std::string, std::pair<std::size_t, std::size_t>> places;
+  for (std::size_t call = 1; call <= faulty.calls().size(); ++call) {
+    auto [place, is_new] = places.try_emplace(faulty.calls()[call - 1], call, call);
+    if (!is_new) place->second.second = call;
+  }
+  REQUIRE(places.size() > 20);
+  for (const auto& [name, place] : places) {
+    faulty.fail(place.first, out_of_resources);
+    if (place.second != place.first) faulty.fail(place.second, out_of_resources);
+  }
+  CHECK(faulty.failures > faulty.successes);
+}
+
+TEST_CASE("each OpenCL call fails in turn, all of them, and each function with each code") {
+  if (std::getenv("STRAHL_ALL_FAULTS") == nullptr) return;
+  for (const char* scene : {"cornell/cornell-box.xml", "lecture/lit.xml", "mesh/torus-and-icosphere.xml"}) {
+    FaultyRender faulty(scene);
+    for (std::size_t call = 1; call <= faulty.calls().size(); ++call) faulty.fail(call, out_of_resources);
+    if (std::string(scene) != "cornell/cornell-box.xml") {
+      WARN(scene << ": " << faulty.failures << " failed, " << faulty.successes << " came out all the same");
+      continue;
+    }
+    std::map<std::string, std::size_t> first;
+    for (std::size_t call = 1; call <= faulty.calls().size(); ++call) first.try_emplace(faulty.calls()[call - 1], call);
+    for (const auto& [name, call] : first)
+      for (int code = -1; code >= -72; --code)
+        if (code > -20 || code <= -30) faulty.fail(call, code);
+    WARN(scene << ": " << faulty.failures << " failed, " << faulty.successes << " came out all the same");
+  }
+}

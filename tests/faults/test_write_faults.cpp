@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+// Every call of a render that writes fails in turn: no crash, no half file, no success that is none, and nothing older
+// than the last checkpoint is lost (docs/reliability.md).
+#include <catch2/catch.hpp>
+#include <cstdlib>
+#include <filesystem>
+#include <sstream>
+
+#include "checkpoint/checkpoint.h"
+#include "cli/program.h"
+#include "image/image_io.h"
+#include "support/needs.h"
+
+using namespace strahl_test;
+namespace fs = std::filesystem;
+
+namespace {
+
+#ifdef __SANITIZE_ADDRESS__
+// Its runtime must be the first that is loaded.
+const strahl::test::Needs needs("a program without sanitizers");
+#endif
+
+const std::vector<std::string> render{
+    STRAHL_SOURCE_DIR "/scenes/cornell/cornell-box.xml", "--width", "48", "-d", "pocl", "-q"};
+
+std::vector<std::string> with(std::vector<std::string> options, const std::vector<std::string>& more) {
+  options.insert(options.end(), more.begin(), more.end());
+  return options;
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+/// A render that goes on from a checkpoint of 32 samples to 40, writing all that a render writes.
+class FaultyRender {
+ public:
+  FaultyRender() {
+    const Outcome before = folder_.run(with(render, {"--spp", "32", "--checkpoint", "c.ckpt", "-o", "before.exr"}));
+    INFO(before.err);
+    REQUIRE(before.code == 0);
+    kept_ = read_text(folder_.path("c.ckpt"));
+    // Also fills the cache of programs.
+    REQUIRE(run({}).code == 0);
+    picture_ = read_picture();
+    calls_ = lines_of(read_text(folder_.path("calls.log")));
+    REQUIRE(calls_.size() > 10);
+  }
+
+  [[nodiscard]] const std::vector<std::string>& calls() const { return calls_; }
+
+  void fail(std::size_t call, const std::string& kind) {
+    INFO("call " << call << " of " << calls_.size() << " (" << calls_[call - 1] << "): " << kind);
+    const Outcome outcome = run({{"STRAHL_FAULT_CALL", std::to_string(call)}, {"STRAHL_FAULT_KIND", kind}});
+    INFO(outcome.err);
+    REQUIRE(outcome.signal == 0);
+    const bool is_there = fs::exists(folder_.path("out.exr"));
+    if (is_there) CHECK(read_picture().data == picture_.data);
+    const strahl::Checkpoint checkpoint = strahl::read_checkpoint(folder_.path("c.ckpt"));
+    CHECK(checkpoint.header.least >= 32);
+    if (outcome.code == 0) {
+      ++successes;
+      CHECK(is_there);
+      CHECK(checkpoint.header.least == 40);
+      CHECK(fs::exists(folder_.path("stats.json")));
+    } else {
+      ++failures;
+      CHECK(outcome.code == 1);
+      CHECK(contains(outcome.err, "strahl: error: cannot write"));
+    }
+    for (const std::string& name : folder_.files()) CHECK_FALSE(name.ends_with(".tmp"));
+  }
+
+  int successes = 0, failures = 0;
+
+ private:
+  [[nodiscard]] Outcome run(const std::map<std::string, std::string>& fault) {
+    for (const std::string& name : folder_.files())
+      if (name != "cache") fs::remove(folder_.path(name));
+    folder_.file("c.ckpt", kept_);
+    std::map<std::string, std::string> environment{{"LD_PRELOAD", STRAHL_FAIL_WRITE},
+                                                   {"STRAHL_FAULT_FOLDER", folder_.path("")},
+                                                   {"STRAHL_FAULT_LOG", folder_.path("calls.log")}};
+    environment.insert(fault.begin(), fault.end());
+    return folder_.run(with(render, {"--spp", "40", "--resume", "c.ckpt", "-o", "out.exr", "--stats", "stats.json",
+                                     "--every", "1h", "--error-map", "map.pfm"}),
+                       environment);
+  }
+  [[nodiscard]] strahl::Image read_picture() const { return strahl::read_image(folder_.path("out.exr")); }
+
+  Folder folder_;
+  std::string kept_;
+  strahl::Image picture_;
+  std::vector<std::string> calls_;
+};
+
+}  // namespace
+
+TEST_CASE("each call that writes fails in turn") {
+  FaultyRender faulty;
+  const bool is_long = std::getenv("STRAHL_ALL_FAULTS") != nullptr;
+  const std::vector<std::string> kinds{"EIO", "ENOSPC", "short"};
+  for (std::size_t call = 1; call <= faulty.calls().size(); ++call) {
+    for (std::size_t kind = 0; kind < kinds.size(); ++kind)
+      if (is_long || call % kinds.size() == kind) faulty.fail(call, kinds[kind]);
+  }
+  // A short write is made good by the next one; all else ends in an error.
+  CHECK(faulty.failures > 0);
+  CHECK(faulty.successes > 0);
+  CHECK(faulty.failures > faulty.successes);
+}

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+// The files of the program cache: whole or not there, nobody else's, not too many.
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <thread>
+
+#include "opencl/own_cache.h"
+#include "opencl/program.h"
+#include "opencl/program_cache.h"
+
+using namespace strahl;
+using Catch::Contains;
+using strahl::test::OwnCache;
+namespace fs = std::filesystem;
+
+TEST_CASE("Writers and readers of one cache file never meet a half of it") {
+  const OwnCache cache;
+  const std::vector<unsigned char> binary(200000, 7);
+  const auto write_often = [&binary] {
+    for (int i = 0; i < 50; ++i) write_cached_binary("name", "key", binary);
+  };
+  write_often();
+  std::thread first(write_often);
+  std::thread second(write_often);
+  int broken = 0;
+  for (int i = 0; i < 200; ++i) broken += read_cached_binary("name", "key") != binary;
+  first.join();
+  second.join();
+  CHECK(broken == 0);
+  CHECK(cache.files().size() == 1);
+}
+
+TEST_CASE("Entries of others, and what is no file, do not count and are replaced") {
+  const OwnCache cache;
+  const std::vector<unsigned char> binary(1000, 7);
+  write_cached_binary("name", "key", binary);
+  const fs::path file = cache.files().at(0);
+  REQUIRE(read_cached_binary("name", "key") == binary);
+  const fs::path elsewhere = cache.directory() / "elsewhere";
+  fs::rename(file, elsewhere);
+  fs::create_symlink(elsewhere, file);
+  CHECK(read_cached_binary("name", "key").empty());
+  write_cached_binary("name", "key", binary);
+  CHECK(read_cached_binary("name", "key") == binary);
+  CHECK_FALSE(fs::is_symlink(file));
+  if (geteuid() != 0) return;  // Only root can give files away.
+  REQUIRE(chown(file.c_str(), 65534, 65534) == 0);
+  CHECK(read_cached_binary("name", "key").empty());
+  write_cached_binary("name", "key", binary);
+  CHECK(read_cached_binary("name", "key") == binary);
+}
+
+TEST_CASE("A cache that others can write to is not used, and it is said") {
+  const OwnCache cache;
+  CHECK(program_cache_fault().empty());
+  for (const fs::perms others : {fs::perms::others_write, fs::perms::group_write}) {
+    fs::permissions(cache.directory(), fs::perms::owner_all | others);
+    CHECK_THAT(program_cache_fault(), Contains("others can write to it") && Contains("chmod go-w"));
+    CHECK(program_cache_directory().empty());
+    write_cached_binary("name", "key", {1, 2, 3});
+    CHECK(cache.files().empty());
+  }
+  fs::permissions(cache.directory(), fs::perms::owner_all);
+  write_cached_binary("name", "key", {1, 2, 3});
+  CHECK(read_cached_binary("name", "key").size() == 3);
+  fs::permissions(cache.directory(), fs::perms::owner_all | fs::perms::others_write);
+  CHECK(read_cached_binary("name", "key").empty());
+  // One that is made here is nobody else's, whatever the umask.
+  setenv("STRAHL_CACHE_DIR", (cache.directory() / "new" / "cache").c_str(), 1);
+  const mode_t mask = umask(0);
+  write_cached_binary("name", "key", {1, 2, 3});
+  umask(mask);
+  CHECK(program_cache_fault().empty());
+  CHECK(read_cached_binary("name", "key").size() == 3);
+}
+
+TEST_CASE("Beyond its limit the cache forgets what was used longest ago") {
+  const OwnCache cache;
+  setenv("STRAHL_CACHE_MIB", "1", 1);
+  const std::vector<unsigned char> binary(300000, 7);
+  const auto age = [&](const std::string& name, int hours) {
+    for (const fs::path& file : cache.files())
+      if (file.filename().string().starts_with(name))
+        fs::last_write_time(file, fs::file_time_type::clock::now() - std::chrono::hours(hours));
+  };
+  const auto has = [&](const std::string& name) {
+    const std::vector<fs::path> files = cache.files();
+    return std::any_of(files.begin(), files.end(),
+                       [&](const fs::path& file) { return file.filename().string().starts_with(name); });
+  };
+  for (const char* name : {"a", "b", "c"}) write_cached_binary(name, "key", binary);
+  age("a", 3);
+  age("b", 2);
+  age("c", 1);
+  REQUIRE(read_cached_binary("a", "key") == binary);  // Used again.
+  std::ofstream(cache.directory() / "notes.txt") << std::string(2 << 20, 'x');
+  write_cached_binary("d", "key", binary);
+  CHECK(has("a"));
+  CHECK_FALSE(has("b"));
+  CHECK(has("c"));
+  CHECK(has("d"));
+  CHECK(has("notes.txt"));
+  // One that is larger than all stays by itself.
+  write_cached_binary("e", "key", std::vector<unsigned char>(3 << 20, 1));
+  CHECK(has("e"));
+  CHECK_FALSE(has("a"));
+  unsetenv("STRAHL_CACHE_MIB");
+}
+
+TEST_CASE("A hundred processes share a cache that is too small for them") {
+  const OwnCache cache;
+  setenv("STRAHL_CACHE_MIB", "1", 1);
+  std::vector<pid_t> children;
+  for (int i = 0; i < 100; ++i) {
+    const pid_t child = fork();
+    if (child == 0) {
+      int wrong = 0;
+      for (int turn = 0; turn < 10; ++turn) {
+        const auto number = static_cast<unsigned char>((i + turn) % 10);
+        const std::string name = "name" + std::to_string(number);
+        const std::vector<unsigned char> binary(200000, number);
+        const std::vector<unsigned char> found = read_cached_binary(name, "key");
+        if (!found.empty() && found != binary) ++wrong;
+        if (found.empty()) write_cached_binary(name, "key", binary);
+      }
+      _exit(wrong == 0 ? 0 : 1);
+    }
+    children.push_back(child);
+  }
+  int broken = 0;
+  for (const pid_t child : children) {
+    int status = 0;
+    waitpid(child, &status, 0);
+    broken += !WIFEXITED(status) || WEXITSTATUS(status) != 0;
+  }
+  CHECK(broken == 0);
+  std::uintmax_t bytes = 0;
+  for (const fs::path& file : cache.files()) {
+    CHECK(file.extension() == ".program");
+    bytes += fs::file_size(file);
+  }
+  CHECK(bytes > 0);
+  CHECK(bytes <= (1 << 20) + 200200);
+  unsetenv("STRAHL_CACHE_MIB");
+}
