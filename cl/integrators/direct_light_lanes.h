@@ -5,7 +5,13 @@
 /// The radiance along the paths' rays: the emission of the surfaces hit, or the background where nothing is hit.
 FN real3w radiance_along_w(const Scene* scene, const Paths_w* path, const Surfaces_w* s) {
   real3w towards = real3_at_w(path->rays.planes + RAY_PLANE_D);
-  return sel3_w(s->hit, emitted_radiance_w(scene, s), background_radiance_w(scene, towards));
+  return sel3_w(s->hit, emitted_radiance_w(scene, s), far_radiance_w(scene, HEADER_BACKGROUND, towards));
+}
+
+/// Of the sun, before the background, where nothing is hit.
+FN real3w sun_along_w(const Scene* scene, const Paths_w* path, const Surfaces_w* s) {
+  real3w towards = real3_at_w(path->rays.planes + RAY_PLANE_D);
+  return sel3_w(s->hit, splat3_w(vec3(R(0.0), R(0.0), R(0.0))), far_radiance_w(scene, HEADER_SUN, towards));
 }
 
 /// hide_emitters hides emitters from camera rays only.
@@ -19,15 +25,14 @@ FN realw balance_w(realw density, realw other) {
   return one / fma_w(ratio, ratio, one);
 }
 
-/// radiance_along, weighted against the density with which the path's last vertex draws this light.
-FN void path_add_light_w(const Scene* scene, Paths_w* path, const Surfaces_w* s) {
+/// The radiance along the paths' rays of a light that they have found, the one that the header names where nothing is
+/// hit, weighted against the density with which the path's last vertex draws this light.
+FN void path_add_found_w(const Scene* scene, Paths_w* path, const Surfaces_w* s, int header, real3w radiance) {
   realw zero = splat_w(R(0.0));
-  maskw shown = is_light_shown_w(scene, path);
-  real3w radiance = radiance_along_w(scene, path, s);
-  maskw is_bright = shown & lt_w(zero, max3_w(radiance));
+  maskw is_bright = is_light_shown_w(scene, path) & lt_w(zero, max3_w(radiance));
   if (!any_w(is_bright)) return;
   if (LIGHT_COUNT > 0) {
-    intw lights = sel_int_w(s->hit, part_entry_w(scene, s, PART_LIGHT), splat_int_w(scene->index[HEADER_BACKGROUND]));
+    intw lights = sel_int_w(s->hit, part_entry_w(scene, s, PART_LIGHT), splat_int_w(scene->index[header]));
     maskw is_drawn = is_bright & lt_w(zero, path->density) & ~lt_int_w(lights, splat_int_w(0));
     if (any_w(is_drawn)) {
       real3w ray = real3_at_w(path->rays.planes + RAY_PLANE_D);
@@ -38,6 +43,12 @@ FN void path_add_light_w(const Scene* scene, Paths_w* path, const Surfaces_w* s)
     }
   }
   path_add_w(path, is_bright, radiance);
+}
+
+/// All that the rays see.
+FN void path_add_light_w(const Scene* scene, Paths_w* path, const Surfaces_w* s) {
+  path_add_found_w(scene, path, s, HEADER_BACKGROUND, radiance_along_w(scene, path, s));
+  if (HAS_SUN) path_add_found_w(scene, path, s, HEADER_SUN, sun_along_w(scene, path, s));
 }
 
 /// The light of one of the lights that are taken, or of one that is drawn from the others. is_shared: directions that

@@ -6,4 +6,5 @@
 #include "lights/directional_lanes.h"
 #include "lights/constant_lanes.h"
 #include "lights/envmap_lanes.h"
+#include "lights/sun_lanes.h"
 #include "lights/area_lanes.h"

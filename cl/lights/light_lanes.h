@@ -90,10 +90,10 @@ FN realw light_density_w(const Scene* scene, maskw which, intw lights, real3w fr
   return density;
 }
 
-/// Radiance of rays that leave the scene.
-FN real3w background_radiance_w(const Scene* scene, real3w towards) {
+/// Radiance along rays that leave the scene, of the light that the header names: the background or the sun.
+FN real3w far_radiance_w(const Scene* scene, int header, real3w towards) {
   real3w none = splat3_w(vec3(R(0.0), R(0.0), R(0.0)));
-  int light = LIGHT_COUNT == 0 ? -1 : scene->index[HEADER_BACKGROUND];
+  int light = LIGHT_COUNT == 0 ? -1 : scene->index[header];
   if (light < 0) return none;
   GLOBAL const int* row = light_row(scene, light);
   switch (row[LIGHT_KIND]) {

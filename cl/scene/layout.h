@@ -32,6 +32,7 @@ enum {
   HEADER_CHANCES,       // ... -> shading: what it reads, as its file says.
   HEADER_MOST_ITEMS,    // The most items of any light; 0: no area lights.
   HEADER_BACKGROUND,    // The light that is seen by rays that leave the scene; -1: none.
+  HEADER_SUN,           // The sun before it; -1: none.
   HEADER_GLOWS,         // 1: rays may hit emission, of a surface or the background.
   HEADER_REACH,         // -> shading, 1 real: how far ambient occlusion looks.
   HEADER_ROOT,          // reference (below); NO_REFERENCE: no tree

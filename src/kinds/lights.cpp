@@ -235,6 +235,34 @@ struct Row<EnvironmentLight> {
   }
 };
 
+template <>
+struct Row<SunLight> {
+  static constexpr LightFacts facts{.entry = "sun", .is_far = true, .is_background = true, .is_sun = true};
+  static constexpr auto colour = &SunLight::radiance;
+  /// 1 - cos of half the opening.
+  static double less(const SunLight& light) {
+    const double sine = std::sin(light.aperture_degrees * std::numbers::pi / 720);
+    return 2 * sine * sine;
+  }
+  static std::vector<double> reals(const SunLight& light, const UploadFrame&) {
+    const Vec3 d = normalized(light.direction);
+    return {d.x, d.y, d.z, less(light), light.radiance.r, light.radiance.g, light.radiance.b};
+  }
+  static void reach(LightReach& reach, const SunLight& light, const UploadFrame&) {
+    reach.power = reach.intensity = 2 * std::numbers::pi * less(light) * luminance(light.radiance);
+  }
+  static void move(SunLight&, const MapVec3&) {}
+  static void scale(SunLight&, double) {}
+  static void mirror(SunLight& light, const MapVec3& flip_x) { light.direction = flip_x(light.direction); }
+  static void check(const SunLight& light, Faults& faults) {
+    faults.require(is_finite(light.direction) && light.direction != Vec3{},
+                   "the direction must be finite and not zero");
+    faults.require(light.aperture_degrees > 0 && light.aperture_degrees <= 90,
+                   "the aperture of a sun must be greater than 0 and at most 90 degrees");
+    require_light(faults, light.radiance, "radiance");
+  }
+};
+
 /// ask(row, emitter) of the light's kind.
 template <typename AnyLight, typename Ask>
 decltype(auto) of_kind(AnyLight& light, Ask ask) {

@@ -29,13 +29,14 @@ class LightTable {
 
   /// Delta lights first: those that are taken come before those that are drawn.
   std::vector<int> run(const std::vector<const Shape*>& shapes, const std::vector<std::int32_t>& first_ids) {
-    header(layout::HEADER_BACKGROUND) = -1;
+    header(layout::HEADER_BACKGROUND) = header(layout::HEADER_SUN) = -1;
     for (const Light& light : scene_.lights)
       if (kinds::light(light).is_delta) put_light(light);
     const int lamps = count();
     for (const Light& light : scene_.lights) {
       const kinds::LightFacts& facts = kinds::light(light);
-      if (!facts.is_delta && put_light(light) && facts.is_background) header(layout::HEADER_BACKGROUND) = count() - 1;
+      if (!facts.is_delta && put_light(light) && facts.is_background)
+        header(facts.is_sun ? layout::HEADER_SUN : layout::HEADER_BACKGROUND) = count() - 1;
     }
     area_lights(shapes, first_ids);
     header(layout::HEADER_LIGHT_COUNT) = count();

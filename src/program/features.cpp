@@ -171,6 +171,7 @@ void light_causes(const Scene& scene, Causes& causes) {
     const std::string kind = facts.entry, effect = "lights/" + kind;
     call_for(causes, effect, "an emitter of type " + kind, light.where);
     causes.background = causes.background || (facts.is_background && causes.contains(effect));
+    if (facts.is_sun && causes.contains(effect)) call_for(causes, "SUN", "an emitter of type sun", light.where);
     if (causes.contains(effect)) use_light_texture(scene, kinds::light_texture(light), causes);
     if (!facts.is_delta || integrator.lamps == kinds::Lamps::drawn) note(effect);
   }

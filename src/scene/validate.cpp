@@ -236,12 +236,14 @@ std::vector<Diagnostic> validate(const Scene& scene) {
   for (const Material& material : scene.materials) check_material(material, scene, check);
   check_nested(scene, check);
   for (const Texture& texture : scene.textures) check_texture(texture, check);
-  int backgrounds = 0;
+  int backgrounds = 0, suns = 0;
   for (const Light& light : scene.lights) {
     check_light(light, scene, check);
-    const bool is_background = kinds::light(light).is_background;
+    const bool is_sun = kinds::light(light).is_sun, is_background = kinds::light(light).is_background && !is_sun;
     backgrounds += is_background ? 1 : 0;
-    check.require(backgrounds <= 1 || !is_background, "a scene has one constant or envmap emitter at most");
+    suns += is_sun ? 1 : 0;
+    check.require(backgrounds <= 1 || !is_background, "a scene has one constant, envmap or sky emitter at most");
+    check.require(suns <= 1 || !is_sun, "a scene has one sun at most");
   }
   check_camera(scene.camera, check);
   check_film(scene.film, check);

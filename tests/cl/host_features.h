@@ -5,6 +5,7 @@
 #define HAS_PIXEL_FILTER 1
 #define HAS_THIN_LENS 1
 #define HAS_EMISSION 1
+#define HAS_SUN 1
 #define HAS_LIGHT_TEXTURE 1
 #define HAS_TWOSIDED 1
 #define HAS_METAL 1

@@ -77,7 +77,7 @@ TEST_CASE("of two values the last holds") {
             .code == 4);
   CHECK(render_with(folder, {"-o", "missing/a.png", "-o", "b.png"}).code == 4);
   // Lists keep all of their values.
-  CHECK(contains(says({"--aov", "albedo", "--aov", "depth"}), "albedo"));
+  CHECK(contains(says({"--aov", "colour", "--aov", "depth"}), "colour"));
   CHECK(contains(says({"-D", "first", "-D", "b=1"}), "\"first\""));
   CHECK(contains(folder.run({"explain", "scene.xml", "--lanes", "1", "--lanes", "8"}).out, "8 lanes"));
   // Two scenes are no option given twice.

@@ -74,7 +74,7 @@ TEST_CASE("what cannot be parsed is exit code 2, with the remedy") {
       {{scene, "--lanes", "4"}, "--lanes"},
       {{scene, "--lanes", "16", "--precision", "double"}, "1 or 8 lanes"},
       {{scene, "--work-group", "8by8"}, "--work-group takes"},
-      {{scene, "--aov", "albedo"}, "depth, normal, position"},
+      {{scene, "--aov", "colour"}, "depth, normal, position"},
       {{scene, "--disable", "EMISION"}, "did you mean \"EMISSION\"?"},
       {{scene, "--disable", "integrators/path"}, "--integrator takes another one"},
       {{scene, "--precision", "half"}, "--precision"},

@@ -61,6 +61,8 @@ std::vector<LightRow> closed_forms() {
       {"projector", "", put_lamp(projector), true, froms, on_screen},
       {"directional", "", put_lamp(DirectionalLight{{1, -2, 0.5}, {2, 1, 0.5}}), true, froms,
        [](const Vec3&) { return 2; }},
+      {"sun", "", put_lamp(SunLight{{2, -1, 3}, 8, {2, 1, 0.5}}), false, froms,
+       [](const Vec3&) { return 4 * std::numbers::pi * (1 - std::cos(std::numbers::pi / 45)); }},
       {"constant", "", put_lamp(ConstantLight{{2, 1, 0.5}}), false, froms,
        [](const Vec3&) { return 8 * std::numbers::pi; }},
   };

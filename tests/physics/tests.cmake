@@ -32,10 +32,10 @@ target_compile_options(strahl_host_transport PRIVATE -O1 -Wno-psabi -Wno-int-in-
                        -Wno-deprecated-enum-enum-conversion -Wno-maybe-uninitialized
                        $<$<BOOL:${STRAHL_HOST_HAS_FMA}>:-mfma>)
 
-foreach(name areas blends coats reliefs lights choosers textures environment mitsuba_images mitsuba_lights integrators)
+foreach(name areas blends coats reliefs sun lights choosers textures environment mitsuba_images mitsuba_lights integrators)
   strahl_test(physics/test_${name}.cpp LABEL unit LIBS strahl_host_transport)
 endforeach()
 strahl_test(physics/test_packets.cpp LABEL unit LIBS strahl_host_transport strahl_selftest)
 
 # Names of their own mean something else in each.
-set_source_files_properties(physics/test_microfacets.cpp physics/test_principled.cpp physics/test_older_materials.cpp physics/test_mitsuba_bsdfs.cpp physics/test_mitsuba_lights.cpp physics/test_coats.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+set_source_files_properties(physics/test_microfacets.cpp physics/test_principled.cpp physics/test_older_materials.cpp physics/test_mitsuba_bsdfs.cpp physics/test_mitsuba_lights.cpp physics/test_coats.cpp physics/test_sun.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)

@@ -74,10 +74,11 @@ inline std::vector<Sight> LANED(look_along)(const TierBuffers& buffers, const Tr
     paths_none_w(&path);
     paths_begin_w(&path, ~none_w(), &rays);
     const Surfaces_w s = find_surfaces_w(&scene, &path, FIND_NEAREST, &unreported);
-    const real3w radiance = radiance_along_w(&scene, &path, &s);
-    // As path_add_light does.
-    const intw lights =
-        sel_int_w(s.hit, part_entry_w(&scene, &s, PART_LIGHT), splat_int_w(scene.index[HEADER_BACKGROUND]));
+    const real3w sun = sun_along_w(&scene, &path, &s), radiance = add3_w(radiance_along_w(&scene, &path, &s), sun);
+    // As path_add_light does; the sun before the background.
+    const intw afar = sel_int_w(lt_w(splat_w(R(0.0)), max3_w(sun)), splat_int_w(scene.index[HEADER_SUN]),
+                                splat_int_w(scene.index[HEADER_BACKGROUND]));
+    const intw lights = sel_int_w(s.hit, part_entry_w(&scene, &s, PART_LIGHT), afar);
     const real3w towards = sel3_w(s.hit, sub3_w(s.position, from), d);
     const realw density = light_density_w(&scene, ~lt_int_w(lights, splat_int_w(0)), lights, from, towards, &s);
     LANED(for_lanes)

@@ -159,7 +159,7 @@ TEST_CASE("a mesh of degenerate faces is left out, and a group that has lost all
 
 TEST_CASE("what Mitsuba has is not supported yet; only what nobody has is guessed at") {
   for (const char* body : {"<shape type=\"sdfgrid\"/>", "<shape type=\"sphere\"><bsdf type=\"hair\"/></shape>",
-                           "<emitter type=\"sunsky\"/>", "<integrator type=\"ptracer\"/>"}) {
+                           "<emitter type=\"volumelight\"/>", "<integrator type=\"ptracer\"/>"}) {
     const std::string first = problems(around(body)).at(0), all = first + problems(around(body)).back();
     INFO(all);
     CHECK(contains(all, "is not supported yet"));
@@ -190,10 +190,10 @@ TEST_CASE("a scene that has lost every light says so once") {
     return std::count_if(found.begin(), found.end(),
                          [](const std::string& line) { return contains(line, "no light is left"); });
   };
-  CHECK(lost("<emitter type=\"sunsky\"/><emitter type=\"sunsky\"/>") == 1);
+  CHECK(lost("<emitter type=\"volumelight\"/><emitter type=\"volumelight\"/>") == 1);
   CHECK(lost("<shape type=\"hair\"><emitter type=\"area\"/></shape>") == 1);
-  CHECK(lost("<emitter type=\"sunsky\"/><emitter type=\"point\"/>") == 0);
-  CHECK(lost("<emitter type=\"sunsky\"/><shape type=\"sphere\"><emitter type=\"area\"/></shape>") == 0);
+  CHECK(lost("<emitter type=\"volumelight\"/><emitter type=\"point\"/>") == 0);
+  CHECK(lost("<emitter type=\"volumelight\"/><shape type=\"sphere\"><emitter type=\"area\"/></shape>") == 0);
   CHECK(lost("") == 0);
 }
 

@@ -221,7 +221,7 @@ TEST_CASE("faults of images name the line") {
                           "<transform name=\"to_world\"><scale x=\"2\"/></transform></emitter>"),
              Contains("must be a rotation"));
   CHECK_THAT(folder.fault("<emitter type=\"constant\"/><emitter type=\"envmap\">" + file + "</emitter>"),
-             Contains("one constant or envmap emitter"));
+             Contains("one constant, envmap or sky emitter"));
   CHECK_THAT(folder.load(texture(file + "<string name=\"wrap_mode\" value=\"miror\"/>")).warnings.at(0).message,
              Contains("did you mean \"mirror\""));
 }

@@ -233,9 +233,17 @@ struct EnvironmentLight {
   bool mis_compensation = false;
 };
 
+/// A disc in the sky, before the background.
+struct SunLight {
+  Vec3 direction{0, 1, 0};           ///< To its middle, any length > 0.
+  double aperture_degrees = 0.5338;  ///< Of the whole disc, > 0, at most 90.
+  Rgb radiance{1, 1, 1};
+};
+
 struct Light {
   std::string id;
-  std::variant<PointLight, SpotLight, ProjectorLight, DirectionalLight, ConstantLight, EnvironmentLight> emitter;
+  std::variant<PointLight, SpotLight, ProjectorLight, DirectionalLight, ConstantLight, EnvironmentLight, SunLight>
+      emitter;
   SourceLocation where;
   double sampling_weight = 1;  ///< Multiplies its chance to be drawn, not its light; at least 0.
 };

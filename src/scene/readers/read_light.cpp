@@ -11,6 +11,7 @@
 #include "scene/model/framing.h"
 #include "scene/readers/plugin_table.h"
 #include "scene/readers/read_parts.h"
+#include "scene/readers/read_sky.h"
 #include "scene/readers/read_texture.h"
 #include "scene/readers/readers.h"
 #include "scene/xml/properties.h"
@@ -119,13 +120,14 @@ const PluginTable<LightReader>& light_readers() {
 #define LIGHT(name) {#name, read_##name},
 #include "../../../cl/lights/lights.def"
 #undef LIGHT
-  };
+      {"sky", read_sky}, {"sunsky", read_sunsky}};
   return table;
 }
 
 bool has_background(const Scene& scene) {
-  return std::any_of(scene.lights.begin(), scene.lights.end(),
-                     [](const Light& light) { return kinds::light(light).is_background; });
+  return std::any_of(scene.lights.begin(), scene.lights.end(), [](const Light& light) {
+    return kinds::light(light).is_background && !kinds::light(light).is_sun;
+  });
 }
 
 }  // namespace
@@ -151,8 +153,9 @@ void read_light(const XmlElement& element, SceneBuilder& builder) {
   const std::optional<Emitter> emitter = (*reader)(properties, builder);
   if (!emitter) return;
   Light light{properties.id(), *emitter, element.where, read_sampling_weight(properties)};
-  if (kinds::light(light).is_background && has_background(builder.scene))
-    builder.diagnostics.error(element.where, "a scene has one constant or envmap emitter at most");
+  const bool is_background = kinds::light(light).is_background && !kinds::light(light).is_sun;
+  if (is_background && has_background(builder.scene))
+    builder.diagnostics.error(element.where, "a scene has one constant, envmap or sky emitter at most");
   properties.report_unknown();
   builder.scene.lights.push_back(light);
 }

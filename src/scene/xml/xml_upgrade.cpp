@@ -53,6 +53,19 @@ void name_copper(XmlElement& element, XmlPool& pool) {
   element.first_child = &material;
 }
 
+/// In 0.x a sky's zenith is y, in Mitsuba 3 it is z.
+void turn_sky(XmlElement& element, XmlPool& pool) {
+  if (element.tag != "emitter" || element.text("type") != "sunsky") return;
+  XmlElement& zenith = pool.row<XmlElement>(1).front();
+  zenith.tag = "boolean";
+  zenith.attributes = pool.row<XmlAttribute>(2);
+  zenith.attributes[0] = {"name", "is_y_up"};
+  zenith.attributes[1] = {"value", "true"};
+  zenith.where = element.where;
+  zenith.next_sibling = element.first_child;
+  element.first_child = &zenith;
+}
+
 void rename(XmlElement& element, bool parameters, XmlPool& pool, Diagnostics& diagnostics) {
   if (element.tag == "lookAt") element.tag = "lookat";
   if (parameters && element.tag != "default") {
@@ -68,6 +81,7 @@ void rename(XmlElement& element, bool parameters, XmlPool& pool, Diagnostics& di
   if (!parameters) return;
   drop_repeated(element, diagnostics);
   name_copper(element, pool);
+  turn_sky(element, pool);
 }
 
 }  // namespace

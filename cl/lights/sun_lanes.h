@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// A disc in the sky, infinitely far away and equally bright all over: a cone of directions, seen by rays that leave the
+// scene beside the background. Parameters: unit direction to its middle x y z; 1 - cos of half its opening; radiance
+// r g b.
+
+enum { sun_NUMBERS_w = NUMBERS_NONE_w };
+
+/// 1 - cos of the angle to its middle, from the chord: nothing cancels.
+FN realw sun_less_w(GLOBAL const real* params, real3w towards) {
+  real3w chord = sub3_w(unit3_w(towards), splat3_w(load3(params)));
+  return splat_w(R(0.5)) * dot3_w(chord, chord);
+}
+
+FN LightSample_w sun_sample_w(const Scene* scene, GLOBAL const int* row, real3w from, LightNumbers_w numbers) {
+  GLOBAL const real* params = scene->shading + row[LIGHT_REALS];
+  (void)from;
+  LightSample_w s = no_light_w();
+  Frame_w frame = frame_around_w(splat3_w(load3(params)));
+  realw less = numbers.u * splat_w(params[3]), sine = sqrt_w(less * (splat_w(R(2.0)) - less));
+  SinCos_w turned = sincos_turns_w(numbers.v);
+  real3w way = vec3_w(sine * turned.cosine, sine * turned.sine, splat_w(R(1.0)) - less);
+  s.towards = from_frame_w(&frame, way);
+  s.t_max = splat_w(REAL_MAX);
+  s.density = splat_w(R(0.5) * ONE_OVER_PI / params[3]);
+  s.radiance = splat3_w(load3(params + 4));
+  return s;
+}
+
+FN realw sun_density_w(const Scene* scene, GLOBAL const int* row, real3w from, real3w towards, const Surfaces_w* s) {
+  GLOBAL const real* params = scene->shading + row[LIGHT_REALS];
+  (void)from;
+  (void)s;
+  maskw is_within = le_w(sun_less_w(params, towards), splat_w(params[3]));
+  return sel_w(is_within, splat_w(R(0.5) * ONE_OVER_PI / params[3]), splat_w(R(0.0)));
+}
+
+FN real3w sun_background_w(const Scene* scene, GLOBAL const int* row, real3w towards) {
+  GLOBAL const real* params = scene->shading + row[LIGHT_REALS];
+  real3w none = splat3_w(vec3(R(0.0), R(0.0), R(0.0)));
+  return sel3_w(le_w(sun_less_w(params, towards), splat_w(params[3])), splat3_w(load3(params + 4)), none);
+}

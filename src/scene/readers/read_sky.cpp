@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+// Parameters of Mitsuba 3's sunsky, whose zenith is z, and of Mitsuba 0.x's sky, sun and sunsky, whose zenith is y.
+#include "scene/readers/read_sky.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "scene/readers/readers.h"
+#include "scene/sky/daylight.h"
+
+namespace strahl {
+namespace {
+
+using Emitter = decltype(Light::emitter);
+
+constexpr int sky_width = 512;
+constexpr double aperture_of_sun = 0.5338;  // Degrees.
+
+/// What both read. Directions are the model's: east, up, south.
+struct Daylight {
+  double turbidity = 3;
+  Vec3 sun{0, 1, 0};
+  std::array<Vec3, 3> axes;  ///< Of the model in the world.
+};
+
+int whole_number(Properties& properties, const char* name, int absent) {
+  return properties.integer_in(name, std::numeric_limits<int>::min(), std::numeric_limits<int>::max()).value_or(absent);
+}
+
+DayAndPlace read_day(Properties& properties) {
+  DayAndPlace when;
+  when.year = whole_number(properties, "year", when.year);
+  when.month = whole_number(properties, "month", when.month);
+  when.day = whole_number(properties, "day", when.day);
+  when.hour = properties.number("hour").value_or(when.hour) + properties.number("minute").value_or(0) / 60 +
+              properties.number("second").value_or(0) / 3600;
+  when.latitude = properties.number("latitude").value_or(when.latitude);
+  when.longitude = properties.number("longitude").value_or(when.longitude);
+  when.timezone = properties.number("timezone").value_or(when.timezone);
+  return when;
+}
+
+Daylight read_daylight(Properties& properties, bool is_y_up) {
+  Daylight light;
+  light.turbidity = properties.number("turbidity").value_or(light.turbidity);
+  if (!(light.turbidity >= 1 && light.turbidity <= 10))
+    properties.diagnostics().error(properties.where("turbidity"), "turbidity must lie between 1 and 10");
+  light.turbidity = std::clamp(light.turbidity, 1.0, 10.0);
+  const DayAndPlace when = read_day(properties);
+  light.sun = direction_of_sun(when);
+  if (const std::optional<Vec3> given = properties.vector("sun_direction")) {
+    if (*given == Vec3{}) properties.diagnostics().error(properties.where("sun_direction"), "the direction is zero");
+    // Mitsuba 3 counts x to the south and y to the west.
+    else
+      light.sun = normalized(is_y_up ? *given : Vec3{-given->y, given->z, given->x});
+  }
+  if (light.sun.y <= 0)
+    properties.diagnostics().warning(properties.where(), "the sun is below the horizon: there is no light of the day");
+  const Transform to_world = properties.transform("to_world").value_or(Transform{});
+  const std::array<Vec3, 3> columns{normalized(to_world.column(0)), normalized(to_world.column(1)),
+                                    normalized(to_world.column(2))};
+  light.axes = is_y_up ? columns : std::array<Vec3, 3>{-columns[1], columns[2], columns[0]};
+  // Without a counterpart: light that the ground throws back, how the sky is stretched and stored, limb darkening.
+  properties.accept({"albedo", "stretch", "resolution", "extend", "complex_sun", "sky_scale", "sun_scale", "scale"});
+  return light;
+}
+
+Rgb multiplied(double factor, const Rgb& c) { return {factor * c.r, factor * c.g, factor * c.b}; }
+
+Emitter sky_of(const Daylight& light, double scale) {
+  EnvironmentLight sky;
+  sky.texels = Sky(light.turbidity, light.sun).image(sky_width);
+  sky.curve = {TexelCurve::Kind::linear, 1};
+  sky.scale = {scale, scale, scale};
+  sky.axes = light.axes;
+  return sky;
+}
+
+/// The same light from a disc of another size; of none at all one direction.
+Emitter sun_of(Properties& properties, const Daylight& light, double scale) {
+  const double aperture =
+      properties.number("sun_aperture").value_or(aperture_of_sun) * properties.number("sun_radius_scale").value_or(1);
+  if (!(aperture >= 0 && aperture <= 90))
+    properties.diagnostics().error(properties.where(), "the sun's aperture must lie between 0 and 90 degrees");
+  const auto [x, y, z] = light.sun;
+  const Vec3 direction = x * light.axes[0] + y * light.axes[1] + z * light.axes[2];
+  const auto solid_angle = [](double degrees) {
+    const double sine = std::sin(degrees * std::numbers::pi / 720);
+    return 4 * std::numbers::pi * sine * sine;
+  };
+  const Rgb radiance = multiplied(scale, radiance_of_sun(light.turbidity, light.sun));
+  if (!(aperture > 0)) return DirectionalLight{-direction, multiplied(solid_angle(aperture_of_sun), radiance)};
+  return SunLight{direction, aperture, multiplied(solid_angle(aperture_of_sun) / solid_angle(aperture), radiance)};
+}
+
+}  // namespace
+
+std::optional<Emitter> read_sky(Properties& properties, SceneBuilder&) {
+  const Daylight light = read_daylight(properties, true);
+  return sky_of(light, properties.number("scale").value_or(1));
+}
+
+std::optional<Emitter> read_sun(Properties& properties, SceneBuilder&) {
+  const Daylight light = read_daylight(properties, true);
+  return sun_of(properties, light, properties.number("scale").value_or(1));
+}
+
+std::optional<Emitter> read_sunsky(Properties& properties, SceneBuilder& builder) {
+  // Written by the upgrade from 0.x.
+  const Daylight light = read_daylight(properties, properties.boolean("is_y_up").value_or(false));
+  const double scale = properties.number("scale").value_or(1);
+  const double sun = scale * properties.number("sun_scale").value_or(1);
+  if (sun > 0 && light.sun.y > 0)
+    builder.scene.lights.push_back(
+        {properties.id(), sun_of(properties, light, sun), properties.where(), read_sampling_weight(properties)});
+  properties.accept({"sun_aperture", "sun_radius_scale"});
+  return sky_of(light, scale * properties.number("sky_scale").value_or(1));
+}
+
+}  // namespace strahl
