@@ -100,6 +100,7 @@ TEST_CASE("killed at any moment, again and again, it ends with the same picture"
   }
   CHECK(killed > 0);
   CHECK(resumed > kills);
+  if (many != nullptr) WARN(kills << " renders, killed " << killed << " times, resumed " << resumed << " times");
 }
 
 TEST_CASE("interrupted, it keeps picture and checkpoint, and goes on with other passes and lanes") {
