@@ -4,6 +4,7 @@
 //   STRAHL_FUZZ_KIND    one of the kinds below
 //   STRAHL_FUZZ_SEEDS   writes seeds of what scenes/ has no files of into this folder, and ends
 #include <unistd.h>
+#include <zlib.h>
 
 #include <cstdint>
 #include <cstdio>
@@ -61,7 +62,36 @@ const std::map<std::string, Kind> kinds{
 
 void write(const fs::path& path, const std::string& bytes) { std::ofstream(path, std::ios::binary) << bytes; }
 
+template <class Value>
+void append(std::string& bytes, Value value) {
+  bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
+}
+
+/// One triangle in single precision, stored rather than squeezed, so that changes come through.
+std::string serialized_file() {
+  std::string content;
+  append(content, std::uint32_t{0x1000});
+  content += std::string("a name") + '\0';
+  append(content, std::uint64_t{3});
+  append(content, std::uint64_t{1});
+  for (const float x : {0.F, 0.F, 0.F, 1.F, 0.F, 0.F, 0.F, 1.F, 0.F}) append(content, x);
+  for (const std::uint32_t i : {0U, 1U, 2U}) append(content, i);
+  uLongf size = compressBound(static_cast<uLong>(content.size()));
+  std::string stream(size, '\0');
+  compress2(reinterpret_cast<Bytef*>(stream.data()), &size, reinterpret_cast<const Bytef*>(content.data()),
+            static_cast<uLong>(content.size()), 0);
+  stream.resize(size);
+  std::string file;
+  append(file, std::uint16_t{0x041C});
+  append(file, std::uint16_t{4});
+  file += stream;
+  append(file, std::uint64_t{0});
+  append(file, std::uint32_t{1});
+  return file;
+}
+
 void write_seeds(const fs::path& folder) {
+  write(folder / "s.serialized", serialized_file());
   Image picture;
   picture.width = 3;
   picture.height = 2;

@@ -2,7 +2,7 @@
 # tests/fuzz/run builds this with the preset `fuzz`.
 if(STRAHL_FUZZ)
   add_executable(fuzz_readers fuzz/fuzz_readers.cpp)
-  target_link_libraries(fuzz_readers PRIVATE strahl)
+  target_link_libraries(fuzz_readers PRIVATE strahl ZLIB::ZLIB)
   target_link_options(fuzz_readers PRIVATE -fsanitize=fuzzer)
 else()
   # Builds the library anew with clang: minutes.
