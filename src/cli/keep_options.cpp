@@ -30,6 +30,11 @@ void add_keep_options(CLI::App& app, KeepOptions& options) {
                  "Only samples A to B - 1 of every pixel: a part for `strahl merge`; a picture of it only with -o")
       ->type_name("A:B")
       ->group(group);
+  app.add_option("--watchdog", options.watchdog,
+                 "End the process where the device does not come back from a launch for so long, as 5m; launches are "
+                 "planned to take a quarter of a second at the most")
+      ->type_name("TIME")
+      ->group(group);
   app.add_option("--snapshot-every", options.snapshot_every,
                  "Write the picture so far beside the picture (out.snapshot.png), as 30s; SIGUSR1 does so once")
       ->type_name("TIME")
@@ -40,6 +45,7 @@ void check_keeping(const RenderOptions& options) {
   const KeepOptions& keep = options.keep;
   static_cast<void>(duration_seconds(keep.every, "--every"));
   if (keep.snapshot_every) static_cast<void>(duration_seconds(*keep.snapshot_every, "--snapshot-every"));
+  if (keep.watchdog) static_cast<void>(duration_seconds(*keep.watchdog, "--watchdog"));
   const bool is_kept = !keep.target().empty();
   if (is_kept && options.goal.frames) throw UsageError("--frames renders many pictures, a checkpoint is of one");
   if (is_kept && options.goal.dry_run) throw UsageError("--dry-run makes no picture, so there is nothing to keep");

@@ -20,6 +20,7 @@ struct KeepOptions {
   std::string every = "60s";
   std::string resume;                         ///< Empty: from the start.
   std::optional<std::string> samples;         ///< "a:b"
+  std::optional<std::string> watchdog;        ///< None: a launch may take any time.
   std::optional<std::string> snapshot_every;  ///< None: only where SIGUSR1 asks for one.
 
   /// Where checkpoints go: what is resumed is written on to.

@@ -22,6 +22,7 @@
 #include "cli/render_frames.h"
 #include "cli/render_goal.h"
 #include "cli/summary.h"
+#include "cli/watchdog.h"
 #include "kinds/integrators.h"
 #include "render/limitations.h"
 #include "render/renderer.h"
@@ -224,12 +225,17 @@ ExitCode render(const RenderOptions& options, const Invocation& invocation) {
   const RenderGoal goal = goal_of(options, invocation, end);
   PictureKeeper keeper(options.keep, files, checkpoint_header(options, invocation, device, renderer, settings, goal),
                        guard);
+  std::optional<Watchdog> watchdog(std::in_place,
+                                   options.keep.watchdog ? duration_seconds(*options.keep.watchdog, "--watchdog") : 0,
+                                   options.keep.target());
   RenderResult result = renderer.render(
       [&](const Progress& progress) {
+        watchdog->fed();
         bar->show(progress);
         return !guard.interrupted();
       },
       goal, &keeper.film_keeper());
+  watchdog.reset();
   // The picture is written all the same.
   const std::optional<std::string> not_kept = keeper.finish();
   if (not_kept) say("strahl: error: " + *not_kept);

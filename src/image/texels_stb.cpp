@@ -13,6 +13,7 @@
 
 #include <fmt/format.h>
 
+#include <cstdint>
 #include <limits>
 #include <memory>
 
@@ -32,6 +33,18 @@ int size_of(const std::string& bytes) {
   return bytes.size() > most ? 0 : static_cast<int>(bytes.size());
 }
 
+/// What a byte stands for at the most: runs of 128 in TGA and HDR. stb_image takes zeros for all that a file has not,
+/// so that a few bytes could take seconds and a gigabyte.
+constexpr std::int64_t most_texels_a_byte = 128;
+
+void check_bytes(const std::string& path, const std::string& bytes, int width, int height) {
+  const auto texels = static_cast<std::int64_t>(width) * height;
+  if (texels / most_texels_a_byte <= static_cast<std::int64_t>(bytes.size())) return;
+  throw InputError(
+      fmt::format("\"{}\": not a readable image: {} bytes are too few for its {} x {} texels; is it cut off?", path,
+                  bytes.size(), width, height));
+}
+
 }  // namespace
 
 bool is_stb_image(const std::string& bytes) {
@@ -46,6 +59,7 @@ Texels read_stb_texels(const std::string& path, const std::string& bytes) {
   int width = 0, height = 0, channels = 0;
   if (stbi_info_from_memory(data_of(bytes), size_of(bytes), &width, &height, &channels) == 0) fail();
   check_texel_count(path, width, height);
+  check_bytes(path, bytes, width, height);
   if (stbi_is_hdr_from_memory(data_of(bytes), size_of(bytes)) != 0) {
     const Pixels<float> values(stbi_loadf_from_memory(data_of(bytes), size_of(bytes), &width, &height, &channels, 3),
                                stbi_image_free);

@@ -11,8 +11,11 @@ foreach(test driver_environment render goals interrupt checkpoint memory_limit s
   strahl_test(cli/test_${test}.cpp LABEL device SOURCES cli/program.cpp LIBS nlohmann_json::nlohmann_json fmt::fmt)
 endforeach()
 strahl_runs_program(cli_tests)
-add_test(NAME cli_test_checkpoint_kills COMMAND cli_tests "killed at any moment, again and again, it ends with the same picture")
+add_test(NAME cli_test_checkpoint_kills COMMAND cli_tests "killed at any moment*")
 set_tests_properties(cli_test_checkpoint_kills PROPERTIES LABELS slow TIMEOUT 3600 ENVIRONMENT STRAHL_KILLS=50)
 add_test(NAME cli_test_parallel_recipe COMMAND ${CMAKE_CURRENT_LIST_DIR}/test_parallel_recipe $<TARGET_FILE:strahl-bin>
                                                ${PROJECT_SOURCE_DIR}/scenes/cornell/cornell-box.xml)
+add_test(NAME cli_test_slurm_recipe COMMAND ${CMAKE_CURRENT_LIST_DIR}/test_slurm_recipe $<TARGET_FILE:strahl-bin>
+                                            ${PROJECT_SOURCE_DIR}/scenes/cornell/cornell-box.xml)
+set_tests_properties(cli_test_slurm_recipe PROPERTIES LABELS slow SKIP_RETURN_CODE 77 TIMEOUT 600)
 set_tests_properties(cli_test_parallel_recipe PROPERTIES LABELS device SKIP_RETURN_CODE 77 TIMEOUT 120)

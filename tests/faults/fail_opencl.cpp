@@ -3,7 +3,7 @@
 //
 //   STRAHL_CL_FAULT_LOG    a line for each call: its name
 //   STRAHL_CL_FAULT_CALL   n, from 1; without it all calls go through
-//   STRAHL_CL_FAULT_CODE   what it returns, as -5
+//   STRAHL_CL_FAULT_CODE   what it returns, as -5; "hang": it never returns
 #define CL_TARGET_OPENCL_VERSION 300
 #include <CL/cl.h>
 #include <CL/cl_icd.h>
@@ -38,6 +38,8 @@ cl_int fault_of(const char* call) {
     ::close(file);
   }
   const std::string at = text_of("STRAHL_CL_FAULT_CALL");
+  if (!at.empty() && number == std::atol(at.c_str()) && text_of("STRAHL_CL_FAULT_CODE") == "hang")
+    while (true) ::pause();
   return !at.empty() && number == std::atol(at.c_str()) ? std::atoi(text_of("STRAHL_CL_FAULT_CODE").c_str())
                                                         : CL_SUCCESS;
 }

@@ -29,7 +29,8 @@ std::string text_of(const char* name) {
 
 bool counts(const std::string& path) {
   const std::string folder = text_of("STRAHL_FAULT_FOLDER");
-  return !folder.empty() && (path.rfind(folder, 0) == 0 || (!path.empty() && path[0] != '/'));
+  // The folder itself too, which is flushed.
+  return !folder.empty() && ((path + "/").rfind(folder, 0) == 0 || (!path.empty() && path[0] != '/'));
 }
 
 std::string path_of(int descriptor) {

@@ -56,17 +56,35 @@ class FaultyRender {
     CHECK(strahl::read_checkpoint(folder_.path("c.ckpt")).header.least >= 8);
   }
 
+  /// The second launch after the film was cleared never ends.
+  void hang() {
+    const auto cleared = std::find(calls_.begin(), calls_.end(), "clEnqueueFillBuffer");
+    auto launch = std::find(cleared, calls_.end(), "clEnqueueNDRangeKernel");
+    launch = std::find(launch + 1, calls_.end(), "clEnqueueNDRangeKernel");
+    const auto call = static_cast<std::size_t>(launch - calls_.begin()) + 2;
+    REQUIRE(calls_.at(call - 1) == "clFinish");
+    const Outcome outcome =
+        run({{"STRAHL_CL_FAULT_CALL", std::to_string(call)}, {"STRAHL_CL_FAULT_CODE", "hang"}}, {"--watchdog", "1s"});
+    INFO(outcome.err);
+    CHECK(outcome.code == 1);
+    CHECK(contains(outcome.err, "has not come back from a launch for 1 s"));
+    CHECK(contains(outcome.err, "\"c.ckpt\" has the last checkpoint"));
+    CHECK_FALSE(fs::exists(folder_.path("out.pfm")));
+    CHECK(strahl::read_checkpoint(folder_.path("c.ckpt")).header.least >= 8);
+  }
+
   int successes = 0, failures = 0;
 
  private:
-  [[nodiscard]] Outcome run(std::map<std::string, std::string> environment) {
+  [[nodiscard]] Outcome run(std::map<std::string, std::string> environment, const std::vector<std::string>& more = {}) {
     for (const char* name : {"out.pfm", "calls.log"}) fs::remove(folder_.path(name));
     folder_.file("c.ckpt", kept_);
     environment["OPENCL_LAYERS"] = STRAHL_FAIL_OPENCL;
     environment["STRAHL_CL_FAULT_LOG"] = folder_.path("calls.log");
-    return folder_.run({scene_, "--width", "24", "--spp", "9", "-d", "pocl", "-q", "--sampler", "sobol", "--resume",
-                        "c.ckpt", "-o", "out.pfm"},
-                       environment);
+    std::vector<std::string> options{scene_, "--width",   "24",    "--spp",    "9",      "-d", "pocl",
+                                     "-q",   "--sampler", "sobol", "--resume", "c.ckpt", "-o", "out.pfm"};
+    options.insert(options.end(), more.begin(), more.end());
+    return folder_.run(options, environment);
   }
 
   Folder folder_;
@@ -92,6 +110,8 @@ TEST_CASE("each OpenCL call fails in turn") {
   }
   CHECK(faulty.failures > faulty.successes);
 }
+
+TEST_CASE("a kernel that never ends is left behind") { FaultyRender("lecture/lit.xml").hang(); }
 
 TEST_CASE("each OpenCL call fails in turn, all of them, and each function with each code") {
   if (std::getenv("STRAHL_ALL_FAULTS") == nullptr) return;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Every call of a render that writes fails in turn: no crash, no half file, no success that is none, and nothing older
 // than the last checkpoint is lost (docs/reliability.md).
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cstdlib>
 #include <filesystem>
@@ -102,6 +103,11 @@ class FaultyRender {
 
 TEST_CASE("each call that writes fails in turn") {
   FaultyRender faulty;
+  // The checkpoint is flushed before it has its name, and its folder after it.
+  const auto flushed = std::find(faulty.calls().begin(), faulty.calls().end(), "fsync");
+  REQUIRE(faulty.calls().end() - flushed >= 3);
+  CHECK(flushed[1] == "rename");
+  CHECK(flushed[2] == "fsync");
   const bool is_long = std::getenv("STRAHL_ALL_FAULTS") != nullptr;
   const std::vector<std::string> kinds{"EIO", "ENOSPC", "short"};
   for (std::size_t call = 1; call <= faulty.calls().size(); ++call) {

@@ -178,6 +178,11 @@ TEST_CASE("images of too many texels are refused before they are unpacked") {
   std::string tga = tga_file();
   tga.replace(12, 4, std::string("\xff\xff\xff\xff", 4));
   CHECK_THROWS_WITH(read("bomb.tga", tga), Contains("65535 x 65535 texels"));
+  tga.replace(12, 4, std::string("\xff\x3f\xff\x3f", 4));
+  CHECK_THROWS_WITH(read("bomb.tga", tga), Contains("too few for its 16383 x 16383 texels"));
+  std::string bmp = bmp_file();
+  bmp.replace(18, 8, std::string("\xff\x3f\0\0\xff\x3f\0\0", 8));
+  CHECK_THROWS_WITH(read("bomb.bmp", bmp), Contains("too few for its 16383 x 16383 texels"));
   std::string jpeg = jpeg_file(std::vector<unsigned char>(64, 7), 8, 8);
   const std::size_t frame = jpeg.find("\xff\xc0");
   REQUIRE(frame != std::string::npos);

@@ -159,6 +159,21 @@ TEST_CASE("what is finished is finished, and goes on to more samples") {
   CHECK_THROWS_AS(resumed(renderer, *last, more), InputError);
 }
 
+TEST_CASE("no time for a single sample leaves an empty film") {
+  require_pocl_and_rusticl();
+  Renderer renderer(Device::open("pocl"), picture(), settings_of());
+  const RenderResult expected = renderer.render();
+  RenderGoal goal;
+  goal.deadline = Clock::now();
+  FilmKeeper keeper;
+  std::optional<FilmState> last;
+  keeper.keep_last = [&](FilmState state) { last = std::move(state); };
+  static_cast<void>(renderer.render({}, goal, &keeper));
+  REQUIRE(last);
+  CHECK(least_of(*last) == 0);
+  for (const std::int64_t word : last->film.words) REQUIRE(word == 0);
+}
+
 TEST_CASE("parts add up in any order") {
   require_pocl_and_rusticl();
   for (const SamplerKind sampler : {SamplerKind::sobol, SamplerKind::independent}) {

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// Ends the process where the device does not come back: a driver that hangs cannot be asked to stop.
+#pragma once
+
+#include <condition_variable>
+#include <mutex>
+#include <string>
+#include <thread>
+
+namespace strahl::cli {
+
+/// While one lives, fed() must come at least every `seconds`; else what happened is said, and the process ends with
+/// exit code 1 at once, with its files as they are. kept: where the samples so far are; empty: nowhere. 0 s: does
+/// nothing.
+class Watchdog {
+ public:
+  Watchdog(double seconds, std::string kept);
+  ~Watchdog();
+  Watchdog(const Watchdog&) = delete;
+  Watchdog& operator=(const Watchdog&) = delete;
+
+  void fed();
+
+ private:
+  void watch();
+
+  double seconds_;
+  std::string kept_;
+  std::mutex mutex_;  ///< Of all below.
+  std::condition_variable wake_;
+  bool is_fed_ = false, is_over_ = false;
+  std::thread thread_;
+};
+
+}  // namespace strahl::cli
