@@ -11,10 +11,10 @@ FN void settle_one_w(const Ray* ray, Nearest* best) {
 #endif
 }
 
-/// The rays of `which` against a block, one by one.
-#define PACKET_RAYS_ALONE(name, which)                                 \
+/// The rays of `active` that come near primitives of a block, one by one, for kinds without a body for packets.
+#define PACKET_RAYS_ALONE(name)                                        \
   {                                                                    \
-    uint lanes = bits_w(which);                                        \
+    uint lanes = bits_w(rays_near_w(p, block, ids, kind, active));     \
     if (lanes == 0u) continue;                                         \
     NearestEach_w each = packet_found_w(p);                            \
     for (; lanes != 0u; lanes &= lanes - 1u) {                         \
@@ -48,23 +48,19 @@ FN void packet_leaf_w(const Scene* scene, Packet_w* p, GLOBAL const int* group, 
   (void)p;
   (void)active;
   for (int b = first; b < first + count; ++b, ids += LANES) {
-#define SHAPE(name, planes)                                                             \
-  if (SHAPE_COUNT == 1 || kind == SHAPE_##name) {                                       \
-    GLOBAL const real* block = geometry + (ulong)b * ((planes)*LANES);                  \
-    if (PACKET_BODY_##name##_w == PACKET_BODY_TRIANGLE)                                 \
-      polygon_packet_w(scene, p, block, ids, b* LANES, kind, active, 3);                \
-    else if (PACKET_BODY_##name##_w == PACKET_BODY_PARALLELOGRAM)                       \
-      polygon_packet_w(scene, p, block, ids, b* LANES, kind, active, 4);                \
-    else if (PACKET_BODY_##name##_w == PACKET_BODY_SPHERE)                              \
-      sphere_packet_w(scene, p, block, ids, b* LANES, kind, active);                    \
-    else if (PACKET_BODY_##name##_w == PACKET_BODY_PLANE)                               \
-      plane_packet_w(p, block, ids, b* LANES, kind, active);                            \
-    else if (PACKET_BODY_##name##_w == PACKET_BODY_DISK)                                \
-      disk_packet_w(p, block, ids, b* LANES, kind, active);                             \
-    else if (PACKET_BODY_##name##_w == PACKET_BODY_CYLINDER)                            \
-      PACKET_RAYS_ALONE(name, cylinder_packet_w(p, block, ids, b* LANES, kind, active)) \
-    else                                                                                \
-      PACKET_RAYS_ALONE(name, rays_near_w(p, block, ids, kind, active))                 \
+#define SHAPE(name, planes)                                              \
+  if (SHAPE_COUNT == 1 || kind == SHAPE_##name) {                        \
+    GLOBAL const real* block = geometry + (ulong)b * ((planes)*LANES);   \
+    if (PACKET_BODY_##name##_w == PACKET_BODY_TRIANGLE)                  \
+      polygon_packet_w(scene, p, block, ids, b* LANES, kind, active, 3); \
+    else if (PACKET_BODY_##name##_w == PACKET_BODY_PARALLELOGRAM)        \
+      polygon_packet_w(scene, p, block, ids, b* LANES, kind, active, 4); \
+    else if (PACKET_BODY_##name##_w == PACKET_BODY_SPHERE)               \
+      sphere_packet_w(scene, p, block, ids, b* LANES, kind, active);     \
+    else if (PACKET_BODY_##name##_w == PACKET_BODY_PLANE)                \
+      plane_packet_w(p, block, ids, b* LANES, kind, active);             \
+    else                                                                 \
+      PACKET_RAYS_ALONE(name)                                            \
   }
 #include "shapes/shapes.def"
 #undef SHAPE

@@ -35,9 +35,6 @@
 #elif TIER_FAST
 #include "shapes/polygon/moeller_fast_lanes.h"
 #endif
-#include "math/vec3_lanes.h"
-#include "shapes/disk/disk_t_lanes.h"
-#include "shapes/cylinder/cylinder_hits_lanes.h"
 #include "shapes/ball.h"
 #include "shapes/polygon/corners.h"
 // These headers need the definitions above.

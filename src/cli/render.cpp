@@ -67,9 +67,12 @@ void print_pixel(const Image& color) {
 }
 
 /// Renders again with the instrumented program and takes only its counts, so that counting costs the timed one nothing.
+/// Rays that go through the scene together cannot say what each of them visits, so that each goes by itself.
 nlohmann::ordered_json count(const Device& device, const Scene& scene, RenderSettings settings, const RenderOptions& o,
                              const InterruptGuard& guard, RunStats& stats) {
   settings.count_rays = true;
+  settings.paths_in_lanes = false;
+  settings.acceleration = stats.tree.nodes > 0 ? Acceleration::tree : Acceleration::list;
   Renderer renderer(device, scene, settings);
   ProgressBar bar("count", !o.scene.quiet && !o.scene.no_progress);
   const RenderResult counted = renderer.render([&](const Progress& progress) {

@@ -138,7 +138,7 @@ void compare(const Device& on, const Scene& scene, const std::vector<Ray>& rays,
   compare(on, scene, rays, settings, coherent, tally);
 }
 
-const std::vector<std::string> round_kinds = {"sphere", "plane", "disk", "cylinder"},
+const std::vector<std::string> round_kinds = {"sphere", "plane"},
                                flat_kinds = {"triangle", "mesh", "rectangle", "cube"};
 
 /// Whatever has no body for packets.

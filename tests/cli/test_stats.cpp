@@ -75,6 +75,10 @@ TEST_CASE("detail counts what rays visit: all that is listed; of a tree less, an
   const Json tree = stats(folder, {"--stats-detail", "--lanes", "8", "--accel", "tree"});
   CHECK(tree.at("visits").at("primitives") <= tree.at("rays").at("camera"));
   CHECK(stats(folder, {}).at("visits").at("nodes").is_null());
+  // Also where the picture's rays go together.
+  const Json together = stats(folder, {"--stats-detail", "--paths", "lanes", "--lanes", "8", "--accel", "list"});
+  CHECK(together.at("path_lanes") == 8);
+  CHECK(together.at("visits") == list.at("visits"));
 }
 
 TEST_CASE("- is standard output, with nothing else on it") {

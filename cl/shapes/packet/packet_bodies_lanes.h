@@ -7,5 +7,3 @@
 #include "shapes/sphere/sphere_packet_lanes.h"
 #include "shapes/plane/plane_packet_lanes.h"
 #include "shapes/packet/packet_near_lanes.h"
-#include "shapes/disk/disk_packet_lanes.h"
-#include "shapes/cylinder/cylinder_packet_lanes.h"
