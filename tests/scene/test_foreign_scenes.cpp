@@ -169,7 +169,7 @@ TEST_CASE("what Mitsuba has is not supported yet; only what nobody has is guesse
 }
 
 TEST_CASE("the document lists every type of Mitsuba") {
-  std::ifstream file(STRAHL_SOURCE_DIR "/docs/scene-format.md");
+  std::ifstream file(STRAHL_SOURCE_DIR "/docs/scene-plugins.md");
   const std::string text{std::istreambuf_iterator<char>(file), {}};
   for (const char* tag :
        {"shape", "bsdf", "texture", "emitter", "sensor", "film", "rfilter", "sampler", "integrator"}) {
