@@ -11,6 +11,7 @@ typedef struct {
   GLOBAL uint* done;  ///< The word behind the counters (scene/layout.h); used only where a span is one pixel.
   SubSums sub_sums;
   int first_pixel;  ///< Its number in the picture.
+  int pixel_words;  ///< Words of a pixel in the film.
   int times;        ///< Each sample counts so many times.
 } SpanFilm;
 
@@ -41,9 +42,7 @@ FN void add_to_film(const Scene* scene, const SpanFilm* film, int pixel, int sam
     if (HAS_LOOP_LIMIT) *done = (uint)(sample + times);
     return;
   }
-  ulong place =
-      (ulong)(pixel - film->first_pixel) * (ulong)(scene->index[HEADER_SUMS] * FILM_CHANNELS * FILM_SUM_WORDS);
-  GLOBAL long* pixel_sums = film->sums + place;
+  GLOBAL long* pixel_sums = film->sums + (ulong)(pixel - film->first_pixel) * (ulong)film->pixel_words;
   if (HAS_LOOP_LIMIT) {
     for (int i = sample; i < sample + times; ++i) {
       add_sample(scene, pixel_sums, sums, i, light);
