@@ -22,7 +22,6 @@
 #include "program/path_lanes.h"
 #include "program/program_text.h"
 #include "render/traversal_choice.h"
-#include "settings/sampling.h"
 #include "study/effect_costs.h"
 
 namespace strahl::cli {

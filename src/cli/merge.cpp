@@ -7,8 +7,8 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
-#include <set>
 
+#include "checkpoint/picture.h"
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/distinct_files.h"
@@ -16,7 +16,6 @@
 #include "cli/output_file.h"
 #include "cli/picture_files.h"
 #include "cli/picture_metadata.h"
-#include "render/aov.h"
 
 namespace strahl::cli {
 namespace {
@@ -51,17 +50,12 @@ void require_outputs(const MergeOptions& options) {
 }
 
 RenderResult result_of(const Checkpoint& sum) {
-  const FilmState& state = sum.state;
-  RenderResult result;
-  result.color = state.film.mean();
-  result.aov.channels.clear();
-  std::set<Aov> aovs;
-  for (const std::string& name : sum.header.aovs) aovs.insert(aov_from_name(name));
-  if (aovs.contains(Aov::numeric_error))
-    throw InputError("--aov numeric_error traces the scene again, which `merge` has not; render it by itself");
-  if (!aovs.empty())
-    result.aov = aov_image(state.film.width, state.film.height, aovs, state.aov_reals, state.aov_ints, state.frame);
-  if (state.unusual.saturated + state.unusual.invalid == 0) result.error = estimate_error(state.film);
+  for (const std::string& aov : sum.header.aovs)
+    if (aov == "numeric_error")
+      throw InputError("--aov numeric_error traces the scene again, which `merge` has not; render it by itself");
+  RenderResult result = picture_of(sum);
+  const UnusualSamples& unusual = sum.state.unusual;
+  if (unusual.saturated + unusual.invalid == 0) result.error = estimate_error(sum.state.film);
   return result;
 }
 

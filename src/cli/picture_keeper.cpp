@@ -7,26 +7,12 @@
 #include <limits>
 #include <utility>
 
+#include "checkpoint/picture.h"
 #include "cli/console.h"
 #include "cli/goal_options.h"
-#include "render/aov.h"
 
 namespace strahl::cli {
 namespace {
-
-/// As RenderResult, of a film that is not done.
-RenderResult picture_of(const Checkpoint& checkpoint) {
-  RenderResult result;
-  const FilmState& state = checkpoint.state;
-  result.color = state.film.mean();
-  result.aov.channels.clear();
-  std::set<Aov> aovs;
-  for (const std::string& name : checkpoint.header.aovs)
-    if (name != "numeric_error") aovs.insert(aov_from_name(name));  // Only the end of a render can tell it.
-  if (!aovs.empty())
-    result.aov = aov_image(state.film.width, state.film.height, aovs, state.aov_reals, state.aov_ints, state.frame);
-  return result;
-}
 
 /// What an action threw; empty: nothing.
 template <class Action>

@@ -36,6 +36,18 @@ void drop_repeated(XmlElement& element, Diagnostics& diagnostics) {
 bool is_lower(char c) { return std::islower(static_cast<unsigned char>(c)) != 0; }
 bool is_upper(char c) { return std::isupper(static_cast<unsigned char>(c)) != 0; }
 
+/// Before the others. tag, name and value outlive the document.
+void add_parameter(XmlElement& element, XmlPool& pool, const char* tag, const char* name, const char* value) {
+  XmlElement& parameter = pool.row<XmlElement>(1).front();
+  parameter.tag = tag;
+  parameter.attributes = pool.row<XmlAttribute>(2);
+  parameter.attributes[0] = {"name", name};
+  parameter.attributes[1] = {"value", value};
+  parameter.where = element.where;
+  parameter.next_sibling = element.first_child;
+  element.first_child = &parameter;
+}
+
 /// In 0.x a metal without a name is copper, in Mitsuba 3 the ideal mirror.
 void name_copper(XmlElement& element, XmlPool& pool) {
   const std::string_view type = element.text("type");
@@ -43,27 +55,13 @@ void name_copper(XmlElement& element, XmlPool& pool) {
   for (const XmlElement* child = element.first_child; child != nullptr; child = child->next_sibling)
     for (const char* given : {"material", "eta", "k"})
       if (child->text("name") == given) return;
-  XmlElement& material = pool.row<XmlElement>(1).front();
-  material.tag = "string";
-  material.attributes = pool.row<XmlAttribute>(2);
-  material.attributes[0] = {"name", "material"};
-  material.attributes[1] = {"value", "Cu"};
-  material.where = element.where;
-  material.next_sibling = element.first_child;
-  element.first_child = &material;
+  add_parameter(element, pool, "string", "material", "Cu");
 }
 
 /// In 0.x a sky's zenith is y, in Mitsuba 3 it is z.
 void turn_sky(XmlElement& element, XmlPool& pool) {
   if (element.tag != "emitter" || element.text("type") != "sunsky") return;
-  XmlElement& zenith = pool.row<XmlElement>(1).front();
-  zenith.tag = "boolean";
-  zenith.attributes = pool.row<XmlAttribute>(2);
-  zenith.attributes[0] = {"name", "is_y_up"};
-  zenith.attributes[1] = {"value", "true"};
-  zenith.where = element.where;
-  zenith.next_sibling = element.first_child;
-  element.first_child = &zenith;
+  add_parameter(element, pool, "boolean", "is_y_up", "true");
 }
 
 void rename(XmlElement& element, bool parameters, XmlPool& pool, Diagnostics& diagnostics) {
