@@ -104,7 +104,9 @@ std::vector<LightRow> light_rows() {
 
 const std::vector<std::string> light_entries = {
 #define LIGHT(name) #name,
+#define DELTA_LIGHT LIGHT
 #include "../../cl/lights/lights.def"
+#undef DELTA_LIGHT
 #undef LIGHT
 };
 

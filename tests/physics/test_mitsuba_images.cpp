@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Textures and environments have the values that Mitsuba 3 has given (tests/acceptance/mitsuba_images.py --write) at
 // points of an image and in directions of the sky: filter, wrap, curve, which way is up, handedness, turns.
-#include <fstream>
 #include <map>
 #include <memory>
-#include <sstream>
 
 #include "kinds/textures.h"
+#include "physics/mitsuba_table.h"
 #include "physics/transport_scenes.h"
 #include "scene/model/transforms.h"
 
@@ -20,24 +19,8 @@ struct Told {
   Triad at, colour;
 };
 
-std::vector<Told> told_by_mitsuba() {
-  std::ifstream file(STRAHL_SOURCE_DIR "/tests/acceptance/mitsuba_images.csv");
-  std::vector<Told> all;
-  std::string line;
-  std::getline(file, line);
-  while (std::getline(file, line)) {
-    std::istringstream words(line);
-    Told told;
-    for (std::string* word : {&told.kind, &told.mode, &told.curve}) std::getline(words, *word, ',');
-    for (Triad* numbers : {&told.at, &told.colour})
-      for (double& number : *numbers) {
-        std::string word;
-        std::getline(words, word, ',');
-        number = std::stod(word);
-      }
-    all.push_back(told);
-  }
-  return all;
+std::vector<Told> all_told() {
+  return told_by_mitsuba<Told>("mitsuba_images.csv", {&Told::kind, &Told::mode, &Told::curve});
 }
 
 std::shared_ptr<const Texels> image(const std::string& name) {
@@ -73,7 +56,7 @@ Scene scene_of(const Told& told) {
 }
 
 TEST_CASE("images are those of Mitsuba") {
-  const std::vector<Told> all = told_by_mitsuba();
+  const std::vector<Told> all = all_told();
   REQUIRE(all.size() == 126);
   for (const TransportTier& tier : transport_tiers())
     for (const Told& told : all) {

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Lights with textures shine as Mitsuba 3 has told (tests/acceptance/mitsuba_lights.py --write), from the scene file to
 // the kernels: spots and projectors at points, shapes along rays.
-#include <fstream>
 #include <map>
-#include <sstream>
 
+#include "physics/mitsuba_table.h"
 #include "physics/transport_scenes.h"
 #include "scene/loader.h"
 
@@ -18,25 +17,7 @@ struct Told {
   Triad at, colour;
 };
 
-std::vector<Told> told_by_mitsuba() {
-  std::ifstream file(STRAHL_SOURCE_DIR "/tests/acceptance/mitsuba_lights.csv");
-  std::vector<Told> all;
-  std::string line;
-  std::getline(file, line);
-  while (std::getline(file, line)) {
-    std::istringstream words(line);
-    Told told;
-    for (std::string* word : {&told.scene, &told.what}) std::getline(words, *word, ',');
-    for (Triad* numbers : {&told.at, &told.colour})
-      for (double& number : *numbers) {
-        std::string word;
-        std::getline(words, word, ',');
-        number = std::stod(word);
-      }
-    all.push_back(told);
-  }
-  return all;
-}
+std::vector<Told> all_told() { return told_by_mitsuba<Told>("mitsuba_lights.csv", {&Told::scene, &Told::what}); }
 
 const Scene& scene_named(const std::string& name) {
   static std::map<std::string, Scene> scenes;
@@ -49,7 +30,7 @@ const Scene& scene_named(const std::string& name) {
 }
 
 TEST_CASE("lights with textures shine as Mitsuba's") {
-  const std::vector<Told> all = told_by_mitsuba();
+  const std::vector<Told> all = all_told();
   REQUIRE(all.size() == 172);
   for (const TransportTier& tier : transport_tiers())
     for (const Told& told : all) {
@@ -63,18 +44,29 @@ TEST_CASE("lights with textures shine as Mitsuba's") {
     }
 }
 
+struct LitPlaces {
+  std::vector<Triad> directions, colours;
+};
+
+/// Seen from the origin.
+LitPlaces lit_places(const TransportTier& tier, const TierScene& scene, int light,
+                     const std::vector<PlaceNumbers>& numbers) {
+  LitPlaces places;
+  for (const LightDraw& drawn : tier.draw(scene.buffers(), light, {0, 0, 0}, numbers)) {
+    if (drawn.radiance[0] <= 0) continue;
+    places.directions.push_back(triad(normalized(vec(drawn.towards))));
+    places.colours.push_back(drawn.radiance);
+  }
+  return places;
+}
+
 /// Places of a mesh know their attributes, as hits do.
 TEST_CASE("places that are drawn on a mesh have its attributes") {
   const std::vector<PlaceNumbers> numbers = place_numbers(64);
   for (const TransportTier& tier : transport_tiers())
     for (const char* name : {"glowing-vertex_color", "glowing-vertex_heat", "glowing-face_color"}) {
       const TierScene packed(scene_named(name), tier);
-      std::vector<Triad> directions, colours;
-      for (const LightDraw& drawn : tier.draw(packed.buffers(), 0, {0, 0, 0}, numbers)) {
-        if (drawn.radiance[0] <= 0) continue;
-        directions.push_back(triad(normalized(vec(drawn.towards))));
-        colours.push_back(drawn.radiance);
-      }
+      const auto [directions, colours] = lit_places(tier, packed, 0, numbers);
       REQUIRE(directions.size() > 32);
       const std::vector<Sight> seen = tier.look(packed.buffers(), {0, 0, 0}, directions);
       for (std::size_t i = 0; i < seen.size(); ++i) {
@@ -92,12 +84,7 @@ TEST_CASE("places that are drawn on glowing shapes are as bright as rays see the
     const TierScene packed(scene, tier);
     for (int light = 0; light < 5; ++light) {
       INFO(tier.name << ", " << tier.lanes << " lanes, light " << light);
-      std::vector<Triad> directions, colours;
-      for (const LightDraw& drawn : tier.draw(packed.buffers(), light, {0, 0, 0}, numbers)) {
-        if (drawn.radiance[0] <= 0) continue;
-        directions.push_back(triad(normalized(vec(drawn.towards))));
-        colours.push_back(drawn.radiance);
-      }
+      const auto [directions, colours] = lit_places(tier, packed, light, numbers);
       REQUIRE(directions.size() > 50);
       const std::vector<Sight> seen = tier.look(packed.buffers(), {0, 0, 0}, directions);
       std::size_t missed = 0;
