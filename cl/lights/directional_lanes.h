@@ -14,20 +14,3 @@ FN LightSample_w directional_sample_w(const Scene* scene, GLOBAL const int* row,
   s.is_delta = ~none_w();
   return s;
 }
-
-FN realw directional_density_w(const Scene* scene, GLOBAL const int* row, real3w from, real3w towards,
-                               const Surfaces_w* s) {
-  (void)scene;
-  (void)row;
-  (void)from;
-  (void)towards;
-  (void)s;
-  return splat_w(R(0.0));
-}
-
-FN real3w directional_background_w(const Scene* scene, GLOBAL const int* row, real3w towards) {
-  (void)scene;
-  (void)row;
-  (void)towards;
-  return splat3_w(vec3(R(0.0), R(0.0), R(0.0)));
-}

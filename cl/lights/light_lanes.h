@@ -12,7 +12,9 @@
 enum {
   LIGHT_NUMBERS_w = 0
 #define LIGHT(name) | (int)name##_NUMBERS_w
+#define DELTA_LIGHT LIGHT
 #include "lights/lights.def"
+#undef DELTA_LIGHT
 #undef LIGHT
 };
 
@@ -39,7 +41,9 @@ FN LightSample_w sample_of_light_w(const Scene* scene, int light, real3w from, L
 #define LIGHT(name)  \
   case LIGHT_##name: \
     return name##_sample_w(scene, row, from, numbers);
+#define DELTA_LIGHT LIGHT
 #include "lights/lights.def"
+#undef DELTA_LIGHT
 #undef LIGHT
     default:
       (void)from;
@@ -66,7 +70,9 @@ FN realw density_of_light_w(const Scene* scene, int light, real3w from, real3w t
 #define LIGHT(name)  \
   case LIGHT_##name: \
     return name##_density_w(scene, row, from, towards, s);
+#define DELTA_LIGHT(name)
 #include "lights/lights.def"
+#undef DELTA_LIGHT
 #undef LIGHT
     default:
       (void)from;
@@ -100,7 +106,9 @@ FN real3w far_radiance_w(const Scene* scene, int header, real3w towards) {
 #define LIGHT(name)  \
   case LIGHT_##name: \
     return name##_background_w(scene, row, towards);
+#define DELTA_LIGHT(name)
 #include "lights/lights.def"
+#undef DELTA_LIGHT
 #undef LIGHT
     default:
       (void)towards;

@@ -29,7 +29,9 @@ enum {
 
 enum {
 #define LIGHT(name) LIGHT_##name,
+#define DELTA_LIGHT LIGHT
 #include "lights/lights.def"
+#undef DELTA_LIGHT
 #undef LIGHT
   LIGHT_COUNT
 };

@@ -54,12 +54,13 @@ class KernelCopy {
   void append(const std::string& path, const std::string& text) const {
     std::ofstream(folder_ / path, std::ios::app) << text;
   }
-  /// Before the first line that begins with `before`.
-  void insert(const std::string& path, const std::string& before, const std::string& text) const {
+  /// Before the first line that is no comment.
+  void insert(const std::string& path, const std::string& text) const {
     std::string whole = test::bytes_of(folder_ / path);
-    const std::size_t at = whole.find("\n" + before);
-    REQUIRE(at != std::string::npos);
-    test::put_bytes(folder_ / path, whole.insert(at + 1, text));
+    std::size_t at = 0;
+    while (whole.compare(at, 2, "//") == 0) at = whole.find('\n', at) + 1;
+    REQUIRE(at > 0);
+    test::put_bytes(folder_ / path, whole.insert(at, text));
   }
 
  private:
@@ -81,11 +82,11 @@ void add_entry(const KernelCopy& kernels, const std::string& list, const std::st
   // Shapes have a file of either sort an entry, all else is written in lanes.
   std::vector<std::pair<std::string, std::string>> edits = {{"all_lanes.h", "_lanes.h"}};
   if (list == "shapes") edits.emplace_back("all.h", ".h");
-  first ? kernels.insert(def, macros.at(list) + "(", entry) : kernels.append(def, entry);
+  first ? kernels.insert(def, entry) : kernels.append(def, entry);
   for (const auto& [all, suffix] : edits) {
     const std::string file = list + "/" + name + suffix, include = "#include \"" + file + "\"\n";
     kernels.append(file, "int " + list + "_" + name + ";\n");
-    first ? kernels.insert(list + "/" + all, "#include", include) : kernels.append(list + "/" + all, include);
+    first ? kernels.insert(list + "/" + all, include) : kernels.append(list + "/" + all, include);
   }
 }
 

@@ -118,7 +118,9 @@ std::optional<Emitter> read_area(Properties& properties, SceneBuilder&) {
 const PluginTable<LightReader>& light_readers() {
   static const PluginTable<LightReader> table{
 #define LIGHT(name) {#name, read_##name},
+#define DELTA_LIGHT LIGHT
 #include "../../../cl/lights/lights.def"
+#undef DELTA_LIGHT
 #undef LIGHT
       {"sky", read_sky}, {"sunsky", read_sunsky}};
   return table;
