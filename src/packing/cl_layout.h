@@ -4,4 +4,5 @@
 
 namespace strahl::layout {
 #include "../../cl/scene/layout.h"
+#include "../../cl/media/media_layout.h"
 }
