@@ -9,7 +9,9 @@
 #include "integrators/pass_on_lanes.h"
 #include "integrators/steps.h"
 #include "integrators/visibility_lanes.h"
+#if HAS_MEDIA
 #include "media/all_lanes.h"
+#endif
 
 #include "integrators/direct_light_lanes.h"
 #include "integrators/all_lanes.h"

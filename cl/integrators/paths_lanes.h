@@ -3,7 +3,9 @@
 
 #include "scene/counters.h"
 #include "integrators/interfaces_lanes.h"
+#if HAS_MEDIA
 #include "media/all.h"
+#endif
 
 typedef struct {
   maskw alive;          ///< Paths that go on along `rays`.

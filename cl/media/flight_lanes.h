@@ -5,14 +5,14 @@
 // TOG 38(4), 2019. One width; no guard.
 
 typedef struct {
-  real3w from, d;     ///< Where the way begins; its direction, unit.
-  realw length;       ///< To the surface where it ends; REAL_MAX: there is none.
-  realw optical;      ///< Optical depth to the next event, of the hero, or of the majorant where one is used.
-  real3w throughput;  ///< Of the path, divided by the mean density of the heroes.
-  real3w share;       ///< Each hero's density over their mean.
-  real3w radiance;    ///< What the medium has emitted on the way, as it reaches the camera.
-  maskw scatters;     ///< Lanes that scatter before the surface,
-  realw t;            ///< and where.
+  real3w from, d;              ///< Where the way begins; its direction, unit.
+  realw length;                ///< To the surface where it ends; REAL_MAX: there is none.
+  realw optical;               ///< Optical depth to the next event, of the hero, or of the majorant where one is used.
+  real3w throughput;           ///< Of the path, divided by the mean density of the heroes.
+  real3w share;                ///< Each hero's density over their mean.
+  real3w radiance;             ///< What the medium has emitted on the way, as it reaches the camera.
+  maskw scatters;              ///< Lanes that scatter before the surface,
+  realw t;                     ///< and where.
   uintw pixel, sample, draws;  ///< Of the stream of random numbers below.
   uint seed;
 } Flight_w;

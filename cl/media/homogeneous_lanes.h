@@ -21,6 +21,12 @@ FN void homogeneous_travel_w(const Scene* scene, GLOBAL const int* row, intw her
     glow = mul3_w(mul3_w(splat3_w(emission), glow), w->throughput);
     w->radiance = sel3_w(which, add3_w(w->radiance, glow), w->radiance);
   }
+  if (albedo.x + albedo.y + albedo.z == R(0.0)) {
+    // Nothing is scattered, so nothing is drawn.
+    real3w passed = exp_minus3_w(homogeneous_depths_w(reals, w->length));
+    w->throughput = sel3_w(which, mul3_w(passed, w->throughput), w->throughput);
+    return;
+  }
   realw t = w->optical / chosen;
   maskw scatters = which & lt_w(t, w->length);
   if (row[MEDIUM_IS_GREY]) {

@@ -16,8 +16,8 @@ FN void travel_w(const Scene* scene, intw media, intw hero, maskw which, Flight_
     maskw of_medium = which & same_medium_w(media, lanes, &medium);
     GLOBAL const int* row = medium_row(scene, medium);
     switch (row[MEDIUM_KIND]) {
-#define MEDIUM(name)                                         \
-  case MEDIUM_##name:                                        \
+#define MEDIUM(name)                                      \
+  case MEDIUM_##name:                                     \
     name##_travel_w(scene, row, hero, of_medium, flight); \
     break;
 #include "media/media.def"
@@ -37,8 +37,8 @@ FN real3w transmittance_w(const Scene* scene, intw media, maskw which, Flight_w*
     maskw of_medium = which & same_medium_w(media, lanes, &medium);
     GLOBAL const int* row = medium_row(scene, medium);
     switch (row[MEDIUM_KIND]) {
-#define MEDIUM(name)                                                                                          \
-  case MEDIUM_##name:                                                                                         \
+#define MEDIUM(name)                                                                         \
+  case MEDIUM_##name:                                                                        \
     share = sel3_w(of_medium, name##_transmittance_w(scene, row, of_medium, flight), share); \
     break;
 #include "media/media.def"

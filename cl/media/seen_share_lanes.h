@@ -7,8 +7,8 @@ ONCE_FN Surfaces_w meet_surfaces_w(const Scene* scene, Paths_w* path, int want, 
   return find_surfaces_w(scene, path, want, first);
 }
 
-/// The share of light that comes from `towards`, t_max away, to the vertices `from`, in the lanes of `which`. aim: as in
-/// Rays.
+/// The share of light that comes from `towards`, t_max away, to the vertices `from`, in the lanes of `which`. aim: as
+/// in Rays.
 FN real3w seen_share_w(const Scene* scene, Paths_w* path, const Surfaces_w* from, maskw which, real3w towards,
                        realw t_max, intw aim) {
   Paths_w way = *path;
@@ -35,7 +35,8 @@ FN real3w seen_share_w(const Scene* scene, Paths_w* path, const Surfaces_w* from
     w.length = sel_w(hit | is_far, w.length, max_w(left, zero));
     left = left - w.length;
     if (any_w(is_within)) {
-      share = mul3_w(share, sel3_w(way.alive, transmittance_w(scene, way.medium, is_within, &w), vec3_w(one, one, one)));
+      share =
+          mul3_w(share, sel3_w(way.alive, transmittance_w(scene, way.medium, is_within, &w), vec3_w(one, one, one)));
       way.draws = w.draws;
     }
     way.alive = hit;

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Vertices of paths within media. A path that scatters before its next surface takes what a surface would be: the place
-// stands in the record of the surface that it would have met, marked by `scatters`, so that light is drawn, weighted and
-// followed by the same functions there. One width; no guard.
+// stands in the record of the surface that it would have met, marked by `scatters`, so that light is drawn, weighted
+// and followed by the same functions there. One width; no guard.
 
 /// The medium that a path is in which leaves the surface towards d; `media`: where the surface is no boundary.
 FN intw medium_beyond_w(const Scene* scene, const Surfaces_w* s, real3w d, intw media) {
   GLOBAL const int* parts = scene->index + media_table(scene)[MEDIA_PARTS];
   maskw is_inside = lt_w(dot3_w(d, s->normal), splat_w(R(0.0)));
-  intw at = s->part * (int)BOUNDARY_INTS +
-            sel_int_w(is_inside, splat_int_w(BOUNDARY_INSIDE), splat_int_w(BOUNDARY_OUTSIDE));
+  intw at =
+      s->part * (int)BOUNDARY_INTS + sel_int_w(is_inside, splat_int_w(BOUNDARY_INSIDE), splat_int_w(BOUNDARY_OUTSIDE));
   intw beyond = gather_int_w(parts, at);
   return sel_int_w(nonzero_w(beyond - splat_int_w(MEDIUM_SAME)) & ~s->scatters, beyond, media);
 }

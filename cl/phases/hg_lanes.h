@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // L. Henyey, J. Greenstein, "Diffuse radiation in the Galaxy", Astrophysical Journal 93, 1941: g is the mean cosine.
-// 1 + g^2 - 2 g cos loses all digits in the peak of |g| near 1. It is (1 - |g|)^2 + 2 |g| (1 - cos), and 1 - cos is half
-// the squared distance of the two ways; so both are computed here, and the drawn angle likewise. One width; no guard.
+// 1 + g^2 - 2 g cos loses all digits in the peak of |g| near 1. It is (1 - |g|)^2 + 2 |g| (1 - cos), and 1 - cos is
+// half the squared distance of the two ways; so both are computed here, and the drawn angle likewise. One width; no
+// guard.
 
 /// (1 - g^2) / (4 pi) over that to the power of 3/2. missing: 1 - cos, of g < 0 1 + cos.
 FN realw hg_density_w(real g, realw missing) {

@@ -26,8 +26,8 @@ FN realw phase_of_medium_w(const Scene* scene, GLOBAL const int* medium, real3w 
     GLOBAL const real* reals = scene->shading + row[PHASE_REALS];
     realw value = splat_w(R(0.0));
     switch (row[PHASE_KIND]) {
-#define PHASE(name)                                           \
-  case PHASE_##name:                                          \
+#define PHASE(name)                                        \
+  case PHASE_##name:                                       \
     value = name##_value_w(reals[PHASE_G], before, after); \
     break;
 #include "phases/phases.def"
@@ -55,8 +55,8 @@ FN real3w turned_by_medium_w(const Scene* scene, GLOBAL const int* medium, real3
     if (!any_w(is_one)) continue;
     Turn_w drawn = turn;
     switch (row[PHASE_KIND]) {
-#define PHASE(name)                          \
-  case PHASE_##name:                         \
+#define PHASE(name)                           \
+  case PHASE_##name:                          \
     drawn = name##_turn_w(reals[PHASE_G], u); \
     break;
 #include "phases/phases.def"
@@ -71,8 +71,8 @@ FN real3w turned_by_medium_w(const Scene* scene, GLOBAL const int* medium, real3
   Frame_w frame = frame_around_w(before);
   SinCos_w around = sincos_turns_w(v);
   realw sine = sqrt_w(turn.missing * turn.beyond);
-  real3w after = from_frame_w(&frame, vec3_w(sine * around.cosine, sine * around.sine,
-                                             splat_w(R(0.5)) * (turn.beyond - turn.missing)));
+  real3w after = from_frame_w(
+      &frame, vec3_w(sine * around.cosine, sine * around.sine, splat_w(R(0.5)) * (turn.beyond - turn.missing)));
   after = unit3_w(after);
   *density = count == 1 ? turn.density : phase_of_medium_w(scene, medium, before, after);
   return after;

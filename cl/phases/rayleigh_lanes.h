@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Scattering by what is much smaller than the wavelength: 3 / (16 pi) (1 + cos^2). Lord Rayleigh, "On the light from the
-// sky, its polarization and colour", Philosophical Magazine 41, 1871. One width; no guard.
+// Scattering by what is much smaller than the wavelength: 3 / (16 pi) (1 + cos^2). Lord Rayleigh, "On the light from
+// the sky, its polarization and colour", Philosophical Magazine 41, 1871. One width; no guard.
 
 FN realw rayleigh_density_w(realw cosine) {
   realw scale = splat_w(R(0.1875) * ONE_OVER_PI);

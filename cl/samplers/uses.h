@@ -10,8 +10,8 @@
 
 /// Numbers of the sample as a whole. A use that sample_pair draws takes two numbers, the first of them even.
 enum {
-  USE_PIXEL = 0,  ///< The place within the pixel.
-  USE_LENS = 2,   ///< The place on the lens.
+  USE_PIXEL = 0,    ///< The place within the pixel.
+  USE_LENS = 2,     ///< The place on the lens.
   USE_CHANNEL = 4,  ///< The channel that distances within media are drawn for.
   PAIRS_A_SAMPLE = 4
 };

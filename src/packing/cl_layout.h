@@ -3,6 +3,6 @@
 #pragma once
 
 namespace strahl::layout {
-#include "../../cl/scene/layout.h"
 #include "../../cl/media/media_layout.h"
-}
+#include "../../cl/scene/layout.h"
+}  // namespace strahl::layout

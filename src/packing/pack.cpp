@@ -349,10 +349,10 @@ class Packing {
   std::vector<std::int32_t> first_ids_;
   std::vector<int> first_part_, light_of_part_;
   int part_rows_ = 0;
-  int media_row_ = 0;                                       ///< Where the row of media is, in programs with MEDIA.
+  int media_row_ = 0;                                      ///< Where the row of media is, in programs with MEDIA.
   std::vector<std::optional<MediumBoundary>> boundaries_;  ///< Of each part.
-  std::vector<int> attributes_at_;       ///< Of each of the shapes.
-  std::vector<std::string> attributes_;  ///< Of meshes, that textures show, by their number.
+  std::vector<int> attributes_at_;                         ///< Of each of the shapes.
+  std::vector<std::string> attributes_;                    ///< Of meshes, that textures show, by their number.
   std::map<const Shape*, int> ranks_;
   std::vector<PackedTree<Real>> groups_;
   std::vector<Real> instances_;  ///< INSTANCE_REALS each.

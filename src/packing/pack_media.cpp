@@ -26,9 +26,9 @@ void pack_media(PackedScene<Real>& packed, int row, const Scene& scene, const Fe
     for (const PhaseFunction& phase : medium.phases)
       phases.insert(phases.end(), {features.entry_index("phases", phase_entry(phase.kind)),
                                    packed.put_shading({phase.share, phase.g})});
-    rows.insert(rows.end(), {features.entry_index("media", "homogeneous"), packed.put_shading(reals),
-                             s.r == s.g && s.g == s.b ? 1 : 0, packed.put_index(phases),
-                             checked_offset(medium.phases.size())});
+    rows.insert(rows.end(),
+                {features.entry_index("media", "homogeneous"), packed.put_shading(reals),
+                 s.r == s.g && s.g == s.b ? 1 : 0, packed.put_index(phases), checked_offset(medium.phases.size())});
   }
   for (const auto& boundary : boundaries) {
     const MediumBoundary none{layout::MEDIUM_SAME, layout::MEDIUM_SAME};

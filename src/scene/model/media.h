@@ -21,9 +21,9 @@ struct PhaseFunction {
 /// Alike everywhere.
 struct Medium {
   std::string id;
-  Rgb sigma_t{1, 1, 1};           ///< What is absorbed or scattered, per unit of length; at least 0.
-  Rgb albedo{0.75, 0.75, 0.75};   ///< The share of that which is scattered, within [0, 1].
-  Rgb emission{0, 0, 0};          ///< Radiance of an infinite depth of it where nothing is scattered.
+  Rgb sigma_t{1, 1, 1};          ///< What is absorbed or scattered, per unit of length; at least 0.
+  Rgb albedo{0.75, 0.75, 0.75};  ///< The share of that which is scattered, within [0, 1].
+  Rgb emission{0, 0, 0};         ///< Radiance of an infinite depth of it where nothing is scattered.
   std::vector<PhaseFunction> phases{PhaseFunction{}};
   SourceLocation where;
 };

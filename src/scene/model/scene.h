@@ -113,15 +113,15 @@ using Geometry = std::variant<Sphere, Plane, Box, Triangle, Rectangle, Cube, Dis
 struct Shape {
   std::string id;
   Geometry geometry;
-  int material = 0;               ///< Index into Scene::materials.
-  std::optional<Rgb> radiance;    ///< Area emitter: emitted on the side that the normal points to.
-  int radiance_texture = -1;      ///< Index into Scene::textures, of one that multiplies the radiance; -1: none.
-  double sampling_weight = 1;     ///< As a Light's, of what it emits.
-  bool flip_normals = false;      ///< Mitsuba's flip_normals: reverses the normal as built.
-  std::optional<int> priority;    ///< Of glass: where such shapes overlap the highest one is there. None: not tracked.
+  int material = 0;             ///< Index into Scene::materials.
+  std::optional<Rgb> radiance;  ///< Area emitter: emitted on the side that the normal points to.
+  int radiance_texture = -1;    ///< Index into Scene::textures, of one that multiplies the radiance; -1: none.
+  double sampling_weight = 1;   ///< As a Light's, of what it emits.
+  bool flip_normals = false;    ///< Mitsuba's flip_normals: reverses the normal as built.
+  std::optional<int> priority;  ///< Of glass: where such shapes overlap the highest one is there. None: not tracked.
   std::optional<MediumBoundary> media;  ///< None: the shape is no boundary of media.
-  SourceLocation where;           ///< The <shape> element.
-  SourceLocation radiance_where;  ///< The <emitter> element inside it.
+  SourceLocation where;                 ///< The <shape> element.
+  SourceLocation radiance_where;        ///< The <emitter> element inside it.
 };
 
 /// Shapes that instances place, in a frame of their own. They are no part of the scene themselves. Neither planes nor

@@ -30,8 +30,8 @@ std::optional<Rgb> read_volume(Properties& properties, SceneBuilder& builder, co
 double share_in(Properties& properties, const char* name, double low, double high, double otherwise) {
   const double value = properties.number(name).value_or(otherwise);
   if (value >= low && value <= high) return value;
-  properties.diagnostics().error(properties.where(name), fmt::format("{} is {}; it lies within [{}, {}]", name, value,
-                                                                     low, high));
+  properties.diagnostics().error(properties.where(name),
+                                 fmt::format("{} is {}; it lies within [{}, {}]", name, value, low, high));
   return otherwise;
 }
 
@@ -112,8 +112,8 @@ int medium_index(const XmlElement& element, SceneBuilder& builder) {
     builder.scene.media.push_back(std::move(medium));
     index = static_cast<int>(builder.scene.media.size()) - 1;
   } else {
-    builder.diagnostics.unknown(
-        element.where, not_available("medium", properties.type(), {"homogeneous"}) + "; it is left out, space is empty");
+    builder.diagnostics.unknown(element.where, not_available("medium", properties.type(), {"homogeneous"}) +
+                                                   "; it is left out, space is empty");
     properties.accept_all();
   }
   properties.report_unknown();
