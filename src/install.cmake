@@ -36,6 +36,7 @@ target_sources(
          src/scene/meshes/mesh_file.h
          src/scene/meshes/mesh_material.h
          src/scene/model/materials.h
+         src/scene/model/media.h
          src/scene/model/scene.h
          src/scene/validate.h
          src/scene/model/vec.h)

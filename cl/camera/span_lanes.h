@@ -50,6 +50,6 @@ FN maskw begin_paths_w(const Scene* scene, Paths_w* path, Span* span) {
   Rays_w rays;
   intw columns = pixels - splat_int_w(span->y * span->width);
   camera_rays_w(shading + index[HEADER_CAMERA], span->width, span->height, columns, span->y, dx, dy, lens, &rays);
-  paths_begin_w(path, nonzero_w(is_begun), &rays);
+  paths_begin_w(scene, path, nonzero_w(is_begun), &rays);
   return nonzero_w(is_begun) & lt_int_w(numbers, splat_int_w(1));
 }

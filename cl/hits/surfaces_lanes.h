@@ -17,6 +17,9 @@ typedef struct {
   intw is_round, is_flipped;      ///< Kept only where a surface may be round.
   real3w point, move;             ///< As in hits/departure.h.
   realw bound;
+#if HAS_MEDIA
+  maskw scatters;  ///< Lanes where the path scatters in a medium before the surface (media/vertex_lanes.h).
+#endif
 } Surfaces_w;
 
 FN void put_real3_w(PRIVATE real3w* to, int lane, real3 v) {
@@ -33,6 +36,9 @@ FN Surfaces_w surfaces_none_w(void) {
   s.position = s.normal = s.shading = s.along = s.grad_u = s.grad_v = s.point = s.move = vec3_w(zero, zero, zero);
   s.part = s.id = s.is_round = s.is_flipped = splat_int_w(0);
   s.instance = splat_int_w(-1);
+#if HAS_MEDIA
+  s.scatters = none_w();
+#endif
   return s;
 }
 

@@ -6,4 +6,5 @@
 #include "integrators/direct_lanes.h"
 #include "integrators/whitted_lanes.h"
 #include "integrators/path_lanes.h"
+#include "integrators/volpath_lanes.h"
 #include "integrators/ao_lanes.h"

@@ -68,7 +68,11 @@ FN real3w light_gain_w(const Scene* scene, const Paths_w* path, const Surfaces_w
   *light = light_sample_w(scene, which, lights, s->position, numbers);
   which = which & lt_w(zero, max3_w(light->radiance));
   realw density;
+#if HAS_MEDIA
+  real3w reflected = vertex_eval_w(scene, path, s, b, unit3_w(light->towards), &density);
+#else
   real3w reflected = bsdf_eval_w(b, unit3_w(light->towards), &density);
+#endif
   reflected = mul3_w(reflected, scale3_w(one / light->density, light->radiance));
   if (is_shared) weight = sel_w(light->is_delta, weight, weight * balance_w(light->density, weight * density));
   return sel3_w(which, scale3_w(weight, reflected), vec3_w(zero, zero, zero));
@@ -94,6 +98,13 @@ FN void add_lights_w(const Scene* scene, Paths_w* path, const Surfaces_w* s, con
     }
     maskw lit = which & lt_w(splat_w(R(0.0)), max3_w(reflected));
     if (!any_w(lit)) continue;
+#if HAS_MEDIA
+    if ((next & STEP_THROUGH) != 0) {
+      real3w share = seen_share_w(scene, path, s, lit, light.towards, light.t_max, light.aim);
+      path_add_w(path, lit, mul3_w(share, reflected));
+      continue;
+    }
+#endif
     maskw seen = sees_along_w(scene, s, lit, light.towards, light.t_max, light.aim);
     path_add_w(path, seen, reflected);
   }

@@ -9,6 +9,9 @@
 #include "integrators/pass_on_lanes.h"
 #include "integrators/steps.h"
 #include "integrators/visibility_lanes.h"
+#if HAS_MEDIA
+#include "media/all_lanes.h"
+#endif
 
 #include "integrators/direct_light_lanes.h"
 #include "integrators/all_lanes.h"
@@ -44,14 +47,24 @@ FN void surface_scatter_w(const Scene* scene, Paths_w* path, const Surfaces_w* s
   if (next == 0 || !any_w(on)) return;
   real3w d = real3_at_w(path->rays.planes + RAY_PLANE_D), way = d;
   realw t_max = path->rays.planes[RAY_PLANE_T_MAX] - s->t;
-  maskw passed = passes_on_w(scene, path, s, on);
+  maskw at_surface = on;
+#if HAS_MEDIA
+  at_surface = on & ~s->scatters;
+#endif
+  maskw passed = passes_on_w(scene, path, s, at_surface);
   on = on & ~passed;
   real3w wo = unit3_w(negate3_w(d));
   realw number = splat_w(R(0.0));
   if (HAS_BLEND) number = random_between_w(vertex_number_w(scene, &path->sample, path->depth, USE_BLEND));
   MaterialRows_w at = rows_at_w(scene, s, on, wo, number);
   if (HAS_MASK) {
-    maskw open = passes_masks_w(scene, path, &at, on);
+    maskw open = none_w();
+#if HAS_MEDIA
+    if ((next & STEP_THROUGH) != 0)
+      open = passes_openly_w(path, &at, at_surface & on);
+    else
+#endif
+      open = passes_masks_w(scene, path, &at, on);
     passed = passed | open;
     on = on & ~open;
   }
@@ -80,6 +93,9 @@ FN void surface_scatter_w(const Scene* scene, Paths_w* path, const Surfaces_w* s
     path->depth = sel_int_w(on, path->depth + splat_int_w(1), path->depth);
   }
   path->alive = on | passed;
+#if HAS_MEDIA
+  media_enter_w(scene, path, s, on, way);
+#endif
   if (any_w(path->alive)) rays_leaving_w(s, path->alive, way, t_max, &path->rays);
 }
 

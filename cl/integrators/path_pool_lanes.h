@@ -17,7 +17,8 @@ enum {
   KEPT_ETA2_w = 17,
   KEPT_TRAVELLED_w = KEPT_ETA2_w + (HAS_TRANSMISSION != 0),
   KEPT_IOR_w = KEPT_TRAVELLED_w + (TEXTURE_COUNT > 0),
-  KEPT_REALS_w = KEPT_IOR_w + (HAS_PRIORITY ? INTERFACES_MOST_w : 0)
+  KEPT_MEDIA_w = KEPT_IOR_w + (HAS_PRIORITY ? INTERFACES_MOST_w : 0),  // entered, hero_shares, optical
+  KEPT_REALS_w = KEPT_MEDIA_w + (HAS_MEDIA ? 7 : 0)
 };
 enum {
   KEPT_DEPARTED_w = 0,
@@ -29,7 +30,8 @@ enum {
   KEPT_KEY_w,
   KEPT_INSTANCE_w,
   KEPT_RANKS_w = KEPT_INSTANCE_w + (HAS_INSTANCES != 0),
-  KEPT_INTS_w = KEPT_RANKS_w + (HAS_PRIORITY ? 2 * INTERFACES_MOST_w : 0)
+  KEPT_MEDIUM_w = KEPT_RANKS_w + (HAS_PRIORITY ? 2 * INTERFACES_MOST_w : 0),  // medium, draws
+  KEPT_INTS_w = KEPT_MEDIUM_w + (HAS_MEDIA ? 2 : 0)
 };
 
 /// What is kept of LANES paths, a plane each.
@@ -77,6 +79,13 @@ FN void kept_of_paths_w(const Paths_w* path, KeptPaths_w* kept) {
       kept->ints[KEPT_RANKS_w + 2 * k + 1] = path->within.instance[k];
     }
   }
+#if HAS_MEDIA
+  keep3_w(kept->reals + KEPT_MEDIA_w, path->entered);
+  keep3_w(kept->reals + KEPT_MEDIA_w + 3, path->hero_shares);
+  kept->reals[KEPT_MEDIA_w + 6] = path->optical;
+  kept->ints[KEPT_MEDIUM_w] = path->medium;
+  kept->ints[KEPT_MEDIUM_w + 1] = int_of_uint_w(path->draws);
+#endif
 }
 
 /// path: its sample's seed and sequences are those of the pool.
@@ -108,6 +117,13 @@ FN void paths_of_kept_w(const KeptPaths_w* kept, maskw alive, Paths_w* path) {
       path->within.instance[k] = kept->ints[KEPT_RANKS_w + 2 * k + 1];
     }
   }
+#if HAS_MEDIA
+  path->entered = real3_at_w(reals + KEPT_MEDIA_w);
+  path->hero_shares = real3_at_w(reals + KEPT_MEDIA_w + 3);
+  path->optical = reals[KEPT_MEDIA_w + 6];
+  path->medium = kept->ints[KEPT_MEDIUM_w];
+  path->draws = uint_of_int_w(kept->ints[KEPT_MEDIUM_w + 1]);
+#endif
 }
 
 FN void pool_none_w(PathPool_w* pool) {

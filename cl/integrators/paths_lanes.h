@@ -3,6 +3,9 @@
 
 #include "scene/counters.h"
 #include "integrators/interfaces_lanes.h"
+#if HAS_MEDIA
+#include "media/all.h"
+#endif
 
 typedef struct {
   maskw alive;          ///< Paths that go on along `rays`.
@@ -16,6 +19,13 @@ typedef struct {
   intw depth;           ///< Surfaces before the ray: 0 for a camera ray.
   Interfaces_w within;  ///< Kept only where shapes have priorities.
   SampleState_w sample;
+#if HAS_MEDIA
+  intw medium;         ///< That the ray begins in; below 0: none.
+  real3w entered;      ///< Where the ray has left a surface, whether or not it was turned there.
+  realw optical;       ///< Optical depth that is left until the path scatters; below 0: not drawn yet.
+  real3w hero_shares;  ///< As in media/flight_lanes.h.
+  uintw draws;         ///< From its stream of random numbers, so far.
+#endif
 } Paths_w;
 
 /// No path yet.
@@ -37,6 +47,12 @@ FN void paths_none_w(Paths_w* path) {
 #if LANES != 1
   for (int k = 0; k < RAY_PLANES; ++k) path->rays.planes[k] = zero;
 #endif
+#if HAS_MEDIA
+  path->medium = splat_int_w(-1);
+  path->entered = path->hero_shares = path->from;
+  path->optical = zero;
+  path->draws = splat_uint_w(0u);
+#endif
 }
 
 /// Goes on along those rays in the lanes of `which`.
@@ -54,7 +70,8 @@ FN void paths_follow_w(Paths_w* path, maskw which, const Rays_w* rays) {
 }
 
 /// Camera rays in the lanes of `which`, instead of paths that have ended.
-FN void paths_begin_w(Paths_w* path, maskw which, const Rays_w* rays) {
+FN void paths_begin_w(const Scene* scene, Paths_w* path, maskw which, const Rays_w* rays) {
+  (void)scene;
   realw one = splat_w(R(1.0)), zero = splat_w(R(0.0));
   path->alive = path->alive | which;
   if (HAS_PRIORITY) interfaces_none_w(which, &path->within);
@@ -65,6 +82,15 @@ FN void paths_begin_w(Paths_w* path, maskw which, const Rays_w* rays) {
   path->eta2 = sel_w(which, one, path->eta2);
   path->travelled = sel_w(which, zero, path->travelled);
   path->depth = sel_int_w(which, splat_int_w(0), path->depth);
+#if HAS_MEDIA
+  real3w d = real3_at_w(rays->planes + RAY_PLANE_D);
+  real3w first = fma3_w(rays->planes[RAY_PLANE_T_MIN], d, real3_at_w(rays->planes + RAY_PLANE_O));
+  path->entered = sel3_w(which, first, path->entered);
+  path->medium = sel_int_w(which, splat_int_w(media_table(scene)[MEDIA_CAMERA]), path->medium);
+  path->optical = sel_w(which, -one, path->optical);
+  path->hero_shares = sel3_w(which, vec3_w(one, one, one), path->hero_shares);
+  path->draws = uint_of_int_w(sel_int_w(which, splat_int_w(0), int_of_uint_w(path->draws)));
+#endif
 }
 
 FN void path_add_w(Paths_w* path, maskw which, real3w radiance) {

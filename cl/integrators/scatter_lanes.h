@@ -19,6 +19,9 @@ FN maskw path_scatter_w(const Scene* scene, Paths_w* path, const Surfaces_w* s, 
   realw u = random_between_w(numbers.x), v = random_between_w(numbers.y), one = splat_w(R(1.0));
   realw number = random_between_w(vertex_number_w(scene, &path->sample, path->depth, USE_LOBE));
   BsdfSample_w way = bsdf_sample_w(b, lobes, number, u, v);
+#if HAS_MEDIA
+  vertex_turn_w(scene, path, s, number, u, v, &way);
+#endif
   keep_straight_w(&way, *on);
   real3w throughput = mul3_w(path->throughput, way.weight);
   realw most = max3_w(throughput), eta2 = path->eta2;

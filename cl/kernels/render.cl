@@ -41,6 +41,9 @@ FN int wanted_w(const Scene* scene, const Paths_w* path, const FirstSamples* fir
   int is_exact = 0;
   if (HAS_AOV) is_exact = first->lanes != 0u;
   if (HAS_EMISSION && hides_emitters(scene)) is_exact = any_w(path->alive & lt_int_w(path->depth, splat_int_w(1)));
+#if HAS_MEDIA
+  if (any_w(path->alive & is_within_w(path->medium))) is_exact = 1;
+#endif
   return is_exact ? FIND_NEAREST : FIND_NEAREST_APPROXIMATELY;
 }
 
@@ -48,8 +51,15 @@ FN int wanted_w(const Scene* scene, const Paths_w* path, const FirstSamples* fir
 ONCE_FN void follow_paths_w(const Scene* scene, Paths_w* path, Branches_w* branches, FirstSamples* first,
                             const SpanFilm* film) {
   uint before = bits_w(path->alive);
+#if HAS_MEDIA
+  Surfaces_w surfaces = meet_surfaces_w(scene, path, wanted_w(scene, path, first), first);
+#else
   Surfaces_w surfaces = find_surfaces_w(scene, path, wanted_w(scene, path, first), first);
+#endif
   if (HAS_ALBEDO) store_albedo_w(scene, path, &surfaces, first);
+#if HAS_MEDIA
+  media_travel_w(scene, path, &surfaces);
+#endif
   surface_step_w(scene, path, &surfaces, branches);
   if (HAS_AOV) first->lanes = 0u;
   for (uint ended = before & ~bits_w(path->alive); ended != 0u; ended &= ended - 1u) {

@@ -10,8 +10,9 @@
 
 /// Numbers of the sample as a whole. A use that sample_pair draws takes two numbers, the first of them even.
 enum {
-  USE_PIXEL = 0,  ///< The place within the pixel.
-  USE_LENS = 2,   ///< The place on the lens.
+  USE_PIXEL = 0,    ///< The place within the pixel.
+  USE_LENS = 2,     ///< The place on the lens.
+  USE_CHANNEL = 4,  ///< The channel that distances within media are drawn for.
   PAIRS_A_SAMPLE = 4
 };
 
@@ -23,6 +24,7 @@ enum {
   USE_WAY = 4,       ///< The direction that the material draws.
   USE_LOBE = 6,      ///< Which of the material's lobes.
   USE_ROULETTE = 7,  ///< Whether the path goes on.
+  USE_DISTANCE = 8,  ///< How far the path comes within a medium; both numbers.
   USE_TEXEL = 12,    ///< Which row and column of an environment.
   USE_MASK = 14,     ///< Whether a mask lets the path pass.
   USE_BLEND = 15,    ///< Which of the materials of a blend.

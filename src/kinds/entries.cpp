@@ -34,6 +34,17 @@ std::string light_kind(const Light& light) { return kinds::light(light).entry; }
 
 std::string texture_kind(const Texture& texture) { return kinds::texture(texture).entry; }
 
+std::string phase_entry(PhaseFunction::Kind kind) {
+  switch (kind) {
+    case PhaseFunction::Kind::hg:
+      return "hg";
+    case PhaseFunction::Kind::rayleigh:
+      return "rayleigh";
+    default:
+      return "isotropic";
+  }
+}
+
 std::string sampler_entry(SamplerKind kind) { return kind == SamplerKind::independent ? "independent" : "sobol"; }
 
 }  // namespace strahl

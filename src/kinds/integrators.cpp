@@ -23,6 +23,12 @@ constexpr IntegratorFacts whitted{.name = "whitted",
                                   .reads_shading = true};
 constexpr IntegratorFacts path{
     .name = "path", .lamps = Lamps::drawn, .follows = Follows::paths, .shows_emission = true, .reads_shading = true};
+constexpr IntegratorFacts volpath{.name = "volpath",
+                                  .lamps = Lamps::drawn,
+                                  .follows = Follows::paths,
+                                  .shows_emission = true,
+                                  .reads_shading = true,
+                                  .goes_through = true};
 constexpr IntegratorFacts ao{.name = "ao", .reads_shading = true, .asks_openness = true};
 
 }  // namespace rows

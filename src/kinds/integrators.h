@@ -32,6 +32,7 @@ struct IntegratorFacts {
   bool asks_openness = false;   ///< Draws ambient-occlusion rays.
   bool is_noiseless = false;    ///< A ray's value is exact: one sample by default.
   bool is_length = false;       ///< The picture is a distance, not light.
+  bool goes_through = false;    ///< Media count, and light goes through masks unbent.
 
   [[nodiscard]] bool is_lit() const { return lamps != Lamps::unused; }
   /// max_depth limits more than the first surface's light.

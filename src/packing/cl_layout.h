@@ -3,5 +3,6 @@
 #pragma once
 
 namespace strahl::layout {
+#include "../../cl/media/media_layout.h"
 #include "../../cl/scene/layout.h"
-}
+}  // namespace strahl::layout

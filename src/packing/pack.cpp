@@ -17,6 +17,7 @@
 #include "packing/pack_instances.h"
 #include "packing/pack_lights.h"
 #include "packing/pack_materials.h"
+#include "packing/pack_media.h"
 #include "packing/pack_shapes.h"
 #include "packing/shape_parts.h"
 #include "packing/uv_rates.h"
@@ -35,7 +36,9 @@ class Packing {
     for (const std::string& kind : list_entries("shapes"))
       if (features.has("shapes", kind)) kinds_.push_back(kind);
     const std::size_t rows = kinds_.size() + (features.flag("INSTANCES") ? 1 : 0);
-    packed_.index.resize(layout::HEADER_INTS + rows * layout::SHAPE_INTS, 0);
+    media_row_ = layout::HEADER_INTS + static_cast<int>(rows) * layout::SHAPE_INTS;
+    const int media = features.flag("MEDIA") ? int{layout::MEDIA_INTS} : 0;
+    packed_.index.resize(static_cast<std::size_t>(media_row_ + media), 0);
   }
 
   PackedScene<Real> run() {
@@ -44,6 +47,7 @@ class Packing {
     textures();
     light_of_part_ = pack_lights(packed_, images_, scene_, features_, options_.frame, shapes_, first_ids_);
     parts();
+    if (features_.flag("MEDIA")) pack_media(packed_, media_row_, scene_, features_, options_.frame, boundaries_);
     shapes();
     return std::move(packed_);
   }
@@ -219,6 +223,7 @@ class Packing {
                              {static_cast<int>(i), first_id, look.material, radiance_at, radiance.row, light,
                               shape.flip_normals != faces_inward(shape.geometry) ? 1 : 0, frame_at, normals_at, uvs_at,
                               attributes_at, rates_at, rank_of(shape, look)});
+        boundaries_.push_back(shape.media);
         ++part_rows_;
       }
     }
@@ -344,8 +349,10 @@ class Packing {
   std::vector<std::int32_t> first_ids_;
   std::vector<int> first_part_, light_of_part_;
   int part_rows_ = 0;
-  std::vector<int> attributes_at_;       ///< Of each of the shapes.
-  std::vector<std::string> attributes_;  ///< Of meshes, that textures show, by their number.
+  int media_row_ = 0;                                      ///< Where the row of media is, in programs with MEDIA.
+  std::vector<std::optional<MediumBoundary>> boundaries_;  ///< Of each part.
+  std::vector<int> attributes_at_;                         ///< Of each of the shapes.
+  std::vector<std::string> attributes_;                    ///< Of meshes, that textures show, by their number.
   std::map<const Shape*, int> ranks_;
   std::vector<PackedTree<Real>> groups_;
   std::vector<Real> instances_;  ///< INSTANCE_REALS each.

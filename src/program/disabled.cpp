@@ -28,6 +28,8 @@ const std::map<std::string, std::string>& needed() {
       {"RELIEF", "a normal map is a material inside it; that can take its place in the scene"},
       {"choosers", "lights are drawn by it; --light-choice takes another one"},
       {"OPENNESS", "integrator ao is nothing else; --integrator takes another one"},
+      {"media", "MEDIA can be left out, and all media with it"},
+      {"phases", "a medium needs its phase function; MEDIA can be left out"},
       {"AOV", "--aov asks for it; leave that out"},
       {"ALBEDO", "--aov albedo asks for it; leave that out"},
       {"COUNT_RAYS", "--stats-detail asks for it; leave that out"},

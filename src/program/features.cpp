@@ -150,6 +150,19 @@ void shape_causes(const Scene& scene, const RenderSettings& settings, Causes& ca
     for (const Shape& shape : group.shapes) look_at(shape);
 }
 
+/// Media, where the integrator goes through them.
+void media_causes(const Scene& scene, Causes& causes) {
+  if (!kinds::integrator(scene.integrator.name).goes_through || !causes.allow("MEDIA")) return;
+  const bool has_media = !scene.media.empty();
+  const std::string why = has_media ? "a medium" : "integrator " + scene.integrator.name;
+  const SourceLocation& where = has_media ? scene.media.front().where : scene.integrator.where;
+  call_for(causes, "MEDIA", why, where);
+  call_for(causes, "media/homogeneous", why, where);
+  for (const Medium& medium : scene.media)
+    for (const PhaseFunction& phase : medium.phases)
+      call_for(causes, "phases/" + phase_entry(phase.kind), "a phase function of that type", medium.where);
+}
+
 /// Does a sample draw more than its place in the pixel?
 bool draws(const kinds::IntegratorFacts& integrator, const Causes& causes) {
   return integrator.follows == kinds::Follows::paths || integrator.asks_openness ||
@@ -188,6 +201,7 @@ Causes causes_of(const Scene& scene, const RenderSettings& settings) {
   shape_causes(scene, settings, causes);
   if (!scene.instances.empty()) call_for(causes, "INSTANCES", "an instance of a group", scene.instances.front().where);
   light_causes(scene, causes);
+  media_causes(scene, causes);
   const std::string& integrator = scene.integrator.name;
   const kinds::IntegratorFacts& facts = kinds::integrator(integrator);
   if (scene.integrator.hide_emitters && (causes.contains("EMISSION") || causes.background))

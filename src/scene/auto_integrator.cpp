@@ -44,7 +44,19 @@ struct IntegratorChoice {
   const char* why;
 };
 
+bool has_media(const Scene& scene) {
+  bool has = scene.camera.medium >= 0;
+  for_each_shape(scene, [&](const Shape& shape) { has = has || shape.media.has_value(); });
+  return has;
+}
+
+bool has_masks(const Scene& scene) {
+  return std::any_of(scene.materials.begin(), scene.materials.end(),
+                     [](const Material& material) { return material_facts(material).opacity.has_value(); });
+}
+
 IntegratorChoice integrator_for(const Scene& scene) {
+  if (has_media(scene)) return {"volpath", "media lie between surfaces"};
   if (scene.integrator.max_depth == 0 || scene.integrator.max_depth == 1)
     return {"emission", "max_depth leaves nothing but emission"};
   std::vector<const Shape*> reflecting;
@@ -68,6 +80,10 @@ void choose_integrator(Scene& scene) {
   const IntegratorChoice choice = integrator_for(scene);
   scene.integrator.name = choice.name;
   scene.integrator.why = choice.why;
+}
+
+void simplify_integrator(Scene& scene) {
+  if (scene.integrator.name == "volpath" && !has_media(scene) && !has_masks(scene)) scene.integrator.name = "path";
 }
 
 }  // namespace strahl

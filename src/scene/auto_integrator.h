@@ -10,4 +10,7 @@ namespace strahl {
 /// materials and the integrator's max_depth.
 void choose_integrator(Scene& scene);
 
+/// Makes volpath what it is without media and masks: path.
+void simplify_integrator(Scene& scene);
+
 }  // namespace strahl

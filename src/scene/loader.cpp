@@ -37,6 +37,7 @@ Scene scene_of_xml(const std::string& path, const LoadOptions& options, Diagnost
   SceneBuilder builder{{}, search_path, ids, diagnostics, options.progress};
   read_scene(*root, builder);
   if (builder.scene.integrator.name == "auto" && !diagnostics.has_errors()) choose_integrator(builder.scene);
+  if (!diagnostics.has_errors()) simplify_integrator(builder.scene);
   return std::move(builder.scene);
 }
 

@@ -57,10 +57,36 @@ void check_light_texture(int texture, const Scene& scene, Checker& check) {
                 texture, scene.textures.size());
 }
 
+void check_medium(const Medium& medium, Checker& check) {
+  check.at(medium.where);
+  check.require_light(medium.sigma_t, "sigma_t of a medium");
+  check.require_light(medium.emission, "emission of a medium");
+  const Rgb& a = medium.albedo;
+  const auto is_share = [](double x) { return x >= 0 && x <= 1; };
+  check.require(is_share(a.r) && is_share(a.g) && is_share(a.b), "the albedo of a medium must lie within [0, 1]");
+  double sum = 0;
+  for (const PhaseFunction& phase : medium.phases) {
+    check.require(std::abs(phase.g) < 1, "g of a phase function must lie within (-1, 1)");
+    check.require(phase.share >= 0, "the share of a phase function must not be negative");
+    sum += phase.share;
+  }
+  check.require(std::abs(sum - 1) < 1e-6, "the shares of a medium's phase functions must add up to 1");
+}
+
+/// -1: none.
+void check_medium_index(int medium, const Scene& scene, Checker& check) {
+  check.require(medium == -1 || is_index(medium, scene.media.size()), "medium {} does not exist; there are {}", medium,
+                scene.media.size());
+}
+
 void check_shape(const Shape& shape, const Scene& scene, Checker& check, std::vector<Diagnostic>& found) {
   check.at(shape.where);
   check.require(is_index(shape.material, scene.materials.size()), "material {} does not exist; there are {}",
                 shape.material, scene.materials.size());
+  if (shape.media) {
+    check_medium_index(shape.media->inside, scene, check);
+    check_medium_index(shape.media->outside, scene, check);
+  }
   for (const std::string& fault : geometry_faults(shape.geometry))
     found.push_back({Severity::error, shape.where, fault});
   if (const Mesh* mesh = std::get_if<Mesh>(&shape.geometry)) {
@@ -245,7 +271,9 @@ std::vector<Diagnostic> validate(const Scene& scene) {
     check.require(backgrounds <= 1 || !is_background, "a scene has one constant, envmap or sky emitter at most");
     check.require(suns <= 1 || !is_sun, "a scene has one sun at most");
   }
+  for (const Medium& medium : scene.media) check_medium(medium, check);
   check_camera(scene.camera, check);
+  check_medium_index(scene.camera.medium, scene, check);
   check_film(scene.film, check);
   check.at(scene.sampler.where);
   check.require(scene.sampler.sample_count.value_or(1) >= 1, "sample_count must be at least 1");

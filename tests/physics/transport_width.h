@@ -72,7 +72,7 @@ inline std::vector<Sight> LANED(look_along)(const TierBuffers& buffers, const Tr
     const Rays_w rays = LANED(rays_from)(from, d, splat_w(R(0.0)), splat_w(REAL_MAX), splat_int_w(-1));
     Paths_w path;
     paths_none_w(&path);
-    paths_begin_w(&path, ~none_w(), &rays);
+    paths_begin_w(&scene, &path, ~none_w(), &rays);
     const Surfaces_w s = find_surfaces_w(&scene, &path, FIND_NEAREST, &unreported);
     const real3w sun = sun_along_w(&scene, &path, &s), radiance = add3_w(radiance_along_w(&scene, &path, &s), sun);
     // As path_add_light does; the sun before the background.
@@ -214,7 +214,7 @@ inline std::vector<Mapped> LANED(mapped_at)(const TierBuffers& buffers, const st
     const Rays_w rays = LANED(rays_at)(given, first);
     Paths_w path;
     paths_none_w(&path);
-    paths_begin_w(&path, ~none_w(), &rays);
+    paths_begin_w(&scene, &path, ~none_w(), &rays);
     const Surfaces_w s = find_surfaces_w(&scene, &path, FIND_NEAREST, &unreported);
     LANED(for_lanes)
     (first, given.size(), [&](std::size_t i, int lane) {
@@ -255,7 +255,7 @@ inline std::vector<Triad> LANED(radiance_along)(const TierBuffers& buffers, cons
     Branches_w branches;
     branches.count = splat_int_w(0);
     path.sample = sample_begin_w(&scene, splat_uint_w(0u), lane_numbers_w() + first);
-    paths_begin_w(&path, ~none_w(), &rays);
+    paths_begin_w(&scene, &path, ~none_w(), &rays);
     while (any_w(path.alive)) {
       const Surfaces_w s = find_surfaces_w(&scene, &path, FIND_NEAREST_APPROXIMATELY, &unreported);
       surface_step_w(&scene, &path, &s, &branches);

@@ -2,6 +2,7 @@
 // What --disable takes out of a program, what it takes with it, and what it refuses.
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <set>
 
 #include "program/features.h"
 
@@ -68,8 +69,8 @@ TEST_CASE("Effects that are unknown or needed cannot be disabled, and the messag
   CHECK_THAT(message("integrators/path"), Catch::Contains("--integrator"));
   CHECK_THAT(message("samplers/sobol"), Catch::Contains("--sampler"));
   CHECK_THAT(message("AOV"), Catch::Contains("--aov"));
+  const std::set<std::string> needed{"integrators", "samplers", "choosers", "media", "phases"};
   for (const std::string& list : list_folders())
     for (const std::string& entry : list_entries(list))
-      CHECK((message(list + "/" + entry).empty()) ==
-            (list != "integrators" && list != "samplers" && list != "choosers"));
+      CHECK((message(list + "/" + entry).empty()) == (!needed.contains(list)));
 }

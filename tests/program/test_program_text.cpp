@@ -69,7 +69,8 @@ class KernelCopy {
 
 const std::map<std::string, std::string> macros = {
     {"areas", "AREA"},         {"choosers", "CHOOSER"}, {"integrators", "INTEGRATOR"}, {"lights", "LIGHT"},
-    {"materials", "MATERIAL"}, {"samplers", "SAMPLER"}, {"shapes", "SHAPE"},           {"textures", "TEXTURE"}};
+    {"materials", "MATERIAL"}, {"media", "MEDIUM"},     {"phases", "PHASE"},           {"samplers", "SAMPLER"},
+    {"shapes", "SHAPE"},       {"textures", "TEXTURE"}};
 
 /// Another entry of a list, registered as CONTRIBUTING.md says, `first` before all others or after them.
 void add_entry(const KernelCopy& kernels, const std::string& list, const std::string& name, bool first) {

@@ -17,6 +17,7 @@
 #include "errors.h"
 #include "image/texels.h"
 #include "scene/model/materials.h"
+#include "scene/model/media.h"
 #include "scene/model/vec.h"
 
 namespace strahl {
@@ -112,14 +113,15 @@ using Geometry = std::variant<Sphere, Plane, Box, Triangle, Rectangle, Cube, Dis
 struct Shape {
   std::string id;
   Geometry geometry;
-  int material = 0;               ///< Index into Scene::materials.
-  std::optional<Rgb> radiance;    ///< Area emitter: emitted on the side that the normal points to.
-  int radiance_texture = -1;      ///< Index into Scene::textures, of one that multiplies the radiance; -1: none.
-  double sampling_weight = 1;     ///< As a Light's, of what it emits.
-  bool flip_normals = false;      ///< Mitsuba's flip_normals: reverses the normal as built.
-  std::optional<int> priority;    ///< Of glass: where such shapes overlap the highest one is there. None: not tracked.
-  SourceLocation where;           ///< The <shape> element.
-  SourceLocation radiance_where;  ///< The <emitter> element inside it.
+  int material = 0;             ///< Index into Scene::materials.
+  std::optional<Rgb> radiance;  ///< Area emitter: emitted on the side that the normal points to.
+  int radiance_texture = -1;    ///< Index into Scene::textures, of one that multiplies the radiance; -1: none.
+  double sampling_weight = 1;   ///< As a Light's, of what it emits.
+  bool flip_normals = false;    ///< Mitsuba's flip_normals: reverses the normal as built.
+  std::optional<int> priority;  ///< Of glass: where such shapes overlap the highest one is there. None: not tracked.
+  std::optional<MediumBoundary> media;  ///< None: the shape is no boundary of media.
+  SourceLocation where;                 ///< The <shape> element.
+  SourceLocation radiance_where;        ///< The <emitter> element inside it.
 };
 
 /// Shapes that instances place, in a frame of their own. They are no part of the scene themselves. Neither planes nor
@@ -269,6 +271,7 @@ struct Camera {
   double focus_distance = 1;
   double near_clip = 0;  ///< Distances along the viewing axis. Default: nothing is clipped (Mitsuba: 1e-2 … 1e4).
   double far_clip = std::numeric_limits<double>::infinity();
+  int medium = -1;  ///< Index into Scene::media, of the one around the camera; -1: none.
   SourceLocation where;
 };
 
@@ -328,6 +331,7 @@ struct Scene {
   std::vector<Material> materials{Material{}};  ///< Index 0 is the default: diffuse 0.5, one-sided, as in Mitsuba.
   std::vector<Texture> textures;
   std::vector<Light> lights;
+  std::vector<Medium> media;
   Camera camera;
   Film film;
   SamplerSettings sampler;

@@ -14,27 +14,16 @@ namespace strahl {
 
 namespace {
 
-bool holds_medium(const XmlElement& element) {
-  for (const XmlElement* child = element.first_child; child != nullptr; child = child->next_sibling)
-    if (child->tag == "medium" || holds_medium(*child)) return true;
-  return false;
-}
-
 /// Those that compute something beside the picture of the integrator inside them.
 bool is_around_another(std::string_view type) {
   return type == "aov" || type == "moment" || type == "stokes" || type == "adaptive";
 }
 
 /// What takes the place of those that strahl does not have.
-std::string substitute_of(Properties& properties, const XmlElement& root) {
+std::string substitute_of(Properties& properties) {
   const std::string_view type = properties.type();
-  if (type == "volpath" || type == "volpathmis" || type == "volpath_simple") {
-    if (holds_medium(root))
-      properties.diagnostics().unknown(
-          properties.where(),
-          fmt::format("integrator \"{}\" is not supported yet; \"path\" takes its place: no media", type));
-    return "path";
-  }
+  // Ways to draw the same picture.
+  if (type == "volpathmis" || type == "volpath_simple") return "volpath";
   properties.diagnostics().unknown(
       properties.where(),
       fmt::format("{}; \"path\" takes its place", not_available("integrator", type, kinds::integrator_names())));
@@ -44,7 +33,7 @@ std::string substitute_of(Properties& properties, const XmlElement& root) {
 
 }  // namespace
 
-IntegratorSettings read_integrator(const XmlElement& element, const XmlElement& root, SceneBuilder& builder) {
+IntegratorSettings read_integrator(const XmlElement& element, SceneBuilder& builder) {
   const std::vector<std::string>& known = kinds::integrator_names();
   Properties properties(element, builder.ids, builder.diagnostics);
   const std::string_view type = properties.type();
@@ -57,7 +46,7 @@ IntegratorSettings read_integrator(const XmlElement& element, const XmlElement& 
     builder.diagnostics.unknown(element.where,
                                 fmt::format("integrator \"{}\" is not supported yet; the one inside it renders{}", type,
                                             type == "aov" ? ", and --aov names what is written beside it" : ""));
-    return read_integrator(*inside.front(), root, builder);
+    return read_integrator(*inside.front(), builder);
   }
   IntegratorSettings integrator;
   integrator.where = element.where;
@@ -72,7 +61,7 @@ IntegratorSettings read_integrator(const XmlElement& element, const XmlElement& 
                                 "\"strict_normals\" is not supported yet; normals count as they are");
   properties.accept({"shading_samples", "emitter_samples", "bsdf_samples", "samples_per_pass", "block_size"});
   const bool is_known = type == "auto" || std::find(known.begin(), known.end(), type) != known.end();
-  integrator.name = is_known ? std::string(type) : substitute_of(properties, root);
+  integrator.name = is_known ? std::string(type) : substitute_of(properties);
   properties.report_unknown();
   return integrator;
 }

@@ -15,9 +15,9 @@ namespace strahl {
 
 namespace {
 
-void read_integrators(const std::vector<const XmlElement*>& elements, const XmlElement& root, SceneBuilder& builder) {
+void read_integrators(const std::vector<const XmlElement*>& elements, SceneBuilder& builder) {
   builder.scene.integrator.name = "auto";
-  if (!elements.empty()) builder.scene.integrator = read_integrator(*elements.front(), root, builder);
+  if (!elements.empty()) builder.scene.integrator = read_integrator(*elements.front(), builder);
   for (std::size_t i = 1; i < elements.size(); ++i)
     builder.diagnostics.error(elements[i]->where, "a scene has one <integrator>");
 }
@@ -98,9 +98,9 @@ void read_scene(const XmlElement& root, SceneBuilder& builder) {
   for (const XmlElement* shape : shapes) read_one_shape(*shape, builder);
   for (const XmlElement* emitter : properties.objects("emitter")) read_light(*emitter, builder);
   report_lost_lights(root, builder);
-  read_integrators(properties.objects("integrator"), root, builder);
+  read_integrators(properties.objects("integrator"), builder);
   read_sensors(properties.objects("sensor"), root, builder);
-  for (const char* tag : {"texture", "spectrum", "rgb", "film", "sampler", "rfilter"})
+  for (const char* tag : {"texture", "spectrum", "rgb", "film", "sampler", "rfilter", "medium", "phase", "volume"})
     read_definitions(properties.objects(tag), builder);
   drop_unused_attributes(builder.scene);
   properties.report_unknown();

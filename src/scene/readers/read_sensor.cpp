@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "scene/readers/plugin_table.h"
+#include "scene/readers/read_medium.h"
 #include "scene/readers/read_parts.h"
 #include "scene/readers/readers.h"
 #include "scene/xml/properties.h"
@@ -74,6 +75,7 @@ void read_sensor(const XmlElement& element, SceneBuilder& builder) {
   if (const XmlElement* film = first_object(properties, "film")) builder.scene.film = read_film(*film, builder);
   if (const XmlElement* sampler = first_object(properties, "sampler"))
     builder.scene.sampler = read_sampler(*sampler, builder);
+  if (const XmlElement* medium = first_object(properties, "medium")) camera.medium = medium_index(*medium, builder);
   properties.accept({"focus_distance", "shutter_open", "shutter_close"});
   if (projection == nullptr) {
     builder.diagnostics.unknown(element.where,

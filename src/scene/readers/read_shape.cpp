@@ -8,6 +8,7 @@
 #include "kinds/materials.h"
 #include "scene/readers/plugin_table.h"
 #include "scene/readers/read_material.h"
+#include "scene/readers/read_medium.h"
 #include "scene/readers/read_texture.h"
 #include "scene/readers/readers.h"
 #include "scene/readers/shape_reader.h"
@@ -112,6 +113,7 @@ void read_shape(const XmlElement& element, SceneBuilder& builder, std::vector<Sh
   if (bsdf != nullptr) shape.material = material_index(*bsdf, builder);
   if (emitter != nullptr) read_area_emitter(*emitter, shape, builder);
   if (bsdf == nullptr && shape.radiance) shape.material = black_material(builder);
+  shape.media = read_boundary(properties, builder);
   const Transform to_world = properties.transform("to_world").value_or(Transform{});
   ShapeInput input{properties, to_world, shape, bsdf != nullptr, builder};
   shape.geometry = (*reader)(input);

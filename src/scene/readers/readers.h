@@ -16,8 +16,6 @@ void read_sensor(const XmlElement& element, SceneBuilder& builder);
 [[nodiscard]] Film read_film(const XmlElement& element, SceneBuilder& builder);
 [[nodiscard]] Filter read_filter(const XmlElement& element, SceneBuilder& builder);
 [[nodiscard]] SamplerSettings read_sampler(const XmlElement& element, SceneBuilder& builder);
-/// root: the scene, which may have media or none.
-[[nodiscard]] IntegratorSettings read_integrator(const XmlElement& element, const XmlElement& root,
-                                                 SceneBuilder& builder);
+[[nodiscard]] IntegratorSettings read_integrator(const XmlElement& element, SceneBuilder& builder);
 
 }  // namespace strahl

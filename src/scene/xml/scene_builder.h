@@ -35,6 +35,7 @@ struct SceneBuilder {
   std::optional<int> black_material{};                                  ///< read_shape.cpp, once it is needed.
   std::map<std::pair<const XmlElement*, bool>, int> texture_indices{};  ///< read_texture.cpp; true: of a light.
   std::map<const XmlElement*, std::optional<int>> group_indices{};  ///< read_group.cpp; none: nothing is left of it.
+  std::map<const XmlElement*, int> medium_indices{};                ///< read_medium.cpp; -1: left out.
   std::vector<std::string> lost_emitters{};                         ///< The type of each emitter that was left out.
 };
 

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+// Dispatch over the media that paths are within, medium by medium: all lanes of one medium are evaluated together. One
+// width; no guard.
+
+FN maskw is_within_w(intw medium) { return ~lt_int_w(medium, splat_int_w(0)); }
+
+/// The lanes whose medium is that of the first lane of `lanes`. medium receives it.
+FN maskw same_medium_w(intw media, uint lanes, PRIVATE int* medium) {
+  *medium = get_int_w((PRIVATE const intw*)&media, first_bit(lanes));
+  return ~nonzero_w(media - splat_int_w(*medium));
+}
+
+FN void travel_w(const Scene* scene, intw media, intw hero, maskw which, Flight_w* flight) {
+  for (uint lanes = bits_w(which); lanes != 0u;) {
+    int medium;
+    maskw of_medium = which & same_medium_w(media, lanes, &medium);
+    GLOBAL const int* row = medium_row(scene, medium);
+    switch (row[MEDIUM_KIND]) {
+#define MEDIUM(name)                                      \
+  case MEDIUM_##name:                                     \
+    name##_travel_w(scene, row, hero, of_medium, flight); \
+    break;
+#include "media/media.def"
+#undef MEDIUM
+      default:
+        break;
+    }
+    lanes &= ~bits_w(of_medium);
+  }
+}
+
+FN real3w transmittance_w(const Scene* scene, intw media, maskw which, Flight_w* flight) {
+  realw one = splat_w(R(1.0));
+  real3w share = vec3_w(one, one, one);
+  for (uint lanes = bits_w(which); lanes != 0u;) {
+    int medium;
+    maskw of_medium = which & same_medium_w(media, lanes, &medium);
+    GLOBAL const int* row = medium_row(scene, medium);
+    switch (row[MEDIUM_KIND]) {
+#define MEDIUM(name)                                                                         \
+  case MEDIUM_##name:                                                                        \
+    share = sel3_w(of_medium, name##_transmittance_w(scene, row, of_medium, flight), share); \
+    break;
+#include "media/media.def"
+#undef MEDIUM
+      default:
+        break;
+    }
+    lanes &= ~bits_w(of_medium);
+  }
+  return share;
+}
+
+/// The phase functions' value in the lanes of `which`.
+FN realw phase_value_w(const Scene* scene, intw media, maskw which, real3w before, real3w after) {
+  realw value = splat_w(R(0.0));
+  for (uint lanes = bits_w(which); lanes != 0u;) {
+    int medium;
+    maskw of_medium = which & same_medium_w(media, lanes, &medium);
+    value = sel_w(of_medium, phase_of_medium_w(scene, medium_row(scene, medium), before, after), value);
+    lanes &= ~bits_w(of_medium);
+  }
+  return value;
+}
+
+FN real3w phase_turn_w(const Scene* scene, intw media, maskw which, real3w before, realw number, realw u, realw v,
+                       PRIVATE realw* density) {
+  real3w after = before;
+  *density = splat_w(R(0.0));
+  for (uint lanes = bits_w(which); lanes != 0u;) {
+    int medium;
+    maskw of_medium = which & same_medium_w(media, lanes, &medium);
+    realw drawn;
+    real3w turned = turned_by_medium_w(scene, medium_row(scene, medium), before, number, u, v, &drawn);
+    after = sel3_w(of_medium, turned, after);
+    *density = sel_w(of_medium, drawn, *density);
+    lanes &= ~bits_w(of_medium);
+  }
+  return after;
+}

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+// Homogeneous media with the parameters of Mitsuba 3, and sigma_s and sigma_a of Mitsuba 0.x; strahl's own: emission.
+#include "scene/readers/read_medium.h"
+
+#include <fmt/format.h>
+
+#include "scene/readers/foreign_plugins.h"
+
+namespace strahl {
+namespace {
+
+/// A colour, or a volume that is alike everywhere.
+std::optional<Rgb> read_volume(Properties& properties, SceneBuilder& builder, const char* name, ColorUse use,
+                               const Rgb& substitute) {
+  const XmlElement* given = properties.peek(name);
+  if (given == nullptr || given->tag != "volume") return properties.color(name, use, substitute);
+  properties.accept({name});
+  Properties volume(*given, builder.ids, builder.diagnostics);
+  if (volume.type() != "constvolume") {
+    builder.diagnostics.unknown(given->where, not_available("volume", volume.type(), {"constvolume"}) +
+                                                  fmt::format("; {} keeps its default", name));
+    return {};
+  }
+  std::optional<Rgb> value = volume.color("value", use, substitute);
+  static_cast<void>(volume.transform("to_world"));
+  volume.report_unknown();
+  return value;
+}
+
+double share_in(Properties& properties, const char* name, double low, double high, double otherwise) {
+  const double value = properties.number(name).value_or(otherwise);
+  if (value >= low && value <= high) return value;
+  properties.diagnostics().error(properties.where(name),
+                                 fmt::format("{} is {}; it lies within [{}, {}]", name, value, low, high));
+  return otherwise;
+}
+
+/// Adds what `element` is, with a share, to `phases`.
+void read_phase(const XmlElement& element, double share, int depth, SceneBuilder& builder,
+                std::vector<PhaseFunction>& phases) {
+  Properties properties(element, builder.ids, builder.diagnostics);
+  const std::string_view type = properties.type();
+  const std::vector<const XmlElement*> inside = properties.objects("phase");
+  constexpr int deepest = 32;
+  if (type == "blendphase") {
+    const double weight = share_in(properties, "weight", 0, 1, 0.5);
+    if (inside.size() != 2 || depth == deepest) {
+      builder.diagnostics.error(element.where, "a blendphase has two <phase> inside it");
+      return;
+    }
+    properties.report_unknown();
+    read_phase(*inside[0], share * (1 - weight), depth + 1, builder, phases);
+    read_phase(*inside[1], share * weight, depth + 1, builder, phases);
+    return;
+  }
+  PhaseFunction phase;
+  phase.share = share;
+  if (type == "hg") {
+    phase.kind = PhaseFunction::Kind::hg;
+    constexpr double most = 0.9999;
+    phase.g = share_in(properties, "g", -most, most, 0.8);
+  } else if (type == "rayleigh") {
+    phase.kind = PhaseFunction::Kind::rayleigh;
+  } else if (type != "isotropic") {
+    builder.diagnostics.unknown(element.where,
+                                not_available("phase", type, {"isotropic", "hg", "rayleigh", "blendphase"}) +
+                                    "; an isotropic one takes its place");
+    properties.accept_all();
+  }
+  properties.report_unknown();
+  phases.push_back(phase);
+}
+
+Medium read_homogeneous(Properties& properties, SceneBuilder& builder) {
+  Medium medium;
+  const double scale = properties.number("scale").value_or(1);
+  const std::optional<Rgb> scattered = read_volume(properties, builder, "sigma_s", ColorUse::value, {});
+  const std::optional<Rgb> absorbed = read_volume(properties, builder, "sigma_a", ColorUse::value, {});
+  medium.sigma_t = read_volume(properties, builder, "sigma_t", ColorUse::value, {1, 1, 1}).value_or(Rgb{1, 1, 1});
+  const Rgb albedo{0.75, 0.75, 0.75};
+  medium.albedo = read_volume(properties, builder, "albedo", ColorUse::reflectance, albedo).value_or(albedo);
+  if (scattered || absorbed) {
+    const Rgb s = scattered.value_or(Rgb{0, 0, 0}), a = absorbed.value_or(Rgb{0, 0, 0});
+    const auto share = [](double part, double rest) { return part + rest > 0 ? part / (part + rest) : 0.0; };
+    medium.sigma_t = {s.r + a.r, s.g + a.g, s.b + a.b};
+    medium.albedo = {share(s.r, a.r), share(s.g, a.g), share(s.b, a.b)};
+  }
+  medium.sigma_t = {scale * medium.sigma_t.r, scale * medium.sigma_t.g, scale * medium.sigma_t.b};
+  medium.emission = properties.color("emission", ColorUse::emission, {0, 0, 0}).value_or(Rgb{0, 0, 0});
+  const std::vector<const XmlElement*> phases = properties.objects("phase");
+  for (std::size_t i = 1; i < phases.size(); ++i)
+    builder.diagnostics.error(phases[i]->where, "a medium has one <phase>; a blendphase holds two");
+  if (!phases.empty()) {
+    medium.phases.clear();
+    read_phase(*phases.front(), 1, 0, builder, medium.phases);
+  }
+  properties.accept({"sample_emitters", "has_spectral_extinction"});
+  return medium;
+}
+
+}  // namespace
+
+int medium_index(const XmlElement& element, SceneBuilder& builder) {
+  const auto known = builder.medium_indices.find(&element);
+  if (known != builder.medium_indices.end()) return known->second;
+  Properties properties(element, builder.ids, builder.diagnostics);
+  int index = -1;
+  if (properties.type() == "homogeneous") {
+    Medium medium = read_homogeneous(properties, builder);
+    medium.id = properties.id();
+    medium.where = element.where;
+    builder.scene.media.push_back(std::move(medium));
+    index = static_cast<int>(builder.scene.media.size()) - 1;
+  } else {
+    builder.diagnostics.unknown(element.where, not_available("medium", properties.type(), {"homogeneous"}) +
+                                                   "; it is left out, space is empty");
+    properties.accept_all();
+  }
+  properties.report_unknown();
+  builder.medium_indices.emplace(&element, index);
+  return index;
+}
+
+std::optional<MediumBoundary> read_boundary(Properties& shape, SceneBuilder& builder) {
+  std::optional<MediumBoundary> boundary;
+  const auto take = [&](const char* name, int MediumBoundary::*side) {
+    const XmlElement* given = shape.peek(name);
+    if (given == nullptr || given->tag != "medium") return;
+    shape.accept({name});
+    const int medium = medium_index(*given, builder);
+    if (!boundary) boundary.emplace();
+    (*boundary).*side = medium;
+  };
+  take("interior", &MediumBoundary::inside);
+  take("exterior", &MediumBoundary::outside);
+  return boundary;
+}
+
+}  // namespace strahl

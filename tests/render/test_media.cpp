@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+// Media in closed form: what is absorbed, what is emitted, furnaces of every phase function, a published slab; and the
+// same bits however paths are followed. 20 s.
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "render/stage.h"
+#include "scene/model/build.h"
+
+namespace strahl::test {
+namespace {
+
+/// A wide slab from z = -depth / 2 to depth / 2, or a ball, in white surroundings.
+Scene filled(const Geometry& geometry, const Medium& medium, double around = 1) {
+  Material null;
+  null.opacity = Reflectance{{0, 0, 0}};
+  Scene scene = stage({geometry}, null);
+  scene.media = {medium};
+  scene.shapes.front().media = MediumBoundary{0, -1};
+  scene.integrator.name = "volpath";
+  scene.lights = {light(ConstantLight{{around, around, around}})};
+  return scene;
+}
+
+Cube slab(double depth) { return {{-100, -100, -0.5 * depth}, {{{200, 0, 0}, {0, 200, 0}, {0, 0, depth}}}}; }
+
+Medium medium(const Rgb& sigma_t, const Rgb& albedo) {
+  Medium medium;
+  medium.sigma_t = sigma_t;
+  medium.albedo = albedo;
+  return medium;
+}
+
+Rgb mean_of(const Image& image) {
+  Rgb sum{0, 0, 0};
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x) {
+      sum.r += static_cast<double>(image.at(x, y, 0));
+      sum.g += static_cast<double>(image.at(x, y, 1));
+      sum.b += static_cast<double>(image.at(x, y, 2));
+    }
+  const double n = image.width * image.height;
+  return {sum.r / n, sum.g / n, sum.b / n};
+}
+
+Image drawn(Scene scene, int samples) {
+  scene.sampler.kind = SamplerKind::independent;
+  scene.sampler.sample_count = samples;
+  return color(scene, Precision::robust);
+}
+
+TEST_CASE("a medium that only absorbs lets e^-depth through") {
+  require_pocl_and_rusticl();
+  for (const double depth : {1e-8, 1e-3, 0.7, 5.0, 40.0}) {
+    const Image image = color(filled(slab(1), medium({depth, 2 * depth, depth / 2}, {0, 0, 0})), Precision::robust);
+    INFO(depth);
+    CHECK(static_cast<double>(image.at(10, 20, 0)) == Approx(std::exp(-depth)).epsilon(5e-6));
+    CHECK(static_cast<double>(image.at(10, 20, 1)) == Approx(std::exp(-2 * depth)).epsilon(1e-5));
+    CHECK(static_cast<double>(image.at(10, 20, 2)) == Approx(std::exp(-depth / 2)).epsilon(5e-6));
+  }
+  const Image ball = color(filled(Sphere{{0, 0, 0}, 1}, medium({2, 2, 2}, {0, 0, 0})), Precision::robust);
+  for (const int column : {24, 30, 34}) {
+    const double x = stage_x(column), y = stage_y(24), chord = 2 * std::sqrt(1 - x * x - y * y);
+    CHECK(static_cast<double>(ball.at(column, 24, 0)) == Approx(std::exp(-2 * chord)).epsilon(1e-5));
+  }
+}
+
+TEST_CASE("a medium that emits shows 1 - e^-depth of its radiance") {
+  require_pocl_and_rusticl();
+  for (const double depth : {1e-6, 0.1, 3.0}) {
+    Medium glowing = medium({depth, depth, depth}, {0, 0, 0});
+    glowing.emission = {2, 3, 4};
+    const Image image = color(filled(slab(1), glowing, 0), Precision::robust);
+    INFO(depth);
+    CHECK(static_cast<double>(image.at(5, 7, 0)) == Approx(-2 * std::expm1(-depth)).epsilon(1e-5));
+    CHECK(static_cast<double>(image.at(5, 7, 2)) == Approx(-4 * std::expm1(-depth)).epsilon(1e-5));
+  }
+}
+
+TEST_CASE("a medium that only scatters is not seen in white surroundings") {
+  require_pocl_and_rusticl();
+  using Kind = PhaseFunction::Kind;
+  for (const std::vector<PhaseFunction>& phases : {std::vector<PhaseFunction>{{Kind::isotropic}},
+                                                   {{Kind::hg, 1, 0.9}},
+                                                   {{Kind::hg, 1, -0.6}},
+                                                   {{Kind::rayleigh}},
+                                                   {{Kind::hg, 0.3, 0.7}, {Kind::rayleigh, 0.7}}}) {
+    Medium white = medium({1, 2, 3}, {1, 1, 1});
+    white.phases = phases;
+    const Rgb mean = mean_of(drawn(filled(Sphere{{0, 0, 0}, 1}, white), 64));
+    CHECK(mean.r == Approx(1).margin(4e-3));
+    CHECK(mean.g == Approx(1).margin(4e-3));
+    CHECK(mean.b == Approx(1).margin(6e-3));
+  }
+}
+
+TEST_CASE("a slab reflects and transmits as van de Hulst has it") {
+  require_pocl_and_rusticl();
+  Medium published = medium({2, 2, 2}, {0.9, 0.9, 0.9});
+  published.phases = {{PhaseFunction::Kind::hg, 1, 0.75}};
+  const Rgb mean = mean_of(drawn(filled(slab(1), published), 128));
+  CHECK(mean.r == Approx(0.09739 + 0.66096).margin(3e-3));
+}
+
+TEST_CASE("paths through media are the same one by one and in lanes") {
+  Scene scene = filled(Sphere{{0, 0, 0}, 1}, medium({1, 2, 4}, {0.9, 0.6, 0.8}));
+  add(scene, floor_plane(), add(scene, Diffuse{{{0.5, 0.4, 0.3}}}));
+  scene.film.width = scene.film.height = 16;
+  scene.sampler.kind = SamplerKind::sobol;
+  scene.sampler.sample_count = 32;
+  RenderSettings settings;
+  settings.precision = Precision::robust;
+  settings.paths_in_lanes = false;
+  const RenderResult one = render("pocl", scene, settings);
+  settings.paths_in_lanes = true;
+  CHECK(same_bits(one, render("pocl", scene, settings)));
+}
+
+}  // namespace
+}  // namespace strahl::test
