@@ -7,3 +7,4 @@
 #include "integrators/whitted_lanes.h"
 #include "integrators/path_lanes.h"
 #include "integrators/ao_lanes.h"
+#include "integrators/ptracer_lanes.h"

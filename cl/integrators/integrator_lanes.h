@@ -11,6 +11,7 @@
 #include "integrators/visibility_lanes.h"
 
 #include "integrators/direct_light_lanes.h"
+#include "integrators/crossing_lanes.h"
 #include "integrators/all_lanes.h"
 
 /// The steps that an active integrator may ask for; the program holds no others.
@@ -21,7 +22,7 @@ enum {
 #undef INTEGRATOR
 };
 
-#include "integrators/crossing_lanes.h"
+#include "integrators/adjoint_lanes.h"
 #include "integrators/scatter_lanes.h"
 #include "integrators/branches_lanes.h"
 

@@ -8,7 +8,8 @@ enum {
   STEP_DELTA = 2,     ///< Follow the material's delta lobes.
   STEP_SCATTER = 4,   ///< Follow a direction that the material draws; drawn lights are then weighted against it.
   STEP_ROULETTE = 8,  ///< Apply Russian roulette.
-  STEP_OPENNESS = 16  ///< Add white if an ambient-occlusion ray hits nothing.
+  STEP_OPENNESS = 16,  ///< Add white if an ambient-occlusion ray hits nothing.
+  STEP_ADJOINT = 64    ///< The path comes from a light: what the material does to it is the adjoint.
 };
 
 #endif

@@ -24,6 +24,12 @@ constexpr IntegratorFacts whitted{.name = "whitted",
 constexpr IntegratorFacts path{
     .name = "path", .lamps = Lamps::drawn, .follows = Follows::paths, .shows_emission = true, .reads_shading = true};
 constexpr IntegratorFacts ao{.name = "ao", .reads_shading = true, .asks_openness = true};
+constexpr IntegratorFacts ptracer{.name = "ptracer",
+                                  .lamps = Lamps::drawn,
+                                  .follows = Follows::paths,
+                                  .shows_emission = true,
+                                  .reads_shading = true,
+                                  .from_lights = true};
 
 }  // namespace rows
 
