@@ -47,6 +47,8 @@ FN SensorWay_w sensor_way_w(const Scene* scene, maskw which, real3w position, Re
   way.t_max = one - splat_w(camera[CAMERA_NEAR]) * inverse;
   // |d| of the camera's ray is the distance over t.
   realw length = inverse * length3_w(back);
-  way.gain = splat_w(sensor[SENSOR_GAIN]) * length * (spreads ? inverse * inverse : one);
+  // The mean is over the paths of a pixel: the film has as many times more as it has pixels.
+  real pixels = (real)scene->index[HEADER_WIDTH] * sensor[SENSOR_HEIGHT], paths = (real)film->columns * (real)film->rows;
+  way.gain = splat_w(sensor[SENSOR_GAIN] * (pixels / paths)) * length * (spreads ? inverse * inverse : one);
   return way;
 }

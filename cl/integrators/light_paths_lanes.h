@@ -50,7 +50,6 @@ FN void show_background_w(const Scene* scene, const Paths_w* path, maskw which) 
                 film->y, dx, dy, lens, &rays);
   real3w d = real3_at_w(rays.planes + RAY_PLANE_D), light = far_radiance_w(scene, HEADER_BACKGROUND, d);
   if (HAS_SUN) light = add3_w(light, far_radiance_w(scene, HEADER_SUN, d));
-  light = scale3_w(splat_w((real)film->columns * (real)film->rows), light);
   which = which & lt_w(splat_w(R(0.0)), max3_w(light));
   if (!any_w(which)) return;
   which = which & ~meets_any_w(scene, &rays, which);

@@ -190,9 +190,10 @@ enum {
 enum { FILTER_CELLS = 1024 };
 
 // The camera the other way round: of a vector v from its origin, SENSOR_T v is t on the ray that leads there, and
-// SENSOR_X v and SENSOR_Y v are sx and sy of that ray, times t where rays spread from a point. SENSOR_GAIN: pixels of the
-// picture over the volume that its two edges and D span at t = 1 (camera/projection_lanes.h). SENSOR_SPREADS: 1, or 0 where rays are parallel. SENSOR_HEIGHT: rows of the picture. Then
-// half the width of the pixel filter, and its density at FILTER_CELLS + 1 places from one end to the other.
+// SENSOR_X v and SENSOR_Y v are sx and sy of that ray, times t where rays spread from a point. SENSOR_GAIN: one over the
+// volume that the picture's two edges and D span at t = 1 (camera/projection_lanes.h). SENSOR_SPREADS: 1, or 0 where
+// rays are parallel. SENSOR_HEIGHT: rows of the picture. Then half the width of the pixel filter, and its density at
+// FILTER_CELLS + 1 places from one end to the other.
 enum {
   SENSOR_T = 0,
   SENSOR_X = 3,

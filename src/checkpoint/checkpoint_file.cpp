@@ -158,8 +158,7 @@ struct Head {
     return static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height);
   }
   [[nodiscard]] std::uint64_t array_bytes() const {
-    const int sum_words = kind == FilmKind::splats ? layout::SPLAT_WORDS : layout::FILM_SUM_WORDS;
-    const auto words = static_cast<std::uint64_t>(sums.count * layout::FILM_CHANNELS * sum_words);
+    const std::uint64_t words = static_cast<std::uint64_t>(sums.count * layout::FILM_CHANNELS) * words_per_sum(kind);
     const std::uint64_t aovs = has_aovs ? layout::AOV_REALS * sizeof(double) + layout::AOV_INTS * sizeof(int) : 0;
     return pixels() * (sizeof(int) + words * sizeof(std::int64_t) + aovs);
   }

@@ -83,8 +83,9 @@ std::vector<double> filter_quantiles(const Filter& filter, SamplerKind sampler) 
 
 FilterDensities filter_densities(const Filter& filter) {
   FilterDensities densities{half_width(filter), {}};
-  for (int i = 0; i <= layout::FILTER_CELLS; ++i)
-    densities.values.push_back(density(filter, (2.0 * i / layout::FILTER_CELLS - 1) * densities.half_width));
+  constexpr int cells = layout::FILTER_CELLS;
+  for (int i = 0; i <= cells; ++i)
+    densities.values.push_back(density(filter, (2.0 * i / cells - 1) * densities.half_width));
   return densities;
 }
 

@@ -62,9 +62,8 @@ std::vector<double> sensor_reals(const Camera& camera, const Film& film, const U
   std::vector<double> sensor;
   for (const Vec3& row : {across, cross(y, d), cross(d, x)})
     for (const double component : {row.x, row.y, row.z}) sensor.push_back(component / volume);
-  const double pixels = static_cast<double>(film.width) * film.height;
   const FilterDensities filter = filter_densities(film.filter);
-  sensor.insert(sensor.end(), {pixels / (4 * std::fabs(volume)), spreads ? 1.0 : 0.0, static_cast<double>(film.height),
+  sensor.insert(sensor.end(), {1 / (4 * std::fabs(volume)), spreads ? 1.0 : 0.0, static_cast<double>(film.height),
                                filter.half_width});
   sensor.insert(sensor.end(), filter.values.begin(), filter.values.end());
   return sensor;

@@ -15,12 +15,13 @@ FilmSums::FilmSums(int w, int h, SubSums parts, double one, bool holds_words, Fi
   samples.resize(pixels, 0);
 }
 
-std::size_t FilmSums::words_per_sum() const {
-  return kind == FilmKind::splats ? layout::SPLAT_WORDS : layout::FILM_SUM_WORDS;
+std::size_t words_per_sum(FilmKind kind) {
+  if (kind == FilmKind::splats) return layout::SPLAT_WORDS;
+  return layout::FILM_SUM_WORDS;
 }
 
 std::size_t FilmSums::words_per_pixel() const {
-  return static_cast<std::size_t>(sums.count) * layout::FILM_CHANNELS * words_per_sum();
+  return static_cast<std::size_t>(sums.count) * layout::FILM_CHANNELS * words_per_sum(kind);
 }
 
 void FilmSums::add_samples(const Launch& launch) {
@@ -42,7 +43,7 @@ void FilmSums::add_words(int row, const std::vector<std::int64_t>& band) {
 
 double FilmSums::sub_sum(std::size_t pixel, int sub, int channel) const {
   const auto sum = static_cast<std::size_t>(sub * layout::FILM_CHANNELS + channel);
-  const std::int64_t* at = &words[pixel * words_per_pixel() + sum * words_per_sum()];
+  const std::int64_t* at = &words[pixel * words_per_pixel() + sum * words_per_sum(kind)];
   return unit * (kind == FilmKind::splats ? value_of_splats(at) : value_of(film_bins(at[0], at[1])));
 }
 
@@ -79,7 +80,7 @@ Image FilmSums::black() const {
 
 void FilmSums::put_mean(std::span<const std::int64_t> part, std::size_t first, Image& image) const {
   const std::size_t pixels = part.size() / words_per_pixel();
-  const std::size_t per_sum = words_per_sum();
+  const std::size_t per_sum = words_per_sum(kind);
   const double mean_count = kind == FilmKind::splats ? mean_samples() : 0;
   const std::int64_t* pixel = part.data();
   float* out = &image.data[first * layout::FILM_CHANNELS];
@@ -92,7 +93,7 @@ void FilmSums::put_mean(std::span<const std::int64_t> part, std::size_t first, I
 
 /// Added up as the film adds, so that it does not matter which sub-sum a sample is in.
 double FilmSums::total(const std::int64_t* sum) const {
-  const std::size_t stride = layout::FILM_CHANNELS * words_per_sum();
+  const std::size_t stride = layout::FILM_CHANNELS * words_per_sum(kind);
   if (kind == FilmKind::splats) {
     std::int64_t all[layout::SPLAT_WORDS] = {};
     for (int sub = 0; sub < sums.count; ++sub, sum += stride)

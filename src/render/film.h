@@ -19,6 +19,9 @@ enum class FilmKind {
   splats   ///< Light paths, each into any pixels: sums of cl/film/splat.h. The samples of a pixel are its paths.
 };
 
+/// Words of a channel's sum.
+[[nodiscard]] std::size_t words_per_sum(FilmKind kind);
+
 /// Four sub-sums of three channels a pixel, or one where nobody compares them; window coordinates.
 struct FilmSums {
   FilmKind kind = FilmKind::pixels;
@@ -27,13 +30,12 @@ struct FilmSums {
   SubSums sums;                     ///< Which sample is in which.
   int first_sample = 0;             ///< The number of each pixel's first sample; others only in a part (RenderGoal).
   double unit = 1;                  ///< Radiance that corresponds to 1 in the kernels.
-  std::vector<std::int64_t> words;  ///< height x width x sums.count x 3 x words_per_sum(), as the kind has them.
+  std::vector<std::int64_t> words;  ///< height x width x sums.count x 3 x words_per_sum(kind), as the kind has them.
   std::vector<int> samples;         ///< height x width: how many samples a pixel has, from first_sample on.
 
   /// holds_words: false where the words stay on the device (put_mean).
   FilmSums(int width, int height, SubSums sums, double unit, bool holds_words = true,
            FilmKind kind = FilmKind::pixels);
-  [[nodiscard]] std::size_t words_per_sum() const;
   [[nodiscard]] std::size_t words_per_pixel() const;
   /// What rows [row, row + rows) lack of the samples below `end`: rectangles of pixels that are equally far.
   [[nodiscard]] std::vector<Launch> missing(int row, int rows, int end) const;

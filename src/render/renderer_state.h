@@ -59,9 +59,8 @@ struct Renderer::State {
   }
   /// At the most: a film of one sum takes a part of the buffer.
   [[nodiscard]] std::size_t film_bytes_per_pixel() const {
-    const std::size_t words = film_kind() == FilmKind::splats ? layout::SPLAT_WORDS : layout::FILM_SUM_WORDS;
     const std::size_t sums = film_kind() == FilmKind::splats && !settings.estimate_error ? 1 : layout::FILM_SUBSUMS;
-    return sizeof(std::int64_t) * sums * layout::FILM_CHANNELS * words;
+    return sizeof(std::int64_t) * sums * layout::FILM_CHANNELS * words_per_sum(film_kind());
   }
 
   /// Behind the counters: the first sample of each pixel that is not in the film yet.
