@@ -52,7 +52,15 @@ FN void show_background_w(const Scene* scene, const Paths_w* path, maskw which) 
   if (HAS_SUN) light = add3_w(light, far_radiance_w(scene, HEADER_SUN, d));
   which = which & lt_w(splat_w(R(0.0)), max3_w(light));
   if (!any_w(which)) return;
-  which = which & ~meets_any_w(scene, &rays, which);
+  if (is_seen_through(scene)) {
+    Paths_w ahead = *path;
+    ahead.alive = which;
+    ahead.rays = rays;
+    light = scale3_w(passed_share_w(scene, &ahead), light);
+    which = which & lt_w(splat_w(R(0.0)), max3_w(light));
+  } else {
+    which = which & ~meets_any_w(scene, &rays, which);
+  }
   for (uint lanes = bits_w(which); lanes != 0u; lanes &= lanes - 1u) {
     int i = first_bit(lanes), sum = get_int_w((PRIVATE const intw*)&path->sample.pixel, i);
     splat_pixel(scene, get_int_w(&columns, i), get_int_w(&rows, i), sum, get3_w(&light, i));

@@ -8,6 +8,7 @@
 #include "camera/projection_lanes.h"
 #include "film/splat.h"
 #include "film/sub_sums.h"
+#include "integrators/sensor_share_lanes.h"
 
 enum { ptracer_STEPS_w = STEP_SCATTER | STEP_ROULETTE | STEP_ADJOINT };
 
@@ -27,36 +28,15 @@ FN SensorWay_w way_to_sensor_w(const Scene* scene, const Paths_w* path, maskw wh
   return sensor_way_w(scene, which, position, lens);
 }
 
-/// The lanes of `which` that the camera sees. It looks through emitters that are hidden from it.
-FN maskw sensor_sees_w(const Scene* scene, const Paths_w* path, const Surfaces_w* s, maskw which,
-                       const SensorWay_w* way) {
-  if (!HAS_EMISSION || !hides_emitters(scene))
-    return sees_along_w(scene, s, which, way->towards, way->t_max, splat_int_w(-1));
-  const FirstSamples none = {0, 0, 0, 0u};
-  Paths_w ahead = *path;
-  Surfaces_w at = *s;
-  realw t_max = way->t_max;
-  maskw seen = none_w();
-  for (ahead.alive = which; any_w(ahead.alive);) {
-    rays_leaving_w(&at, ahead.alive, way->towards, t_max, &ahead.rays);
-    if (HAS_COUNT_RAYS) count_events(scene, COUNT_SHADOW, lanes_among(bits_w(ahead.alive)));
-    // What is left of a ray is in the units of its prepared direction, which is the same for all parts of it.
-    at = find_surfaces_w(scene, &ahead, FIND_NEAREST, &none);
-    seen = seen | (ahead.alive & ~at.hit);
-    ahead.alive = ahead.alive & at.hit & ~lt_int_w(part_entry_w(scene, &at, PART_RADIANCE), splat_int_w(0));
-    realw rest = ahead.rays.planes[RAY_PLANE_T_MAX] - at.t;
-    t_max = sel_w(ahead.alive, rest * ahead.rays.planes[RAY_PLANE_T_FROM_SCALED], t_max);
-  }
-  return seen;
-}
-
 /// Adds light, before the way's gain, in the lanes of `which` that the camera sees.
 FN void send_to_sensor_w(const Scene* scene, const Paths_w* path, const Surfaces_w* s, maskw which,
                          const SensorWay_w* way, real3w light) {
   light = scale3_w(way->gain, light);
   which = which & lt_w(splat_w(R(0.0)), max3_w(light));
   if (!any_w(which)) return;
-  which = sensor_sees_w(scene, path, s, which, way);
+  realw share = sensor_share_w(scene, path, s, which, way->towards, way->t_max);
+  which = which & lt_w(splat_w(R(0.0)), share);
+  light = scale3_w(share, light);
   Random2_w bits = sensor_pair_w(scene, path, USE_SENSOR_PIXEL);
   realw u = random_between_w(bits.x), v = random_between_w(bits.y);
   for (uint lanes = bits_w(which); lanes != 0u; lanes &= lanes - 1u) {
@@ -67,26 +47,14 @@ FN void send_to_sensor_w(const Scene* scene, const Paths_w* path, const Surfaces
   }
 }
 
-/// The share of light that the surfaces send to the sensor, per unit of area that faces it. The material is evaluated as
-/// by a path from the camera, so that nothing of it need be symmetric.
+/// The share of light that the surfaces send to the sensor, per unit of area that faces it.
 FN real3w shown_light_w(const Scene* scene, const Paths_w* path, const Surfaces_w* s, maskw which,
                         const SensorWay_w* way) {
-  real3w out = unit3_w(way->towards), in = unit3_w(negate3_w(real3_at_w(path->rays.planes + RAY_PLANE_D)));
-  realw number = splat_w(R(0.0)), zero = number, one = splat_w(R(1.0)), density;
-  if (HAS_BLEND) number = random_between_w(vertex_number_w(scene, &path->sample, path->depth, USE_BLEND));
-  MaterialRows_w at = rows_at_w(scene, s, which, out, number);
-  Bsdf_w b = bsdf_at_w(scene, s, &at, out);
-  if (HAS_PRIORITY) {
-    Crossing_w crossing = crossing_of_w(scene, &path->within, s, which, &b);
-    which = which & ~(crossing.which & ~crossing.is_real);
-  }
-  real3w light = mul3_w(mul3_w(path->radiance, path->throughput), bsdf_eval_w(&b, in, &density));
-  // bsdf_eval has |in.ns|, flux has |in.ng|.
-  realw below = abs_w(dot3_w(in, s->normal)), above = abs_w(dot3_w(out, s->normal));
-  maskw is_sound = which & lt_w(zero, below);
-  realw share = above / sel_w(is_sound, below, one);
-  if (HAS_MASK) share = share * at.opacity;
-  return sel3_w(is_sound, scale3_w(share, light), vec3_w(zero, zero, zero));
+  realw opacity;
+  real3w in = unit3_w(negate3_w(real3_at_w(path->rays.planes + RAY_PLANE_D)));
+  real3w share = adjoint_share_w(scene, path, s, which, in, unit3_w(way->towards), &opacity);
+  if (HAS_MASK) share = scale3_w(opacity, share);
+  return mul3_w(mul3_w(path->radiance, path->throughput), share);
 }
 
 FN maskw ptracer_step_w(const Scene* scene, Paths_w* path, const Surfaces_w* s, PRIVATE int* next) {
@@ -94,6 +62,9 @@ FN maskw ptracer_step_w(const Scene* scene, Paths_w* path, const Surfaces_w* s, 
   *next = ptracer_STEPS_w;
   maskw on = path->alive & s->hit & lt_int_w(path->depth, most);
   SensorWay_w way = way_to_sensor_w(scene, path, on, s->position);
-  if (any_w(way.which)) send_to_sensor_w(scene, path, s, way.which, &way, shown_light_w(scene, path, s, way.which, &way));
+  if (any_w(way.which)) {
+    real3w light = shown_light_w(scene, path, s, way.which, &way);
+    send_to_sensor_w(scene, path, s, way.which, &way, light);
+  }
   return on & lt_int_w(path->depth, most - splat_int_w(1));
 }
