@@ -61,7 +61,10 @@ FN maskw ptracer_step_w(const Scene* scene, Paths_w* path, const Surfaces_w* s, 
   intw most = splat_int_w(scene->index[HEADER_MAX_DEPTH]);
   *next = ptracer_STEPS_w;
   maskw on = path->alive & s->hit & lt_int_w(path->depth, most);
-  SensorWay_w way = way_to_sensor_w(scene, path, on, s->position);
+  maskw is_shown = on;
+  if (HAS_EMISSION && hides_emitters(scene))
+    is_shown = on & lt_int_w(part_entry_w(scene, s, PART_RADIANCE), splat_int_w(0));
+  SensorWay_w way = way_to_sensor_w(scene, path, is_shown, s->position);
   if (any_w(way.which)) {
     real3w light = shown_light_w(scene, path, s, way.which, &way);
     send_to_sensor_w(scene, path, s, way.which, &way, light);
