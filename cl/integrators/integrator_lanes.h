@@ -72,7 +72,7 @@ FN void surface_scatter_w(const Scene* scene, Paths_w* path, const Surfaces_w* s
     Bsdf_w b = bsdf_at_w(scene, s, &at, wo);
     Crossing_w crossing;
     if (HAS_PRIORITY) {
-      crossing = crossing_of_w(scene, &path->within, s, on, &b);
+      crossing = crossing_of_w(scene, &path->within, s, on & at_surface, &b);
       maskw unreal = crossing.which & ~crossing.is_real;
       cross_interface_w(scene, &crossing, unreal, &path->within);
       passed = passed | unreal;

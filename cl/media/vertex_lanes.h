@@ -101,7 +101,8 @@ FN void vertex_turn_w(const Scene* scene, const Paths_w* path, const Surfaces_w*
 /// Lanes of `which` that masks let pass, of integrators for which that is no event: depth and density stay, and lights
 /// are drawn through masks as well.
 FN maskw passes_openly_w(Paths_w* path, const MaterialRows_w* at, maskw which) {
-  if (!any_w(which & lt_w(at->opacity, splat_w(R(1.0))))) return none_w();
+  which = which & lt_w(at->opacity, splat_w(R(1.0)));
+  if (!any_w(which)) return which;
   Random4_w numbers = random4_w(path->sample.pixel, path->sample.sample, path->draws + 0x80000000u, path->sample.seed);
   path->draws = path->draws + uint_of_int_w(sel_int_w(which, splat_int_w(1), splat_int_w(0)));
   return which & le_w(at->opacity, random_between_w(numbers.x));

@@ -102,9 +102,15 @@ TEST_CASE("a slab reflects and transmits as van de Hulst has it") {
   CHECK(mean.r == Approx(0.09739 + 0.66096).margin(3e-3));
 }
 
-TEST_CASE("paths through media are the same one by one and in lanes") {
+TEST_CASE("paths through media and masks are the same one by one and in lanes") {
   Scene scene = filled(Sphere{{0, 0, 0}, 1}, medium({1, 2, 4}, {0.9, 0.6, 0.8}));
   add(scene, floor_plane(), add(scene, Diffuse{{{0.5, 0.4, 0.3}}}));
+  // Between the camera and half of the picture, so that groups of paths hold both.
+  Material veil = diffuse({0.3, 0.3, 0.3}, true);
+  veil.opacity = Reflectance{{0.5, 0.5, 0.5}};
+  scene.materials.push_back(veil);
+  for (const double z : {2.0, 2.5})
+    add(scene, Rectangle{{-2, -2, z}, {2, 0, 0}, {0, 4, 0}}, static_cast<int>(scene.materials.size()) - 1);
   scene.film.width = scene.film.height = 16;
   scene.sampler.kind = SamplerKind::sobol;
   scene.sampler.sample_count = 32;
@@ -114,6 +120,23 @@ TEST_CASE("paths through media are the same one by one and in lanes") {
   const RenderResult one = render("pocl", scene, settings);
   settings.paths_in_lanes = true;
   CHECK(same_bits(one, render("pocl", scene, settings)));
+}
+
+TEST_CASE("a path that scatters within glass of a priority crosses no surface there") {
+  require_pocl_and_rusticl();
+  Material glass;
+  glass.bsdf = Dielectric{1.5, 1};
+  Scene scene = stage({Sphere{{0, 0, 0}, 1}, Sphere{{0.4, 0, 0}, 0.8}}, glass);
+  scene.media = {medium({2, 2, 2}, {1, 1, 1})};
+  scene.integrator.name = "volpath";
+  scene.lights = {light(ConstantLight{{1, 1, 1}})};
+  for (std::size_t i = 0; i < 2; ++i) {
+    scene.shapes[i].priority = static_cast<int>(i);
+    scene.shapes[i].media = MediumBoundary{0, -1};
+  }
+  std::get<Dielectric>(scene.materials.emplace_back(glass).bsdf).int_ior = 1.2;
+  scene.shapes[1].material = 1;
+  CHECK(mean_of(drawn(scene, 256)).r == Approx(1).margin(6e-3));
 }
 
 }  // namespace
