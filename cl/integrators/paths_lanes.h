@@ -24,7 +24,7 @@ typedef struct {
   real3w entered;      ///< Where the ray has left a surface, whether or not it was turned there.
   realw optical;       ///< Optical depth that is left until the path scatters; below 0: not drawn yet.
   real3w hero_shares;  ///< As in media/flight_lanes.h.
-  uintw draws;         ///< From its stream of random numbers, so far.
+  uintw draws;         ///< Masks that it has met, as media/vertex_lanes.h numbers them.
 #endif
 } Paths_w;
 

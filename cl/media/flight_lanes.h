@@ -5,24 +5,15 @@
 // TOG 38(4), 2019. One width; no guard.
 
 typedef struct {
-  real3w from, d;              ///< Where the way begins; its direction, unit.
-  realw length;                ///< To the surface where it ends; REAL_MAX: there is none.
-  realw optical;               ///< Optical depth to the next event, of the hero, or of the majorant where one is used.
-  real3w throughput;           ///< Of the path, divided by the mean density of the heroes.
-  real3w share;                ///< Each hero's density over their mean.
-  real3w radiance;             ///< What the medium has emitted on the way, as it reaches the camera.
-  maskw scatters;              ///< Lanes that scatter before the surface,
-  realw t;                     ///< and where.
-  uintw pixel, sample, draws;  ///< Of the stream of random numbers below.
-  uint seed;
+  real3w from, d;     ///< Where the way begins; its direction, unit.
+  realw length;       ///< To the surface where it ends; REAL_MAX: there is none.
+  realw optical;      ///< Optical depth of the hero that is left until the path scatters.
+  real3w throughput;  ///< Of the path, divided by the mean density of the heroes.
+  real3w share;       ///< Each hero's density over their mean.
+  real3w radiance;    ///< What the medium has emitted on the way, as it reaches the camera.
+  maskw scatters;     ///< Lanes that scatter before the surface,
+  realw t;            ///< and where.
 } Flight_w;
-
-/// Uses of numbers that have no bound have a stream for each sample, beyond the sets of all vertices.
-FN Random4_w stream_w(Flight_w* w, maskw which) {
-  Random4_w numbers = random4_w(w->pixel, w->sample, w->draws + 0x80000000u, w->seed);
-  w->draws = w->draws + uint_of_int_w(sel_int_w(which, splat_int_w(1), splat_int_w(0)));
-  return numbers;
-}
 
 /// -ln(1 - v), v the number whose bits are those of `high` and then of `low`: an optical depth from 1e-19 to 44 of
 /// exponential distribution. Exact to 2 ulps: near 0 by the logarithm's series, beyond by ln of what is left to 1.
@@ -46,7 +37,9 @@ FN realw one_minus_exp_w(realw a) {
 }
 
 /// The hero's channel of a colour.
-FN realw of_hero_w(intw hero, real3w colour) {
+FN realw of_hero_w(const Scene* scene, const SampleState_w* sample, real3w colour) {
+  realw number = random_unit_w(sample_pair_w(scene, sample, USE_CHANNEL).x);
+  intw hero = int_of_real_w(splat_w(R(3.0)) * number);
   maskw is_second = ~nonzero_w(hero - splat_int_w(1)), is_third = ~nonzero_w(hero - splat_int_w(2));
   return sel_w(is_third, colour.z, sel_w(is_second, colour.y, colour.x));
 }

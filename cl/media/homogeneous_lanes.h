@@ -9,11 +9,11 @@ FN real3w homogeneous_depths_w(GLOBAL const real* reals, realw length) {
 
 FN real3w exp_minus3_w(real3w a) { return vec3_w(exp_minus_w(a.x), exp_minus_w(a.y), exp_minus_w(a.z)); }
 
-FN void homogeneous_travel_w(const Scene* scene, GLOBAL const int* row, intw hero, maskw which, Flight_w* w) {
+FN void homogeneous_travel_w(const Scene* scene, GLOBAL const int* row, const SampleState_w* sample, maskw which,
+                             Flight_w* w) {
   GLOBAL const real* reals = scene->shading + row[MEDIUM_REALS];
   real3 albedo = load3(reals + MEDIUM_ALBEDO), emission = load3(reals + MEDIUM_EMISSION);
   real3w sigma = splat3_w(load3(reals + MEDIUM_SIGMA_T));
-  realw chosen = of_hero_w(hero, sigma), zero = splat_w(R(0.0));
   if (emission.x + emission.y + emission.z > R(0.0)) {
     // The whole way's emission, wherever the path scatters: as many rays reach a place unscattered as should.
     real3w depths = homogeneous_depths_w(reals, w->length);
@@ -27,6 +27,7 @@ FN void homogeneous_travel_w(const Scene* scene, GLOBAL const int* row, intw her
     w->throughput = sel3_w(which, mul3_w(passed, w->throughput), w->throughput);
     return;
   }
+  realw chosen = row[MEDIUM_IS_GREY] ? sigma.x : of_hero_w(scene, sample, sigma);
   realw t = w->optical / chosen;
   maskw scatters = which & lt_w(t, w->length);
   if (row[MEDIUM_IS_GREY]) {
@@ -37,11 +38,10 @@ FN void homogeneous_travel_w(const Scene* scene, GLOBAL const int* row, intw her
     flight_event_w(w, which, sel3_w(scatters, mul3_w(splat3_w(albedo), drawn), passed), drawn);
   }
   w->t = sel_w(scatters, t, w->t);
-  w->optical = sel_w(which, max_w(fma_w(-chosen, w->length, w->optical), zero), w->optical);
+  w->optical = sel_w(which, max_w(fma_w(-chosen, w->length, w->optical), splat_w(R(0.0))), w->optical);
   w->scatters = w->scatters | scatters;
 }
 
-FN real3w homogeneous_transmittance_w(const Scene* scene, GLOBAL const int* row, maskw which, Flight_w* w) {
-  (void)which;
+FN real3w homogeneous_transmittance_w(const Scene* scene, GLOBAL const int* row, const Flight_w* w) {
   return exp_minus3_w(homogeneous_depths_w(scene->shading + row[MEDIUM_REALS], w->length));
 }

@@ -9,7 +9,7 @@ ONCE_FN Surfaces_w meet_surfaces_w(const Scene* scene, Paths_w* path, int want, 
 
 /// The share of light that comes from `towards`, t_max away, to the vertices `from`, in the lanes of `which`. aim: as
 /// in Rays.
-FN real3w seen_share_w(const Scene* scene, Paths_w* path, const Surfaces_w* from, maskw which, real3w towards,
+FN real3w seen_share_w(const Scene* scene, const Paths_w* path, const Surfaces_w* from, maskw which, real3w towards,
                        realw t_max, intw aim) {
   Paths_w way = *path;
   FirstSamples no_first;
@@ -34,11 +34,7 @@ FN real3w seen_share_w(const Scene* scene, Paths_w* path, const Surfaces_w* from
     Flight_w w = flight_of_w(&way, ~hit, s.t);
     w.length = sel_w(hit | is_far, w.length, max_w(left, zero));
     left = left - w.length;
-    if (any_w(is_within)) {
-      share =
-          mul3_w(share, sel3_w(way.alive, transmittance_w(scene, way.medium, is_within, &w), vec3_w(one, one, one)));
-      way.draws = w.draws;
-    }
+    if (any_w(is_within)) share = mul3_w(share, transmittance_w(scene, way.medium, is_within, &w));
     way.alive = hit;
     if (!any_w(hit)) break;
     s.scatters = none_w();
@@ -52,6 +48,5 @@ FN real3w seen_share_w(const Scene* scene, Paths_w* path, const Surfaces_w* from
     rays_leaving_w(&s, way.alive, d, rest, &way.rays);
     way.rays.aim = aim;
   }
-  path->draws = way.draws;
   return share;
 }

@@ -13,12 +13,6 @@ FN intw medium_beyond_w(const Scene* scene, const Surfaces_w* s, real3w d, intw 
   return sel_int_w(nonzero_w(beyond - splat_int_w(MEDIUM_SAME)) & ~s->scatters, beyond, media);
 }
 
-/// The channel that distances are drawn for.
-FN intw hero_w(const Scene* scene, const SampleState_w* sample) {
-  realw number = random_unit_w(sample_pair_w(scene, sample, USE_CHANNEL).x);
-  return int_of_real_w(splat_w(R(3.0)) * number);
-}
-
 /// The way of the rays up to t, in units of their directions, or endless.
 FN Flight_w flight_of_w(const Paths_w* path, maskw is_endless, realw t) {
   Flight_w w;
@@ -35,10 +29,6 @@ FN Flight_w flight_of_w(const Paths_w* path, maskw is_endless, realw t) {
   w.radiance = vec3_w(zero, zero, zero);
   w.scatters = none_w();
   w.t = zero;
-  w.pixel = path->sample.pixel;
-  w.sample = path->sample.sample;
-  w.draws = path->draws;
-  w.seed = path->sample.seed;
   return w;
 }
 
@@ -49,14 +39,15 @@ FN void media_travel_w(const Scene* scene, Paths_w* path, Surfaces_w* s) {
   if (!any_w(which)) return;
   Flight_w w = flight_of_w(path, ~s->hit, s->t);
   maskw is_new = which & lt_w(w.optical, splat_w(R(0.0)));
-  Random2_w numbers = vertex_pair_w(scene, &path->sample, path->depth, USE_DISTANCE);
-  w.optical = sel_w(is_new, optical_depth_w(numbers.x, numbers.y), w.optical);
-  travel_w(scene, path->medium, hero_w(scene, &path->sample), which, &w);
+  if (any_w(is_new)) {
+    Random2_w numbers = vertex_pair_w(scene, &path->sample, path->depth, USE_DISTANCE);
+    w.optical = sel_w(is_new, optical_depth_w(numbers.x, numbers.y), w.optical);
+  }
+  travel_w(scene, path->medium, &path->sample, which, &w);
   path->throughput = sel3_w(which, w.throughput, path->throughput);
   path->hero_shares = sel3_w(which, w.share, path->hero_shares);
   path->radiance = sel3_w(which, add3_w(path->radiance, w.radiance), path->radiance);
   path->optical = sel_w(which, w.optical, path->optical);
-  path->draws = uint_of_int_w(sel_int_w(which, int_of_uint_w(w.draws), int_of_uint_w(path->draws)));
   s->scatters = which & w.scatters;
   if (!any_w(s->scatters)) return;
   realw zero = splat_w(R(0.0));
@@ -99,7 +90,8 @@ FN void vertex_turn_w(const Scene* scene, const Paths_w* path, const Surfaces_w*
 }
 
 /// Lanes of `which` that masks let pass, of integrators for which that is no event: depth and density stay, and lights
-/// are drawn through masks as well.
+/// are drawn through masks as well. Masks in a row have no bound, so their numbers are a stream of each sample's own,
+/// beyond the sets of all vertices.
 FN maskw passes_openly_w(Paths_w* path, const MaterialRows_w* at, maskw which) {
   which = which & lt_w(at->opacity, splat_w(R(1.0)));
   if (!any_w(which)) return which;
