@@ -33,6 +33,8 @@ FN realw phase_of_medium_w(const Scene* scene, GLOBAL const int* medium, real3w 
 #include "phases/phases.def"
 #undef PHASE
       default:
+        (void)before;
+        (void)after;
         break;
     }
     sum = fma_w(splat_w(reals[PHASE_SHARE]), value, sum);
@@ -62,6 +64,7 @@ FN real3w turned_by_medium_w(const Scene* scene, GLOBAL const int* medium, real3
 #include "phases/phases.def"
 #undef PHASE
       default:
+        (void)u;
         break;
     }
     turn.missing = sel_w(is_one, drawn.missing, turn.missing);

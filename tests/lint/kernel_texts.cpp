@@ -39,8 +39,12 @@ std::vector<std::pair<std::string, Features>> singles(Precision precision) {
       sets.back().second.entries[list].insert(entry);
     }
   for (std::size_t i = 0; i < list_features().size(); ++i) {
-    sets.emplace_back(list_features()[i].first, every(false));
-    sets.back().second.flags[i].second = true;
+    const std::string name = list_features()[i].first;
+    sets.emplace_back(name, every(false));
+    Features& features = sets.back().second;
+    features.flags[i].second = true;
+    // Its files are those of the list's entries; a program has both or neither.
+    if (name == "MEDIA") features.entries["media"] = every(true).entries["media"];
   }
   return sets;
 }

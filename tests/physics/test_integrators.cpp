@@ -24,6 +24,7 @@ std::vector<IntegratorRow> integrator_rows() {
           {"direct", half, white, once},
           {"whitted", half, white, once},
           {"path", half, white, white},
+          {"volpath", half, white, white},
           {"ao", white, none, none}};
 }
 
