@@ -153,6 +153,23 @@ Renderer::~Renderer() = default;
 Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
+void Renderer::share_with(const Device& device, std::optional<std::uint64_t> loop_turns) {
+  RenderSettings settings = state_->settings;
+  if (settings.precision != Precision::robust && settings.precision != Precision::fp64)
+    throw UsageError(
+        fmt::format("several devices make one picture in the precisions robust and double; in {} each device has bits "
+                    "of its own",
+                    precision_name(settings.precision)));
+  settings.loop_turns = loop_turns;
+  auto helper = std::make_unique<State>(device, state_->scene, settings);
+  helper->prepare();
+  state_->stats.device += " + " + helper->stats.device;
+  state_->stats.device_bytes += helper->stats.device_bytes;
+  for (const auto phase : {&PhaseSeconds::bvh, &PhaseSeconds::program, &PhaseSeconds::upload})
+    state_->stats.seconds.*phase += helper->stats.seconds.*phase;
+  state_->helpers.push_back(std::move(helper));
+}
+
 const Scene& Renderer::scene() const { return state_->scene; }
 
 const RunStats& Renderer::stats() const { return state_->stats; }
