@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <sstream>
-
 #include "cli/console.h"
 #include "errors.h"
 #include "trust/tier_choice.h"
@@ -12,9 +10,15 @@
 namespace strahl::cli {
 
 std::vector<std::string> device_selectors(const RenderOptions& options) {
-  std::vector<std::string> all;
-  std::istringstream text(options.device + ",");
-  for (std::string one; std::getline(text, one, ',');) all.push_back(one);
+  std::vector<std::string> all{""};
+  int depth = 0;
+  for (const char c : options.device) {
+    depth += c == '(' ? 1 : c == ')' ? -1 : 0;
+    if (c == ',' && depth == 0)
+      all.emplace_back();
+    else
+      all.back() += c;
+  }
   if (all.size() == 1) return all;
   for (const std::string& one : all)
     if (one.empty()) throw UsageError(fmt::format("-d \"{}\": a device's name is empty", options.device));

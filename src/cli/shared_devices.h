@@ -11,7 +11,8 @@
 
 namespace strahl::cli {
 
-/// The selectors of -d. Throws UsageError where one is empty beside others, or where the options are for one device.
+/// The selectors of -d, between commas; one within brackets is part of a name ("llvmpipe (LLVM 15.0.6, 256 bits)").
+/// Throws UsageError where one is empty beside others, or where the options are for one device.
 [[nodiscard]] std::vector<std::string> device_selectors(const RenderOptions& options);
 
 /// Opens all selectors after the first and has them take part. Returns all devices. Throws UsageError for a device that

@@ -42,12 +42,14 @@ class FilmRun {
   };
   class Table;
   [[nodiscard]] Part part(const Launch& launch);
+  [[nodiscard]] Part part_on(Renderer::State& device, const Launch& launch, const ProgressCallback& progress) const;
   bool render_shared(const Launch& all);
   bool deal(const Launch& all);
   void work_at(Table& table, std::size_t worker);
   void add(const Part& part, const Launch& launch, std::size_t worker);
-  [[nodiscard]] Renderer::State& device_of(std::size_t worker);
-  [[nodiscard]] Renderer::State& living_device();
+  [[nodiscard]] Renderer::State& device_of(std::size_t worker) const;
+  [[nodiscard]] Renderer::State& living_device() const;
+  [[nodiscard]] std::string all_faults() const;
   /// Takes over an earlier run's film and renders the pass that was under way to its end; false as render_pass.
   bool go_on_from(const FilmState& state);
   void begin_band_with(const FilmState& state);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // A picture on several devices (docs/decisions/0031-several-devices.md): a thread for each renders rows on its device
 // and reads their film back; this run adds up what they bring.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <condition_variable>
 #include <exception>
@@ -43,9 +45,8 @@ class FilmRun::Table {
   std::vector<double> seconds;           ///< That each worker has been at it.
   std::size_t at_work = 0;               ///< Threads.
   bool is_stopped = false;
-  bool has_news = false;          ///< For the run that adds them up.
-  std::exception_ptr last_fault;  ///< Of a device.
-  std::exception_ptr fault;       ///< Of anything else: it ends the render.
+  bool has_news = false;     ///< For the run that adds them up.
+  std::exception_ptr fault;  ///< Of anything but a device: it ends the render.
 
   void tell() {
     has_news = true;
@@ -53,9 +54,11 @@ class FilmRun::Table {
   }
 };
 
-Renderer::State& FilmRun::device_of(std::size_t worker) { return worker == 0 ? state_ : *state_.helpers[worker - 1]; }
+Renderer::State& FilmRun::device_of(std::size_t worker) const {
+  return worker == 0 ? state_ : *state_.helpers[worker - 1];
+}
 
-Renderer::State& FilmRun::living_device() {
+Renderer::State& FilmRun::living_device() const {
   for (std::size_t i = 0; i <= state_.helpers.size(); ++i)
     if (device_of(i).fault.empty()) return device_of(i);
   return state_;
@@ -73,6 +76,25 @@ FilmRun::Part FilmRun::part(const Launch& launch) {
     end_band();
   }
   return {state_now(), std::move(result_.stats), is_cut_};
+}
+
+/// Of a device's thread: the launch's rows as a picture of their own.
+FilmRun::Part FilmRun::part_on(Renderer::State& device, const Launch& launch, const ProgressCallback& progress) const {
+  RenderGoal goal;
+  goal.spp = end_;
+  goal.seed = result_.stats.seed;
+  goal.samples = {launch.sample_first, launch.samples};
+  const RowsOnly only(device.window, {launch.row_first, launch.rows});
+  FilmRun run(device, goal, progress, nullptr, sums_);
+  run.samples_until_ = samples_until_;
+  return run.part(launch);
+}
+
+std::string FilmRun::all_faults() const {
+  std::string all;
+  for (std::size_t i = 0; i <= state_.helpers.size(); ++i)
+    if (!device_of(i).fault.empty()) all += (all.empty() ? "" : "; ") + device_of(i).fault;
+  return all;
 }
 
 /// Of one thread: rows, as long as there are some.
@@ -95,44 +117,36 @@ void FilmRun::work_at(Table& table, std::size_t worker) {
     launch.row_first = rows->first;
     launch.rows = rows->count;
     lock.unlock();
-    std::exception_ptr device_fault, other_fault;
+    std::string device_fault;
+    std::exception_ptr other_fault;
     const Stopwatch start;
     try {
-      RenderGoal goal;
-      goal.spp = end_;
-      goal.seed = result_.stats.seed;
-      goal.samples = {launch.sample_first, launch.samples};
-      const RowsOnly only(device.window, *rows);
-      FilmRun run(device, goal, progress, nullptr, sums_);
-      run.samples_until_ = samples_until_;
-      Part part = run.part(launch);
+      Part part = part_on(device, launch, progress);
       const double seconds = start.seconds();
       lock.lock();
       table.rows.done(worker, seconds);
       if (part.is_cut) table.is_stopped = true;
       table.done.push_back({worker, launch, std::move(part)});
     } catch (const DeviceError& fault) {
-      device_fault = std::current_exception();
-      device.fault = fault.what();
+      device_fault = fault.what();
     } catch (const NoDeviceError& fault) {
-      device_fault = std::current_exception();
-      device.fault = fault.what();
+      device_fault = fault.what();
     } catch (...) {
       other_fault = std::current_exception();
     }
     if (!lock.owns_lock()) lock.lock();
     table.under_way[worker] = 0;
-    if (device_fault) {
-      table.rows.failed(worker);
-      table.last_fault = device_fault;
-    }
     table.seconds[worker] += start.seconds();
+    if (!device_fault.empty()) {
+      device.fault = device_fault;
+      table.rows.failed(worker);
+    }
     if (other_fault) {
       table.fault = other_fault;
       table.is_stopped = true;
     }
     table.tell();
-    if (device_fault) break;
+    if (!device_fault.empty()) break;
   }
   --table.at_work;
   table.tell();
@@ -162,7 +176,7 @@ void FilmRun::add(const Part& part, const Launch& launch, std::size_t worker) {
   is_cut_ = is_cut_ || part.is_cut;
 }
 
-/// false as render_all_of. Throws what the last device threw where none is left.
+/// false as render_all_of. Throws Error where no device is left.
 bool FilmRun::deal(const Launch& all) {
   const double work_of_row = static_cast<double>(all.columns) * all.samples;
   const std::size_t workers = state_.helpers.size() + 1;
@@ -210,7 +224,8 @@ bool FilmRun::deal(const Launch& all) {
     result_.stats.shares[i].fault = device_of(i).fault;
   }
   if (table.fault) std::rethrow_exception(table.fault);
-  if (carry_on && !is_cut_ && !table.rows.is_finished()) std::rethrow_exception(table.last_fault);
+  if (carry_on && !is_cut_ && !table.rows.is_finished())
+    throw Error(fmt::format("none of {} devices is left: {}", workers, all_faults()));
   return carry_on && !is_cut_;
 }
 

@@ -146,7 +146,7 @@ void Renderer::State::warm_up() {
 }
 
 Renderer::Renderer(const Device& device, Scene scene, const RenderSettings& settings)
-    : state_(std::make_unique<State>(device, std::move(scene), settings)) {
+    : state_(std::make_unique<State>(device, std::make_shared<const Scene>(std::move(scene)), settings)) {
   state_->prepare();
 }
 Renderer::~Renderer() = default;
@@ -161,7 +161,7 @@ void Renderer::share_with(const Device& device, std::optional<std::uint64_t> loo
                     "of its own",
                     precision_name(settings.precision)));
   settings.loop_turns = loop_turns;
-  auto helper = std::make_unique<State>(device, state_->scene, settings);
+  auto helper = std::make_unique<State>(device, state_->shared_scene, settings);
   helper->prepare();
   state_->stats.device += " + " + helper->stats.device;
   state_->stats.device_bytes += helper->stats.device_bytes;
@@ -182,7 +182,7 @@ std::string Renderer::division_text(const RenderGoal& goal) const {
 std::string Renderer::program_text() const { return completed_for(state_->device, state_->source).text; }
 
 bool Renderer::is_program_cached(const Device& device, const Scene& scene, const RenderSettings& settings) {
-  State state(device, scene, settings);
+  State state(device, std::make_shared<const Scene>(scene), settings);
   static_cast<void>(state.choose_program());
   return strahl::is_program_cached(device, state.source);
 }

@@ -52,7 +52,8 @@ class Renderer {
   Renderer& operator=(Renderer&&) noexcept;
 
   /// Another device, which takes a share of every picture from now on, as large as its measured speed. A device of
-  /// several that fails is dropped: the others do its part (RunStats::shares), and the picture has the same bits.
+  /// several that fails is dropped for good: the others do its part (RunStats::shares), and the picture has the same
+  /// bits; Error where none is left.
   /// loop_turns: its RenderSettings::loop_turns. Throws as the constructor, and UsageError where devices decide bits:
   /// in `fast` and `stable`.
   void share_with(const Device& device, std::optional<std::uint64_t> loop_turns = std::nullopt);

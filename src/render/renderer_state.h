@@ -45,7 +45,8 @@ class RowsOnly {
 
 struct Renderer::State {
   Device device;
-  Scene scene;
+  std::shared_ptr<const Scene> shared_scene;  ///< Of all devices that make the same pictures.
+  const Scene& scene;
   RenderSettings settings;
   Features features;
   ProgramSource source;
@@ -55,7 +56,8 @@ struct Renderer::State {
   cl::Kernel kernel;
   RunStats stats;  ///< What construction took; render() starts from it.
 
-  State(const Device& d, Scene s, const RenderSettings& r) : device(d), scene(std::move(s)), settings(r) {}
+  State(const Device& d, std::shared_ptr<const Scene> s, const RenderSettings& r)
+      : device(d), shared_scene(std::move(s)), scene(*shared_scene), settings(r) {}
 
   /// The textbook's renderer keeps world coordinates, with all their rounding.
   [[nodiscard]] UploadFrame frame() const {

@@ -13,6 +13,9 @@ constexpr double most_seconds = 1;
 /// A device of unknown speed gets this part of what would be its share.
 constexpr int first_part = 16;
 
+/// At a time a device's speed falls to no less of what it was: a row that waited for the processor is no slow device.
+constexpr double least_of_speed = 0.25;
+
 }  // namespace
 
 RowDeal::RowDeal(const Rows& rows, std::vector<Worker> workers)
@@ -53,7 +56,7 @@ std::optional<Rows> RowDeal::next(std::size_t index) {
 
 void RowDeal::done(std::size_t index, double seconds) {
   Worker& worker = workers_[index];
-  worker.speed = worker.rows.count / std::max(seconds, 1e-6);
+  worker.speed = std::max(worker.rows.count / std::max(seconds, 1e-6), least_of_speed * worker.speed);
   worker.rows = {};
 }
 

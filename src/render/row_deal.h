@@ -15,7 +15,7 @@ namespace strahl {
 class RowDeal {
  public:
   struct Worker {
-    double speed = 0;     ///< Rows a second; 0: not known yet.
+    double speed = 0;     ///< Rows a second, as measured last; 0: not known yet.
     bool is_out = false;  ///< It takes no part.
     Rows rows = {};       ///< That it has; count 0: none.
   };

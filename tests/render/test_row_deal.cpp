@@ -94,6 +94,18 @@ TEST_CASE("rows of a device that fails are done by the others") {
   }
 }
 
+TEST_CASE("a device that was held up once is asked again") {
+  RowDeal deal({0, 1000}, {{100, false, {}}, {100, false, {}}});
+  REQUIRE(deal.next(0));
+  const double rows = deal.worker(0).rows.count;
+  deal.done(0, 1000 * rows / 100);  // A thousandth of its speed.
+  CHECK(deal.worker(0).speed == 25);
+  REQUIRE(deal.next(0));
+  const double more = deal.worker(0).rows.count;
+  deal.done(0, more / 80);
+  CHECK(deal.worker(0).speed == Approx(80));
+}
+
 TEST_CASE("at most a second's rows at a time") {
   RowDeal deal({0, 100000}, {{10, false, {}}, {20, false, {}}});
   CHECK(deal.next(0)->count == 10);

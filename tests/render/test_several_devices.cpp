@@ -42,8 +42,10 @@ TEST_CASE("two of one kind, and three") {
   const RenderResult expected = one.render();
   for (const bool with_llvmpipe : {false, true}) {
     Renderer several = shared(shared_scene(), shared_settings(), with_llvmpipe);
-    // The second time their speeds are known.
-    for (int i = 0; i < 2; ++i) {
+    // The second time their speeds are known. Which one is given how many rows is for the processor to decide; sooner
+    // or later each of one kind has its part.
+    std::array<std::uint64_t, 2> parts{};
+    for (int i = 0; i < 2 || (i < 50 && parts[0] * parts[1] == 0); ++i) {
       const RenderResult result = several.render();
       check_same(expected, result);
       CHECK(result.ending == Ending::samples);
@@ -52,9 +54,10 @@ TEST_CASE("two of one kind, and three") {
       CHECK(result.stats.shares.size() == (with_llvmpipe ? 3 : 2));
       CHECK(samples == 29 * 23 * 32);
       CHECK(result.stats.camera_rays == samples);
-      CHECK(result.stats.shares[0].samples > 0);
-      CHECK(result.stats.shares[1].samples > 0);
+      for (std::size_t part = 0; part < parts.size(); ++part) parts[part] += result.stats.shares[part].samples;
     }
+    CHECK(parts[0] > 0);
+    CHECK(parts[1] > 0);
   }
   CHECK(expected.stats.shares.empty());
 }
