@@ -4,8 +4,8 @@
 //   STRAHL_CL_FAULT_LOG    a line for each call: its name
 //   STRAHL_CL_FAULT_CALL   n, from 1; without it all calls go through
 //   STRAHL_CL_FAULT_CODE   what it returns, as -5; "hang": it never returns
-//   STRAHL_CL_FAULT_QUEUE  only calls with a queue of the platform of this name count, and from the n-th on all fail: a
-//                          device that is gone
+//   STRAHL_CL_FAULT_QUEUE  only calls with a queue of the platform of this name count ("*": of any), and from the n-th
+//                          on all fail: a device that is gone
 #define CL_TARGET_OPENCL_VERSION 300
 #include <CL/cl.h>
 #include <CL/cl_icd.h>
@@ -49,7 +49,7 @@ std::string platform_of(const First& /*no queue*/) {
 /// What this call shall return; CL_SUCCESS: what it returns.
 cl_int fault_of(const char* call, const std::string& platform) {
   const std::string of_queue = text_of("STRAHL_CL_FAULT_QUEUE");
-  if (!of_queue.empty() && platform != of_queue) return CL_SUCCESS;
+  if (!of_queue.empty() && (of_queue == "*" ? platform.empty() : platform != of_queue)) return CL_SUCCESS;
   const long number = ++calls;
   if (const std::string log = text_of("STRAHL_CL_FAULT_LOG"); !log.empty()) {
     const std::string line = std::string(call) + "\n";

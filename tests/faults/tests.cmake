@@ -7,9 +7,10 @@ foreach(shim fail_write fail_opencl)
 endforeach()
 strahl_test(faults/test_write_faults.cpp LABEL device SOURCES cli/program.cpp TIMEOUT 300)
 strahl_test(faults/test_opencl_faults.cpp LABEL device TIMEOUT 300)
+strahl_test(faults/test_dropped_devices.cpp LABEL device TIMEOUT 300)
 strahl_runs_program(faults_tests)
 add_dependencies(faults_tests fail_write fail_opencl)
-# Both test files have a render that fails.
+# Each test file has a render that fails.
 set_target_properties(faults_tests PROPERTIES UNITY_BUILD OFF)
 target_compile_definitions(faults_tests PRIVATE STRAHL_FAIL_WRITE="$<TARGET_FILE:fail_write>"
                                                 STRAHL_FAIL_OPENCL="$<TARGET_FILE:fail_opencl>")
