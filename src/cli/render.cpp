@@ -43,6 +43,7 @@ Examples:
   strahl render scene.xml --time 10s                 the best picture in ten seconds
   strahl render scene.xml --max-error 0.01           until the RMSE is 0.01
   strahl render scene.xml --max-error 0.01 --dry-run what that would take
+  strahl render scene.xml -d 0,1                     a picture by two devices, each as much as it can
   strahl render scene.xml --spp 4096 --checkpoint s.ckpt     kept every minute ...
   strahl render scene.xml --spp 4096 --resume s.ckpt         ... and gone on from, bit for bit
   strahl render scene.xml --spp 4096 --samples 0:1024 --checkpoint a.ckpt   a part, for `strahl merge`
