@@ -146,6 +146,23 @@ TEST_CASE("all devices gone: no picture, and each is named; the checkpoint keeps
   }
 }
 
+TEST_CASE("a device that hangs holds up the others, until the watchdog ends that") {
+  SharedRender render;
+  const std::vector<std::string> calls = render.calls();
+  const auto launch = std::find(calls.begin() + static_cast<std::ptrdiff_t>(first_of_film(calls)), calls.end(),
+                                "clEnqueueNDRangeKernel");
+  const auto call = static_cast<std::size_t>(launch - calls.begin()) + 2;
+  REQUIRE(calls.at(call - 1) == "clFinish");
+  std::map<std::string, std::string> environment = gone_from(call);
+  environment["STRAHL_CL_FAULT_CODE"] = "hang";
+  const Outcome outcome =
+      render.run("pocl,llvmpipe", environment, {"--watchdog", "5s", "--checkpoint", "c.ckpt", "--every", "1ms"});
+  INFO(outcome.err);
+  CHECK(outcome.code == 1);
+  CHECK(contains(outcome.err, "has not come back from a launch for 5 s"));
+  CHECK_FALSE(fs::exists(render.folder().path("out.exr")));
+}
+
 TEST_CASE("a device is dropped while a picture is gone on with, and what is kept is whole") {
   SharedRender render;
   const std::size_t begin = first_of_film(render.calls());
