@@ -21,11 +21,14 @@ namespace fs = std::filesystem;
 namespace {
 
 /// 32 hexadecimal digits; empty where the system has none.
-std::string boot_id() {
-  std::string id;
-  std::ifstream("/proc/sys/kernel/random/boot_id") >> id;
-  id.erase(std::remove(id.begin(), id.end(), '-'), id.end());
-  return id;
+const std::string& boot_id() {
+  static const std::string known = [] {
+    std::string id;
+    std::ifstream("/proc/sys/kernel/random/boot_id") >> id;
+    id.erase(std::remove(id.begin(), id.end(), '-'), id.end());
+    return id;
+  }();
+  return known;
 }
 
 std::string prefix() { return fmt::format(".strahl-{}-", boot_id()); }
