@@ -21,6 +21,7 @@
 #include "cli/render_files.h"
 #include "cli/render_frames.h"
 #include "cli/render_goal.h"
+#include "cli/shared_devices.h"
 #include "cli/summary.h"
 #include "cli/watchdog.h"
 #include "kinds/integrators.h"
@@ -42,6 +43,7 @@ Examples:
   strahl render scene.xml --time 10s                 the best picture in ten seconds
   strahl render scene.xml --max-error 0.01           until the RMSE is 0.01
   strahl render scene.xml --max-error 0.01 --dry-run what that would take
+  strahl render scene.xml -d 0,1                     a picture by two devices, each as much as it can
   strahl render scene.xml --spp 4096 --checkpoint s.ckpt     kept every minute ...
   strahl render scene.xml --spp 4096 --resume s.ckpt         ... and gone on from, bit for bit
   strahl render scene.xml --spp 4096 --samples 0:1024 --checkpoint a.ckpt   a part, for `strahl merge`
@@ -187,6 +189,7 @@ ExitCode render(const RenderOptions& options, const Invocation& invocation) {
   settings.error_map = !options.error_map.empty();
   check_goal(options);
   static_cast<void>(memory_limit(options.kernel));
+  const std::vector<std::string> selectors = device_selectors(options);
   require_writable_outputs(options);
   double load_seconds = 0;
   Scene scene = load(options.scene, load_seconds);
@@ -206,9 +209,9 @@ ExitCode render(const RenderOptions& options, const Invocation& invocation) {
   std::optional<ProgressBar> bar;
   bar.emplace(options.goal.dry_run ? "dry run" : "render", !options.scene.quiet && !options.scene.no_progress);
   const double opening = invocation.seconds();
-  const Device device =
-      Device::open(options.device, {settings.precision == Precision::fp64 || settings.aovs.contains(Aov::numeric_error),
-                                    memory_limit(options.kernel)});
+  const DeviceNeeds needs{settings.precision == Precision::fp64 || settings.aovs.contains(Aov::numeric_error),
+                          memory_limit(options.kernel)};
+  const Device device = Device::open(selectors.front(), needs);
   const double device_seconds = invocation.seconds() - opening;
   const Canary canary = ask_canary(device, options.kernel, settings);
   const Window window = scene.film.window();
@@ -216,6 +219,7 @@ ExitCode render(const RenderOptions& options, const Invocation& invocation) {
   // A large scene should not be there twice where nothing is counted.
   const Scene counted = options.stats_detail ? scene : Scene{};
   Renderer renderer(device, std::move(scene), settings);
+  const std::vector<Device> devices = share(renderer, device, selectors, needs, options.kernel, settings);
   if (!options.dump_kernel.empty()) write_text(options.dump_kernel, renderer.program_text());
 
   InterruptGuard guard;
@@ -247,17 +251,19 @@ ExitCode render(const RenderOptions& options, const Invocation& invocation) {
   result.stats.seconds.device = device_seconds;
   result.stats.seconds.load = load_seconds;
   const Clipping clipping = write_outputs(options, files, invocation, result);
-  if (result.complete) add_rounding(options, invocation, device, renderer.scene(), settings, result.stats);
+  if (result.complete)
+    add_rounding(options, invocation, living(devices, result.stats), renderer.scene(), settings, result.stats);
   bar.reset();
   result.stats.seconds.exit = expected_exit_seconds();
   result.stats.seconds.total = invocation.seconds() + result.stats.seconds.exit;
+  warn_of_dropped(result.stats);
   warn_of_samples(result.stats);
   say_summary(options, files.path, result, clipping);
 
   if (!options.stats.empty()) {
     nlohmann::ordered_json detail;
     if (options.stats_detail && result.complete)
-      detail = count(device, counted, settings, options, guard, result.stats);
+      detail = count(living(devices, result.stats), counted, settings, options, guard, result.stats);
     auto json = nlohmann::ordered_json::parse(result.stats.json());
     if (options.stats_detail) json["detail"] = detail;
     write_text(options.stats, json.dump(2) + "\n");
@@ -307,7 +313,7 @@ void add_output_options(CLI::App& app, RenderOptions& options) {
 Command add_render(CLI::App& app, const Invocation& invocation) {
   const auto options = std::make_shared<RenderOptions>();
   add_scene_options(app, options->scene);
-  add_device_option(app, options->device);
+  add_device_option(app, options->device, "; several with commas (0,1): each does a part of the picture");
   add_output_options(app, *options);
   add_goal_options(app, options->goal);
   add_keep_options(app, options->keep);

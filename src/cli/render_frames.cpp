@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <vector>
 
 #include "cli/console.h"
@@ -18,12 +19,29 @@ namespace {
 
 double late_seconds(double time) { return 1.02 * time + 0.0005; }
 
+/// What --stats says of a frame.
+struct FrameStats {
+  double seconds;
+  int least_spp, most_spp;
+  std::optional<double> rmse;
+};
+
+nlohmann::ordered_json json_of(const std::vector<FrameStats>& frames) {
+  auto all = nlohmann::ordered_json::array();
+  for (const FrameStats& frame : frames)
+    all.push_back({{"seconds", frame.seconds},
+                   {"least_spp", frame.least_spp},
+                   {"most_spp", frame.most_spp},
+                   {"rmse", frame.rmse ? nlohmann::ordered_json(*frame.rmse) : nullptr}});
+  return all;
+}
+
 }  // namespace
 
 ExitCode render_frames(Renderer& renderer, const RenderOptions& options, const PictureFiles& files,
                        std::uint32_t first_seed, const InterruptGuard& guard) {
   const double time = duration_seconds(*options.goal.time);
-  auto frames = nlohmann::ordered_json::array();
+  std::vector<FrameStats> frames;
   std::vector<double> seconds;
   int late = 0;
   ProgressBar bar("frames", !options.scene.quiet && !options.scene.no_progress);
@@ -37,10 +55,10 @@ ExitCode render_frames(Renderer& renderer, const RenderOptions& options, const P
     const RenderResult result = renderer.render({}, goal);
     seconds.push_back(std::chrono::duration<double>(Clock::now() - start).count());
     if (seconds.back() > late_seconds(time)) ++late;
-    frames.push_back({{"seconds", seconds.back()},
-                      {"least_spp", result.stats.least_spp},
-                      {"most_spp", result.stats.most_spp},
-                      {"rmse", result.error ? nlohmann::ordered_json(result.error->rmse) : nullptr}});
+    // A job of a million frames should not take more and more memory for what nobody asks.
+    if (!options.stats.empty())
+      frames.push_back({seconds.back(), result.stats.least_spp, result.stats.most_spp,
+                        result.error ? std::optional(result.error->rmse) : std::nullopt});
     PictureFiles one = files;
     one.path = frame_path(files.path, frame + 1);
     static_cast<void>(
@@ -50,8 +68,9 @@ ExitCode render_frames(Renderer& renderer, const RenderOptions& options, const P
   if (seconds.empty()) return guard.exit_code();
   const int count = static_cast<int>(seconds.size());
   if (!options.stats.empty())
-    write_text(options.stats,
-               nlohmann::ordered_json{{"time", time}, {"in_time", count - late}, {"frames", frames}}.dump(2) + "\n");
+    write_text(
+        options.stats,
+        nlohmann::ordered_json{{"time", time}, {"in_time", count - late}, {"frames", json_of(frames)}}.dump(2) + "\n");
   if (!options.scene.quiet)
     say(fmt::format("{} of {} frames within {}: median {:.1f} ms, longest {:.1f} ms · {} …", count - late, count,
                     *options.goal.time, 1e3 * median(seconds), 1e3 * *std::max_element(seconds.begin(), seconds.end()),

@@ -31,10 +31,11 @@ void add_scene_options(CLI::App& app, SceneOptions& options) {
   app.add_flag("--no-progress", options.no_progress, "No progress bar");
 }
 
-void add_device_option(CLI::App& app, std::string& selector) {
+void add_device_option(CLI::App& app, std::string& selector, const std::string& more) {
   app.add_option("-d,--device", selector,
                  "Index (0, 0:1), kind (cpu, gpu) or part of the platform's or device's name (pocl, intel); default: "
-                 "the fastest GPU, else CPU")
+                 "the fastest GPU, else CPU" +
+                     more)
       ->type_name("DEVICE");
 }
 

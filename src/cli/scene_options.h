@@ -25,7 +25,8 @@ struct SceneOptions {
 };
 
 void add_scene_options(CLI::App& app, SceneOptions& options);
-void add_device_option(CLI::App& app, std::string& selector);
+/// more: what this command's option can do beside.
+void add_device_option(CLI::App& app, std::string& selector, const std::string& more = {});
 
 /// Loads the scene, with a progress bar for large meshes, and says its warnings on standard error; `seconds` takes the
 /// time.

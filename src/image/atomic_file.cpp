@@ -9,13 +9,13 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <atomic>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
 
 #include "errors.h"
+#include "image/temporary_file.h"
 
 namespace strahl {
 namespace fs = std::filesystem;
@@ -70,17 +70,11 @@ AtomicFile::AtomicFile(const std::string& path) : path_(path), target_(path) {
     }
   }
 
-  // The name is free of the target's, which may already be as long as a name can be.
-  static std::atomic<unsigned> counter{0};
-  do {
-    temporary_ = (fs::path(folder_of(target_)) / fmt::format(".strahl-{}-{}.tmp", ::getpid(), counter++)).string();
-    descriptor_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-  } while (descriptor_ < 0 && errno == EEXIST);
-  if (descriptor_ < 0) {
-    const int error = errno;
-    temporary_.clear();
-    fail(error);
-  }
+  remove_abandoned_files(folder_of(target_));
+  const TemporaryFile file = make_temporary_file(folder_of(target_));
+  if (file.descriptor < 0) fail(file.error);
+  temporary_ = file.path;
+  descriptor_ = file.descriptor;
   if (!replaces || ::fchmod(descriptor_, static_cast<mode_t>(status.permissions()) & 07777) == 0) return;
   const int error = errno;
   ::close(descriptor_);
@@ -131,11 +125,14 @@ std::uint64_t AtomicFile::tell() {
 void AtomicFile::commit() {
   if (failure_ != 0) fail(failure_);
   flush_buffer();
+  // Its lock holds until it has its name; else another process might take it for abandoned.
+  const int lock = temporary_.empty() ? -1 : ::fcntl(descriptor_, F_DUPFD_CLOEXEC, 0);
   const int descriptor = descriptor_;
   descriptor_ = -1;
-  if (::close(descriptor) != 0) fail(errno);
-  if (temporary_.empty()) return;
-  if (std::rename(temporary_.c_str(), target_.c_str()) != 0) fail(errno);
+  int error = ::close(descriptor) == 0 ? 0 : errno;
+  if (error == 0 && !temporary_.empty() && std::rename(temporary_.c_str(), target_.c_str()) != 0) error = errno;
+  if (lock >= 0) ::close(lock);
+  if (error != 0) fail(error);
   temporary_.clear();
 }
 

@@ -10,8 +10,9 @@
 namespace strahl {
 
 /// Writes to a temporary name in the target's folder; commit() renames it to the target, and without commit() the
-/// destructor removes it, so that a failure leaves an older file as it was. A symbolic link is followed. A device or
-/// pipe cannot be replaced and is written to directly. All members throw Error with cause and remedy.
+/// destructor removes it, so that a failure leaves an older file as it was. What writers that were killed left in the
+/// folder is removed. A symbolic link is followed. A device or pipe cannot be replaced and is written to directly. All
+/// members throw Error with cause and remedy.
 class AtomicFile {
  public:
   /// Creates the temporary file: what can be known to fail, fails here.

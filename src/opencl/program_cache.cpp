@@ -37,14 +37,43 @@ const char* variable_of(const char* name) {
   return value != nullptr && *value != 0 ? value : nullptr;
 }
 
-std::string named_directory() {
-  if (const char* directory = variable_of("STRAHL_CACHE_DIR")) return directory;
+/// strahl's own folder in the user's cache; empty where there is none.
+std::string own_directory() {
   // A relative XDG_CACHE_HOME is invalid and to be ignored (XDG Base Directory Specification).
   if (const char* cache = variable_of("XDG_CACHE_HOME"); cache != nullptr && *cache == '/') {
     return (fs::path(cache) / "strahl").string();
   }
   if (const char* home = variable_of("HOME")) return (fs::path(home) / ".cache" / "strahl").string();
   return {};
+}
+
+std::string named_directory() {
+  if (const char* directory = variable_of("STRAHL_CACHE_DIR")) return directory;
+  return own_directory();
+}
+
+/// For its owner alone, whatever the umask; those above it as the umask has it.
+void make_directory(const fs::path& directory) {
+  std::error_code failed;
+  if (!directory.parent_path().empty()) fs::create_directories(directory.parent_path(), failed);
+  ::mkdir(directory.c_str(), 0700);
+}
+
+constexpr mode_t by_others = S_IWGRP | S_IWOTH;
+
+/// Made under a umask of 002 strahl's own folder is open to a group, as a rule the user's own. Nobody else has a use
+/// for it, so it is closed; what others have put there is not theirs to be run in any case, for files of others do not
+/// count. Not through a link, and not a folder that the user has named, which may have other uses. False: it is as it
+/// was.
+bool is_closed_now(const std::string& directory) {
+  if (variable_of("STRAHL_CACHE_DIR") != nullptr) return false;
+  const int descriptor = ::open(directory.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
+  if (descriptor < 0) return false;
+  struct stat status {};
+  const bool is_closed = ::fstat(descriptor, &status) == 0 && status.st_uid == ::geteuid() &&
+                         ::fchmod(descriptor, status.st_mode & 07777 & ~by_others) == 0;
+  ::close(descriptor);
+  return is_closed;
 }
 
 fs::path cached_file(const std::string& name, const std::string& key) {
@@ -98,7 +127,7 @@ std::string program_cache_fault() {
   struct stat status {};
   if (directory.empty() || ::stat(directory.c_str(), &status) != 0) return {};
   const bool is_ours = status.st_uid == ::geteuid() || status.st_uid == 0;
-  if (is_ours && (status.st_mode & (S_IWGRP | S_IWOTH)) == 0) return {};
+  if (is_ours && ((status.st_mode & by_others) == 0 || is_closed_now(directory))) return {};
   const char* remedy = is_ours ? "chmod go-w it" : "it belongs to another user";
   return fmt::format(
       "the program cache \"{}\" is not used, because others can write to it: {}, or name another folder "
@@ -135,8 +164,7 @@ void write_cached_binary(const std::string& name, const std::string& key, const 
   if (program_cache_directory().empty() || binary.empty()) return;
   const fs::path file = cached_file(name, key);
   std::error_code failed;
-  if (!file.parent_path().parent_path().empty()) fs::create_directories(file.parent_path().parent_path(), failed);
-  ::mkdir(file.parent_path().c_str(), 0700);
+  make_directory(file.parent_path());
   std::string temporary = file.string() + ".XXXXXX";
   const int descriptor = mkstemp(temporary.data());
   if (descriptor < 0) return;
@@ -158,9 +186,8 @@ void write_cached_binary(const std::string& name, const std::string& key, const 
 }
 
 std::string failed_program_path(const std::string& name) {
-  std::error_code failed;
   const fs::path cache = program_cache_directory();
-  if (!cache.empty()) fs::create_directories(cache, failed);
+  if (!cache.empty()) make_directory(cache);
   const bool usable = !cache.empty() && access(cache.c_str(), W_OK) == 0;
   return ((usable ? cache : fs::temp_directory_path()) / (name + ".failed.cl")).string();
 }

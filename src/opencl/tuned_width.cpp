@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "opencl/tuned_width.h"
 
+#include "opencl/program.h"
 #include "opencl/program_cache.h"
 
 namespace strahl {

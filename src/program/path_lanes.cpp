@@ -10,7 +10,7 @@
 namespace strahl {
 
 bool has_packet_body(const std::string& shape_kind) {
-  const std::string& text = kernel_files().at(fmt::format("shapes/{0}/{0}_lanes.h", shape_kind));
+  const std::string text = kernel_files().at(fmt::format("shapes/{0}/{0}_lanes.h", shape_kind));
   return text.find(fmt::format("PACKET_BODY_{}_w = PACKET_BODY_NONE", shape_kind)) == std::string::npos;
 }
 

@@ -49,6 +49,11 @@ bool FilmRun::go_on_from(const FilmState& state) {
   run.seconds.readback += start.seconds();
 
   bool carry_on = true;
+  if (is_shared()) {
+    const std::vector<Launch> missing = film_.missing(0, height_, passes_.position().done);
+    for (std::size_t i = 0; i < missing.size() && carry_on; ++i) carry_on = render_shared(missing[i]);
+    return carry_on;
+  }
   for (int row = 0; row < height_ && carry_on; row += band_rows_) {
     band_ = {row, std::min(band_rows_, height_ - row)};
     const std::vector<Launch> missing = film_.missing(row, band_.count, passes_.position().done);

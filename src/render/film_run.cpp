@@ -25,8 +25,7 @@ constexpr std::size_t part_bytes = std::size_t{1} << 20;
 /// One sum a pixel that stays on the device is used only for its mean, so the host keeps no copy. Memory takes most of
 /// the time of a picture of one sample.
 FilmSums FilmRun::black_film() const {
-  const SubSums sums = state_.sub_sums(goal_);
-  FilmSums film(width_, height_, sums, state_.radiance_unit(), !is_one_band() || sums.count > 1);
+  FilmSums film(width_, height_, sums_, state_.radiance_unit(), !is_one_band() || sums_.count > 1);
   if (goal_.samples) film.first_sample = goal_.samples->first;
   return film;
 }
@@ -43,11 +42,13 @@ int FilmRun::end_of_samples() const {
 }
 
 FilmRun::FilmRun(Renderer::State& state, const RenderGoal& goal, const ProgressCallback& progress,
-                 const FilmKeeper* keeper)
+                 const FilmKeeper* keeper, std::optional<SubSums> sums)
     : state_(state),
       goal_(goal),
       progress_(progress),
       keeper_(keeper),
+      is_part_(sums.has_value()),
+      sums_(sums ? *sums : state.sub_sums(goal)),
       width_(state.window.width()),
       height_(state.window.height()),
       band_rows_(state.band_rows()),
@@ -63,18 +64,21 @@ FilmRun::FilmRun(Renderer::State& state, const RenderGoal& goal, const ProgressC
   if (state.settings.count_rays)
     result_.stats.shadow_rays = result_.stats.bounce_rays = result_.stats.nodes_visited =
         result_.stats.primitives_tested = 0;
+  if (is_shared())
+    for (std::size_t i = 0; i <= state.helpers.size(); ++i)
+      result_.stats.shares.push_back({device_of(i).device.info().text(), 0, 0, device_of(i).fault});
   result_.stats.seconds.readback += construction_.seconds();
 }
 
 double FilmRun::seconds_left() const {
-  if (!goal_.deadline) return std::numeric_limits<double>::infinity();
-  return std::chrono::duration<double>(*goal_.deadline - Clock::now()).count() - state_.finish_seconds.value_or(0);
+  if (!samples_until_) return std::numeric_limits<double>::infinity();
+  return std::chrono::duration<double>(*samples_until_ - Clock::now()).count();
 }
 
 bool FilmRun::report() {
   if (keeper_ != nullptr && keeper_->is_due && keeper_->is_due()) keeper_->keep(state_now());
   if (!progress_) return true;
-  const std::uint64_t done = result_.stats.camera_rays;
+  const std::uint64_t done = result_.stats.camera_rays + under_way_;
   const double pixels = static_cast<double>(film_.samples.size());
   const double seconds = watch_.seconds();
   // Of this run: what it began with took none of its time.
@@ -159,12 +163,24 @@ void FilmRun::read_aovs(int row, int rows) {
   }
 }
 
+void FilmRun::write_header() {
+  static_assert(layout::HEADER_SUMS == layout::HEADER_SEED + 1 && layout::HEADER_SEQUENCES == layout::HEADER_SEED + 2 &&
+                layout::HEADER_TURN_BITS == layout::HEADER_SEED + 3);
+  const std::array<cl_int, 4> header = {static_cast<cl_int>(result_.stats.seed), film_.sums.count, film_.sums.sequences,
+                                        film_.sums.turn_bits};
+  checked(state_.device.info().text(), [&] {
+    return state_.device.queue().enqueueWriteBuffer(state_.buffers.index, CL_TRUE, layout::HEADER_SEED * sizeof(cl_int),
+                                                    sizeof header, header.data());
+  });
+}
+
 /// One band stays on the device from pass to pass; several share a buffer, so each is fetched before the next begins.
 bool FilmRun::render_pass(const Pass& pass) {
+  has_first_samples_ = pass.first == 0;
+  if (is_shared()) return render_shared({0, 0, width_, height_, pass.first, pass.count});
   bool carry_on = true;
   for (int row = 0; row < height_ && carry_on; row += band_rows_) {
     band_ = {row, std::min(band_rows_, height_ - row)};
-    has_first_samples_ = pass.first == 0;
     if (!is_one_band() || pass.first == film_.first_sample) clear(band_.count, has_first_samples_);
     carry_on = render_all_of({0, row, width_, band_.count, pass.first, pass.count});
     end_band();
@@ -218,7 +234,7 @@ void FilmRun::finish() {
 void FilmRun::measure_finish() {
   const Stopwatch start;
   const PhaseSeconds before = result_.stats.seconds;
-  clear(std::min(band_rows_, height_), false);
+  if (!is_shared()) clear(std::min(band_rows_, height_), false);
   std::fill(film_.samples.begin(), film_.samples.end(), layout::FILM_SUBSUMS);
   finish();
   std::fill(film_.samples.begin(), film_.samples.end(), 0);
@@ -228,15 +244,9 @@ void FilmRun::measure_finish() {
 }
 
 RenderResult FilmRun::run() {
-  static_assert(layout::HEADER_SUMS == layout::HEADER_SEED + 1 && layout::HEADER_SEQUENCES == layout::HEADER_SEED + 2 &&
-                layout::HEADER_TURN_BITS == layout::HEADER_SEED + 3);
-  const std::array<cl_int, 4> header = {static_cast<cl_int>(result_.stats.seed), film_.sums.count, film_.sums.sequences,
-                                        film_.sums.turn_bits};
-  checked(state_.device.info().text(), [&] {
-    return state_.device.queue().enqueueWriteBuffer(state_.buffers.index, CL_TRUE, layout::HEADER_SEED * sizeof(cl_int),
-                                                    sizeof header, header.data());
-  });
+  if (!is_shared()) write_header();
   if (goal_.deadline && !state_.finish_seconds) measure_finish();
+  if (goal_.deadline) samples_until_ = later(*goal_.deadline, -state_.finish_seconds.value_or(0));
   bool carry_on = true;
   // What is kept must be a film even where there is no time for a single pass.
   if (keeper_ != nullptr && is_one_band()) clear(height_, true);
@@ -273,7 +283,8 @@ RenderResult FilmRun::run() {
   if (result_.error) run.error = ErrorBudget{*result_.error, 0, 0, std::nullopt};
   const Stopwatch convert;
   if (state_.settings.aovs.contains(Aov::numeric_error))
-    replace_t_by_its_error(state_.device, state_.scene, state_.frame(), state_.settings, aov_reals_, aov_ints_);
+    replace_t_by_its_error(living_device().device, state_.scene, state_.frame(), living_device().settings, aov_reals_,
+                           aov_ints_);
   if (!state_.settings.aovs.empty())
     result_.aov = aov_image(width_, height_, state_.settings.aovs, aov_reals_, aov_ints_, state_.frame());
   else
@@ -284,18 +295,7 @@ RenderResult FilmRun::run() {
 
 RenderResult Renderer::render(const ProgressCallback& progress, const RenderGoal& goal, const FilmKeeper* keeper) {
   if (!goal.rows) return FilmRun(*state_, goal, progress, keeper).run();
-  /// The window of some rows while they are rendered.
-  struct RowsOnly {
-    Window& window;
-    Window whole = window;
-    explicit RowsOnly(Window& w, const Rows& rows) : window(w) {
-      window.y0 += rows.first;
-      window.y1 = window.y0 + rows.count;
-    }
-    ~RowsOnly() { window = whole; }
-    RowsOnly(const RowsOnly&) = delete;
-    RowsOnly& operator=(const RowsOnly&) = delete;
-  };
+  if (!state_->helpers.empty()) throw UsageError("some rows of a picture are rendered by one device");
   if (goal.rows->first < 0 || goal.rows->count < 1 || goal.rows->first + goal.rows->count > state_->window.height())
     throw UsageError("rows outside of the picture");
   const RowsOnly only(state_->window, *goal.rows);

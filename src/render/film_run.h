@@ -11,11 +11,15 @@ namespace strahl {
 
 class FilmRun {
  public:
-  FilmRun(Renderer::State& state, const RenderGoal& goal, const ProgressCallback& progress, const FilmKeeper* keeper);
+  /// sums: of a part of a picture on several devices, for part(): how the whole divides its samples.
+  FilmRun(Renderer::State& state, const RenderGoal& goal, const ProgressCallback& progress, const FilmKeeper* keeper,
+          std::optional<SubSums> sums = std::nullopt);
   [[nodiscard]] RenderResult run();
 
  private:
-  [[nodiscard]] bool is_one_band() const { return band_rows_ >= height_; }
+  /// The film of several devices is on the host.
+  [[nodiscard]] bool is_shared() const { return !is_part_ && !state_.helpers.empty(); }
+  [[nodiscard]] bool is_one_band() const { return !is_shared() && band_rows_ >= height_; }
   [[nodiscard]] bool is_read_in_parts() const { return film_.words.empty(); }
   [[nodiscard]] std::size_t film_bytes(std::size_t pixels) const {
     return pixels * film_.words_per_pixel() * sizeof(std::int64_t);
@@ -26,9 +30,26 @@ class FilmRun {
   [[nodiscard]] double seconds_left() const;
   [[nodiscard]] bool report();
   void clear(int rows, bool aovs_too);
+  void write_header();
   bool render_pass(const Pass& pass);
   bool render_all_of(const Launch& all);
   void end_band();
+  /// Of one device among several (film_shared.cpp): this run's part of the picture, as far as it came.
+  struct Part {
+    FilmState state;
+    RunStats stats;
+    bool is_cut = false;  ///< By the deadline.
+  };
+  class Table;
+  [[nodiscard]] Part part(const Launch& launch);
+  [[nodiscard]] Part part_on(Renderer::State& device, const Launch& launch, const ProgressCallback& progress) const;
+  bool render_shared(const Launch& all);
+  bool deal(const Launch& all);
+  void work_at(Table& table, std::size_t worker);
+  void add(const Part& part, const Launch& launch, std::size_t worker);
+  [[nodiscard]] Renderer::State& device_of(std::size_t worker) const;
+  [[nodiscard]] Renderer::State& living_device() const;
+  [[nodiscard]] std::string all_faults() const;
   /// Takes over an earlier run's film and renders the pass that was under way to its end; false as render_pass.
   bool go_on_from(const FilmState& state);
   void begin_band_with(const FilmState& state);
@@ -53,6 +74,8 @@ class FilmRun {
   RenderGoal goal_;
   const ProgressCallback& progress_;
   const FilmKeeper* keeper_;  ///< Or none.
+  bool is_part_;
+  SubSums sums_;
   int width_, height_, band_rows_;
   int end_;  ///< Samples are rendered up to here.
   PassPlan passes_;
@@ -64,6 +87,9 @@ class FilmRun {
   Rows band_;                       ///< That is on the device and not fetched yet; of one band, while it is rendered.
   bool has_first_samples_ = false;  ///< They are rendered in this pass.
   double samples_before_ = 0;       ///< Of all pixels, in the film that it began with.
+  std::uint64_t under_way_ = 0;     ///< Samples of several devices that are not in the film yet.
+  /// When samples have to be done, so that the picture is there by the goal's deadline.
+  std::optional<Clock::time_point> samples_until_;
   Stopwatch watch_;
   RenderResult result_;
 };

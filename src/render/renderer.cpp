@@ -146,12 +146,29 @@ void Renderer::State::warm_up() {
 }
 
 Renderer::Renderer(const Device& device, Scene scene, const RenderSettings& settings)
-    : state_(std::make_unique<State>(device, std::move(scene), settings)) {
+    : state_(std::make_unique<State>(device, std::make_shared<const Scene>(std::move(scene)), settings)) {
   state_->prepare();
 }
 Renderer::~Renderer() = default;
 Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
+
+void Renderer::share_with(const Device& device, std::optional<std::uint64_t> loop_turns) {
+  RenderSettings settings = state_->settings;
+  if (settings.precision != Precision::robust && settings.precision != Precision::fp64)
+    throw UsageError(
+        fmt::format("several devices make one picture in the precisions robust and double; in {} each device has bits "
+                    "of its own",
+                    precision_name(settings.precision)));
+  settings.loop_turns = loop_turns;
+  auto helper = std::make_unique<State>(device, state_->shared_scene, settings);
+  helper->prepare();
+  state_->stats.device += " + " + helper->stats.device;
+  state_->stats.device_bytes += helper->stats.device_bytes;
+  for (const auto phase : {&PhaseSeconds::bvh, &PhaseSeconds::program, &PhaseSeconds::upload})
+    state_->stats.seconds.*phase += helper->stats.seconds.*phase;
+  state_->helpers.push_back(std::move(helper));
+}
 
 const Scene& Renderer::scene() const { return state_->scene; }
 
@@ -165,7 +182,7 @@ std::string Renderer::division_text(const RenderGoal& goal) const {
 std::string Renderer::program_text() const { return completed_for(state_->device, state_->source).text; }
 
 bool Renderer::is_program_cached(const Device& device, const Scene& scene, const RenderSettings& settings) {
-  State state(device, scene, settings);
+  State state(device, std::make_shared<const Scene>(scene), settings);
   static_cast<void>(state.choose_program());
   return strahl::is_program_cached(device, state.source);
 }

@@ -51,6 +51,13 @@ class Renderer {
   Renderer(Renderer&&) noexcept;
   Renderer& operator=(Renderer&&) noexcept;
 
+  /// Another device, which takes a share of every picture from now on, as large as its measured speed. A device of
+  /// several that fails is dropped for good: the others do its part (RunStats::shares), and the picture has the same
+  /// bits; Error where none is left.
+  /// loop_turns: its RenderSettings::loop_turns. Throws as the constructor, and UsageError where devices decide bits:
+  /// in `fast` and `stable`.
+  void share_with(const Device& device, std::optional<std::uint64_t> loop_turns = std::nullopt);
+
   /// Each call renders the picture from the start. Throws UsageError for more samples than the film holds,
   /// NoDeviceError where the device ends loops before a sample is done (RenderSettings::loop_turns). keeper: gets the
   /// film now and then, or gives one to go on from; InputError where that is of another picture.

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <functional>
+#include <memory>
+#include <string>
 #include <vector>
 
 #include "kinds/integrators.h"
@@ -25,9 +27,26 @@ inline constexpr std::size_t film_buffer_bytes = std::size_t{512} << 20;
 inline constexpr std::size_t film_bytes_per_pixel =
     sizeof(std::int64_t) * layout::FILM_SUBSUMS * layout::FILM_CHANNELS * layout::FILM_SUM_WORDS;
 
+/// The window of some of its rows, while this lives.
+class RowsOnly {
+ public:
+  RowsOnly(Window& window, const Rows& rows) : window_(window), whole_(window) {
+    window.y0 += rows.first;
+    window.y1 = window.y0 + rows.count;
+  }
+  ~RowsOnly() { window_ = whole_; }
+  RowsOnly(const RowsOnly&) = delete;
+  RowsOnly& operator=(const RowsOnly&) = delete;
+
+ private:
+  Window& window_;
+  Window whole_;
+};
+
 struct Renderer::State {
   Device device;
-  Scene scene;
+  std::shared_ptr<const Scene> shared_scene;  ///< Of all devices that make the same pictures.
+  const Scene& scene;
   RenderSettings settings;
   Features features;
   ProgramSource source;
@@ -37,7 +56,8 @@ struct Renderer::State {
   cl::Kernel kernel;
   RunStats stats;  ///< What construction took; render() starts from it.
 
-  State(const Device& d, Scene s, const RenderSettings& r) : device(d), scene(std::move(s)), settings(r) {}
+  State(const Device& d, std::shared_ptr<const Scene> s, const RenderSettings& r)
+      : device(d), shared_scene(std::move(s)), scene(*shared_scene), settings(r) {}
 
   /// The textbook's renderer keeps world coordinates, with all their rounding.
   [[nodiscard]] UploadFrame frame() const {
@@ -102,6 +122,9 @@ struct Renderer::State {
   std::optional<LaunchPlan> last_plan;   ///< Of this picture or an earlier one: it knows the device's rate.
   bool has_tree = true;
   int samples_at_once = 1;
+  double rate = 0;                              ///< Pixel samples a second beside other devices; 0: not known yet.
+  std::string fault;                            ///< Why it takes no part any more; empty: it does.
+  std::vector<std::unique_ptr<State>> helpers;  ///< Other devices that share this one's pictures.
   cl::Buffer film, aov_reals, aov_ints, counters;
 };
 

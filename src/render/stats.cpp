@@ -33,6 +33,17 @@ Json error_or_null(const std::optional<ErrorBudget>& error) {
             {"float_rounding", error->rounding ? Json(*error->rounding) : Json(nullptr)}}}};
 }
 
+Json shares_of(const std::vector<DeviceShare>& shares) {
+  if (shares.empty()) return nullptr;
+  Json all = Json::array();
+  for (const DeviceShare& share : shares)
+    all.push_back({{"device", share.device},
+                   {"samples", share.samples},
+                   {"seconds", share.seconds},
+                   {"fault", text_or_null(share.fault)}});
+  return all;
+}
+
 }  // namespace
 
 double RunStats::longest_launch() const {
@@ -66,6 +77,7 @@ std::string RunStats::json() const {
   json["visits"] = {{"nodes", count_or_null(nodes_visited)}, {"primitives", count_or_null(primitives_tested)}};
   json["bytes"] = {{"device", device_bytes}, {"host", host_bytes}};
   json["device"] = device;
+  json["shares"] = shares_of(shares);
   json["precision"] = precision;
   json["canary"] = canary_or_null(canary);
   json["lanes"] = lanes;

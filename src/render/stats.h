@@ -32,6 +32,14 @@ struct CanaryStats {
   std::string instead;  ///< Why it stands in for the default; empty where it does not.
 };
 
+/// What one device of several has done.
+struct DeviceShare {
+  std::string device;
+  std::uint64_t samples = 0;  ///< Of pixels, in the film.
+  double seconds = 0;         ///< It was at work.
+  std::string fault;          ///< Why it was dropped; empty: it was not.
+};
+
 struct RunStats {
   PhaseSeconds seconds;
   std::vector<double> kernel_runs;  ///< Seconds of each launch (render) or each repetition (intersect).
@@ -44,6 +52,7 @@ struct RunStats {
   std::uint64_t scene_bytes = 0;   ///< Of them, the packed scene's.
   std::uint64_t host_bytes = 0;    ///< Packed scene plus film on the host.
   std::string device;
+  std::vector<DeviceShare> shares;  ///< Of each device, where there are several.
   std::string precision;
   std::optional<CanaryStats> canary;  ///< None: it was not asked.
   int spp = 0;  ///< Asked for; where a deadline or an error was the goal, the most that a pixel got.

@@ -4,6 +4,8 @@
 //   STRAHL_CL_FAULT_LOG    a line for each call: its name
 //   STRAHL_CL_FAULT_CALL   n, from 1; without it all calls go through
 //   STRAHL_CL_FAULT_CODE   what it returns, as -5; "hang": it never returns
+//   STRAHL_CL_FAULT_QUEUE  only calls with a queue of the platform of this name count ("*": of any), and from the n-th
+//                          on all fail: a device that is gone
 #define CL_TARGET_OPENCL_VERSION 300
 #include <CL/cl.h>
 #include <CL/cl_icd.h>
@@ -28,8 +30,26 @@ std::string text_of(const char* name) {
   return value != nullptr ? value : "";
 }
 
+/// The name of a queue's platform; empty where the call has no queue.
+std::string platform_of(cl_command_queue queue) {
+  cl_device_id device = nullptr;
+  cl_platform_id platform = nullptr;
+  char name[256] = "";
+  if (target->clGetCommandQueueInfo(queue, CL_QUEUE_DEVICE, sizeof device, &device, nullptr) != CL_SUCCESS ||
+      target->clGetDeviceInfo(device, CL_DEVICE_PLATFORM, sizeof platform, &platform, nullptr) != CL_SUCCESS ||
+      target->clGetPlatformInfo(platform, CL_PLATFORM_NAME, sizeof name, name, nullptr) != CL_SUCCESS)
+    std::abort();
+  return name;
+}
+template <class First>
+std::string platform_of(const First& /*no queue*/) {
+  return {};
+}
+
 /// What this call shall return; CL_SUCCESS: what it returns.
-cl_int fault_of(const char* call) {
+cl_int fault_of(const char* call, const std::string& platform) {
+  const std::string of_queue = text_of("STRAHL_CL_FAULT_QUEUE");
+  if (!of_queue.empty() && (of_queue == "*" ? platform.empty() : platform != of_queue)) return CL_SUCCESS;
   const long number = ++calls;
   if (const std::string log = text_of("STRAHL_CL_FAULT_LOG"); !log.empty()) {
     const std::string line = std::string(call) + "\n";
@@ -40,8 +60,8 @@ cl_int fault_of(const char* call) {
   const std::string at = text_of("STRAHL_CL_FAULT_CALL");
   if (!at.empty() && number == std::atol(at.c_str()) && text_of("STRAHL_CL_FAULT_CODE") == "hang")
     while (true) ::pause();
-  return !at.empty() && number == std::atol(at.c_str()) ? std::atoi(text_of("STRAHL_CL_FAULT_CODE").c_str())
-                                                        : CL_SUCCESS;
+  const bool is_it = of_queue.empty() ? number == std::atol(at.c_str()) : number >= std::atol(at.c_str());
+  return !at.empty() && is_it ? std::atoi(text_of("STRAHL_CL_FAULT_CODE").c_str()) : CL_SUCCESS;
 }
 
 /// In place of a function of the dispatch: the code is returned, or goes where the last argument points.
@@ -51,7 +71,7 @@ struct Wrapped;
 template <auto member, const char* name, class Result, class... Arguments>
 struct Wrapped<member, name, Result (*)(Arguments...)> {
   static Result call(Arguments... arguments) {
-    const cl_int fault = fault_of(name);
+    const cl_int fault = fault_of(name, platform_of(std::get<0>(std::make_tuple(arguments...))));
     if (fault == CL_SUCCESS) return (target->*member)(arguments...);
     if constexpr (std::is_same_v<Result, cl_int>) {
       return fault;

@@ -5,7 +5,8 @@
 //   STRAHL_FAULT_FOLDER   only what is below it, and relative names, counts
 //   STRAHL_FAULT_LOG      a line for each call that counts: its name
 //   STRAHL_FAULT_CALL     n, from 1; without it all calls succeed
-//   STRAHL_FAULT_KIND     "EIO" (this call), "ENOSPC" (this one and all later ones), "short" (a write writes half)
+//   STRAHL_FAULT_KIND     "EIO" (this call), "ENOSPC" (this one and all later ones), "short" (a write writes half),
+//                         "kill" (the process is killed before the call)
 #include <dlfcn.h>
 #include <fcntl.h>
 #include <sys/syscall.h>
@@ -13,6 +14,7 @@
 
 #include <atomic>
 #include <cerrno>
+#include <csignal>
 #include <cstdarg>
 #include <cstdlib>
 #include <cstring>
@@ -55,6 +57,7 @@ Fault fault_of(const char* call) {
   if (at.empty()) return Fault::none;
   const long wanted = std::atol(at.c_str());
   if (kind == "ENOSPC" ? number < wanted : number != wanted) return Fault::none;
+  if (kind == "kill") ::kill(::getpid(), SIGKILL);
   if (kind == "short") return std::strcmp(call, "write") == 0 ? Fault::half : Fault::none;
   errno = kind == "ENOSPC" ? ENOSPC : EIO;
   return Fault::error;

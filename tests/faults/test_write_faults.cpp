@@ -3,6 +3,7 @@
 // than the last checkpoint is lost (docs/reliability.md).
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <sstream>
@@ -73,16 +74,35 @@ class FaultyRender {
       CHECK(outcome.code == 1);
       CHECK(contains(outcome.err, "strahl: error: cannot write"));
     }
-    for (const std::string& name : folder_.files()) CHECK_FALSE(name.ends_with(".tmp"));
+    CHECK(leftovers() == 0);
+  }
+
+  /// And tried again, as a script would. Whether there was a temporary file in between.
+  [[nodiscard]] bool kill_at(std::size_t call) {
+    INFO("killed before call " << call << " of " << calls_.size() << " (" << calls_[call - 1] << ")");
+    const Outcome killed = run({{"STRAHL_FAULT_CALL", std::to_string(call)}, {"STRAHL_FAULT_KIND", "kill"}});
+    CHECK(killed.signal == SIGKILL);
+    if (fs::exists(folder_.path("out.exr"))) CHECK(read_picture().data == picture_.data);
+    CHECK(strahl::read_checkpoint(folder_.path("c.ckpt")).header.least >= 32);
+    const bool is_left = leftovers() > 0;
+    const Outcome again = run({}, true);
+    INFO(again.err);
+    CHECK(again.code == 0);
+    CHECK(read_picture().data == picture_.data);
+    CHECK(leftovers() == 0);
+    return is_left;
   }
 
   int successes = 0, failures = 0;
 
  private:
-  [[nodiscard]] Outcome run(const std::map<std::string, std::string>& fault) {
-    for (const std::string& name : folder_.files())
-      if (name != "cache") fs::remove(folder_.path(name));
-    folder_.file("c.ckpt", kept_);
+  /// goes_on: with what the run before has left.
+  [[nodiscard]] Outcome run(const std::map<std::string, std::string>& fault, bool goes_on = false) {
+    if (!goes_on) {
+      for (const std::string& name : folder_.files())
+        if (name != "cache") fs::remove(folder_.path(name));
+      folder_.file("c.ckpt", kept_);
+    }
     std::map<std::string, std::string> environment{{"LD_PRELOAD", STRAHL_FAIL_WRITE},
                                                    {"STRAHL_FAULT_FOLDER", folder_.path("")},
                                                    {"STRAHL_FAULT_LOG", folder_.path("calls.log")}};
@@ -90,6 +110,10 @@ class FaultyRender {
     return folder_.run(with(render, {"--spp", "40", "--resume", "c.ckpt", "-o", "out.exr", "--stats", "stats.json",
                                      "--every", "1h", "--error-map", "map.pfm"}),
                        environment);
+  }
+  [[nodiscard]] std::ptrdiff_t leftovers() const {
+    const std::vector<std::string> names = folder_.files();
+    return std::count_if(names.begin(), names.end(), [](const std::string& name) { return name.ends_with(".tmp"); });
   }
   [[nodiscard]] strahl::Image read_picture() const { return strahl::read_image(folder_.path("out.exr")); }
 
@@ -118,4 +142,14 @@ TEST_CASE("each call that writes fails in turn") {
   CHECK(faulty.failures > 0);
   CHECK(faulty.successes > 0);
   CHECK(faulty.failures > faulty.successes);
+}
+
+TEST_CASE("killed at each call that writes, and tried again") {
+  FaultyRender faulty;
+  const bool is_long = std::getenv("STRAHL_ALL_FAULTS") != nullptr;
+  int left = 0;
+  // Each sort of call at both ends at the least.
+  for (std::size_t call = 1; call <= faulty.calls().size(); call += is_long ? 1 : 3)
+    left += faulty.kill_at(call) ? 1 : 0;
+  CHECK(left > 0);
 }

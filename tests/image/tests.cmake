@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
 strahl_test(image/test_atomic_file.cpp LABEL unit)
+strahl_test(image/test_temporary_file.cpp LABEL unit)
 strahl_test(image/test_srgb.cpp LABEL unit)
 strahl_test(image/test_png.cpp LABEL unit LIBS PNG::PNG)
 strahl_test(image/test_exr.cpp LABEL unit LIBS OpenEXR::OpenEXR)

@@ -81,6 +81,43 @@ TEST_CASE("A cache that others can write to is not used, and it is said") {
   CHECK(read_cached_binary("name", "key").size() == 3);
 }
 
+TEST_CASE("strahl's own folder in the user's cache is closed to others, one that the user named is left as it is") {
+  const OwnCache cache;
+  const fs::path own = cache.directory() / "strahl";
+  const auto mode_of = [](const fs::path& path) { return fs::status(path).permissions() & fs::perms::all; };
+  const char* const before = std::getenv("XDG_CACHE_HOME");
+  const std::string cache_home = before != nullptr ? before : "";
+  setenv("XDG_CACHE_HOME", cache.directory().c_str(), 1);
+  unsetenv("STRAHL_CACHE_DIR");
+  // As mkdir makes it under the umask 002.
+  fs::create_directory(own);
+  fs::permissions(own, fs::perms(0775));
+  CHECK(program_cache_fault().empty());
+  CHECK(mode_of(own) == fs::perms(0755));
+  write_cached_binary("name", "key", {1, 2, 3});
+  CHECK(read_cached_binary("name", "key").size() == 3);
+  // Where a program that does not build is kept.
+  fs::remove_all(own);
+  const mode_t mask = umask(2);
+  CHECK(failed_program_path("name") == own / "name.failed.cl");
+  umask(mask);
+  CHECK(mode_of(own) == fs::perms(0700));
+  // A link may lead anywhere.
+  fs::remove_all(own);
+  fs::create_directory(cache.directory() / "elsewhere");
+  fs::permissions(cache.directory() / "elsewhere", fs::perms(0775));
+  fs::create_directory_symlink("elsewhere", own);
+  CHECK_THAT(program_cache_fault(), Contains("others can write to it"));
+  CHECK(mode_of(cache.directory() / "elsewhere") == fs::perms(0775));
+  setenv("STRAHL_CACHE_DIR", (cache.directory() / "elsewhere").c_str(), 1);
+  CHECK_THAT(program_cache_fault(), Contains("others can write to it"));
+  CHECK(mode_of(cache.directory() / "elsewhere") == fs::perms(0775));
+  if (before != nullptr)
+    setenv("XDG_CACHE_HOME", cache_home.c_str(), 1);
+  else
+    unsetenv("XDG_CACHE_HOME");
+}
+
 TEST_CASE("Beyond its limit the cache forgets what was used longest ago") {
   const OwnCache cache;
   setenv("STRAHL_CACHE_MIB", "1", 1);

@@ -47,8 +47,9 @@ inline RenderResult render(const std::string& device, const Scene& scene, const 
 
 /// Every float has the same bits: -0 differs from 0 and a NaN equals itself.
 inline bool same_bits(const Image& a, const Image& b) {
+  // std::memcmp wants no null pointers, not even of nothing.
   return a.width == b.width && a.height == b.height && a.channels == b.channels && a.data.size() == b.data.size() &&
-         std::memcmp(a.data.data(), b.data.data(), a.data.size() * sizeof(float)) == 0;
+         (a.data.empty() || std::memcmp(a.data.data(), b.data.data(), a.data.size() * sizeof(float)) == 0);
 }
 
 inline bool same_bits(const RenderResult& a, const RenderResult& b) {

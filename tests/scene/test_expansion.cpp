@@ -39,6 +39,12 @@ TEST_CASE("undefined and unused names") {
                                "before this place or -D r=..."});
   CHECK(problems(around(""), {{{"rse", "1"}}, false}) ==
         std::vector<std::string>{"0:0: warning: -D rse=1: the scene does not use $rse; it has no effect"});
+  CHECK(
+      problems(around(""), {{{"spp", "16"}}, false}) ==
+      std::vector<std::string>{"0:0: warning: -D spp=16: the scene does not use $spp; it has no effect, --spp 16 has"});
+  CHECK(problems(around(""), {{{"max_depth", "3"}}, false}) ==
+        std::vector<std::string>{
+            "0:0: warning: -D max_depth=3: the scene does not use $max_depth; it has no effect, --max-depth 3 has"});
 }
 
 TEST_CASE("a chain of defaults cannot grow without bound") {

@@ -32,6 +32,17 @@ std::vector<std::string> names_of(const std::map<std::string, std::string>& valu
   return names;
 }
 
+/// What other renderers' scenes often have a default for is an option here, whatever the scene has: "spp" for spp,
+/// samples ...; empty for other names.
+std::string option_for(const std::string& name) {
+  static const std::map<std::string, std::string> options = {
+      {"spp", "spp"},         {"samples", "spp"},           {"sample_count", "spp"}, {"samplecount", "spp"},
+      {"width", "width"},     {"height", "height"},         {"seed", "seed"},        {"max_depth", "max-depth"},
+      {"depth", "max-depth"}, {"integrator", "integrator"}, {"sampler", "sampler"}};
+  const auto found = options.find(name);
+  return found == options.end() ? std::string() : found->second;
+}
+
 std::string canonical_path(const std::string& path) {
   std::error_code fault;
   const std::filesystem::path canonical = std::filesystem::weakly_canonical(path, fault);
@@ -70,8 +81,11 @@ class Expander {
       if (used_.count(name) != 0) continue;
       std::vector<std::string> known(used_.begin(), used_.end());
       known.insert(known.end(), defaults_.begin(), defaults_.end());
-      diagnostics_.unknown({main_file_}, fmt::format("-D {}={}: the scene does not use ${}{}; it has no effect", name,
-                                                     value, name, did_you_mean(name, known)));
+      const std::string option = option_for(name);
+      diagnostics_.unknown(
+          {main_file_},
+          fmt::format("-D {}={}: the scene does not use ${}{}; it has no effect{}", name, value, name,
+                      did_you_mean(name, known), option.empty() ? "" : fmt::format(", --{} {} has", option, value)));
     }
   }
 

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT
+// A picture that several devices share has every bit of one device's: picture, AOVs, told error; with each goal, in
+// bands, gone on with, as a part.
+#include <catch2/catch.hpp>
+
+#include "errors.h"
+#include "render/film_state.h"
+#include "render/pictures.h"
+
+namespace strahl::test {
+namespace {
+
+Scene shared_scene(int spp = 32) { return small_scene(scene_folder / "cornell/cornell-box.xml", 29, 23, spp); }
+
+RenderSettings shared_settings(Precision precision = Precision::robust) {
+  RenderSettings settings = all_aovs(precision);
+  settings.error_map = true;
+  return settings;
+}
+
+/// Two queues of PoCL, and where it is asked for llvmpipe too.
+Renderer shared(const Scene& scene, const RenderSettings& settings, bool with_llvmpipe = false) {
+  Renderer renderer(Device::open("pocl", {settings.precision == Precision::fp64}), scene, settings);
+  renderer.share_with(Device::open("pocl", {settings.precision == Precision::fp64}));
+  if (with_llvmpipe) renderer.share_with(Device::open("llvmpipe"));
+  return renderer;
+}
+
+void check_same(const RenderResult& a, const RenderResult& b) {
+  CHECK(same_bits(a, b));
+  CHECK(same_bits(a.standard_error, b.standard_error));
+  REQUIRE(a.error.has_value() == b.error.has_value());
+  if (!a.error) return;
+  CHECK(a.error->rmse == b.error->rmse);
+  CHECK(a.error->rmse_low == b.error->rmse_low);
+  CHECK(a.error->rmse_high == b.error->rmse_high);
+}
+
+TEST_CASE("two of one kind, and three") {
+  require_pocl_and_rusticl();
+  Renderer one(Device::open("pocl"), shared_scene(), shared_settings());
+  const RenderResult expected = one.render();
+  for (const bool with_llvmpipe : {false, true}) {
+    Renderer several = shared(shared_scene(), shared_settings(), with_llvmpipe);
+    // The second time their speeds are known. Which one is given how many rows is for the processor to decide; sooner
+    // or later each of one kind has its part.
+    std::array<std::uint64_t, 2> parts{};
+    for (int i = 0; i < 2 || (i < 50 && parts[0] * parts[1] == 0); ++i) {
+      const RenderResult result = several.render();
+      check_same(expected, result);
+      CHECK(result.ending == Ending::samples);
+      std::uint64_t samples = 0;
+      for (const DeviceShare& share : result.stats.shares) samples += share.samples;
+      CHECK(result.stats.shares.size() == (with_llvmpipe ? 3 : 2));
+      CHECK(samples == 29 * 23 * 32);
+      CHECK(result.stats.camera_rays == samples);
+      for (std::size_t part = 0; part < parts.size(); ++part) parts[part] += result.stats.shares[part].samples;
+    }
+    CHECK(parts[0] > 0);
+    CHECK(parts[1] > 0);
+  }
+  CHECK(expected.stats.shares.empty());
+}
+
+TEST_CASE("in double, and one sum a pixel") {
+  require_pocl_and_rusticl();
+  for (RenderSettings settings : {shared_settings(Precision::fp64), shared_settings()}) {
+    settings.estimate_error = settings.precision == Precision::fp64;
+    settings.error_map = settings.estimate_error;
+    Renderer one(Device::open("pocl", {true}), shared_scene(6), settings);
+    check_same(one.render(), shared(shared_scene(6), settings).render());
+  }
+}
+
+TEST_CASE("an error as the goal") {
+  require_pocl_and_rusticl();
+  RenderGoal goal;
+  goal.max_error = 0.06;
+  Renderer one(Device::open("pocl"), shared_scene(), shared_settings());
+  const RenderResult expected = one.render({}, goal);
+  Renderer several = shared(shared_scene(), shared_settings());
+  const RenderResult result = several.render({}, goal);
+  CHECK(result.ending == Ending::error);
+  CHECK(result.stats.spp == expected.stats.spp);
+  check_same(expected, result);
+}
+
+TEST_CASE("a deadline leaves a film of whole samples") {
+  require_pocl_and_rusticl();
+  Renderer several = shared(shared_scene(), shared_settings());
+  RenderGoal goal;
+  goal.deadline = later(Clock::now(), 0.4);
+  FilmKeeper keeper;
+  std::optional<FilmState> last;
+  keeper.keep_last = [&](FilmState state) { last = std::move(state); };
+  const RenderResult result = several.render({}, goal, &keeper);
+  CHECK(result.ending == Ending::deadline);
+  CHECK(result.stats.least_spp > 1);
+  // The film is what its numbers say: filled up to the most samples it is that of one device.
+  goal.deadline = later(Clock::now(), 1e6);
+  goal.spp = result.stats.most_spp + 1;
+  FilmKeeper resuming;
+  resuming.begin_with = &*last;
+  Renderer one(Device::open("pocl"), shared_scene(), shared_settings());
+  check_same(one.render({}, goal), one.render({}, goal, &resuming));
+}
+
+TEST_CASE("stopped at any launch, gone on with, by one or several") {
+  require_pocl_and_rusticl();
+  RenderSettings settings = shared_settings();
+  settings.passes = 5;
+  Renderer one(Device::open("pocl"), shared_scene(), settings);
+  const RenderResult expected = one.render();
+  std::vector<FilmState> states;
+  FilmKeeper keeper;
+  keeper.keep_last = [&](FilmState state) { states.push_back(std::move(state)); };
+  for (const int launches : {1, 3, 7, 20}) {
+    Renderer several = shared(shared_scene(), settings);
+    int left = launches;
+    const RenderResult stopped = several.render([&](const Progress&) { return --left > 0; }, {}, &keeper);
+    CHECK(stopped.ending == Ending::stopped);
+  }
+  Renderer several = shared(shared_scene(), settings);
+  for (const FilmState& state : states) {
+    FilmKeeper resuming;
+    resuming.begin_with = &state;
+    check_same(expected, one.render({}, {}, &resuming));
+    check_same(expected, several.render({}, {}, &resuming));
+  }
+}
+
+TEST_CASE("in bands") {
+  require_pocl_and_rusticl();
+  Renderer one(Device::open("pocl"), shared_scene(), shared_settings());
+  const std::uint64_t row = 29 * (192 + 160);
+  const DeviceNeeds two_rows{false, one.stats().scene_bytes + 2 * row};
+  Renderer several(Device::open("pocl", two_rows), shared_scene(), shared_settings());
+  several.share_with(Device::open("pocl", two_rows));
+  check_same(one.render(), several.render());
+}
+
+TEST_CASE("a part of the samples") {
+  require_pocl_and_rusticl();
+  RenderGoal goal;
+  goal.samples = {5, 17};
+  Renderer one(Device::open("pocl"), shared_scene(), shared_settings());
+  check_same(one.render({}, goal), shared(shared_scene(), shared_settings()).render({}, goal));
+}
+
+TEST_CASE("what several devices do not do") {
+  require_pocl_and_rusticl();
+  Renderer stable(Device::open("pocl"), shared_scene(), shared_settings(Precision::stable));
+  CHECK_THROWS_AS(stable.share_with(Device::open("pocl")), UsageError);
+  Renderer several = shared(shared_scene(), shared_settings());
+  RenderGoal goal;
+  goal.rows = Rows{0, 5};
+  CHECK_THROWS_AS(several.render({}, goal), UsageError);
+}
+
+}  // namespace
+}  // namespace strahl::test
