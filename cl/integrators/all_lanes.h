@@ -8,3 +8,4 @@
 #include "integrators/path_lanes.h"
 #include "integrators/volpath_lanes.h"
 #include "integrators/ao_lanes.h"
+#include "integrators/ptracer_lanes.h"

@@ -64,11 +64,19 @@ enum {
   INTEGRATOR_COUNT
 };
 
+/// The film that light paths add to, each to any pixel (film/splat.h).
+typedef struct {
+  GLOBAL long* words;
+  int x, y, columns, rows;  ///< Its place in the picture, its pixels.
+  int sums;                 ///< Of a pixel.
+} SplatFilm;
+
 typedef struct {
   GLOBAL const real* geometry;
   GLOBAL const real* shading;
   GLOBAL const int* index;
   GLOBAL uint* counters;  ///< COUNTERS of them; written only by programs that count.
+  PRIVATE const SplatFilm* splats;  ///< Only in programs that trace light paths.
 } Scene;
 
 FN GLOBAL const int* scene_shape_row(const Scene* scene, int kind) {

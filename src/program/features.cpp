@@ -122,6 +122,7 @@ void shape_causes(const Scene& scene, const RenderSettings& settings, Causes& ca
       if (!reflects || area.empty() || !causes.allow("areas/" + area)) return;
       call_for(causes, "areas/" + area, "an area emitter on a " + kind, where);
       call_for(causes, "lights/area", "an area emitter", where);
+      if (integrator.from_lights) call_for(causes, "light_rays/area", "paths that begin on an area emitter", where);
     };
     bool reads_uv = false;
     if (lit && shape.radiance) {
@@ -183,6 +184,8 @@ void light_causes(const Scene& scene, Causes& causes) {
     if (!integrator.is_lit() && !(integrator.shows_emission && facts.is_background)) continue;
     const std::string kind = facts.entry, effect = "lights/" + kind;
     call_for(causes, effect, "an emitter of type " + kind, light.where);
+    if (integrator.from_lights && causes.contains(effect))
+      call_for(causes, "light_rays/" + kind, "paths that begin on an emitter of type " + kind, light.where);
     causes.background = causes.background || (facts.is_background && causes.contains(effect));
     if (facts.is_sun && causes.contains(effect)) call_for(causes, "SUN", "an emitter of type sun", light.where);
     if (causes.contains(effect)) use_light_texture(scene, kinds::light_texture(light), causes);
@@ -190,7 +193,7 @@ void light_causes(const Scene& scene, Causes& causes) {
   }
   if (!integrator.is_lit() || drawn == nullptr) return;
   const DrawnLights lights = drawn_lights(scene, [&](const std::string& name) { return causes.contains(name); });
-  causes.light_chooser = light_chooser(lights);
+  causes.light_chooser = integrator.from_lights && lights.count > 1 ? "power" : light_chooser(lights);
   if (lights.count > 1 && causes.light_choice) causes.light_chooser = *causes.light_choice;
   call_for(causes, "choosers/" + causes.light_chooser,
            lights.count < 2 ? drawn->why : fmt::format("{} lights to draw from", lights.count), drawn->where);

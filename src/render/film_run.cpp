@@ -26,7 +26,7 @@ constexpr std::size_t part_bytes = std::size_t{1} << 20;
 /// the time of a picture of one sample.
 FilmSums FilmRun::black_film() const {
   const SubSums sums = state_.sub_sums(goal_);
-  FilmSums film(width_, height_, sums, state_.radiance_unit(), !is_one_band() || sums.count > 1);
+  FilmSums film(width_, height_, sums, state_.radiance_unit(), !is_one_band() || sums.count > 1, state_.film_kind());
   if (goal_.samples) film.first_sample = goal_.samples->first;
   return film;
 }
@@ -229,9 +229,10 @@ void FilmRun::measure_finish() {
 
 RenderResult FilmRun::run() {
   static_assert(layout::HEADER_SUMS == layout::HEADER_SEED + 1 && layout::HEADER_SEQUENCES == layout::HEADER_SEED + 2 &&
-                layout::HEADER_TURN_BITS == layout::HEADER_SEED + 3);
-  const std::array<cl_int, 4> header = {static_cast<cl_int>(result_.stats.seed), film_.sums.count, film_.sums.sequences,
-                                        film_.sums.turn_bits};
+                layout::HEADER_TURN_BITS == layout::HEADER_SEED + 3 &&
+                layout::HEADER_FILM_ROWS == layout::HEADER_SEED + 4);
+  const std::array<cl_int, 5> header = {static_cast<cl_int>(result_.stats.seed), film_.sums.count, film_.sums.sequences,
+                                        film_.sums.turn_bits, height_};
   checked(state_.device.info().text(), [&] {
     return state_.device.queue().enqueueWriteBuffer(state_.buffers.index, CL_TRUE, layout::HEADER_SEED * sizeof(cl_int),
                                                     sizeof header, header.data());

@@ -1,0 +1,7 @@
+// SPDX-License-Identifier: MIT
+// How light leaves each light that has a place. Only includes: a program holds those that its scene uses.
+#include "light_rays/spread_lanes.h"  // of spot, projector
+#include "light_rays/point_lanes.h"
+#include "light_rays/spot_lanes.h"
+#include "light_rays/projector_lanes.h"
+#include "light_rays/area_lanes.h"
