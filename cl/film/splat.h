@@ -11,6 +11,9 @@
 #define STRAHL_FILM_SPLAT_H
 
 #include "film/film.h"
+#if HAS_LOOP_LIMIT
+#include "kernels/whole_loops.h"
+#endif
 #include "scene/scene.h"
 
 #if ON_HOST
@@ -41,9 +44,15 @@ FN void splat_channel(const Scene* scene, GLOBAL long* words, real given) {
   if (low != 0 && bin > 0) add_to_word(words + bin - 1, number.is_negative ? -low : low);
 }
 
-/// To one sum of a pixel of the film.
-FN void splat_pixel(const Scene* scene, int column, int row, int sum, real3 light) {
+/// To one sum of a pixel of the film. number: of the path's splats, counted from 1 on whether or not each is made: a path
+/// that the device has cut short is followed again, and each of its splats is made once.
+FN void splat_pixel(const Scene* scene, int column, int row, int sum, int number, real3 light) {
   PRIVATE const SplatFilm* film = scene->splats;
+#if HAS_LOOP_LIMIT
+  if ((uint)number <= film->done[DONE_SPLATS] || !loops_were_whole()) return;
+  film->done[DONE_SPLATS] = (uint)number;
+#endif
+  (void)number;
   ulong pixel = (ulong)row * (ulong)film->columns + (ulong)column;
   GLOBAL long* words = film->words + (pixel * (ulong)film->sums + (ulong)sum) * (FILM_CHANNELS * SPLAT_WORDS);
   splat_channel(scene, words, light.x);
@@ -85,14 +94,14 @@ FN DrawnPixel drawn_pixel(GLOBAL const real* sensor, real place, real number) {
 }
 
 /// At a place on the picture, in pixels from its upper left corner, not far off the film. u, v: within (0, 1).
-FN void splat_place(const Scene* scene, real x, real y, real u, real v, int sum, real3 light) {
+FN void splat_place(const Scene* scene, real x, real y, real u, real v, int sum, int number, real3 light) {
   GLOBAL const real* sensor = scene->shading + scene->index[HEADER_SENSOR];
   PRIVATE const SplatFilm* film = scene->splats;
   DrawnPixel column = drawn_pixel(sensor, x, u), row = drawn_pixel(sensor, y, v);
   column.at -= film->x;
   row.at -= film->y;
   if (column.at < 0 || column.at >= film->columns || row.at < 0 || row.at >= film->rows) return;
-  splat_pixel(scene, column.at, row.at, sum, scale3(column.weight * row.weight, light));
+  splat_pixel(scene, column.at, row.at, sum, number, scale3(column.weight * row.weight, light));
 }
 
 #endif

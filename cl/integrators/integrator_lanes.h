@@ -15,7 +15,6 @@
 
 #include "integrators/direct_light_lanes.h"
 #include "integrators/crossing_lanes.h"
-#include "integrators/adjoint_lanes.h"
 #include "integrators/all_lanes.h"
 
 /// The steps that an active integrator may ask for; the program holds no others.

@@ -63,7 +63,7 @@ FN void show_background_w(const Scene* scene, const Paths_w* path, maskw which) 
   }
   for (uint lanes = bits_w(which); lanes != 0u; lanes &= lanes - 1u) {
     int i = first_bit(lanes), sum = get_int_w((PRIVATE const intw*)&path->sample.pixel, i);
-    splat_pixel(scene, get_int_w(&columns, i), get_int_w(&rows, i), sum, get3_w(&light, i));
+    splat_pixel(scene, get_int_w(&columns, i), get_int_w(&rows, i), sum, SPLAT_OF_BACKGROUND, get3_w(&light, i));
   }
 }
 
@@ -120,7 +120,7 @@ FN void light_paths_begin_w(const Scene* scene, Paths_w* path, maskw which, uint
   path->sample.sample = light_number_w(which, state.sample, path->sample.sample);
   path->sample.reversed = light_number_w(which, state.reversed, path->sample.reversed);
   path->sample.key = light_number_w(which, state.key, path->sample.key);
-  paths_begin_w(path, follows, &rays);
+  paths_begin_w(scene, path, follows, &rays);
   path->radiance = sel3_w(follows, ray.flux, path->radiance);
   path->depth = sel_int_w(follows, one, path->depth);
 }

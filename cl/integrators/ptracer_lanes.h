@@ -10,6 +10,8 @@
 #include "film/sub_sums.h"
 #include "integrators/sensor_share_lanes.h"
 
+/// Splats of a path are numbered: the background, then the light itself and each surface, by their depth.
+enum { SPLAT_OF_BACKGROUND = 1, SPLATS_BEFORE_SURFACES = 2 };
 enum { ptracer_STEPS_w = STEP_SCATTER | STEP_ROULETTE | STEP_ADJOINT };
 
 /// Both numbers of a use on the way from the path's vertex to the sensor.
@@ -43,7 +45,8 @@ FN void send_to_sensor_w(const Scene* scene, const Paths_w* path, const Surfaces
     int i = first_bit(lanes);
     // Paths of a sum are a sequence of their own, with its number as their pixel.
     int sum = get_int_w((PRIVATE const intw*)&path->sample.pixel, i);
-    splat_place(scene, get_w(&way->x, i), get_w(&way->y, i), get_w(&u, i), get_w(&v, i), sum, get3_w(&light, i));
+    splat_place(scene, get_w(&way->x, i), get_w(&way->y, i), get_w(&u, i), get_w(&v, i), sum,
+                SPLATS_BEFORE_SURFACES + get_int_w(&path->depth, i), get3_w(&light, i));
   }
 }
 

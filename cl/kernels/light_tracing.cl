@@ -52,6 +52,11 @@ FN void trace_in_lanes_w(Scene scene, Span span) {
       follow_light_paths_w(&scene, &path, &branches);
       is_full = span_left(&span) == 0 || 8u * lanes_among(bits_w(~path.alive)) < LANES;
     } while (is_full && any_w(path.alive));
+    if (HAS_LOOP_LIMIT) {  // A path at a time, of one pixel.
+      if (!loops_were_whole()) return;
+      scene.splats->done[DONE_SAMPLE] = (uint)(span_left(&span) > 0 ? span.next : span.end);
+      scene.splats->done[DONE_SPLATS] = 0u;
+    }
   }
 }
 
@@ -98,6 +103,8 @@ KERNEL LANE_HINT_OF(SCENE_LANES) void render(GLOBAL const real* geometry, GLOBAL
   splats.columns = film_columns;
   splats.rows = index[HEADER_FILM_ROWS];
   splats.sums = index[HEADER_SUMS];
+  ulong slot = (ulong)film_first + (ulong)row * (ulong)film_columns + (ulong)column;
+  splats.done = counters + COUNTERS + slot * DONE_OF_PATHS;
   Scene scene;
   scene.geometry = geometry;
   scene.shading = shading;
@@ -112,10 +119,15 @@ KERNEL LANE_HINT_OF(SCENE_LANES) void render(GLOBAL const real* geometry, GLOBAL
   span.height = height;
   span.first = span.next = sample_first;
   span.end = sample_first + sample_count;
+  if (HAS_LOOP_LIMIT) span.first = span.next = min(max(sample_first, (int)splats.done[DONE_SAMPLE]), span.end);
   span.column = 0;
 #if LANES != 1
   trace_in_pools_w(scene, span);
 #else
   trace_in_lanes_w(scene, span);
 #endif
+  if (HAS_LOOP_LIMIT && (int)splats.done[DONE_SAMPLE] < span.end) {
+    count_event(&scene, COUNT_CUT);
+    if ((int)splats.done[DONE_SAMPLE] <= span.first) count_event(&scene, COUNT_STUCK);
+  }
 }

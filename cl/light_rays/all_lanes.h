@@ -5,3 +5,8 @@
 #include "light_rays/spot_lanes.h"
 #include "light_rays/projector_lanes.h"
 #include "light_rays/area_lanes.h"
+#include "light_rays/far_lanes.h"  // of directional, constant, envmap, sun
+#include "light_rays/directional_lanes.h"
+#include "light_rays/constant_lanes.h"
+#include "light_rays/envmap_lanes.h"
+#include "light_rays/sun_lanes.h"

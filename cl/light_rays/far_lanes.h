@@ -2,6 +2,12 @@
 // Lights infinitely far away: the light's own name_sample draws a direction, and the place is drawn from the disc across
 // it that covers the ball around everything bounded. One width; no guard.
 
+/// The same from wherever it is asked.
+FN real3w anywhere_w(void) {
+  realw zero = splat_w(R(0.0));
+  return vec3_w(zero, zero, zero);
+}
+
 /// s: the light's sample, from anywhere.
 FN LightRay_w far_ray_w(const Scene* scene, LightSample_w s, Real2_w place) {
   GLOBAL const real* bounds = scene->geometry + scene->index[HEADER_BOUNDS];

@@ -21,26 +21,18 @@ FN LightRay_w no_light_ray_w(void) {
 }
 
 #include "light_rays/all_lanes.h"
-#include "light_rays/far_lanes.h"
 
 FN LightRay_w ray_of_light_w(const Scene* scene, int light, LightNumbers_w numbers, Real2_w way) {
   GLOBAL const int* row = light_row(scene, light);
-  realw zero = splat_w(R(0.0));
-  real3w anywhere = vec3_w(zero, zero, zero);
   switch (row[LIGHT_KIND]) {
 #define LIGHT_RAY(name) \
   case LIGHT_##name:    \
     return name##_ray_w(scene, row, numbers, way);
-#define FAR_LIGHT_RAY(name) \
-  case LIGHT_##name:        \
-    return far_ray_w(scene, name##_sample_w(scene, row, anywhere, numbers), way);
 #include "light_rays/light_rays.def"
-#undef FAR_LIGHT_RAY
 #undef LIGHT_RAY
     default:
       (void)numbers;
       (void)way;
-      (void)anywhere;
       return no_light_ray_w();
   }
 }

@@ -240,7 +240,8 @@ enum { AOV_SHAPE, AOV_PRIMITIVE, AOV_INTS };
 
 // COUNT_CUT, COUNT_STUCK: work-items whose loops the device has ended before their last sample, or before their first.
 // Only programs with HAS_LOOP_LIMIT have them. There the counters are followed by one number for each pixel of the
-// film: the first sample that is not in the film yet.
+// film: the first sample that is not in the film yet. Of light paths they are DONE_OF_PATHS numbers: that sample, and how
+// many of its splats are in the film.
 enum {
   COUNT_SATURATED,
   COUNT_INVALID,
@@ -254,6 +255,7 @@ enum {
   COUNT_STUCK,
   COUNTERS
 };
+enum { DONE_SAMPLE, DONE_SPLATS, DONE_OF_PATHS };
 
 // strahl intersect: a ray and a hit.
 enum { RAY_O = 0, RAY_D = 3, RAY_T_MIN = 6, RAY_T_MAX = 7, RAY_REALS = 8 };

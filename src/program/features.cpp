@@ -223,6 +223,7 @@ Causes causes_of(const Scene& scene, const RenderSettings& settings) {
     const std::string sampler = sampler_entry(resolve_sampling(scene).kind);
     call_for(causes, "samplers/" + sampler, "numbers that samples draw", scene.sampler.where);
   }
+  if (facts.from_lights) call_for(causes, "LIGHT_PATHS", "integrator " + integrator, scene.integrator.where);
   if (facts.asks_openness) call_for(causes, "OPENNESS", "integrator ao", scene.integrator.where);
   if (settings.texture_lod && causes.contains("textures/bitmap"))
     call_for(causes, "TEXTURE_LOD", "--texture-lod, and a bitmap", {});
@@ -232,6 +233,15 @@ Causes causes_of(const Scene& scene, const RenderSettings& settings) {
   if (settings.count_rays) call_for(causes, "COUNT_RAYS", "--stats-detail", {});
   if (settings.loop_turns) call_for(causes, "LOOP_LIMIT", "a device that ends long loops", {});
   return causes;
+}
+
+/// Could a program of this integrator's kernel use it? Even --generic leaves the rest out.
+bool has_place(const kinds::IntegratorFacts& integrator, const std::string& name) {
+  if (integrator.from_lights) return name != "MEDIA";
+  const std::vector<std::string>& entries = kinds::integrator_names();
+  return name != "LIGHT_PATHS" && std::none_of(entries.begin(), entries.end(), [&](const std::string& entry) {
+    return kinds::integrator(entry).from_lights && name == "integrators/" + entry;
+  });
 }
 
 }  // namespace
@@ -267,7 +277,8 @@ Features features_of(const Scene& scene, const RenderSettings& settings) {
     } else if (row.on) {
       row.why = cause->second.why;
       row.where = cause->second.where;
-    } else if (settings.generic && name != "COUNT_RAYS" && name != "LOOP_LIMIT" && name != "TEXTURE_LOD") {
+    } else if (settings.generic && name != "COUNT_RAYS" && name != "LOOP_LIMIT" && name != "TEXTURE_LOD" &&
+               has_place(kinds::integrator(scene.integrator.name), name)) {
       row.on = true;
       row.why = "--generic";
     }

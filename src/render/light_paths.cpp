@@ -54,9 +54,13 @@ void require_light_paths(const Scene& scene, const RenderSettings& settings) {
   if (settings.texture_lod) refuse("--texture-lod needs the width of camera rays");
   if (settings.light_choice && *settings.light_choice == "tree")
     refuse("a tree of lights is asked from a point, and there is none; --light-choice power or uniform");
-  if (settings.loop_turns) refuse("a device that ends long loops would lose a part of what they add; choose another (-d)");
   if (resolve_sampling(scene).kind == SamplerKind::centre)
     refuse("they never meet the pixels' centres alone; take another sampler");
+  if (!scene.media.empty())
+    throw SceneError({{Severity::error, scene.media.front().where,
+                       fmt::format("integrator {} follows light between surfaces only, and here is a medium: take "
+                                   "integrator volpath",
+                                   name)}});
   require_finite(scene);
 }
 

@@ -63,9 +63,10 @@ struct Renderer::State {
     return sizeof(std::int64_t) * sums * layout::FILM_CHANNELS * words_per_sum(film_kind());
   }
 
-  /// Behind the counters: the first sample of each pixel that is not in the film yet.
+  /// Behind the counters: how far each pixel has come.
   [[nodiscard]] std::size_t done_bytes(std::size_t pixels) const {
-    return features.flag("LOOP_LIMIT") ? pixels * sizeof(std::uint32_t) : 0;
+    const std::size_t numbers = film_kind() == FilmKind::splats ? layout::DONE_OF_PATHS : 1;
+    return features.flag("LOOP_LIMIT") ? pixels * numbers * sizeof(std::uint32_t) : 0;
   }
 
   /// What a row of the picture takes in device buffers.

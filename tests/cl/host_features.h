@@ -18,6 +18,7 @@
 #define HAS_RELIEF 1
 #define HAS_BRANCHES 1
 #define HAS_PRIORITY 1
+#define HAS_LIGHT_PATHS 1
 #define HAS_SMOOTH_NORMALS 1
 #define HAS_MESH_UVS 1
 #define HAS_MESH_ATTRIBUTE 1

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The questions of transport_tiers.h at one width; no guard. Within the tier's namespace.
 #include "physics/packets_width.h"
+// It comes first: these need what it includes.
+#include "camera/span_lanes.h"
+// As above.
+#include "integrators/light_paths_lanes.h"
 
 inline Triad LANED(triad_at)(const real3w& v, int lane) {
   return {get_w(&v.x, lane), get_w(&v.y, lane), get_w(&v.z, lane)};
@@ -263,4 +267,30 @@ inline std::vector<Triad> LANED(radiance_along)(const TierBuffers& buffers, cons
     LANED(for_lanes)(first, samples, [&](std::size_t i, int lane) { found[i] = LANED(triad_at)(path.radiance, lane); });
   }
   return found;
+}
+
+/// As kernels/light_tracing.cl follows them, except that all paths begin and end together.
+inline std::vector<std::int64_t> LANED(splats_of)(const TierBuffers& buffers, std::uint32_t samples) {
+  uint counters[COUNTERS] = {};
+  std::vector<std::int64_t> words(FILM_SUBSUMS * FILM_CHANNELS * SPLAT_WORDS, 0);
+  const SplatFilm film{words.data(), 0, 0, 1, 1, FILM_SUBSUMS, nullptr};
+  Scene scene = scene_of(buffers);
+  scene.counters = counters;
+  scene.splats = &film;
+  const FirstSamples unreported{nullptr, nullptr, 0, 0u};
+  Branches_w branches;
+  branches.count = splat_int_w(0);
+  for (std::uint32_t first = 0; first < samples; first += LANES) {
+    Paths_w path;
+    paths_none_w(&path);
+    path.sample = light_sample_begin_w(&scene, splat_uint_w(0u), splat_uint_w(0u));
+    const uintw numbers = lane_numbers_w() + first;
+    const maskw are_asked_for = lt_int_w(int_of_uint_w(numbers), splat_int_w((int)samples));
+    light_paths_begin_w(&scene, &path, are_asked_for, splat_uint_w(0u), numbers);
+    while (any_w(path.alive)) {
+      const Surfaces_w s = find_surfaces_w(&scene, &path, FIND_NEAREST_APPROXIMATELY, &unreported);
+      surface_step_w(&scene, &path, &s, &branches);
+    }
+  }
+  return words;
 }
