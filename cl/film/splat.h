@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// What light paths add to the film: to any pixel, while others add to it. A channel's sum has a word of 64 bits for each
-// bin of SPLAT_BITS bits; a value is cut where bins meet, and its pieces are added atomically. Sums of integers do not
-// depend on their order, so the words depend on the set of values alone (docs/decisions/0032-light-tracing.md). 2^31
-// pieces fit into a word.
+// What light paths add to the film: to any pixel, while others add to it. A channel's sum has a word of 64 bits for
+// each bin of SPLAT_BITS bits; a value is cut where bins meet, and its pieces are added atomically. Sums of integers do
+// not depend on their order, so the words depend on the set of values alone (docs/decisions/0032-light-tracing.md).
+// 2^31 pieces fit into a word.
 //
 // A place on the picture belongs to all pixels whose filters reach there. One of them is drawn, in proportion to the
 // filter's density, and the value is multiplied by the sum of their densities, so that each pixel's expectation is its
@@ -44,8 +44,8 @@ FN void splat_channel(const Scene* scene, GLOBAL long* words, real given) {
   if (low != 0 && bin > 0) add_to_word(words + bin - 1, number.is_negative ? -low : low);
 }
 
-/// To one sum of a pixel of the film. number: of the path's splats, counted from 1 on whether or not each is made: a path
-/// that the device has cut short is followed again, and each of its splats is made once.
+/// To one sum of a pixel of the film. number: of the path's splats, counted from 1 on whether or not each is made: a
+/// path that the device has cut short is followed again, and each of its splats is made once.
 FN void splat_pixel(const Scene* scene, int column, int row, int sum, int number, real3 light) {
   PRIVATE const SplatFilm* film = scene->splats;
 #if HAS_LOOP_LIMIT

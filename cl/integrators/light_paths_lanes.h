@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Light paths at their beginning: samples of a span, a path each. A path's random numbers belong to its place in one
-// sequence of all paths of the picture, or of all that go into one sum, so that Sobol points spread evenly over the whole
-// picture's paths: the sequence's number stands in for the pixel, and the place in it for the sample. One width; no
-// guard.
+// sequence of all paths of the picture, or of all that go into one sum, so that Sobol points spread evenly over the
+// whole picture's paths: the sequence's number stands in for the pixel, and the place in it for the sample. One width;
+// no guard.
 #include "light_rays/light_ray_lanes.h"
 
 /// The state of sample `numbers` of pixel `pixels` of the film.
@@ -52,7 +52,7 @@ FN void show_background_w(const Scene* scene, const Paths_w* path, maskw which) 
   if (HAS_SUN) light = add3_w(light, far_radiance_w(scene, HEADER_SUN, d));
   which = which & lt_w(splat_w(R(0.0)), max3_w(light));
   if (!any_w(which)) return;
-  if (is_seen_through(scene)) {
+  if (is_seen_through_w(scene)) {
     Paths_w ahead = *path;
     ahead.alive = which;
     ahead.rays = rays;
@@ -63,7 +63,7 @@ FN void show_background_w(const Scene* scene, const Paths_w* path, maskw which) 
   }
   for (uint lanes = bits_w(which); lanes != 0u; lanes &= lanes - 1u) {
     int i = first_bit(lanes), sum = get_int_w((PRIVATE const intw*)&path->sample.pixel, i);
-    splat_pixel(scene, get_int_w(&columns, i), get_int_w(&rows, i), sum, SPLAT_OF_BACKGROUND, get3_w(&light, i));
+    splat_pixel(scene, get_int_w(&columns, i), get_int_w(&rows, i), sum, SPLAT_OF_BACKGROUND_w, get3_w(&light, i));
   }
 }
 
@@ -123,20 +123,4 @@ FN void light_paths_begin_w(const Scene* scene, Paths_w* path, maskw which, uint
   paths_begin_w(scene, path, follows, &rays);
   path->radiance = sel3_w(follows, ray.flux, path->radiance);
   path->depth = sel_int_w(follows, one, path->depth);
-}
-
-/// As begin_paths of camera/span_lanes.h. Some samples of the span may end at once.
-FN void begin_light_paths_w(const Scene* scene, Paths_w* path, Span* span) {
-  intw numbers = splat_int_w(0), pixels = numbers, is_begun = numbers;
-  int first = (span->y - scene->splats->y) * scene->splats->columns + span->x - scene->splats->x;
-  for (uint idle = bits_w(~path->alive); idle != 0u && span->column < span->columns; idle &= idle - 1u) {
-    int lane = first_bit(idle);
-    put_int_w(&numbers, lane, span->next);
-    put_int_w(&pixels, lane, first + span->column);
-    put_int_w(&is_begun, lane, 1);
-    if (++span->next < span->end) continue;
-    span->next = span->first;
-    ++span->column;
-  }
-  light_paths_begin_w(scene, path, nonzero_w(is_begun), uint_of_int_w(pixels), uint_of_int_w(numbers));
 }

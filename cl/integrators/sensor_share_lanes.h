@@ -2,8 +2,8 @@
 // Visibility from the camera, for light paths: emitters that are hidden from it are ignored, and masks let the share of
 // light through that their opacity leaves. A mask counts as a surface of the path. One width; no guard.
 
-/// What is left of light along the rays of `ahead`, in the lanes that are alive there. The masks that it meets add to its
-/// depth.
+/// What is left of light along the rays of `ahead`, in the lanes that are alive there. The masks that it meets add to
+/// its depth.
 FN realw passed_share_w(const Scene* scene, Paths_w* ahead) {
   const FirstSamples none = {0, 0, 0, 0u};
   real3w d = real3_at_w(ahead->rays.planes + RAY_PLANE_D);
@@ -34,13 +34,13 @@ FN realw passed_share_w(const Scene* scene, Paths_w* ahead) {
 }
 
 /// 1: something may be seen through.
-FN int is_seen_through(const Scene* scene) { return HAS_MASK || (HAS_EMISSION && hides_emitters(scene)); }
+FN int is_seen_through_w(const Scene* scene) { return HAS_MASK || (HAS_EMISSION && hides_emitters(scene)); }
 
 /// From the surfaces of `path` to the sensor.
 FN realw sensor_share_w(const Scene* scene, const Paths_w* path, const Surfaces_w* s, maskw which, real3w towards,
                         realw t_max) {
   realw zero = splat_w(R(0.0));
-  if (!is_seen_through(scene))
+  if (!is_seen_through_w(scene))
     return sel_w(sees_along_w(scene, s, which, towards, t_max, splat_int_w(-1)), splat_w(R(1.0)), zero);
   Paths_w ahead = *path;
   ahead.alive = which;

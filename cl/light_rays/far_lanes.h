@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Lights infinitely far away: the light's own name_sample draws a direction, and the place is drawn from the disc across
-// it that covers the ball around everything bounded. One width; no guard.
+// Lights infinitely far away: the light's own name_sample draws a direction, and the place is drawn from the disc
+// across it that covers the ball around everything bounded. One width; no guard.
 
 /// The same from wherever it is asked.
 FN real3w anywhere_w(void) {

@@ -4,11 +4,11 @@
 #define PI R(3.14159265358979323846)
 
 typedef struct {
-  real3w from, way;   ///< way: unit.
-  real3w flux;        ///< What one such ray carries: radiance or intensity over the density with which it was drawn.
-  real3w normal;      ///< Of the light's surface, on the side that emits; undefined where it has none.
-  realw bound;        ///< The place may be so far off the surface.
-  maskw is_surface;   ///< The flux over pi leaves the place into each unit of solid angle, times the cosine.
+  real3w from, way;  ///< way: unit.
+  real3w flux;       ///< What one such ray carries: radiance or intensity over the density with which it was drawn.
+  real3w normal;     ///< Of the light's surface, on the side that emits; undefined where it has none.
+  realw bound;       ///< The place may be so far off the surface.
+  maskw is_surface;  ///< The flux over pi leaves the place into each unit of solid angle, times the cosine.
 } LightRay_w;
 
 FN LightRay_w no_light_ray_w(void) {

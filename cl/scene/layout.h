@@ -190,10 +190,10 @@ enum {
 enum { FILTER_CELLS = 1024 };
 
 // The camera the other way round: of a vector v from its origin, SENSOR_T v is t on the ray that leads there, and
-// SENSOR_X v and SENSOR_Y v are sx and sy of that ray, times t where rays spread from a point. SENSOR_GAIN: one over the
-// volume that the picture's two edges and D span at t = 1 (camera/projection_lanes.h). SENSOR_SPREADS: 1, or 0 where
-// rays are parallel. SENSOR_HEIGHT: rows of the picture. Then half the width of the pixel filter, and its density at
-// FILTER_CELLS + 1 places from one end to the other.
+// SENSOR_X v and SENSOR_Y v are sx and sy of that ray, times t where rays spread from a point. SENSOR_GAIN: one over
+// the volume that the picture's two edges and D span at t = 1 (camera/projection_lanes.h). SENSOR_SPREADS: 1, or 0
+// where rays are parallel. SENSOR_HEIGHT: rows of the picture. Then half the width of the pixel filter, and its density
+// at FILTER_CELLS + 1 places from one end to the other.
 enum {
   SENSOR_T = 0,
   SENSOR_X = 3,
@@ -240,8 +240,8 @@ enum { AOV_SHAPE, AOV_PRIMITIVE, AOV_INTS };
 
 // COUNT_CUT, COUNT_STUCK: work-items whose loops the device has ended before their last sample, or before their first.
 // Only programs with HAS_LOOP_LIMIT have them. There the counters are followed by one number for each pixel of the
-// film: the first sample that is not in the film yet. Of light paths they are DONE_OF_PATHS numbers: that sample, and how
-// many of its splats are in the film.
+// film: the first sample that is not in the film yet. Of light paths they are DONE_OF_PATHS numbers: that sample, and
+// how many of its splats are in the film.
 enum {
   COUNT_SATURATED,
   COUNT_INVALID,

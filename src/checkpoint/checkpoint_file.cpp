@@ -253,9 +253,13 @@ CheckpointHeader read_checkpoint_header(const std::string& path) {
 Checkpoint read_checkpoint(const std::string& path) {
   Reader in(path);
   const Head head = read_head(in);
-  Checkpoint checkpoint{
-      head.header,
-      {FilmSums(head.width, head.height, head.sums, head.unit, true, head.kind), head.position, head.unusual, {}, {}, head.frame}};
+  Checkpoint checkpoint{head.header,
+                        {FilmSums(head.width, head.height, head.sums, head.unit, true, head.kind),
+                         head.position,
+                         head.unusual,
+                         {},
+                         {},
+                         head.frame}};
   FilmState& state = checkpoint.state;
   state.film.first_sample = head.header.first_sample;
   if (head.has_aovs) {

@@ -240,8 +240,8 @@ bool has_place(const kinds::IntegratorFacts& integrator, const std::string& name
   if (integrator.from_lights) return name != "MEDIA";
   const std::vector<std::string>& entries = kinds::integrator_names();
   return name != "LIGHT_PATHS" && std::none_of(entries.begin(), entries.end(), [&](const std::string& entry) {
-    return kinds::integrator(entry).from_lights && name == "integrators/" + entry;
-  });
+           return kinds::integrator(entry).from_lights && name == "integrators/" + entry;
+         });
 }
 
 }  // namespace

@@ -38,8 +38,8 @@ struct PictureError {
 [[nodiscard]] PixelError pixel_error_of_sequences(const FilmSums& film, std::size_t at);
 [[nodiscard]] PictureError picture_error_of_sequences(const FilmSums& film);
 
-/// Splats: four independent replicates of the whole picture, whose pixels are not independent. sizes: paths of a pixel on
-/// average, in each.
+/// Splats: four independent replicates of the whole picture, whose pixels are not independent. sizes: paths of a pixel
+/// on average, in each.
 [[nodiscard]] std::vector<double> replicate_sizes(const FilmSums& film);
 [[nodiscard]] PixelError pixel_error_of_replicates(const FilmSums& film, const std::vector<double>& sizes,
                                                    std::size_t at);

@@ -34,8 +34,7 @@ struct FilmSums {
   std::vector<int> samples;         ///< height x width: how many samples a pixel has, from first_sample on.
 
   /// holds_words: false where the words stay on the device (put_mean).
-  FilmSums(int width, int height, SubSums sums, double unit, bool holds_words = true,
-           FilmKind kind = FilmKind::pixels);
+  FilmSums(int width, int height, SubSums sums, double unit, bool holds_words = true, FilmKind kind = FilmKind::pixels);
   [[nodiscard]] std::size_t words_per_pixel() const;
   /// What rows [row, row + rows) lack of the samples below `end`: rectangles of pixels that are equally far.
   [[nodiscard]] std::vector<Launch> missing(int row, int rows, int end) const;

@@ -285,6 +285,7 @@ RenderResult FilmRun::run() {
 
 RenderResult Renderer::render(const ProgressCallback& progress, const RenderGoal& goal, const FilmKeeper* keeper) {
   if (!goal.rows) return FilmRun(*state_, goal, progress, keeper).run();
+  if (state_->film_kind() == FilmKind::splats) throw UsageError("light paths end in any row of the picture");
   /// The window of some rows while they are rendered.
   struct RowsOnly {
     Window& window;

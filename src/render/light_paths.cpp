@@ -30,10 +30,11 @@ void require_finite(const Scene& scene) {
   for (const Shape& shape : scene.shapes) {
     if (!is_unbounded(shape)) continue;
     if (far != scene.lights.end())
-      throw SceneError({{Severity::error, shape.where,
-                         fmt::format("integrator {} cannot light an infinite shape from afar (a light of type {}): take "
-                                     "a large finite one, or integrator path",
-                                     scene.integrator.name, kinds::light(*far).entry)}});
+      throw SceneError(
+          {{Severity::error, shape.where,
+            fmt::format("integrator {} cannot light an infinite shape from afar (a light of type {}): take "
+                        "a large finite one, or integrator path",
+                        scene.integrator.name, kinds::light(*far).entry)}});
     if (shape.radiance)
       throw SceneError({{Severity::error, shape.where,
                          fmt::format("integrator {} cannot begin paths on an emitter of infinite area: take a large "

@@ -72,10 +72,13 @@ struct Wanted {
   std::string name;
 };
 
-/// Programs of light paths have them whatever else they have, and for a way to leave a light the light.
+/// Programs of light paths have an integrator of them whatever else they have, and for a way to leave a light the
+/// light.
 Features completed(const std::string& kernel, Features features) {
-  for (auto& [name, on] : features.flags)
-    on = on || (name == "LIGHT_PATHS" && (kernel == "light_tracing" || features.has("integrators", "ptracer")));
+  const bool has_paths =
+      kernel == "light_tracing" || features.has("integrators", "ptracer") || features.flag("LIGHT_PATHS");
+  for (auto& [name, on] : features.flags) on = on || (name == "LIGHT_PATHS" && has_paths);
+  if (has_paths) features.entries["integrators"].insert("ptracer");
   for (const std::string& entry : features.entries["light_rays"]) features.entries["lights"].insert(entry);
   return features;
 }
@@ -85,8 +88,9 @@ void write(const Wanted& wanted, const std::string& kernel, const std::string& s
   static std::unordered_set<std::string> written;
   const std::string name = fmt::format("{}-{}-{}-{}.cl", kernel, precision_name(precision), lanes, set);
   if (!wanted.name.empty() && name != wanted.name) return;
-  const std::string text =
-      program_source("kernels/" + kernel + ".cl", completed(kernel, features), precision, lanes, 0, has_tree, path_lanes).text;
+  const std::string text = program_source("kernels/" + kernel + ".cl", completed(kernel, features), precision, lanes, 0,
+                                          has_tree, path_lanes)
+                               .text;
   if (set != "doubles" && !written.insert(essence(text)).second) return;
   std::ofstream file(wanted.folder / name);
   file << (set == "doubles" ? "#define WIDE_IS_DOUBLE 1\n" : "") << text;

@@ -81,12 +81,15 @@ void hold_radiance(const char* what, const TransportTier& tier, const Scene& sce
 /// A picture of one pixel, of what is seen along the ray and beside it.
 Scene seen_along(Scene scene, const GivenRay& ray) {
   scene.film.width = scene.film.height = 1;
-  scene.camera = perspective_camera(vec(ray.o), vec(ray.o) + vec(ray.d), {0, 1, 0}, 20);
+  scene.film.filter = {FilterKind::box, 0.5, 0.5};
+  scene.camera = perspective_camera(vec(ray.o), vec(ray.o) + vec(ray.d), {0, 1, 0}, 40);
   return scene;
 }
 
+constexpr std::uint32_t light_paths = 40'000;
+
 std::vector<std::int64_t> splats_of(const TransportTier& tier, const Scene& scene) {
-  return tier.splats(TierScene(scene, tier).buffers(), 16384);
+  return tier.splats(TierScene(scene, tier).buffers(), light_paths);
 }
 
 /// By paths from the lights.
@@ -98,7 +101,7 @@ void hold_splats(const char* what, const TransportTier& tier, const Scene& scene
     for (std::size_t sub = 0; sub < layout::FILM_SUBSUMS; ++sub)
       sum += value_of_splats(&words[(sub * layout::FILM_CHANNELS + k) * layout::SPLAT_WORDS]);
     // The largest standard error of the three is 0.008.
-    CHECK(sum / 16384 == Approx(expected[k]).margin(0.03));
+    CHECK(sum / light_paths == Approx(expected[k]).margin(0.03));
   }
 }
 

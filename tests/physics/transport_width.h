@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The questions of transport_tiers.h at one width; no guard. Within the tier's namespace.
 #include "physics/packets_width.h"
-// It comes first: these need what it includes.
-#include "camera/span_lanes.h"
-// As above.
+// It comes first: this needs what it includes.
 #include "integrators/light_paths_lanes.h"
 
 inline Triad LANED(triad_at)(const real3w& v, int lane) {

@@ -73,9 +73,9 @@ class KernelCopy {
 };
 
 const std::map<std::string, std::string> macros = {
-    {"areas", "AREA"},         {"choosers", "CHOOSER"}, {"integrators", "INTEGRATOR"}, {"light_rays", "LIGHT_RAY"}, {"lights", "LIGHT"},
-    {"materials", "MATERIAL"}, {"media", "MEDIUM"},     {"phases", "PHASE"},           {"samplers", "SAMPLER"},
-    {"shapes", "SHAPE"},       {"textures", "TEXTURE"}};
+    {"areas", "AREA"},       {"choosers", "CHOOSER"},   {"integrators", "INTEGRATOR"}, {"light_rays", "LIGHT_RAY"},
+    {"lights", "LIGHT"},     {"materials", "MATERIAL"}, {"media", "MEDIUM"},           {"phases", "PHASE"},
+    {"samplers", "SAMPLER"}, {"shapes", "SHAPE"},       {"textures", "TEXTURE"}};
 
 /// Another entry of a list, registered as CONTRIBUTING.md says, `first` before all others or after them.
 void add_entry(const KernelCopy& kernels, const std::string& list, const std::string& name, bool first) {
@@ -251,7 +251,7 @@ TEST_CASE("Programs of paths from the camera hold nothing of those from lights")
   for (const RenderSettings& settings : {RenderSettings{}, everything}) {
     Scene scene = lecture_scene("lit");
     const std::string text = picture_text_of(scene, settings);
-    for (const char* of_lights : {"adjoint_lanes.h", "ptracer", "splat_", "light_rays/"})
+    for (const char* of_lights : {"adjoint_lanes.h", "ptracer", "film/splat.h", "light_rays/"})
       CHECK(text.find(of_lights) == std::string::npos);
     scene.integrator.name = "ptracer";
     CHECK(picture_text_of(scene, settings).find("splat_place(") != std::string::npos);
