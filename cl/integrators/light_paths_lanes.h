@@ -28,8 +28,13 @@ FN SampleState_w light_sample_begin_w(const Scene* scene, uintw pixels, uintw nu
   return state;
 }
 
+FN int shows_background_w(const Scene* scene) {
+  return LIGHT_COUNT > 0 && scene->index[HEADER_MAX_DEPTH] > 0 && !hides_emitters(scene) &&
+         (scene->index[HEADER_BACKGROUND] >= 0 || scene->index[HEADER_SUN] >= 0);
+}
+
 /// What the camera sees behind the scene is seen along a ray through a pixel that the path's numbers draw.
-FN void show_background_w(const Scene* scene, const Paths_w* path, maskw which) {
+FN Joint_w background_joint_w(const Scene* scene, const Paths_w* path, maskw which) {
   PRIVATE const SplatFilm* film = scene->splats;
   GLOBAL const int* index = scene->index;
   Random2_w at = sample_pair_w(scene, &path->sample, USE_SEEN), within = sample_pair_w(scene, &path->sample, USE_PIXEL);
@@ -43,28 +48,18 @@ FN void show_background_w(const Scene* scene, const Paths_w* path, maskw which) 
     Random2_w bits = sample_pair_w(scene, &path->sample, USE_LENS);
     lens = square_to_disk_w(random_between_w(bits.x), random_between_w(bits.y));
   }
-  Rays_w rays;
-  dy = dy + real_of_int_w(rows);
+  Joint_w joint;
+  joint.is_background = 1;
+  joint.x = real_of_int_w(columns);
+  joint.y = real_of_int_w(rows);
   int height = (int)scene->shading[index[HEADER_SENSOR] + SENSOR_HEIGHT];
   camera_rays_w(scene->shading + index[HEADER_CAMERA], index[HEADER_WIDTH], height, columns + splat_int_w(film->x),
-                film->y, dx, dy, lens, &rays);
-  real3w d = real3_at_w(rays.planes + RAY_PLANE_D), light = far_radiance_w(scene, HEADER_BACKGROUND, d);
-  if (HAS_SUN) light = add3_w(light, far_radiance_w(scene, HEADER_SUN, d));
-  which = which & lt_w(splat_w(R(0.0)), max3_w(light));
-  if (!any_w(which)) return;
-  if (is_seen_through_w(scene)) {
-    Paths_w ahead = *path;
-    ahead.alive = which;
-    ahead.rays = rays;
-    light = scale3_w(passed_share_w(scene, &ahead), light);
-    which = which & lt_w(splat_w(R(0.0)), max3_w(light));
-  } else {
-    which = which & ~meets_any_w(scene, &rays, which);
-  }
-  for (uint lanes = bits_w(which); lanes != 0u; lanes &= lanes - 1u) {
-    int i = first_bit(lanes), sum = get_int_w((PRIVATE const intw*)&path->sample.pixel, i);
-    splat_pixel(scene, get_int_w(&columns, i), get_int_w(&rows, i), sum, SPLAT_OF_BACKGROUND_w, get3_w(&light, i));
-  }
+                film->y, dx, dy + joint.y, lens, &joint.rays);
+  real3w d = real3_at_w(joint.rays.planes + RAY_PLANE_D);
+  joint.light = far_radiance_w(scene, HEADER_BACKGROUND, d);
+  if (HAS_SUN) joint.light = add3_w(joint.light, far_radiance_w(scene, HEADER_SUN, d));
+  joint.which = which & lt_w(splat_w(R(0.0)), max3_w(joint.light));
+  return joint;
 }
 
 /// A place on a light as a surface that rays leave.
@@ -77,50 +72,64 @@ FN Surfaces_w light_surface_w(const LightRay_w* ray) {
   return s;
 }
 
-/// m ? a : b.
-FN uintw light_number_w(maskw m, uintw a, uintw b) {
-  return uint_of_int_w(sel_int_w(m, int_of_uint_w(a), int_of_uint_w(b)));
-}
-
-/// Begins paths of the given samples in the lanes of `which`.
-FN void light_paths_begin_w(const Scene* scene, Paths_w* path, maskw which, uintw pixels, uintw numbers) {
-  SampleState_w state = light_sample_begin_w(scene, pixels, numbers);
-  intw zero = splat_int_w(0), one = splat_int_w(1);
+/// Begins paths of the given samples in the lanes of `which`; all others end. s: gets the places on lights. Returns the
+/// joints of what the camera sees of the lights.
+FN Joint_w light_paths_begin_w(const Scene* scene, Paths_w* path, maskw which, uintw pixels, uintw numbers,
+                               Surfaces_w* s) {
   realw none = splat_w(R(0.0));
-  Paths_w begun = *path;
-  begun.sample = state;
-  begun.depth = zero;
-  int is_shown = scene->index[HEADER_MAX_DEPTH] > 0 && !hides_emitters(scene);
-  int is_open = LIGHT_COUNT > 0 && (scene->index[HEADER_BACKGROUND] >= 0 || scene->index[HEADER_SUN] >= 0);
-  if (is_shown && is_open) show_background_w(scene, &begun, which);
   maskw follows = none_w();
   LightRay_w ray = no_light_ray_w();
+  path->sample = light_sample_begin_w(scene, pixels, numbers);
+  path->alive = none_w();
+  path->depth = splat_int_w(0);
   if (LIGHT_COUNT > 0 && lights_drawn_from(scene) > 0) {
-    LightChoice_w choice = choose_light_w(scene, &state, zero, vec3_w(none, none, none));
-    Random2_w bits = vertex_pair_w(scene, &state, zero, USE_WAY);
+    LightChoice_w choice = choose_light_w(scene, &path->sample, path->depth, vec3_w(none, none, none));
+    Random2_w bits = vertex_pair_w(scene, &path->sample, path->depth, USE_WAY);
     Real2_w way;
     way.x = random_between_w(bits.x);
     way.y = random_between_w(bits.y);
-    ray = light_ray_w(scene, which, choice.light, light_numbers_w(scene, &state, zero), way);
+    ray = light_ray_w(scene, which, choice.light, light_numbers_w(scene, &path->sample, path->depth), way);
     ray.flux = scale3_w(choice.rarity, ray.flux);
     follows = which & lt_w(none, max3_w(ray.flux));
   }
-  Surfaces_w s = light_surface_w(&ray);
-  if (is_shown && any_w(follows & ray.is_surface)) {
-    SensorWay_w seen = way_to_sensor_w(scene, &begun, follows & ray.is_surface, ray.from);
-    realw cosine = dot3_w(ray.normal, unit3_w(seen.towards));
-    maskw is_front = seen.which & lt_w(none, cosine);
-    send_to_sensor_w(scene, &begun, &s, is_front, &seen, scale3_w(splat_w(ONE_OVER_PI) * cosine, ray.flux));
-  }
+  *s = light_surface_w(&ray);
   Rays_w rays;
-  rays_leaving_w(&s, follows, ray.way, splat_w(REAL_MAX), &rays);
-  path->sample.seed = state.seed;
-  path->sample.sequences = state.sequences;
-  path->sample.pixel = light_number_w(which, state.pixel, path->sample.pixel);
-  path->sample.sample = light_number_w(which, state.sample, path->sample.sample);
-  path->sample.reversed = light_number_w(which, state.reversed, path->sample.reversed);
-  path->sample.key = light_number_w(which, state.key, path->sample.key);
+  rays_leaving_w(s, follows, ray.way, splat_w(REAL_MAX), &rays);
   paths_begin_w(scene, path, follows, &rays);
   path->radiance = sel3_w(follows, ray.flux, path->radiance);
-  path->depth = sel_int_w(follows, one, path->depth);
+  maskw is_shown = follows & ray.is_surface;
+  if (scene->index[HEADER_MAX_DEPTH] <= 0 || hides_emitters(scene) || !any_w(is_shown)) return no_joint_w();
+  SensorWay_w seen = way_to_sensor_w(scene, path, is_shown, ray.from);
+  realw cosine = dot3_w(ray.normal, unit3_w(seen.towards));
+  return joint_w(s, seen.which & lt_w(none, cosine), &seen, scale3_w(splat_w(ONE_OVER_PI) * cosine, ray.flux));
+}
+
+/// Samples that begin, a lane each.
+typedef struct {
+  maskw which;
+  uintw pixels, numbers;  ///< Of the film, and of the pixel.
+} NewPaths_w;
+
+/// The first vertex of new paths, on their lights, or the next of all that are alive: each is joined with the sensor.
+ONCE_FN void follow_light_paths_w(const Scene* scene, Paths_w* path, Branches_w* branches, const NewPaths_w* begun) {
+  const FirstSamples none = {0, 0, 0, 0u};
+  int are_new = any_w(begun->which);
+  Surfaces_w s;
+  Joint_w joint;
+  if (are_new) {
+    joint = light_paths_begin_w(scene, path, begun->which, begun->pixels, begun->numbers, &s);
+  } else {
+    s = find_surfaces_w(scene, path, FIND_NEAREST_APPROXIMATELY, &none);
+    joint = ptracer_joint_w(scene, path, &s);
+  }
+  // One call for all joints, so that a program holds one traversal for them.
+  for (int more = are_new && shows_background_w(scene);; more = 0) {
+    add_joints_w(scene, path, &joint);
+    if (!more) break;
+    joint = background_joint_w(scene, path, begun->which);
+  }
+  if (are_new)
+    path->depth = sel_int_w(path->alive, splat_int_w(1), path->depth);
+  else
+    surface_step_w(scene, path, &s, branches);
 }

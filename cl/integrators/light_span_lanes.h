@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Light paths of a span's samples; needs camera/span_lanes.h. One width; no guard.
 
-/// As begin_paths of camera/span_lanes.h. Some samples of the span may end at once.
-FN void begin_light_paths_w(const Scene* scene, Paths_w* path, Span* span) {
+/// As begin_paths of camera/span_lanes.h, for as many samples of the span as there are lanes.
+FN NewPaths_w new_paths_w(const Scene* scene, Span* span) {
   intw numbers = splat_int_w(0), pixels = numbers, is_begun = numbers;
   int first = (span->y - scene->splats->y) * scene->splats->columns + span->x - scene->splats->x;
-  for (uint idle = bits_w(~path->alive); idle != 0u && span->column < span->columns; idle &= idle - 1u) {
-    int lane = first_bit(idle);
+  for (int lane = 0; lane < LANES && span->column < span->columns; ++lane) {
     put_int_w(&numbers, lane, span->next);
     put_int_w(&pixels, lane, first + span->column);
     put_int_w(&is_begun, lane, 1);
@@ -14,5 +13,16 @@ FN void begin_light_paths_w(const Scene* scene, Paths_w* path, Span* span) {
     span->next = span->first;
     ++span->column;
   }
-  light_paths_begin_w(scene, path, nonzero_w(is_begun), uint_of_int_w(pixels), uint_of_int_w(numbers));
+  NewPaths_w begun;
+  begun.which = nonzero_w(is_begun);
+  begun.pixels = uint_of_int_w(pixels);
+  begun.numbers = uint_of_int_w(numbers);
+  return begun;
+}
+
+FN NewPaths_w no_new_paths_w(void) {
+  NewPaths_w begun;
+  begun.which = none_w();
+  begun.pixels = begun.numbers = splat_uint_w(0u);
+  return begun;
 }

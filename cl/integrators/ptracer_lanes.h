@@ -18,17 +18,17 @@ FN real3w shown_light_w(const Scene* scene, const Paths_w* path, const Surfaces_
   return mul3_w(mul3_w(path->radiance, path->throughput), share);
 }
 
-FN maskw ptracer_step_w(const Scene* scene, Paths_w* path, const Surfaces_w* s, PRIVATE int* next) {
-  intw most = splat_int_w(scene->index[HEADER_MAX_DEPTH]);
-  *next = ptracer_STEPS_w;
-  maskw on = path->alive & s->hit & lt_int_w(path->depth, most);
-  maskw is_shown = on;
+/// The joints of the surfaces that the rays of `path` have met.
+FN Joint_w ptracer_joint_w(const Scene* scene, const Paths_w* path, const Surfaces_w* s) {
+  maskw is_shown = path->alive & s->hit & lt_int_w(path->depth, splat_int_w(scene->index[HEADER_MAX_DEPTH]));
   if (HAS_EMISSION && hides_emitters(scene))
-    is_shown = on & lt_int_w(part_entry_w(scene, s, PART_RADIANCE), splat_int_w(0));
+    is_shown = is_shown & lt_int_w(part_entry_w(scene, s, PART_RADIANCE), splat_int_w(0));
   SensorWay_w way = way_to_sensor_w(scene, path, is_shown, s->position);
-  if (any_w(way.which)) {
-    real3w light = shown_light_w(scene, path, s, way.which, &way);
-    send_to_sensor_w(scene, path, s, way.which, &way, light);
-  }
-  return on & lt_int_w(path->depth, most - splat_int_w(1));
+  if (!any_w(way.which)) return no_joint_w();
+  return joint_w(s, way.which, &way, shown_light_w(scene, path, s, way.which, &way));
+}
+
+FN maskw ptracer_step_w(const Scene* scene, Paths_w* path, const Surfaces_w* s, PRIVATE int* next) {
+  *next = ptracer_STEPS_w;
+  return path->alive & s->hit & lt_int_w(path->depth, splat_int_w(scene->index[HEADER_MAX_DEPTH] - 1));
 }

@@ -32,36 +32,27 @@
 #include "integrators/path_pool_lanes.h"
 #endif
 
-/// One surface of each path that is alive.
-ONCE_FN void follow_light_paths_w(const Scene* scene, Paths_w* path, Branches_w* branches) {
-  const FirstSamples none = {0, 0, 0, 0u};
-  Surfaces_w surfaces = find_surfaces_w(scene, path, FIND_NEAREST_APPROXIMATELY, &none);
-  surface_step_w(scene, path, &surfaces, branches);
-}
-
+#if LANES == 1
 /// As follow_in_lanes of kernels/render.cl.
 FN void trace_in_lanes_w(Scene scene, Span span) {
   Paths_w path;
-  paths_none_w(&path);
-  path.sample = light_sample_begin_w(&scene, splat_uint_w(0u), splat_uint_w(0u));
   Branches_w branches;
+  paths_none_w(&path);
   branches.count = splat_int_w(0);
   while (span_left(&span) > 0) {
-    begin_light_paths_w(&scene, &path, &span);
-    int is_full;
+    NewPaths_w begun = new_paths_w(&scene, &span);
     do {
-      follow_light_paths_w(&scene, &path, &branches);
-      is_full = span_left(&span) == 0 || 8u * lanes_among(bits_w(~path.alive)) < LANES;
-    } while (is_full && any_w(path.alive));
-    if (HAS_LOOP_LIMIT) {  // A path at a time, of one pixel.
+      follow_light_paths_w(&scene, &path, &branches, &begun);
+      begun.which = none_w();
+    } while (any_w(path.alive));
+    if (HAS_LOOP_LIMIT) {
       if (!loops_were_whole()) return;
       scene.splats->done[DONE_SAMPLE] = (uint)(span_left(&span) > 0 ? span.next : span.end);
       scene.splats->done[DONE_SPLATS] = 0u;
     }
   }
 }
-
-#if LANES != 1
+#else
 /// As follow_in_pools of kernels/render.cl.
 ONCE_FN void trace_in_pools_w(Scene scene, Span span) {
   PathPool_w pool;
@@ -74,13 +65,12 @@ ONCE_FN void trace_in_pools_w(Scene scene, Span span) {
   while (span_left(&span) > 0 || pool.count > 0) {
     int are_new = pool.count == 0, count = are_new ? min((int)POOL_PATHS, span_left(&span)) : pool.count;
     for (int i = 0; i < count; i += LANES) {
-      if (are_new) {
-        path.alive = none_w();
-        begin_light_paths_w(&scene, &path, &span);
-      } else {
+      NewPaths_w begun = no_new_paths_w();
+      if (are_new)
+        begun = new_paths_w(&scene, &span);
+      else
         pool_take_w(&pool, i, &path);
-      }
-      follow_light_paths_w(&scene, &path, &branches);
+      follow_light_paths_w(&scene, &path, &branches, &begun);
       pool_put_w(&pool, i, are_new, &path);
     }
     pool_turn_w(&pool);

@@ -275,20 +275,17 @@ inline std::vector<std::int64_t> LANED(splats_of)(const TierBuffers& buffers, st
   Scene scene = scene_of(buffers);
   scene.counters = counters;
   scene.splats = &film;
-  const FirstSamples unreported{nullptr, nullptr, 0, 0u};
   Branches_w branches;
   branches.count = splat_int_w(0);
   for (std::uint32_t first = 0; first < samples; first += LANES) {
     Paths_w path;
     paths_none_w(&path);
-    path.sample = light_sample_begin_w(&scene, splat_uint_w(0u), splat_uint_w(0u));
     const uintw numbers = lane_numbers_w() + first;
-    const maskw are_asked_for = lt_int_w(int_of_uint_w(numbers), splat_int_w((int)samples));
-    light_paths_begin_w(&scene, &path, are_asked_for, splat_uint_w(0u), numbers);
-    while (any_w(path.alive)) {
-      const Surfaces_w s = find_surfaces_w(&scene, &path, FIND_NEAREST_APPROXIMATELY, &unreported);
-      surface_step_w(&scene, &path, &s, &branches);
-    }
+    NewPaths_w begun = {lt_int_w(int_of_uint_w(numbers), splat_int_w((int)samples)), splat_uint_w(0u), numbers};
+    do {
+      follow_light_paths_w(&scene, &path, &branches, &begun);
+      begun.which = none_w();
+    } while (any_w(path.alive));
   }
   return words;
 }

@@ -251,7 +251,7 @@ TEST_CASE("Programs of paths from the camera hold nothing of those from lights")
   for (const RenderSettings& settings : {RenderSettings{}, everything}) {
     Scene scene = lecture_scene("lit");
     const std::string text = picture_text_of(scene, settings);
-    for (const char* of_lights : {"adjoint_lanes.h", "ptracer", "film/splat.h", "light_rays/"})
+    for (const char* of_lights : {"adjoint_lanes.h", "ptracer", "splat_place(", "light_rays/"})
       CHECK(text.find(of_lights) == std::string::npos);
     scene.integrator.name = "ptracer";
     CHECK(picture_text_of(scene, settings).find("splat_place(") != std::string::npos);

@@ -36,14 +36,14 @@ FN realw passed_share_w(const Scene* scene, Paths_w* ahead) {
 /// 1: something may be seen through.
 FN int is_seen_through_w(const Scene* scene) { return HAS_MASK || (HAS_EMISSION && hides_emitters(scene)); }
 
-/// From the surfaces of `path` to the sensor.
-FN realw sensor_share_w(const Scene* scene, const Paths_w* path, const Surfaces_w* s, maskw which, real3w towards,
-                        realw t_max) {
-  realw zero = splat_w(R(0.0));
-  if (!is_seen_through_w(scene))
-    return sel_w(sees_along_w(scene, s, which, towards, t_max, splat_int_w(-1)), splat_w(R(1.0)), zero);
+/// What is left of light along rays to or from the sensor.
+FN realw unhindered_share_w(const Scene* scene, const Paths_w* path, maskw which, Rays_w* rays) {
+  if (!is_seen_through_w(scene)) {
+    if (HAS_COUNT_RAYS) count_events(scene, COUNT_SHADOW, lanes_among(bits_w(which)));
+    return sel_w(which & ~meets_any_w(scene, rays, which), splat_w(R(1.0)), splat_w(R(0.0)));
+  }
   Paths_w ahead = *path;
   ahead.alive = which;
-  rays_leaving_w(s, which, towards, t_max, &ahead.rays);
+  ahead.rays = *rays;
   return passed_share_w(scene, &ahead);
 }
