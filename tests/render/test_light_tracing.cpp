@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "errors.h"
+#include "kinds/materials.h"
 #include "render/film_state.h"
 #include "render/stage.h"
 #include "scene/model/build.h"
@@ -72,6 +73,20 @@ void hold_like_path(const char* what, const Scene& scene, int samples = 128, dou
   CHECK(ours == Approx(theirs).epsilon(tolerance));
 }
 
+/// One of the project's, with a finite floor, and diffuse where it mirrors: paths from lights do not find what the
+/// camera sees in mirrors, nor paths from the camera what mirrors throw of points.
+Scene without_mirrors(const std::string& path) {
+  Scene scene = load_scene((scene_folder / path).string() + ".xml").scene;
+  for (Material& material : scene.materials)
+    if (material_facts(material).has_lobe(lobes::LOBE_DELTA)) material.bsdf = Diffuse{{{0.5, 0.5, 0.5}}};
+  for (Shape& shape : scene.shapes)
+    if (const auto* plane = std::get_if<Plane>(&shape.geometry)) {
+      const Vec3 u = 30 * plane->u, v = 30 * plane->v;
+      shape.geometry = Rectangle{plane->point - u - v, 2 * u, 2 * v};
+    }
+  return scene;
+}
+
 /// A ball over a floor, both of the material.
 Scene ball_on_floor(const Material& material) {
   Scene scene;
@@ -112,7 +127,7 @@ TEST_CASE("every light, from its own end") {
 TEST_CASE("lights of the project's scenes: images of the sky, projectors, spots, textured screens") {
   require_pocl_and_rusticl();
   for (const char* name : {"envmap", "sunsky", "projector", "spot", "screen", "sphere", "disk", "cylinder", "mesh"})
-    hold_like_path(name, load_scene((scene_folder / "lights" / name).string() + ".xml").scene, 64, 0.02);
+    hold_like_path(name, without_mirrors(std::string("lights/") + name), 64, 0.02);
 }
 
 TEST_CASE("lenses, filters, cameras of parallel rays and parts of a picture") {
@@ -138,10 +153,8 @@ TEST_CASE("glass scales radiance and not flux; shading normals and reliefs count
   scene.shapes[1].material = 1;
   scene.integrator.max_depth = 8;
   hold_like_path("rough glass", scene, 512, 0.02);
-  for (const char* name : {"roughconductor", "blendbsdf", "mask", "normalmap", "plastic"}) {
-    Scene shipped = load_scene((scene_folder / "materials" / name).string() + ".xml").scene;
-    hold_like_path(name, shipped, 128, 0.02);
-  }
+  for (const char* name : {"roughconductor", "mask", "normalmap", "roughplastic"})
+    hold_like_path(name, without_mirrors(std::string("materials/") + name), 64, 0.02);
 }
 
 TEST_CASE("max_depth and hidden emitters leave out what they do from the camera") {
@@ -173,12 +186,12 @@ TEST_CASE("the same bits by any lanes, launches and programs") {
     scene.sampler.kind = sampler;
     const RenderResult expected = render("pocl", scene, {});
     CHECK(lit_pixels(expected.color) > 200);
-    for (const int lanes : {1, 8}) {
+    for (const int lanes : {1, 16}) {
       RenderSettings other;
       other.lanes = lanes;
       other.passes = 5;
       other.work_group = {3, 2};
-      other.generic = lanes == 8;
+      other.generic = lanes == 16;
       const RenderResult found = render("pocl", scene, other);
       CHECK(same_bits(expected, found));
       CHECK(is_told_alike(expected, found));
@@ -191,11 +204,20 @@ TEST_CASE("the same bits by any lanes, launches and programs") {
 
 TEST_CASE("on a device that ends loops, too, each splat is made once") {
   require_pocl_and_rusticl();
-  const Scene scene = caustic();
+  // A small program: llvmpipe takes minutes for large ones.
+  Scene scene = stage({Sphere{{0, 0, 0}, 1.5}}, diffuse({0.8, 0.8, 0.8}));
+  add(scene, PointLight{{0, 1, 4}, {8, 8, 8}});
+  scene.integrator.name = "ptracer";
+  scene.film.width = scene.film.height = 8;
+  scene.film.filter = {FilterKind::box, 0.5, 0.5};
+  scene.sampler.kind = SamplerKind::independent;
+  scene.sampler.sample_count = 256;
   RenderSettings watched;
+  watched.precision = Precision::stable;
+  RenderSettings plain = watched;
   watched.loop_turns = 65534;
   watched.passes = 1;
-  const RenderResult expected = render("pocl", scene, {}), found = render("llvmpipe", scene, watched);
+  const RenderResult expected = render("pocl", scene, plain), found = render("llvmpipe", scene, watched);
   CHECK(same_bits(expected, found));
   CHECK(found.stats.kernel_runs.size() > 1);  // Paths were cut short.
   CHECK(same_bits(expected, render("pocl", scene, watched)));
