@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// From places in the scene to the sensor: the way there, where on the picture it ends, and what light on it is worth. The
-// camera's rays (camera/camera_lanes.h) the other way round. One width; no guard.
+// From places in the scene to the sensor: the way there, where on the picture it ends, and what light on it is worth.
+// The camera's rays (camera/camera_lanes.h) the other way round. One width; no guard.
 
 typedef struct {
   maskw which;     ///< Lanes that the film sees, as far as nothing is in the way.
@@ -48,7 +48,8 @@ FN SensorWay_w sensor_way_w(const Scene* scene, maskw which, real3w position, Re
   // |d| of the camera's ray is the distance over t.
   realw length = inverse * length3_w(back);
   // The mean is over the paths of a pixel: the film has as many times more as it has pixels.
-  real pixels = (real)scene->index[HEADER_WIDTH] * sensor[SENSOR_HEIGHT], paths = (real)film->columns * (real)film->rows;
+  real pixels = (real)scene->index[HEADER_WIDTH] * sensor[SENSOR_HEIGHT],
+       paths = (real)film->columns * (real)film->rows;
   way.gain = splat_w(sensor[SENSOR_GAIN] * (pixels / paths)) * length * (spreads ? inverse * inverse : one);
   return way;
 }

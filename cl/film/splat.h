@@ -11,9 +11,7 @@
 #define STRAHL_FILM_SPLAT_H
 
 #include "film/film.h"
-#if HAS_LOOP_LIMIT
 #include "kernels/whole_loops.h"
-#endif
 #include "scene/scene.h"
 
 #if ON_HOST
@@ -48,11 +46,10 @@ FN void splat_channel(const Scene* scene, GLOBAL long* words, real given) {
 /// path that the device has cut short is followed again, and each of its splats is made once.
 FN void splat_pixel(const Scene* scene, int column, int row, int sum, int number, real3 light) {
   PRIVATE const SplatFilm* film = scene->splats;
-#if HAS_LOOP_LIMIT
-  if ((uint)number <= film->done[DONE_SPLATS] || !loops_were_whole()) return;
-  film->done[DONE_SPLATS] = (uint)number;
-#endif
-  (void)number;
+  if (HAS_LOOP_LIMIT) {
+    if ((uint)number <= film->done[DONE_SPLATS] || !loops_were_whole()) return;
+    film->done[DONE_SPLATS] = (uint)number;
+  }
   ulong pixel = (ulong)row * (ulong)film->columns + (ulong)column;
   GLOBAL long* words = film->words + (pixel * (ulong)film->sums + (ulong)sum) * (FILM_CHANNELS * SPLAT_WORDS);
   splat_channel(scene, words, light.x);

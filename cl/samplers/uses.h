@@ -35,8 +35,8 @@ enum {
 /// Numbers of the way from each vertex of a light path to the sensor, from pair FIRST_OF_SENSOR on. Vertex 0 is on the
 /// light, and there USE_WAY is the direction in which the path sets out, or the place where it enters the scene.
 enum {
-  USE_SENSOR_LENS = 0,    ///< The place on the lens.
-  USE_SENSOR_PIXEL = 2,   ///< Which of the pixels whose filters reach there.
+  USE_SENSOR_LENS = 0,   ///< The place on the lens.
+  USE_SENSOR_PIXEL = 2,  ///< Which of the pixels whose filters reach there.
   PAIRS_A_SENSOR_WAY = 2
 };
 #define FIRST_OF_SENSOR 0x80000000u

@@ -29,3 +29,4 @@
 #define HAS_AOV 1
 #define HAS_ALBEDO 1
 #define HAS_COUNT_RAYS 0
+#define HAS_LOOP_LIMIT 0

@@ -378,22 +378,10 @@ TEST_CASE("Entries are numbered among the active ones, as the program's enumerat
   CHECK_THROWS_AS(features.entry_index("shapes", "torus"), std::logic_error);
 }
 
-TEST_CASE("--generic has everything on but counters, watched loops, what changes the picture and other kernels") {
-  Scene scene = scene_of(Sphere{});
+TEST_CASE("--generic is why, but for what the scene calls for") {
+  const Scene scene = scene_of(Sphere{});
   RenderSettings settings;
   settings.generic = true;
-  const std::set<std::string> off = {"COUNT_RAYS", "LOOP_LIMIT", "TEXTURE_LOD"};
-  const std::set<std::string> of_light_paths = {"integrators/ptracer", "LIGHT_PATHS"};
-  for (const FeatureReport& row : features_of(scene, settings).report) {
-    INFO(row.name);
-    CHECK(row.on == (!off.contains(row.name) && !of_light_paths.contains(row.name)));
-  }
-  scene.integrator.name = "ptracer";
-  for (const FeatureReport& row : features_of(scene, settings).report) {
-    INFO("ptracer: " << row.name);
-    CHECK(row.on == (!off.contains(row.name) && row.name != "MEDIA"));
-  }
-  scene.integrator.name = scene_of(Sphere{}).integrator.name;
   check_on(scene, settings, "shapes/disk", 0, "--generic");
   check_on(scene, settings, "shapes/sphere", 10, "a shape made of sphere primitives");
   settings.count_rays = true;
