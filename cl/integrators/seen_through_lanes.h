@@ -34,7 +34,10 @@ FN realw passed_share_w(const Scene* scene, Paths_w* ahead) {
 }
 
 /// 1: something may be seen through.
-FN int is_seen_through_w(const Scene* scene) { return HAS_MASK || (HAS_EMISSION && hides_emitters(scene)); }
+FN int is_seen_through_w(const Scene* scene) {
+  if (HAS_MASK) return 1;
+  return HAS_EMISSION ? hides_emitters(scene) : 0;
+}
 
 /// What is left of light along rays to or from the sensor.
 FN realw unhindered_share_w(const Scene* scene, const Paths_w* path, maskw which, Rays_w* rays) {
