@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 foreach(name first_principles large_ground invariance launches closed_form terminator metamorphic mirrors checkerboard
              mirror_box numeric_error accuracy_scenes area_lights many_lights path paths_in_lanes ao disabled error_coverage
-             goals resume sphere_cloud film glass albedo media light_tracing)
+             goals resume sphere_cloud film glass albedo media)
   strahl_test(render/test_${name}.cpp LABEL render)
 endforeach()
 strahl_test(render/test_limitations.cpp LABEL unit)
@@ -16,6 +16,7 @@ set_tests_properties(render_test_generic_all_tiers PROPERTIES LABELS slow TIMEOU
 # Where nothing is cached yet, rusticl takes some ten seconds for a stable program.
 strahl_test(render/test_devices.cpp LABEL render TIMEOUT 900)
 strahl_test(render/test_loop_limit.cpp LABEL render TIMEOUT 300)
+strahl_test(render/test_light_tracing.cpp LABEL render TIMEOUT 400)
 
 add_test(NAME render_test_oclgrind COMMAND ${CMAKE_CURRENT_LIST_DIR}/test_oclgrind $<TARGET_FILE:strahl-bin>
                                            ${PROJECT_SOURCE_DIR}/scenes/lecture/lit.xml ${PROJECT_SOURCE_DIR}/scenes/lecture/first-light.xml)
