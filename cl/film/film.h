@@ -22,14 +22,29 @@ FN real film_value(const Scene* scene, real value, int times) {
   return is_number ? bits_to_real((bits & sign) | real_to_bits(FILM_LARGEST)) : R(0.0);
 }
 
+/// A number's digits, from 2^63 on, and the power of two that 2^63 is worth.
+typedef struct {
+  ulong digits;
+  int power, is_negative;
+} FilmDigits;
+
+FN FilmDigits film_digits(real value) {
+  bitsr bits = real_to_bits(value), sign = (bitsr)1 << (REAL_BITS - 1), leading = (bitsr)1 << REAL_EXPONENT_SHIFT;
+  int exponent = (int)((bits & ~sign) >> REAL_EXPONENT_SHIFT);
+  FilmDigits d;
+  // Subnormal numbers have the smallest exponent, and no leading 1.
+  d.digits = (ulong)((bits & (leading - 1u)) | (exponent > 0 ? leading : 0u)) << (63 - REAL_EXPONENT_SHIFT);
+  d.power = max(exponent, 1) - (REAL_EXPONENT_MASK >> 1);
+  d.is_negative = (bits & sign) != 0u;
+  return d;
+}
+
 /// Cuts a film_value into bins. A float is kept whole; of a double at least the 41 leading bits are kept, and nothing
 /// below 2^-220.
 FN FilmBins film_bins_of(real value) {
-  bitsr bits = real_to_bits(value), sign = (bitsr)1 << (REAL_BITS - 1), leading = (bitsr)1 << REAL_EXPONENT_SHIFT;
-  int exponent = (int)((bits & ~sign) >> REAL_EXPONENT_SHIFT);
-  // Subnormal numbers have the smallest exponent, and no leading 1.
-  ulong digits = (ulong)((bits & (leading - 1u)) | (exponent > 0 ? leading : 0u)) << (63 - REAL_EXPONENT_SHIFT);
-  int place = max(exponent, 1) - (REAL_EXPONENT_MASK >> 1) + FILM_ORIGIN;
+  FilmDigits number = film_digits(value);
+  ulong digits = number.digits;
+  int place = number.power + FILM_ORIGIN;
   FilmBins bins;
   bins.top = 0;
   bins.high = bins.low = 0;
@@ -38,7 +53,7 @@ FN FilmBins film_bins_of(real value) {
   bins.top = below + 1;
   bins.high = (long)(digits >> (63 - above));
   bins.low = (long)(digits << (above + 1) >> (64 - FILM_BIN_BITS));
-  if (bits & sign) {
+  if (number.is_negative) {
     bins.high = -bins.high;
     bins.low = -bins.low;
   }

@@ -8,3 +8,6 @@
 #include "integrators/path_lanes.h"
 #include "integrators/volpath_lanes.h"
 #include "integrators/ao_lanes.h"
+#include "integrators/adjoint_lanes.h"  // of ptracer
+#include "integrators/sensor_lanes.h"   // of ptracer
+#include "integrators/ptracer_lanes.h"

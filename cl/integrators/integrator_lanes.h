@@ -14,6 +14,7 @@
 #endif
 
 #include "integrators/direct_light_lanes.h"
+#include "integrators/crossing_lanes.h"
 #include "integrators/all_lanes.h"
 
 /// The steps that an active integrator may ask for; the program holds no others.
@@ -24,7 +25,6 @@ enum {
 #undef INTEGRATOR
 };
 
-#include "integrators/crossing_lanes.h"
 #include "integrators/scatter_lanes.h"
 #include "integrators/branches_lanes.h"
 

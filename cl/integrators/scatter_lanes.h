@@ -23,6 +23,9 @@ FN maskw path_scatter_w(const Scene* scene, Paths_w* path, const Surfaces_w* s, 
   vertex_turn_w(scene, path, s, number, u, v, &way);
 #endif
   keep_straight_w(&way, *on);
+#if HAS_LIGHT_PATHS
+  if ((STEPS_w & STEP_ADJOINT) && (next & STEP_ADJOINT) != 0) make_adjoint_w(scene, path, b, s, which, &way);
+#endif
   real3w throughput = mul3_w(path->throughput, way.weight);
   realw most = max3_w(throughput), eta2 = path->eta2;
   which = which & lt_w(splat_w(R(0.0)), most);

@@ -9,7 +9,8 @@ enum {
   STEP_SCATTER = 4,    ///< Follow a direction that the material draws; drawn lights are then weighted against it.
   STEP_ROULETTE = 8,   ///< Apply Russian roulette.
   STEP_OPENNESS = 16,  ///< Add white if an ambient-occlusion ray hits nothing.
-  STEP_THROUGH = 32    ///< Light goes through masks as if they were not there, and through media.
+  STEP_THROUGH = 32,   ///< Light goes through masks as if they were not there, and through media.
+  STEP_ADJOINT = 64    ///< The path comes from a light: what the material does to it is the adjoint.
 };
 
 #endif

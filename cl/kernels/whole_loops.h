@@ -10,9 +10,13 @@
 /// 1: the device has ended none of the loops so far. The question costs three turns. The number two is unknown at
 /// compile time, since a compiler would unroll a loop of constant length.
 FN int loops_were_whole(void) {
+#if ON_HOST
+  return 1;
+#else
   uint turns = get_global_size(0) > 0 ? 2u : 1u, made = 0u;
   for (uint i = 0u; i < turns; ++i) ++made;
   return made == 2u;
+#endif
 }
 
 #endif

@@ -13,6 +13,7 @@ enum {
   USE_PIXEL = 0,    ///< The place within the pixel.
   USE_LENS = 2,     ///< The place on the lens.
   USE_CHANNEL = 4,  ///< The channel that distances within media are drawn for.
+  USE_SEEN = 6,     ///< The pixel through which a light path's sample sees the background.
   PAIRS_A_SAMPLE = 4
 };
 
@@ -30,5 +31,14 @@ enum {
   USE_BLEND = 15,    ///< Which of the materials of a blend.
   PAIRS_A_VERTEX = 8
 };
+
+/// Numbers of the way from each vertex of a light path to the sensor, from pair FIRST_OF_SENSOR on. Vertex 0 is on the
+/// light, and there USE_WAY is the direction in which the path sets out, or the place where it enters the scene.
+enum {
+  USE_SENSOR_LENS = 0,   ///< The place on the lens.
+  USE_SENSOR_PIXEL = 2,  ///< Which of the pixels whose filters reach there.
+  PAIRS_A_SENSOR_WAY = 2
+};
+#define FIRST_OF_SENSOR 0x80000000u
 
 #endif

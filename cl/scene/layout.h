@@ -14,12 +14,14 @@ enum {
   HEADER_SUMS,        // The film's sums of a pixel, FILM_SUBSUMS or 1, ...
   HEADER_SEQUENCES,   // ... the number of sample sequences, ...
   HEADER_TURN_BITS,   // ... and log2 of the run of a sequence's points that go into one sum (film/sub_sums.h).
+  HEADER_FILM_ROWS,   // Rows of the film, of which a launch renders a part.
   HEADER_INTEGRATOR,  // INTEGRATOR_direct, ...
   HEADER_MAX_DEPTH,   // -1: no limit
   HEADER_RR_DEPTH,    // Surfaces after which Russian roulette begins.
   HEADER_HIDE_EMITTERS,
   HEADER_SAMPLER,    // SAMPLER_independent, ...
   HEADER_CAMERA,     // -> shading
+  HEADER_SENSOR,     // -> shading, SENSOR_REALS and a table, where light paths end on the sensor; else -1
   HEADER_FILTER,     // -> shading, FILTER_CELLS + 1 quantiles
   HEADER_PARTS,      // -> index, PART_INTS a part
   HEADER_MATERIALS,  // -> index, MATERIAL_INTS a material
@@ -187,6 +189,22 @@ enum {
 
 enum { FILTER_CELLS = 1024 };
 
+// The camera the other way round: of a vector v from its origin, SENSOR_T v is t on the ray that leads there, and
+// SENSOR_X v and SENSOR_Y v are sx and sy of that ray, times t where rays spread from a point. SENSOR_GAIN: one over
+// the volume that the picture's two edges and D span at t = 1 (camera/projection_lanes.h). SENSOR_SPREADS: 1, or 0
+// where rays are parallel. SENSOR_HEIGHT: rows of the picture. Then half the width of the pixel filter, and its density
+// at FILTER_CELLS + 1 places from one end to the other.
+enum {
+  SENSOR_T = 0,
+  SENSOR_X = 3,
+  SENSOR_Y = 6,
+  SENSOR_GAIN = 9,
+  SENSOR_SPREADS = 10,
+  SENSOR_HEIGHT = 11,
+  SENSOR_FILTER_HALF = 12,
+  SENSOR_REALS = 13
+};
+
 // Number of mirrors after which a path ends if HEADER_MAX_DEPTH is -1.
 enum { WHITTED_LONGEST = 1024 };
 // Number of surfaces after which a path ends that only Russian roulette limits. A path survives roulette with
@@ -196,6 +214,9 @@ enum { ROULETTE_LONGEST = 512 };
 // Film: FILM_SUBSUMS x 3 sums a pixel (film/sub_sums.h), or 1 x 3, each of FILM_SUM_WORDS words of 64 bits
 // (film/film_sum.h), docs/decisions/0002-film.md.
 enum { FILM_SUBSUMS = 4, FILM_CHANNELS = 3, FILM_SUM_WORDS = 2 };
+// The film of light paths has a word of 64 bits for each of SPLAT_WORDS bins of SPLAT_BITS bits in a sum; the first bin
+// begins at 2^-SPLAT_ORIGIN (film/splat.h).
+enum { SPLAT_WORDS = 9, SPLAT_BITS = 32, SPLAT_ORIGIN = 148 };
 
 // Paths of a pool (integrators/path_pool_lanes.h): what a work-item of more than one lane follows at a time.
 enum { POOL_PATHS = 64 };
@@ -219,7 +240,8 @@ enum { AOV_SHAPE, AOV_PRIMITIVE, AOV_INTS };
 
 // COUNT_CUT, COUNT_STUCK: work-items whose loops the device has ended before their last sample, or before their first.
 // Only programs with HAS_LOOP_LIMIT have them. There the counters are followed by one number for each pixel of the
-// film: the first sample that is not in the film yet.
+// film: the first sample that is not in the film yet. Of light paths they are DONE_OF_PATHS numbers: that sample, and
+// how many of its splats are in the film.
 enum {
   COUNT_SATURATED,
   COUNT_INVALID,
@@ -233,6 +255,7 @@ enum {
   COUNT_STUCK,
   COUNTERS
 };
+enum { DONE_SAMPLE, DONE_SPLATS, DONE_OF_PATHS };
 
 // strahl intersect: a ray and a hit.
 enum { RAY_O = 0, RAY_D = 3, RAY_T_MIN = 6, RAY_T_MAX = 7, RAY_REALS = 8 };

@@ -64,11 +64,24 @@ enum {
   INTEGRATOR_COUNT
 };
 
+#if HAS_LIGHT_PATHS
+/// The film that light paths add to, each to any pixel (film/splat.h).
+typedef struct {
+  GLOBAL long* words;
+  int x, y, columns, rows;  ///< Its place in the picture, its pixels.
+  int sums;                 ///< Of a pixel.
+  GLOBAL uint* done;        ///< With HAS_LOOP_LIMIT: how far the work-item has come, as COUNTERS describes it.
+} SplatFilm;
+#endif
+
 typedef struct {
   GLOBAL const real* geometry;
   GLOBAL const real* shading;
   GLOBAL const int* index;
   GLOBAL uint* counters;  ///< COUNTERS of them; written only by programs that count.
+#if HAS_LIGHT_PATHS
+  PRIVATE const SplatFilm* splats;
+#endif
 } Scene;
 
 FN GLOBAL const int* scene_shape_row(const Scene* scene, int kind) {

@@ -50,6 +50,7 @@ std::string json_of(const Checkpoint& checkpoint) {
       {"film",
        {{"width", film.width},
         {"height", film.height},
+        {"splats", film.kind == FilmKind::splats},
         {"sums", film.sums.count},
         {"sequences", film.sums.sequences},
         {"turn_bits", film.sums.turn_bits},
@@ -144,6 +145,7 @@ int number(const Json& json, int least, int most) {
 /// The film with its arrays' sizes, empty; header and arrays follow from it.
 struct Head {
   CheckpointHeader header;
+  FilmKind kind = FilmKind::pixels;
   int width, height;
   SubSums sums;
   double unit;
@@ -156,7 +158,7 @@ struct Head {
     return static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height);
   }
   [[nodiscard]] std::uint64_t array_bytes() const {
-    const auto words = static_cast<std::uint64_t>(sums.count * layout::FILM_CHANNELS * layout::FILM_SUM_WORDS);
+    const std::uint64_t words = static_cast<std::uint64_t>(sums.count * layout::FILM_CHANNELS) * words_per_sum(kind);
     const std::uint64_t aovs = has_aovs ? layout::AOV_REALS * sizeof(double) + layout::AOV_INTS * sizeof(int) : 0;
     return pixels() * (sizeof(int) + words * sizeof(std::int64_t) + aovs);
   }
@@ -174,6 +176,7 @@ Head head_of(const Json& json) {
   head.header.least = number(json.at("least"), 0, max_spp);
   head.header.most = number(json.at("most"), head.header.least, max_spp);
   const Json& film = json.at("film");
+  head.kind = film.value("splats", false) ? FilmKind::splats : FilmKind::pixels;
   head.width = number(film.at("width"), 1, most_side);
   head.height = number(film.at("height"), 1, most_side);
   head.sums.count = number(film.at("sums"), 1, layout::FILM_SUBSUMS);
@@ -250,9 +253,13 @@ CheckpointHeader read_checkpoint_header(const std::string& path) {
 Checkpoint read_checkpoint(const std::string& path) {
   Reader in(path);
   const Head head = read_head(in);
-  Checkpoint checkpoint{
-      head.header,
-      {FilmSums(head.width, head.height, head.sums, head.unit), head.position, head.unusual, {}, {}, head.frame}};
+  Checkpoint checkpoint{head.header,
+                        {FilmSums(head.width, head.height, head.sums, head.unit, true, head.kind),
+                         head.position,
+                         head.unusual,
+                         {},
+                         {},
+                         head.frame}};
   FilmState& state = checkpoint.state;
   state.film.first_sample = head.header.first_sample;
   if (head.has_aovs) {

@@ -15,6 +15,7 @@
 #include "cli/progress_bar.h"
 #include "cli/scene_options.h"
 #include "cli/scene_overrides.h"
+#include "kinds/integrators.h"
 #include "opencl/device.h"
 #include "opencl/program.h"
 #include "opencl/tuned_width.h"
@@ -185,8 +186,8 @@ ExitCode explain(const ExplainOptions& options) {
   const int paths = path_lanes(all.features, all.settings, all.lanes.count);
   const bool has_tree =
       choose_traversal(scene, all.features, all.settings, {all.lanes.count, all.lanes.tree}, paths).has_tree;
-  all.program = program_hash(program_source("kernels/render.cl", all.features, all.settings.precision, all.lanes.count,
-                                            all.lanes.tree, has_tree, paths));
+  all.program = program_hash(program_source(kinds::integrator(scene.integrator.name).kernel(), all.features,
+                                            all.settings.precision, all.lanes.count, all.lanes.tree, has_tree, paths));
   if (options.cost) all.costs = costs_of(options, scene, all.settings);
   print(options.json ? json_of(all) : text_of(all));
   return ExitCode::ok;

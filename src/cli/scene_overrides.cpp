@@ -11,8 +11,8 @@
 #include <limits>
 #include <vector>
 
-#include "cli/console.h"
 #include "did_you_mean.h"
+#include "kinds/integrators.h"
 #include "program/kernel_source.h"
 #include "scene/auto_integrator.h"
 #include "settings/sampler_name.h"
@@ -127,16 +127,15 @@ void apply(const SceneOverrides& overrides, Scene& scene) {
   if (is_auto) {
     scene.integrator.max_depth = overrides.max_depth.value_or(scene.integrator.max_depth);
     choose_integrator(scene);
-  } else if (overrides.integrator == "volpath") {
-    say("warning: integrator volpath is not there yet: path takes its place, without media");
-    scene.integrator.name = "path";
   } else if (overrides.integrator) {
     std::vector<std::string> known = list_entries("integrators");
     known.emplace_back("auto");
-    if (std::find(known.begin(), known.end(), *overrides.integrator) == known.end())
-      throw UsageError(fmt::format("unknown integrator \"{}\"{}; known: {}", *overrides.integrator,
-                                   did_you_mean(*overrides.integrator, known), fmt::join(known, ", ")));
-    scene.integrator.name = *overrides.integrator;
+    const std::string name =
+        *overrides.integrator == "particle" ? "ptracer" : *overrides.integrator;  // Mitsuba's alias.
+    if (std::find(known.begin(), known.end(), name) == known.end())
+      throw UsageError(fmt::format("unknown integrator \"{}\"{}; known: {}", name, did_you_mean(name, known),
+                                   fmt::join(known, ", ")));
+    scene.integrator.name = name;
     scene.integrator.why.clear();
   }
   if (overrides.max_depth) scene.integrator.max_depth = *overrides.max_depth;
@@ -145,6 +144,11 @@ void apply(const SceneOverrides& overrides, Scene& scene) {
   if (overrides.sampler) scene.sampler.kind = sampler_from_name(*overrides.sampler);
   resize(overrides, scene.film);
   crop(overrides, scene.film);
+  if (overrides.pixel && kinds::integrator(scene.integrator.name).from_lights)
+    throw UsageError(
+        fmt::format("--pixel: integrator {} begins its paths on lights, and of those of one pixel hardly "
+                    "any ends there; take integrator path, or --crop for a part of the picture",
+                    scene.integrator.name));
 }
 
 }  // namespace strahl::cli

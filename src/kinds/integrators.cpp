@@ -30,6 +30,12 @@ constexpr IntegratorFacts volpath{.name = "volpath",
                                   .reads_shading = true,
                                   .goes_through = true};
 constexpr IntegratorFacts ao{.name = "ao", .reads_shading = true, .asks_openness = true};
+constexpr IntegratorFacts ptracer{.name = "ptracer",
+                                  .lamps = Lamps::drawn,
+                                  .follows = Follows::paths,
+                                  .shows_emission = true,
+                                  .reads_shading = true,
+                                  .from_lights = true};
 
 }  // namespace rows
 

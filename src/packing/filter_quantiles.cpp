@@ -26,14 +26,43 @@ double gaussian_quantile(double p, double radius, double stddev) {
   return 0.5 * (low + high);
 }
 
+double half_width(const Filter& filter) {
+  if (filter.radius > 0) return filter.radius;
+  switch (filter.kind) {
+    case FilterKind::box:
+      return 0.5;
+    case FilterKind::tent:
+      return 1;
+    case FilterKind::gaussian:
+      return 4 * filter.stddev;
+  }
+  return 0;
+}
+
 double upper_quantile(const Filter& filter, double p) {
   switch (filter.kind) {
     case FilterKind::box:
-      return p * (filter.radius > 0 ? filter.radius : 0.5);
+      return p * half_width(filter);
     case FilterKind::tent:
-      return (1 - std::sqrt(1 - p)) * (filter.radius > 0 ? filter.radius : 1.0);
+      return (1 - std::sqrt(1 - p)) * half_width(filter);
     case FilterKind::gaussian:
-      return gaussian_quantile(p, filter.radius > 0 ? filter.radius : 4 * filter.stddev, filter.stddev);
+      return gaussian_quantile(p, half_width(filter), filter.stddev);
+  }
+  return 0;
+}
+
+double density(const Filter& filter, double offset) {
+  const double half = half_width(filter), x = std::fabs(offset);
+  switch (filter.kind) {
+    case FilterKind::box:
+      return 0.5 / half;
+    case FilterKind::tent:
+      return (1 - x / half) / half;
+    case FilterKind::gaussian: {
+      const double variance = filter.stddev * filter.stddev;
+      const double lowered = std::exp(-x * x / (2 * variance)) - std::exp(-half * half / (2 * variance));
+      return lowered / (2 * gaussian_integral(half, half, filter.stddev));
+    }
   }
   return 0;
 }
@@ -50,6 +79,14 @@ std::vector<double> filter_quantiles(const Filter& filter, SamplerKind sampler) 
     quantiles[static_cast<std::size_t>(half - i)] = -q;
   }
   return quantiles;
+}
+
+FilterDensities filter_densities(const Filter& filter) {
+  FilterDensities densities{half_width(filter), {}};
+  constexpr int cells = layout::FILTER_CELLS;
+  for (int i = 0; i <= cells; ++i)
+    densities.values.push_back(density(filter, (2.0 * i / cells - 1) * densities.half_width));
+  return densities;
 }
 
 }  // namespace strahl

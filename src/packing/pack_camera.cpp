@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "packing/cl_layout.h"
+#include "packing/pack.h"
 #include "scene/model/framing.h"
 
 namespace strahl {
@@ -46,6 +47,26 @@ std::vector<double> camera_reals(const Camera& camera, const Film& film, const U
   reals[layout::CAMERA_NEAR] = frame.scale * camera.near_clip;
   reals[layout::CAMERA_FAR] = frame.scale * camera.far_clip;
   return reals;
+}
+
+std::vector<double> sensor_reals(const Camera& camera, const Film& film, const UploadFrame& frame) {
+  const std::vector<double> reals = camera_reals(camera, film, frame);
+  const auto vector_at = [&](int at) {
+    const auto k = static_cast<std::size_t>(at);
+    return Vec3{reals[k], reals[k + 1], reals[k + 2]};
+  };
+  const bool spreads = camera.projection == Projection::perspective;
+  const Vec3 d = vector_at(layout::CAMERA_D), x = vector_at(spreads ? layout::CAMERA_DX : layout::CAMERA_OX);
+  const Vec3 y = vector_at(spreads ? layout::CAMERA_DY : layout::CAMERA_OY), across = cross(x, y);
+  const double volume = dot(d, across);
+  std::vector<double> sensor;
+  for (const Vec3& row : {across, cross(y, d), cross(d, x)})
+    for (const double component : {row.x, row.y, row.z}) sensor.push_back(component / volume);
+  const FilterDensities filter = filter_densities(film.filter);
+  sensor.insert(sensor.end(), {1 / (4 * std::fabs(volume)), spreads ? 1.0 : 0.0, static_cast<double>(film.height),
+                               filter.half_width});
+  sensor.insert(sensor.end(), filter.values.begin(), filter.values.end());
+  return sensor;
 }
 
 }  // namespace strahl

@@ -81,7 +81,8 @@ class LightTable {
   void put_environment(const EnvironmentLight& light) {
     const kinds::Follows follows = kinds::integrator(scene_.integrator.name).follows;
     const EnvironmentTables tables =
-        environment_tables(light, follows == kinds::Follows::paths || follows == kinds::Follows::one_way);
+        environment_tables(light, !kinds::integrator(scene_.integrator.name).from_lights &&
+                                      (follows == kinds::Follows::paths || follows == kinds::Follows::one_way));
     packed_.put_shading({tables.floor});
     packed_.put_shading(tables.rows);
     const std::span row = std::span(rows_).last(layout::LIGHT_INTS);

@@ -122,6 +122,7 @@ void shape_causes(const Scene& scene, const RenderSettings& settings, Causes& ca
       if (!reflects || area.empty() || !causes.allow("areas/" + area)) return;
       call_for(causes, "areas/" + area, "an area emitter on a " + kind, where);
       call_for(causes, "lights/area", "an area emitter", where);
+      if (integrator.from_lights) call_for(causes, "light_rays/area", "paths that begin on an area emitter", where);
     };
     bool reads_uv = false;
     if (lit && shape.radiance) {
@@ -183,6 +184,8 @@ void light_causes(const Scene& scene, Causes& causes) {
     if (!integrator.is_lit() && !(integrator.shows_emission && facts.is_background)) continue;
     const std::string kind = facts.entry, effect = "lights/" + kind;
     call_for(causes, effect, "an emitter of type " + kind, light.where);
+    if (integrator.from_lights && causes.contains(effect))
+      call_for(causes, "light_rays/" + kind, "paths that begin on an emitter of type " + kind, light.where);
     causes.background = causes.background || (facts.is_background && causes.contains(effect));
     if (facts.is_sun && causes.contains(effect)) call_for(causes, "SUN", "an emitter of type sun", light.where);
     if (causes.contains(effect)) use_light_texture(scene, kinds::light_texture(light), causes);
@@ -190,7 +193,7 @@ void light_causes(const Scene& scene, Causes& causes) {
   }
   if (!integrator.is_lit() || drawn == nullptr) return;
   const DrawnLights lights = drawn_lights(scene, [&](const std::string& name) { return causes.contains(name); });
-  causes.light_chooser = light_chooser(lights);
+  causes.light_chooser = integrator.from_lights && lights.count > 1 ? "power" : light_chooser(lights);
   if (lights.count > 1 && causes.light_choice) causes.light_chooser = *causes.light_choice;
   call_for(causes, "choosers/" + causes.light_chooser,
            lights.count < 2 ? drawn->why : fmt::format("{} lights to draw from", lights.count), drawn->where);
@@ -220,6 +223,7 @@ Causes causes_of(const Scene& scene, const RenderSettings& settings) {
     const std::string sampler = sampler_entry(resolve_sampling(scene).kind);
     call_for(causes, "samplers/" + sampler, "numbers that samples draw", scene.sampler.where);
   }
+  if (facts.from_lights) call_for(causes, "LIGHT_PATHS", "integrator " + integrator, scene.integrator.where);
   if (facts.asks_openness) call_for(causes, "OPENNESS", "integrator ao", scene.integrator.where);
   if (settings.texture_lod && causes.contains("textures/bitmap"))
     call_for(causes, "TEXTURE_LOD", "--texture-lod, and a bitmap", {});
@@ -229,6 +233,15 @@ Causes causes_of(const Scene& scene, const RenderSettings& settings) {
   if (settings.count_rays) call_for(causes, "COUNT_RAYS", "--stats-detail", {});
   if (settings.loop_turns) call_for(causes, "LOOP_LIMIT", "a device that ends long loops", {});
   return causes;
+}
+
+/// Could a program of this integrator's kernel use it? Even --generic leaves the rest out.
+bool has_place(const kinds::IntegratorFacts& integrator, const std::string& name) {
+  if (integrator.from_lights) return name != "MEDIA";
+  const std::vector<std::string>& entries = kinds::integrator_names();
+  return name != "LIGHT_PATHS" && std::none_of(entries.begin(), entries.end(), [&](const std::string& entry) {
+           return kinds::integrator(entry).from_lights && name == "integrators/" + entry;
+         });
 }
 
 }  // namespace
@@ -264,7 +277,8 @@ Features features_of(const Scene& scene, const RenderSettings& settings) {
     } else if (row.on) {
       row.why = cause->second.why;
       row.where = cause->second.where;
-    } else if (settings.generic && name != "COUNT_RAYS" && name != "LOOP_LIMIT" && name != "TEXTURE_LOD") {
+    } else if (settings.generic && name != "COUNT_RAYS" && name != "LOOP_LIMIT" && name != "TEXTURE_LOD" &&
+               has_place(kinds::integrator(scene.integrator.name), name)) {
       row.on = true;
       row.why = "--generic";
     }

@@ -38,8 +38,9 @@ double satterthwaite(double sum, double squares) { return squares > 0 ? 2 * sum 
 std::optional<ErrorEstimate> estimate_error(const FilmSums& film) {
   for (std::size_t at = 0; at < film.samples.size(); ++at)
     if (!is_told(film, at)) return std::nullopt;
-  const PictureError picture =
-      is_of_two_sequences(film) ? picture_error_of_sequences(film) : picture_error_of_turns(film);
+  const PictureError picture = film.kind == FilmKind::splats ? picture_error_of_replicates(film)
+                               : is_of_two_sequences(film)   ? picture_error_of_sequences(film)
+                                                             : picture_error_of_turns(film);
   const double values = static_cast<double>(film.samples.size() * layout::FILM_CHANNELS);
   const double mse = picture.squared / values;
   const double half_width = quantile(picture.freedom) * std::sqrt(picture.variance) / values;
@@ -52,13 +53,15 @@ Image standard_error(const FilmSums& film) {
   image.width = film.width;
   image.height = film.height;
   image.data.reserve(film.samples.size() * layout::FILM_CHANNELS);
+  const std::vector<double> sizes = film.kind == FilmKind::splats ? replicate_sizes(film) : std::vector<double>{};
   for (std::size_t at = 0; at < film.samples.size(); ++at) {
     if (!is_told(film, at)) {
       image.data.insert(image.data.end(), layout::FILM_CHANNELS, std::numeric_limits<float>::quiet_NaN());
       continue;
     }
-    const PixelError pixel =
-        is_of_two_sequences(film) ? pixel_error_of_sequences(film, at) : pixel_error_of_turns(film, at);
+    const PixelError pixel = film.kind == FilmKind::splats ? pixel_error_of_replicates(film, sizes, at)
+                             : is_of_two_sequences(film)   ? pixel_error_of_sequences(film, at)
+                                                           : pixel_error_of_turns(film, at);
     for (const double squared : pixel.squared) image.data.push_back(static_cast<float>(std::sqrt(squared)));
   }
   return image;

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <vector>
 
 #include "packing/cl_layout.h"
 
@@ -36,6 +37,13 @@ struct PictureError {
 /// Two sequences, each in two sums; at least four samples of each pixel.
 [[nodiscard]] PixelError pixel_error_of_sequences(const FilmSums& film, std::size_t at);
 [[nodiscard]] PictureError picture_error_of_sequences(const FilmSums& film);
+
+/// Splats: four independent replicates of the whole picture, whose pixels are not independent. sizes: paths of a pixel
+/// on average, in each.
+[[nodiscard]] std::vector<double> replicate_sizes(const FilmSums& film);
+[[nodiscard]] PixelError pixel_error_of_replicates(const FilmSums& film, const std::vector<double>& sizes,
+                                                   std::size_t at);
+[[nodiscard]] PictureError picture_error_of_replicates(const FilmSums& film);
 
 /// Degrees of freedom of a sum of squares of deviations, whose own squares add up to `squares`: F. E. Satterthwaite
 /// 1946. Where few pixels are most of the noise, the variance is itself known from few.

@@ -1,20 +1,27 @@
 // SPDX-License-Identifier: MIT
 #include "render/film.h"
 
+#include <numeric>
+
 #include "packing/cl_layout.h"
 #include "render/film_sum.h"
 
 namespace strahl {
 
-FilmSums::FilmSums(int w, int h, SubSums parts, double one, bool holds_words)
-    : width(w), height(h), sums(parts), unit(one) {
+FilmSums::FilmSums(int w, int h, SubSums parts, double one, bool holds_words, FilmKind its_kind)
+    : kind(its_kind), width(w), height(h), sums(parts), unit(one) {
   const std::size_t pixels = static_cast<std::size_t>(w) * static_cast<std::size_t>(h);
   if (holds_words) words.resize(pixels * words_per_pixel(), 0);
   samples.resize(pixels, 0);
 }
 
+std::size_t words_per_sum(FilmKind kind) {
+  if (kind == FilmKind::splats) return layout::SPLAT_WORDS;
+  return layout::FILM_SUM_WORDS;
+}
+
 std::size_t FilmSums::words_per_pixel() const {
-  return static_cast<std::size_t>(sums.count) * layout::FILM_CHANNELS * layout::FILM_SUM_WORDS;
+  return static_cast<std::size_t>(sums.count) * layout::FILM_CHANNELS * words_per_sum(kind);
 }
 
 void FilmSums::add_samples(const Launch& launch) {
@@ -26,14 +33,18 @@ void FilmSums::add_samples(const Launch& launch) {
 
 void FilmSums::add_words(int row, const std::vector<std::int64_t>& band) {
   std::int64_t* sum = &words[static_cast<std::size_t>(row) * static_cast<std::size_t>(width) * words_per_pixel()];
+  if (kind == FilmKind::splats) {
+    for (std::size_t i = 0; i < band.size(); ++i) sum[i] += band[i];
+    return;
+  }
   for (std::size_t i = 0; i < band.size(); i += layout::FILM_SUM_WORDS)
     film_add(sum + i, film_bins(band[i], band[i + 1]));
 }
 
 double FilmSums::sub_sum(std::size_t pixel, int sub, int channel) const {
-  const int sum = (sub * layout::FILM_CHANNELS + channel) * layout::FILM_SUM_WORDS;
-  const std::int64_t* at = &words[pixel * words_per_pixel() + static_cast<std::size_t>(sum)];
-  return unit * value_of(film_bins(at[0], at[1]));
+  const auto sum = static_cast<std::size_t>(sub * layout::FILM_CHANNELS + channel);
+  const std::int64_t* at = &words[pixel * words_per_pixel() + sum * words_per_sum(kind)];
+  return unit * (kind == FilmKind::splats ? value_of_splats(at) : value_of(film_bins(at[0], at[1])));
 }
 
 int FilmSums::sub_sum_samples(std::size_t pixel, int sub) const {
@@ -69,21 +80,36 @@ Image FilmSums::black() const {
 
 void FilmSums::put_mean(std::span<const std::int64_t> part, std::size_t first, Image& image) const {
   const std::size_t pixels = part.size() / words_per_pixel();
+  const std::size_t per_sum = words_per_sum(kind);
+  const double mean_count = kind == FilmKind::splats ? mean_samples() : 0;
   const std::int64_t* pixel = part.data();
   float* out = &image.data[first * layout::FILM_CHANNELS];
   for (std::size_t at = first; at < first + pixels; ++at, pixel += words_per_pixel()) {
-    const int count = samples[at];
-    for (int channel = 0; channel < layout::FILM_CHANNELS; ++channel, ++out) {
-      const std::int64_t* sum = pixel + channel * layout::FILM_SUM_WORDS;
-      std::int64_t total[layout::FILM_SUM_WORDS] = {sum[0], sum[1]};
-      // Added up as the film adds, so that it does not matter which sub-sum a sample is in.
-      for (int sub = 1; sub < sums.count; ++sub) {
-        sum += layout::FILM_CHANNELS * layout::FILM_SUM_WORDS;
-        film_add(total, film_bins(sum[0], sum[1]));
-      }
-      if (count > 0) *out = static_cast<float>(value_of(film_bins(total[0], total[1])) / count * unit);
-    }
+    const double count = kind == FilmKind::splats ? mean_count : samples[at];
+    for (std::size_t channel = 0; channel < layout::FILM_CHANNELS; ++channel, ++out)
+      if (count > 0) *out = static_cast<float>(total(pixel + channel * per_sum) / count * unit);
   }
+}
+
+/// Added up as the film adds, so that it does not matter which sub-sum a sample is in.
+double FilmSums::total(const std::int64_t* sum) const {
+  const std::size_t stride = layout::FILM_CHANNELS * words_per_sum(kind);
+  if (kind == FilmKind::splats) {
+    std::int64_t all[layout::SPLAT_WORDS] = {};
+    for (int sub = 0; sub < sums.count; ++sub, sum += stride)
+      for (int k = 0; k < layout::SPLAT_WORDS; ++k) all[k] += sum[k];
+    return value_of_splats(all);
+  }
+  std::int64_t all[layout::FILM_SUM_WORDS] = {sum[0], sum[1]};
+  for (int sub = 1; sub < sums.count; ++sub) {
+    sum += stride;
+    film_add(all, film_bins(sum[0], sum[1]));
+  }
+  return value_of(film_bins(all[0], all[1]));
+}
+
+double FilmSums::mean_samples() const {
+  return std::accumulate(samples.begin(), samples.end(), 0.0) / static_cast<double>(samples.size());
 }
 
 Image FilmSums::mean() const {

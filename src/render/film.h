@@ -13,18 +13,28 @@
 
 namespace strahl {
 
+/// How samples reach the film.
+enum class FilmKind {
+  pixels,  ///< Each into its own pixel: sums of cl/film/film_sum.h.
+  splats   ///< Light paths, each into any pixels: sums of cl/film/splat.h. The samples of a pixel are its paths.
+};
+
+/// Words of a channel's sum.
+[[nodiscard]] std::size_t words_per_sum(FilmKind kind);
+
 /// Four sub-sums of three channels a pixel, or one where nobody compares them; window coordinates.
 struct FilmSums {
+  FilmKind kind = FilmKind::pixels;
   int width = 0;
   int height = 0;
   SubSums sums;                     ///< Which sample is in which.
   int first_sample = 0;             ///< The number of each pixel's first sample; others only in a part (RenderGoal).
   double unit = 1;                  ///< Radiance that corresponds to 1 in the kernels.
-  std::vector<std::int64_t> words;  ///< height x width x sums.count x 3 x 2, as cl/film/film_sum.h has them.
+  std::vector<std::int64_t> words;  ///< height x width x sums.count x 3 x words_per_sum(kind), as the kind has them.
   std::vector<int> samples;         ///< height x width: how many samples a pixel has, from first_sample on.
 
   /// holds_words: false where the words stay on the device (put_mean).
-  FilmSums(int width, int height, SubSums sums, double unit, bool holds_words = true);
+  FilmSums(int width, int height, SubSums sums, double unit, bool holds_words = true, FilmKind kind = FilmKind::pixels);
   [[nodiscard]] std::size_t words_per_pixel() const;
   /// What rows [row, row + rows) lack of the samples below `end`: rectangles of pixels that are equally far.
   [[nodiscard]] std::vector<Launch> missing(int row, int rows, int end) const;
@@ -36,11 +46,17 @@ struct FilmSums {
   [[nodiscard]] double sub_sum(std::size_t pixel, int sub, int channel) const;
   /// The number of those samples.
   [[nodiscard]] int sub_sum_samples(std::size_t pixel, int sub) const;
+  /// Of all pixels: what the sums of a pixel's splats are divided by.
+  [[nodiscard]] double mean_samples() const;
   /// Mean over all samples; it does not depend on their sub-sums. A pixel without samples is black.
   [[nodiscard]] Image mean() const;
   [[nodiscard]] Image black() const;
   /// The mean of the pixels from `first` on into their places. part: the words of them.
   void put_mean(std::span<const std::int64_t> part, std::size_t first, Image& image) const;
+
+ private:
+  /// All sub-sums of a channel together, `sum` being the first one's words.
+  [[nodiscard]] double total(const std::int64_t* sum) const;
 };
 
 }  // namespace strahl

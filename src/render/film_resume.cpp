@@ -12,7 +12,7 @@ namespace strahl {
 namespace {
 
 bool are_alike(const FilmSums& a, const FilmSums& b) {
-  return a.width == b.width && a.height == b.height && a.sums.count == b.sums.count &&
+  return a.kind == b.kind && a.width == b.width && a.height == b.height && a.sums.count == b.sums.count &&
          a.sums.sequences == b.sums.sequences && a.sums.turn_bits == b.sums.turn_bits &&
          a.first_sample == b.first_sample && a.unit == b.unit;
 }

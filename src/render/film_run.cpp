@@ -25,7 +25,7 @@ constexpr std::size_t part_bytes = std::size_t{1} << 20;
 /// One sum a pixel that stays on the device is used only for its mean, so the host keeps no copy. Memory takes most of
 /// the time of a picture of one sample.
 FilmSums FilmRun::black_film() const {
-  FilmSums film(width_, height_, sums_, state_.radiance_unit(), !is_one_band() || sums_.count > 1);
+  FilmSums film(width_, height_, sums_, state_.radiance_unit(), !is_one_band() || sums_.count > 1, state_.film_kind());
   if (goal_.samples) film.first_sample = goal_.samples->first;
   return film;
 }
@@ -165,9 +165,10 @@ void FilmRun::read_aovs(int row, int rows) {
 
 void FilmRun::write_header() {
   static_assert(layout::HEADER_SUMS == layout::HEADER_SEED + 1 && layout::HEADER_SEQUENCES == layout::HEADER_SEED + 2 &&
-                layout::HEADER_TURN_BITS == layout::HEADER_SEED + 3);
-  const std::array<cl_int, 4> header = {static_cast<cl_int>(result_.stats.seed), film_.sums.count, film_.sums.sequences,
-                                        film_.sums.turn_bits};
+                layout::HEADER_TURN_BITS == layout::HEADER_SEED + 3 &&
+                layout::HEADER_FILM_ROWS == layout::HEADER_SEED + 4);
+  const std::array<cl_int, 5> header = {static_cast<cl_int>(result_.stats.seed), film_.sums.count, film_.sums.sequences,
+                                        film_.sums.turn_bits, height_};
   checked(state_.device.info().text(), [&] {
     return state_.device.queue().enqueueWriteBuffer(state_.buffers.index, CL_TRUE, layout::HEADER_SEED * sizeof(cl_int),
                                                     sizeof header, header.data());
@@ -296,6 +297,7 @@ RenderResult FilmRun::run() {
 RenderResult Renderer::render(const ProgressCallback& progress, const RenderGoal& goal, const FilmKeeper* keeper) {
   if (!goal.rows) return FilmRun(*state_, goal, progress, keeper).run();
   if (!state_->helpers.empty()) throw UsageError("some rows of a picture are rendered by one device");
+  if (state_->film_kind() == FilmKind::splats) throw UsageError("light paths end in any row of the picture");
   if (goal.rows->first < 0 || goal.rows->count < 1 || goal.rows->first + goal.rows->count > state_->window.height())
     throw UsageError("rows outside of the picture");
   const RowsOnly only(state_->window, *goal.rows);

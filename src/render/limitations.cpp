@@ -65,13 +65,22 @@ std::vector<Diagnostic> limitations(const Scene& scene) {
   if (const std::optional<std::string> why = emptiness(scene))
     warnings.push_back(
         {Severity::warning, scene.integrator.where.file.empty() ? scene.camera.where : scene.integrator.where, *why});
+  const auto warn = [&](const SourceLocation& where, std::string message) {
+    warnings.push_back({Severity::warning, where, std::move(message)});
+  };
+  if (kinds::integrator(scene.integrator.name).from_lights)
+    for (const Material& material : scene.materials)
+      if (material_facts(material).has_lobe(lobes::LOBE_DELTA))
+        warn(
+            material.where,
+            fmt::format("what this material mirrors, or lets through unbent, is left out where the camera looks at it: "
+                        "integrator {} joins surfaces with the camera, which mirrors and glass do not allow; path "
+                        "shows it",
+                        scene.integrator.name));
   const kinds::Follows follows = kinds::integrator(scene.integrator.name).follows;
   const bool is_direct = follows == kinds::Follows::one_way, is_whitted = follows == kinds::Follows::mirrors;
   if (!(is_direct || is_whitted) || (scene.integrator.max_depth >= 0 && scene.integrator.max_depth < 2))
     return warnings;
-  const auto warn = [&](const SourceLocation& where, std::string message) {
-    warnings.push_back({Severity::warning, where, std::move(message)});
-  };
   for (const Material& material : scene.materials)
     if (material_facts(material).has_lobe(lobes::LOBE_DELTA) && is_direct)
       warn(material.where,

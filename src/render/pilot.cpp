@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "kinds/integrators.h"
 #include "stopwatch.h"
 
 namespace strahl {
@@ -83,6 +84,7 @@ class PilotRun {
   PilotRun(Renderer& renderer, int most_spp, const std::function<double(const Pilot&)>& most_seconds)
       : renderer_(renderer), most_spp_(most_spp), most_seconds_(most_seconds) {
     spp_ = std::min(first_spp, most_spp);
+    is_whole_only_ = kinds::integrator(renderer.scene().integrator.name).from_lights;
   }
 
   Pilot run() {
@@ -97,6 +99,9 @@ class PilotRun {
     if (first.result.complete && whole_is_quick()) {
       add_whole(first, spp_);
       whole_picture();
+    } else if (is_whole_only_) {
+      whole_picture();
+      if (pilot_.passes.empty()) add_whole_of(1);
     } else if (strips()) {
       pilot_.looks.clear();
       pilot_.passes.clear();
@@ -130,12 +135,16 @@ class PilotRun {
       const int last = pilot_.passes.empty() ? 0 : static_cast<int>(pilot_.passes.back().samples);
       if (fitting < spp) spp = static_cast<int>(std::bit_floor(static_cast<unsigned>(std::max(fitting, 0.0))));
       if (spp < 2 * last || spp == 0) break;
-      RenderGoal goal;
-      goal.spp = spp;
-      goal.seed = static_cast<std::uint32_t>(spp);  // Looks that share no samples differ by chance independently.
-      add_whole(timed_render(renderer_, goal), spp);
+      add_whole_of(spp);
       spp *= growth;
     }
+  }
+
+  void add_whole_of(int spp) {
+    RenderGoal goal;
+    goal.spp = spp;
+    goal.seed = static_cast<std::uint32_t>(spp);  // Looks that share no samples differ by chance independently.
+    add_whole(timed_render(renderer_, goal), spp);
   }
 
   Timed render_strip(int strip, int rows, int spp) {
@@ -220,7 +229,8 @@ class PilotRun {
   Pilot pilot_;
   int spp_ = first_spp;
   int rows_ = 1;
-  double sample_seconds_ = 0;  ///< One of every pixel.
+  bool is_whole_only_ = false;  ///< Light paths end anywhere: some rows alone have another error.
+  double sample_seconds_ = 0;   ///< One of every pixel.
 };
 
 }  // namespace

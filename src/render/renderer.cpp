@@ -10,6 +10,7 @@
 
 #include "opencl/compiling.h"
 #include "program/path_lanes.h"
+#include "render/light_paths.h"
 #include "render/renderer_state.h"
 #include "scene/validate.h"
 #include "stopwatch.h"
@@ -25,8 +26,8 @@ Renderer::State::Choice Renderer::State::choose_program() {
   choice.traversal = choose_traversal(scene, features, settings, choice.width, choice.paths);
   has_tree = choice.traversal.has_tree;
   stats.lanes = choice.width.lanes;
-  source = program_source("kernels/render.cl", features, settings.precision, choice.width.lanes, choice.width.tree,
-                          has_tree, choice.paths);
+  source = program_source(kinds::integrator(scene.integrator.name).kernel(), features, settings.precision,
+                          choice.width.lanes, choice.width.tree, has_tree, choice.paths);
   return choice;
 }
 
@@ -35,6 +36,7 @@ void Renderer::State::prepare() {
   if (settings.aovs.contains(Aov::numeric_error) && !device.info().fp64)
     throw NoDeviceError(fmt::format("the AOV numeric_error holds every hit against double precision, which {} has not",
                                     device.info().text()));
+  require_light_paths(scene, settings);
   const Stopwatch start;
   const auto [width, traversal, paths] = choose_program();
   static_cast<void>(samples_of({}));
@@ -54,13 +56,17 @@ void Renderer::State::prepare() {
                     "with more memory (-d), a larger --memory-limit or a part of the picture (--crop)",
                     row_bytes() >> 10, buffers.bytes >> 10, device.info().text(), device.info().global_memory >> 10));
   const std::size_t pixels = static_cast<std::size_t>(window.width()) * static_cast<std::size_t>(band_rows());
-  film = allocate(device, pixels * film_bytes_per_pixel, "one band of the film");
+  if (film_kind() == FilmKind::splats) {
+    const std::uint64_t bytes = pixels * film_bytes_per_pixel();
+    require_room_for_splats(device, bytes, memory_left());
+  }
+  film = allocate(device, pixels * film_bytes_per_pixel(), "one band of the film");
   aov_reals = allocate(device, aov_real_bytes(pixels), "the auxiliary values");
   aov_ints = allocate(device, aov_int_bytes(pixels), "the auxiliary ids");
   counters = allocate(device, layout::COUNTERS * sizeof(std::uint32_t) + done_bytes(pixels), "the counters");
   stats.seconds.bvh = buffers.tree.seconds;
   stats.seconds.upload = upload_start.seconds() - stats.seconds.bvh;
-  stats.device_bytes = buffers.bytes + pixels * film_bytes_per_pixel + aov_real_bytes(pixels) + aov_int_bytes(pixels);
+  stats.device_bytes = buffers.bytes + pixels * film_bytes_per_pixel() + aov_real_bytes(pixels) + aov_int_bytes(pixels);
   stats.host_bytes = stats.scene_bytes = buffers.bytes;
 
   const Stopwatch warm_start;
@@ -83,9 +89,10 @@ void Renderer::State::prepare() {
 }
 
 int Renderer::State::samples_of(const RenderGoal& goal) const {
-  const int spp = goal.spp.value_or(goal.is_open() ? max_spp : sampling.spp);
-  if (spp < 1 || spp > max_spp)
-    throw UsageError(fmt::format("--spp {}: the film holds 1 to {} samples per pixel", spp, max_spp));
+  const int most = film_kind() == FilmKind::splats ? most_light_paths(window, settings.estimate_error) : max_spp;
+  const int spp = goal.spp.value_or(goal.is_open() ? most : sampling.spp);
+  if (spp < 1 || spp > most)
+    throw UsageError(fmt::format("--spp {}: the film holds 1 to {} samples per pixel", spp, most));
   return spp;
 }
 
@@ -98,6 +105,8 @@ int Renderer::State::span_columns(const Launch& l) const {
 SubSums Renderer::State::sub_sums(const RenderGoal& goal) const {
   const int spp = samples_of(goal);
   if (!settings.estimate_error || spp < layout::FILM_SUBSUMS) return {1, 1, 0};
+  // Replicates of the whole picture.
+  if (film_kind() == FilmKind::splats) return {layout::FILM_SUBSUMS, layout::FILM_SUBSUMS, 0};
   if (sampling.kind == SamplerKind::independent) return {layout::FILM_SUBSUMS, layout::FILM_SUBSUMS, 0};
   // The largest power of two that is at most half of a sequence. With an open goal the length of the sequence is
   // unknown.
@@ -160,6 +169,9 @@ void Renderer::share_with(const Device& device, std::optional<std::uint64_t> loo
         fmt::format("several devices make one picture in the precisions robust and double; in {} each device has bits "
                     "of its own",
                     precision_name(settings.precision)));
+  if (state_->film_kind() == FilmKind::splats)
+    throw UsageError(
+        fmt::format("integrator {} renders on one device, and -d names several", state_->scene.integrator.name));
   settings.loop_turns = loop_turns;
   auto helper = std::make_unique<State>(device, state_->shared_scene, settings);
   helper->prepare();

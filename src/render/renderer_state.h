@@ -23,9 +23,6 @@
 namespace strahl {
 
 inline constexpr std::size_t film_buffer_bytes = std::size_t{512} << 20;
-/// At the most: a film of one sum takes a part of the buffer.
-inline constexpr std::size_t film_bytes_per_pixel =
-    sizeof(std::int64_t) * layout::FILM_SUBSUMS * layout::FILM_CHANNELS * layout::FILM_SUM_WORDS;
 
 /// The window of some of its rows, while this lives.
 class RowsOnly {
@@ -76,15 +73,26 @@ struct Renderer::State {
     return has_aov() ? pixels * layout::AOV_INTS * sizeof(std::int32_t) : 0;
   }
 
-  /// Behind the counters: the first sample of each pixel that is not in the film yet.
+  /// Light paths may end anywhere, so their film is on the device as a whole.
+  [[nodiscard]] FilmKind film_kind() const {
+    return kinds::integrator(scene.integrator.name).from_lights ? FilmKind::splats : FilmKind::pixels;
+  }
+  /// At the most: a film of one sum takes a part of the buffer.
+  [[nodiscard]] std::size_t film_bytes_per_pixel() const {
+    const std::size_t sums = film_kind() == FilmKind::splats && !settings.estimate_error ? 1 : layout::FILM_SUBSUMS;
+    return sizeof(std::int64_t) * sums * layout::FILM_CHANNELS * words_per_sum(film_kind());
+  }
+
+  /// Behind the counters: how far each pixel has come.
   [[nodiscard]] std::size_t done_bytes(std::size_t pixels) const {
-    return features.flag("LOOP_LIMIT") ? pixels * sizeof(std::uint32_t) : 0;
+    const std::size_t numbers = film_kind() == FilmKind::splats ? layout::DONE_OF_PATHS : 1;
+    return features.flag("LOOP_LIMIT") ? pixels * numbers * sizeof(std::uint32_t) : 0;
   }
 
   /// What a row of the picture takes in device buffers.
   [[nodiscard]] std::size_t row_bytes() const {
     const auto pixels = static_cast<std::size_t>(window.width());
-    return pixels * film_bytes_per_pixel + aov_real_bytes(pixels) + aov_int_bytes(pixels) + done_bytes(pixels);
+    return pixels * film_bytes_per_pixel() + aov_real_bytes(pixels) + aov_int_bytes(pixels) + done_bytes(pixels);
   }
   /// Beside the scene, once that is there.
   [[nodiscard]] std::size_t memory_left() const {
@@ -93,7 +101,8 @@ struct Renderer::State {
   }
   /// Rows whose film fits into one buffer, and with all that belongs to them into the memory that is left.
   [[nodiscard]] int band_rows() const {
-    const std::size_t row = static_cast<std::size_t>(window.width()) * film_bytes_per_pixel;
+    if (film_kind() == FilmKind::splats) return window.height();
+    const std::size_t row = static_cast<std::size_t>(window.width()) * film_bytes_per_pixel();
     const std::size_t limit = std::min<std::size_t>(film_buffer_bytes, device.info().max_allocation);
     const std::size_t fitting = std::min(limit / row, memory_left() / row_bytes());
     return static_cast<int>(std::clamp<std::size_t>(fitting, 1, static_cast<std::size_t>(window.height())));

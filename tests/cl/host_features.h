@@ -18,6 +18,7 @@
 #define HAS_RELIEF 1
 #define HAS_BRANCHES 1
 #define HAS_PRIORITY 1
+#define HAS_LIGHT_PATHS 1
 #define HAS_SMOOTH_NORMALS 1
 #define HAS_MESH_UVS 1
 #define HAS_MESH_ATTRIBUTE 1
@@ -28,3 +29,4 @@
 #define HAS_AOV 1
 #define HAS_ALBEDO 1
 #define HAS_COUNT_RAYS 0
+#define HAS_LOOP_LIMIT 0

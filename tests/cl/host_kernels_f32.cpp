@@ -33,7 +33,7 @@ namespace strahl::test {
 
 void host_intersect(int lanes, const HostBuffers<float>& scene, const float* rays, const std::int32_t* left,
                     std::size_t count, bool any_hit, float* hits, std::int32_t* ids) {
-  const f32::Scene view{scene.geometry, scene.shading, scene.index, nullptr};
+  const f32::Scene view{scene.geometry, scene.shading, scene.index, nullptr, nullptr};
   const auto trace = [&](auto find, auto describe) {
     f32::host_rays(lanes, view, rays, left, count, any_hit, find, describe, hits, ids);
   };

@@ -28,7 +28,7 @@ namespace strahl::test {
 
 void host_intersect(int lanes, const HostBuffers<double>& scene, const double* rays, const std::int32_t* left,
                     std::size_t count, bool any_hit, double* hits, std::int32_t* ids) {
-  const f64::Scene view{scene.geometry, scene.shading, scene.index, nullptr};
+  const f64::Scene view{scene.geometry, scene.shading, scene.index, nullptr, nullptr};
   const auto trace = [&](auto find, auto describe) {
     f64::host_rays(lanes, view, rays, left, count, any_hit, find, describe, hits, ids);
   };

@@ -37,12 +37,12 @@ float exp_minus(float a) { return f32::exp_minus_w_1(a); }
 float minus_log(float u) { return f32::minus_log_w_1(u); }
 float erfcx(float a) { return f32::erfcx_w_1(a); }
 void add_to_film(FilmWords& sum, float value, std::array<std::uint32_t, 4>* counts) {
-  const f32::Scene scene{nullptr, nullptr, nullptr, counts->data()};
+  const f32::Scene scene{nullptr, nullptr, nullptr, counts->data(), nullptr};
   f32::film_add_sample(&scene, sum.data(), value);
 }
 void add_by_integers(FilmWords& sum, float value, int times) {
   std::array<std::uint32_t, 4> counts{};
-  const f32::Scene scene{nullptr, nullptr, nullptr, counts.data()};
+  const f32::Scene scene{nullptr, nullptr, nullptr, counts.data(), nullptr};
   f32::film_add_slowly(&scene, sum.data(), value, times);
 }
 

@@ -42,12 +42,12 @@ double exp_minus(double a) { return f64::exp_minus_w_1(a); }
 double minus_log(double u) { return f64::minus_log_w_1(u); }
 double erfcx(double a) { return f64::erfcx_w_1(a); }
 void add_to_film(FilmWords& sum, double value, std::array<std::uint32_t, 4>* counts) {
-  const f64::Scene scene{nullptr, nullptr, nullptr, counts->data()};
+  const f64::Scene scene{nullptr, nullptr, nullptr, counts->data(), nullptr};
   f64::film_add_sample(&scene, sum.data(), value);
 }
 void add_by_integers(FilmWords& sum, double value, int times) {
   std::array<std::uint32_t, 4> counts{};
-  const f64::Scene scene{nullptr, nullptr, nullptr, counts.data()};
+  const f64::Scene scene{nullptr, nullptr, nullptr, counts.data(), nullptr};
   f64::film_add_slowly(&scene, sum.data(), value, times);
 }
 

@@ -72,13 +72,25 @@ struct Wanted {
   std::string name;
 };
 
+/// Programs of light paths have an integrator of them whatever else they have, and for a way to leave a light the
+/// light.
+Features completed(const std::string& kernel, Features features) {
+  const bool has_paths =
+      kernel == "light_tracing" || features.has("integrators", "ptracer") || features.flag("LIGHT_PATHS");
+  for (auto& [name, on] : features.flags) on = on || (name == "LIGHT_PATHS" && has_paths);
+  if (has_paths) features.entries["integrators"].insert("ptracer");
+  for (const std::string& entry : features.entries["light_rays"]) features.entries["lights"].insert(entry);
+  return features;
+}
+
 void write(const Wanted& wanted, const std::string& kernel, const std::string& set, const Features& features,
            Precision precision, int lanes, bool has_tree = true, int path_lanes = 1) {
   static std::unordered_set<std::string> written;
   const std::string name = fmt::format("{}-{}-{}-{}.cl", kernel, precision_name(precision), lanes, set);
   if (!wanted.name.empty() && name != wanted.name) return;
-  const std::string text =
-      program_source("kernels/" + kernel + ".cl", features, precision, lanes, 0, has_tree, path_lanes).text;
+  const std::string text = program_source("kernels/" + kernel + ".cl", completed(kernel, features), precision, lanes, 0,
+                                          has_tree, path_lanes)
+                               .text;
   if (set != "doubles" && !written.insert(essence(text)).second) return;
   std::ofstream file(wanted.folder / name);
   file << (set == "doubles" ? "#define WIDE_IS_DOUBLE 1\n" : "") << text;
@@ -90,8 +102,8 @@ void write(const Wanted& wanted, const std::string& kernel, const std::string& s
 int main(int count, char** arguments) {
   if (count != 2 && count != 3) return 2;
   const Wanted wanted{arguments[1], count == 3 ? arguments[2] : ""};
-  for (const std::string kernel : {"render", "intersect", "intersect_packets", "intersect_any", "intersect_any_packets",
-                                   "probe", "canary", "bandwidth"})
+  for (const std::string kernel : {"render", "light_tracing", "intersect", "intersect_packets", "intersect_any",
+                                   "intersect_any_packets", "probe", "canary", "bandwidth"})
     for (const Precision precision : {Precision::fast, Precision::stable, Precision::robust, Precision::fp64}) {
       if (!wanted.name.empty() && !wanted.name.starts_with(kernel + "-" + precision_name(precision) + "-")) continue;
       const int widest = default_lanes(16, precision);
@@ -104,7 +116,7 @@ int main(int count, char** arguments) {
         Features flat = every(true);
         for (auto& [name, on] : flat.flags) on = on && name != "INSTANCES";
         write(wanted, kernel, "lists", flat, precision, lanes, false);
-        if (kernel != "render" || precision == Precision::fp64) continue;
+        if ((kernel != "render" && kernel != "light_tracing") || precision == Precision::fp64) continue;
         write(wanted, kernel, "all-paths", every(true), precision, lanes, true, lanes);
         write(wanted, kernel, "none-paths", every(false), precision, lanes, true, lanes);
         write(wanted, kernel, "lists-paths", flat, precision, lanes, false, lanes);

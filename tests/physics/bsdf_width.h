@@ -81,7 +81,7 @@ inline std::vector<Triad> LANED(parameters_at)(const std::vector<Triad>& points)
   index[part + PART_UV_RATES] = rates;
   index[rows + MATERIAL_SLOTS + 1] = blue;
   index[rows + MATERIAL_INTS + MATERIAL_SLOTS + 1] = ~0;
-  const Scene scene{nullptr, shading, index, nullptr};
+  const Scene scene{nullptr, shading, index, nullptr, nullptr};
   std::vector<Triad> found(points.size());
   for (std::size_t i = 0; i < points.size(); i += LANES) {
     Surfaces_w s = surfaces_none_w();

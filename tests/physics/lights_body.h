@@ -24,7 +24,7 @@ namespace strahl::test {
 DrawnLight<tier::real> drawn_light(const HostBuffers<tier::real>& buffers, std::uint32_t sample, int depth,
                                    const Triple<tier::real>& from) {
   using namespace tier;
-  const Scene scene{buffers.geometry, buffers.shading, buffers.index, nullptr};
+  const Scene scene{buffers.geometry, buffers.shading, buffers.index, nullptr, nullptr};
   Paths_w_1 path;
   paths_none_w_1(&path);
   path.depth = depth;

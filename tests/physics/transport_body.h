@@ -24,7 +24,7 @@ namespace tier {
 #include "scene/scene.h"
 
 inline Scene scene_of(const TierBuffers& buffers) {
-  return {static_cast<const real*>(buffers.geometry), static_cast<const real*>(buffers.shading), buffers.index,
+  return {static_cast<const real*>(buffers.geometry), static_cast<const real*>(buffers.shading), buffers.index, nullptr,
           nullptr};
 }
 
@@ -56,7 +56,7 @@ inline std::vector<TransportTier> transport(const char* name) {
   {                                                                                                                \
     name, lanes, draw_light_##lanes, area_places_##lanes, look_along_##lanes, density_towards_##lanes,             \
         pick_lights_##lanes, rarity_of_##lanes, texture_values_##lanes, material_rows_##lanes, lit_places_##lanes, \
-        mapped_at_##lanes, angles_of_##lanes, angles_alone, radiance_along_##lanes                                 \
+        mapped_at_##lanes, angles_of_##lanes, angles_alone, radiance_along_##lanes, splats_of_##lanes              \
   }
   return {
     QUESTIONS(1),

@@ -127,6 +127,8 @@ struct TransportTier {
   std::vector<double> (*angles_alone)(const std::vector<TexturePlace>& vectors);
   /// Radiance along the ray by the scene's integrator, sample by sample of pixel 0.
   std::vector<Triad> (*radiance)(const TierBuffers& scene, const GivenRay& ray, std::uint32_t samples);
+  /// What an integrator whose paths begin on lights adds to a film of one pixel: words of cl/film/splat.h.
+  std::vector<std::int64_t> (*splats)(const TierBuffers& scene, std::uint32_t samples);
 };
 
 /// Nearest, or any. The scene is packed for as many lanes as there are.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The questions of transport_tiers.h at one width; no guard. Within the tier's namespace.
 #include "physics/packets_width.h"
+// It comes first: this needs what it includes.
+#include "integrators/light_paths_lanes.h"
 
 inline Triad LANED(triad_at)(const real3w& v, int lane) {
   return {get_w(&v.x, lane), get_w(&v.y, lane), get_w(&v.z, lane)};
@@ -263,4 +265,27 @@ inline std::vector<Triad> LANED(radiance_along)(const TierBuffers& buffers, cons
     LANED(for_lanes)(first, samples, [&](std::size_t i, int lane) { found[i] = LANED(triad_at)(path.radiance, lane); });
   }
   return found;
+}
+
+/// As kernels/light_tracing.cl follows them, except that all paths begin and end together.
+inline std::vector<std::int64_t> LANED(splats_of)(const TierBuffers& buffers, std::uint32_t samples) {
+  uint counters[COUNTERS] = {};
+  std::vector<std::int64_t> words(FILM_SUBSUMS * FILM_CHANNELS * SPLAT_WORDS, 0);
+  const SplatFilm film{words.data(), 0, 0, 1, 1, FILM_SUBSUMS, nullptr};
+  Scene scene = scene_of(buffers);
+  scene.counters = counters;
+  scene.splats = &film;
+  Branches_w branches;
+  branches.count = splat_int_w(0);
+  for (std::uint32_t first = 0; first < samples; first += LANES) {
+    Paths_w path;
+    paths_none_w(&path);
+    const uintw numbers = lane_numbers_w() + first;
+    NewPaths_w begun = {lt_int_w(int_of_uint_w(numbers), splat_int_w((int)samples)), splat_uint_w(0u), numbers};
+    do {
+      follow_light_paths_w(&scene, &path, &branches, &begun);
+      begun.which = none_w();
+    } while (any_w(path.alive));
+  }
+  return words;
 }

@@ -69,7 +69,7 @@ TEST_CASE("Effects that are unknown or needed cannot be disabled, and the messag
   CHECK_THAT(message("integrators/path"), Catch::Contains("--integrator"));
   CHECK_THAT(message("samplers/sobol"), Catch::Contains("--sampler"));
   CHECK_THAT(message("AOV"), Catch::Contains("--aov"));
-  const std::set<std::string> needed{"integrators", "samplers", "choosers", "media", "phases"};
+  const std::set<std::string> needed{"integrators", "samplers", "choosers", "light_rays", "media", "phases"};
   for (const std::string& list : list_folders())
     for (const std::string& entry : list_entries(list))
       CHECK((message(list + "/" + entry).empty()) == (!needed.contains(list)));

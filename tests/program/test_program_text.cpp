@@ -8,6 +8,7 @@
 #include <regex>
 
 #include "image/temporary_folder.h"
+#include "kinds/integrators.h"
 #include "opencl/program.h"
 #include "program/program_text.h"
 #include "scene/loader.h"
@@ -22,6 +23,10 @@ const std::vector<std::string> roots = {"kernels/render.cl", "kernels/intersect.
 
 std::string text_of(const Scene& scene, const RenderSettings& settings = {}, const std::string& root = roots[0]) {
   return program_source(root, features_of(scene, settings), settings.precision, 8).text;
+}
+
+std::string picture_text_of(const Scene& scene, const RenderSettings& settings = {}) {
+  return text_of(scene, settings, kinds::integrator(scene.integrator.name).kernel());
 }
 
 /// What programs are cached and named by: text and options.
@@ -68,9 +73,9 @@ class KernelCopy {
 };
 
 const std::map<std::string, std::string> macros = {
-    {"areas", "AREA"},         {"choosers", "CHOOSER"}, {"integrators", "INTEGRATOR"}, {"lights", "LIGHT"},
-    {"materials", "MATERIAL"}, {"media", "MEDIUM"},     {"phases", "PHASE"},           {"samplers", "SAMPLER"},
-    {"shapes", "SHAPE"},       {"textures", "TEXTURE"}};
+    {"areas", "AREA"},       {"choosers", "CHOOSER"},   {"integrators", "INTEGRATOR"}, {"light_rays", "LIGHT_RAY"},
+    {"lights", "LIGHT"},     {"materials", "MATERIAL"}, {"media", "MEDIUM"},           {"phases", "PHASE"},
+    {"samplers", "SAMPLER"}, {"shapes", "SHAPE"},       {"textures", "TEXTURE"}};
 
 /// Another entry of a list, registered as CONTRIBUTING.md says, `first` before all others or after them.
 void add_entry(const KernelCopy& kernels, const std::string& list, const std::string& name, bool first) {
@@ -206,9 +211,15 @@ TEST_CASE("A new entry of any list leaves the programs that do not use it as the
     for (std::size_t i = 0; i < before.size(); ++i) CHECK((after[i] == before[i]));  // too long to be printed
     RenderSettings everything;
     everything.generic = true;
-    const std::string generic = text_of(scenes[0], everything);
-    for (const std::string& list : list_folders())
-      CHECK(generic.find("int " + list + "_novelty;") != std::string::npos);
+    Scene of_light_paths = scenes[0];
+    of_light_paths.integrator.name = "ptracer";
+    const std::string generic = picture_text_of(scenes[0], everything);
+    const std::string of_lights = picture_text_of(of_light_paths, everything);
+    for (const std::string& list : list_folders()) {
+      INFO(list);
+      CHECK((generic.find("int " + list + "_novelty;") != std::string::npos) == (list != "light_rays"));
+      CHECK(of_lights.find("int " + list + "_novelty;") != std::string::npos);
+    }
   }
 }
 
@@ -218,7 +229,7 @@ TEST_CASE("A shipped scene's programs hold the entries that it uses and no other
   for (const std::string& path : paths) {
     const Scene scene = load_scene(path).scene;
     const Features features = features_of(scene, {});
-    const std::string text = text_of(scene);
+    const std::string text = picture_text_of(scene);
     for (const std::string& list : list_folders())
       for (const std::string& entry : list_entries(list)) {
         INFO(path << ": " << list << "/" << entry);
@@ -231,6 +242,19 @@ TEST_CASE("A shipped scene's programs hold the entries that it uses and no other
         CHECK(is_there == used);
         CHECK(std::regex_search(text, std::regex(macros.at(list) + "\\(" + entry + "[,)]")) == used);
       }
+  }
+}
+
+TEST_CASE("Programs of paths from the camera hold nothing of those from lights") {
+  RenderSettings everything;
+  everything.generic = true;
+  for (const RenderSettings& settings : {RenderSettings{}, everything}) {
+    Scene scene = lecture_scene("lit");
+    const std::string text = picture_text_of(scene, settings);
+    for (const char* of_lights : {"adjoint_lanes.h", "ptracer", "splat_place(", "light_rays/"})
+      CHECK(text.find(of_lights) == std::string::npos);
+    scene.integrator.name = "ptracer";
+    CHECK(picture_text_of(scene, settings).find("splat_place(") != std::string::npos);
   }
 }
 

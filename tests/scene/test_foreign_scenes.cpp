@@ -159,13 +159,21 @@ TEST_CASE("a mesh of degenerate faces is left out, and a group that has lost all
 
 TEST_CASE("what Mitsuba has is not supported yet; only what nobody has is guessed at") {
   for (const char* body : {"<shape type=\"sdfgrid\"/>", "<shape type=\"sphere\"><bsdf type=\"hair\"/></shape>",
-                           "<emitter type=\"volumelight\"/>", "<integrator type=\"ptracer\"/>"}) {
+                           "<emitter type=\"volumelight\"/>", "<integrator type=\"bdpt\"/>"}) {
     const std::string first = problems(around(body)).at(0), all = first + problems(around(body)).back();
     INFO(all);
     CHECK(contains(all, "is not supported yet"));
     CHECK_FALSE(contains(all, "did you mean"));
   }
   CHECK(contains(problems(around("<emitter type=\"piont\"/>")).back(), "did you mean \"point\"?"));
+}
+
+TEST_CASE("light tracing has two names, as in Mitsuba") {
+  const SceneFolder folder;
+  for (const char* name : {"ptracer", "particle"}) {
+    const std::string body = "<shape type=\"sphere\"/><integrator type=\"" + std::string(name) + "\"/>";
+    CHECK(load_scene(folder.write("scene.xml", around(body))).scene.integrator.name == "ptracer");
+  }
 }
 
 TEST_CASE("the document lists every type of Mitsuba") {

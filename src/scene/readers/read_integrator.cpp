@@ -36,7 +36,8 @@ std::string substitute_of(Properties& properties) {
 IntegratorSettings read_integrator(const XmlElement& element, SceneBuilder& builder) {
   const std::vector<std::string>& known = kinds::integrator_names();
   Properties properties(element, builder.ids, builder.diagnostics);
-  const std::string_view type = properties.type();
+  // Mitsuba's name and its alias.
+  const std::string_view type = properties.type() == "particle" ? "ptracer" : properties.type();
   const std::vector<const XmlElement*> inside = properties.objects("integrator");
   if (is_around_another(type) && !inside.empty()) {
     if (!builder.integrators_being_read.insert(&element).second) {

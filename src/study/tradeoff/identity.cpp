@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "kinds/integrators.h"
 #include "opencl/program.h"
 #include "opencl/program_cache.h"
 #include "packing/pack.h"
@@ -38,7 +39,9 @@ std::string content_hash(const Scene& scene) {
 std::string code_hash(const Scene& scene) {
   std::string texts;
   for (const SamplerKind sampler : {SamplerKind::sobol, SamplerKind::independent})
-    texts += program_source("kernels/render.cl", features_of(common(scene, sampler), {}), Precision::robust, 1).text;
+    texts += program_source(kinds::integrator(scene.integrator.name).kernel(), features_of(common(scene, sampler), {}),
+                            Precision::robust, 1)
+                 .text;
   return fmt::format("{:016x}", fnv1a(texts));
 }
 

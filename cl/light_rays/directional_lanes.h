@@ -1,0 +1,6 @@
+// SPDX-License-Identifier: MIT
+// Parallel light from one direction.
+
+FN LightRay_w directional_ray_w(const Scene* scene, GLOBAL const int* row, LightNumbers_w numbers, Real2_w way) {
+  return far_ray_w(scene, directional_sample_w(scene, row, anywhere_w(), numbers), way);
+}

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// Rays that leave lights, and dispatch over the active lights, light by light. One width; no guard.
+
+#define PI R(3.14159265358979323846)
+
+typedef struct {
+  real3w from, way;  ///< way: unit.
+  real3w flux;       ///< What one such ray carries: radiance or intensity over the density with which it was drawn.
+  real3w normal;     ///< Of the light's surface, on the side that emits; undefined where it has none.
+  realw bound;       ///< The place may be so far off the surface.
+  maskw is_surface;  ///< The flux over pi leaves the place into each unit of solid angle, times the cosine.
+} LightRay_w;
+
+FN LightRay_w no_light_ray_w(void) {
+  LightRay_w ray;
+  realw zero = splat_w(R(0.0));
+  ray.from = ray.way = ray.flux = ray.normal = vec3_w(zero, zero, zero);
+  ray.bound = zero;
+  ray.is_surface = none_w();
+  return ray;
+}
+
+#include "light_rays/all_lanes.h"
+
+FN LightRay_w ray_of_light_w(const Scene* scene, int light, LightNumbers_w numbers, Real2_w way) {
+  GLOBAL const int* row = light_row(scene, light);
+  switch (row[LIGHT_KIND]) {
+#define LIGHT_RAY(name) \
+  case LIGHT_##name:    \
+    return name##_ray_w(scene, row, numbers, way);
+#include "light_rays/light_rays.def"
+#undef LIGHT_RAY
+    default:
+      (void)numbers;
+      (void)way;
+      return no_light_ray_w();
+  }
+}
+
+/// lights: of the lanes of `which`; the others carry nothing.
+FN LightRay_w light_ray_w(const Scene* scene, maskw which, intw lights, LightNumbers_w numbers, Real2_w way) {
+  LightRay_w ray = no_light_ray_w();
+  for (uint lanes = bits_w(which); lanes != 0u;) {
+    int light = get_int_w(&lights, first_bit(lanes));
+    maskw of_light = ~nonzero_w(lights - splat_int_w(light));
+    LightRay_w one = ray_of_light_w(scene, light, numbers, way);
+    ray.from = sel3_w(of_light, one.from, ray.from);
+    ray.way = sel3_w(of_light, one.way, ray.way);
+    ray.flux = sel3_w(of_light, one.flux, ray.flux);
+    ray.normal = sel3_w(of_light, one.normal, ray.normal);
+    ray.bound = sel_w(of_light, one.bound, ray.bound);
+    ray.is_surface = (of_light & one.is_surface) | (~of_light & ray.is_surface);
+    lanes &= ~bits_w(of_light);
+  }
+  return ray;
+}

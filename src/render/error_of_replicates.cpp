@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+// The error of a picture from independent replicates of it. With D the replicates' deviations from their mean, each
+// times the root of its number of paths, the products of deviations G = D D^T say all: the trace is the squared error,
+// and what G differs from a multiple of the identity on the replicates' differences says how much the realised error
+// may differ from it. For normal deviations of covariance S that difference has the squared norm 2 f tr(S^2), with f =
+// (R - 1) R / 2 - 1 degrees of freedom; rare bright splats only enlarge it (docs/decisions/0032-light-tracing.md).
+#include <cmath>
+
+#include "render/error_law.h"
+#include "render/film.h"
+
+namespace strahl {
+namespace {
+
+constexpr int replicates = layout::FILM_SUBSUMS;
+
+using Deviations = std::array<Colour, replicates>;
+
+struct Replicated {
+  Deviations deviation{};  ///< Times the root of the replicate's size.
+  PixelError error;
+};
+
+Replicated replicated_at(const FilmSums& film, const std::vector<double>& sizes, std::size_t at) {
+  Replicated pixel;
+  double samples = 0;
+  for (const double size : sizes) samples += size;
+  for (int c = 0; c < layout::FILM_CHANNELS; ++c) {
+    const auto channel = static_cast<std::size_t>(c);
+    std::array<double, replicates> sum{};
+    for (std::size_t k = 0; k < replicates; ++k) {
+      sum[k] = film.sub_sum(at, static_cast<int>(k), c);
+      pixel.error.mean[channel] += sum[k] / samples;
+    }
+    double spread = 0;
+    for (std::size_t k = 0; k < replicates; ++k) {
+      const double deviation = std::sqrt(sizes[k]) * (sum[k] / sizes[k] - pixel.error.mean[channel]);
+      pixel.deviation[k][channel] = deviation;
+      spread += deviation * deviation;
+    }
+    pixel.error.squared[channel] = spread / ((replicates - 1) * samples);
+  }
+  return pixel;
+}
+
+}  // namespace
+
+std::vector<double> replicate_sizes(const FilmSums& film) {
+  std::vector<double> sizes(replicates, 0.0);
+  const auto pixels = static_cast<double>(film.samples.size());
+  for (std::size_t at = 0; at < film.samples.size(); ++at)
+    for (std::size_t k = 0; k < replicates; ++k) sizes[k] += film.sub_sum_samples(at, static_cast<int>(k)) / pixels;
+  return sizes;
+}
+
+PixelError pixel_error_of_replicates(const FilmSums& film, const std::vector<double>& sizes, std::size_t at) {
+  return replicated_at(film, sizes, at).error;
+}
+
+PictureError picture_error_of_replicates(const FilmSums& film) {
+  const std::vector<double> sizes = replicate_sizes(film);
+  std::array<std::array<double, replicates>, replicates> products{};
+  PictureError picture;
+  for (std::size_t at = 0; at < film.samples.size(); ++at) {
+    const Replicated pixel = replicated_at(film, sizes, at);
+    picture.add(pixel.error);
+    for (std::size_t i = 0; i < replicates; ++i)
+      for (std::size_t j = 0; j < replicates; ++j)
+        for (std::size_t c = 0; c < layout::FILM_CHANNELS; ++c)
+          products[i][j] += pixel.deviation[i][c] * pixel.deviation[j][c];
+  }
+  double trace = 0, norm = 0, samples = 0;
+  for (std::size_t i = 0; i < replicates; ++i) {
+    trace += products[i][i];
+    samples += sizes[i];
+    for (std::size_t j = 0; j < replicates; ++j) norm += products[i][j] * products[i][j];
+  }
+  constexpr double between = replicates - 1, freedom = between * replicates / 2 - 1;
+  const double squares = std::max(0.0, norm - trace * trace / between) / (2 * freedom);  // tr(S^2) of one path
+  picture.variance = 2 * replicates / (between * samples * samples) * squares;
+  picture.freedom = freedom;
+  return picture;
+}
+
+}  // namespace strahl

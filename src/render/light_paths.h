@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// What pictures of light paths cannot have (docs/decisions/0032-light-tracing.md): each is refused, with the reason.
+#pragma once
+
+#include <cstdint>
+
+#include "opencl/device.h"
+#include "scene/model/scene.h"
+#include "settings/settings.h"
+
+namespace strahl {
+
+/// Throws UsageError or SceneError where the integrator's paths begin on lights and the scene or the settings ask for
+/// what only paths from the camera have.
+void require_light_paths(const Scene& scene, const RenderSettings& settings);
+
+/// Samples of a pixel at the most, so that a sum's words hold a splat of every path.
+[[nodiscard]] int most_light_paths(const Window& window, bool has_error_sums);
+
+/// Throws NoDeviceError where the film's bytes do not fit.
+void require_room_for_splats(const Device& device, std::uint64_t bytes, std::uint64_t memory_left);
+
+}  // namespace strahl

@@ -1,0 +1,292 @@
+// SPDX-License-Identifier: MIT
+// Paths from the lights (integrator ptracer) make the picture that paths from the camera make: of every light, of
+// materials that refract, bend normals or are open, through lenses and wide filters. The same bits however they are
+// followed, and on another device; what they cannot do is refused. 40 s.
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "errors.h"
+#include "kinds/lights.h"
+#include "kinds/materials.h"
+#include "render/film_state.h"
+#include "render/stage.h"
+#include "scene/model/build.h"
+
+namespace strahl::test {
+namespace {
+
+constexpr int size = 32, blocks = 4, seeds = 8;
+
+/// Each block's mean over all seeds, and its standard error.
+struct Blocks {
+  std::vector<double> mean, error;
+};
+
+Blocks blocks_of(Scene scene, const std::string& integrator, int samples) {
+  scene.integrator.name = integrator;
+  scene.film.width = scene.film.height = size;
+  RenderSettings settings;
+  settings.generic = true;
+  static const Device device = Device::open("pocl");
+  Renderer renderer(device, scene, settings);
+  constexpr std::size_t count = blocks * blocks;
+  std::vector<double> sum(count), squares(count);
+  for (std::uint32_t seed = 0; seed < seeds; ++seed) {
+    RenderGoal goal;
+    goal.spp = samples;
+    goal.seed = 7 + seed;
+    const Image image = renderer.render({}, goal).color;
+    std::vector<double> block(count);
+    for (int y = 0; y < image.height; ++y)
+      for (int x = 0; x < image.width; ++x)
+        for (int c = 0; c < 3; ++c)
+          block[static_cast<std::size_t>(y * blocks / image.height * blocks + x * blocks / image.width)] +=
+              static_cast<double>(image.at(x, y, c)) * blocks * blocks / (3.0 * image.width * image.height);
+    for (std::size_t k = 0; k < count; ++k) {
+      sum[k] += block[k];
+      squares[k] += block[k] * block[k];
+    }
+  }
+  Blocks found;
+  for (std::size_t k = 0; k < count; ++k) {
+    found.mean.push_back(sum[k] / seeds);
+    const double variance = std::max(0.0, squares[k] - sum[k] * sum[k] / seeds) / (seeds - 1);
+    found.error.push_back(std::sqrt(variance / seeds));
+  }
+  return found;
+}
+
+/// Welch's t of every block, 16 of them with at least 7 degrees of freedom; the mean of all within `tolerance`.
+void hold_like_path(const char* what, const Scene& scene, int samples = 128, double tolerance = 0.01) {
+  INFO(what);
+  const Blocks from_lights = blocks_of(scene, "ptracer", samples), from_camera = blocks_of(scene, "path", samples);
+  double ours = 0, theirs = 0, variance = 0;
+  for (std::size_t k = 0; k < from_lights.mean.size(); ++k) {
+    const double difference = from_lights.mean[k] - from_camera.mean[k];
+    const double error = std::hypot(from_lights.error[k], from_camera.error[k]);
+    INFO("block " << k << ": " << from_lights.mean[k] << " where path has " << from_camera.mean[k] << ", +- " << error);
+    CHECK(std::fabs(difference) <= 6 * error + 1e-6);
+    variance += error * error;
+    ours += from_lights.mean[k];
+    theirs += from_camera.mean[k];
+  }
+  INFO("together " << ours << " where path has " << theirs << ", +- " << std::sqrt(variance));
+  CHECK(theirs > 0);
+  CHECK(ours == Approx(theirs).epsilon(tolerance));
+}
+
+/// One of the project's, with a finite floor, and diffuse where it mirrors: paths from lights do not find what the
+/// camera sees in mirrors, nor paths from the camera what mirrors throw of points.
+Scene without_mirrors(const std::string& path) {
+  Scene scene = load_scene((scene_folder / path).string() + ".xml").scene;
+  for (Material& material : scene.materials)
+    if (material_facts(material).has_lobe(lobes::LOBE_DELTA)) material.bsdf = Diffuse{{{0.5, 0.5, 0.5}}};
+  for (Shape& shape : scene.shapes)
+    if (const auto* plane = std::get_if<Plane>(&shape.geometry)) {
+      const Vec3 u = 4 * plane->u, v = 4 * plane->v;
+      shape.geometry = Rectangle{plane->point - u - v, 2 * u, 2 * v};
+    }
+  return scene;
+}
+
+/// A ball over a floor, both of the material.
+Scene ball_on_floor(const Material& material) {
+  Scene scene;
+  scene.materials = {material};
+  add(scene, Rectangle{{-3, -3, 0}, {6, 0, 0}, {0, 6, 0}});
+  add(scene, Sphere{{0, 0, 0.8}, 0.8});
+  scene.camera = perspective_camera({0, -5, 3}, {0, 0, 0.4}, {0, 0, 1}, 40);
+  scene.film.filter = {FilterKind::box, 0.5, 0.5};
+  scene.integrator.max_depth = 5;
+  return scene;
+}
+
+Scene grey_ball() { return ball_on_floor(diffuse({0.7, 0.5, 0.3}, true)); }
+
+Scene under_lamp(const Material& material) {
+  Scene scene = ball_on_floor(material);
+  add(scene, emitting(Rectangle{{-1, -1, 4}, {0, 2, 0}, {2, 0, 0}}, {4, 4, 4}));
+  return scene;
+}
+
+TEST_CASE("every light, from its own end") {
+  require_pocl_and_rusticl();
+  Scene lamp = under_lamp(diffuse({0.7, 0.5, 0.3}, true)), point = grey_ball(), sky = grey_ball(), sun = grey_ball(),
+        all = lamp;
+  hold_like_path("area", lamp);
+  add(point, PointLight{{1, -2, 3}, {20, 15, 10}});
+  hold_like_path("point", point);
+  add(sky, ConstantLight{{1, 0.9, 0.8}});
+  hold_like_path("constant", sky);
+  add(sun, DirectionalLight{{0.3, 0.2, -1}, {3, 3, 3}});
+  hold_like_path("directional", sun);
+  add(all, PointLight{{1, -2, 3}, {5, 5, 5}});
+  add(all, ConstantLight{{0.2, 0.2, 0.4}});
+  add(all, DirectionalLight{{0.3, 0.2, -1}, {0.5, 0.5, 0.5}});
+  hold_like_path("all of them", all);
+}
+
+TEST_CASE("lights of the project's scenes: images of the sky, projectors, spots, textured screens") {
+  require_pocl_and_rusticl();
+  for (const char* name : {"envmap", "sunsky", "projector", "spot", "screen", "sphere", "disk", "cylinder", "mesh"})
+    hold_like_path(name, without_mirrors(std::string("lights/") + name), 64, 0.02);
+}
+
+TEST_CASE("lenses, filters, cameras of parallel rays and parts of a picture") {
+  require_pocl_and_rusticl();
+  Scene scene = under_lamp(diffuse({0.7, 0.5, 0.3}, true));
+  scene.film.filter = {FilterKind::gaussian};
+  hold_like_path("gaussian", scene);
+  scene.film.filter = {FilterKind::tent};
+  scene.camera.aperture_radius = 0.2;
+  scene.camera.focus_distance = 5;
+  hold_like_path("tent and lens", scene);
+  scene.camera.aperture_radius = 0;
+  scene.camera.projection = Projection::orthographic;
+  hold_like_path("orthographic", scene);
+  scene.film.crop = Window{3, 8, 27, 28};
+  hold_like_path("part", scene, 256);
+}
+
+TEST_CASE("glass scales radiance and not flux; shading normals and reliefs count from both sides") {
+  require_pocl_and_rusticl();
+  Material glass;
+  glass.bsdf = RoughDielectric{};
+  Scene scene = under_lamp(diffuse({0.6, 0.6, 0.6}, true));
+  scene.materials.push_back(glass);
+  scene.shapes[1].material = 1;
+  scene.integrator.max_depth = 8;
+  hold_like_path("rough glass", scene, 512, 0.02);
+  for (const char* name : {"roughconductor", "normalmap", "roughplastic"})
+    hold_like_path(name, without_mirrors(std::string("materials/") + name), 256, 0.02);
+  // Shadow rays of path do not go through masks, so that only light that its rays can meet comes through them.
+  Scene masks = without_mirrors("materials/mask");
+  std::erase_if(masks.lights, [](const Light& light) { return kinds::light(light).is_delta; });
+  hold_like_path("mask", masks, 512);
+}
+
+TEST_CASE("max_depth and hidden emitters leave out what they do from the camera") {
+  require_pocl_and_rusticl();
+  for (const int depth : {1, 2, 3}) {
+    Scene scene = under_lamp(diffuse({0.7, 0.5, 0.3}, true));
+    scene.camera = perspective_camera({0, -5, 1}, {0, 0, 2.5}, {0, 0, 1}, 70);  // It sees the lamp from below.
+    add(scene, ConstantLight{{0.2, 0.2, 0.2}});
+    scene.integrator.max_depth = depth;
+    hold_like_path("depth", scene);
+    scene.integrator.hide_emitters = true;
+    if (depth > 1) hold_like_path("hidden", scene);
+  }
+}
+
+Scene caustic(int spp = 16) {
+  Scene scene = small_scene(scene_folder / "lights/caustic.xml", 29, 23, spp);
+  return scene;
+}
+
+bool is_told_alike(const RenderResult& a, const RenderResult& b) {
+  return a.error && b.error && a.error->rmse == b.error->rmse && a.error->rmse_high == b.error->rmse_high;
+}
+
+TEST_CASE("the same bits by any lanes, launches and programs") {
+  require_pocl_and_rusticl();
+  Scene cornell = small_scene(scene_folder / "cornell/cornell-box.xml", 29, 23, 16);
+  cornell.integrator.name = "ptracer";
+  for (const Scene& scene : {caustic(), cornell}) {
+    const RenderResult expected = render("pocl", scene, {});
+    CHECK(lit_pixels(expected.color) > 200);
+    for (const int lanes : {1, 16}) {
+      RenderSettings other;
+      other.lanes = lanes;
+      other.passes = 5;
+      other.work_group = {3, 2};
+      other.generic = lanes == 16;
+      const RenderResult found = render("pocl", scene, other);
+      CHECK(same_bits(expected, found));
+      CHECK(is_told_alike(expected, found));
+    }
+    RenderSettings untold;
+    untold.estimate_error = false;
+    CHECK_FALSE(render("pocl", scene, untold).error);
+  }
+}
+
+TEST_CASE("on a device that ends loops, too, each splat is made once") {
+  require_pocl_and_rusticl();
+  // A small program: llvmpipe takes minutes for large ones.
+  Scene scene = stage({Sphere{{0, 0, 0}, 1.5}}, diffuse({0.8, 0.8, 0.8}));
+  add(scene, PointLight{{0, 1, 4}, {8, 8, 8}});
+  scene.integrator.name = "ptracer";
+  scene.film.width = scene.film.height = 8;
+  scene.film.filter = {FilterKind::box, 0.5, 0.5};
+  scene.sampler.kind = SamplerKind::independent;
+  scene.sampler.sample_count = 256;
+  RenderSettings watched;
+  watched.precision = Precision::stable;
+  RenderSettings plain = watched;
+  watched.loop_turns = 65534;
+  watched.passes = 1;
+  const RenderResult expected = render("pocl", scene, plain), found = render("llvmpipe", scene, watched);
+  CHECK(same_bits(expected, found));
+  CHECK(found.stats.kernel_runs.size() > 1);  // Paths were cut short.
+  CHECK(same_bits(expected, render("pocl", scene, watched)));
+}
+
+TEST_CASE("a film of splats goes on from any launch, and ends at an error or a deadline") {
+  require_pocl_and_rusticl();
+  RenderSettings settings;
+  settings.passes = 5;
+  Renderer renderer(Device::open("pocl"), caustic(32), settings);
+  const RenderResult expected = renderer.render();
+  std::vector<FilmState> states;
+  FilmKeeper keeper;
+  keeper.is_due = [] { return true; };
+  keeper.keep = [&](FilmState state) { states.push_back(std::move(state)); };
+  CHECK(same_bits(expected, renderer.render({}, {}, &keeper)));
+  REQUIRE(states.size() > 3);
+  for (const FilmState& state : states) {
+    FilmKeeper other;
+    other.begin_with = &state;
+    const RenderResult found = renderer.render({}, {}, &other);
+    CHECK(same_bits(expected, found));
+    CHECK(is_told_alike(expected, found));
+  }
+  RenderGoal goal;
+  goal.max_error = 0.2;
+  const RenderResult ended = renderer.render({}, goal);
+  CHECK(ended.ending == Ending::error);
+  REQUIRE(ended.error);
+  CHECK(ended.error->rmse <= 0.2);
+}
+
+TEST_CASE("what light paths cannot have is refused") {
+  require_pocl_and_rusticl();
+  const Device device = Device::open("pocl");
+  const auto why_not = [&](const Scene& scene, const RenderSettings& settings = {}) -> std::string {
+    try {
+      Renderer(device, scene, settings);
+    } catch (const std::exception& error) {
+      return error.what();
+    }
+    return {};
+  };
+  Scene scene = caustic();
+  RenderSettings settings;
+  settings.aovs = {Aov::depth};
+  CHECK_THAT(why_not(scene, settings), Catch::Contains("--aov needs a camera ray"));
+  settings = {};
+  settings.light_choice = "tree";
+  CHECK_THAT(why_not(scene, settings), Catch::Contains("--light-choice power"));
+  scene.media.emplace_back();
+  CHECK_THAT(why_not(scene), Catch::Contains("take integrator volpath"));
+  scene = caustic();
+  scene.shapes.front().geometry = Plane{{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {0, 1, 0}};
+  CHECK(why_not(scene).empty());
+  add(scene, ConstantLight{{1, 1, 1}});
+  CHECK_THAT(why_not(scene), Catch::Contains("a large finite one"));
+  scene = caustic();
+  scene.sampler.kind = SamplerKind::centre;
+  CHECK_THAT(why_not(scene), Catch::Contains("another sampler"));
+}
+
+}  // namespace
+}  // namespace strahl::test
