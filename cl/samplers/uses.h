@@ -31,4 +31,9 @@ enum {
   PAIRS_A_VERTEX = 8
 };
 
+/// What has no bound, masks in a row and places where a medium may scatter, draws from a stream of each sample's own,
+/// beyond the sets of all vertices. That of shadow rays begins so far behind that of the path.
+#define STREAM_BEGIN 0x80000000u
+#define STREAM_SHADOWS 0x40000000u
+
 #endif

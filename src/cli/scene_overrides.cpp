@@ -127,9 +127,6 @@ void apply(const SceneOverrides& overrides, Scene& scene) {
   if (is_auto) {
     scene.integrator.max_depth = overrides.max_depth.value_or(scene.integrator.max_depth);
     choose_integrator(scene);
-  } else if (overrides.integrator == "volpath") {
-    say("warning: integrator volpath is not there yet: path takes its place, without media");
-    scene.integrator.name = "path";
   } else if (overrides.integrator) {
     std::vector<std::string> known = list_entries("integrators");
     known.emplace_back("auto");

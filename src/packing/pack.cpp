@@ -47,7 +47,8 @@ class Packing {
     textures();
     light_of_part_ = pack_lights(packed_, images_, scene_, features_, options_.frame, shapes_, first_ids_);
     parts();
-    if (features_.flag("MEDIA")) pack_media(packed_, media_row_, scene_, features_, options_.frame, boundaries_);
+    if (features_.flag("MEDIA"))
+      pack_media(packed_, images_, media_row_, scene_, features_, options_.frame, boundaries_);
     shapes();
     return std::move(packed_);
   }

@@ -69,7 +69,7 @@ TEST_CASE("a medium that emits shows 1 - e^-depth of its radiance") {
   require_pocl_and_rusticl();
   for (const double depth : {1e-6, 0.1, 3.0}) {
     Medium glowing = medium({depth, depth, depth}, {0, 0, 0});
-    glowing.emission = {2, 3, 4};
+    glowing.emission = Rgb{2, 3, 4};
     const Image image = color(filled(slab(1), glowing, 0), Precision::robust);
     INFO(depth);
     CHECK(static_cast<double>(image.at(5, 7, 0)) == Approx(-2 * std::expm1(-depth)).epsilon(1e-5));
