@@ -32,8 +32,10 @@ enum {
 };
 
 /// What has no bound, masks in a row and places where a medium may scatter, draws from a stream of each sample's own,
-/// beyond the sets of all vertices. That of shadow rays begins so far behind that of the path.
-#define STREAM_BEGIN 0x80000000u
-#define STREAM_SHADOWS 0x40000000u
+/// beyond the sets of all vertices. That of shadow rays begins so far behind that of the path. The differences have ones
+/// among their low bits: two numbers of the hash (math/rng_lanes.h) whose dimensions differ in the highest bits alone
+/// depend on each other.
+#define STREAM_BEGIN 0x9e3779b9u
+#define STREAM_SHADOWS 0x7f4a7c15u
 
 #endif
