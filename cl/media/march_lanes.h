@@ -13,13 +13,10 @@ typedef struct {
   maskw goes;         ///< Lanes that have not come to the end.
 } March_w;
 
-/// Below this a direction's part is none: its inverse would have no square.
-#define MARCH_LEAST R(1e-18)
-
 /// Narrows [near, far] to where o + t d is between low and high.
 FN void clip_axis_w(realw o, realw d, real low, real high, PRIVATE realw* near, PRIVATE realw* far) {
   realw zero = splat_w(R(0.0)), most = splat_w(REAL_MAX);
-  maskw stays = lt_w(abs_w(d), splat_w(MARCH_LEAST));
+  maskw stays = ~lt_w(splat_w(R(0.0)), abs_w(d));
   realw inverse = splat_w(R(1.0)) / sel_w(stays, splat_w(R(1.0)), d);
   realw a = (splat_w(low) - o) * inverse, b = (splat_w(high) - o) * inverse;
   maskw is_within = le_w(splat_w(low), o) & le_w(o, splat_w(high));
@@ -32,7 +29,7 @@ FN void clip_axis_w(realw o, realw d, real low, real high, PRIVATE realw* near, 
 /// The cell of the place x, of `count`, and which one follows along d.
 FN intw cell_of_w(realw x, realw d, int count, PRIVATE realw* inverse, PRIVATE intw* step) {
   realw zero = splat_w(R(0.0)), one = splat_w(R(1.0));
-  maskw stays = lt_w(abs_w(d), splat_w(MARCH_LEAST)), is_down = lt_w(d, zero);
+  maskw stays = ~lt_w(zero, abs_w(d)), is_down = lt_w(d, zero);
   *inverse = sel_w(stays, zero, one / sel_w(stays, one, d));
   *step = sel_int_w(stays, splat_int_w(0), sel_int_w(is_down, splat_int_w(-1), splat_int_w(1)));
   realw last = splat_w((real)(count - 1));

@@ -23,6 +23,11 @@ struct VolumeGrid {
   Vec3 low{0, 0, 0}, high{1, 1, 1};  ///< The box that its file states.
 };
 
+/// texels: height * depth rows.
+[[nodiscard]] VolumeGrid grid_of_texels(int height, int depth, Texels texels);
+/// channels: 1 or 3 a texel, x first, then y, then z; what is negative, infinite or no number is repaired as of images.
+[[nodiscard]] VolumeGrid grid_of_floats(int width, int height, int depth, int channels, std::vector<float> values);
+
 /// A value everywhere, or a grid over the unit cube, placed in the world.
 struct Volume {
   Volume(const Rgb& everywhere) : value(everywhere) {}  // NOLINT(google-explicit-constructor): a colour is a volume

@@ -8,7 +8,6 @@
 #include "scene/readers/foreign_plugins.h"
 #include "scene/readers/read_choice.h"
 #include "scene/readers/read_texture.h"
-#include "scene/volumes/vol_reader.h"
 
 namespace strahl {
 namespace {

@@ -22,24 +22,7 @@ T load_at(const std::string& bytes, std::size_t at) {
   return load<T>(bytes.data() + at, std::endian::little);
 }
 
-VolumeGrid grid_of(int height, int depth, Texels texels) {
-  VolumeGrid grid;
-  grid.height = height;
-  grid.depth = depth;
-  grid.texels = std::move(texels);
-  const TexelDecoder decoded(grid.texels, {TexelCurve::Kind::linear, 1});
-  for (std::size_t n = 0; n < grid.texels.count(); ++n) {
-    const auto [r, g, b] = decoded(n);
-    grid.largest = {std::max(grid.largest.r, r), std::max(grid.largest.g, g), std::max(grid.largest.b, b)};
-  }
-  return grid;
-}
-
 }  // namespace
-
-VolumeGrid grid_of_floats(int width, int height, int depth, int channels, std::vector<float> values) {
-  return grid_of(height, depth, repaired_texels(width, height * depth, channels, std::move(values)));
-}
 
 VolumeGrid read_vol(const std::string& path) {
   const std::string bytes = read_file(path);
@@ -66,9 +49,9 @@ VolumeGrid read_vol(const std::string& path) {
                      depth, expected));
   VolumeGrid grid;
   if (encoding == of_bytes) {
-    grid = grid_of(height, depth,
-                   texels_of_bytes(width, height * depth, channels,
-                                   reinterpret_cast<const std::uint8_t*>(bytes.data()) + header_bytes));
+    grid = grid_of_texels(height, depth,
+                          texels_of_bytes(width, height * depth, channels,
+                                          reinterpret_cast<const std::uint8_t*>(bytes.data()) + header_bytes));
   } else {
     std::vector<float> values(count);
     for (std::size_t i = 0; i < count; ++i) values[i] = load_at<float>(bytes, header_bytes + i * sizeof(float));

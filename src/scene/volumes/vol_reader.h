@@ -13,8 +13,4 @@ namespace strahl {
 /// Throws InputError that names the file.
 [[nodiscard]] VolumeGrid read_vol(const std::string& path);
 
-/// A grid of texels in the order of a .vol, channels 1 or 3 each; what is negative, infinite or no number is repaired
-/// as of images.
-[[nodiscard]] VolumeGrid grid_of_floats(int width, int height, int depth, int channels, std::vector<float> values);
-
 }  // namespace strahl
