@@ -94,7 +94,7 @@ TEST_CASE("a heterogeneous medium has Mitsuba's parameters") {
                        "<transform name=\"to_world\"><scale value=\"2\"/></transform>") +
                   "<volume name=\"albedo\" type=\"constvolume\"><rgb name=\"value\" value=\".1 .2 .3\"/></volume>"
                   "<float name=\"scale\" value=\"5\"/>");
-  CHECK(loaded.diagnostics.empty());
+  CHECK(loaded.warnings.empty());
   const Medium& medium = loaded.scene.media.at(0);
   REQUIRE(medium.is_heterogeneous());
   CHECK(medium.sigma_t.value.g == 5);
@@ -118,7 +118,7 @@ TEST_CASE("Mitsuba 0.x says density, and its grids fill their boxes") {
   const VolumeFolder folder;
   const LoadedScene loaded =
       folder.load("type=\"heterogeneous\"><string name=\"method\" value=\"woodcock\"/>" + grid("density"), "0.6.0");
-  CHECK(loaded.diagnostics.empty());
+  CHECK(loaded.warnings.empty());
   CHECK(loaded.scene.media.at(0).sigma_t.world_from_cube.point({0, 0, 0}).z == -3);
 }
 
@@ -133,8 +133,8 @@ TEST_CASE("faults of grids name the place") {
   CHECK_THROWS_WITH(folder.load("type=\"heterogeneous\">" + grid("albedo")),
                     Contains("albedo of a medium must lie within [0, 1]"));
   const LoadedScene even = folder.load("type=\"homogeneous\">" + grid("sigma_t"));
-  REQUIRE(even.diagnostics.size() == 1);
-  CHECK_THAT(even.diagnostics[0].message, Contains("belongs to a medium of type heterogeneous"));
+  REQUIRE(even.warnings.size() == 1);
+  CHECK_THAT(even.warnings[0].message, Contains("belongs to a medium of type heterogeneous"));
 }
 
 }  // namespace
