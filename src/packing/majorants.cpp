@@ -75,6 +75,38 @@ float rounded_up(double value) {
   return static_cast<double>(rounded) < value ? std::nextafter(rounded, std::numeric_limits<float>::max()) : rounded;
 }
 
+/// Values over a box, x first.
+struct Layers {
+  std::array<int, 3> size;
+  std::vector<float> values;
+};
+
+/// Replaces the layers of an axis by the largest over each of `groups` of them; value_of(n): the n-th value of the box.
+template <class Value>
+void reduce(Layers& box, int axis, const std::vector<std::vector<int>>& groups, Value value_of) {
+  const auto along = static_cast<std::size_t>(axis);
+  const std::array<int, 3> from = box.size;
+  box.size[along] = static_cast<int>(groups.size());
+  const auto at = [&](std::array<int, 3> p) {
+    return (static_cast<std::size_t>(p[2]) * static_cast<std::size_t>(from[1]) + static_cast<std::size_t>(p[1])) *
+               static_cast<std::size_t>(from[0]) +
+           static_cast<std::size_t>(p[0]);
+  };
+  box.values.clear();
+  for (int z = 0; z < box.size[2]; ++z)
+    for (int y = 0; y < box.size[1]; ++y)
+      for (int x = 0; x < box.size[0]; ++x) {
+        std::array<int, 3> p{x, y, z};
+        float most = 0;
+        for (const int layer : groups[static_cast<std::size_t>(p[along])]) {
+          std::array<int, 3> q = p;
+          q[along] = layer;
+          most = std::max(most, value_of(at(q)));
+        }
+        box.values.push_back(most);
+      }
+}
+
 }  // namespace
 
 std::vector<double> box_frame(const Transform& world_from_cube, const UploadFrame& frame, const Vec3& size,
@@ -116,22 +148,19 @@ Majorants majorants_of(const Volume& sigma_t, const UploadFrame& frame) {
     const Vec3 corner = frame.point({world[0][side], world[1][side], world[2][side]});
     result.reals.insert(result.reals.end(), {corner.x, corner.y, corner.z});
   }
+  // One axis after the other: each texel is decoded about once.
   const TexelDecoder decoded(grid.texels, {TexelCurve::Kind::linear, 1});
   const Rgb& value = sigma_t.value;
-  for (const std::vector<int>& along_z : texels[2])
-    for (const std::vector<int>& along_y : texels[1])
-      for (const std::vector<int>& along_x : texels[0]) {
-        double most = 0;
-        for (const int z : along_z)
-          for (const int y : along_y)
-            for (const int x : along_x) {
-              const std::size_t line =
-                  static_cast<std::size_t>(z) * static_cast<std::size_t>(size[1]) + static_cast<std::size_t>(y);
-              const auto [r, g, b] = decoded(line * static_cast<std::size_t>(size[0]) + static_cast<std::size_t>(x));
-              most = std::max({most, value.r * r, value.g * g, value.b * b});
-            }
-        result.most.push_back(rounded_up(most / frame.scale));
-      }
+  Layers box{size, {}};
+  reduce(box, 0, texels[0], [&](std::size_t n) {
+    const auto [r, g, b] = decoded(n);
+    return rounded_up(std::max({value.r * r, value.g * g, value.b * b}) / frame.scale);
+  });
+  for (const int axis : {1, 2}) {
+    const std::vector<float> values = std::move(box.values);
+    reduce(box, axis, texels[static_cast<std::size_t>(axis)], [&](std::size_t n) { return values[n]; });
+  }
+  result.most = std::move(box.values);
   return result;
 }
 

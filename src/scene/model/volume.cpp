@@ -11,6 +11,11 @@ VolumeGrid grid_of_texels(int height, int depth, Texels texels) {
   grid.height = height;
   grid.depth = depth;
   grid.texels = std::move(texels);
+  if (grid.texels.is_grey && grid.texels.format == TexelFormat::real) {
+    const double most = *std::max_element(grid.texels.reals.begin(), grid.texels.reals.end());
+    grid.largest = {most, most, most};
+    return grid;
+  }
   const TexelDecoder decoded(grid.texels, {TexelCurve::Kind::linear, 1});
   for (std::size_t n = 0; n < grid.texels.count(); ++n) {
     const auto [r, g, b] = decoded(n);
