@@ -39,7 +39,8 @@ target_sources(
          src/scene/model/media.h
          src/scene/model/scene.h
          src/scene/validate.h
-         src/scene/model/vec.h)
+         src/scene/model/vec.h
+         src/scene/model/volume.h)
 install(
   TARGETS strahl
   EXPORT strahl

@@ -24,7 +24,7 @@ typedef struct {
   real3w entered;      ///< Where the ray has left a surface, whether or not it was turned there.
   realw optical;       ///< Optical depth that is left until the path scatters; below 0: not drawn yet.
   real3w hero_shares;  ///< As in media/flight_lanes.h.
-  uintw draws;         ///< Masks that it has met, as media/vertex_lanes.h numbers them.
+  uintw draws;         ///< The next numbers of its stream (samplers/uses.h).
 #endif
 } Paths_w;
 
@@ -89,7 +89,8 @@ FN void paths_begin_w(const Scene* scene, Paths_w* path, maskw which, const Rays
   path->medium = sel_int_w(which, splat_int_w(media_table(scene)[MEDIA_CAMERA]), path->medium);
   path->optical = sel_w(which, -one, path->optical);
   path->hero_shares = sel3_w(which, vec3_w(one, one, one), path->hero_shares);
-  path->draws = uint_of_int_w(sel_int_w(which, splat_int_w(0), int_of_uint_w(path->draws)));
+  intw stream = int_of_uint_w(splat_uint_w(STREAM_BEGIN));
+  path->draws = uint_of_int_w(sel_int_w(which, stream, int_of_uint_w(path->draws)));
 #endif
 }
 

@@ -13,6 +13,7 @@ typedef struct {
   real3w radiance;    ///< What the medium has emitted on the way, as it reaches the camera.
   maskw scatters;     ///< Lanes that scatter before the surface,
   realw t;            ///< and where.
+  uintw draws;        ///< The stream's next numbers (samplers/uses.h).
 } Flight_w;
 
 /// -ln(1 - v), v the number whose bits are those of `high` and then of `low`: an optical depth from 1e-19 to 44 of

@@ -42,6 +42,9 @@ FN void homogeneous_travel_w(const Scene* scene, GLOBAL const int* row, const Sa
   w->scatters = w->scatters | scatters;
 }
 
-FN real3w homogeneous_transmittance_w(const Scene* scene, GLOBAL const int* row, const Flight_w* w) {
+FN real3w homogeneous_transmittance_w(const Scene* scene, GLOBAL const int* row, const SampleState_w* sample,
+                                      maskw which, Flight_w* w) {
+  (void)sample;
+  (void)which;
   return exp_minus3_w(homogeneous_depths_w(scene->shading + row[MEDIUM_REALS], w->length));
 }

@@ -12,10 +12,34 @@ enum { BOUNDARY_INSIDE, BOUNDARY_OUTSIDE, BOUNDARY_INTS };
 enum { MEDIUM_NONE = -1, MEDIUM_SAME = -2 };  // MEDIUM_SAME, of both: the surface is no boundary of media.
 
 // MEDIUM_IS_GREY: 1: all channels have the same sigma_t. MEDIUM_PHASES: -> index, PHASE_INTS each.
-enum { MEDIUM_KIND, MEDIUM_REALS, MEDIUM_IS_GREY, MEDIUM_PHASES, MEDIUM_PHASE_COUNT, MEDIUM_INTS };
+enum {
+  MEDIUM_KIND,
+  MEDIUM_REALS,
+  MEDIUM_IS_GREY,
+  MEDIUM_PHASES,
+  MEDIUM_PHASE_COUNT,
+  // Of a medium that varies: -> index, VOLUME_INTS each of VOLUME_SIGMA_T ...; -> index, MAJORANT_INTS; 0 or 1.
+  MEDIUM_VOLUMES,
+  MEDIUM_MAJORANTS,
+  MEDIUM_SCATTERS,
+  MEDIUM_EMITS,
+  MEDIUM_INTS
+};
 // Reals: r g b each. MEDIUM_SIGMA_T: per unit of length. MEDIUM_EMISSION: the radiance
 // that the medium has where it is infinitely thick and scatters nothing.
 enum { MEDIUM_SIGMA_T = 0, MEDIUM_ALBEDO = 3, MEDIUM_EMISSION = 6, MEDIUM_REAL_COUNT = 9 };
+
+// Values over a box. VOLUME_REALS: -> shading: the box's centre and the three rows that take a place's distance from
+// it to the box's own frame, where its sides are 1 long; then what multiplies the texels, r g b. VOLUME_IMAGE: ->
+// index, IMAGE_INTS, the layers of the box one below the other; -1: alike everywhere.
+enum { VOLUME_REALS, VOLUME_IMAGE, VOLUME_HEIGHT, VOLUME_DEPTH, VOLUME_FILTER, VOLUME_WRAP, VOLUME_INTS };
+enum { VOLUME_SCALE = 12, VOLUME_REAL_COUNT = 15 };
+enum { VOLUME_SIGMA_T, VOLUME_ALBEDO, VOLUME_EMISSION, VOLUMES_A_MEDIUM };
+
+// The cells of a medium that varies. MAJORANT_REALS: -> shading: as of a volume, but cells are 1 long; then the box
+// along the axes that the medium fills. MAJORANT_MOST: -> shading, the largest sigma_t of each cell, x first.
+enum { MAJORANT_REALS, MAJORANT_MOST, MAJORANT_WIDTH, MAJORANT_HEIGHT, MAJORANT_DEPTH, MAJORANT_INTS };
+enum { MAJORANT_LOW = 12, MAJORANT_HIGH = 15, MAJORANT_REAL_COUNT = 18 };
 
 // A phase function: PHASE_..., then -> shading, its share among those of the medium, and g.
 enum { PHASE_KIND, PHASE_REALS, PHASE_INTS };

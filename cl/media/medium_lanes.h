@@ -29,7 +29,7 @@ FN void travel_w(const Scene* scene, intw media, const SampleState_w* sample, ma
   }
 }
 
-FN real3w transmittance_w(const Scene* scene, intw media, maskw which, const Flight_w* flight) {
+FN real3w transmittance_w(const Scene* scene, intw media, const SampleState_w* sample, maskw which, Flight_w* flight) {
   realw one = splat_w(R(1.0));
   real3w share = vec3_w(one, one, one);
   for (uint lanes = bits_w(which); lanes != 0u;) {
@@ -37,9 +37,9 @@ FN real3w transmittance_w(const Scene* scene, intw media, maskw which, const Fli
     maskw of_medium = which & same_medium_w(media, lanes, &medium);
     GLOBAL const int* row = medium_row(scene, medium);
     switch (row[MEDIUM_KIND]) {
-#define MEDIUM(name)                                                              \
-  case MEDIUM_##name:                                                             \
-    share = sel3_w(of_medium, name##_transmittance_w(scene, row, flight), share); \
+#define MEDIUM(name)                                                                                 \
+  case MEDIUM_##name:                                                                                \
+    share = sel3_w(of_medium, name##_transmittance_w(scene, row, sample, of_medium, flight), share); \
     break;
 #include "media/media.def"
 #undef MEDIUM

@@ -20,6 +20,7 @@ FN real3w seen_share_w(const Scene* scene, const Paths_w* path, const Surfaces_w
   realw one = splat_w(R(1.0)), zero = splat_w(R(0.0));
   real3w share = vec3_w(one, one, one);
   way.alive = which;
+  way.draws = path->draws + (uint)STREAM_SHADOWS;
   way.medium = medium_beyond_w(scene, from, towards, path->medium);
   way.entered = from->position;
   rays_leaving_w(from, which, towards, t_max, &way.rays);
@@ -34,7 +35,8 @@ FN real3w seen_share_w(const Scene* scene, const Paths_w* path, const Surfaces_w
     Flight_w w = flight_of_w(&way, ~hit, s.t);
     w.length = sel_w(hit | is_far, w.length, max_w(left, zero));
     left = left - w.length;
-    if (any_w(is_within)) share = mul3_w(share, transmittance_w(scene, way.medium, is_within, &w));
+    if (any_w(is_within)) share = mul3_w(share, transmittance_w(scene, way.medium, &way.sample, is_within, &w));
+    way.draws = w.draws;
     way.alive = hit;
     if (!any_w(hit)) break;
     s.scatters = none_w();

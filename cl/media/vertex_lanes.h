@@ -29,6 +29,7 @@ FN Flight_w flight_of_w(const Paths_w* path, maskw is_endless, realw t) {
   w.radiance = vec3_w(zero, zero, zero);
   w.scatters = none_w();
   w.t = zero;
+  w.draws = path->draws;
   return w;
 }
 
@@ -48,6 +49,7 @@ FN void media_travel_w(const Scene* scene, Paths_w* path, Surfaces_w* s) {
   path->hero_shares = sel3_w(which, w.share, path->hero_shares);
   path->radiance = sel3_w(which, add3_w(path->radiance, w.radiance), path->radiance);
   path->optical = sel_w(which, w.optical, path->optical);
+  path->draws = w.draws;
   s->scatters = which & w.scatters;
   if (!any_w(s->scatters)) return;
   realw zero = splat_w(R(0.0));
@@ -90,12 +92,11 @@ FN void vertex_turn_w(const Scene* scene, const Paths_w* path, const Surfaces_w*
 }
 
 /// Lanes of `which` that masks let pass, of integrators for which that is no event: depth and density stay, and lights
-/// are drawn through masks as well. Masks in a row have no bound, so their numbers are a stream of each sample's own,
-/// beyond the sets of all vertices.
+/// are drawn through masks as well.
 FN maskw passes_openly_w(Paths_w* path, const MaterialRows_w* at, maskw which) {
   which = which & lt_w(at->opacity, splat_w(R(1.0)));
   if (!any_w(which)) return which;
-  Random4_w numbers = random4_w(path->sample.pixel, path->sample.sample, path->draws + 0x80000000u, path->sample.seed);
+  Random4_w numbers = random4_w(path->sample.pixel, path->sample.sample, path->draws, path->sample.seed);
   path->draws = path->draws + uint_of_int_w(sel_int_w(which, splat_int_w(1), splat_int_w(0)));
   return which & le_w(at->opacity, random_between_w(numbers.x));
 }

@@ -4,46 +4,8 @@
 // Where the row has several levels and the pixel is wider than a texel, the value is taken between the two levels whose
 // texels are next to the pixel's width (L. Williams, "Pyramidal Parametrics", SIGGRAPH 1983).
 // Parameters: the map of (u, v), as of a checkerboard; then what multiplies the texels, r g b. One width; no guard.
+#include "textures/neighbours_lanes.h"
 #include "textures/texels_lanes.h"
-
-/// Where x of the infinite plane lies in the image, in [0, 1]; 0 where x is not finite.
-FN realw wrapped_w(realw x, int wrap) {
-  realw zero = splat_w(R(0.0)), one = splat_w(R(1.0)), inside = x;
-  if (wrap == WRAP_REPEAT) inside = x - floor_w(x);
-  if (wrap == WRAP_MIRROR) {
-    realw turns = splat_w(R(0.5)) * x, part = turns - floor_w(turns);
-    inside = splat_w(R(2.0)) * min_w(part, one - part);
-  }
-  inside = sel_w(lt_w(inside, one), inside, one);
-  return sel_w(finite_w(x) & lt_w(zero, inside), inside, zero);
-}
-
-/// Two neighbours of a row or column, and the weight of the second.
-typedef struct {
-  intw first, second;
-  realw weight;
-} Neighbours_w;
-
-/// inside: as of wrapped.
-FN Neighbours_w neighbours_w(realw inside, int size, int wrap, int filter) {
-  Neighbours_w n;
-  realw x = splat_w((real)size) * inside;
-  intw last = splat_int_w(size - 1), zero = splat_int_w(0);
-  if (filter == FILTER_NEAREST) {
-    n.first = int_of_real_w(x);
-    n.first = n.second = sel_int_w(lt_int_w(last, n.first), last, n.first);
-    n.weight = splat_w(R(0.0));
-    return n;
-  }
-  realw from_first = x - splat_w(R(0.5)), below = floor_w(from_first);
-  n.weight = from_first - below;
-  n.first = int_of_real_w(below);
-  n.second = n.first + splat_int_w(1);
-  intw before = wrap == WRAP_REPEAT ? last : zero, behind = wrap == WRAP_REPEAT ? zero : last;
-  n.first = sel_int_w(lt_int_w(n.first, zero), before, n.first);
-  n.second = sel_int_w(lt_int_w(last, n.second), behind, n.second);
-  return n;
-}
 
 /// Of one level, at mapped (u, v).
 FN real3w bitmap_level_w(const Scene* scene, GLOBAL const int* row, int level, Real2_w p) {

@@ -135,7 +135,7 @@ Texels texels_of_rgbe(int width, int height, const float* values) {
   return texels;
 }
 
-Texels texels_of_floats(int width, int height, int channels, const std::vector<float>& values) {
+Texels texels_of_floats(int width, int height, int channels, std::vector<float> values) {
   if (std::all_of(values.begin(), values.end(), is_half)) {
     std::vector<std::uint16_t> codes;
     codes.reserve(values.size());
@@ -143,7 +143,27 @@ Texels texels_of_floats(int width, int height, int channels, const std::vector<f
     return texels_of_words(width, height, channels, codes.data(), TexelFormat::half);
   }
   Texels texels = blank(width, height, channels, TexelFormat::real);
-  texels.reals = values;
+  texels.reals = std::move(values);
+  return texels;
+}
+
+Texels repaired_texels(int width, int height, int channels, std::vector<float> values) {
+  float largest = 0;
+  for (const float value : values)
+    if (std::isfinite(value)) largest = std::max(largest, value);
+  std::size_t repaired = 0;
+  const auto step = static_cast<std::size_t>(channels);
+  for (std::size_t i = 0; i < values.size(); i += step) {
+    bool is_faulty = false;
+    for (std::size_t c = i; c < i + step; ++c) {
+      if (std::isfinite(values[c]) && values[c] >= 0) continue;
+      values[c] = values[c] > 0 ? largest : 0;
+      is_faulty = true;
+    }
+    repaired += is_faulty ? 1 : 0;
+  }
+  Texels texels = texels_of_floats(width, height, channels, std::move(values));
+  texels.repaired = repaired;
   return texels;
 }
 

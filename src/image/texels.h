@@ -54,7 +54,9 @@ class TexelDecoder {
 };
 
 /// channels: 1 or 3; values.size() = channels * width * height. Halves where they hold every value exactly.
-[[nodiscard]] Texels texels_of_floats(int width, int height, int channels, const std::vector<float>& values);
+[[nodiscard]] Texels texels_of_floats(int width, int height, int channels, std::vector<float> values);
+/// As texels_of_floats; values that no light has are repaired first (Texels::repaired).
+[[nodiscard]] Texels repaired_texels(int width, int height, int channels, std::vector<float> values);
 /// codes: bytes, of rgb or grey.
 [[nodiscard]] Texels texels_of_bytes(int width, int height, int channels, const std::uint8_t* codes);
 /// codes: integers of 16 bits, or halves.

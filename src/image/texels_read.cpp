@@ -62,25 +62,9 @@ Texels texels_of_image(const Image& image, const std::string& path) {
   const std::size_t count = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
   std::vector<float> values;
   values.reserve(count * colours.size());
-  float largest = 0;
   for (std::size_t n = 0; n < count; ++n)
-    for (const std::size_t c : colours) {
-      values.push_back(image.data[n * image.channels.size() + c]);
-      if (std::isfinite(values.back())) largest = std::max(largest, values.back());
-    }
-  std::size_t repaired = 0;
-  for (std::size_t i = 0; i < values.size(); i += colours.size()) {
-    bool is_faulty = false;
-    for (std::size_t c = i; c < i + colours.size(); ++c) {
-      if (std::isfinite(values[c]) && values[c] >= 0) continue;
-      values[c] = values[c] > 0 ? largest : 0;
-      is_faulty = true;
-    }
-    repaired += is_faulty ? 1 : 0;
-  }
-  Texels texels = texels_of_floats(image.width, image.height, static_cast<int>(colours.size()), values);
-  texels.repaired = repaired;
-  return texels;
+    for (const std::size_t c : colours) values.push_back(image.data[n * image.channels.size() + c]);
+  return repaired_texels(image.width, image.height, static_cast<int>(colours.size()), std::move(values));
 }
 
 Texels read_by_first_bytes(const std::string& path) {

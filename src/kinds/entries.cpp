@@ -34,6 +34,8 @@ std::string light_kind(const Light& light) { return kinds::light(light).entry; }
 
 std::string texture_kind(const Texture& texture) { return kinds::texture(texture).entry; }
 
+std::string medium_entry(const Medium& medium) { return medium.is_heterogeneous() ? "heterogeneous" : "homogeneous"; }
+
 std::string phase_entry(PhaseFunction::Kind kind) {
   switch (kind) {
     case PhaseFunction::Kind::hg:

@@ -14,6 +14,7 @@ namespace strahl {
 [[nodiscard]] std::string area_kind(const Geometry& geometry);
 [[nodiscard]] std::string light_kind(const Light& light);
 [[nodiscard]] std::string texture_kind(const Texture& texture);
+[[nodiscard]] std::string medium_entry(const Medium& medium);
 [[nodiscard]] std::string phase_entry(PhaseFunction::Kind kind);
 [[nodiscard]] std::string sampler_entry(SamplerKind kind);
 

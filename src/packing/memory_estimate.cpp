@@ -74,6 +74,10 @@ MemoryNeed least_memory(const Scene& scene, const Features& features, Precision 
     const std::size_t cells = rows * static_cast<std::size_t>(environment->texels->width);
     need.index += (rows + cells) * layout::CHOICE_INTS * sizeof(std::int32_t);
   }
+  if (features.flag("MEDIA"))
+    for (const Medium& medium : scene.media)
+      for (const Volume* volume : {&medium.sigma_t, &medium.albedo, &medium.emission})
+        if (volume->grid) add_image(volume->grid->texels);
   for (const auto& [kind, count] : primitives) {
     const std::uint64_t slots = (count + block - 1) / block * block;
     need.geometry += slots * static_cast<std::uint64_t>(planes_of(kind)) * real;

@@ -8,27 +8,79 @@
 #include "kinds/entries.h"
 #include "kinds/integrators.h"
 #include "packing/cl_layout.h"
+#include "packing/majorants.h"
 
 namespace strahl {
+namespace {
+
+bool is_grey(const Rgb& c) { return c.r == c.g && c.g == c.b; }
+bool is_grey(const Volume& volume) { return is_grey(volume.value) && (!volume.grid || volume.grid->texels.is_grey); }
+bool is_black(const Volume& volume) {
+  const Rgb c = volume.largest();
+  return c.r == 0 && c.g == 0 && c.b == 0;
+}
+
+/// VOLUME_INTS. scale: multiplies the values.
+template <typename Real>
+std::vector<std::int32_t> volume_row(PackedScene<Real>& packed, PackedImages<Real>& images, const Volume& volume,
+                                     const UploadFrame& frame, double scale) {
+  constexpr double most = std::numeric_limits<Real>::max();
+  const Rgb& value = volume.value;
+  std::vector<double> reals = box_frame(volume.world_from_cube, frame, {1, 1, 1}, {0.5, 0.5, 0.5});
+  for (const double c : {value.r, value.g, value.b}) reals.push_back(std::min(scale * c, most));
+  const int reals_at = packed.put_shading(reals);
+  if (!volume.grid) return {reals_at, -1, 0, 0, 0, 0};
+  const VolumeGrid& grid = *volume.grid;
+  const int filter = volume.filter == TextureFilter::nearest ? layout::FILTER_NEAREST : layout::FILTER_BILINEAR;
+  return {reals_at,    images.row(grid.texels, {TexelCurve::Kind::linear, 1}),
+          grid.height, grid.depth,
+          filter,      static_cast<int>(volume.wrap)};
+}
+
+/// The rows of what varies: MEDIUM_VOLUMES to MEDIUM_EMITS.
+template <typename Real>
+std::vector<std::int32_t> grid_columns(PackedScene<Real>& packed, PackedImages<Real>& images, const Medium& medium,
+                                       const UploadFrame& frame) {
+  std::vector<std::int32_t> volumes;
+  const auto add = [&](const Volume& volume, double scale) {
+    const std::vector<std::int32_t> row = volume_row(packed, images, volume, frame, scale);
+    volumes.insert(volumes.end(), row.begin(), row.end());
+  };
+  add(medium.sigma_t, 1 / frame.scale);
+  add(medium.albedo, 1);
+  add(medium.emission, 1);
+  const Majorants majorants = majorants_of(medium.sigma_t, frame);
+  const int reals_at = packed.put_shading(majorants.reals), most_at = packed.put_floats(majorants.most);
+  const auto [width, height, depth] = majorants.size;
+  return {packed.put_index(volumes),
+          packed.put_index(std::vector<std::int32_t>{reals_at, most_at, width, height, depth}),
+          is_black(medium.albedo) ? 0 : 1, is_black(medium.emission) ? 0 : 1};
+}
+
+}  // namespace
 
 template <typename Real>
-void pack_media(PackedScene<Real>& packed, int row, const Scene& scene, const Features& features,
-                const UploadFrame& frame, const std::vector<std::optional<MediumBoundary>>& boundaries) {
+void pack_media(PackedScene<Real>& packed, PackedImages<Real>& images, int row, const Scene& scene,
+                const Features& features, const UploadFrame& frame,
+                const std::vector<std::optional<MediumBoundary>>& boundaries) {
   const bool has_media = kinds::integrator(scene.integrator.name).goes_through;
   const double most = std::numeric_limits<Real>::max();
   std::vector<std::int32_t> rows, sides;
   for (const Medium& medium : scene.media) {
-    const Rgb& s = medium.sigma_t;
+    const Rgb &s = medium.sigma_t.value, &albedo = medium.albedo.value, &emission = medium.emission.value;
     std::vector<double> reals;
     for (const double sigma : {s.r, s.g, s.b}) reals.push_back(std::min(sigma / frame.scale, most));
-    for (const Rgb& c : {medium.albedo, medium.emission}) reals.insert(reals.end(), {c.r, c.g, c.b});
+    for (const Rgb& c : {albedo, emission}) reals.insert(reals.end(), {c.r, c.g, c.b});
     std::vector<std::int32_t> phases;
     for (const PhaseFunction& phase : medium.phases)
       phases.insert(phases.end(), {features.entry_index("phases", phase_entry(phase.kind)),
                                    packed.put_shading({phase.share, phase.g})});
     rows.insert(rows.end(),
-                {features.entry_index("media", "homogeneous"), packed.put_shading(reals),
-                 s.r == s.g && s.g == s.b ? 1 : 0, packed.put_index(phases), checked_offset(medium.phases.size())});
+                {features.entry_index("media", medium_entry(medium)), packed.put_shading(reals),
+                 is_grey(medium.sigma_t) ? 1 : 0, packed.put_index(phases), checked_offset(medium.phases.size())});
+    const std::vector<std::int32_t> columns =
+        medium.is_heterogeneous() ? grid_columns(packed, images, medium, frame) : std::vector<std::int32_t>(4, 0);
+    rows.insert(rows.end(), columns.begin(), columns.end());
   }
   for (const auto& boundary : boundaries) {
     const MediumBoundary none{layout::MEDIUM_SAME, layout::MEDIUM_SAME};
@@ -41,9 +93,9 @@ void pack_media(PackedScene<Real>& packed, int row, const Scene& scene, const Fe
   packed.at(row + layout::MEDIA_CAMERA) = has_media ? scene.camera.medium : layout::MEDIUM_NONE;
 }
 
-template void pack_media(PackedScene<float>&, int, const Scene&, const Features&, const UploadFrame&,
-                         const std::vector<std::optional<MediumBoundary>>&);
-template void pack_media(PackedScene<double>&, int, const Scene&, const Features&, const UploadFrame&,
-                         const std::vector<std::optional<MediumBoundary>>&);
+template void pack_media(PackedScene<float>&, PackedImages<float>&, int, const Scene&, const Features&,
+                         const UploadFrame&, const std::vector<std::optional<MediumBoundary>>&);
+template void pack_media(PackedScene<double>&, PackedImages<double>&, int, const Scene&, const Features&,
+                         const UploadFrame&, const std::vector<std::optional<MediumBoundary>>&);
 
 }  // namespace strahl

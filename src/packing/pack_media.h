@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "kinds/upload_frame.h"
+#include "packing/pack_images.h"
 #include "packing/packed_scene.h"
 #include "program/features.h"
 #include "scene/model/scene.h"
@@ -14,7 +15,8 @@ namespace strahl {
 /// Fills the row of media at `row` and what it points to. boundaries: of every part; none: it is no boundary. Under an
 /// integrator that ignores media there are none.
 template <typename Real>
-void pack_media(PackedScene<Real>& packed, int row, const Scene& scene, const Features& features,
-                const UploadFrame& frame, const std::vector<std::optional<MediumBoundary>>& boundaries);
+void pack_media(PackedScene<Real>& packed, PackedImages<Real>& images, int row, const Scene& scene,
+                const Features& features, const UploadFrame& frame,
+                const std::vector<std::optional<MediumBoundary>>& boundaries);
 
 }  // namespace strahl

@@ -158,7 +158,9 @@ void media_causes(const Scene& scene, Causes& causes) {
   const std::string why = has_media ? "a medium" : "integrator " + scene.integrator.name;
   const SourceLocation& where = has_media ? scene.media.front().where : scene.integrator.where;
   call_for(causes, "MEDIA", why, where);
-  call_for(causes, "media/homogeneous", why, where);
+  if (!has_media) call_for(causes, "media/homogeneous", why, where);
+  for (const Medium& medium : scene.media)
+    call_for(causes, "media/" + medium_entry(medium), "a medium of that type", medium.where);
   for (const Medium& medium : scene.media)
     for (const PhaseFunction& phase : medium.phases)
       call_for(causes, "phases/" + phase_entry(phase.kind), "a phase function of that type", medium.where);

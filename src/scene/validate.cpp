@@ -59,9 +59,14 @@ void check_light_texture(int texture, const Scene& scene, Checker& check) {
 
 void check_medium(const Medium& medium, Checker& check) {
   check.at(medium.where);
-  check.require_light(medium.sigma_t, "sigma_t of a medium");
-  check.require_light(medium.emission, "emission of a medium");
-  const Rgb& a = medium.albedo;
+  check.require_light(medium.sigma_t.largest(), "sigma_t of a medium");
+  check.require_light(medium.emission.largest(), "emission of a medium");
+  for (const Volume* volume : {&medium.sigma_t, &medium.albedo, &medium.emission}) {
+    check.require(!volume->grid || medium.is_heterogeneous(), "a medium with a grid has one of its sigma_t");
+    check.require(!volume->grid || !is_singular(volume->world_from_cube), "the to_world of a volume has no inverse: {}",
+                  singular_because(volume->world_from_cube));
+  }
+  const Rgb a = medium.albedo.largest();
   const auto is_share = [](double x) { return x >= 0 && x <= 1; };
   check.require(is_share(a.r) && is_share(a.g) && is_share(a.b), "the albedo of a medium must lie within [0, 1]");
   double sum = 0;

@@ -9,6 +9,7 @@
 #include <set>
 #include <vector>
 
+#include "../../cl/samplers/uses.h"
 #include "cl/math_tiers.h"
 #include "oracle/big_float.h"
 #include "oracle/random.h"
@@ -142,6 +143,31 @@ TEST_CASE("random4 has the published method's bits and differs in every argument
   for (std::uint32_t i = 1; i < 10000; ++i)
     for (const auto& r : {random4(i, 0, 0, 0), random4(0, i, 0, 0), random4(0, 0, i, 0), random4(0, 0, 0, i)})
       REQUIRE(seen.insert(r).second);
+}
+
+TEST_CASE(
+    "the streams of paths and shadow rays and the sensor's numbers depend neither on the sets of vertices nor on each "
+    "other") {
+  // Pairs of numbers in 8 x 8 cells, 2^16 of them: chi^2 with 63 degrees of freedom, of 4 x 4 x 4 x 8 pairs.
+  constexpr std::size_t cells = 8;
+  const std::array<std::uint32_t, 4> begins{0, STREAM_BEGIN, STREAM_BEGIN + STREAM_SHADOWS, FIRST_OF_SENSOR};
+  for (const auto& [one, other] : {std::pair{0U, 1U}, std::pair{0U, 2U}, std::pair{1U, 2U}, std::pair{0U, 3U}})
+    for (std::uint32_t k = 0; k < 8; ++k) {
+      std::array<std::array<std::array<int, cells * cells>, 4>, 4> count{};
+      for (std::uint32_t i = 0; i < 1 << 16; ++i) {
+        const auto a = random4(i >> 6, i & 63, begins[one] + k, 0);
+        const auto b = random4(i >> 6, i & 63, begins[other] + k, 0);
+        for (std::size_t m = 0; m < 4; ++m)
+          for (std::size_t n = 0; n < 4; ++n) ++count[m][n][(a[m] >> 29) * cells + (b[n] >> 29)];
+      }
+      for (const auto& of_first : count)
+        for (const auto& of_both : of_first) {
+          double chi2 = 0;
+          for (const int n : of_both) chi2 += (n - 1024.0) * (n - 1024.0) / 1024.0;
+          INFO(one << " " << other << " " << k);
+          CHECK(chi2 < 135);
+        }
+    }
 }
 
 TEST_CASE("random_unit is uniform along pixels, samples, dimensions and seeds") {

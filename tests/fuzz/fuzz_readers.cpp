@@ -22,6 +22,7 @@
 #include "scene/loader.h"
 #include "scene/meshes/mesh_file.h"
 #include "scene/spectra/curve.h"
+#include "scene/volumes/vol_reader.h"
 
 namespace {
 
@@ -55,6 +56,7 @@ const std::map<std::string, Kind> kinds{
     {"hdr", {"in.hdr", texels}},
     {"tga", {"in.tga", texels}},
     {"bmp", {"in.bmp", texels}},
+    {"vol", {"in.vol", [](const std::string& path) { static_cast<void>(read_vol(path)); }}},
     {"spectrum", {"in.spd", [](const std::string& path) { static_cast<void>(curve_of_file(path)); }}},
     {"npy", {"in.npy", [](const std::string& path) { static_cast<void>(read_npy(path)); }}},
     {"checkpoint", {"in.ckpt", [](const std::string& path) { static_cast<void>(read_checkpoint(path)); }}},

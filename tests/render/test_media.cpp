@@ -4,50 +4,11 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "render/stage.h"
+#include "render/filled.h"
 #include "scene/model/build.h"
 
 namespace strahl::test {
 namespace {
-
-/// A wide slab from z = -depth / 2 to depth / 2, or a ball, in white surroundings.
-Scene filled(const Geometry& geometry, const Medium& medium, double around = 1) {
-  Material null;
-  null.opacity = Reflectance{{0, 0, 0}};
-  Scene scene = stage({geometry}, null);
-  scene.media = {medium};
-  scene.shapes.front().media = MediumBoundary{0, -1};
-  scene.integrator.name = "volpath";
-  scene.lights = {light(ConstantLight{{around, around, around}})};
-  return scene;
-}
-
-Cube slab(double depth) { return {{-100, -100, -0.5 * depth}, {{{200, 0, 0}, {0, 200, 0}, {0, 0, depth}}}}; }
-
-Medium medium(const Rgb& sigma_t, const Rgb& albedo) {
-  Medium medium;
-  medium.sigma_t = sigma_t;
-  medium.albedo = albedo;
-  return medium;
-}
-
-Rgb mean_of(const Image& image) {
-  Rgb sum{0, 0, 0};
-  for (int y = 0; y < image.height; ++y)
-    for (int x = 0; x < image.width; ++x) {
-      sum.r += static_cast<double>(image.at(x, y, 0));
-      sum.g += static_cast<double>(image.at(x, y, 1));
-      sum.b += static_cast<double>(image.at(x, y, 2));
-    }
-  const double n = image.width * image.height;
-  return {sum.r / n, sum.g / n, sum.b / n};
-}
-
-Image drawn(Scene scene, int samples) {
-  scene.sampler.kind = SamplerKind::independent;
-  scene.sampler.sample_count = samples;
-  return color(scene, Precision::robust);
-}
 
 TEST_CASE("a medium that only absorbs lets e^-depth through") {
   require_pocl_and_rusticl();
@@ -69,7 +30,7 @@ TEST_CASE("a medium that emits shows 1 - e^-depth of its radiance") {
   require_pocl_and_rusticl();
   for (const double depth : {1e-6, 0.1, 3.0}) {
     Medium glowing = medium({depth, depth, depth}, {0, 0, 0});
-    glowing.emission = {2, 3, 4};
+    glowing.emission = Rgb{2, 3, 4};
     const Image image = color(filled(slab(1), glowing, 0), Precision::robust);
     INFO(depth);
     CHECK(static_cast<double>(image.at(5, 7, 0)) == Approx(-2 * std::expm1(-depth)).epsilon(1e-5));

@@ -7,6 +7,7 @@
 
 #include "errors.h"
 #include "scene/model/vec.h"
+#include "scene/model/volume.h"
 
 namespace strahl {
 
@@ -18,14 +19,16 @@ struct PhaseFunction {
   double g = 0;      ///< Of hg: the mean cosine, within (-1, 1).
 };
 
-/// Alike everywhere.
+/// Alike everywhere, or, where sigma_t is a grid, within the axis-aligned box around that.
 struct Medium {
   std::string id;
-  Rgb sigma_t{1, 1, 1};          ///< What is absorbed or scattered, per unit of length; at least 0.
-  Rgb albedo{0.75, 0.75, 0.75};  ///< The share of that which is scattered, within [0, 1].
-  Rgb emission{0, 0, 0};         ///< Radiance of an infinite depth of it where nothing is scattered.
+  Volume sigma_t = Rgb{1, 1, 1};          ///< What is absorbed or scattered, per unit of length; at least 0.
+  Volume albedo = Rgb{0.75, 0.75, 0.75};  ///< The share of that which is scattered, within [0, 1].
+  Volume emission = Rgb{0, 0, 0};         ///< Radiance of an infinite depth of it where nothing is scattered.
   std::vector<PhaseFunction> phases{PhaseFunction{}};
   SourceLocation where;
+
+  [[nodiscard]] bool is_heterogeneous() const { return sigma_t.grid != nullptr; }
 };
 
 /// A surface between two media: indices into Scene::media; -1: none there.

@@ -154,9 +154,6 @@ struct Checkerboard {
   std::array<double, 6> to_uv{1, 0, 0, 0, 1, 0};
 };
 
-enum class TextureFilter { bilinear, nearest };
-enum class TextureWrap { repeat, mirror, clamp };
-
 /// An image over u', v' (as of a checkerboard) in [0, 1], whose first row is at v' = 0.
 struct Bitmap {
   std::shared_ptr<const Texels> texels;

@@ -3,26 +3,48 @@
 
 #include <fmt/format.h>
 
-namespace strahl {
+#include "scene/volumes/vol_reader.h"
 
-std::shared_ptr<const Texels> ImageFiles::read(const std::string& path, const SourceLocation& where,
-                                               Diagnostics& diagnostics) {
-  const auto known = files_.find(path);
-  if (known != files_.end()) return known->second;
+namespace strahl {
+namespace {
+
+const Texels& texels_of(const Texels& texels) { return texels; }
+const Texels& texels_of(const VolumeGrid& grid) { return grid.texels; }
+
+/// What `read` makes of the file, or made of it before; null after an error.
+template <class Data>
+std::shared_ptr<const Data> read_once(std::map<std::string, std::shared_ptr<const Data>>& files,
+                                      Data (*read)(const std::string&), const std::string& path,
+                                      const SourceLocation& where, Diagnostics& diagnostics) {
+  const auto known = files.find(path);
+  if (known != files.end()) return known->second;
   diagnostics.opened(path);
   try {
-    auto texels = std::make_shared<const Texels>(read_texels(path));
-    if (texels->repaired > 0)
+    auto data = std::make_shared<const Data>(read(path));
+    const Texels& texels = texels_of(*data);
+    if (texels.repaired > 0)
       diagnostics.warning(where,
                           fmt::format("{} of the {} texels of \"{}\" are negative, infinite or no number; they are "
                                       "taken for 0, infinite ones for the largest",
-                                      texels->repaired, texels->count(), path));
-    files_.emplace(path, texels);
-    return texels;
+                                      texels.repaired, texels.count(), path));
+    files.emplace(path, data);
+    return data;
   } catch (const InputError& fault) {
     diagnostics.error(where, fault.what());
     return nullptr;
   }
+}
+
+}  // namespace
+
+std::shared_ptr<const Texels> ImageFiles::read(const std::string& path, const SourceLocation& where,
+                                               Diagnostics& diagnostics) {
+  return read_once(files_, read_texels, path, where, diagnostics);
+}
+
+std::shared_ptr<const VolumeGrid> ImageFiles::read_grid(const std::string& path, const SourceLocation& where,
+                                                        Diagnostics& diagnostics) {
+  return read_once(grids_, read_vol, path, where, diagnostics);
 }
 
 }  // namespace strahl

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The image files of a scene, each read once.
+// The image and volume files of a scene, each read once.
 #pragma once
 
 #include <map>
@@ -7,6 +7,7 @@
 #include <string>
 
 #include "image/texels.h"
+#include "scene/model/volume.h"
 #include "scene/xml/diagnostics.h"
 
 namespace strahl {
@@ -16,9 +17,12 @@ class ImageFiles {
   /// Null after an error; where: what is told with it.
   [[nodiscard]] std::shared_ptr<const Texels> read(const std::string& path, const SourceLocation& where,
                                                    Diagnostics& diagnostics);
+  [[nodiscard]] std::shared_ptr<const VolumeGrid> read_grid(const std::string& path, const SourceLocation& where,
+                                                            Diagnostics& diagnostics);
 
  private:
   std::map<std::string, std::shared_ptr<const Texels>> files_;
+  std::map<std::string, std::shared_ptr<const VolumeGrid>> grids_;
 };
 
 }  // namespace strahl

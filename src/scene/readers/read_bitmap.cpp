@@ -5,26 +5,12 @@
 #include <map>
 #include <string>
 
-#include "did_you_mean.h"
 #include "kinds/textures.h"
+#include "scene/readers/read_choice.h"
 #include "scene/readers/read_texture.h"
 
 namespace strahl {
 namespace {
-
-/// The meaning of a string parameter; `absent` where it is not given, and after a warning where it means nothing.
-template <class Value>
-Value choice(Properties& properties, const char* name, const std::map<std::string, Value>& meanings, Value absent) {
-  const std::optional<std::string> given = properties.string(name);
-  if (!given) return absent;
-  const auto found = meanings.find(*given);
-  if (found != meanings.end()) return found->second;
-  std::vector<std::string> names;
-  for (const auto& [word, meaning] : meanings) names.push_back(word);
-  properties.diagnostics().unknown(properties.where(name), fmt::format("unknown {} \"{}\"{}; it is ignored", name,
-                                                                       *given, did_you_mean(*given, names)));
-  return absent;
-}
 
 /// gamma is of Mitsuba 0.x: -1 is sRGB.
 TexelCurve read_curve(Properties& properties) {

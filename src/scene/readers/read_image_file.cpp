@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The "filename" of textures and environments.
+// The "filename" of textures, environments and volumes.
 #include <fmt/format.h>
 
 #include "image/file_bytes.h"
@@ -8,13 +8,13 @@
 
 namespace strahl {
 
-std::shared_ptr<const Texels> read_image_file(Properties& properties, SceneBuilder& builder) {
+std::optional<std::string> readable_path(Properties& properties, SceneBuilder& builder) {
   Diagnostics& diagnostics = builder.diagnostics;
   const std::optional<std::string> name = properties.string("filename");
   if (!name) {
     if (!properties.has("filename"))
       diagnostics.error(properties.where(), fmt::format("{} needs the string \"filename\"", properties.title()));
-    return nullptr;
+    return {};
   }
   const SourceLocation where = properties.where("filename");
   const std::string path = builder.search_path.find(*name, where.file);
@@ -22,9 +22,14 @@ std::shared_ptr<const Texels> read_image_file(Properties& properties, SceneBuild
   if (!obstacle.empty()) {
     diagnostics.error(where,
                       fmt::format("cannot read \"{}\": {} (the path counts from the scene file)", path, obstacle));
-    return nullptr;
+    return {};
   }
-  return builder.images.read(path, where, diagnostics);
+  return path;
+}
+
+std::shared_ptr<const Texels> read_image_file(Properties& properties, SceneBuilder& builder) {
+  const std::optional<std::string> path = readable_path(properties, builder);
+  return path ? builder.images.read(*path, properties.where("filename"), builder.diagnostics) : nullptr;
 }
 
 }  // namespace strahl

@@ -1,31 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Homogeneous media with the parameters of Mitsuba 3, and sigma_s and sigma_a of Mitsuba 0.x; strahl's own: emission.
+// Media with the parameters of Mitsuba 3, and sigma_s, sigma_a and density of Mitsuba 0.x; strahl's own: emission.
 #include "scene/readers/read_medium.h"
 
 #include <fmt/format.h>
 
 #include "scene/readers/foreign_plugins.h"
+#include "scene/readers/read_volume.h"
 
 namespace strahl {
 namespace {
-
-/// A colour, or a volume that is alike everywhere.
-std::optional<Rgb> read_volume(Properties& properties, SceneBuilder& builder, const char* name, ColorUse use,
-                               const Rgb& substitute) {
-  const XmlElement* given = properties.peek(name);
-  if (given == nullptr || given->tag != "volume") return properties.color(name, use, substitute);
-  properties.accept({name});
-  Properties volume(*given, builder.ids, builder.diagnostics);
-  if (volume.type() != "constvolume") {
-    builder.diagnostics.unknown(given->where, not_available("volume", volume.type(), {"constvolume"}) +
-                                                  fmt::format("; {} keeps its default", name));
-    return {};
-  }
-  std::optional<Rgb> value = volume.color("value", use, substitute);
-  static_cast<void>(volume.transform("to_world"));
-  volume.report_unknown();
-  return value;
-}
 
 double share_in(Properties& properties, const char* name, double low, double high, double otherwise) {
   const double value = properties.number(name).value_or(otherwise);
@@ -71,22 +54,33 @@ void read_phase(const XmlElement& element, double share, int depth, SceneBuilder
   phases.push_back(phase);
 }
 
-Medium read_homogeneous(Properties& properties, SceneBuilder& builder) {
+/// sigma_t and albedo of what Mitsuba 0.x says by what is scattered and absorbed.
+void read_coefficients(Properties& properties, SceneBuilder& builder, Medium& medium) {
+  const std::optional<Volume> scattered = read_volume(properties, builder, "sigma_s", ColorUse::value, {}, false);
+  const std::optional<Volume> absorbed = read_volume(properties, builder, "sigma_a", ColorUse::value, {}, false);
+  if (!scattered && !absorbed) return;
+  const Rgb s = scattered ? scattered->value : Rgb{0, 0, 0}, a = absorbed ? absorbed->value : Rgb{0, 0, 0};
+  const auto share = [](double part, double rest) { return part + rest > 0 ? part / (part + rest) : 0.0; };
+  medium.sigma_t = Rgb{s.r + a.r, s.g + a.g, s.b + a.b};
+  medium.albedo = Rgb{share(s.r, a.r), share(s.g, a.g), share(s.b, a.b)};
+}
+
+/// What both kinds of media have.
+Medium read_common(Properties& properties, SceneBuilder& builder, bool is_heterogeneous) {
   Medium medium;
   const double scale = properties.number("scale").value_or(1);
-  const std::optional<Rgb> scattered = read_volume(properties, builder, "sigma_s", ColorUse::value, {});
-  const std::optional<Rgb> absorbed = read_volume(properties, builder, "sigma_a", ColorUse::value, {});
-  medium.sigma_t = read_volume(properties, builder, "sigma_t", ColorUse::value, {1, 1, 1}).value_or(Rgb{1, 1, 1});
-  const Rgb albedo{0.75, 0.75, 0.75};
-  medium.albedo = read_volume(properties, builder, "albedo", ColorUse::reflectance, albedo).value_or(albedo);
-  if (scattered || absorbed) {
-    const Rgb s = scattered.value_or(Rgb{0, 0, 0}), a = absorbed.value_or(Rgb{0, 0, 0});
-    const auto share = [](double part, double rest) { return part + rest > 0 ? part / (part + rest) : 0.0; };
-    medium.sigma_t = {s.r + a.r, s.g + a.g, s.b + a.b};
-    medium.albedo = {share(s.r, a.r), share(s.g, a.g), share(s.b, a.b)};
-  }
-  medium.sigma_t = {scale * medium.sigma_t.r, scale * medium.sigma_t.g, scale * medium.sigma_t.b};
-  medium.emission = properties.color("emission", ColorUse::emission, {0, 0, 0}).value_or(Rgb{0, 0, 0});
+  const auto volume = [&](const char* name, ColorUse use, Volume& value) {
+    const std::optional<Volume> given = read_volume(properties, builder, name, use, value.value, is_heterogeneous);
+    if (given) value = *given;
+  };
+  // Mitsuba 0.x calls it density.
+  volume(properties.has("density") ? "density" : "sigma_t", ColorUse::value, medium.sigma_t);
+  volume("albedo", ColorUse::reflectance, medium.albedo);
+  volume("emission", ColorUse::emission, medium.emission);
+  read_coefficients(properties, builder, medium);
+  if (is_heterogeneous) make_grid(medium.sigma_t);
+  Rgb& sigma_t = medium.sigma_t.value;
+  sigma_t = {scale * sigma_t.r, scale * sigma_t.g, scale * sigma_t.b};
   const std::vector<const XmlElement*> phases = properties.objects("phase");
   for (std::size_t i = 1; i < phases.size(); ++i)
     builder.diagnostics.error(phases[i]->where, "a medium has one <phase>; a blendphase holds two");
@@ -94,7 +88,7 @@ Medium read_homogeneous(Properties& properties, SceneBuilder& builder) {
     medium.phases.clear();
     read_phase(*phases.front(), 1, 0, builder, medium.phases);
   }
-  properties.accept({"sample_emitters", "has_spectral_extinction"});
+  properties.accept({"sample_emitters", "has_spectral_extinction", "method", "step_size"});
   return medium;
 }
 
@@ -105,15 +99,17 @@ int medium_index(const XmlElement& element, SceneBuilder& builder) {
   if (known != builder.medium_indices.end()) return known->second;
   Properties properties(element, builder.ids, builder.diagnostics);
   int index = -1;
-  if (properties.type() == "homogeneous") {
-    Medium medium = read_homogeneous(properties, builder);
+  const bool is_heterogeneous = properties.type() == "heterogeneous";
+  if (is_heterogeneous || properties.type() == "homogeneous") {
+    Medium medium = read_common(properties, builder, is_heterogeneous);
     medium.id = properties.id();
     medium.where = element.where;
     builder.scene.media.push_back(std::move(medium));
     index = static_cast<int>(builder.scene.media.size()) - 1;
   } else {
-    builder.diagnostics.unknown(element.where, not_available("medium", properties.type(), {"homogeneous"}) +
-                                                   "; it is left out, space is empty");
+    builder.diagnostics.unknown(element.where,
+                                not_available("medium", properties.type(), {"homogeneous", "heterogeneous"}) +
+                                    "; it is left out, space is empty");
     properties.accept_all();
   }
   properties.report_unknown();

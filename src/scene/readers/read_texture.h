@@ -20,6 +20,9 @@ using TextureReader = Texture (*)(Properties&, SceneBuilder&, ColorUse use);
 /// to_uv, or what uscale, vscale, uvscale, uoffset and voffset of Mitsuba 0.x make of it.
 [[nodiscard]] std::array<double, 6> read_uv_map(Properties& properties);
 
+/// The path that the string "filename" names, counted from the scene file; none after an error.
+[[nodiscard]] std::optional<std::string> readable_path(Properties& properties, SceneBuilder& builder);
+
 /// The image of the string "filename", read once a scene; null after an error.
 [[nodiscard]] std::shared_ptr<const Texels> read_image_file(Properties& properties, SceneBuilder& builder);
 

@@ -64,6 +64,12 @@ void turn_sky(XmlElement& element, XmlPool& pool) {
   add_parameter(element, pool, "boolean", "is_y_up", "true");
 }
 
+/// In 0.x a grid lies in the box that its file states, in Mitsuba 3 in the unit cube.
+void fill_box(XmlElement& element, XmlPool& pool) {
+  if (element.tag != "volume" || element.text("type") != "gridvolume") return;
+  add_parameter(element, pool, "boolean", "use_grid_bbox", "true");
+}
+
 void rename(XmlElement& element, bool parameters, XmlPool& pool, Diagnostics& diagnostics) {
   if (element.tag == "lookAt") element.tag = "lookat";
   if (parameters && element.tag != "default") {
@@ -80,6 +86,7 @@ void rename(XmlElement& element, bool parameters, XmlPool& pool, Diagnostics& di
   drop_repeated(element, diagnostics);
   name_copper(element, pool);
   turn_sky(element, pool);
+  fill_box(element, pool);
 }
 
 }  // namespace

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: MIT
+#include "packing/majorants.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace strahl {
+namespace {
+
+using Range = std::array<double, 2>;
+
+constexpr int texels_a_cell = 8;  ///< Along each axis (docs/decisions/0030-media.md).
+
+int wrapped(int texel, int size, TextureWrap wrap) {
+  if (wrap == TextureWrap::clamp) return std::clamp(texel, 0, size - 1);
+  const int period = wrap == TextureWrap::mirror ? 2 * size : size;
+  const int inside = ((texel % period) + period) % period;
+  return inside < size ? inside : period - 1 - inside;
+}
+
+/// The cells along an axis, from the cube's texel `first` on.
+struct Axis {
+  int first = 0, count = 1;
+};
+
+Axis axis_over(const Range& cube, int texels) {
+  // A box that is turned against the axes takes more than the cube.
+  constexpr double rounding = 1e-6;
+  const double cells = static_cast<double>(texels) / texels_a_cell;
+  const int low = static_cast<int>(std::floor(cube[0] * cells + rounding));
+  const int high = static_cast<int>(std::ceil(cube[1] * cells - rounding));
+  return {low * texels_a_cell, std::max(high - low, 1)};
+}
+
+/// For each cell along an axis the texels that a trilinear mean within it may read, each once.
+std::vector<std::vector<int>> texels_of_cells(const Axis& axis, int size, TextureWrap wrap) {
+  std::vector<std::vector<int>> all(static_cast<std::size_t>(axis.count));
+  for (int cell = 0; cell < axis.count; ++cell) {
+    std::vector<int>& texels = all[static_cast<std::size_t>(cell)];
+    const int first = axis.first + cell * texels_a_cell;
+    for (int t = first - 1; t <= first + texels_a_cell; ++t) texels.push_back(wrapped(t, size, wrap));
+    std::sort(texels.begin(), texels.end());
+    texels.erase(std::unique(texels.begin(), texels.end()), texels.end());
+  }
+  return all;
+}
+
+double component(const Vec3& v, int axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
+
+/// The corners of the box from low to high.
+std::array<Vec3, 8> corners(const Vec3& low, const Vec3& high) {
+  std::array<Vec3, 8> all;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    all[i] = {i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z};
+  return all;
+}
+
+/// The least and the largest of what `place` makes of the corners, by axis.
+template <class Place>
+std::array<Range, 3> extent(const std::array<Vec3, 8>& places, Place place) {
+  constexpr double inf = std::numeric_limits<double>::infinity();
+  std::array<Range, 3> ranges{Range{inf, -inf}, Range{inf, -inf}, Range{inf, -inf}};
+  for (const Vec3& at : places)
+    for (int axis = 0; axis < 3; ++axis) {
+      Range& range = ranges[static_cast<std::size_t>(axis)];
+      const double x = component(place(at), axis);
+      range = {std::min(range[0], x), std::max(range[1], x)};
+    }
+  return ranges;
+}
+
+float rounded_up(double value) {
+  const auto rounded = static_cast<float>(std::min(value, static_cast<double>(std::numeric_limits<float>::max())));
+  return static_cast<double>(rounded) < value ? std::nextafter(rounded, std::numeric_limits<float>::max()) : rounded;
+}
+
+/// Values over a box, x first.
+struct Layers {
+  std::array<int, 3> size;
+  std::vector<float> values;
+};
+
+/// Replaces the layers of an axis by the largest over each of `groups` of them; value_of(n): the n-th value of the box.
+template <class Value>
+void reduce(Layers& box, int axis, const std::vector<std::vector<int>>& groups, Value value_of) {
+  const auto along = static_cast<std::size_t>(axis);
+  const std::array<int, 3> from = box.size;
+  box.size[along] = static_cast<int>(groups.size());
+  const auto at = [&](std::array<int, 3> p) {
+    return (static_cast<std::size_t>(p[2]) * static_cast<std::size_t>(from[1]) + static_cast<std::size_t>(p[1])) *
+               static_cast<std::size_t>(from[0]) +
+           static_cast<std::size_t>(p[0]);
+  };
+  box.values.clear();
+  for (int z = 0; z < box.size[2]; ++z)
+    for (int y = 0; y < box.size[1]; ++y)
+      for (int x = 0; x < box.size[0]; ++x) {
+        std::array<int, 3> p{x, y, z};
+        float most = 0;
+        for (const int layer : groups[static_cast<std::size_t>(p[along])]) {
+          std::array<int, 3> q = p;
+          q[along] = layer;
+          most = std::max(most, value_of(at(q)));
+        }
+        box.values.push_back(most);
+      }
+}
+
+}  // namespace
+
+std::vector<double> box_frame(const Transform& world_from_cube, const UploadFrame& frame, const Vec3& size,
+                              const Vec3& middle) {
+  const Transform cube_from_world = world_from_cube.inverse();
+  const Vec3 origin = frame.point(world_from_cube.point(middle));
+  std::vector<double> reals{origin.x, origin.y, origin.z};
+  for (int axis = 0; axis < 3; ++axis)
+    for (std::size_t column = 0; column < 3; ++column)
+      reals.push_back(component(size, axis) * cube_from_world.m[static_cast<std::size_t>(axis)][column] / frame.scale);
+  return reals;
+}
+
+Majorants majorants_of(const Volume& sigma_t, const UploadFrame& frame) {
+  const Transform& cube = sigma_t.world_from_cube;
+  const Transform cube_from_world = cube.inverse();
+  const VolumeGrid& grid = *sigma_t.grid;
+  const auto world = extent(corners({0, 0, 0}, {1, 1, 1}), [&](const Vec3& p) { return cube.point(p); });
+  const auto local = extent(corners({world[0][0], world[1][0], world[2][0]}, {world[0][1], world[1][1], world[2][1]}),
+                            [&](const Vec3& p) { return cube_from_world.point(p); });
+  const std::array<int, 3> size{grid.texels.width, grid.height, grid.depth};
+  std::array<Axis, 3> axes;
+  std::array<std::vector<std::vector<int>>, 3> texels;
+  Vec3 cells, middle;
+  Majorants result;
+  for (std::size_t i = 0; i < 3; ++i) {
+    axes[i] = axis_over(local[i], size[i]);
+    texels[i] = texels_of_cells(axes[i], size[i], sigma_t.wrap);
+    result.size[i] = axes[i].count;
+  }
+  const auto cells_of = [&](std::size_t i) { return static_cast<double>(size[i]) / texels_a_cell; };
+  const auto middle_of = [&](std::size_t i) {
+    return (axes[i].first + 0.5 * axes[i].count * texels_a_cell) / static_cast<double>(size[i]);
+  };
+  cells = {cells_of(0), cells_of(1), cells_of(2)};
+  middle = {middle_of(0), middle_of(1), middle_of(2)};
+  result.reals = box_frame(cube, frame, cells, middle);
+  for (const std::size_t side : {0U, 1U}) {
+    const Vec3 corner = frame.point({world[0][side], world[1][side], world[2][side]});
+    result.reals.insert(result.reals.end(), {corner.x, corner.y, corner.z});
+  }
+  // One axis after the other: each texel is decoded about once.
+  const TexelDecoder decoded(grid.texels, {TexelCurve::Kind::linear, 1});
+  const Rgb& value = sigma_t.value;
+  Layers box{size, {}};
+  reduce(box, 0, texels[0], [&](std::size_t n) {
+    const auto [r, g, b] = decoded(n);
+    return rounded_up(std::max({value.r * r, value.g * g, value.b * b}) / frame.scale);
+  });
+  for (const int axis : {1, 2}) {
+    const std::vector<float> values = std::move(box.values);
+    reduce(box, axis, texels[static_cast<std::size_t>(axis)], [&](std::size_t n) { return values[n]; });
+  }
+  result.most = std::move(box.values);
+  return result;
+}
+
+}  // namespace strahl

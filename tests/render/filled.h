@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// Shapes full of a medium, in white surroundings.
+#pragma once
+
+#include "render/stage.h"
+
+namespace strahl::test {
+
+/// A wide slab from z = -depth / 2 to depth / 2, or a ball, in white surroundings.
+inline Scene filled(const Geometry& geometry, const Medium& medium, double around = 1) {
+  Material null;
+  null.opacity = Reflectance{{0, 0, 0}};
+  Scene scene = stage({geometry}, null);
+  scene.media = {medium};
+  scene.shapes.front().media = MediumBoundary{0, -1};
+  scene.integrator.name = "volpath";
+  scene.lights = {light(ConstantLight{{around, around, around}})};
+  return scene;
+}
+
+inline Cube slab(double depth) { return {{-100, -100, -0.5 * depth}, {{{200, 0, 0}, {0, 200, 0}, {0, 0, depth}}}}; }
+
+inline Medium medium(const Rgb& sigma_t, const Rgb& albedo) {
+  Medium medium;
+  medium.sigma_t = sigma_t;
+  medium.albedo = albedo;
+  return medium;
+}
+
+inline Rgb mean_of(const Image& image) {
+  Rgb sum{0, 0, 0};
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x) {
+      sum.r += static_cast<double>(image.at(x, y, 0));
+      sum.g += static_cast<double>(image.at(x, y, 1));
+      sum.b += static_cast<double>(image.at(x, y, 2));
+    }
+  const double n = image.width * image.height;
+  return {sum.r / n, sum.g / n, sum.b / n};
+}
+
+inline Image drawn(Scene scene, int samples) {
+  scene.sampler.kind = SamplerKind::independent;
+  scene.sampler.sample_count = samples;
+  return color(scene, Precision::robust);
+}
+
+}  // namespace strahl::test

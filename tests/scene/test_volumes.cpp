@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+// .vol files and the media that they fill: parameters of Mitsuba 3 and 0.x, faults.
+#include <catch2/catch.hpp>
+#include <cstring>
+
+#include "errors.h"
+#include "scene/scene_text.h"
+#include "scene/volumes/vol_reader.h"
+
+using namespace strahl;
+using namespace strahl::test;
+using Catch::Matchers::Contains;
+
+namespace {
+
+template <class T>
+void append(std::string& bytes, T value) {
+  bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
+}
+
+std::string header(std::int32_t encoding, std::int32_t width, std::int32_t height, std::int32_t depth,
+                   std::int32_t channels) {
+  std::string bytes = "VOL\x03";
+  for (const std::int32_t word : {encoding, width, height, depth, channels}) append(bytes, word);
+  for (const float side : {-1.F, -2.F, -3.F, 1.F, 2.F, 3.F}) append(bytes, side);
+  return bytes;
+}
+
+std::string floats(std::int32_t width, std::int32_t height, std::int32_t depth, const std::vector<float>& values) {
+  std::string bytes = header(1, width, height, depth, 1);
+  for (const float value : values) append(bytes, value);
+  return bytes;
+}
+
+struct VolumeFolder : SceneFolder {
+  VolumeFolder() { write("a.vol", floats(2, 1, 3, {0, 1, 2, 3, 4, 0.1F})); }
+  [[nodiscard]] LoadedScene load(const std::string& medium, const std::string& version = "3.0.0") const {
+    return load_scene(write("scene.xml", "<scene version=\"" + version +
+                                             "\">\n<shape type=\"sphere\"><medium name=\"interior\" " + medium +
+                                             "</medium></shape>\n<sensor type=\"perspective\"/></scene>\n"));
+  }
+  [[nodiscard]] std::string fault(const std::string& bytes) const {
+    try {
+      static_cast<void>(read_vol(write("b.vol", bytes)));
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  }
+};
+
+std::string grid(const std::string& name, const std::string& parameters = "") {
+  return "<volume name=\"" + name + "\" type=\"gridvolume\"><string name=\"filename\" value=\"a.vol\"/>" + parameters +
+         "</volume>";
+}
+
+TEST_CASE("a .vol has its texels, x first, and its box") {
+  const VolumeFolder folder;
+  const VolumeGrid grid = read_vol(folder.path("a.vol"));
+  CHECK(grid.texels.width == 2);
+  CHECK(grid.height == 1);
+  CHECK(grid.depth == 3);
+  CHECK(grid.texels.is_grey);
+  CHECK(grid.texels.reals == std::vector<float>{0, 1, 2, 3, 4, 0.1F});
+  CHECK(grid.largest.g == 4);
+  CHECK(grid.low.y == -2);
+  CHECK(grid.high.z == 3);
+  const std::string codes("\xff\0\x33\0\0\0", 6);
+  const VolumeGrid bytes = read_vol(folder.write("b.vol", header(3, 1, 2, 1, 3) + codes));
+  CHECK_FALSE(bytes.texels.is_grey);
+  CHECK(bytes.largest.r == 1);
+  CHECK(bytes.largest.b == Approx(0.2));
+  CHECK(read_vol(folder.write("c.vol", floats(2, 1, 1, {-1, 2}))).texels.repaired == 1);
+}
+
+TEST_CASE("what is no .vol says why") {
+  const VolumeFolder folder;
+  CHECK_THAT(folder.fault("VOL"), Contains("b.vol\" is not a .vol file of version 3"));
+  CHECK_THAT(folder.fault("VOL\x03"), Contains("ends within its header of 48 bytes"));
+  CHECK_THAT(folder.fault(header(2, 1, 1, 1, 1)), Contains("encoding 2; 1 (float32) and 3 (bytes)"));
+  CHECK_THAT(folder.fault(header(1, 1, 1, 1, 4)), Contains("4 channels"));
+  CHECK_THAT(folder.fault(header(1, 1 << 30, 1 << 30, 1 << 30, 1)), Contains("a grid has at most"));
+  CHECK_THAT(folder.fault(header(1, 0, 1, 1, 1)), Contains("0 x 1 x 1 texels"));
+  CHECK_THAT(folder.fault(header(1, 10, 10, 10, 1)), Contains("has 48 bytes; its header promises 10 x 10 x 10"));
+}
+
+TEST_CASE("a heterogeneous medium has Mitsuba's parameters") {
+  const VolumeFolder folder;
+  const LoadedScene loaded =
+      folder.load("type=\"heterogeneous\">" +
+                  grid("sigma_t",
+                       "<string name=\"filter_type\" value=\"nearest\"/><string name=\"wrap_mode\" value=\"mirror\"/>"
+                       "<boolean name=\"use_grid_bbox\" value=\"true\"/>"
+                       "<transform name=\"to_world\"><scale value=\"2\"/></transform>") +
+                  "<volume name=\"albedo\" type=\"constvolume\"><rgb name=\"value\" value=\".1 .2 .3\"/></volume>"
+                  "<float name=\"scale\" value=\"5\"/>");
+  CHECK(loaded.warnings.empty());
+  const Medium& medium = loaded.scene.media.at(0);
+  REQUIRE(medium.is_heterogeneous());
+  CHECK(medium.sigma_t.value.g == 5);
+  CHECK(medium.sigma_t.largest().g == 20);
+  CHECK(medium.sigma_t.filter == TextureFilter::nearest);
+  CHECK(medium.sigma_t.wrap == TextureWrap::mirror);
+  CHECK(medium.sigma_t.world_from_cube.point({0, 0, 0}).y == -4);
+  CHECK(medium.sigma_t.world_from_cube.point({1, 1, 1}).z == 6);
+  CHECK(medium.albedo.value.b == 0.3);
+  CHECK_FALSE(medium.albedo.grid);
+}
+
+TEST_CASE("a heterogeneous medium without a grid fills the unit cube") {
+  const VolumeFolder folder;
+  const LoadedScene loaded = folder.load("type=\"heterogeneous\"><float name=\"sigma_t\" value=\"3\"/>");
+  REQUIRE(loaded.scene.media.at(0).is_heterogeneous());
+  CHECK(loaded.scene.media.at(0).sigma_t.largest().r == 3);
+}
+
+TEST_CASE("Mitsuba 0.x says density, and its grids fill their boxes") {
+  const VolumeFolder folder;
+  const LoadedScene loaded =
+      folder.load("type=\"heterogeneous\"><string name=\"method\" value=\"woodcock\"/>" + grid("density"), "0.6.0");
+  CHECK(loaded.warnings.empty());
+  CHECK(loaded.scene.media.at(0).sigma_t.world_from_cube.point({0, 0, 0}).z == -3);
+}
+
+TEST_CASE("faults of grids name the place") {
+  const VolumeFolder folder;
+  CHECK_THROWS_WITH(folder.load("type=\"heterogeneous\"><volume name=\"sigma_t\" type=\"gridvolume\"/>"),
+                    Contains("needs the string \"filename\""));
+  CHECK_THROWS_WITH(folder.load("type=\"heterogeneous\"><volume name=\"sigma_t\" type=\"gridvolume\"><string "
+                                "name=\"filename\" value=\"none.vol\"/></volume>"),
+                    Contains("none.vol"));
+  // Texels above 1 are no albedo.
+  CHECK_THROWS_WITH(folder.load("type=\"heterogeneous\">" + grid("albedo")),
+                    Contains("albedo of a medium must lie within [0, 1]"));
+  const LoadedScene even = folder.load("type=\"homogeneous\">" + grid("sigma_t"));
+  REQUIRE(even.warnings.size() == 1);
+  CHECK_THAT(even.warnings[0].message, Contains("belongs to a medium of type heterogeneous"));
+}
+
+}  // namespace
