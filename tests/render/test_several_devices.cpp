@@ -139,6 +139,27 @@ TEST_CASE("in bands") {
   check_same(one.render(), several.render());
 }
 
+TEST_CASE("rays that are counted") {
+  require_pocl_and_rusticl();
+  RenderSettings settings = shared_settings();
+  settings.count_rays = true;
+  Renderer one(Device::open("pocl"), shared_scene(), settings);
+  const RenderResult expected = one.render();
+  Renderer several = shared(shared_scene(), settings);
+  for (int i = 0; i < 2; ++i) {
+    const RenderResult result = several.render();
+    check_same(expected, result);
+    CHECK(result.stats.camera_rays == expected.stats.camera_rays);
+    CHECK(result.stats.shadow_rays == expected.stats.shadow_rays);
+    CHECK(result.stats.bounce_rays == expected.stats.bounce_rays);
+    // How many nodes rays visit that go together depends on which do.
+    CHECK(result.stats.nodes_visited.value_or(0) > 0);
+    CHECK(result.stats.primitives_tested.value_or(0) > 0);
+  }
+  CHECK(expected.stats.shadow_rays.value_or(0) > 0);
+  CHECK(expected.stats.bounce_rays.value_or(0) > 0);
+}
+
 TEST_CASE("a part of the samples") {
   require_pocl_and_rusticl();
   RenderGoal goal;
