@@ -124,7 +124,12 @@ void FilmRun::work_at(Table& table, std::size_t worker) {
       Part part = part_on(device, launch, progress);
       const double seconds = start.seconds();
       lock.lock();
-      table.rows.done(worker, seconds);
+      const double share = static_cast<double>(part.stats.camera_rays) /
+                           (static_cast<double>(launch.columns) * launch.rows * launch.samples);
+      if (share < 1)
+        table.rows.stopped(worker, share, seconds);
+      else
+        table.rows.done(worker, seconds);
       if (part.is_cut) table.is_stopped = true;
       table.done.push_back({worker, launch, std::move(part)});
     } catch (const DeviceError& fault) {

@@ -54,10 +54,19 @@ std::optional<Rows> RowDeal::next(std::size_t index) {
   return worker.rows;
 }
 
+void RowDeal::learn(Worker& worker, double rows, double seconds) {
+  worker.speed = std::max(rows / std::max(seconds, 1e-6), least_of_speed * worker.speed);
+}
+
 void RowDeal::done(std::size_t index, double seconds) {
   Worker& worker = workers_[index];
-  worker.speed = std::max(worker.rows.count / std::max(seconds, 1e-6), least_of_speed * worker.speed);
+  learn(worker, worker.rows.count, seconds);
   worker.rows = {};
+}
+
+void RowDeal::stopped(std::size_t index, double share, double seconds) {
+  Worker& worker = workers_[index];
+  if (share > 0) learn(worker, share * worker.rows.count, seconds);
 }
 
 void RowDeal::failed(std::size_t index) {

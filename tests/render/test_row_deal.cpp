@@ -106,6 +106,16 @@ TEST_CASE("a device that was held up once is asked again") {
   CHECK(deal.worker(0).speed == Approx(80));
 }
 
+TEST_CASE("rows that are cut short are not rendered, and tell a speed by what was made of them") {
+  RowDeal deal({0, 1}, {{100, false, {}}});
+  REQUIRE(deal.next(0)->count == 1);
+  deal.stopped(0, 0.5, 0.5 / 80);
+  CHECK(deal.worker(0).speed == Approx(80));
+  CHECK_FALSE(deal.is_finished());
+  deal.stopped(0, 0, 10);
+  CHECK(deal.worker(0).speed == Approx(80));
+}
+
 TEST_CASE("at most a second's rows at a time") {
   RowDeal deal({0, 100000}, {{10, false, {}}, {20, false, {}}});
   CHECK(deal.next(0)->count == 10);
