@@ -9,9 +9,9 @@
 
 namespace strahl {
 
-/// Each device asks for rows when it has none: half of its share of those that are left, so that all end together, and
-/// what takes it a second at the most, so that little is lost with a device that fails. Not for several threads at a
-/// time.
+/// Each device asks for rows when it has none: one while its speed is unknown, then half of its share of those that
+/// are left, so that all end together, and what takes it a second at the most, so that little is lost with a device
+/// that fails. Not for several threads at a time.
 class RowDeal {
  public:
   struct Worker {
@@ -40,7 +40,6 @@ class RowDeal {
   [[nodiscard]] int rows_left() const;
   [[nodiscard]] int fitting(const Worker& worker) const;
 
-  int all_;
   std::vector<Rows> left_;
   std::vector<Worker> workers_;
 };
