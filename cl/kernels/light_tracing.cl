@@ -6,6 +6,7 @@
 #include "accel/traverse.h"
 #include "film/film.h"
 #include "kernels/whole_loops.h"
+#include "kernels/splat_launch.h"
 #if PATH_LANES != LANES
 #undef LANES
 #define LANES PATH_LANES
@@ -87,15 +88,8 @@ KERNEL LANE_HINT_OF(SCENE_LANES) void render(GLOBAL const real* geometry, GLOBAL
   if (column >= columns || row >= rows) return;
   (void)aov_reals;
   (void)aov_ints;
-  SplatFilm splats;
-  splats.words = film;
-  splats.x = x_first - film_first % film_columns;
-  splats.y = y_first - film_first / film_columns;
-  splats.columns = film_columns;
-  splats.rows = index[HEADER_FILM_ROWS];
-  splats.sums = index[HEADER_SUMS];
-  ulong slot = (ulong)film_first + (ulong)row * (ulong)film_columns + (ulong)column;
-  splats.done = counters + COUNTERS + slot * DONE_OF_PATHS;
+  SplatFilm splats = splat_film_of(film, index, x_first, y_first, film_first, film_columns);
+  splats.done = done_of_paths(counters, film_first, film_columns, row, column);
   Scene scene;
   scene.geometry = geometry;
   scene.shading = shading;
