@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Light paths of integrator ptracer, from the light on. One width; no guard.
-#include "integrators/light_begin_lanes.h"
+// Light paths of integrator ptracer, from the light on. Needs
+// integrators/light_begin_lanes.h. One width; no guard.
 
 FN int shows_background_w(const Scene* scene) {
   return LIGHT_COUNT > 0 && scene->index[HEADER_MAX_DEPTH] > 0 && !hides_emitters(scene) &&

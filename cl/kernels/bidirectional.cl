@@ -26,6 +26,7 @@
 #include "camera/span_lanes.h"
 #include "hits/find_lanes.h"
 #include "integrators/integrator_lanes.h"
+#include "integrators/light_begin_lanes.h"
 #include "integrators/both_ends_lanes.h"
 #include "integrators/light_span_lanes.h"
 
