@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Bidirectional path tracing: a sample is a path from the camera and a path from a light, and every vertex of one is
-// joined with every vertex of the other. So each path of light is found by several techniques, whose shares are weighted
-// by how likely each of them makes it (E. Lafortune, Y. Willems, "Bi-Directional Path Tracing", Compugraphics 1993; E.
-// Veach, L. Guibas, "Bidirectional Estimators for Light Transport", EGWR 1994). kernels/bidirectional.cl follows the
-// paths (integrators/both_ends_lanes.h); depth counts as in path and ptracer.
+// joined with every vertex of the other. So each path of light is found by several techniques, whose shares are
+// weighted by how likely each of them makes it (E. Lafortune, Y. Willems, "Bi-Directional Path Tracing", Compugraphics
+// 1993; E. Veach, L. Guibas, "Bidirectional Estimators for Light Transport", EGWR 1994). kernels/bidirectional.cl
+// follows the paths (integrators/both_ends_lanes.h); depth counts as in path and ptracer.
 
 enum { bdpt_STEPS_w = STEP_SCATTER | STEP_ROULETTE | STEP_ADJOINT };
 

@@ -2,7 +2,8 @@
 // Samples of bidirectional path tracing: a light's subpath, whose vertices are kept, then the camera's. What a sample
 // brings to its own pixel is one splat; the vertices of the light's subpath go to any pixel as in ptracer, and each
 // pixel's sum is that of the same replicate. The random numbers of the camera's subpath are those of its pixel, whose
-// numbers come after those of the light subpaths' sequences. Needs integrators/light_begin_lanes.h. One width; no guard.
+// numbers come after those of the light subpaths' sequences. Needs integrators/light_begin_lanes.h. One width; no
+// guard.
 #include "integrators/connections_lanes.h"
 
 /// The number of a sample's own pixel's splat (film/splat.h): after those of all vertices.

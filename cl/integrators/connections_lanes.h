@@ -78,8 +78,8 @@ FN Rays_w rays_between_w(const Vertex_w* x, const Vertex_w* y, maskw which, real
   return rays;
 }
 
-/// Of light from `in` to `on` at a vertex of a light's subpath: what leaves it for each unit of area that faces `on`, as
-/// adjoint_share of adjoint_lanes.h.
+/// Of light from `in` to `on` at a vertex of a light's subpath: what leaves it for each unit of area that faces `on`,
+/// as adjoint_share of adjoint_lanes.h.
 FN real3w leaving_share_w(const Vertex_w* v, real3w on, real3w reflected) {
   realw below = cosine_at_w(v, v->back), zero = splat_w(R(0.0));
   maskw is_sound = lt_w(zero, below);

@@ -46,7 +46,8 @@ FN Joint_w light_paths_begin_w(const Scene* scene, Paths_w* path, maskw which, u
   if (scene->index[HEADER_MAX_DEPTH] <= 0 || hides_emitters(scene) || !any_w(is_shown)) return no_joint_w();
   SensorWay_w seen = way_to_sensor_w(scene, path, is_shown, ray.from);
   realw cosine = dot3_w(ray.normal, unit3_w(seen.towards));
-  return joint_w(s, seen.which & lt_w(splat_w(R(0.0)), cosine), &seen, scale3_w(splat_w(ONE_OVER_PI) * cosine, ray.flux));
+  return joint_w(s, seen.which & lt_w(splat_w(R(0.0)), cosine), &seen,
+                 scale3_w(splat_w(ONE_OVER_PI) * cosine, ray.flux));
 }
 
 /// The first vertex of new paths, on their lights, or the next of all that are alive: each is joined with the sensor.

@@ -40,8 +40,7 @@ FN int is_seen_through_w(const Scene* scene, int stops_at_masks) {
 }
 
 /// What is left of light along rays to or from the sensor.
-FN realw unhindered_share_w(const Scene* scene, const Paths_w* path, maskw which, int stops_at_masks,
-                              Rays_w* rays) {
+FN realw unhindered_share_w(const Scene* scene, const Paths_w* path, maskw which, int stops_at_masks, Rays_w* rays) {
   if (!is_seen_through_w(scene, stops_at_masks)) {
     if (HAS_COUNT_RAYS) count_events(scene, COUNT_SHADOW, lanes_among(bits_w(which)));
     return sel_w(which & ~meets_any_w(scene, rays, which), splat_w(R(1.0)), splat_w(R(0.0)));

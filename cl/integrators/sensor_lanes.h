@@ -9,11 +9,11 @@
 
 typedef struct {
   maskw which;
-  Rays_w rays;        ///< Along which nothing may be in the way.
-  real3w light;       ///< What is then added.
-  realw x, y;         ///< Where on the picture, in pixels from its upper left corner.
+  Rays_w rays;         ///< Along which nothing may be in the way.
+  real3w light;        ///< What is then added.
+  realw x, y;          ///< Where on the picture, in pixels from its upper left corner.
   int stops_at_masks;  ///< Masks let nothing through.
-  int is_background;  ///< Then the light is a pixel's own, x and y its column and row on the film.
+  int is_background;   ///< Then the light is a pixel's own, x and y its column and row on the film.
 } Joint_w;
 
 FN Joint_w no_joint_w(void) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Vertices of the two subpaths of bidirectional path tracing: both are found, passed and left by the same functions. One
-// width; no guard.
+// Vertices of the two subpaths of bidirectional path tracing: both are found, passed and left by the same functions.
+// One width; no guard.
 #include "integrators/techniques_lanes.h"
 
 typedef struct {

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-// How likely the techniques of bidirectional path tracing make the same path: the balance heuristic over all of them, by
-// sums that each subpath carries along, so that no weight walks back over the path (I. Georgiev, "Implementing Vertex
-// Connection and Merging", Saarland University, 2012; without merging, and with exponent 1, so that no square leaves a
-// float's range).
+// How likely the techniques of bidirectional path tracing make the same path: the balance heuristic over all of them,
+// by sums that each subpath carries along, so that no weight walks back over the path (I. Georgiev, "Implementing
+// Vertex Connection and Merging", Saarland University, 2012; without merging, and with exponent 1, so that no square
+// leaves a float's range).
 //
-// A path of k edges is made by up to k + 1 techniques, one for each number of its vertices that come from the light. The
-// light's vertices that are joined with the camera's are kept, and their number is bounded (LIGHT_VERTICES). So only
-// paths of up to FULL_EDGES edges are made by all techniques. Longer ones are made by three: the path from the camera
-// finds the light, or its last vertex is joined with a place on the light; or the path from the light is joined with the
-// sensor. A second sum, over these alone, gives their weights. Angles are those to the surfaces themselves, whatever
-// their shading normals. One width; no guard.
+// A path of k edges is made by up to k + 1 techniques, one for each number of its vertices that come from the light.
+// The light's vertices that are joined with the camera's are kept, and their number is bounded (LIGHT_VERTICES). So
+// only paths of up to FULL_EDGES edges are made by all techniques. Longer ones are made by three: the path from the
+// camera finds the light, or its last vertex is joined with a place on the light; or the path from the light is joined
+// with the sensor. A second sum, over these alone, gives their weights. Angles are those to the surfaces themselves,
+// whatever their shading normals. One width; no guard.
 
 enum { LIGHT_VERTICES_w = 8, FULL_EDGES_w = LIGHT_VERTICES_w + 2 };
 
@@ -30,8 +30,8 @@ FN void techniques_arrive_w(maskw which, realw area, realw cosine, Techniques_w*
   t->ends = sel_w(which, t->ends * over, t->ends);
 }
 
-/// The new direction was drawn with `density`, 0 of a delta lobe; the way back from there has density `reverse`; cosine:
-/// of the new direction. is_first: lanes whose last edge is one that long paths join, too.
+/// The new direction was drawn with `density`, 0 of a delta lobe; the way back from there has density `reverse`;
+/// cosine: of the new direction. is_first: lanes whose last edge is one that long paths join, too.
 FN void techniques_turn_w(maskw which, maskw is_first, realw density, realw reverse, realw cosine, Techniques_w* t) {
   realw zero = splat_w(R(0.0)), one = splat_w(R(1.0));
   maskw is_spread = lt_w(zero, density);

@@ -104,8 +104,8 @@ void write(const Wanted& wanted, const std::string& kernel, const std::string& s
 int main(int count, char** arguments) {
   if (count != 2 && count != 3) return 2;
   const Wanted wanted{arguments[1], count == 3 ? arguments[2] : ""};
-  for (const std::string kernel : {"render", "light_tracing", "bidirectional", "intersect", "intersect_packets", "intersect_any",
-                                   "intersect_any_packets", "probe", "canary", "bandwidth"})
+  for (const std::string kernel : {"render", "light_tracing", "bidirectional", "intersect", "intersect_packets",
+                                   "intersect_any", "intersect_any_packets", "probe", "canary", "bandwidth"})
     for (const Precision precision : {Precision::fast, Precision::stable, Precision::robust, Precision::fp64}) {
       if (!wanted.name.empty() && !wanted.name.starts_with(kernel + "-" + precision_name(precision) + "-")) continue;
       const int widest = default_lanes(16, precision);

@@ -60,7 +60,8 @@ inline void hold_alike(const std::string& integrator, const std::string& other, 
   for (std::size_t k = 0; k < from_lights.mean.size(); ++k) {
     const double difference = from_lights.mean[k] - from_camera.mean[k];
     const double error = std::hypot(from_lights.error[k], from_camera.error[k]);
-    INFO("block " << k << ": " << from_lights.mean[k] << " where " << other << " has " << from_camera.mean[k] << ", +- " << error);
+    INFO("block " << k << ": " << from_lights.mean[k] << " where " << other << " has " << from_camera.mean[k] << ", +- "
+                  << error);
     CHECK(std::fabs(difference) <= 6 * error + 1e-6);
     variance += error * error;
     ours += from_lights.mean[k];

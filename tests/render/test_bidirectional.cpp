@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Paths from both ends (integrator bdpt) make the pictures that paths from the camera make, and those that paths from the
-// lights make: so the weights of all techniques sum to 1. The same bits however they are followed; what they cannot do is
-// refused.
+// Paths from both ends (integrator bdpt) make the pictures that paths from the camera make, and those that paths from
+// the lights make: so the weights of all techniques sum to 1. The same bits however they are followed; what they cannot
+// do is refused.
 #include <catch2/catch.hpp>
 
 #include "errors.h"
