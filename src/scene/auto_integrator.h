@@ -6,7 +6,7 @@
 
 namespace strahl {
 
-/// Sets scene.integrator.name, to "emission", "direct" or "path", and why. It depends on the scene alone: its shapes,
+/// Sets scene.integrator.name, to "emission", "direct", "path" or, where there are media, "volpath", and why. It depends on the scene alone: its shapes,
 /// materials and the integrator's max_depth.
 void choose_integrator(Scene& scene);
 
