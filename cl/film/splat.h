@@ -12,6 +12,7 @@
 
 #include "film/film.h"
 #include "kernels/whole_loops.h"
+#include "math/vec3.h"
 #include "scene/scene.h"
 
 #if ON_HOST
@@ -51,7 +52,7 @@ FN void splat_pixel(const Scene* scene, int column, int row, int sum, int number
     film->done[DONE_SPLATS] = (uint)number;
   }
   ulong pixel = (ulong)row * (ulong)film->columns + (ulong)column;
-  GLOBAL long* words = film->words + (pixel * (ulong)film->sums + (ulong)sum) * (FILM_CHANNELS * SPLAT_WORDS);
+  GLOBAL long* words = film->words + (pixel * (ulong)film->sums + (ulong)sum) * ((int)FILM_CHANNELS * (int)SPLAT_WORDS);
   splat_channel(scene, words, light.x);
   splat_channel(scene, words + SPLAT_WORDS, light.y);
   splat_channel(scene, words + 2 * SPLAT_WORDS, light.z);

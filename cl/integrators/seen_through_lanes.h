@@ -19,9 +19,10 @@ FN realw passed_share_w(const Scene* scene, Paths_w* ahead) {
     maskw masked = met & ~passed;
     if (HAS_MASK && any_w(masked)) {
       realw number = zero;
+      // Before a number is drawn: those of the vertex that the rays leave are taken.
+      ahead->depth = sel_int_w(masked, ahead->depth + splat_int_w(1), ahead->depth);
       if (HAS_BLEND) number = random_between_w(vertex_number_w(scene, &ahead->sample, ahead->depth, USE_BLEND));
       realw open = one - rows_at_w(scene, &s, masked, unit3_w(negate3_w(d)), number).opacity;
-      ahead->depth = sel_int_w(masked, ahead->depth + splat_int_w(1), ahead->depth);
       maskw lets = masked & lt_w(zero, open) & lt_int_w(ahead->depth, most);
       share = sel_w(lets, share * open, share);
       passed = passed | lets;

@@ -61,10 +61,10 @@ void make_directory(const fs::path& directory) {
 
 constexpr mode_t by_others = S_IWGRP | S_IWOTH;
 
-/// Made under a umask of 002 strahl's own folder is open to a group, as a rule the user's own. Nobody else has a use
-/// for it, so it is closed; what others have put there is not theirs to be run in any case, for files of others do not
-/// count. Not through a link, and not a folder that the user has named, which may have other uses. False: it is as it
-/// was.
+/// Made under a umask of 002 strahl's own folder is open to a group, as a rule the user's own, and under one of 0 to
+/// everyone. Nobody else has a use for it, so it is closed to both; what others have put there is not theirs to be run
+/// in any case, for files of others do not count. Not through a link, and not a folder that the user has named, which
+/// may have other uses. False: it is as it was.
 bool is_closed_now(const std::string& directory) {
   if (variable_of("STRAHL_CACHE_DIR") != nullptr) return false;
   const int descriptor = ::open(directory.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);

@@ -78,14 +78,13 @@ Image FilmSums::black() const {
   return image;
 }
 
-void FilmSums::put_mean(std::span<const std::int64_t> part, std::size_t first, Image& image) const {
+void FilmSums::put_mean(std::span<const std::int64_t> part, std::size_t first, double paths, Image& image) const {
   const std::size_t pixels = part.size() / words_per_pixel();
   const std::size_t per_sum = words_per_sum(kind);
-  const double mean_count = kind == FilmKind::splats ? mean_samples() : 0;
   const std::int64_t* pixel = part.data();
   float* out = &image.data[first * layout::FILM_CHANNELS];
   for (std::size_t at = first; at < first + pixels; ++at, pixel += words_per_pixel()) {
-    const double count = kind == FilmKind::splats ? mean_count : samples[at];
+    const double count = kind == FilmKind::splats ? paths : samples[at];
     for (std::size_t channel = 0; channel < layout::FILM_CHANNELS; ++channel, ++out)
       if (count > 0) *out = static_cast<float>(total(pixel + channel * per_sum) / count * unit);
   }
@@ -108,13 +107,14 @@ double FilmSums::total(const std::int64_t* sum) const {
   return value_of(film_bins(all[0], all[1]));
 }
 
-double FilmSums::mean_samples() const {
+double FilmSums::paths_a_pixel() const {
+  if (kind != FilmKind::splats) return 0;
   return std::accumulate(samples.begin(), samples.end(), 0.0) / static_cast<double>(samples.size());
 }
 
 Image FilmSums::mean() const {
   Image image = black();
-  put_mean(words, 0, image);
+  put_mean(words, 0, paths_a_pixel(), image);
   return image;
 }
 

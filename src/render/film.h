@@ -46,13 +46,14 @@ struct FilmSums {
   [[nodiscard]] double sub_sum(std::size_t pixel, int sub, int channel) const;
   /// The number of those samples.
   [[nodiscard]] int sub_sum_samples(std::size_t pixel, int sub) const;
-  /// Of all pixels: what the sums of a pixel's splats are divided by.
-  [[nodiscard]] double mean_samples() const;
+  /// Of splats: what a pixel's sums are divided by, the mean over all pixels. Of other films 0.
+  [[nodiscard]] double paths_a_pixel() const;
   /// Mean over all samples; it does not depend on their sub-sums. A pixel without samples is black.
   [[nodiscard]] Image mean() const;
   [[nodiscard]] Image black() const;
-  /// The mean of the pixels from `first` on into their places. part: the words of them.
-  void put_mean(std::span<const std::int64_t> part, std::size_t first, Image& image) const;
+  /// The mean of the pixels from `first` on into their places. part: the words of them; paths: paths_a_pixel(), which
+  /// looks at all pixels, and there may be many parts.
+  void put_mean(std::span<const std::int64_t> part, std::size_t first, double paths, Image& image) const;
 
  private:
   /// All sub-sums of a channel together, `sum` being the first one's words.

@@ -207,12 +207,13 @@ void FilmRun::read_film() {
 Image FilmRun::mean_in_parts() const {
   Image image = film_.black();
   const std::size_t pixels = film_.samples.size(), most = std::max<std::size_t>(1, part_bytes / film_bytes(1));
+  const double paths = film_.paths_a_pixel();
   std::vector<std::int64_t> part;
   for (std::size_t first = 0; first < pixels; first += most) {
     const std::size_t count = std::min(most, pixels - first);
     part.resize(count * film_.words_per_pixel());
     read_buffer(state_.device, state_.film, part.data(), film_bytes(count), film_bytes(first));
-    film_.put_mean(part, first, image);
+    film_.put_mean(part, first, paths, image);
   }
   return image;
 }

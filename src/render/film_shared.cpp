@@ -124,7 +124,12 @@ void FilmRun::work_at(Table& table, std::size_t worker) {
       Part part = part_on(device, launch, progress);
       const double seconds = start.seconds();
       lock.lock();
-      table.rows.done(worker, seconds);
+      const double share = static_cast<double>(part.stats.camera_rays) /
+                           (static_cast<double>(launch.columns) * launch.rows * launch.samples);
+      if (share < 1)
+        table.rows.stopped(worker, share, seconds);
+      else
+        table.rows.done(worker, seconds);
       if (part.is_cut) table.is_stopped = true;
       table.done.push_back({worker, launch, std::move(part)});
     } catch (const DeviceError& fault) {
@@ -171,6 +176,9 @@ void FilmRun::add(const Part& part, const Launch& launch, std::size_t worker) {
   run.weak_branches += state.unusual.weak_branches;
   run.lost_interfaces += state.unusual.lost_interfaces;
   run.camera_rays += part.stats.camera_rays;
+  for (const auto counted :
+       {&RunStats::shadow_rays, &RunStats::bounce_rays, &RunStats::nodes_visited, &RunStats::primitives_tested})
+    if (run.*counted && part.stats.*counted) *(run.*counted) += *(part.stats.*counted);
   run.kernel_runs.insert(run.kernel_runs.end(), part.stats.kernel_runs.begin(), part.stats.kernel_runs.end());
   run.shares[worker].samples += part.stats.camera_rays;
   is_cut_ = is_cut_ || part.is_cut;

@@ -14,7 +14,9 @@ namespace strahl {
 /// what only paths from the camera have.
 void require_light_paths(const Scene& scene, const RenderSettings& settings);
 
-/// Samples of a pixel at the most, so that a sum's words hold a splat of every path.
+/// Samples of a pixel at the most, so that no more than 2^31 paths go into a sum. A word holds 2^31 splats, whatever
+/// they are (film/splat.h), and a path makes up to max_depth + 1 of them, as a rule into different pixels. So the words
+/// hold as long as no single pixel gets more than one splat of each path of the picture on average.
 [[nodiscard]] int most_light_paths(const Window& window, bool has_error_sums);
 
 /// Throws NoDeviceError where the film's bytes do not fit.

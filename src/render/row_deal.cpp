@@ -10,16 +10,12 @@ namespace {
 /// Of the rows that a device gets at a time.
 constexpr double most_seconds = 1;
 
-/// A device of unknown speed gets this part of what would be its share.
-constexpr int first_part = 16;
-
 /// At a time a device's speed falls to no less of what it was: a row that waited for the processor is no slow device.
 constexpr double least_of_speed = 0.25;
 
 }  // namespace
 
-RowDeal::RowDeal(const Rows& rows, std::vector<Worker> workers)
-    : all_(rows.count), left_{rows}, workers_(std::move(workers)) {}
+RowDeal::RowDeal(const Rows& rows, std::vector<Worker> workers) : left_{rows}, workers_(std::move(workers)) {}
 
 int RowDeal::rows_left() const {
   int sum = 0;
@@ -30,7 +26,8 @@ int RowDeal::rows_left() const {
 /// 0: none.
 int RowDeal::fitting(const Worker& worker) const {
   const int left = rows_left();
-  if (worker.speed <= 0) return std::clamp(all_ / (first_part * static_cast<int>(workers_.size())), 1, left);
+  // It may be a thousand times as slow as the others, who would wait for more.
+  if (worker.speed <= 0) return std::min(1, left);
   double sum = 0;
   for (const Worker& other : workers_) {
     if (other.is_out) continue;
@@ -54,10 +51,19 @@ std::optional<Rows> RowDeal::next(std::size_t index) {
   return worker.rows;
 }
 
+void RowDeal::learn(Worker& worker, double rows, double seconds) {
+  worker.speed = std::max(rows / std::max(seconds, 1e-6), least_of_speed * worker.speed);
+}
+
 void RowDeal::done(std::size_t index, double seconds) {
   Worker& worker = workers_[index];
-  worker.speed = std::max(worker.rows.count / std::max(seconds, 1e-6), least_of_speed * worker.speed);
+  learn(worker, worker.rows.count, seconds);
   worker.rows = {};
+}
+
+void RowDeal::stopped(std::size_t index, double share, double seconds) {
+  Worker& worker = workers_[index];
+  if (share > 0) learn(worker, share * worker.rows.count, seconds);
 }
 
 void RowDeal::failed(std::size_t index) {

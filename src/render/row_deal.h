@@ -9,9 +9,9 @@
 
 namespace strahl {
 
-/// Each device asks for rows when it has none: half of its share of those that are left, so that all end together, and
-/// what takes it a second at the most, so that little is lost with a device that fails. Not for several threads at a
-/// time.
+/// Each device asks for rows when it has none: one while its speed is unknown, then half of its share of those that
+/// are left, so that all end together, and what takes it a second at the most, so that little is lost with a device
+/// that fails. Not for several threads at a time.
 class RowDeal {
  public:
   struct Worker {
@@ -27,6 +27,8 @@ class RowDeal {
   [[nodiscard]] std::optional<Rows> next(std::size_t worker);
   /// The rows that it has are rendered.
   void done(std::size_t worker, double seconds);
+  /// It has ended before its time, with this share of its rows' samples. They stay its own: nobody renders the others.
+  void stopped(std::size_t worker, double share, double seconds);
   /// It takes no part any more; its rows are for the others.
   void failed(std::size_t worker);
   /// All rows are rendered.
@@ -34,10 +36,10 @@ class RowDeal {
   [[nodiscard]] const Worker& worker(std::size_t index) const { return workers_[index]; }
 
  private:
+  static void learn(Worker& worker, double rows, double seconds);
   [[nodiscard]] int rows_left() const;
   [[nodiscard]] int fitting(const Worker& worker) const;
 
-  int all_;
   std::vector<Rows> left_;
   std::vector<Worker> workers_;
 };

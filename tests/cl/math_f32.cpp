@@ -12,6 +12,7 @@ namespace f32 {
 // OpenCL's, for scene/counters.h.
 inline void atomic_inc(uint* counter) { ++*counter; }
 #include "film/film.h"
+#include "film/splat.h"
 #include "math/soft_fma.h"
 #include "math/vec3.h"
 #define LANES 1
@@ -39,6 +40,11 @@ float erfcx(float a) { return f32::erfcx_w_1(a); }
 void add_to_film(FilmWords& sum, float value, std::array<std::uint32_t, 4>* counts) {
   const f32::Scene scene{nullptr, nullptr, nullptr, counts->data(), nullptr};
   f32::film_add_sample(&scene, sum.data(), value);
+}
+void add_splat(SplatWords& sum, float value, std::array<std::uint32_t, 4>* counts) {
+  static_assert(std::tuple_size_v<SplatWords> == f32::SPLAT_WORDS);
+  const f32::Scene scene{nullptr, nullptr, nullptr, counts->data(), nullptr};
+  f32::splat_channel(&scene, sum.data(), value);
 }
 void add_by_integers(FilmWords& sum, float value, int times) {
   std::array<std::uint32_t, 4> counts{};

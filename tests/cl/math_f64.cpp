@@ -12,6 +12,7 @@ namespace f64 {
 // OpenCL's, for scene/counters.h.
 inline void atomic_inc(uint* counter) { ++*counter; }
 #include "film/film.h"
+#include "film/splat.h"
 #include "math/vec3.h"
 #define LANES 1
 #include "lanes/lane_ops.h"
@@ -44,6 +45,11 @@ double erfcx(double a) { return f64::erfcx_w_1(a); }
 void add_to_film(FilmWords& sum, double value, std::array<std::uint32_t, 4>* counts) {
   const f64::Scene scene{nullptr, nullptr, nullptr, counts->data(), nullptr};
   f64::film_add_sample(&scene, sum.data(), value);
+}
+void add_splat(SplatWords& sum, double value, std::array<std::uint32_t, 4>* counts) {
+  static_assert(std::tuple_size_v<SplatWords> == f64::SPLAT_WORDS);
+  const f64::Scene scene{nullptr, nullptr, nullptr, counts->data(), nullptr};
+  f64::splat_channel(&scene, sum.data(), value);
 }
 void add_by_integers(FilmWords& sum, double value, int times) {
   std::array<std::uint32_t, 4> counts{};

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// cl/math and cl/film/film.h of both tiers on the host, side by side; compiled in math_f32.cpp and math_f64.cpp.
+// cl/math, cl/film/film.h and splat.h of both tiers on the host, side by side; compiled in math_f32.cpp and
+// math_f64.cpp.
 #pragma once
 
 #include <array>
@@ -39,5 +40,12 @@ void add_to_film(FilmWords& sum, double value, std::array<std::uint32_t, 4>* cou
 /// The same by integers alone, `times` times at once.
 void add_by_integers(FilmWords& sum, float value, int times);
 void add_by_integers(FilmWords& sum, double value, int times);
+
+/// A channel's sum in the film of light paths: the words of cl/film/splat.h.
+using SplatWords = std::array<std::int64_t, 9>;
+
+/// Adds one splat as the kernel does. counts: saturated, invalid.
+void add_splat(SplatWords& sum, float value, std::array<std::uint32_t, 4>* counts);
+void add_splat(SplatWords& sum, double value, std::array<std::uint32_t, 4>* counts);
 
 }  // namespace strahl::test

@@ -23,7 +23,7 @@ target_compile_options(strahl_host_kernels PRIVATE -O2 -Wno-psabi $<$<BOOL:${STR
 
 strahl_test(cl/test_departure.cpp LABEL unit)
 strahl_test(cl/test_near_point.cpp LABEL unit)
-foreach(name departed exp_log film math samplers sampling soft_fma)
+foreach(name departed exp_log film math samplers sampling soft_fma splat)
   strahl_test(cl/test_${name}.cpp LABEL unit LIBS strahl_host_kernels strahl_oracle)
 endforeach()
 foreach(name shapes_oracle watertight ties arbitrary_bits host_equals_device)

@@ -55,6 +55,9 @@ Used of_body(const std::string& body) {
   return used;
 }
 
+// One without its ray would be black under ptracer.
+TEST_CASE("paths can begin on every light") { CHECK(entries("light_rays") == entries("lights")); }
+
 TEST_CASE("every entry stands in a scene") {
   const Used used = used_by_scenes();
   CHECK(used.shapes == entries("shapes"));

@@ -5,8 +5,10 @@
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <regex>
+#include <set>
 
 #include "image/temporary_folder.h"
+#include "kinds/integrators.h"
 #include "program/program_text.h"
 #include "scene/loader.h"
 
@@ -102,13 +104,15 @@ TEST_CASE("no string of a scene is in a program's text or options") {
   CHECK(scenes.attributes >= 2);
   CHECK(scenes.materials >= 2);
   std::size_t compared = 0;
+  std::set<std::string> roots;
   for (const auto& [harmless_path, hostile_path] : scenes.pairs()) {
     INFO(harmless_path);
     const Scene harmless = load_scene(harmless_path).scene, hostile = load_scene(hostile_path).scene;
     CHECK(hostile.name == attack + harmless.name);
     REQUIRE(hostile.shapes.size() == harmless.shapes.size());
     for (const Precision precision : {Precision::robust, Precision::fast})
-      for (const char* root : {"kernels/render.cl", "kernels/intersect.cl"}) {
+      for (const char* root : {kinds::integrator(harmless.integrator.name).kernel(), "kernels/intersect.cl"}) {
+        roots.insert(root);
         RenderSettings settings;
         settings.precision = precision;
         if (precision == Precision::robust) settings.aovs = {Aov::depth, Aov::shape_id};
@@ -121,4 +125,5 @@ TEST_CASE("no string of a scene is in a program's text or options") {
       }
   }
   CHECK(compared > 150);
+  CHECK(roots == std::set<std::string>{"kernels/intersect.cl", "kernels/light_tracing.cl", "kernels/render.cl"});
 }

@@ -83,6 +83,11 @@ TEST_CASE("a slow device does not hold up the last rows") {
   const Simulated result = simulate(100, {100, 0.5}, true);
   CHECK(*std::max_element(result.ends_at.begin(), result.ends_at.end()) < 1.02);
   CHECK(result.rows_of[1] == 0);
+  // Nor the first ones, while nobody knows that it is slow: 1,080 rows take the fast one alone 1.08 s.
+  for (const auto& speeds : std::vector<std::vector<double>>{{1000, 1}, {1, 1000}}) {
+    const Simulated unknown = simulate(1080, speeds, false);
+    CHECK(*std::max_element(unknown.ends_at.begin(), unknown.ends_at.end()) < 1.1);
+  }
 }
 
 TEST_CASE("rows of a device that fails are done by the others") {
@@ -103,6 +108,16 @@ TEST_CASE("a device that was held up once is asked again") {
   REQUIRE(deal.next(0));
   const double more = deal.worker(0).rows.count;
   deal.done(0, more / 80);
+  CHECK(deal.worker(0).speed == Approx(80));
+}
+
+TEST_CASE("rows that are cut short are not rendered, and tell a speed by what was made of them") {
+  RowDeal deal({0, 1}, {{100, false, {}}});
+  REQUIRE(deal.next(0)->count == 1);
+  deal.stopped(0, 0.5, 0.5 / 80);
+  CHECK(deal.worker(0).speed == Approx(80));
+  CHECK_FALSE(deal.is_finished());
+  deal.stopped(0, 0, 10);
   CHECK(deal.worker(0).speed == Approx(80));
 }
 
