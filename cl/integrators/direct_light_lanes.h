@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Light at the surfaces of paths: the emission that their rays hit, and the light of lights that are drawn or taken,
-// weighted by multiple importance sampling. The only traversal for shadow rays is here. One width; no guard.
+// weighted by multiple importance sampling. One width; no guard.
 
 /// The radiance along the paths' rays: the emission of the surfaces hit, or the background where nothing is hit.
 FN real3w radiance_along_w(const Scene* scene, const Paths_w* path, const Surfaces_w* s) {

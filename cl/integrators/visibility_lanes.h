@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Visibility between a surface and a light: where shadow rays of paths from the camera are traced (those of light
-// paths: integrators/seen_through_lanes.h). Today the light is visible or not; where surfaces and media let a share
-// through, that share is to be computed here. One width; no guard.
+// paths: integrators/seen_through_lanes.h). The light is visible or not; what media and masks let through of it:
+// media/seen_share_lanes.h. One width; no guard.
 
 /// The lanes of `which` that see along `towards` until t_max. aim: as in Rays.
 FN maskw sees_along_w(const Scene* scene, const Surfaces_w* s, maskw which, real3w towards, realw t_max, intw aim) {

@@ -83,6 +83,7 @@ FN maskw is_layer_w(intw cell, int count) {
 /// that get there are returned, *most is the sigma_t of their cells; the others come to the end.
 FN maskw march_w(const Scene* scene, GLOBAL const int* cells, March_w* m, PRIVATE realw* left, PRIVATE realw* most) {
   maskw arrived = none_w(), moves = m->goes;
+  realw least_step = splat_w(REAL_BITS == 64 ? R(0x1p-52) : R(0x1p-23));
   *most = splat_w(R(1.0));
   while (any_w(moves)) {
     realw majorant = majorant_w(scene, cells, m);
@@ -92,8 +93,9 @@ FN maskw march_w(const Scene* scene, GLOBAL const int* cells, March_w* m, PRIVAT
     realw ahead = min_w(min_w(ahead_x, ahead_y), ahead_z);
     realw depth = majorant * max_w(min_w(ahead, m->end) - m->t, splat_w(R(0.0)));
     maskw stops = moves & lt_w(*left, depth), goes_on = moves & ~stops;
-    m->t =
-        sel_w(stops, m->t + *left / sel_w(stops, majorant, splat_w(R(1.0))), sel_w(goes_on, max_w(ahead, m->t), m->t));
+    // At least to the next number, so that a ray comes out of any cell.
+    realw stop = max_w(m->t + *left / sel_w(stops, majorant, splat_w(R(1.0))), fma_w(m->t, least_step, m->t));
+    m->t = sel_w(stops, stop, sel_w(goes_on, max_w(ahead, m->t), m->t));
     *most = sel_w(stops, majorant, *most);
     *left = sel_w(goes_on, *left - depth, *left);
     arrived = arrived | stops;

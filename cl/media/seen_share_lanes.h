@@ -20,7 +20,7 @@ FN real3w seen_share_w(const Scene* scene, const Paths_w* path, const Surfaces_w
   realw one = splat_w(R(1.0)), zero = splat_w(R(0.0));
   real3w share = vec3_w(one, one, one);
   way.alive = which;
-  way.draws = path->draws + (uint)STREAM_SHADOWS;
+  way.draws = path->draws + (splat_uint_w(STREAM_SHADOWS) + uint_of_int_w(path->depth) * STREAM_SHADOWS_STEP);
   way.medium = medium_beyond_w(scene, from, towards, path->medium);
   way.entered = from->position;
   rays_leaving_w(from, which, towards, t_max, &way.rays);

@@ -41,12 +41,14 @@ enum {
 };
 
 /// What has no bound, masks in a row and places where a medium may scatter, draws from a stream of each sample's own,
-/// beyond the sets of all vertices. That of shadow rays begins so far behind that of the path.
+/// beyond the sets of all vertices. Those of shadow rays begin so far behind that of the path, and
+/// so far apart from vertex to vertex.
 ///
 /// The places where these and FIRST_OF_SENSOR begin have ones among their low bits: two numbers of the hash
 /// (math/rng_lanes.h) whose dimensions differ in the highest bits alone depend on each other (cl_test_math).
 #define STREAM_BEGIN 0x9e3779b9u
 #define STREAM_SHADOWS 0x7f4a7c15u
+#define STREAM_SHADOWS_STEP 0x85ebca6bu
 #define FIRST_OF_SENSOR 0xb5297a4du
 
 #endif

@@ -23,6 +23,7 @@
 #include "program/path_lanes.h"
 #include "program/program_text.h"
 #include "render/traversal_choice.h"
+#include "scene/integrator_advice.h"
 #include "study/effect_costs.h"
 
 namespace strahl::cli {
@@ -81,6 +82,7 @@ struct Explained {
   std::string program;
   Lanes lanes;
   std::optional<EffectCosts> costs;
+  std::vector<Advice> advice;
 };
 
 std::string frame_text(const VariantStudy& study) {
@@ -122,6 +124,8 @@ std::string text_of(const Explained& all) {
     line.erase(line.find_last_not_of(' ') + 1);
     text += line + "\n";
   }
+  for (const Advice& advice : all.advice)
+    text += fmt::format("advice: integrator {} finds {}  {}\n", advice.integrator, advice.why, advice.where.text());
   return text;
 }
 
@@ -162,6 +166,10 @@ std::string json_of(const Explained& all) {
                {"precision", precision_name(all.settings.precision)},
                {"lanes", all.lanes.count}};
   if (all.costs) json["cost"] = costs_json(*all.costs);
+  json["advice"] = Json::array();
+  for (const Advice& advice : all.advice)
+    json["advice"].push_back(
+        {{"integrator", advice.integrator}, {"finds", advice.why}, {"where", text_or_null(advice.where.text())}});
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
@@ -182,6 +190,7 @@ ExitCode explain(const ExplainOptions& options) {
   Scene scene = load(options.scene, load_seconds);
   apply(options.overrides, scene);
   all.features = features_of(scene, all.settings);
+  all.advice = integrator_advice(scene);
   all.lanes = lanes_for(options, all.settings);
   const int paths = path_lanes(all.features, all.settings, all.lanes.count);
   const bool has_tree =

@@ -5,46 +5,14 @@
 #include <cmath>
 #include <limits>
 
+#include "packing/cell_axis.h"
+
 namespace strahl {
 namespace {
 
 using Range = std::array<double, 2>;
 
-constexpr int texels_a_cell = 8;  ///< Along each axis (docs/decisions/0030-media.md).
-
-int wrapped(int texel, int size, TextureWrap wrap) {
-  if (wrap == TextureWrap::clamp) return std::clamp(texel, 0, size - 1);
-  const int period = wrap == TextureWrap::mirror ? 2 * size : size;
-  const int inside = ((texel % period) + period) % period;
-  return inside < size ? inside : period - 1 - inside;
-}
-
-/// The cells along an axis, from the cube's texel `first` on.
-struct Axis {
-  int first = 0, count = 1;
-};
-
-Axis axis_over(const Range& cube, int texels) {
-  // A box that is turned against the axes takes more than the cube.
-  constexpr double rounding = 1e-6;
-  const double cells = static_cast<double>(texels) / texels_a_cell;
-  const int low = static_cast<int>(std::floor(cube[0] * cells + rounding));
-  const int high = static_cast<int>(std::ceil(cube[1] * cells - rounding));
-  return {low * texels_a_cell, std::max(high - low, 1)};
-}
-
-/// For each cell along an axis the texels that a trilinear mean within it may read, each once.
-std::vector<std::vector<int>> texels_of_cells(const Axis& axis, int size, TextureWrap wrap) {
-  std::vector<std::vector<int>> all(static_cast<std::size_t>(axis.count));
-  for (int cell = 0; cell < axis.count; ++cell) {
-    std::vector<int>& texels = all[static_cast<std::size_t>(cell)];
-    const int first = axis.first + cell * texels_a_cell;
-    for (int t = first - 1; t <= first + texels_a_cell; ++t) texels.push_back(wrapped(t, size, wrap));
-    std::sort(texels.begin(), texels.end());
-    texels.erase(std::unique(texels.begin(), texels.end()), texels.end());
-  }
-  return all;
-}
+constexpr double most_cells_an_axis = 128;  ///< As many as a grid of 1024 texels has.
 
 double component(const Vec3& v, int axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
 
@@ -83,8 +51,7 @@ struct Layers {
 
 /// Replaces the layers of an axis by the largest over each of `groups` of them; value_of(n): the n-th value of the box.
 template <class Value>
-void reduce(Layers& box, int axis, const std::vector<std::vector<int>>& groups, Value value_of) {
-  const auto along = static_cast<std::size_t>(axis);
+void reduce(Layers& box, std::size_t along, const std::vector<std::vector<int>>& groups, Value value_of) {
   const std::array<int, 3> from = box.size;
   box.size[along] = static_cast<int>(groups.size());
   const auto at = [&](std::array<int, 3> p) {
@@ -128,37 +95,38 @@ Majorants majorants_of(const Volume& sigma_t, const UploadFrame& frame) {
   const auto local = extent(corners({world[0][0], world[1][0], world[2][0]}, {world[0][1], world[1][1], world[2][1]}),
                             [&](const Vec3& p) { return cube_from_world.point(p); });
   const std::array<int, 3> size{grid.texels.width, grid.height, grid.depth};
-  std::array<Axis, 3> axes;
+  std::array<double, 3> cells{}, middle{};
   std::array<std::vector<std::vector<int>>, 3> texels;
-  Vec3 cells, middle;
   Majorants result;
   for (std::size_t i = 0; i < 3; ++i) {
-    axes[i] = axis_over(local[i], size[i]);
-    texels[i] = texels_of_cells(axes[i], size[i], sigma_t.wrap);
-    result.size[i] = axes[i].count;
+    const CellAxis axis = cells_over(local[i], size[i], most_cells_an_axis);
+    texels[i] = texels_of_cells(axis, size[i], sigma_t.wrap);
+    cells[i] = size[i] / axis.cell;
+    middle[i] = (axis.first + 0.5 * axis.count) * axis.cell / size[i];
+    result.size[i] = axis.count;
+    const Vec3 edge = cube.column(static_cast<int>(i));
+    result.cell = std::max(result.cell, frame.scale * std::sqrt(dot(edge, edge)) / cells[i]);
   }
-  const auto cells_of = [&](std::size_t i) { return static_cast<double>(size[i]) / texels_a_cell; };
-  const auto middle_of = [&](std::size_t i) {
-    return (axes[i].first + 0.5 * axes[i].count * texels_a_cell) / static_cast<double>(size[i]);
-  };
-  cells = {cells_of(0), cells_of(1), cells_of(2)};
-  middle = {middle_of(0), middle_of(1), middle_of(2)};
-  result.reals = box_frame(cube, frame, cells, middle);
+  result.reals = box_frame(cube, frame, {cells[0], cells[1], cells[2]}, {middle[0], middle[1], middle[2]});
   for (const std::size_t side : {0U, 1U}) {
     const Vec3 corner = frame.point({world[0][side], world[1][side], world[2][side]});
     result.reals.insert(result.reals.end(), {corner.x, corner.y, corner.z});
   }
-  // One axis after the other: each texel is decoded about once.
   const TexelDecoder decoded(grid.texels, {TexelCurve::Kind::linear, 1});
   const Rgb& value = sigma_t.value;
+  // One axis after the other, those first that leave the fewest values; the first one decodes.
+  std::array<std::size_t, 3> order{0, 1, 2};
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return result.size[a] * std::int64_t{size[b]} < result.size[b] * std::int64_t{size[a]};
+  });
   Layers box{size, {}};
-  reduce(box, 0, texels[0], [&](std::size_t n) {
+  reduce(box, order[0], texels[order[0]], [&](std::size_t n) {
     const auto [r, g, b] = decoded(n);
     return rounded_up(std::max({value.r * r, value.g * g, value.b * b}) / frame.scale);
   });
-  for (const int axis : {1, 2}) {
+  for (const std::size_t axis : {order[1], order[2]}) {
     const std::vector<float> values = std::move(box.values);
-    reduce(box, axis, texels[static_cast<std::size_t>(axis)], [&](std::size_t n) { return values[n]; });
+    reduce(box, axis, texels[axis], [&](std::size_t n) { return values[n]; });
   }
   result.most = std::move(box.values);
   return result;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "packing/pack_media.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <limits>
 #include <optional>
@@ -37,6 +39,17 @@ std::vector<std::int32_t> volume_row(PackedScene<Real>& packed, PackedImages<Rea
           filter,      static_cast<int>(volume.wrap)};
 }
 
+/// A path may meet as many places as a cell has optical depth before it gets out of it.
+void require_passable(const Medium& medium, const Majorants& majorants) {
+  constexpr double most_depth = 65536;
+  const double most = static_cast<double>(*std::max_element(majorants.most.begin(), majorants.most.end()));
+  if (most * majorants.cell <= most_depth) return;
+  throw SceneError({{Severity::error, medium.where,
+                     fmt::format("sigma_t is so large that a cell of its grid has an optical depth of {:.3g}; up to {} "
+                                 "can be followed: lower scale, or the grid's values",
+                                 most * majorants.cell, most_depth)}});
+}
+
 /// The rows of what varies: MEDIUM_VOLUMES to MEDIUM_EMITS.
 template <typename Real>
 std::vector<std::int32_t> grid_columns(PackedScene<Real>& packed, PackedImages<Real>& images, const Medium& medium,
@@ -50,6 +63,7 @@ std::vector<std::int32_t> grid_columns(PackedScene<Real>& packed, PackedImages<R
   add(medium.albedo, 1);
   add(medium.emission, 1);
   const Majorants majorants = majorants_of(medium.sigma_t, frame);
+  require_passable(medium, majorants);
   const int reals_at = packed.put_shading(majorants.reals), most_at = packed.put_floats(majorants.most);
   const auto [width, height, depth] = majorants.size;
   return {packed.put_index(volumes),

@@ -6,8 +6,8 @@
 
 namespace strahl {
 
-/// Sets scene.integrator.name, to "emission", "direct" or "path", and why. It depends on the scene alone: its shapes,
-/// materials and the integrator's max_depth.
+/// Sets scene.integrator.name, to "emission", "direct", "path" or, where there are media, "volpath", and why. It
+/// depends on the scene alone: its shapes, materials and the integrator's max_depth.
 void choose_integrator(Scene& scene);
 
 /// Makes volpath what it is without media and masks: path.

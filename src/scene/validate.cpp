@@ -63,8 +63,9 @@ void check_medium(const Medium& medium, Checker& check) {
   check.require_light(medium.emission.largest(), "emission of a medium");
   for (const Volume* volume : {&medium.sigma_t, &medium.albedo, &medium.emission}) {
     check.require(!volume->grid || medium.is_heterogeneous(), "a medium with a grid has one of its sigma_t");
-    check.require(!volume->grid || !is_singular(volume->world_from_cube), "the to_world of a volume has no inverse: {}",
-                  singular_because(volume->world_from_cube));
+    const Transform& placed = volume->world_from_cube;
+    check.require(!volume->grid || (placed.is_finite() && !is_singular(placed)),
+                  "where a volume lies, by its to_world and the box of its grid, must be finite and not singular");
   }
   const Rgb a = medium.albedo.largest();
   const auto is_share = [](double x) { return x >= 0 && x <= 1; };

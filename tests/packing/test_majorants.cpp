@@ -95,5 +95,19 @@ TEST_CASE("no place within the box is denser than its cell") {
   }
 }
 
+TEST_CASE("a thin turned box has no more cells than others") {
+  for (const TextureWrap wrap : {TextureWrap::clamp, TextureWrap::repeat, TextureWrap::mirror}) {
+    Volume volume = Rgb{1, 1, 1};
+    volume.grid = std::make_shared<const VolumeGrid>(
+        grid_of_floats(64, 64, 64, 1, std::vector<float>(static_cast<std::size_t>(64 * 64 * 64), 0.7F)));
+    volume.wrap = wrap;
+    const Transform flat{{{{1e4, 0, 0, 0}, {0, 1e4, 0, 0}, {0, 0, 1e-4, 0}}}};
+    volume.world_from_cube = rotation({1, 2, 3}, 40) * flat;
+    const Majorants majorants = majorants_of(volume, UploadFrame{{0, 0, 0}, 1});
+    CHECK(majorants.most.size() <= static_cast<std::size_t>(128 * 128 * 128));
+    for (const float most : majorants.most) REQUIRE(most == Approx(0.7F));
+  }
+}
+
 }  // namespace
 }  // namespace strahl::test

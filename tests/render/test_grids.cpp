@@ -7,6 +7,7 @@
 
 #include "render/filled.h"
 #include "scene/model/build.h"
+#include "scene/model/transforms.h"
 
 namespace strahl::test {
 namespace {
@@ -99,6 +100,58 @@ TEST_CASE("a grid lies where its transform puts it") {
   const Image image = drawn(scene, 64);
   CHECK(static_cast<double>(image.at(4, 1, 1)) == Approx(1).margin(1e-6));
   CHECK(static_cast<double>(image.at(4, 6, 1)) < 1e-6);
+}
+
+TEST_CASE("what is emitted is that of the nearest texel, repeated") {
+  require_pocl_and_rusticl();
+  // Texels 0 and 1 over z from -1 to 0, and again over 0 to 1: of four layers of depth s the second and the last glow.
+  Medium layers = varying(grid(1, 1, 1, 1, {1}), {2, 2, 2}, {0, 0, 0});
+  layers.emission = Rgb{5, 5, 5};
+  layers.emission.grid = grid(1, 1, 2, 1, {0, 1});
+  layers.emission.world_from_cube = {{{{2, 0, 0, -1}, {0, 2, 0, -1}, {0, 0, 1, -1}}}};
+  layers.emission.filter = TextureFilter::nearest;
+  layers.emission.wrap = TextureWrap::repeat;
+  const double s = 2 * 0.5, glow = 5 * -std::expm1(-s);
+  CHECK(mean_of(drawn(seen_along_z(layers, 0), 4096)).g == Approx(glow * (1 + std::exp(-2 * s))).epsilon(0.01));
+}
+
+TEST_CASE("an albedo of a grid is that of a number") {
+  require_pocl_and_rusticl();
+  Medium gridded = varying(random_grid(1), {5, 5, 5}, {1, 1, 1}), even = gridded;
+  even.albedo = Rgb{0.5, 0.5, 0.5};
+  gridded.albedo.grid = grid(2, 2, 2, 3, std::vector<float>(24, 0.5F));
+  const double expected = mean_of(drawn(filled(Sphere{{0, 0, 0}, 1}, even), 64)).g;
+  CHECK(mean_of(drawn(filled(Sphere{{0, 0, 0}, 1}, gridded), 64)).g == Approx(expected).epsilon(1e-5));
+}
+
+TEST_CASE("a scene that is turned as a whole looks the same") {
+  require_pocl_and_rusticl();
+  // The box along the axes around the turned cube is larger; there the grid goes on by repetition.
+  Medium medium = varying(random_grid(3), {5, 4, 3}, {0.9, 0.8, 0.7});
+  medium.sigma_t.wrap = TextureWrap::repeat;
+  const Transform turn = rotation({1, 2, 3}, 30);
+  for (const Precision precision : {Precision::robust, Precision::fp64}) {
+    std::vector<Rgb> means;
+    for (const bool is_turned : {false, true}) {
+      Medium placed = medium;
+      const Transform by = is_turned ? turn : Transform{};
+      placed.sigma_t.world_from_cube = by * medium.sigma_t.world_from_cube;
+      Scene scene = filled(Sphere{{0, 0, 0}, 0.99}, placed, 1);
+      scene.film.width = scene.film.height = 16;
+      scene.camera = perspective_camera(by.point({0.5, 0, 4}), {0, 0, 0}, by.vector({0, 1, 0}), 25);
+      scene.sampler.kind = SamplerKind::independent;
+      scene.sampler.sample_count = 256;
+      means.push_back(mean_of(color(scene, precision)));
+    }
+    CHECK(means[1].r == Approx(means[0].r).epsilon(0.004));
+    CHECK(means[1].b == Approx(means[0].b).epsilon(0.004));
+  }
+}
+
+TEST_CASE("a medium that no path would get out of is refused") {
+  require_pocl_and_rusticl();
+  CHECK_THROWS_WITH(drawn(filled(Sphere{{0, 0, 0}, 1}, varying(random_grid(1), {1e20, 1e20, 1e20}, {1, 1, 1})), 1),
+                    Catch::Contains("lower scale"));
 }
 
 TEST_CASE("paths through grids are the same one by one and in lanes") {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 // .vol files and the media that they fill: parameters of Mitsuba 3 and 0.x, faults.
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <cstring>
+#include <limits>
 
 #include "errors.h"
 #include "scene/scene_text.h"
@@ -120,6 +122,28 @@ TEST_CASE("Mitsuba 0.x says density, and its grids fill their boxes") {
       folder.load("type=\"heterogeneous\"><string name=\"method\" value=\"woodcock\"/>" + grid("density"), "0.6.0");
   CHECK(loaded.warnings.empty());
   CHECK(loaded.scene.media.at(0).sigma_t.world_from_cube.point({0, 0, 0}).z == -3);
+}
+
+TEST_CASE("a box that is no box is refused") {
+  const VolumeFolder folder;
+  for (const float side : {std::nanf(""), -1.F, std::numeric_limits<float>::infinity()}) {
+    std::string bytes = floats(2, 1, 1, {0, 1});
+    for (const std::size_t at : {28U, 40U}) std::memcpy(bytes.data() + at, &side, sizeof side);
+    folder.write("a.vol", bytes);
+    CHECK_THROWS_WITH(
+        folder.load("type=\"heterogeneous\">" + grid("sigma_t", "<boolean name=\"use_grid_bbox\" value=\"true\"/>")),
+        Contains("must be finite and not singular"));
+    CHECK_NOTHROW(folder.load("type=\"heterogeneous\">" + grid("sigma_t")));
+  }
+}
+
+TEST_CASE("sigma_s does not take the place of a grid") {
+  const VolumeFolder folder;
+  const LoadedScene loaded =
+      folder.load("type=\"heterogeneous\"><float name=\"sigma_s\" value=\"1\"/>" + grid("sigma_t"));
+  CHECK(loaded.scene.media.at(0).sigma_t.largest().r == 4);
+  REQUIRE(loaded.warnings.size() == 1);
+  CHECK_THAT(loaded.warnings[0].message, Contains("sigma_s"));
 }
 
 TEST_CASE("faults of grids name the place") {

@@ -77,8 +77,10 @@ Medium read_common(Properties& properties, SceneBuilder& builder, bool is_hetero
   volume(properties.has("density") ? "density" : "sigma_t", ColorUse::value, medium.sigma_t);
   volume("albedo", ColorUse::reflectance, medium.albedo);
   volume("emission", ColorUse::emission, medium.emission);
-  read_coefficients(properties, builder, medium);
-  if (is_heterogeneous) make_grid(medium.sigma_t);
+  if (is_heterogeneous)
+    make_grid(medium.sigma_t);
+  else
+    read_coefficients(properties, builder, medium);
   Rgb& sigma_t = medium.sigma_t.value;
   sigma_t = {scale * sigma_t.r, scale * sigma_t.g, scale * sigma_t.b};
   const std::vector<const XmlElement*> phases = properties.objects("phase");

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+#include "scene/integrator_advice.h"
+
+#include <cmath>
+#include <optional>
+
+#include "kinds/extent.h"
+#include "kinds/integrators.h"
+#include "kinds/lights.h"
+#include "kinds/materials.h"
+#include "kinds/shapes.h"
+
+namespace strahl {
+namespace {
+
+using Where = std::optional<SourceLocation>;
+
+/// A surface that sends light on in one direction alone, as mirrors and smooth glass do.
+Where first_mirror(const Scene& scene) {
+  Where found;
+  const auto is_mirror = [&](int material) {
+    return (lobes_of(scene, scene.materials.at(static_cast<std::size_t>(material))) & lobes::LOBE_DELTA) != 0;
+  };
+  for_each_shape(scene, [&](const Shape& shape) {
+    const auto* mesh = std::get_if<Mesh>(&shape.geometry);
+    bool has = (mesh == nullptr || mesh->parts.empty()) && is_mirror(shape.material);
+    if (mesh != nullptr)
+      for (const MeshPart& part : mesh->parts) has = has || is_mirror(part.material);
+    if (has && !found) found = shape.where;
+  });
+  return found;
+}
+
+/// A lamp that no ray hits.
+Where first_point(const Scene& scene) {
+  for (const Light& light : scene.lights)
+    if (kinds::light(light).is_delta && kinds::gives_light(light)) return light.where;
+  return {};
+}
+
+double diagonal(const std::optional<Box>& box) {
+  if (!box) return 0;
+  const Vec3 size = box->max - box->min;
+  return std::sqrt(dot(size, size));
+}
+
+/// An emitter that is small beside the scene: paths from the camera seldom hit it.
+Where first_small_lamp(const Scene& scene) {
+  constexpr double small = 1.0 / 30;
+  const double all = diagonal(bounds(scene));
+  for (const Shape& shape : scene.shapes) {
+    if (!shape.radiance) continue;
+    kinds::Extent own;
+    std::visit([&](const auto& geometry) { kinds::extend(own, geometry); }, shape.geometry);
+    if (own.box() && diagonal(own.box()) < small * all) return shape.where;
+  }
+  return {};
+}
+
+Where first_mask(const Scene& scene) {
+  for (const Material& material : scene.materials)
+    if (material_facts(material).opacity) return material.where;
+  return {};
+}
+
+}  // namespace
+
+std::vector<Advice> integrator_advice(const Scene& scene) {
+  const kinds::IntegratorFacts& facts = kinds::integrator(scene.integrator.name);
+  if (!facts.is_lit()) return {};
+  std::vector<Advice> all;
+  if (!scene.media.empty() && !facts.goes_through)
+    all.push_back({"volpath", "a medium, which is taken for empty space", scene.media.front().where});
+  const Where point = first_point(scene);
+  const Where mask = first_mask(scene);
+  if (point && mask && !facts.goes_through && !facts.from_lights && scene.media.empty())
+    all.push_back({"volpath", "the light of a point or from far away, which surfaces with an opacity block", *mask});
+  const Where mirror = first_mirror(scene);
+  if (!mirror || facts.from_lights || !scene.media.empty()) return all;
+  if (point)
+    all.push_back({"ptracer", "what mirrors and glass throw of a lamp that no ray from the camera hits", *point});
+  else if (const Where lamp = first_small_lamp(scene))
+    all.push_back({"ptracer", "what mirrors and glass throw of a small lamp, found by chance alone", *lamp});
+  return all;
+}
+
+}  // namespace strahl

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// What an integrator misses, and which one finds it.
+#include <catch2/catch.hpp>
+
+#include "scene/integrator_advice.h"
+#include "scene/scene_text.h"
+
+using namespace strahl;
+using namespace strahl::test;
+
+namespace {
+
+std::vector<Advice> advice(const std::string& integrator, const std::string& body) {
+  return integrator_advice(load_body("<integrator type=\"" + integrator + "\"/>" + body).scene);
+}
+
+const std::string point_lamp = "<emitter type=\"point\"/>";
+const std::string floor_shape = "<shape type=\"rectangle\"/>";
+const std::string glass = "<shape type=\"sphere\"><bsdf type=\"dielectric\"/></shape>";
+
+std::string ball_lamp(const std::string& radius) {
+  return "<shape type=\"sphere\"><float name=\"radius\" value=\"" + radius + "\"/><emitter type=\"area\"/></shape>";
+}
+
+}  // namespace
+
+TEST_CASE("a point over glass makes what paths from the camera miss") {
+  const std::vector<Advice> found = advice("path", point_lamp + floor_shape + glass);
+  REQUIRE(found.size() == 1);
+  CHECK(found[0].integrator == "ptracer");
+  CHECK(found[0].where.line == 2);
+  CHECK(advice("ptracer", point_lamp + floor_shape + glass).empty());
+  CHECK(advice("path", point_lamp + floor_shape).empty());
+  CHECK(advice("normals", point_lamp + floor_shape + glass).empty());
+  CHECK(advice("path", "<emitter type=\"constant\"/>" + glass).empty());
+}
+
+TEST_CASE("a lamp that is small beside the scene is found by chance alone") {
+  CHECK(advice("path", ball_lamp("0.01") + glass).size() == 1);
+  CHECK(advice("path", ball_lamp("0.5") + glass).empty());
+}
+
+TEST_CASE("media and masks ask for volpath") {
+  const std::string fog = "<shape type=\"cube\"><medium type=\"homogeneous\" name=\"interior\"/></shape>";
+  REQUIRE(advice("path", fog + point_lamp).size() == 1);
+  CHECK(advice("path", fog + point_lamp)[0].integrator == "volpath");
+  CHECK(advice("volpath", fog + point_lamp + glass).empty());
+  const std::string veil =
+      "<shape type=\"rectangle\"><bsdf type=\"mask\"><float name=\"opacity\" value=\"0.5\"/>"
+      "<bsdf type=\"diffuse\"/></bsdf></shape>";
+  REQUIRE(advice("path", veil + point_lamp).size() == 1);
+  CHECK(advice("path", veil + point_lamp)[0].integrator == "volpath");
+  CHECK(advice("path", veil).empty());
+}
