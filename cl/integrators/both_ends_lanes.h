@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Samples of bidirectional path tracing: a light's subpath, whose vertices are kept, then the camera's. What a sample
 // brings to its own pixel is one splat; the vertices of the light's subpath go to any pixel as in ptracer, and each
-// pixel's sum is that of the same replicate. The random numbers of the camera's subpath are those of its pixel, whose
-// numbers come after those of the light subpaths' sequences. Needs integrators/light_begin_lanes.h. One width; no
-// guard.
+// pixel's sum is that of the same replicate. The camera's subpath has the numbers of a sequence of its pixel's and
+// sum's own; these come after the sequences of the light's subpaths. Needs integrators/light_begin_lanes.h. One width;
+// no guard.
 #include "integrators/connections_lanes.h"
 
 /// The number of a sample's own pixel's splat (film/splat.h): after those of all vertices.
@@ -56,7 +56,9 @@ FN Real2_w camera_paths_begin_w(const Scene* scene, Paths_w* path, const NewPath
   GLOBAL const int* index = scene->index;
   intw numbers = (rows + splat_int_w(film->y)) * splat_int_w(index[HEADER_WIDTH]) + columns + splat_int_w(film->x);
   path->alive = none_w();
-  path->sample = sample_begin_w(scene, uint_of_int_w(numbers + splat_int_w(FILM_SUBSUMS)), begun->numbers);
+  uint sums = (uint)film->sums;
+  uintw sequences = uint_of_int_w(numbers + splat_int_w(1)) * sums + (begun->numbers & (sums - 1u));
+  path->sample = sequence_begin_w(scene, sequences, begun->numbers / sums);
   Random2_w within = sample_pair_w(scene, &path->sample, USE_PIXEL);
   realw dx = filter_offset_w(scene->shading + index[HEADER_FILTER], random_unit_w(within.x));
   realw dy = filter_offset_w(scene->shading + index[HEADER_FILTER], random_unit_w(within.y));

@@ -11,13 +11,11 @@ typedef struct {
   uintw pixels, numbers;  ///< Of the film, and of the pixel.
 } NewPaths_w;
 
-/// The state of sample `numbers` of pixel `pixels` of the film.
-FN SampleState_w light_sample_begin_w(const Scene* scene, uintw pixels, uintw numbers) {
-  PRIVATE const SplatFilm* film = scene->splats;
-  uint sums = (uint)film->sums;
+/// Places in sequences, each whole and of its own.
+FN SampleState_w sequence_begin_w(const Scene* scene, uintw sequences, uintw places) {
   SampleState_w state;
-  state.pixel = numbers & (sums - 1u);
-  state.sample = (numbers / sums) * ((uint)film->columns * (uint)film->rows) + pixels;
+  state.pixel = sequences;
+  state.sample = places;
   state.seed = (uint)scene->index[HEADER_SEED];
   state.sequences = 1u;
   state.reversed = state.key = splat_uint_w(0u);
@@ -32,6 +30,14 @@ FN SampleState_w light_sample_begin_w(const Scene* scene, uintw pixels, uintw nu
       break;
   }
   return state;
+}
+
+/// The state of sample `numbers` of pixel `pixels` of the film.
+FN SampleState_w light_sample_begin_w(const Scene* scene, uintw pixels, uintw numbers) {
+  PRIVATE const SplatFilm* film = scene->splats;
+  uint sums = (uint)film->sums;
+  uintw places = (numbers / sums) * ((uint)film->columns * (uint)film->rows) + pixels;
+  return sequence_begin_w(scene, numbers & (sums - 1u), places);
 }
 
 /// A place on a light as a surface that rays leave.

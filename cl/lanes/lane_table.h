@@ -791,6 +791,7 @@
 #define sel_w LANED(sel_w)
 #define sensor_pair_w LANED(sensor_pair_w)
 #define sensor_way_w LANED(sensor_way_w)
+#define sequence_begin_w LANED(sequence_begin_w)
 #define settle_one_w LANED(settle_one_w)
 #define settle_w LANED(settle_w)
 #define settled_kind_w LANED(settled_kind_w)
