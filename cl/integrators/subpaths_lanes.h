@@ -23,7 +23,7 @@ typedef struct {
 
 /// f |cos| for light from `in` to `out`, both unit, without delta lobes, and the density with which a path that comes
 /// from `out` draws `in`.
-ONCE_FN void vertex_share_w(const Scene* scene, const Vertex_w* v, maskw which, real3w out, real3w in, real3w* value,
+SELDOM_FN void vertex_share_w(const Scene* scene, const Vertex_w* v, maskw which, real3w out, real3w in, real3w* value,
                             realw* density) {
   MaterialRows_w at = rows_at_w(scene, &v->s, which, out, v->number);
   Bsdf_w b = bsdf_at_w(scene, &v->s, &at, out);
@@ -41,7 +41,7 @@ FN realw reverse_density_w(const Scene* scene, const Vertex_w* v, maskw which, r
 /// Of a direction and the surface.
 FN realw cosine_at_w(const Vertex_w* v, real3w way) { return abs_w(dot3_w(v->s.normal, way)); }
 
-ONCE_FN void find_vertex_w(const Scene* scene, Paths_w* path, Surfaces_w* s) {
+SELDOM_FN void find_vertex_w(const Scene* scene, Paths_w* path, Surfaces_w* s) {
   const FirstSamples none = {0, 0, 0, 0u};
   *s = find_surfaces_w(scene, path, FIND_NEAREST_APPROXIMATELY, &none);
 }
@@ -88,7 +88,7 @@ FN void arrive_vertex_w(const Scene* scene, Paths_w* path, const LightEnd_w* end
 }
 
 /// The path leaves the vertices, or goes on behind what it passes.
-ONCE_FN void leave_vertex_w(const Scene* scene, Paths_w* path, const Vertex_w* v, int is_adjoint, Techniques_w* t) {
+SELDOM_FN void leave_vertex_w(const Scene* scene, Paths_w* path, const Vertex_w* v, int is_adjoint, Techniques_w* t) {
   int next = 0;
   real3w d = real3_at_w(path->rays.planes + RAY_PLANE_D), way = d;
   realw t_max = path->rays.planes[RAY_PLANE_T_MAX] - v->s.t;
@@ -112,7 +112,7 @@ ONCE_FN void leave_vertex_w(const Scene* scene, Paths_w* path, const Vertex_w* v
   if (any_w(path->alive)) rays_leaving_w(&v->s, path->alive, way, t_max, &path->rays);
 }
 
-ONCE_FN void free_lanes_w(const Scene* scene, Rays_w* rays, maskw which, maskw* is_free) {
+SELDOM_FN void free_lanes_w(const Scene* scene, Rays_w* rays, maskw which, maskw* is_free) {
   if (HAS_COUNT_RAYS) count_events(scene, COUNT_SHADOW, lanes_among(bits_w(which)));
   *is_free = which & ~meets_any_w(scene, rays, which);
 }
