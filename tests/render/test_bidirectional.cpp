@@ -13,7 +13,7 @@
 namespace strahl::test {
 namespace {
 
-void hold_like_path(const std::string& what, const Scene& scene, int samples = 64, double tolerance = 0.01) {
+void hold_both_ends_like_path(const std::string& what, const Scene& scene, int samples = 64, double tolerance = 0.01) {
   hold_alike("bdpt", "path", what, scene, samples, tolerance);
 }
 
@@ -31,23 +31,23 @@ Scene shipped(const std::string& path) {
 TEST_CASE("every light, from both ends") {
   require_pocl_and_rusticl();
   Scene point = grey_ball(), sky = grey_ball(), sun = grey_ball(), all = under_lamp(diffuse({0.7, 0.5, 0.3}, true));
-  hold_like_path("area", all);
+  hold_both_ends_like_path("area", all);
   add(point, PointLight{{1, -2, 3}, {20, 15, 10}});
-  hold_like_path("point", point);
+  hold_both_ends_like_path("point", point);
   add(sky, ConstantLight{{1, 0.9, 0.8}});
-  hold_like_path("constant", sky);
+  hold_both_ends_like_path("constant", sky);
   add(sun, DirectionalLight{{0.3, 0.2, -1}, {3, 3, 3}});
-  hold_like_path("directional", sun);
+  hold_both_ends_like_path("directional", sun);
   add(all, PointLight{{1, -2, 3}, {5, 5, 5}});
   add(all, ConstantLight{{0.2, 0.2, 0.4}});
   add(all, DirectionalLight{{0.3, 0.2, -1}, {0.5, 0.5, 0.5}});
-  hold_like_path("all of them", all);
+  hold_both_ends_like_path("all of them", all);
 }
 
 TEST_CASE("lights of the project's scenes, from both ends") {
   require_pocl_and_rusticl();
   for (const char* name : {"envmap", "sunsky", "projector", "spot", "screen", "sphere", "disk", "cylinder", "mesh"})
-    hold_like_path(name, shipped(std::string("lights/") + name), 64, 0.02);
+    hold_both_ends_like_path(name, shipped(std::string("lights/") + name), 64, 0.02);
 }
 
 /// Materials that are drawn otherwise from one side than from the other, mirrors and glass, and masks. Of masks shadow
@@ -62,13 +62,14 @@ TEST_CASE("materials, from both ends") {
     scene.materials.push_back(material);
     scene.shapes[1].material = 1;
     scene.integrator.max_depth = 8;
-    hold_like_path(std::holds_alternative<Dielectric>(material.bsdf) ? "glass" : "rough glass", scene, 512, 0.02);
+    hold_both_ends_like_path(std::holds_alternative<Dielectric>(material.bsdf) ? "glass" : "rough glass", scene, 512,
+                             0.02);
   }
   for (const char* name : {"roughconductor", "normalmap", "roughplastic", "plastic", "blendbsdf"})
-    hold_like_path(name, shipped(std::string("materials/") + name), 128, 0.02);
+    hold_both_ends_like_path(name, shipped(std::string("materials/") + name), 128, 0.02);
   Scene masks = shipped("materials/mask");
   std::erase_if(masks.lights, [](const Light& light) { return kinds::light(light).is_delta; });
-  hold_like_path("mask", masks, 256);
+  hold_both_ends_like_path("mask", masks, 256);
 }
 
 /// Longer paths than all techniques make.
@@ -79,7 +80,7 @@ TEST_CASE("long paths, from both ends") {
   for (const int depth : {10, 12, 40}) {
     scene.integrator.max_depth = depth;
     scene.integrator.rr_depth = 40;
-    hold_like_path("depth " + std::to_string(depth), scene, 64, 0.01);
+    hold_both_ends_like_path("depth " + std::to_string(depth), scene, 64, 0.01);
   }
 }
 
@@ -89,20 +90,20 @@ TEST_CASE("cameras, filters and depths, from both ends") {
   scene.film.filter = {FilterKind::tent};
   scene.camera.aperture_radius = 0.2;
   scene.camera.focus_distance = 5;
-  hold_like_path("tent and lens", scene);
+  hold_both_ends_like_path("tent and lens", scene);
   scene.camera.aperture_radius = 0;
   scene.camera.projection = Projection::orthographic;
-  hold_like_path("orthographic", scene);
+  hold_both_ends_like_path("orthographic", scene);
   scene.film.crop = Window{3, 8, 27, 28};
-  hold_like_path("part", scene, 256);
+  hold_both_ends_like_path("part", scene, 256);
   for (const int depth : {1, 2, 3}) {
     scene = under_lamp(diffuse({0.7, 0.5, 0.3}, true));
     scene.camera = perspective_camera({0, -5, 1}, {0, 0, 2.5}, {0, 0, 1}, 70);  // It sees the lamp from below.
     add(scene, ConstantLight{{0.2, 0.2, 0.2}});
     scene.integrator.max_depth = depth;
-    hold_like_path("depth", scene);
+    hold_both_ends_like_path("depth", scene);
     scene.integrator.hide_emitters = true;
-    if (depth > 1) hold_like_path("hidden", scene);
+    if (depth > 1) hold_both_ends_like_path("hidden", scene);
   }
 }
 
