@@ -24,7 +24,7 @@ typedef struct {
 /// f |cos| for light from `in` to `out`, both unit, without delta lobes, and the density with which a path that comes
 /// from `out` draws `in`.
 SELDOM_FN void vertex_share_w(const Scene* scene, const Vertex_w* v, maskw which, real3w out, real3w in, real3w* value,
-                            realw* density) {
+                              realw* density) {
   MaterialRows_w at = rows_at_w(scene, &v->s, which, out, v->number);
   Bsdf_w b = bsdf_at_w(scene, &v->s, &at, out);
   *value = bsdf_eval_w(&b, in, density);
