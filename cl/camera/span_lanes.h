@@ -17,39 +17,33 @@ FN int span_left(const Span* span) {
 /// The number in the picture of its first pixel.
 FN int span_pixel(const Span* span) { return span->y * span->width + span->x; }
 
-/// Begins samples of the span in lanes where no path is alive, as far as there are any. Returns the lanes that hold the
-/// first sample of a pixel since now.
-FN maskw begin_paths_w(const Scene* scene, Paths_w* path, Span* span) {
-  GLOBAL const real* shading = scene->shading;
-  GLOBAL const int* index = scene->index;
-  intw numbers = int_of_uint_w(path->sample.sample), pixels = int_of_uint_w(path->sample.pixel);
+/// Takes the span's next samples, one for each lane of `idle`, as far as there are any. numbers, pixels: get their
+/// numbers, and their pixels where the span's first is first_pixel. Returns the lanes that have got one.
+FN maskw span_take_w(Span* span, uint idle, int first_pixel, PRIVATE intw* numbers, PRIVATE intw* pixels) {
   intw is_begun = splat_int_w(0);
-  int first_pixel = span_pixel(span);
-  for (uint idle = bits_w(~path->alive); idle != 0u && span->column < span->columns; idle &= idle - 1u) {
+  for (; idle != 0u && span->column < span->columns; idle &= idle - 1u) {
     int lane = first_bit(idle);
-    put_int_w(&numbers, lane, span->next);
-    put_int_w(&pixels, lane, first_pixel + span->column);
+    put_int_w(numbers, lane, span->next);
+    put_int_w(pixels, lane, first_pixel + span->column);
     put_int_w(&is_begun, lane, 1);
     if (++span->next < span->end) continue;
     span->next = span->first;
     ++span->column;
   }
+  return nonzero_w(is_begun);
+}
+
+/// Begins samples of the span in lanes where no path is alive, as far as there are any. Returns the lanes that hold the
+/// first sample of a pixel since now.
+FN maskw begin_paths_w(const Scene* scene, Paths_w* path, Span* span) {
+  intw numbers = int_of_uint_w(path->sample.sample), pixels = int_of_uint_w(path->sample.pixel);
+  maskw is_begun = span_take_w(span, bits_w(~path->alive), span_pixel(span), &numbers, &pixels);
   path->sample = sample_begin_w(scene, uint_of_int_w(pixels), uint_of_int_w(numbers));
-  realw dx = splat_w(R(0.0)), dy = dx;
-  if (HAS_PIXEL_FILTER) {
-    Random2_w bits = sample_pair_w(scene, &path->sample, USE_PIXEL);
-    dx = filter_offset_w(shading + index[HEADER_FILTER], random_unit_w(bits.x));
-    dy = filter_offset_w(shading + index[HEADER_FILTER], random_unit_w(bits.y));
-  }
-  Real2_w lens;
-  lens.x = lens.y = splat_w(R(0.0));
-  if (HAS_THIN_LENS) {
-    Random2_w bits = sample_pair_w(scene, &path->sample, USE_LENS);
-    lens = square_to_disk_w(random_between_w(bits.x), random_between_w(bits.y));
-  }
+  Real2_w offset = pixel_offset_w(scene, &path->sample), lens = lens_point_w(scene, &path->sample);
   Rays_w rays;
   intw columns = pixels - splat_int_w(span->y * span->width);
-  camera_rays_w(shading + index[HEADER_CAMERA], span->width, span->height, columns, span->y, dx, dy, lens, &rays);
-  paths_begin_w(scene, path, nonzero_w(is_begun), &rays);
-  return nonzero_w(is_begun) & lt_int_w(numbers, splat_int_w(1));
+  camera_rays_w(scene->shading + scene->index[HEADER_CAMERA], span->width, span->height, columns, span->y, offset.x,
+                offset.y, lens, &rays);
+  paths_begin_w(scene, path, is_begun, &rays);
+  return is_begun & lt_int_w(numbers, splat_int_w(1));
 }

@@ -9,23 +9,9 @@
 FN SampleState_w light_sample_begin_w(const Scene* scene, uintw pixels, uintw numbers) {
   PRIVATE const SplatFilm* film = scene->splats;
   uint sums = (uint)film->sums;
-  SampleState_w state;
-  state.pixel = numbers & (sums - 1u);
-  state.sample = (numbers / sums) * ((uint)film->columns * (uint)film->rows) + pixels;
-  state.seed = (uint)scene->index[HEADER_SEED];
-  state.sequences = 1u;
-  state.reversed = state.key = splat_uint_w(0u);
-  switch (scene->index[HEADER_SAMPLER]) {
-#define SAMPLER(name)       \
-  case SAMPLER_##name:      \
-    name##_begin_w(&state); \
-    break;
-#include "samplers/samplers.def"
-#undef SAMPLER
-    default:
-      break;
-  }
-  return state;
+  uintw sequence = numbers & (sums - 1u);
+  uintw place = (numbers / sums) * ((uint)film->columns * (uint)film->rows) + pixels;
+  return sequence_begin_w(scene, sequence, place, 1u);
 }
 
 FN int shows_background_w(const Scene* scene) {
@@ -37,24 +23,17 @@ FN int shows_background_w(const Scene* scene) {
 FN Joint_w background_joint_w(const Scene* scene, const Paths_w* path, maskw which) {
   PRIVATE const SplatFilm* film = scene->splats;
   GLOBAL const int* index = scene->index;
-  Random2_w at = sample_pair_w(scene, &path->sample, USE_SEEN), within = sample_pair_w(scene, &path->sample, USE_PIXEL);
+  Random2_w at = sample_pair_w(scene, &path->sample, USE_SEEN);
   intw columns = int_of_uint_w(high_product_w(at.x, splat_uint_w((uint)film->columns)));
   intw rows = int_of_uint_w(high_product_w(at.y, splat_uint_w((uint)film->rows)));
-  realw dx = filter_offset_w(scene->shading + index[HEADER_FILTER], random_unit_w(within.x));
-  realw dy = filter_offset_w(scene->shading + index[HEADER_FILTER], random_unit_w(within.y));
-  Real2_w lens;
-  lens.x = lens.y = splat_w(R(0.0));
-  if (HAS_THIN_LENS) {
-    Random2_w bits = sample_pair_w(scene, &path->sample, USE_LENS);
-    lens = square_to_disk_w(random_between_w(bits.x), random_between_w(bits.y));
-  }
+  Real2_w offset = pixel_offset_w(scene, &path->sample), lens = lens_point_w(scene, &path->sample);
   Joint_w joint;
   joint.is_background = 1;
   joint.x = real_of_int_w(columns);
   joint.y = real_of_int_w(rows);
   int height = (int)scene->shading[index[HEADER_SENSOR] + SENSOR_HEIGHT];
   camera_rays_w(scene->shading + index[HEADER_CAMERA], index[HEADER_WIDTH], height, columns + splat_int_w(film->x),
-                film->y, dx, dy + joint.y, lens, &joint.rays);
+                film->y, offset.x, offset.y + joint.y, lens, &joint.rays);
   real3w d = real3_at_w(joint.rays.planes + RAY_PLANE_D);
   joint.light = far_radiance_w(scene, HEADER_BACKGROUND, d);
   if (HAS_SUN) joint.light = add3_w(joint.light, far_radiance_w(scene, HEADER_SUN, d));

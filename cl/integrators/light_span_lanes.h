@@ -3,18 +3,10 @@
 
 /// As begin_paths of camera/span_lanes.h, for as many samples of the span as there are lanes.
 FN NewPaths_w new_paths_w(const Scene* scene, Span* span) {
-  intw numbers = splat_int_w(0), pixels = numbers, is_begun = numbers;
+  intw numbers = splat_int_w(0), pixels = numbers;
   int first = (span->y - scene->splats->y) * scene->splats->columns + span->x - scene->splats->x;
-  for (int lane = 0; lane < LANES && span->column < span->columns; ++lane) {
-    put_int_w(&numbers, lane, span->next);
-    put_int_w(&pixels, lane, first + span->column);
-    put_int_w(&is_begun, lane, 1);
-    if (++span->next < span->end) continue;
-    span->next = span->first;
-    ++span->column;
-  }
   NewPaths_w begun;
-  begun.which = nonzero_w(is_begun);
+  begun.which = span_take_w(span, (1u << LANES) - 1u, first, &numbers, &pixels);
   begun.pixels = uint_of_int_w(pixels);
   begun.numbers = uint_of_int_w(numbers);
   return begun;

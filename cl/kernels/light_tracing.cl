@@ -5,27 +5,7 @@
 #include "lanes/lane_ops.h"
 #include "accel/traverse.h"
 #include "film/film.h"
-#include "kernels/whole_loops.h"
-#if PATH_LANES != LANES
-#undef LANES
-#define LANES PATH_LANES
-#endif
-#include "math/vec3_lanes.h"
-#include "math/sampling_lanes.h"
-#include "samplers/sampler_lanes.h"
-#include "rays/departing_lanes.h"
-#if LANES != 1
-#if TIER_ROBUST
-#include "shapes/exact/settle_lanes.h"
-#endif
-#include "accel/packet.h"
-#endif
-#include "hits/surfaces_lanes.h"
-#include "camera/camera_lanes.h"
-#include "integrators/paths_lanes.h"
-#include "camera/span_lanes.h"
-#include "hits/find_lanes.h"
-#include "integrators/integrator_lanes.h"
+#include "kernels/path_parts.h"
 #include "integrators/light_paths_lanes.h"
 #include "integrators/light_span_lanes.h"
 #if LANES != 1

@@ -5,12 +5,13 @@
 #include "samplers/uses.h"
 #include "samplers/all_lanes.h"
 
-FN SampleState_w sample_begin_w(const Scene* scene, uintw pixel, uintw sample) {
+/// sequences: how many of them the numbers of a pixel's samples are divided into.
+FN SampleState_w sequence_begin_w(const Scene* scene, uintw pixel, uintw sample, uint sequences) {
   SampleState_w state;
   state.pixel = pixel;
   state.sample = sample;
   state.seed = (uint)scene->index[HEADER_SEED];
-  state.sequences = (uint)scene->index[HEADER_SEQUENCES];
+  state.sequences = sequences;
   state.reversed = state.key = splat_uint_w(0u);
   switch (scene->index[HEADER_SAMPLER]) {
 #define SAMPLER(name)       \
@@ -23,6 +24,10 @@ FN SampleState_w sample_begin_w(const Scene* scene, uintw pixel, uintw sample) {
       break;
   }
   return state;
+}
+
+FN SampleState_w sample_begin_w(const Scene* scene, uintw pixel, uintw sample) {
+  return sequence_begin_w(scene, pixel, sample, (uint)scene->index[HEADER_SEQUENCES]);
 }
 
 FN Random2_w pair_of_set_w(const Scene* scene, const SampleState_w* state, uintw set) {

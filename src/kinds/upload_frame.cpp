@@ -28,9 +28,7 @@ double reach(const Scene& scene, const Vec3& eye) {
 double smallest_side(const Scene& scene) {
   double smallest = 0;
   for (const Shape& shape : scene.shapes) {
-    kinds::Extent extent;
-    std::visit([&](const auto& geometry) { kinds::extend(extent, geometry); }, shape.geometry);
-    const std::optional<Box> box = extent.box();
+    const std::optional<Box> box = bounds(shape);
     const double side = box ? largest_component(box->max - box->min) : 0;
     if (side > 0 && (smallest == 0 || side < smallest)) smallest = side;
   }

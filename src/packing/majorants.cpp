@@ -6,37 +6,14 @@
 #include <limits>
 
 #include "packing/cell_axis.h"
+#include "scene/model/scene.h"
 
 namespace strahl {
 namespace {
 
-using Range = std::array<double, 2>;
-
 constexpr double most_cells_an_axis = 128;  ///< As many as a grid of 1024 texels has.
 
 double component(const Vec3& v, int axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
-
-/// The corners of the box from low to high.
-std::array<Vec3, 8> corners(const Vec3& low, const Vec3& high) {
-  std::array<Vec3, 8> all;
-  for (std::size_t i = 0; i < all.size(); ++i)
-    all[i] = {i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z};
-  return all;
-}
-
-/// The least and the largest of what `place` makes of the corners, by axis.
-template <class Place>
-std::array<Range, 3> extent(const std::array<Vec3, 8>& places, Place place) {
-  constexpr double inf = std::numeric_limits<double>::infinity();
-  std::array<Range, 3> ranges{Range{inf, -inf}, Range{inf, -inf}, Range{inf, -inf}};
-  for (const Vec3& at : places)
-    for (int axis = 0; axis < 3; ++axis) {
-      Range& range = ranges[static_cast<std::size_t>(axis)];
-      const double x = component(place(at), axis);
-      range = {std::min(range[0], x), std::max(range[1], x)};
-    }
-  return ranges;
-}
 
 float rounded_up(double value) {
   const auto rounded = static_cast<float>(std::min(value, static_cast<double>(std::numeric_limits<float>::max())));
@@ -89,27 +66,27 @@ std::vector<double> box_frame(const Transform& world_from_cube, const UploadFram
 
 Majorants majorants_of(const Volume& sigma_t, const UploadFrame& frame) {
   const Transform& cube = sigma_t.world_from_cube;
-  const Transform cube_from_world = cube.inverse();
   const VolumeGrid& grid = *sigma_t.grid;
-  const auto world = extent(corners({0, 0, 0}, {1, 1, 1}), [&](const Vec3& p) { return cube.point(p); });
-  const auto local = extent(corners({world[0][0], world[1][0], world[2][0]}, {world[0][1], world[1][1], world[2][1]}),
-                            [&](const Vec3& p) { return cube_from_world.point(p); });
+  const Box world = bounds({{0, 0, 0}, {1, 1, 1}}, cube);
+  const Box local = bounds(world, cube.inverse());
   const std::array<int, 3> size{grid.texels.width, grid.height, grid.depth};
   std::array<double, 3> cells{}, middle{};
   std::array<std::vector<std::vector<int>>, 3> texels;
   Majorants result;
   for (std::size_t i = 0; i < 3; ++i) {
-    const CellAxis axis = cells_over(local[i], size[i], most_cells_an_axis);
+    const int number = static_cast<int>(i);
+    const CellAxis axis =
+        cells_over({component(local.min, number), component(local.max, number)}, size[i], most_cells_an_axis);
     texels[i] = texels_of_cells(axis, size[i], sigma_t.wrap);
     cells[i] = size[i] / axis.cell;
     middle[i] = (axis.first + 0.5 * axis.count) * axis.cell / size[i];
     result.size[i] = axis.count;
-    const Vec3 edge = cube.column(static_cast<int>(i));
+    const Vec3 edge = cube.column(number);
     result.cell = std::max(result.cell, frame.scale * std::sqrt(dot(edge, edge)) / cells[i]);
   }
   result.reals = box_frame(cube, frame, {cells[0], cells[1], cells[2]}, {middle[0], middle[1], middle[2]});
-  for (const std::size_t side : {0U, 1U}) {
-    const Vec3 corner = frame.point({world[0][side], world[1][side], world[2][side]});
+  for (const Vec3& end : {world.min, world.max}) {
+    const Vec3 corner = frame.point(end);
     result.reals.insert(result.reals.end(), {corner.x, corner.y, corner.z});
   }
   const TexelDecoder decoded(grid.texels, {TexelCurve::Kind::linear, 1});

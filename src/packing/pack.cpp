@@ -12,7 +12,6 @@
 #include "kinds/textures.h"
 #include "packing/cl_layout.h"
 #include "packing/light_textures.h"
-#include "packing/memory_estimate.h"
 #include "packing/pack_camera.h"
 #include "packing/pack_images.h"
 #include "packing/pack_instances.h"
@@ -39,11 +38,9 @@ class Packing {
     const std::size_t rows = kinds_.size() + (features.flag("INSTANCES") ? 1 : 0);
     media_row_ = layout::HEADER_INTS + static_cast<int>(rows) * layout::SHAPE_INTS;
     const int media = features.flag("MEDIA") ? int{layout::MEDIA_INTS} : 0;
-    // Room for images and grids: a vector that grows holds them twice for a while. What is not written takes no memory.
-    const Precision precision = sizeof(Real) == sizeof(double) ? Precision::fp64 : Precision::robust;
-    const MemoryNeed need = least_memory(scene, features, precision, options.lanes);
-    packed_.shading.reserve(need.shading / sizeof(Real) * 5 / 4);
-    packed_.index.reserve(need.index / sizeof(std::int32_t) * 5 / 4);
+    // A quarter more than the least: what is not written takes no memory.
+    packed_.shading.reserve(options.room.shading / sizeof(Real) * 5 / 4);
+    packed_.index.reserve(options.room.index / sizeof(std::int32_t) * 5 / 4);
     packed_.index.resize(static_cast<std::size_t>(media_row_ + media), 0);
   }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "kinds/upload_frame.h"
+#include "packing/memory_estimate.h"
 #include "packing/pack_tree.h"
 #include "packing/packed_scene.h"
 #include "program/features.h"
@@ -19,6 +20,7 @@ struct PackOptions {
   UploadFrame frame;   ///< The camera's for render, the world for intersect and the fast tier.
   int tree_width = 0;  ///< 2 or 4 where lanes is 1 (0: 4), else lanes.
   Acceleration acceleration = Acceleration::automatic;
+  MemoryNeed room{};  ///< What the buffers begin with: one that grows holds images and grids twice for a while.
 };
 
 /// Instantiated for float and double.

@@ -53,9 +53,11 @@ void read_buffer(const Device& device, const cl::Buffer& buffer, void* data, std
 
 SceneBuffers upload_scene(const Device& device, const Scene& scene, const Features& features, Precision precision,
                           const PackOptions& options) {
-  require_memory(least_memory(scene, features, precision, options.lanes), device.info(), precision);
-  return precision == Precision::fp64 ? upload_as<double>(device, scene, features, options)
-                                      : upload_as<float>(device, scene, features, options);
+  PackOptions with_room = options;
+  with_room.room = least_memory(scene, features, precision, options.lanes);
+  require_memory(with_room.room, device.info(), precision);
+  return precision == Precision::fp64 ? upload_as<double>(device, scene, features, with_room)
+                                      : upload_as<float>(device, scene, features, with_room);
 }
 
 }  // namespace strahl

@@ -6,21 +6,13 @@
 #include <algorithm>
 
 #include "errors.h"
-#include "kinds/extent.h"
 #include "kinds/integrators.h"
 #include "kinds/lights.h"
-#include "kinds/shapes.h"
 #include "packing/cl_layout.h"
 #include "settings/sampling.h"
 
 namespace strahl {
 namespace {
-
-bool is_unbounded(const Shape& shape) {
-  kinds::Extent extent;
-  std::visit([&](const auto& geometry) { kinds::extend(extent, geometry); }, shape.geometry);
-  return !extent.box();
-}
 
 bool is_far(const Light& light) { return kinds::light(light).is_far && kinds::gives_light(light); }
 
@@ -28,7 +20,7 @@ bool is_far(const Light& light) { return kinds::light(light).is_far && kinds::gi
 void require_finite(const Scene& scene) {
   const auto far = std::find_if(scene.lights.begin(), scene.lights.end(), is_far);
   for (const Shape& shape : scene.shapes) {
-    if (!is_unbounded(shape)) continue;
+    if (bounds(shape)) continue;
     if (far != scene.lights.end())
       throw SceneError(
           {{Severity::error, shape.where,

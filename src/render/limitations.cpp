@@ -98,9 +98,7 @@ std::optional<Diagnostic> too_wide_for_single(const Scene& scene) {
   const Shape* farthest = nullptr;
   double reach = 0, smallest = std::numeric_limits<double>::infinity();
   for (const Shape& shape : scene.shapes) {
-    kinds::Extent extent;
-    std::visit([&](const auto& geometry) { kinds::extend(extent, geometry); }, shape.geometry);
-    const std::optional<Box> box = extent.box();
+    const std::optional<Box> box = bounds(shape);
     if (!box) continue;
     const double far = std::max(largest_component(box->min - frame.origin), largest_component(box->max - frame.origin));
     if (far > reach) farthest = &shape;

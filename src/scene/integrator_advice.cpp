@@ -4,11 +4,9 @@
 #include <cmath>
 #include <optional>
 
-#include "kinds/extent.h"
 #include "kinds/integrators.h"
 #include "kinds/lights.h"
 #include "kinds/materials.h"
-#include "kinds/shapes.h"
 
 namespace strahl {
 namespace {
@@ -50,9 +48,8 @@ Where first_small_lamp(const Scene& scene) {
   const double all = diagonal(bounds(scene));
   for (const Shape& shape : scene.shapes) {
     if (!shape.radiance) continue;
-    kinds::Extent own;
-    std::visit([&](const auto& geometry) { kinds::extend(own, geometry); }, shape.geometry);
-    if (own.box() && diagonal(own.box()) < small * all) return shape.where;
+    const std::optional<Box> own = bounds(shape);
+    if (own && diagonal(own) < small * all) return shape.where;
   }
   return {};
 }

@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "cli/program.h"
+#include "cli/same_picture.h"
 #include "image/image_io.h"
 
 using namespace strahl_test;
@@ -46,15 +47,6 @@ void refuse(const Folder& folder, const std::vector<std::string>& arguments, int
   CHECK(outcome.code == code);
   for (const std::string& word : words) CHECK(contains(outcome.err, word));
   CHECK(folder.files() == before);
-}
-
-/// Picture and told error.
-void require_same(const Folder& folder, const std::string& a, const std::string& b) {
-  const strahl::Image one = strahl::read_image(folder.path(a)), other = strahl::read_image(folder.path(b));
-  REQUIRE(one.channels == other.channels);
-  CHECK(one.data == other.data);
-  REQUIRE(one.metadata.count("rmse") == 1);
-  CHECK(one.metadata.at("rmse") == other.metadata.at("rmse"));
 }
 
 void wait_for(const std::string& path) {
@@ -96,7 +88,7 @@ TEST_CASE("killed at any moment, again and again, it ends with the same picture"
     const Outcome last = attempt(0);
     INFO(last.err);
     REQUIRE(last.code == 0);
-    require_same(folder, "one.exr", "out.exr");
+    require_same_picture(folder, "one.exr", "out.exr");
   }
   CHECK(killed > 0);
   CHECK(resumed > 0);
@@ -120,7 +112,7 @@ TEST_CASE("interrupted, it keeps picture and checkpoint, and goes on with other 
   CHECK(strahl::read_image(folder.path("part.exr")).metadata.count("incomplete") == 1);
   succeed(folder, options + std::vector<std::string>{"-o", "out.exr", "--resume", "c.ckpt", "--passes", "3", "--lanes",
                                                      "1", "--paths", "one"});
-  require_same(folder, "one.exr", "out.exr");
+  require_same_picture(folder, "one.exr", "out.exr");
 }
 
 TEST_CASE("a snapshot on demand and by the clock") {
@@ -212,12 +204,12 @@ TEST_CASE("parts become the picture of one run; what overlaps or is missing is n
   part("32:40", "d.ckpt");
   CHECK(folder.files() == std::vector<std::string>{"a.ckpt", "b.ckpt", "c.ckpt", "d.ckpt", "map.exr", "one.exr"});
   succeed(folder, {"merge", "c.ckpt", "a.ckpt", "d.ckpt", "b.ckpt", "-o", "sum.exr", "--error-map", "sum-map.exr"});
-  require_same(folder, "one.exr", "sum.exr");
-  require_same(folder, "map.exr", "sum-map.exr");
+  require_same_picture(folder, "one.exr", "sum.exr");
+  require_same_picture(folder, "map.exr", "sum-map.exr");
   // By a larger part.
   succeed(folder, {"merge", "c.ckpt", "b.ckpt", "-o", "bc.ckpt"});
   succeed(folder, {"merge", "d.ckpt", "bc.ckpt", "a.ckpt", "-o", "again.exr"});
-  require_same(folder, "one.exr", "again.exr");
+  require_same_picture(folder, "one.exr", "again.exr");
 
   refuse(folder, {"merge", "a.ckpt", "b.ckpt", "d.ckpt", "-o", "x.exr"}, 3,
          {"samples 11:32 are missing", "--samples 11:32"});

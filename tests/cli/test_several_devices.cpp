@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "cli/program.h"
+#include "cli/same_picture.h"
 #include "image/image_io.h"
 
 using namespace strahl_test;
@@ -30,14 +31,6 @@ void make_on(const Folder& folder, const std::string& devices, const std::vector
   CHECK_FALSE(contains(outcome.err, "warning"));
 }
 
-void require_same_bits(const Folder& folder, const std::string& a, const std::string& b) {
-  const strahl::Image one = strahl::read_image(folder.path(a)), other = strahl::read_image(folder.path(b));
-  REQUIRE(one.channels == other.channels);
-  CHECK(one.data == other.data);
-  REQUIRE(one.metadata.count("rmse") == 1);
-  CHECK(one.metadata.at("rmse") == other.metadata.at("rmse"));
-}
-
 }  // namespace
 
 TEST_CASE("two devices make the picture of one, and say who did what") {
@@ -50,8 +43,8 @@ TEST_CASE("two devices make the picture of one, and say who did what") {
   make_on(folder, "pocl", with({"-o", "one.exr", "--stats", "one.json"}));
   make_on(folder, both, with({"-o", "two.exr", "--stats", "two.json"}));
   make_on(folder, "llvmpipe,pocl", with({"-o", "turned.exr"}));
-  require_same_bits(folder, "one.exr", "two.exr");
-  require_same_bits(folder, "one.exr", "turned.exr");
+  require_same_picture(folder, "one.exr", "two.exr");
+  require_same_picture(folder, "one.exr", "turned.exr");
   CHECK(nlohmann::json::parse(read_text(folder.path("one.json"))).at("shares").is_null());
   const auto shares = nlohmann::json::parse(read_text(folder.path("two.json"))).at("shares");
   REQUIRE(shares.size() == 2);
@@ -79,7 +72,7 @@ TEST_CASE("a checkpoint of one goes on with two, and of two with one") {
   make_on(folder, first, {"--spp", "32", "-o", "part.exr", "--checkpoint", "c.ckpt", "--every", "1ms"});
   // --spp 40 has the division of 32.
   make_on(folder, then, {"--spp", "40", "-o", "sum.exr", "--resume", "c.ckpt"});
-  require_same_bits(folder, "whole.exr", "sum.exr");
+  require_same_picture(folder, "whole.exr", "sum.exr");
 }
 
 TEST_CASE("interrupted in its midst, it goes on") {
@@ -97,7 +90,7 @@ TEST_CASE("interrupted in its midst, it goes on") {
   REQUIRE(stopped.code == 130);
   CHECK(strahl::read_image(folder.path("part.exr")).metadata.count("incomplete") == 1);
   make_on(folder, both, {"--spp", "4096", "-o", "sum.exr", "--resume", "c.ckpt"});
-  require_same_bits(folder, "whole.exr", "sum.exr");
+  require_same_picture(folder, "whole.exr", "sum.exr");
 }
 
 TEST_CASE("parts of samples by one and by two add up") {
@@ -109,14 +102,14 @@ TEST_CASE("parts of samples by one and by two add up") {
   const Outcome merged = folder.run({"merge", "a.ckpt", "b.ckpt", "c.ckpt", "-o", "sum.exr", "-q"});
   INFO(merged.err);
   REQUIRE(merged.code == 0);
-  require_same_bits(folder, "whole.exr", "sum.exr");
+  require_same_picture(folder, "whole.exr", "sum.exr");
 }
 
 TEST_CASE("an error or a time as the goal") {
   const Folder folder;
   make_on(folder, "pocl", {"--max-error", "0.1", "-o", "one.exr"});
   make_on(folder, both, {"--max-error", "0.1", "-o", "two.exr"});
-  require_same_bits(folder, "one.exr", "two.exr");
+  require_same_picture(folder, "one.exr", "two.exr");
   // 6: late. A busy machine may be, and the picture is there all the same.
   const Outcome timed = render_on(folder, both, {"--time", "3s", "-o", "timed.exr", "--stats", "timed.json"});
   INFO(timed.err);

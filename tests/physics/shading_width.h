@@ -38,6 +38,8 @@ inline realw fmax(realw a, realw b) { return sel_w(lt_w(a, b), b, a); }
 // As above.
 #include "camera/camera_lanes.h"
 // As above.
+#include "camera/sample_place_lanes.h"
+// As above.
 #include "integrators/paths_lanes.h"
 // As above.
 #include "hits/find_lanes.h"

@@ -2,6 +2,8 @@
 // Shapes full of a medium, in white surroundings.
 #pragma once
 
+#include <catch2/catch.hpp>
+
 #include "render/stage.h"
 
 namespace strahl::test {
@@ -43,6 +45,14 @@ inline Image drawn(Scene scene, int samples) {
   scene.sampler.kind = SamplerKind::independent;
   scene.sampler.sample_count = samples;
   return color(scene, Precision::robust);
+}
+
+/// What only scatters is not seen in white surroundings.
+inline void check_unseen(const Medium& white) {
+  const Rgb mean = mean_of(drawn(filled(Sphere{{0, 0, 0}, 1}, white), 64));
+  CHECK(mean.r == Approx(1).margin(4e-3));
+  CHECK(mean.g == Approx(1).margin(4e-3));
+  CHECK(mean.b == Approx(1).margin(6e-3));
 }
 
 }  // namespace strahl::test

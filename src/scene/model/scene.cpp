@@ -12,16 +12,24 @@ void extend_by(kinds::Extent& extent, const Shape& shape) {
   std::visit([&](const auto& geometry) { kinds::extend(extent, geometry); }, shape.geometry);
 }
 
-void extend_by_turned(kinds::Extent& extent, const Box& box, const Transform& transform) {
-  for (unsigned corner = 0; corner < 8; ++corner)
-    extent.add(transform.point({(corner & 1U) != 0 ? box.max.x : box.min.x, (corner & 2U) != 0 ? box.max.y : box.min.y,
-                                (corner & 4U) != 0 ? box.max.z : box.min.z}));
-}
-
 }  // namespace
 
 int primitive_count(const Shape& shape) {
   return std::visit([](const auto& geometry) { return kinds::primitive_count(geometry); }, shape.geometry);
+}
+
+std::optional<Box> bounds(const Shape& shape) {
+  kinds::Extent extent;
+  extend_by(extent, shape);
+  return extent.box();
+}
+
+Box bounds(const Box& box, const Transform& transform) {
+  kinds::Extent extent;
+  for (unsigned corner = 0; corner < 8; ++corner)
+    extent.add(transform.point({(corner & 1U) != 0 ? box.max.x : box.min.x, (corner & 2U) != 0 ? box.max.y : box.min.y,
+                                (corner & 4U) != 0 ? box.max.z : box.min.z}));
+  return *extent.box();
 }
 
 std::optional<Box> bounds(const Group& group) {
@@ -36,8 +44,11 @@ std::optional<Box> bounds(const Scene& scene) {
   std::vector<std::optional<Box>> of_groups;
   for (const Group& group : scene.groups) of_groups.push_back(bounds(group));
   for (const Instance& instance : scene.instances)
-    if (const auto& box = of_groups.at(static_cast<std::size_t>(instance.group)))
-      extend_by_turned(all, *box, instance.world_from_group);
+    if (const auto& box = of_groups.at(static_cast<std::size_t>(instance.group))) {
+      const Box placed = bounds(*box, instance.world_from_group);
+      all.add(placed.min);
+      all.add(placed.max);
+    }
   return all.box();
 }
 

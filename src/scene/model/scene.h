@@ -338,6 +338,10 @@ struct Scene {
 /// Axis-aligned bounds of everything bounded; none where there is nothing bounded. Of an instance it is those of its
 /// group's bounds, turned.
 [[nodiscard]] std::optional<Box> bounds(const Scene& scene);
+/// None: it is unbounded.
+[[nodiscard]] std::optional<Box> bounds(const Shape& shape);
+/// The axis-aligned box around a box that `transform` has placed.
+[[nodiscard]] Box bounds(const Box& box, const Transform& transform);
 /// In the group's own frame.
 [[nodiscard]] std::optional<Box> bounds(const Group& group);
 
