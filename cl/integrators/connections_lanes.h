@@ -62,17 +62,18 @@ FN void add_drawn_light_w(const Scene* scene, Paths_w* path, const Vertex_w* v) 
 /// Rays from x to y that end before its surface. way: unit.
 FN Rays_w rays_between_w(const Vertex_w* x, const Vertex_w* y, maskw which, real3w way) {
   Rays_w rays;
-  realw zero = splat_w(R(0.0)), t_max = splat_w(R(1.0));
+  realw t_max = splat_w(R(1.0));
   real3w towards = sub3_w(y->s.position, x->s.position);
+#if TIER_FAST
+  t_max = t_max - splat_w(FAST_EPSILON) / length3_w(towards);
+  (void)way;
+#else
   // As area_rounding of lights/area_lanes.h.
   realw reach = max3_w(abs3_w(y->s.position)) + max3_w(abs3_w(x->s.position));
   realw bound = max_w(splat_w(R(16.0) * real_roundoff()) * reach, y->s.bound);
-#if TIER_FAST
-  t_max = t_max - splat_w(FAST_EPSILON) / length3_w(towards);
-#else
-  towards = fma3_w(sel_w(lt_w(zero, dot3_w(way, y->s.normal)), -bound, bound), y->s.normal, towards);
+  maskw is_behind = lt_w(splat_w(R(0.0)), dot3_w(way, y->s.normal));
+  towards = fma3_w(sel_w(is_behind, -bound, bound), y->s.normal, towards);
 #endif
-  (void)bound;
   rays_leaving_w(&x->s, which, towards, t_max, &rays);
   rays.aim = sel_int_w(lt_int_w(y->s.instance, splat_int_w(0)), y->s.id, splat_int_w(-1));
   return rays;

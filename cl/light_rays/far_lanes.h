@@ -9,20 +9,20 @@ FN real3w anywhere_w(void) {
 }
 
 /// Of the disc. Wider than rounding has it by far.
-FN real far_radius(const Scene* scene) {
+FN real far_radius_w(const Scene* scene) {
   GLOBAL const real* bounds = scene->geometry + scene->index[HEADER_BOUNDS];
   return length3(load3(bounds + 3)) * R(0x1.004p+0);
 }
 
 FN realw far_spread_w(const Scene* scene) {
-  real radius = far_radius(scene);
+  real radius = far_radius_w(scene);
   return splat_w(R(1.0) / (PI * radius * radius));
 }
 
 /// s: the light's sample, from anywhere.
 FN LightRay_w far_ray_w(const Scene* scene, LightSample_w s, Real2_w place) {
   GLOBAL const real* bounds = scene->geometry + scene->index[HEADER_BOUNDS];
-  real radius = far_radius(scene);
+  real radius = far_radius_w(scene);
   real3w towards = unit3_w(s.towards);
   Frame_w frame = frame_around_w(towards);
   Real2_w disk = square_to_disk_w(place.x, place.y);

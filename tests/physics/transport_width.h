@@ -2,8 +2,9 @@
 // The questions of transport_tiers.h at one width; no guard. Within the tier's namespace.
 #include "physics/packets_width.h"
 // It comes first: this needs what it includes.
-#include "integrators/both_ends_lanes.h"
 #include "integrators/light_begin_lanes.h"
+// Both need it.
+#include "integrators/both_ends_lanes.h"
 #include "integrators/light_paths_lanes.h"
 
 inline Triad LANED(triad_at)(const real3w& v, int lane) {

@@ -183,7 +183,7 @@ TEST_CASE("bdpt is taken with what Mitsuba 0.x says about its techniques") {
       "<boolean name=\"sample_direct\" value=\"false\"/></integrator>";
   const LoadedScene loaded = load_scene(folder.write("scene.xml", around(body)));
   CHECK(loaded.scene.integrator.name == "bdpt");
-  CHECK(loaded.diagnostics.empty());
+  CHECK(loaded.warnings.empty());
 }
 
 TEST_CASE("the document lists every type of Mitsuba") {
