@@ -103,7 +103,8 @@ SELDOM_FN void leave_vertex_w(const Scene* scene, Paths_w* path, const Vertex_w*
     realw reverse = splat_w(R(0.0));
     if (any_w(is_spread)) reverse = reverse_density_w(scene, v, is_spread, way, v->back);
     maskw is_first = ~lt_int_w(splat_int_w(is_adjoint), v->depth);
-    techniques_turn_w(on, is_first, path->density, reverse, cosine_at_w(v, way), t);
+    // A path that goes straight on keeps its direction, of any length.
+    techniques_turn_w(on, is_first, path->density, reverse, cosine_at_w(v, unit3_w(way)), t);
     way = sel3_w(on, way, d);
     t_max = sel_w(on, splat_w(REAL_MAX), t_max);
     path->depth = sel_int_w(on, path->depth + splat_int_w(1), path->depth);
