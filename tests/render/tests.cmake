@@ -41,3 +41,7 @@ set_tests_properties(render_test_oclgrind_every_scene PROPERTIES LABELS slow SKI
 add_test(NAME render_test_error_coverage_long COMMAND render_tests "-#" "[#test_error_coverage]")
 set_tests_properties(
   render_test_error_coverage_long PROPERTIES LABELS slow TIMEOUT 14400 ENVIRONMENT STRAHL_COVERAGE=long)
+
+add_test(NAME render_test_bidirectional_long COMMAND render_tests "-#" "[#test_bidirectional]")
+set_tests_properties(
+  render_test_bidirectional_long PROPERTIES LABELS slow TIMEOUT 14400 ENVIRONMENT STRAHL_AGREEMENT=long)
