@@ -8,6 +8,7 @@
 #include "integrators/path_lanes.h"
 #include "integrators/volpath_lanes.h"
 #include "integrators/ao_lanes.h"
-#include "integrators/adjoint_lanes.h"  // of ptracer
-#include "integrators/sensor_lanes.h"   // of ptracer
+#include "integrators/adjoint_lanes.h"  // of ptracer, bdpt
+#include "integrators/sensor_lanes.h"   // of ptracer, bdpt
 #include "integrators/ptracer_lanes.h"
+#include "integrators/bdpt_lanes.h"

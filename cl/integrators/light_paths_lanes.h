@@ -1,18 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Light paths at their beginning: samples of a span, a path each. A path's random numbers belong to its place in one
-// sequence of all paths of the picture, or of all that go into one sum, so that Sobol points spread evenly over the
-// whole picture's paths: the sequence's number stands in for the pixel, and the place in it for the sample. One width;
-// no guard.
-#include "light_rays/light_ray_lanes.h"
-
-/// The state of sample `numbers` of pixel `pixels` of the film.
-FN SampleState_w light_sample_begin_w(const Scene* scene, uintw pixels, uintw numbers) {
-  PRIVATE const SplatFilm* film = scene->splats;
-  uint sums = (uint)film->sums;
-  uintw sequence = numbers & (sums - 1u);
-  uintw place = (numbers / sums) * ((uint)film->columns * (uint)film->rows) + pixels;
-  return sequence_begin_w(scene, sequence, place, 1u);
-}
+// Light paths of integrator ptracer, from the light on. Needs
+// integrators/light_begin_lanes.h. One width; no guard.
 
 FN int shows_background_w(const Scene* scene) {
   return LIGHT_COUNT > 0 && scene->index[HEADER_MAX_DEPTH] > 0 && !hides_emitters(scene) &&
@@ -29,6 +17,7 @@ FN Joint_w background_joint_w(const Scene* scene, const Paths_w* path, maskw whi
   Real2_w offset = pixel_offset_w(scene, &path->sample), lens = lens_point_w(scene, &path->sample);
   Joint_w joint;
   joint.is_background = 1;
+  joint.stops_at_masks = 0;
   joint.x = real_of_int_w(columns);
   joint.y = real_of_int_w(rows);
   int height = (int)scene->shading[index[HEADER_SENSOR] + SENSOR_HEIGHT];
@@ -41,53 +30,18 @@ FN Joint_w background_joint_w(const Scene* scene, const Paths_w* path, maskw whi
   return joint;
 }
 
-/// A place on a light as a surface that rays leave.
-FN Surfaces_w light_surface_w(const LightRay_w* ray) {
-  Surfaces_w s = surfaces_none_w();
-  s.position = s.point = ray->from;
-  s.normal = s.shading = ray->normal;
-  s.bound = ray->bound;
-  s.id = splat_int_w(-1);
-  return s;
-}
-
-/// Begins paths of the given samples in the lanes of `which`; all others end. s: gets the places on lights. Returns the
-/// joints of what the camera sees of the lights.
+/// Begins paths as light_paths_leave does, and returns the joints of what the camera sees of the lights.
 FN Joint_w light_paths_begin_w(const Scene* scene, Paths_w* path, maskw which, uintw pixels, uintw numbers,
                                Surfaces_w* s) {
-  realw none = splat_w(R(0.0));
-  maskw follows = none_w();
-  LightRay_w ray = no_light_ray_w();
-  path->sample = light_sample_begin_w(scene, pixels, numbers);
-  path->alive = none_w();
-  path->depth = splat_int_w(0);
-  if (LIGHT_COUNT > 0 && lights_drawn_from(scene) > 0) {
-    LightChoice_w choice = choose_light_w(scene, &path->sample, path->depth, vec3_w(none, none, none));
-    Random2_w bits = vertex_pair_w(scene, &path->sample, path->depth, USE_WAY);
-    Real2_w way;
-    way.x = random_between_w(bits.x);
-    way.y = random_between_w(bits.y);
-    ray = light_ray_w(scene, which, choice.light, light_numbers_w(scene, &path->sample, path->depth), way);
-    ray.flux = scale3_w(choice.rarity, ray.flux);
-    follows = which & lt_w(none, max3_w(ray.flux));
-  }
-  *s = light_surface_w(&ray);
-  Rays_w rays;
-  rays_leaving_w(s, follows, ray.way, splat_w(REAL_MAX), &rays);
-  paths_begin_w(scene, path, follows, &rays);
-  path->radiance = sel3_w(follows, ray.flux, path->radiance);
-  maskw is_shown = follows & ray.is_surface;
+  LightChoice_w choice;
+  LightRay_w ray = light_paths_leave_w(scene, path, which, pixels, numbers, s, &choice);
+  maskw is_shown = path->alive & ray.is_surface;
   if (scene->index[HEADER_MAX_DEPTH] <= 0 || hides_emitters(scene) || !any_w(is_shown)) return no_joint_w();
   SensorWay_w seen = way_to_sensor_w(scene, path, is_shown, ray.from);
   realw cosine = dot3_w(ray.normal, unit3_w(seen.towards));
-  return joint_w(s, seen.which & lt_w(none, cosine), &seen, scale3_w(splat_w(ONE_OVER_PI) * cosine, ray.flux));
+  return joint_w(s, seen.which & lt_w(splat_w(R(0.0)), cosine), &seen,
+                 scale3_w(splat_w(ONE_OVER_PI) * cosine, ray.flux));
 }
-
-/// Samples that begin, a lane each.
-typedef struct {
-  maskw which;
-  uintw pixels, numbers;  ///< Of the film, and of the pixel.
-} NewPaths_w;
 
 /// The first vertex of new paths, on their lights, or the next of all that are alive: each is joined with the sensor.
 ONCE_FN void follow_light_paths_w(const Scene* scene, Paths_w* path, Branches_w* branches, const NewPaths_w* begun) {

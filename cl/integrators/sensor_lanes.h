@@ -9,16 +9,17 @@
 
 typedef struct {
   maskw which;
-  Rays_w rays;        ///< Along which nothing may be in the way.
-  real3w light;       ///< What is then added.
-  realw x, y;         ///< Where on the picture, in pixels from its upper left corner.
-  int is_background;  ///< Then the light is a pixel's own, x and y its column and row on the film.
+  Rays_w rays;         ///< Along which nothing may be in the way.
+  real3w light;        ///< What is then added.
+  realw x, y;          ///< Where on the picture, in pixels from its upper left corner.
+  int stops_at_masks;  ///< Masks let nothing through.
+  int is_background;   ///< Then the light is a pixel's own, x and y its column and row on the film.
 } Joint_w;
 
 FN Joint_w no_joint_w(void) {
   Joint_w joint;
   joint.which = none_w();
-  joint.is_background = 0;
+  joint.is_background = joint.stops_at_masks = 0;
   return joint;
 }
 
@@ -45,7 +46,7 @@ FN Joint_w joint_w(const Surfaces_w* s, maskw which, const SensorWay_w* way, rea
   joint.which = which & lt_w(splat_w(R(0.0)), max3_w(joint.light));
   joint.x = way->x;
   joint.y = way->y;
-  joint.is_background = 0;
+  joint.is_background = joint.stops_at_masks = 0;
   rays_leaving_w(s, joint.which, way->towards, way->t_max, &joint.rays);
   return joint;
 }
@@ -55,7 +56,7 @@ FN Joint_w joint_w(const Surfaces_w* s, maskw which, const SensorWay_w* way, rea
 /// depth.
 FN void add_joints_w(const Scene* scene, const Paths_w* path, Joint_w* joint) {
   if (!any_w(joint->which)) return;
-  realw share = unhindered_share_w(scene, path, joint->which, &joint->rays);
+  realw share = unhindered_share_w(scene, path, joint->which, joint->stops_at_masks, &joint->rays);
   real3w light = scale3_w(share, joint->light);
   Random2_w bits = sensor_pair_w(scene, path, USE_SENSOR_PIXEL);
   realw u = random_between_w(bits.x), v = random_between_w(bits.y);

@@ -5,7 +5,9 @@
 #include "lanes/lane_ops.h"
 #include "accel/traverse.h"
 #include "film/film.h"
+#include "kernels/splat_launch.h"
 #include "kernels/path_parts.h"
+#include "integrators/light_begin_lanes.h"
 #include "integrators/light_paths_lanes.h"
 #include "integrators/light_span_lanes.h"
 #if LANES != 1
@@ -67,15 +69,8 @@ KERNEL LANE_HINT_OF(SCENE_LANES) void render(GLOBAL const real* geometry, GLOBAL
   if (column >= columns || row >= rows) return;
   (void)aov_reals;
   (void)aov_ints;
-  SplatFilm splats;
-  splats.words = film;
-  splats.x = x_first - film_first % film_columns;
-  splats.y = y_first - film_first / film_columns;
-  splats.columns = film_columns;
-  splats.rows = index[HEADER_FILM_ROWS];
-  splats.sums = index[HEADER_SUMS];
-  ulong slot = (ulong)film_first + (ulong)row * (ulong)film_columns + (ulong)column;
-  splats.done = counters + COUNTERS + slot * DONE_OF_PATHS;
+  SplatFilm splats = splat_film_of(film, index, x_first, y_first, film_first, film_columns);
+  splats.done = done_of_paths(counters, film_first, film_columns, row, column);
   Scene scene;
   scene.geometry = geometry;
   scene.shading = shading;

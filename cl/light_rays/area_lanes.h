@@ -28,10 +28,16 @@ FN LightRay_w area_ray_w(const Scene* scene, GLOBAL const int* row, LightNumbers
   ray.normal = p.normal;
   ray.bound = area_rounding_w(p.position, p.position);
   ray.is_surface = ~none_w();
+  ray.inverse = splat_w(R(1.0));
   real3w radiance = splat3_w(load3(params + AREA_RADIANCE));
   if (HAS_LIGHT_TEXTURE && row[LIGHT_TEXTURE] >= 0) radiance = mul3_w(radiance, area_texture_w(scene, row, item, &p));
   Frame_w frame = frame_around_w(p.normal);
   ray.way = from_frame_w(&frame, square_to_cosine_hemisphere_w(way.x, way.y));
   ray.flux = scale3_w(splat_w(PI / params[AREA_INVERSE]), radiance);
   return ray;
+}
+
+FN realw area_spread_w(const Scene* scene, GLOBAL const int* row, real3w way) {
+  (void)way;
+  return splat_w(scene->shading[row[LIGHT_REALS] + AREA_INVERSE] / PI);
 }

@@ -9,13 +9,17 @@ typedef struct {
   real3w normal;     ///< Of the light's surface, on the side that emits; undefined where it has none.
   realw bound;       ///< The place may be so far off the surface.
   maskw is_surface;  ///< The flux over pi leaves the place into each unit of solid angle, times the cosine.
+  maskw is_far;      ///< The light is infinitely far away.
+  realw inverse;     ///< One over the density of a far light's direction, per solid angle; of a surface 1; 0: no ray
+                     ///< finds the light.
 } LightRay_w;
 
 FN LightRay_w no_light_ray_w(void) {
   LightRay_w ray;
   realw zero = splat_w(R(0.0));
   ray.from = ray.way = ray.flux = ray.normal = vec3_w(zero, zero, zero);
-  ray.bound = zero;
+  ray.bound = ray.inverse = zero;
+  ray.is_far = none_w();
   ray.is_surface = none_w();
   return ray;
 }
@@ -50,7 +54,35 @@ FN LightRay_w light_ray_w(const Scene* scene, maskw which, intw lights, LightNum
     ray.normal = sel3_w(of_light, one.normal, ray.normal);
     ray.bound = sel_w(of_light, one.bound, ray.bound);
     ray.is_surface = (of_light & one.is_surface) | (~of_light & ray.is_surface);
+    ray.is_far = (of_light & one.is_far) | (~of_light & ray.is_far);
+    ray.inverse = sel_w(of_light, one.inverse, ray.inverse);
     lanes &= ~bits_w(of_light);
   }
   return ray;
+}
+
+FN realw spread_of_light_w(const Scene* scene, int light, real3w way) {
+  GLOBAL const int* row = light_row(scene, light);
+  switch (row[LIGHT_KIND]) {
+#define LIGHT_RAY(name) \
+  case LIGHT_##name:    \
+    return name##_spread_w(scene, row, way);
+#include "light_rays/light_rays.def"
+#undef LIGHT_RAY
+    default:
+      (void)way;
+      return splat_w(R(1.0));
+  }
+}
+
+/// name_spread of light_rays.def, of the lights of the lanes of `which`.
+FN realw light_spread_w(const Scene* scene, maskw which, intw lights, real3w way) {
+  realw spread = splat_w(R(1.0));
+  for (uint lanes = bits_w(which); lanes != 0u;) {
+    int light = get_int_w(&lights, first_bit(lanes));
+    maskw of_light = ~nonzero_w(lights - splat_int_w(light));
+    spread = sel_w(of_light, spread_of_light_w(scene, light, way), spread);
+    lanes &= ~bits_w(of_light);
+  }
+  return spread;
 }

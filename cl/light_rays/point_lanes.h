@@ -10,3 +10,10 @@ FN LightRay_w point_ray_w(const Scene* scene, GLOBAL const int* row, LightNumber
   ray.flux = scale3_w(splat_w(R(4.0) * PI), splat3_w(load3(params + 3)));
   return ray;
 }
+
+FN realw point_spread_w(const Scene* scene, GLOBAL const int* row, real3w way) {
+  (void)scene;
+  (void)row;
+  (void)way;
+  return splat_w(R(0.25) / PI);
+}

@@ -19,3 +19,11 @@ FN LightRay_w projector_ray_w(const Scene* scene, GLOBAL const int* row, LightNu
   ray.flux = scale3_w(solid, intensity_of_w(&s));
   return ray;
 }
+
+FN realw projector_spread_w(const Scene* scene, GLOBAL const int* row, real3w way) {
+  GLOBAL const real* params = scene->shading + row[LIGHT_REALS];
+  real3 right = load3(params + 3), down = load3(params + 6);
+  realw cosine = dot3_w(way, splat3_w(load3(params + 9)));
+  real picture = R(4.0) / real_sqrt(dot3(right, right) * dot3(down, down));
+  return splat_w(R(1.0)) / (splat_w(picture) * (cosine * cosine * cosine));
+}

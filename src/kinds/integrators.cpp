@@ -36,6 +36,13 @@ constexpr IntegratorFacts ptracer{.name = "ptracer",
                                   .shows_emission = true,
                                   .reads_shading = true,
                                   .from_lights = true};
+constexpr IntegratorFacts bdpt{.name = "bdpt",
+                               .lamps = Lamps::drawn,
+                               .follows = Follows::paths,
+                               .shows_emission = true,
+                               .reads_shading = true,
+                               .from_lights = true,
+                               .from_camera = true};
 
 }  // namespace rows
 

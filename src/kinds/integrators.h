@@ -34,9 +34,13 @@ struct IntegratorFacts {
   bool is_length = false;       ///< The picture is a distance, not light.
   bool goes_through = false;    ///< Media count, and light goes through masks unbent.
   bool from_lights = false;     ///< Paths begin on lights and add to any pixels (docs/decisions/0032-light-tracing.md).
+  bool from_camera = false;     ///< And others on the camera, which meet them (docs/decisions/0033-bidirectional.md).
 
   /// The kernel file of its programs, below cl/.
-  [[nodiscard]] const char* kernel() const { return from_lights ? "kernels/light_tracing.cl" : "kernels/render.cl"; }
+  [[nodiscard]] const char* kernel() const {
+    if (!from_lights) return "kernels/render.cl";
+    return from_camera ? "kernels/bidirectional.cl" : "kernels/light_tracing.cl";
+  }
   [[nodiscard]] bool is_lit() const { return lamps != Lamps::unused; }
   /// max_depth limits more than the first surface's light.
   [[nodiscard]] bool has_depth() const { return follows == Follows::mirrors || follows == Follows::paths; }

@@ -27,7 +27,7 @@ const std::map<std::string, std::string>& needed() {
       {"COAT", "a coating is a material under it; that can take its place in the scene"},
       {"RELIEF", "a normal map is a material inside it; that can take its place in the scene"},
       {"choosers", "lights are drawn by it; --light-choice takes another one"},
-      {"LIGHT_PATHS", "integrator ptracer is nothing else; --integrator takes another one"},
+      {"LIGHT_PATHS", "integrators ptracer and bdpt are nothing else; --integrator takes another one"},
       {"light_rays", "paths begin on lights by it; the light itself can be left out"},
       {"OPENNESS", "integrator ao is nothing else; --integrator takes another one"},
       {"media", "MEDIA can be left out, and all media with it"},

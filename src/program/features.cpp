@@ -239,11 +239,13 @@ Causes causes_of(const Scene& scene, const RenderSettings& settings) {
 
 /// Could a program of this integrator's kernel use it? Even --generic leaves the rest out.
 bool has_place(const kinds::IntegratorFacts& integrator, const std::string& name) {
-  if (integrator.from_lights) return name != "MEDIA";
+  if (name == (integrator.from_lights ? "MEDIA" : "LIGHT_PATHS")) return false;
   const std::vector<std::string>& entries = kinds::integrator_names();
-  return name != "LIGHT_PATHS" && std::none_of(entries.begin(), entries.end(), [&](const std::string& entry) {
-           return kinds::integrator(entry).from_lights && name == "integrators/" + entry;
-         });
+  return std::none_of(entries.begin(), entries.end(), [&](const std::string& entry) {
+    const kinds::IntegratorFacts& other = kinds::integrator(entry);
+    return other.from_lights && other.kernel() != std::string_view(integrator.kernel()) &&
+           name == "integrators/" + entry;
+  });
 }
 
 }  // namespace

@@ -35,6 +35,16 @@ void require_finite(const Scene& scene) {
   }
 }
 
+/// Which shapes a vertex is within is not kept, so that it could be joined with others.
+void require_no_priorities(const Scene& scene) {
+  for (const Shape& shape : scene.shapes)
+    if (shape.priority)
+      throw SceneError({{Severity::error, shape.where,
+                         fmt::format("integrator {} does not know glass that overlaps by priority: leave the priority "
+                                     "out, or take integrator path",
+                                     scene.integrator.name)}});
+}
+
 }  // namespace
 
 void require_light_paths(const Scene& scene, const RenderSettings& settings) {
@@ -54,6 +64,7 @@ void require_light_paths(const Scene& scene, const RenderSettings& settings) {
                        fmt::format("integrator {} follows light between surfaces only, and here is a medium: take "
                                    "integrator volpath",
                                    name)}});
+  if (kinds::integrator(name).from_camera) require_no_priorities(scene);
   require_finite(scene);
 }
 

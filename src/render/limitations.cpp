@@ -68,14 +68,14 @@ std::vector<Diagnostic> limitations(const Scene& scene) {
   const auto warn = [&](const SourceLocation& where, std::string message) {
     warnings.push_back({Severity::warning, where, std::move(message)});
   };
-  if (kinds::integrator(scene.integrator.name).from_lights)
+  if (kinds::integrator(scene.integrator.name).from_lights && !kinds::integrator(scene.integrator.name).from_camera)
     for (const Material& material : scene.materials)
       if (material_facts(material).has_lobe(lobes::LOBE_DELTA))
         warn(
             material.where,
             fmt::format("what this material mirrors, or lets through unbent, is left out where the camera looks at it: "
                         "integrator {} joins surfaces with the camera, which mirrors and glass do not allow; path "
-                        "shows it",
+                        "and bdpt show it",
                         scene.integrator.name));
   const kinds::Follows follows = kinds::integrator(scene.integrator.name).follows;
   const bool is_direct = follows == kinds::Follows::one_way, is_whitted = follows == kinds::Follows::mirrors;

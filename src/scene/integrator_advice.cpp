@@ -75,9 +75,9 @@ std::vector<Advice> integrator_advice(const Scene& scene) {
   const Where mirror = first_mirror(scene);
   if (!mirror || facts.from_lights || !scene.media.empty()) return all;
   if (point)
-    all.push_back({"ptracer", "what mirrors and glass throw of a lamp that no ray from the camera hits", *point});
+    all.push_back({"bdpt", "what mirrors and glass throw of a lamp that no ray from the camera hits", *point});
   else if (const Where lamp = first_small_lamp(scene))
-    all.push_back({"ptracer", "what mirrors and glass throw of a small lamp, found by chance alone", *lamp});
+    all.push_back({"bdpt", "what mirrors and glass throw of a small lamp, found by chance alone", *lamp});
   return all;
 }
 

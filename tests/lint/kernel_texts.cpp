@@ -75,10 +75,12 @@ struct Wanted {
 /// Programs of light paths have an integrator of them whatever else they have, and for a way to leave a light the
 /// light.
 Features completed(const std::string& kernel, Features features) {
-  const bool has_paths =
-      kernel == "light_tracing" || features.has("integrators", "ptracer") || features.flag("LIGHT_PATHS");
+  const bool has_both_ends = kernel == "bidirectional" || features.has("integrators", "bdpt");
+  const bool has_paths = kernel == "light_tracing" || has_both_ends || features.has("integrators", "ptracer") ||
+                         features.flag("LIGHT_PATHS");
   for (auto& [name, on] : features.flags) on = on || (name == "LIGHT_PATHS" && has_paths);
-  if (has_paths) features.entries["integrators"].insert("ptracer");
+  if (has_paths)
+    features.entries["integrators"].insert(has_both_ends && kernel != "light_tracing" ? "bdpt" : "ptracer");
   for (const std::string& entry : features.entries["light_rays"]) features.entries["lights"].insert(entry);
   return features;
 }
@@ -102,8 +104,8 @@ void write(const Wanted& wanted, const std::string& kernel, const std::string& s
 int main(int count, char** arguments) {
   if (count != 2 && count != 3) return 2;
   const Wanted wanted{arguments[1], count == 3 ? arguments[2] : ""};
-  for (const std::string kernel : {"render", "light_tracing", "intersect", "intersect_packets", "intersect_any",
-                                   "intersect_any_packets", "probe", "canary", "bandwidth"})
+  for (const std::string kernel : {"render", "light_tracing", "bidirectional", "intersect", "intersect_packets",
+                                   "intersect_any", "intersect_any_packets", "probe", "canary", "bandwidth"})
     for (const Precision precision : {Precision::fast, Precision::stable, Precision::robust, Precision::fp64}) {
       if (!wanted.name.empty() && !wanted.name.starts_with(kernel + "-" + precision_name(precision) + "-")) continue;
       const int widest = default_lanes(16, precision);
@@ -116,7 +118,8 @@ int main(int count, char** arguments) {
         Features flat = every(true);
         for (auto& [name, on] : flat.flags) on = on && name != "INSTANCES";
         write(wanted, kernel, "lists", flat, precision, lanes, false);
-        if ((kernel != "render" && kernel != "light_tracing") || precision == Precision::fp64) continue;
+        const bool makes_pictures = kernel == "render" || kernel == "light_tracing" || kernel == "bidirectional";
+        if (!makes_pictures || precision == Precision::fp64) continue;
         write(wanted, kernel, "all-paths", every(true), precision, lanes, true, lanes);
         write(wanted, kernel, "none-paths", every(false), precision, lanes, true, lanes);
         write(wanted, kernel, "lists-paths", flat, precision, lanes, false, lanes);

@@ -29,7 +29,8 @@ std::vector<IntegratorRow> integrator_rows() {
           {"path", half, white, white},
           {"volpath", half, white, white},
           {"ao", white, none, none},
-          {"ptracer", half, white, white}};
+          {"ptracer", half, white, white},
+          {"bdpt", half, white, white}};
 }
 
 const std::vector<std::string> integrator_entries = {

@@ -13,6 +13,7 @@
 #include "packing/pack.h"
 #include "physics/statistics.h"
 #include "physics/transport_tiers.h"
+#include "program/kernel_source.h"
 
 namespace strahl::test {
 
@@ -24,7 +25,9 @@ class TierScene {
  public:
   TierScene(const Scene& scene, bool is_double, int lanes, RenderSettings settings = {}) {
     settings.generic = true;
-    const Features features = features_of(scene, settings);
+    Features features = features_of(scene, settings);
+    // Compiled on the host, all integrators stand side by side, whatever kernel they are of.
+    for (const std::string& name : list_entries("integrators")) features.entries["integrators"].insert(name);
     const PackOptions options{lanes, UploadFrame{}, 0};
     if (is_double)
       packed_ = pack_scene<double>(scene, features, options);

@@ -2,6 +2,9 @@
 // The questions of transport_tiers.h at one width; no guard. Within the tier's namespace.
 #include "physics/packets_width.h"
 // It comes first: this needs what it includes.
+#include "integrators/light_begin_lanes.h"
+// Both need it.
+#include "integrators/both_ends_lanes.h"
 #include "integrators/light_paths_lanes.h"
 
 inline Triad LANED(triad_at)(const real3w& v, int lane) {
@@ -267,7 +270,7 @@ inline std::vector<Triad> LANED(radiance_along)(const TierBuffers& buffers, cons
   return found;
 }
 
-/// As kernels/light_tracing.cl follows them, except that all paths begin and end together.
+/// As kernels/light_tracing.cl and kernels/bidirectional.cl follow them, except that all paths begin and end together.
 inline std::vector<std::int64_t> LANED(splats_of)(const TierBuffers& buffers, std::uint32_t samples) {
   uint counters[COUNTERS] = {};
   std::vector<std::int64_t> words(FILM_SUBSUMS * FILM_CHANNELS * SPLAT_WORDS, 0);
@@ -282,6 +285,11 @@ inline std::vector<std::int64_t> LANED(splats_of)(const TierBuffers& buffers, st
     paths_none_w(&path);
     const uintw numbers = lane_numbers_w() + first;
     NewPaths_w begun = {lt_int_w(int_of_uint_w(numbers), splat_int_w((int)samples)), splat_uint_w(0u), numbers};
+    if (scene.index[HEADER_INTEGRATOR] == INTEGRATOR_bdpt) {
+      LightVertices_w light;
+      follow_both_ends_w(&scene, &path, &light, &begun);
+      continue;
+    }
     do {
       follow_light_paths_w(&scene, &path, &branches, &begun);
       begun.which = none_w();

@@ -13,12 +13,13 @@ TEST_CASE("--generic has everything on but counters, watched loops, what changes
   RenderSettings settings;
   settings.generic = true;
   const std::set<std::string> never = {"COUNT_RAYS", "LOOP_LIMIT", "TEXTURE_LOD"};
-  for (const std::string integrator : {"direct", "ptracer"}) {
+  for (const std::string integrator : {"direct", "ptracer", "bdpt"}) {
     scene.integrator.name = integrator;
     for (const FeatureReport& row : features_of(scene, settings).report) {
       INFO(integrator << ", " << row.name);
-      const bool of_light_paths = row.name == "integrators/ptracer" || row.name == "LIGHT_PATHS";
-      const bool is_elsewhere = integrator == "ptracer" ? row.name == "MEDIA" : of_light_paths;
+      const bool of_lights = row.name == "integrators/ptracer" || row.name == "integrators/bdpt";
+      const bool is_other = of_lights && row.name != "integrators/" + integrator;
+      const bool is_elsewhere = is_other || row.name == (integrator == "direct" ? "LIGHT_PATHS" : "MEDIA");
       CHECK(row.on == (!never.contains(row.name) && !is_elsewhere));
     }
   }

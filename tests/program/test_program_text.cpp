@@ -251,10 +251,17 @@ TEST_CASE("Programs of paths from the camera hold nothing of those from lights")
   for (const RenderSettings& settings : {RenderSettings{}, everything}) {
     Scene scene = lecture_scene("lit");
     const std::string text = picture_text_of(scene, settings);
-    for (const char* of_lights : {"adjoint_lanes.h", "ptracer", "splat_place(", "light_rays/"})
+    for (const char* of_lights : {"adjoint_lanes.h", "ptracer", "bdpt", "splat_place(", "light_rays/", "techniques"})
       CHECK(text.find(of_lights) == std::string::npos);
     scene.integrator.name = "ptracer";
-    CHECK(picture_text_of(scene, settings).find("splat_place(") != std::string::npos);
+    const std::string light_tracing = picture_text_of(scene, settings);
+    CHECK(light_tracing.find("splat_place(") != std::string::npos);
+    for (const char* of_both_ends : {"bdpt_", "techniques"})
+      CHECK(light_tracing.find(of_both_ends) == std::string::npos);
+    scene.integrator.name = "bdpt";
+    const std::string bidirectional = picture_text_of(scene, settings);
+    CHECK(bidirectional.find("techniques_turn_w") != std::string::npos);
+    CHECK(bidirectional.find("ptracer_step") == std::string::npos);
   }
 }
 

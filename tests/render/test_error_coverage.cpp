@@ -94,9 +94,9 @@ void check_coverage(SamplerKind sampler) {
       const Tally found = tally(what, sampler, numbers[k], seeds);
       inside += found.inside;
       asked += seeds;
-      std::cout << what.file << ", " << (sampler == SamplerKind::sobol ? "sobol" : "independent") << ", " << numbers[k]
-                << ": " << found.inside << " of " << seeds << " inside, ±" << 100 * found.half_width << " %"
-                << std::endl;
+      std::cout << what.file << ", " << what.integrator << ", "
+                << (sampler == SamplerKind::sobol ? "sobol" : "independent") << ", " << numbers[k] << ": "
+                << found.inside << " of " << seeds << " inside, ±" << 100 * found.half_width << " %" << std::endl;
       INFO(what.file << " at " << numbers[k]);
       CHECK(found.inside >= 0.9 * seeds);
       if (sampler == SamplerKind::independent)
@@ -122,11 +122,13 @@ TEST_CASE("independent samples: the interval holds the true error as often as it
 TEST_CASE("paths from lights: the interval holds the true error as often as it says") {
   require_pocl_and_rusticl();
   for (const Case& what : {Case{"lights/caustic.xml", "ptracer", 48, 48, true, 0, {}},
-                           Case{"cornell/cornell-box.xml", "ptracer", 48, 48, true, 0, {}}})
+                           Case{"cornell/cornell-box.xml", "ptracer", 48, 48, true, 0, {}},
+                           Case{"lights/caustic.xml", "bdpt", 48, 48, true, 0, {}}})
     for (const SamplerKind sampler : {SamplerKind::sobol, SamplerKind::independent}) {
       const Tally found = tally(what, sampler, 64, 40);
-      std::cout << what.file << ", " << (sampler == SamplerKind::sobol ? "sobol" : "independent") << ": "
-                << found.inside << " of 40 inside, ±" << 100 * found.half_width << " %" << std::endl;
+      std::cout << what.file << ", " << what.integrator << ", "
+                << (sampler == SamplerKind::sobol ? "sobol" : "independent") << ": " << found.inside
+                << " of 40 inside, ±" << 100 * found.half_width << " %" << std::endl;
       CHECK(found.inside >= 34);
       CHECK(found.half_width < 0.5);
     }

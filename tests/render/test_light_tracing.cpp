@@ -3,11 +3,11 @@
 // materials that refract, bend normals or are open, through lenses and wide filters. The same bits however they are
 // followed, and on another device; what they cannot do is refused. 40 s.
 #include <catch2/catch.hpp>
-#include <cmath>
 
 #include "errors.h"
 #include "kinds/lights.h"
 #include "kinds/materials.h"
+#include "render/alike.h"
 #include "render/film_state.h"
 #include "render/stage.h"
 #include "scene/model/build.h"
@@ -15,64 +15,8 @@
 namespace strahl::test {
 namespace {
 
-constexpr int size = 32, blocks = 4, seeds = 8;
-
-/// Each block's mean over all seeds, and its standard error.
-struct Blocks {
-  std::vector<double> mean, error;
-};
-
-Blocks blocks_of(Scene scene, const std::string& integrator, int samples) {
-  scene.integrator.name = integrator;
-  scene.film.width = scene.film.height = size;
-  RenderSettings settings;
-  settings.generic = true;
-  static const Device device = Device::open("pocl");
-  Renderer renderer(device, scene, settings);
-  constexpr std::size_t count = blocks * blocks;
-  std::vector<double> sum(count), squares(count);
-  for (std::uint32_t seed = 0; seed < seeds; ++seed) {
-    RenderGoal goal;
-    goal.spp = samples;
-    goal.seed = 7 + seed;
-    const Image image = renderer.render({}, goal).color;
-    std::vector<double> block(count);
-    for (int y = 0; y < image.height; ++y)
-      for (int x = 0; x < image.width; ++x)
-        for (int c = 0; c < 3; ++c)
-          block[static_cast<std::size_t>(y * blocks / image.height * blocks + x * blocks / image.width)] +=
-              static_cast<double>(image.at(x, y, c)) * blocks * blocks / (3.0 * image.width * image.height);
-    for (std::size_t k = 0; k < count; ++k) {
-      sum[k] += block[k];
-      squares[k] += block[k] * block[k];
-    }
-  }
-  Blocks found;
-  for (std::size_t k = 0; k < count; ++k) {
-    found.mean.push_back(sum[k] / seeds);
-    const double variance = std::max(0.0, squares[k] - sum[k] * sum[k] / seeds) / (seeds - 1);
-    found.error.push_back(std::sqrt(variance / seeds));
-  }
-  return found;
-}
-
-/// Welch's t of every block, 16 of them with at least 7 degrees of freedom; the mean of all within `tolerance`.
 void hold_like_path(const char* what, const Scene& scene, int samples = 128, double tolerance = 0.01) {
-  INFO(what);
-  const Blocks from_lights = blocks_of(scene, "ptracer", samples), from_camera = blocks_of(scene, "path", samples);
-  double ours = 0, theirs = 0, variance = 0;
-  for (std::size_t k = 0; k < from_lights.mean.size(); ++k) {
-    const double difference = from_lights.mean[k] - from_camera.mean[k];
-    const double error = std::hypot(from_lights.error[k], from_camera.error[k]);
-    INFO("block " << k << ": " << from_lights.mean[k] << " where path has " << from_camera.mean[k] << ", +- " << error);
-    CHECK(std::fabs(difference) <= 6 * error + 1e-6);
-    variance += error * error;
-    ours += from_lights.mean[k];
-    theirs += from_camera.mean[k];
-  }
-  INFO("together " << ours << " where path has " << theirs << ", +- " << std::sqrt(variance));
-  CHECK(theirs > 0);
-  CHECK(ours == Approx(theirs).epsilon(tolerance));
+  hold_alike("ptracer", "path", what, scene, samples, tolerance);
 }
 
 /// One of the project's, with a finite floor, and diffuse where it mirrors: paths from lights do not find what the
@@ -86,26 +30,6 @@ Scene without_mirrors(const std::string& path) {
       const Vec3 u = 4 * plane->u, v = 4 * plane->v;
       shape.geometry = Rectangle{plane->point - u - v, 2 * u, 2 * v};
     }
-  return scene;
-}
-
-/// A ball over a floor, both of the material.
-Scene ball_on_floor(const Material& material) {
-  Scene scene;
-  scene.materials = {material};
-  add(scene, Rectangle{{-3, -3, 0}, {6, 0, 0}, {0, 6, 0}});
-  add(scene, Sphere{{0, 0, 0.8}, 0.8});
-  scene.camera = perspective_camera({0, -5, 3}, {0, 0, 0.4}, {0, 0, 1}, 40);
-  scene.film.filter = {FilterKind::box, 0.5, 0.5};
-  scene.integrator.max_depth = 5;
-  return scene;
-}
-
-Scene grey_ball() { return ball_on_floor(diffuse({0.7, 0.5, 0.3}, true)); }
-
-Scene under_lamp(const Material& material) {
-  Scene scene = ball_on_floor(material);
-  add(scene, emitting(Rectangle{{-1, -1, 4}, {0, 2, 0}, {2, 0, 0}}, {4, 4, 4}));
   return scene;
 }
 

@@ -18,6 +18,7 @@ set_tests_properties(render_test_generic_all_tiers PROPERTIES LABELS slow TIMEOU
 strahl_test(render/test_devices.cpp LABEL render TIMEOUT 900)
 strahl_test(render/test_loop_limit.cpp LABEL render TIMEOUT 300)
 strahl_test(render/test_light_tracing.cpp LABEL render TIMEOUT 400)
+strahl_test(render/test_bidirectional.cpp LABEL render TIMEOUT 600)
 
 add_test(NAME render_test_oclgrind COMMAND ${CMAKE_CURRENT_LIST_DIR}/test_oclgrind $<TARGET_FILE:strahl-bin>
                                            ${PROJECT_SOURCE_DIR}/scenes/lecture/lit.xml ${PROJECT_SOURCE_DIR}/scenes/lecture/first-light.xml)
@@ -40,3 +41,7 @@ set_tests_properties(render_test_oclgrind_every_scene PROPERTIES LABELS slow SKI
 add_test(NAME render_test_error_coverage_long COMMAND render_tests "-#" "[#test_error_coverage]")
 set_tests_properties(
   render_test_error_coverage_long PROPERTIES LABELS slow TIMEOUT 14400 ENVIRONMENT STRAHL_COVERAGE=long)
+
+add_test(NAME render_test_bidirectional_long COMMAND render_tests "-#" "[#test_bidirectional]")
+set_tests_properties(
+  render_test_bidirectional_long PROPERTIES LABELS slow TIMEOUT 14400 ENVIRONMENT STRAHL_AGREEMENT=long)

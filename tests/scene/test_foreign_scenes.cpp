@@ -98,7 +98,7 @@ TEST_CASE("integrators around others take the one inside; unknown ones become pa
     CHECK(inside.name == "whitted");
     CHECK(inside.max_depth == 3);
   }
-  CHECK(integrator("<integrator type=\"bdpt\"/>").name == "path");
+  CHECK(integrator("<integrator type=\"photonmapper\"/>").name == "path");
   CHECK(integrator("<integrator type=\"mine\"><float name=\"x\" value=\"1\"/></integrator>").name == "path");
   const std::vector<std::string> aov =
       problems(around("<integrator type=\"aov\"><string name=\"aovs\" value=\"d:depth\"/></integrator>"));
@@ -159,7 +159,7 @@ TEST_CASE("a mesh of degenerate faces is left out, and a group that has lost all
 
 TEST_CASE("what Mitsuba has is not supported yet; only what nobody has is guessed at") {
   for (const char* body : {"<shape type=\"sdfgrid\"/>", "<shape type=\"sphere\"><bsdf type=\"hair\"/></shape>",
-                           "<emitter type=\"volumelight\"/>", "<integrator type=\"bdpt\"/>"}) {
+                           "<emitter type=\"volumelight\"/>", "<integrator type=\"photonmapper\"/>"}) {
     const std::string first = problems(around(body)).at(0), all = first + problems(around(body)).back();
     INFO(all);
     CHECK(contains(all, "is not supported yet"));
@@ -174,6 +174,16 @@ TEST_CASE("light tracing has two names, as in Mitsuba") {
     const std::string body = "<shape type=\"sphere\"/><integrator type=\"" + std::string(name) + "\"/>";
     CHECK(load_scene(folder.write("scene.xml", around(body))).scene.integrator.name == "ptracer");
   }
+}
+
+TEST_CASE("bdpt is taken with what Mitsuba 0.x says about its techniques") {
+  const SceneFolder folder;
+  const std::string body =
+      "<shape type=\"sphere\"/><integrator type=\"bdpt\"><boolean name=\"light_image\" value=\"false\"/>"
+      "<boolean name=\"sample_direct\" value=\"false\"/></integrator>";
+  const LoadedScene loaded = load_scene(folder.write("scene.xml", around(body)));
+  CHECK(loaded.scene.integrator.name == "bdpt");
+  CHECK(loaded.warnings.empty());
 }
 
 TEST_CASE("the document lists every type of Mitsuba") {

@@ -27,9 +27,10 @@ std::string ball_lamp(const std::string& radius) {
 TEST_CASE("a point over glass makes what paths from the camera miss") {
   const std::vector<Advice> found = advice("path", point_lamp + floor_shape + glass);
   REQUIRE(found.size() == 1);
-  CHECK(found[0].integrator == "ptracer");
+  CHECK(found[0].integrator == "bdpt");
   CHECK(found[0].where.line == 2);
   CHECK(advice("ptracer", point_lamp + floor_shape + glass).empty());
+  CHECK(advice("bdpt", point_lamp + floor_shape + glass).empty());
   CHECK(advice("path", point_lamp + floor_shape).empty());
   CHECK(advice("normals", point_lamp + floor_shape + glass).empty());
   CHECK(advice("path", "<emitter type=\"constant\"/>" + glass).empty());

@@ -61,6 +61,8 @@ IntegratorSettings read_integrator(const XmlElement& element, SceneBuilder& buil
     builder.diagnostics.unknown(properties.where("strict_normals"),
                                 "\"strict_normals\" is not supported yet; normals count as they are");
   properties.accept({"shading_samples", "emitter_samples", "bsdf_samples", "samples_per_pass", "block_size"});
+  // Of 0.x: which techniques it takes. strahl takes all, and the picture is the same but for its noise.
+  if (type == "bdpt") properties.accept({"light_image", "sample_direct"});
   const bool is_known = type == "auto" || std::find(known.begin(), known.end(), type) != known.end();
   integrator.name = is_known ? std::string(type) : substitute_of(properties);
   properties.report_unknown();

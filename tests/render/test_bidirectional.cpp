@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: MIT
+// Paths from both ends (integrator bdpt) make the pictures that paths from the camera make, and those that paths from
+// the lights make: so the weights of all techniques sum to 1. The same bits however they are followed; what they cannot
+// do is refused.
+#include <catch2/catch.hpp>
+#include <cstdlib>
+
+#include "errors.h"
+#include "kinds/lights.h"
+#include "kinds/materials.h"
+#include "render/alike.h"
+#include "render/stage.h"
+#include "scene/model/build.h"
+
+namespace strahl::test {
+namespace {
+
+/// STRAHL_AGREEMENT=long takes so many times the samples, and the mean to 0.2 % (slow).
+const int times = std::getenv("STRAHL_AGREEMENT") != nullptr ? 16 : 1;
+
+void hold_both_ends_like_path(const std::string& what, const Scene& scene, int samples = 32, double tolerance = 0.02) {
+  hold_alike("bdpt", "path", what, scene, samples * times, times > 1 ? 0.002 : tolerance);
+}
+
+/// One of the project's, with a finite floor, and without what path cannot find: caustics of lights without extent.
+Scene shipped(const std::string& path) {
+  Scene scene = load_scene((scene_folder / path).string() + ".xml").scene;
+  const auto mirrors = [](const Material& material) { return material_facts(material).has_lobe(lobes::LOBE_DELTA); };
+  if (path.starts_with("materials/"))
+    std::erase_if(scene.lights, [](const Light& light) { return kinds::light(light).is_delta; });
+  else
+    std::replace_if(scene.materials.begin(), scene.materials.end(), mirrors, diffuse({0.5, 0.5, 0.5}));
+  for (Shape& shape : scene.shapes)
+    if (const auto* plane = std::get_if<Plane>(&shape.geometry)) {
+      const Vec3 u = 4 * plane->u, v = 4 * plane->v;
+      shape.geometry = Rectangle{plane->point - u - v, 2 * u, 2 * v};
+    }
+  return scene;
+}
+
+TEST_CASE("every light, from both ends") {
+  require_pocl_and_rusticl();
+  Scene point = grey_ball(), sky = grey_ball(), sun = grey_ball(), all = under_lamp(diffuse({0.7, 0.5, 0.3}, true));
+  hold_both_ends_like_path("area", all);
+  add(point, PointLight{{1, -2, 3}, {20, 15, 10}});
+  hold_both_ends_like_path("point", point);
+  add(sky, ConstantLight{{1, 0.9, 0.8}});
+  hold_both_ends_like_path("constant", sky);
+  add(sun, DirectionalLight{{0.3, 0.2, -1}, {3, 3, 3}});
+  hold_both_ends_like_path("directional", sun);
+  add(all, PointLight{{1, -2, 3}, {5, 5, 5}});
+  add(all, ConstantLight{{0.2, 0.2, 0.4}});
+  add(all, DirectionalLight{{0.3, 0.2, -1}, {0.5, 0.5, 0.5}});
+  hold_both_ends_like_path("all of them", all);
+}
+
+TEST_CASE("lights of the project's scenes, from both ends") {
+  require_pocl_and_rusticl();
+  for (const char* name : {"envmap", "sunsky", "projector", "spot", "screen", "sphere", "mesh"})
+    hold_both_ends_like_path(name, shipped(std::string("lights/") + name));
+}
+
+/// Materials that are drawn otherwise from one side than from the other, mirrors and glass, and masks.
+TEST_CASE("materials, from both ends") {
+  require_pocl_and_rusticl();
+  Material glass, smooth;
+  glass.bsdf = RoughDielectric{};
+  smooth.bsdf = Dielectric{};
+  for (const Material& material : {glass, smooth}) {
+    Scene scene = under_lamp(diffuse({0.6, 0.6, 0.6}, true));
+    scene.materials.push_back(material);
+    scene.shapes[1].material = 1;
+    scene.integrator.max_depth = 8;
+    hold_both_ends_like_path(std::holds_alternative<Dielectric>(material.bsdf) ? "glass" : "rough glass", scene, 256,
+                             0.03);
+  }
+  for (const char* name : {"roughconductor", "normalmap", "roughplastic", "plastic", "blendbsdf"})
+    hold_both_ends_like_path(name, shipped(std::string("materials/") + name), 64);
+  hold_both_ends_like_path("mask", shipped("materials/mask"), 64);
+}
+
+/// Light goes straight on, and each such path is made from either end alone.
+TEST_CASE("a lamp behind a pane, from both ends") {
+  require_pocl_and_rusticl();
+  Scene scene = under_lamp(diffuse({0.7, 0.5, 0.3}, true));
+  Material pane;
+  pane.bsdf = ThinDielectric{};
+  scene.materials.push_back(pane);
+  add(scene, Rectangle{{-2, -2, 3.9}, {4, 0, 0}, {0, 4, 0}});
+  scene.shapes.back().material = static_cast<int>(scene.materials.size()) - 1;
+  scene.integrator.max_depth = 3;
+  hold_both_ends_like_path("pane", scene, 64, 0.05);
+}
+
+/// Longer paths than all techniques make.
+TEST_CASE("long paths, from both ends") {
+  require_pocl_and_rusticl();
+  Scene scene = load_scene((scene_folder / "cornell/cornell-box.xml").string()).scene;
+  for (Material& material : scene.materials) material.bsdf = Diffuse{{{0.9, 0.9, 0.9}}};
+  for (const int depth : {10, 12, 40}) {
+    scene.integrator.max_depth = depth;
+    scene.integrator.rr_depth = 40;
+    hold_both_ends_like_path("depth " + std::to_string(depth), scene);
+  }
+}
+
+TEST_CASE("cameras, filters and depths, from both ends") {
+  require_pocl_and_rusticl();
+  Scene scene = under_lamp(diffuse({0.7, 0.5, 0.3}, true));
+  scene.film.filter = {FilterKind::tent};
+  scene.camera.aperture_radius = 0.2;
+  scene.camera.focus_distance = 5;
+  hold_both_ends_like_path("tent and lens", scene);
+  scene.camera.aperture_radius = 0;
+  scene.camera.projection = Projection::orthographic;
+  hold_both_ends_like_path("orthographic", scene);
+  scene.film.crop = Window{3, 8, 27, 28};
+  hold_both_ends_like_path("part", scene, 128);
+  for (const int depth : {1, 2}) {
+    scene = under_lamp(diffuse({0.7, 0.5, 0.3}, true));
+    scene.camera = perspective_camera({0, -5, 1}, {0, 0, 2.5}, {0, 0, 1}, 70);  // It sees the lamp from below.
+    add(scene, ConstantLight{{0.2, 0.2, 0.2}});
+    scene.integrator.max_depth = depth;
+    hold_both_ends_like_path("depth", scene);
+    scene.integrator.hide_emitters = true;
+    if (depth > 1) hold_both_ends_like_path("hidden", scene);
+  }
+}
+
+TEST_CASE("caustics as paths from the lights find them") {
+  require_pocl_and_rusticl();
+  hold_alike("bdpt", "ptracer", "caustic", load_scene((scene_folder / "lights/caustic.xml").string()).scene,
+             128 * times, times > 1 ? 0.002 : 0.02);
+}
+
+TEST_CASE("the same bits by any lanes, launches and programs, from both ends") {
+  require_pocl_and_rusticl();
+  Scene cornell = small_scene(scene_folder / "cornell/cornell-box.xml", 29, 23, 16);
+  Scene caustic = small_scene(scene_folder / "lights/caustic.xml", 29, 23, 16);
+  for (Scene scene : {caustic, cornell}) {
+    scene.integrator.name = "bdpt";
+    const RenderResult expected = render("pocl", scene, {});
+    CHECK(lit_pixels(expected.color) > 200);
+    for (const int lanes : {1, 16}) {
+      RenderSettings other;
+      other.lanes = lanes;
+      other.passes = 5;
+      other.work_group = {3, 2};
+      other.generic = lanes == 16;
+      const RenderResult found = render("pocl", scene, other);
+      CHECK(same_bits(expected, found));
+      REQUIRE((expected.error && found.error));
+      CHECK(expected.error->rmse == found.error->rmse);
+    }
+  }
+}
+
+TEST_CASE("on a device that ends loops, from both ends, too") {
+  require_pocl_and_rusticl();
+  Scene scene = stage({Sphere{{0, 0, 0}, 1.5}}, diffuse({0.8, 0.8, 0.8}));
+  add(scene, PointLight{{0, 1, 4}, {8, 8, 8}});
+  scene.integrator.name = "bdpt";
+  scene.film.width = scene.film.height = 8;
+  scene.film.filter = {FilterKind::box, 0.5, 0.5};
+  scene.sampler.kind = SamplerKind::independent;
+  scene.sampler.sample_count = 256;
+  RenderSettings watched;
+  watched.precision = Precision::stable;
+  RenderSettings plain = watched;
+  watched.loop_turns = 65534;
+  watched.passes = 1;
+  const RenderResult expected = render("pocl", scene, plain);
+  CHECK(same_bits(expected, render("pocl", scene, watched)));
+  CHECK(same_bits(expected, render("llvmpipe", scene, watched)));
+}
+
+TEST_CASE("what paths from both ends cannot have is refused") {
+  require_pocl_and_rusticl();
+  Scene scene = grey_ball();
+  add(scene, PointLight{{1, -2, 3}, {20, 15, 10}});
+  scene.integrator.name = "bdpt";
+  const auto why_not = [&]() -> std::string {
+    try {
+      Renderer(Device::open("pocl"), scene, {});
+    } catch (const std::exception& error) {
+      return error.what();
+    }
+    return {};
+  };
+  scene.shapes[1].priority = 1;
+  CHECK_THAT(why_not(), Catch::Contains("overlaps by priority"));
+  scene.shapes[1].priority.reset();
+  scene.media.emplace_back();
+  CHECK_THAT(why_not(), Catch::Contains("take integrator volpath"));
+}
+
+}  // namespace
+}  // namespace strahl::test
