@@ -21,7 +21,7 @@ using namespace strahl::test;
 
 namespace {
 
-constexpr std::size_t page = 4096;
+constexpr std::size_t page_bytes = 4096;
 /// More than any int leads to, in doubles.
 constexpr std::size_t beyond = std::size_t{40} << 30;
 
@@ -30,7 +30,8 @@ enum class Flush { with_end, with_begin };
 /// A copy of numbers with `beyond` bytes on both sides that end the process if they are read.
 class Guarded {
  public:
-  Guarded(const void* from, std::size_t bytes, Flush flush) : held_((bytes + page - 1) / page * page) {
+  Guarded(const void* from, std::size_t bytes, Flush flush)
+      : held_((bytes + page_bytes - 1) / page_bytes * page_bytes) {
     whole_ = mmap(nullptr, held_ + 2 * beyond, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
     REQUIRE(whole_ != MAP_FAILED);
     char* const first = static_cast<char*>(whole_) + beyond;
@@ -77,12 +78,12 @@ std::vector<Flip> flips_of(const std::vector<std::int32_t>& index, std::size_t m
 }
 
 /// What a child process tells, also one that does not come back.
-struct Told {
+struct FlipProgress {
   std::size_t flip;
   std::size_t traced;
 };
 
-struct Outcome {
+struct FlipOutcome {
   std::size_t flips = 0, traced = 0;
   std::vector<std::string> faults;
 };
@@ -112,15 +113,15 @@ class Flipping {
   [[nodiscard]] const std::vector<std::int32_t>& index() const { return packed_.index; }
 
   /// is_checked: flips that check_packed refuses are not traced.
-  Outcome run(const std::vector<Flip>& flips, Flush flush, bool is_checked = true) {
+  FlipOutcome run(const std::vector<Flip>& flips, Flush flush, bool is_checked = true) {
     const Guarded geometry = guarded(packed_.geometry, flush), shading = guarded(packed_.shading, flush);
     const Guarded index = guarded(packed_.index, flush);
     const TierBuffers buffers{geometry.data(), shading.data(), reinterpret_cast<const std::int32_t*>(index.data())};
-    auto* const told =
-        static_cast<Told*>(mmap(nullptr, page, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0));
+    auto* const told = static_cast<FlipProgress*>(
+        mmap(nullptr, page_bytes, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0));
     REQUIRE(told != MAP_FAILED);
     *told = {};
-    Outcome outcome;
+    FlipOutcome outcome;
     while (told->flip < flips.size() && outcome.faults.size() < 5) {
       const pid_t child = fork();
       REQUIRE(child >= 0);
@@ -139,7 +140,7 @@ class Flipping {
     }
     outcome.flips = told->flip;
     outcome.traced = told->traced;
-    munmap(told, page);
+    munmap(told, page_bytes);
     return outcome;
   }
 
@@ -180,7 +181,7 @@ void flip_all(const Scene& scene, const TransportTier& tier) {
   const std::vector<Flip> flips = flips_of(flipping.index(), most_places());
   std::size_t traced = 0;
   for (const Flush flush : {Flush::with_end, Flush::with_begin}) {
-    const Outcome outcome = flipping.run(flips, flush);
+    const FlipOutcome outcome = flipping.run(flips, flush);
     for (const std::string& fault : outcome.faults) UNSCOPED_INFO(fault);
     CHECK(outcome.faults.empty());
     traced = outcome.traced;
@@ -202,7 +203,7 @@ void flip_every_tier(const Scene& scene, const std::vector<TransportTier>& tiers
   }
 }
 
-Scene shipped(const std::string& name) { return load_scene(STRAHL_SOURCE_DIR "/scenes/" + name); }
+Scene shipped(const std::string& name) { return load_scene(STRAHL_SOURCE_DIR "/scenes/" + name).scene; }
 
 /// Packs to thousands of ints at most.
 const std::vector<std::string> scenes = {
