@@ -26,7 +26,8 @@ std::vector<PackedPart> parts_of(const Scene& scene, const UploadFrame& frame) {
   std::vector<PackedPart> parts;
   std::int64_t first_id = 0;
   for_each_shape(scene, [&](const Shape& shape) {
-    const PackedPart part{first_id, primitive_count(shape), surface_frame(shape.geometry, frame).has_value()};
+    const PackedPart part{first_id, primitive_count(shape), surface_frame(shape.geometry, frame).has_value(),
+                          std::holds_alternative<Mesh>(shape.geometry)};
     parts.insert(parts.end(), static_cast<std::size_t>(part_count(shape)), part);
     first_id += part.primitives;
   });
@@ -77,6 +78,9 @@ void check_parts(PackedRanges<Real>& ranges, const PackedFacts& facts) {
     ranges.within(row[layout::PART_GLOW], -1, facts.texture_rows, "the texture of the light of part", i);
     ranges.within(row[layout::PART_LIGHT], -1, ranges.at(layout::HEADER_LIGHT_COUNT), "the light of part", i);
     reals(layout::PART_AXES, 9, part.has_frame, "the axes of part");
+    // With texture coordinates of its own a part is read as one of triangles.
+    for (const int field : {layout::PART_NORMALS, layout::PART_UVS, layout::PART_ATTRIBUTES})
+      ranges.require(part.is_mesh || row[field] == -1, "what only meshes have, of part", i);
     reals(layout::PART_NORMALS, 9 * part.primitives, false, "the normals of part");
     reals(layout::PART_UVS, 6 * part.primitives, false, "the texture coordinates of part");
     reals(layout::PART_UV_RATES, 2, facts.texture_rows > 0, "the rates of texture coordinates of part");

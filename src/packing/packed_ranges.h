@@ -62,7 +62,7 @@ class PackedRanges {
 /// The parts of check_packed, each in its file; what they find is in `ranges`.
 struct PackedPart {
   std::int64_t first_id, primitives;  ///< Of its shape.
-  bool has_frame;
+  bool has_frame, is_mesh;
 };
 struct PackedFacts {
   const Scene& scene;

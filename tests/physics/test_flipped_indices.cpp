@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include <catch2/catch.hpp>
+#include <csignal>
 #include <cstring>
 #include <random>
 
@@ -126,6 +127,7 @@ class Flipping {
       const pid_t child = fork();
       REQUIRE(child >= 0);
       if (child == 0) {
+        for (const int fault : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT}) std::signal(fault, SIG_DFL);
         for (; told->flip < flips.size(); ++told->flip)
           told->traced += trace(flips[told->flip], buffers, reinterpret_cast<std::int32_t*>(index.data()), is_checked);
         _exit(0);
@@ -171,8 +173,10 @@ class Flipping {
   PackedScene<Real> packed_;
 };
 
+const bool is_long = std::getenv("STRAHL_ALL_FLIPS") != nullptr;
+
 /// As many places of a scene as this run may take.
-std::size_t most_places() { return std::getenv("STRAHL_ALL_FLIPS") != nullptr ? 1U << 30 : 250; }
+std::size_t most_places() { return is_long ? 1U << 30 : 150; }
 
 template <class Real>
 void flip_all(const Scene& scene, const TransportTier& tier) {
@@ -189,7 +193,7 @@ void flip_all(const Scene& scene, const TransportTier& tier) {
   // Both happen.
   CHECK(traced > 0);
   CHECK(traced < flips.size());
-  if (std::getenv("STRAHL_ALL_FLIPS") != nullptr)
+  if (is_long)
     WARN(tier.name << " x " << tier.lanes << ": " << flips.size() << " flips of " << flipping.index().size()
                    << " ints, " << traced << " of them traced");
 }
@@ -206,16 +210,18 @@ void flip_every_tier(const Scene& scene, const std::vector<TransportTier>& tiers
 Scene shipped(const std::string& name) { return load_scene(STRAHL_SOURCE_DIR "/scenes/" + name).scene; }
 
 /// Packs to thousands of ints at most.
-const std::vector<std::string> scenes = {
-    "lecture/lit.xml",         "instances/mushrooms.xml",  "lights/stage.xml",      "lights/screen.xml",
-    "lights/mesh.xml",         "lights/envmap.xml",        "lights/sunsky.xml",     "lights/projector.xml",
-    "lights/caustic.xml",      "materials/blendbsdf.xml",  "materials/coating.xml", "materials/mask.xml",
-    "materials/normalmap.xml", "materials/dielectric.xml", "textures/bitmap.xml",   "textures/mesh_attribute.xml",
-    "shapes/mesh-ply.xml"};
+const std::vector<std::string> few_scenes = {"lecture/lit.xml", "instances/mushrooms.xml", "lights/screen.xml",
+                                             "materials/blendbsdf.xml", "textures/mesh_attribute.xml"};
+const std::vector<std::string> more_scenes = {
+    "lights/stage.xml",        "lights/mesh.xml",          "lights/envmap.xml",     "lights/sunsky.xml",
+    "lights/projector.xml",    "lights/caustic.xml",       "materials/coating.xml", "materials/mask.xml",
+    "materials/normalmap.xml", "materials/dielectric.xml", "textures/bitmap.xml",   "shapes/mesh-ply.xml"};
 
 }  // namespace
 
 TEST_CASE("a flipped index is refused, or does no harm") {
+  std::vector<std::string> scenes = few_scenes;
+  if (is_long) scenes.insert(scenes.end(), more_scenes.begin(), more_scenes.end());
   for (const std::string& name : scenes) {
     INFO(name);
     flip_every_tier(shipped(name), transport_robust());
@@ -223,7 +229,8 @@ TEST_CASE("a flipped index is refused, or does no harm") {
 }
 
 TEST_CASE("media with a flipped index") {
-  for (const char* name : {"media/smoke.xml", "media/candle.xml", "media/fog.xml"}) {
+  for (const char* name : {"media/candle.xml", "media/smoke.xml", "media/fog.xml"}) {
+    if (!is_long && name == std::string("media/smoke.xml")) break;
     INFO(name);
     flip_every_tier(shipped(name), transport_media());
   }
