@@ -7,6 +7,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <csignal>
 #include <cstring>
@@ -176,26 +177,31 @@ class Flipping {
 const bool is_long = std::getenv("STRAHL_ALL_FLIPS") != nullptr;
 
 /// As many places of a scene as this run may take.
-std::size_t most_places() { return is_long ? 1U << 30 : 150; }
+std::size_t most_places() { return is_long ? 1U << 30 : 140; }
 
 template <class Real>
 void flip_all(const Scene& scene, const TransportTier& tier) {
   Flipping<Real> flipping(scene, tier);
   REQUIRE(flipping.fault().empty());
   const std::vector<Flip> flips = flips_of(flipping.index(), most_places());
-  std::size_t traced = 0;
+  std::size_t tried = 0, traced = 0;
   for (const Flush flush : {Flush::with_end, Flush::with_begin}) {
-    const FlipOutcome outcome = flipping.run(flips, flush);
+    std::vector<Flip> some;
+    // Every flip both ways takes long.
+    for (std::size_t i = 0; i < flips.size(); ++i)
+      if (is_long || (i % 2 == 0) == (flush == Flush::with_end)) some.push_back(flips[i]);
+    const FlipOutcome outcome = flipping.run(some, flush);
     for (const std::string& fault : outcome.faults) UNSCOPED_INFO(fault);
     CHECK(outcome.faults.empty());
-    traced = outcome.traced;
+    tried += outcome.flips;
+    traced += outcome.traced;
   }
   // Both happen.
   CHECK(traced > 0);
-  CHECK(traced < flips.size());
+  CHECK(traced < tried);
   if (is_long)
-    WARN(tier.name << " x " << tier.lanes << ": " << flips.size() << " flips of " << flipping.index().size()
-                   << " ints, " << traced << " of them traced");
+    WARN(tier.name << " x " << tier.lanes << ": " << tried << " flips of " << flipping.index().size() << " ints, "
+                   << traced << " of them traced");
 }
 
 void flip_every_tier(const Scene& scene, const std::vector<TransportTier>& tiers) {
@@ -222,9 +228,14 @@ const std::vector<std::string> more_scenes = {
 TEST_CASE("a flipped index is refused, or does no harm") {
   std::vector<std::string> scenes = few_scenes;
   if (is_long) scenes.insert(scenes.end(), more_scenes.begin(), more_scenes.end());
+  std::vector<TransportTier> tiers = transport_robust();
   for (const std::string& name : scenes) {
     INFO(name);
-    flip_every_tier(shipped(name), transport_robust());
+    if (is_long)
+      flip_every_tier(shipped(name), tiers);
+    else
+      flip_every_tier(shipped(name), {tiers.front()});
+    std::rotate(tiers.begin(), tiers.begin() + 1, tiers.end());
   }
 }
 
