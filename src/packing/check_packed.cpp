@@ -69,7 +69,7 @@ void check_parts(PackedRanges<Real>& ranges, const PackedFacts& facts) {
     const auto row = rows.subspan(static_cast<std::size_t>(i) * layout::PART_INTS, layout::PART_INTS);
     const PackedPart& part = facts.parts[static_cast<std::size_t>(i)];
     // -1: not there.
-    const auto reals = [&](int field, std::int64_t size, bool is_needed, const char* what) {
+    const auto reals = [&](std::size_t field, std::int64_t size, bool is_needed, const char* what) {
       if (is_needed || row[field] != -1) ranges.shading(row[field], size, what, i);
     };
     ranges.require(row[layout::PART_FIRST_ID] == part.first_id, "the first id of part", i);
@@ -79,7 +79,7 @@ void check_parts(PackedRanges<Real>& ranges, const PackedFacts& facts) {
     ranges.within(row[layout::PART_LIGHT], -1, ranges.at(layout::HEADER_LIGHT_COUNT), "the light of part", i);
     reals(layout::PART_AXES, 9, part.has_frame, "the axes of part");
     // With texture coordinates of its own a part is read as one of triangles.
-    for (const int field : {layout::PART_NORMALS, layout::PART_UVS, layout::PART_ATTRIBUTES})
+    for (const std::size_t field : {layout::PART_NORMALS, layout::PART_UVS, layout::PART_ATTRIBUTES})
       ranges.require(part.is_mesh || row[field] == -1, "what only meshes have, of part", i);
     reals(layout::PART_NORMALS, 9 * part.primitives, false, "the normals of part");
     reals(layout::PART_UVS, 6 * part.primitives, false, "the texture coordinates of part");
