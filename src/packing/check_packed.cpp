@@ -83,7 +83,8 @@ void check_parts(PackedRanges<Real>& ranges, const PackedFacts& facts) {
       ranges.require(part.is_mesh || row[field] == -1, "what only meshes have, of part", i);
     reals(layout::PART_NORMALS, 9 * part.primitives, false, "the normals of part");
     reals(layout::PART_UVS, 6 * part.primitives, false, "the texture coordinates of part");
-    reals(layout::PART_UV_RATES, 2, facts.texture_rows > 0, "the rates of texture coordinates of part");
+    reals(layout::PART_UV_RATES, 2, facts.texture_rows > 0 && facts.count("textures") > 0,
+          "the rates of texture coordinates of part");
   }
 }
 
