@@ -239,6 +239,21 @@ TEST_CASE("a flipped index is refused, or does no harm") {
   }
 }
 
+TEST_CASE("what is packed is sound, whatever the program leaves out") {
+  for (const std::string& name : few_scenes)
+    for (const std::string& integrator : kinds::integrator_names())
+      for (const bool is_generic : {false, true}) {
+        INFO(name << ", " << integrator << (is_generic ? ", generic" : ""));
+        Scene scene = shipped(name);
+        scene.integrator.name = integrator;
+        RenderSettings settings;
+        settings.generic = is_generic;
+        const Features features = features_of(scene, settings);
+        const PackOptions options{8, UploadFrame{{1, 2, 3}, 0.5}, 0};
+        CHECK(fault_of_packed(pack_scene<float>(scene, features, options), scene, features, options).empty());
+      }
+}
+
 TEST_CASE("media with a flipped index") {
   for (const char* name : {"media/candle.xml", "media/smoke.xml", "media/fog.xml"}) {
     if (!is_long && name == std::string("media/smoke.xml")) break;
