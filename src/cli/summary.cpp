@@ -101,7 +101,7 @@ std::string kernel_summary(const RunStats& stats) {
       "device {}\nprogram {} ({}; {}, {} lane{}), {}\nlaunches {}, the longest {:.4f} s; {:.1f} MiB on the device, "
       "{:.1f} MiB on the host",
       stats.device, stats.program, stats.program_from_cache ? "from the cache" : "built", stats.precision, stats.lanes,
-      stats.lanes == 1 ? "" : "s", fmt::join(stats.features, " "), stats.kernel_runs.size(), stats.longest_launch(),
+      stats.lanes == 1 ? "" : "s", fmt::join(stats.features, " "), stats.launches(), stats.longest_launch(),
       static_cast<double>(stats.device_bytes) / (1 << 20), static_cast<double>(stats.host_bytes) / (1 << 20));
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "packing/check_packed.h"
 #include "packing/memory_estimate.h"
 
 namespace strahl {
@@ -20,6 +21,7 @@ cl::Buffer upload(const Device& device, const std::vector<T>& values, const std:
 template <typename Real>
 SceneBuffers upload_as(const Device& device, const Scene& scene, const Features& features, const PackOptions& options) {
   const PackedScene<Real> packed = pack_scene<Real>(scene, features, options);
+  check_packed(packed, scene, features, options);
   const std::uint64_t memory = device.info().global_memory;
   if (packed.bytes() > memory)
     throw NoDeviceError(fmt::format("the scene needs {} MiB and {} has {} MiB: choose a device with more memory (-d)",

@@ -13,8 +13,9 @@ FilmRun::Unfinished FilmRun::launch_once(const Launch& launch, int band_row) {
   write_buffer(state_.device, state_.counters, zero.data(), zero.size() * sizeof(std::uint32_t));
   const Stopwatch start;
   state_.launch(launch, band_row);
-  run.kernel_runs.push_back(start.seconds());
-  run.seconds.kernel += run.kernel_runs.back();
+  const double seconds = start.seconds();
+  run.add_launch(seconds);
+  run.seconds.kernel += seconds;
   std::vector<std::uint32_t> counted(layout::COUNTERS);
   read_buffer(state_.device, state_.counters, counted.data(), counted.size() * sizeof(std::uint32_t));
   run.saturated_samples += counted[layout::COUNT_SATURATED];

@@ -179,7 +179,7 @@ void FilmRun::add(const Part& part, const Launch& launch, std::size_t worker) {
   for (const auto counted :
        {&RunStats::shadow_rays, &RunStats::bounce_rays, &RunStats::nodes_visited, &RunStats::primitives_tested})
     if (run.*counted && part.stats.*counted) *(run.*counted) += *(part.stats.*counted);
-  run.kernel_runs.insert(run.kernel_runs.end(), part.stats.kernel_runs.begin(), part.stats.kernel_runs.end());
+  run.add_launches(part.stats);
   run.shares[worker].samples += part.stats.camera_rays;
   is_cut_ = is_cut_ || part.is_cut;
 }

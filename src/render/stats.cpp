@@ -47,7 +47,19 @@ Json shares_of(const std::vector<DeviceShare>& shares) {
 }  // namespace
 
 double RunStats::longest_launch() const {
-  return kernel_runs.empty() ? 0 : *std::max_element(kernel_runs.begin(), kernel_runs.end());
+  return kernel_runs.empty() ? 0 : std::max(longest_of_more, *std::max_element(kernel_runs.begin(), kernel_runs.end()));
+}
+
+void RunStats::add_launch(double run_seconds) {
+  if (kernel_runs.size() < most_kept_runs) return kernel_runs.push_back(run_seconds);
+  ++more_runs;
+  longest_of_more = std::max(longest_of_more, run_seconds);
+}
+
+void RunStats::add_launches(const RunStats& part) {
+  for (const double run_seconds : part.kernel_runs) add_launch(run_seconds);
+  more_runs += part.more_runs;
+  longest_of_more = std::max(longest_of_more, part.longest_of_more);
 }
 
 std::string RunStats::json() const {
@@ -69,6 +81,7 @@ std::string RunStats::json() const {
       {"total", seconds.total},
   };
   json["kernel_runs"] = kernel_runs;
+  json["launches"] = launches();
   json["longest_launch"] = longest_launch();
   json["rays"] = {
       {"camera", camera_rays}, {"shadow", count_or_null(shadow_rays)}, {"bounce", count_or_null(bounce_rays)}};

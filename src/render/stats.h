@@ -42,7 +42,10 @@ struct DeviceShare {
 
 struct RunStats {
   PhaseSeconds seconds;
-  std::vector<double> kernel_runs;  ///< Seconds of each launch (render) or each repetition (intersect).
+  /// Seconds of each launch (render; the first most_kept_runs) or each repetition (intersect).
+  std::vector<double> kernel_runs;
+  std::uint64_t more_runs = 0;  ///< Launches beyond: a render of days would keep millions of numbers.
+  double longest_of_more = 0;
   std::uint64_t camera_rays = 0;
   std::optional<std::uint64_t> shadow_rays;  ///< Only the instrumented program counts these.
   std::optional<std::uint64_t> bounce_rays;
@@ -76,6 +79,11 @@ struct RunStats {
   std::uint64_t lost_interfaces = 0;  ///< Surfaces of glass with a priority that could not be tracked: no free place.
   std::uint64_t invalid_samples = 0;  ///< NaN sample channels, counted as black.
 
+  static constexpr std::size_t most_kept_runs = 1024;
+  void add_launch(double run_seconds);
+  /// Those of a part of the picture.
+  void add_launches(const RunStats& part);
+  [[nodiscard]] std::uint64_t launches() const { return kernel_runs.size() + more_runs; }
   [[nodiscard]] double longest_launch() const;
   /// The documented JSON object, pretty-printed.
   [[nodiscard]] std::string json() const;

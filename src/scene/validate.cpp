@@ -23,8 +23,6 @@ namespace strahl {
 
 namespace {
 
-constexpr int largest_size = 65536;
-
 class Checker {
  public:
   explicit Checker(std::vector<Diagnostic>& found) : found_(found) {}
@@ -237,9 +235,9 @@ void check_camera(const Camera& camera, Checker& check) {
 
 void check_film(const Film& film, Checker& check) {
   check.at(film.where);
-  const auto is_size = [](int size) { return size >= 1 && size <= largest_size; };
+  const auto is_size = [](int size) { return size >= 1 && size <= Film::largest_size; };
   check.require(is_size(film.width) && is_size(film.height), "the film is {} x {}; sizes lie in [1, {}]", film.width,
-                film.height, largest_size);
+                film.height, Film::largest_size);
   const Window w = film.window();
   check.require(w.x0 >= 0 && w.y0 >= 0 && w.x0 < w.x1 && w.y0 < w.y1 && w.x1 <= film.width && w.y1 <= film.height,
                 "the crop window must hold a pixel and lie inside the picture");

@@ -38,6 +38,19 @@ TEST_CASE("the longest launch is that of the list") {
   CHECK(Json::parse(stats.json()).at("longest_launch") == 0.0);
   stats.kernel_runs = {0.1, 0.3, 0.2};
   CHECK(Json::parse(stats.json()).at("longest_launch") == 0.3);
+  CHECK(Json::parse(stats.json()).at("launches") == 3);
+}
+
+TEST_CASE("a long render keeps no more and more launches") {
+  strahl::RunStats stats, all;
+  for (int i = 0; i < 5000; ++i) stats.add_launch(i == 4000 ? 2.0 : 0.5);
+  for (int i = 0; i < 2; ++i) all.add_launches(stats);
+  for (const strahl::RunStats* of : {&stats, &all}) {
+    const Json json = Json::parse(of->json());
+    CHECK(json.at("kernel_runs").size() == strahl::RunStats::most_kept_runs);
+    CHECK(json.at("launches") == (of == &all ? 10000 : 5000));
+    CHECK(json.at("longest_launch") == 2.0);
+  }
 }
 
 TEST_CASE("no number and no name makes the text unreadable") {

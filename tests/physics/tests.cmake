@@ -24,7 +24,8 @@ endforeach()
 
 # cl/lights, areas, choosers, textures, packets and integrators in every tier.
 add_library(strahl_host_transport STATIC physics/transport_fast.cpp physics/transport_stable.cpp
-            physics/transport_robust.cpp physics/transport_double.cpp)
+            physics/transport_robust.cpp physics/transport_double.cpp
+            physics/transport_media.cpp)
 set_target_properties(strahl_host_transport PROPERTIES UNITY_BUILD OFF)
 target_include_directories(strahl_host_transport PRIVATE ${PROJECT_SOURCE_DIR}/cl ${CMAKE_CURRENT_SOURCE_DIR})
 # -Wno-maybe-uninitialized: a ray's way back from an instance is there only where it has gone into one.
@@ -35,6 +36,9 @@ target_compile_options(strahl_host_transport PRIVATE -O1 -Wno-psabi -Wno-int-in-
 foreach(name areas blends coats reliefs sun lights choosers textures environment mitsuba_images mitsuba_lights integrators)
   strahl_test(physics/test_${name}.cpp LABEL unit LIBS strahl_host_transport)
 endforeach()
+strahl_test(physics/test_flipped_indices.cpp LABEL unit LIBS strahl_host_transport)
+add_test(NAME physics_test_flipped_indices_all COMMAND physics_tests "-#" "[#test_flipped_indices]")
+set_tests_properties(physics_test_flipped_indices_all PROPERTIES LABELS slow TIMEOUT 14400 ENVIRONMENT STRAHL_ALL_FLIPS=1)
 strahl_test(physics/test_packets.cpp LABEL unit LIBS strahl_host_transport strahl_selftest)
 
 # Names of their own mean something else in each.

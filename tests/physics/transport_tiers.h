@@ -144,6 +144,7 @@ struct PacketTier {
 [[nodiscard]] std::vector<TransportTier> transport_stable();
 [[nodiscard]] std::vector<TransportTier> transport_robust();
 [[nodiscard]] std::vector<TransportTier> transport_double();
+[[nodiscard]] std::vector<TransportTier> transport_media();  ///< In double, of programs with media.
 [[nodiscard]] PacketTier packets_stable();
 [[nodiscard]] PacketTier packets_robust();
 

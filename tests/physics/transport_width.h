@@ -262,7 +262,12 @@ inline std::vector<Triad> LANED(radiance_along)(const TierBuffers& buffers, cons
     path.sample = sample_begin_w(&scene, splat_uint_w(0u), lane_numbers_w() + first);
     paths_begin_w(&scene, &path, ~none_w(), &rays);
     while (any_w(path.alive)) {
+#if HAS_MEDIA
+      Surfaces_w s = meet_surfaces_w(&scene, &path, FIND_NEAREST, &unreported);
+      media_travel_w(&scene, &path, &s);
+#else
       const Surfaces_w s = find_surfaces_w(&scene, &path, FIND_NEAREST_APPROXIMATELY, &unreported);
+#endif
       surface_step_w(&scene, &path, &s, &branches);
     }
     LANED(for_lanes)(first, samples, [&](std::size_t i, int lane) { found[i] = LANED(triad_at)(path.radiance, lane); });

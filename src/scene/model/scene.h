@@ -290,6 +290,7 @@ struct Window {
 };
 
 struct Film {
+  static constexpr int largest_size = 65536;  ///< Of width and height.
   int width = 768;
   int height = 576;
   std::optional<Window> crop;  ///< None: the whole picture.

@@ -12,8 +12,6 @@ namespace strahl {
 
 namespace {
 
-constexpr int largest_size = 65536;
-
 void read_crop(Properties& properties, Film& film) {
   const char* names[] = {"crop_offset_x", "crop_offset_y", "crop_width", "crop_height"};
   const bool is_cropped = std::any_of(std::begin(names), std::end(names), [&](auto n) { return properties.has(n); });
@@ -21,8 +19,8 @@ void read_crop(Properties& properties, Film& film) {
   const int x = properties.integer_in("crop_offset_x", 0, film.width - 1).value_or(0);
   const int y = properties.integer_in("crop_offset_y", 0, film.height - 1).value_or(0);
   // Without a size the window is the whole picture, as in Mitsuba; beside an offset it then does not fit.
-  const int width = properties.integer_in("crop_width", 1, largest_size).value_or(film.width);
-  const int height = properties.integer_in("crop_height", 1, largest_size).value_or(film.height);
+  const int width = properties.integer_in("crop_width", 1, Film::largest_size).value_or(film.width);
+  const int height = properties.integer_in("crop_height", 1, Film::largest_size).value_or(film.height);
   const char* wide = properties.has("crop_width") ? "crop_width" : "crop_offset_x";
   const char* high = properties.has("crop_height") ? "crop_height" : "crop_offset_y";
   if (x + width > film.width)
@@ -46,8 +44,8 @@ Film read_film(const XmlElement& element, SceneBuilder& builder) {
         element.where, fmt::format("{}; it is read as hdrfilm", not_available("film", properties.type(), {"hdrfilm"})));
   Film film;
   film.where = element.where;
-  film.width = properties.integer_in("width", 1, largest_size).value_or(film.width);
-  film.height = properties.integer_in("height", 1, largest_size).value_or(film.height);
+  film.width = properties.integer_in("width", 1, Film::largest_size).value_or(film.width);
+  film.height = properties.integer_in("height", 1, Film::largest_size).value_or(film.height);
   read_crop(properties, film);
   const std::vector<const XmlElement*> filters = properties.objects("rfilter");
   if (!filters.empty()) film.filter = read_filter(*filters.front(), builder);
