@@ -1,5 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""Cameras, integrators, modes of textures, media."""
+"""Cameras, integrators, modes of textures, media.
+
+Media are Mitsuba's volpathmis: its volpath weights distances by the one channel that drew them, so what is thin in red and
+thick in blue comes out too dark in red where no rare path of great weight is among the samples.
+"""
 
 from pictures.lights import SKY, aimed, glow, point, spot
 from pictures.materials import RED, facets
@@ -50,6 +54,7 @@ def mode(*inside, file="letter.png"):
 WINDOW = (
     integer("crop_offset_x", 20) + integer("crop_offset_y", 12) + integer("crop_width", 32) + integer("crop_height", 32)
 )
+CLOUD = pathlib.Path(__file__).parent / "cloud.vol"
 UPRIGHT = '<scale x="3" y="2"/>'
 CAMERAS = {
     "fov-x": seen(
@@ -128,13 +133,13 @@ def thick(scale, *inside):
 def smoke(place, *inside):
     """The unit cube of a grid, and the grid in it."""
     to = f'<translate x="-0.5" y="-0.5" z="-0.5"/><scale x="1.2" y="0.9" z="1"/><rotate y="1" angle="35"/>{at(place)}'
-    grid = f'<volume name="sigma_t" type="gridvolume">{string("filename", SCENES / "media" / "smoke.vol")}{transform(to)}</volume>'
+    grid = f'<volume name="sigma_t" type="gridvolume">{string("filename", CLOUD)}{transform(to)}</volume>'
     cube = f'<translate x="1" y="1" z="1"/><scale value="0.5"/>{to}'
     return shape("cube", cube, NULL, medium(grid, *inside, kind="heterogeneous"))
 
 
 def aired(*things, **frame):
-    return scene(*things, **{"integrator": path(32, "volpath"), "wall": WALL, **frame})
+    return scene(*things, **{"integrator": path(32, "volpathmis"), "wall": WALL, **frame})
 
 
 NULL = bsdf("null")
@@ -169,7 +174,7 @@ MEDIA = {
         ball(PLACES[0], NULL, thick(4)),
         ring(PLACES[2], WATER, thick(8)),
         ball(PLACES[3], HALF),
-        integrator=path(3, "volpath"),
+        integrator=path(3, "volpathmis"),
     ),
     "fog": aired(*IN_FOG, wall="", camera=sensor(medium='<ref id="fog"/>')),
     "fog-beams": aired(
