@@ -142,25 +142,26 @@ def write_table(table):
     TABLE.write_text("\n".join(lines) + "\n")
 
 
-def compare(found, table, freedom):
-    """Whether no block of any scene is further off than chance has it."""
-    chances = {}
-    for name, values in found.items():
-        slack = max([ROUNDING, *(value for key, value in TABULATED.items() if name.startswith(key))])
-        if len(values) != len(table.get(name, [])):
-            raise SystemExit(f"{name}: {len(values)} values, {len(table.get(name, []))} in {TABLE.name}")
-        chances[name] = [welch(a, b, freedom, slack) for a, b in zip(values, table[name])]
-    count = sum(len(of) for of in chances.values())
-    least = -math.expm1(math.log1p(-LEVEL) / count)
+def compare(found, table, names):
+    """Whether no block of any scene is further off than chance has it. found: name and values of each, as they come."""
+    freedom = MITSUBA_RENDERS - 1
+    count = sum(len(table.get(name, [])) for name in names)
+    least = -math.expm1(math.log1p(-LEVEL) / max(count, 1))
     good = True
-    for name, of in chances.items():
-        worst = min(range(len(of)), key=of.__getitem__)
-        a, b = found[name][worst][0], table[name][worst][0]
-        whole = math.fsum(v for v, _ in found[name]) / max(math.fsum(v for v, _ in table[name]), 1e-30)
-        good &= of[worst] >= least
-        print(f"{name:24} {len(of):3} values, least p {of[worst]:.2g} (block {worst // 3}: {a:.5g}, Mitsuba {b:.5g}), "
-              f"whole {whole:.4f}: {'same' if of[worst] >= least else 'DIFFERENT'}", flush=True)
-    print(f"{count} values of {len(chances)} pictures, p >= {least:.2g}: {'all agree' if good else 'DIFFERENT'}")
+    for name, values in found:
+        slack = max([ROUNDING, *(value for key, value in TABULATED.items() if name.startswith(key))])
+        expected = table.get(name, [])
+        if not expected or len(values) != len(expected):
+            raise SystemExit(f"{name}: {len(values)} values, {len(expected)} in {TABLE.name}")
+        chances = [welch(a, b, freedom, slack) for a, b in zip(values, expected)]
+        worst = min(range(len(chances)), key=chances.__getitem__)
+        whole = math.fsum(v for v, _ in values) / max(math.fsum(v for v, _ in expected), 1e-30)
+        good &= chances[worst] >= least
+        at = f"block {worst // 3}: {values[worst][0]:.5g}, Mitsuba {expected[worst][0]:.5g}"
+        word = "same" if chances[worst] >= least else "DIFFERENT"
+        print(f"{name:24} least p {chances[worst]:.2g} ({at}), whole {whole:.4f}: {word}", flush=True)
+    word = "all agree" if good else "DIFFERENT"
+    print(f"{count} values of {len(names)} pictures, p >= {least:.2g}: {word}")
     return good
 
 
@@ -176,16 +177,16 @@ def main():
             print(f"skipped: {missing}")
             return 77
         table = read_table() if TABLE.exists() else {}
-        found = {}
-        for name in chosen:
-            found[name] = by_mitsuba(SCENES[name])
-            if words[0] == "--write":
-                write_table({**table, **found})
-        return 0 if words[0] == "--write" or compare(found, table, MITSUBA_RENDERS - 1) else 1
-    table = read_table()
+        found = ((name, by_mitsuba(SCENES[name])) for name in chosen)
+        if words[0] == "--check":
+            return 0 if compare(found, table, chosen) else 1
+        for name, values in found:
+            table[name] = values
+            write_table(table)
+        return 0
     with tempfile.TemporaryDirectory() as folder:
-        found = {name: by_strahl(words[0], SCENES[name], 1, pathlib.Path(folder)) for name in chosen}
-    return 0 if compare(found, table, MITSUBA_RENDERS - 1) else 1
+        found = ((name, by_strahl(words[0], SCENES[name], 1, pathlib.Path(folder))) for name in chosen)
+        return 0 if compare(found, read_table(), chosen) else 1
 
 
 if __name__ == "__main__":
