@@ -172,6 +172,14 @@ TEST_CASE("reliefs have a map, Mitsuba's options and a material inside") {
   CHECK_FALSE(heights.flip_invalid_normals);
   CHECK_FALSE(heights.use_shadowing_function);
   CHECK(problem("<bsdf type=\"normalmap\">" + white + "</bsdf>").find("needs a normalmap") != std::string::npos);
+  const Relief scaled = relief_of(
+      "<bsdf type=\"bumpmap\"><float name=\"scale\" value=\"3\"/><texture type=\"scale\"><float name=\"scale\" "
+      "value=\".5\"/>" +
+      letter + "</texture>" + white + "</bsdf>");
+  CHECK(scaled.scale == 1.5);
+  CHECK(scaled.map.texture == 0);
+  CHECK(problem("<bsdf type=\"bumpmap\"><texture type=\"scale\"/>" + white + "</bsdf>").find("needs one <texture>") !=
+        std::string::npos);
   CHECK(problem("<bsdf type=\"bumpmap\">" + white + "</bsdf>").find("needs one <texture>") != std::string::npos);
   CHECK(problem("<bsdf type=\"bumpmap\">" + letter + "</bsdf>").find("needs one <bsdf>") != std::string::npos);
   CHECK(problem("<bsdf type=\"normalmap\">" + map + "<bsdf type=\"normalmap\">" + map + white + "</bsdf></bsdf>")

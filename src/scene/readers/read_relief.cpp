@@ -36,6 +36,20 @@ Material relief_of(Properties& properties, SceneBuilder& builder, Relief relief)
   return material;
 }
 
+/// The texture within Mitsuba 0.x's `scale`, whose factor `scale` takes; else the texture itself.
+const XmlElement* scaled_texture(const XmlElement& texture, SceneBuilder& builder, double& scale) {
+  if (texture.text("type") != "scale") return &texture;
+  Properties properties(texture, builder.ids, builder.diagnostics);
+  const std::vector<const XmlElement*> inside = properties.objects("texture");
+  if (inside.size() != 1) {
+    builder.diagnostics.error(properties.where(), fmt::format("{} needs one <texture> inside", properties.title()));
+    return &texture;
+  }
+  scale *= properties.number("scale").value_or(1);
+  properties.report_unknown();
+  return inside.front();
+}
+
 }  // namespace
 
 Material read_normalmap(Properties& properties, SceneBuilder& builder) {
@@ -54,7 +68,7 @@ Material read_bumpmap(Properties& properties, SceneBuilder& builder) {
   if (textures.size() != 1)
     builder.diagnostics.error(properties.where(), fmt::format("{} needs one <texture> inside", properties.title()));
   else
-    relief.map = read_nested_texture(*textures.front(), builder);
+    relief.map = read_nested_texture(*scaled_texture(*textures.front(), builder, relief.scale), builder);
   return relief_of(properties, builder, relief);
 }
 
