@@ -71,7 +71,8 @@ TEST_CASE("samples that are spread filter by themselves: the board is not blurre
   require_pocl_and_rusticl();
   const double scale = 6.1, width = scale / 12;
   Scene scene = board({scale, 0, 0, 0, scale, 0});
-  scene.sampler = {SamplerKind::sobol, 1024, 0};
+  scene.sampler.kind = SamplerKind::sobol;
+  scene.sampler.sample_count = 1024;
   scene.film.filter = {FilterKind::box, 0.5, 0.5};
   scene.film.crop = Window{3, 3, 9, 9};
   const Image image = color(scene, Precision::fp64);
