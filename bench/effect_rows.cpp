@@ -17,16 +17,16 @@
 namespace strahl::bench {
 namespace {
 
-constexpr int side = 64;
-constexpr int samples = 256;
+constexpr int row_pixels = 64;
+constexpr int row_samples = 256;
 
 /// Small, with samples enough for a launch to take a while.
 Scene small(Scene scene) {
-  const double scale = static_cast<double>(side) / std::max(scene.film.width, scene.film.height);
+  const double scale = static_cast<double>(row_pixels) / std::max(scene.film.width, scene.film.height);
   scene.film.width = std::max(8, static_cast<int>(std::lround(scale * scene.film.width)));
   scene.film.height = std::max(8, static_cast<int>(std::lround(scale * scene.film.height)));
   scene.film.crop.reset();
-  scene.sampler.sample_count = samples;
+  scene.sampler.sample_count = row_samples;
   return scene;
 }
 
