@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "bench/commands.h"
+#include "bench/effect_rows.h"
 #include "bench/effects.h"
 #include "image/atomic_file.h"
 #include "image/file_bytes.h"
@@ -15,11 +16,13 @@ namespace strahl::bench {
 namespace {
 
 constexpr const char* kScenes = STRAHL_BENCH_FOLDER "/../scenes/";
-constexpr const char *kBegin = "<!-- measured: bench/run effects -->\n", *kEnd = "<!-- end -->";
+constexpr const char *kBegin = "<!-- measured: bench/run effects -->\n",
+                     *kEach = "<!-- measured: bench/run effects --each -->\n", *kEnd = "<!-- end -->";
 
 struct EffectsCommand {
   EffectsOptions what;
   std::string device;
+  bool each = false;
   std::string report;
 };
 
@@ -29,17 +32,18 @@ void write(const std::string& path, const std::string& text) {
   file.commit();
 }
 
-/// Between the marks; the JSON stands beside.
-void write_report(const Effects& effects, const std::string& path) {
+/// Between the marks; the JSON goes beside, under its own name.
+void write_report(const std::string& path, const char* mark, const std::string& measured, const std::string& json_path,
+                  const std::string& json_text) {
   std::string page = read_file(path);
-  const std::size_t begin = page.find(kBegin), end = page.find(kEnd);
-  if (begin == std::string::npos || end == std::string::npos || end < begin)
+  const std::size_t begin = page.find(mark), end = page.find(kEnd, begin);
+  if (begin == std::string::npos || end == std::string::npos)
     throw UsageError(fmt::format("{}: there are no marks `{}` and `{}` around what is measured", path,
-                                 std::string(kBegin).substr(0, std::string(kBegin).size() - 1), kEnd));
-  const std::size_t from = begin + std::string(kBegin).size();
-  page.replace(from, end - from, markdown(effects));
+                                 std::string(mark).substr(0, std::string(mark).size() - 1), kEnd));
+  const std::size_t from = begin + std::string(mark).size();
+  page.replace(from, end - from, measured);
   write(path, page);
-  write(std::filesystem::path(path).replace_extension(".json").string(), json(effects));
+  write(json_path, json_text);
 }
 
 void run(EffectsCommand options) {
@@ -51,10 +55,18 @@ void run(EffectsCommand options) {
         options.what.scenes.push_back(entry.path().string());
   std::sort(options.what.scenes.begin(), options.what.scenes.end());
   const Device device = Device::open(options.device);
-  const Effects effects = measure_effects(
-      device, options.what, [](const std::string& line) { fmt::print(stderr, "strahl-bench: {}\n", line); });
+  const EffectsProgress tell = [](const std::string& line) { fmt::print(stderr, "strahl-bench: {}\n", line); };
+  const std::string stem = std::filesystem::path(options.report).replace_extension().string();
+  if (options.each) {
+    const std::vector<EffectRow> rows = measure_effect_rows(device, options.what, tell);
+    fmt::print("{}", markdown(rows, device));
+    if (!options.report.empty())
+      write_report(options.report, kEach, markdown(rows, device), stem + "-each.json", json(rows, device));
+    return;
+  }
+  const Effects effects = measure_effects(device, options.what, tell);
   fmt::print("{}", markdown(effects));
-  if (!options.report.empty()) write_report(effects, options.report);
+  if (!options.report.empty()) write_report(options.report, kBegin, markdown(effects), stem + ".json", json(effects));
 }
 
 }  // namespace
@@ -66,6 +78,7 @@ Command add_effects(CLI::App& app) {
       ->delimiter(',')
       ->type_name("LIST");
   CLI::Option* spheres = app.add_flag("--spheres", options->what.only_spheres, "The ten spheres alone");
+  app.add_flag("--each", options->each, "A row for each effect instead: with it and without it")->excludes(spheres);
   app.add_option("--rounds", options->what.rounds, "Timed rounds")->capture_default_str()->check(CLI::Range(1, 1000));
   app.add_option("--frame", options->what.frame_seconds, "Seconds that a timed frame takes, about")
       ->capture_default_str()

@@ -68,6 +68,9 @@ FN void surface_scatter_w(const Scene* scene, Paths_w* path, const Surfaces_w* s
     passed = passed | open;
     on = on & ~open;
   }
+#if HAS_MEDIA
+  if ((next & STEP_THROUGH) != 0) on = on & lt_int_w(path->depth, splat_int_w(scene->index[HEADER_MAX_DEPTH] - 1));
+#endif
   if (any_w(on)) {
     Bsdf_w b = bsdf_at_w(scene, s, &at, wo);
     Crossing_w crossing;

@@ -10,5 +10,6 @@ FN maskw volpath_step_w(const Scene* scene, Paths_w* path, const Surfaces_w* s, 
   int max_depth = scene->index[HEADER_MAX_DEPTH];
   if (max_depth > 0) path_add_light_w(scene, path, s);
   *next = volpath_STEPS_w;
-  return path->alive & s->hit & lt_int_w(path->depth, splat_int_w(max_depth - 1));
+  // At its last depth a path still passes what does not count, towards lights (surface_scatter_w).
+  return path->alive & s->hit & lt_int_w(path->depth, splat_int_w(max_depth));
 }

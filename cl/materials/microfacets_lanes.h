@@ -16,8 +16,12 @@ enum { MICROFACETS_SLOTS_w = 3 };
 
 FN void microfacets_load_w(const Scene* scene, const Surfaces_w* s, intw rows, maskw which, int slot, Bsdf_w* b,
                            int first) {
-  for (int k = 0; k < MICROFACETS_SLOTS_w; ++k)
-    put_bsdf_color_w(b, which, first + 3 * k, parameter_at_w(scene, s, which, rows, slot + k));
+  for (int k = 0; k < MICROFACETS_SLOTS_w; ++k) {
+    real3w value = parameter_at_w(scene, s, which, rows, slot + k);
+    int is_number = k < 2;
+    if (is_number) value.x = luminance_w(value);
+    put_bsdf_color_w(b, which, first + 3 * k, value);
+  }
 }
 
 FN Microfacets_w microfacets_of_w(const Bsdf_w* b, int first) {

@@ -17,13 +17,14 @@ FN real3 interpolate3(GLOBAL const real* abc, real u, real v) {
 }
 
 /// Where u of a triangle's texture coordinates (u, v of each vertex) grows: the inverse of the map from its edges to
-/// them. 0 where they span no area.
+/// them. As of the weight of the second corner where they span no area.
 FN real3 triangle_along(GLOBAL const real* prim, int stride, GLOBAL const real* uv) {
   real3 p0 = vec3(prim[0], prim[stride], prim[2 * stride]);
   real3 e1 = sub3(vec3(prim[3 * stride], prim[4 * stride], prim[5 * stride]), p0);
   real3 e2 = sub3(vec3(prim[6 * stride], prim[7 * stride], prim[8 * stride]), p0);
   real v1 = uv[3] - uv[1], v2 = uv[5] - uv[1], area = difference_of_products(uv[2] - uv[0], v2, uv[4] - uv[0], v1);
-  real sign = area < R(0.0) ? -R(1.0) : area > R(0.0) ? R(1.0) : R(0.0);
+  if (area == R(0.0)) return e1;
+  real sign = area < R(0.0) ? -R(1.0) : R(1.0);
   return scale3(sign, fma3(v2, e1, scale3(-v1, e2)));
 }
 

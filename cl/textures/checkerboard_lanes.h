@@ -2,6 +2,9 @@
 // Two colours in squares of 1/2 by 1/2 of the mapped (u, v), four to a unit, as in Mitsuba's plugin.
 // Parameters: colour 0, colour 1 (r g b each), then the map: u' = m0 u + m1 v + m2, v' = m3 u + m4 v + m5.
 //
+// The footprint is the pixel's where rays go through pixels' centres, and an eighth of it where samples are spread over
+// the pixel, which filter by themselves (M. Pharr et al., "Physically Based Rendering", 4th ed., 10.1.3, take no less
+// either): it is too wide on slants and where a mesh is stretched, which pictures of many samples would show.
 // Up to a footprint of half a square the value is that of the point. Beyond, it is the exact mean over a box of the
 // footprint's size (A. Apodaca, L. Gritz, "Advanced RenderMan", 2000, ch. 11, do it with the integral of the wave as
 // here). The footprint is at least the distance between neighbouring values of the coordinate. So where this distance
@@ -40,8 +43,9 @@ FN real3w checkerboard_value_w(const Scene* scene, GLOBAL const int* row, Textur
   GLOBAL const real* params = scene->shading + row[TEXTURE_REALS];
   GLOBAL const real* m = params + 6;
   Real2_w p = mapped_uv_w(m, at.u, at.v);
-  realw width_x = fma_w(splat_w(real_abs(m[0])), at.du, splat_w(real_abs(m[1])) * at.dv);
-  realw width_y = fma_w(splat_w(real_abs(m[3])), at.du, splat_w(real_abs(m[4])) * at.dv);
+  realw part = splat_w(row[TEXTURE_FILTER] > 1 ? R(1.0) / (real)row[TEXTURE_FILTER] : R(1.0));
+  realw width_x = part * fma_w(splat_w(real_abs(m[0])), at.du, splat_w(real_abs(m[1])) * at.dv);
+  realw width_y = part * fma_w(splat_w(real_abs(m[3])), at.du, splat_w(real_abs(m[4])) * at.dv);
   // 1: all of colour 0. Weights before the sum, so that each colour comes out exactly.
   realw even = splat_w(R(0.5)), one = splat_w(R(1.0));
   realw share = fma_w(even * checker_wave_w(p.x, width_x), checker_wave_w(p.y, width_y), even);

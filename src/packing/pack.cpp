@@ -118,7 +118,8 @@ class Packing {
     for (const Texture& texture : scene_.textures) {
       const kinds::TextureFacts facts = kinds::texture(texture);
       const int kind = features_.entry_index("textures", facts.entry);
-      rows.insert(rows.end(), {kind, packed_.put_shading(facts.reals), 0, 0, 0, 1});
+      const int parts = resolve_sampling(scene_).kind == SamplerKind::centre ? 1 : 8;
+      rows.insert(rows.end(), {kind, packed_.put_shading(facts.reals), 0, parts, 0, 1});
       const std::span last = std::span(rows).last(layout::TEXTURE_INTS);
       if (kind >= 0 && !facts.attribute.empty()) last[layout::TEXTURE_IMAGE] = attribute_number(facts.attribute);
       if (kind < 0 || facts.bitmap == nullptr) continue;

@@ -82,6 +82,8 @@ void Renderer::State::prepare() {
   stats.program = program_hash(source);
   stats.program_from_cache = report.from_cache;
   stats.program_bytes = report.binary_bytes;
+  stats.private_bytes = checked(device.info().text(),
+                                [&] { return kernel.getWorkGroupInfo<CL_KERNEL_PRIVATE_MEM_SIZE>(device.device()); });
   stats.texture_lod = features.flag("TEXTURE_LOD");
   stats.disabled.assign(settings.disabled.begin(), settings.disabled.end());
   for (const FeatureReport& row : features.report)

@@ -70,6 +70,7 @@ struct RunStats {
   TreeStats tree;
   bool program_from_cache = false;
   std::uint64_t program_bytes = 0;       ///< Of its binary.
+  std::uint64_t private_bytes = 0;       ///< Of a work-item, as the driver tells it: PoCL says 1024 of any kernel.
   std::string program;                   ///< Hash, as `explain` prints it.
   std::optional<ErrorBudget> error;      ///< None: not measured.
   std::optional<double> clipped_pixels;  ///< Share of the pixels brighter than the file's white; none: it has no white.

@@ -37,6 +37,7 @@ EffectCost cost_of(const VariantTimes& all, const VariantTimes& less) {
   EffectCost cost;
   cost.program_bytes = static_cast<double>(all.bytes) - static_cast<double>(less.bytes);
   cost.build_seconds = all.build() - less.build();
+  cost.private_bytes = static_cast<double>(all.private_bytes) - static_cast<double>(less.private_bytes);
   if (is_black(less.color) && !is_black(all.color)) {
     cost.frame_needed = "the picture would be black";
     return cost;
@@ -52,13 +53,14 @@ EffectCost cost_of(const VariantTimes& all, const VariantTimes& less) {
 }  // namespace
 
 EffectCosts measure_effects(const Device& device, const Scene& scene, const RenderSettings& settings,
-                            const VariantRounds& rounds, const StudyProgress& progress) {
+                            const VariantRounds& rounds, const StudyProgress& progress,
+                            const std::set<std::string>& chosen) {
   EffectCosts costs;
   std::vector<RenderSettings> variants{settings};
   variants[0].cached_program = false;
   std::vector<std::string> names{""};
   for (const FeatureReport& row : features_of(scene, settings).report) {
-    if (!row.on) continue;
+    if (!row.on || (!chosen.empty() && !chosen.contains(row.name))) continue;
     EffectCost& cost = costs.effects[row.name];
     const std::optional<RenderSettings> less = without(row.name, variants[0], cost.needed);
     if (!less) continue;

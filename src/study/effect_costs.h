@@ -3,6 +3,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <string>
 
 #include "study/variants.h"
@@ -17,6 +18,7 @@ struct EffectCost {
   double build_seconds = 0;
   double kernel_seconds = 0;  ///< Of a timed frame: median of the rounds' differences.
   double kernel_share = 0;    ///< Of the frame with it.
+  double private_bytes = 0;   ///< Of a work-item.
 };
 
 struct EffectCosts {
@@ -24,8 +26,9 @@ struct EffectCosts {
   std::map<std::string, EffectCost> effects;  ///< Those that are on.
 };
 
-/// Builds the scene's program and one without each effect that can be left out.
+/// Builds the scene's program and one without each effect that can be left out; of those named, where some are.
 [[nodiscard]] EffectCosts measure_effects(const Device& device, const Scene& scene, const RenderSettings& settings,
-                                          const VariantRounds& rounds, const StudyProgress& progress = {});
+                                          const VariantRounds& rounds, const StudyProgress& progress = {},
+                                          const std::set<std::string>& names = {});
 
 }  // namespace strahl

@@ -68,6 +68,7 @@ VariantStudy time_variants(const Device& device, Scene scene, const std::vector<
       if (build + 1 < rounds.builds) continue;
       times.program = result.stats.program;
       times.bytes = result.stats.program_bytes;
+      times.private_bytes = result.stats.private_bytes;
       times.color = std::move(result.color);
       if (i == 0) first.emplace(std::move(renderer));
       for (int round = 0; round < rounds.frames; ++round) {

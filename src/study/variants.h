@@ -17,8 +17,9 @@
 namespace strahl {
 
 struct VariantTimes {
-  std::string program;    ///< Its hash.
-  std::size_t bytes = 0;  ///< Of its binary.
+  std::string program;              ///< Its hash.
+  std::size_t bytes = 0;            ///< Of its binary.
+  std::uint64_t private_bytes = 0;  ///< Of a work-item, as the driver tells it.
   std::vector<double> build_seconds;
   std::vector<double> kernel_seconds;  ///< Of a frame, a round each.
   std::vector<double> first_seconds;   ///< Of the first variant in the same rounds.

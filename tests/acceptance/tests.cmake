@@ -29,6 +29,16 @@ add_test(NAME acceptance_mitsuba_images
          COMMAND python3 -B ${CMAKE_CURRENT_LIST_DIR}/mitsuba_images.py $<TARGET_FILE:strahl-bin>)
 set_tests_properties(acceptance_mitsuba_images PROPERTIES LABELS slow SKIP_RETURN_CODE 77 TIMEOUT 1800)
 
+# What lies at the heart of materials on every carrier; all of them are slow. Python alone.
+add_test(NAME acceptance_pictures_few
+         COMMAND python3 -B ${CMAKE_CURRENT_LIST_DIR}/mitsuba_pictures.py $<TARGET_FILE:strahl-bin> roughconductor roughconductor-textured carriers)
+set_tests_properties(acceptance_pictures_few PROPERTIES LABELS render TIMEOUT 300)
+add_test(NAME acceptance_pictures
+         COMMAND python3 -B ${CMAKE_CURRENT_LIST_DIR}/mitsuba_pictures.py $<TARGET_FILE:strahl-bin>)
+set_tests_properties(acceptance_pictures PROPERTIES LABELS slow TIMEOUT 3600)
+add_test(NAME acceptance_mitsuba_pictures COMMAND python3 -B ${CMAKE_CURRENT_LIST_DIR}/mitsuba_pictures.py --check)
+set_tests_properties(acceptance_mitsuba_pictures PROPERTIES LABELS slow SKIP_RETURN_CODE 77 TIMEOUT 3600)
+
 # Needs a python3 with scikit-image and flip-evaluator (PyPI).
 add_test(NAME acceptance_metrics_peers
          COMMAND python3 -B ${CMAKE_CURRENT_LIST_DIR}/metrics_peers.py $<TARGET_FILE:strahl-bin>)

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 // What bench/run effects measures of scenes whose samples it may and may not compare, a small one of each sampler.
 #include <catch2/catch.hpp>
+#include <map>
 
+#include "bench/effect_rows.h"
 #include "bench/effects.h"
 #include "support/devices.h"
 
@@ -27,4 +29,22 @@ TEST_CASE("effects of a scene with each sampler") {
   }
   CHECK(effects.scenes[2].of_16.has_value());
   CHECK(effects.generic.bytes > effects.scenes[0].study.variants[0].bytes);
+}
+
+TEST_CASE("a row for each effect: from the scene of its name, else from the first that has it") {
+  test::require_pocl_and_rusticl();
+  bench::EffectsOptions options;
+  options.folder = STRAHL_SOURCE_DIR "/scenes/";
+  for (const char* name : {"shapes/disk.xml", "shapes/rectangle.xml"}) options.scenes.push_back(options.folder + name);
+  options.rounds = 1;
+  options.frame_seconds = 0.001;
+  const std::vector<bench::EffectRow> rows =
+      bench::measure_effect_rows(Device::open("pocl"), options, [](const std::string& line) { UNSCOPED_INFO(line); });
+  std::map<std::string, const bench::EffectRow*> of;
+  for (const bench::EffectRow& row : rows) CHECK(of.emplace(row.effect, &row).second);
+  REQUIRE(of.contains("shapes/rectangle"));
+  CHECK(of["shapes/rectangle"]->scene == "shapes/rectangle.xml");
+  CHECK(of["shapes/disk"]->cost.program_bytes > 0);
+  CHECK(of["lights/point"]->scene == "shapes/disk.xml");
+  CHECK_FALSE(of.contains("integrators/direct"));
 }

@@ -182,6 +182,10 @@ TEST_CASE("A texture has its row, and shapes then say how fast u and v change") 
   const Ints texture = read.ints(read.header(layout::HEADER_TEXTURES), layout::TEXTURE_INTS);
   CHECK(texture[layout::TEXTURE_KIND] == 0);
   CHECK(read.shading(texture[layout::TEXTURE_REALS], 12) == Reals{1, 0.5, 0.25, 0, 0.125, 0, 2, 3, 4, 5, 6, 7});
+  CHECK(texture[layout::TEXTURE_FILTER] == 8);
+  scene.sampler.kind = SamplerKind::centre;
+  const Read<double> centred(scene, {8, {}});
+  CHECK(centred.ints(centred.header(layout::HEADER_TEXTURES), layout::TEXTURE_INTS)[layout::TEXTURE_FILTER] == 1);
   CHECK(read.shading(read.part(0)[layout::PART_UV_RATES], 2) == Reals{0.25, 0.5});
   const Reals sphere = read.shading(read.part(1)[layout::PART_UV_RATES], 2);
   CHECK(sphere[0] == Approx(0.25 * std::numbers::inv_pi));

@@ -107,6 +107,24 @@ TEST_CASE("A cube's faces share their corners to the bit and look outwards, what
   }
 }
 
+TEST_CASE("u and v run over a cube's faces as over the mesh that is Mitsuba's cube") {
+  const std::vector<Primitive> faces = planes(Cube{{-1, -1, -1}, {{{2, 0, 0}, {0, 2, 0}, {0, 0, 2}}}}, {0, 0, 0});
+  // Where u and v are 0, and where u is 1: Mesh::compute_surface_interaction of Mitsuba 3.9.1's cube.
+  const std::array<std::array<Vec3, 3>, 6> of_mitsuba{{{{{-1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}}},
+                                                       {{{1, -1, 1}, {1, 1, 1}, {1, -1, -1}}},
+                                                       {{{-1, -1, -1}, {-1, -1, 1}, {1, -1, -1}}},
+                                                       {{{1, 1, 1}, {-1, 1, 1}, {1, 1, -1}}},
+                                                       {{{-1, 1, -1}, {-1, -1, -1}, {1, 1, -1}}},
+                                                       {{{-1, -1, 1}, {-1, 1, 1}, {1, -1, 1}}}}};
+  for (std::size_t face = 0; face < 6; ++face) {
+    const auto [a, b, c, d] = corners(faces[face]);
+    CHECK(length(a - of_mitsuba.at(face)[0]) == 0);
+    CHECK(length(b - of_mitsuba.at(face)[1]) == 0);
+    CHECK(length(d - of_mitsuba.at(face)[2]) == 0);
+    CHECK(length(a + c - b - d) == 0);
+  }
+}
+
 TEST_CASE("A plane's frame holds the duals of u and v, and the point that they count from") {
   const Plane plane{{1, 2, 3}, {0, 0, 5}, {2, 0, 0}, {1, 4, 0}};
   const auto [du, dv, point] = frame_of(plane, {1, 1, 1});

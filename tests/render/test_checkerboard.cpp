@@ -67,6 +67,27 @@ TEST_CASE("a pixel wider than half a square shows the mean over its own size") {
   CHECK(contrast > 0.1);
 }
 
+TEST_CASE("samples that are spread filter by themselves: the board is not blurred a second time") {
+  require_pocl_and_rusticl();
+  const double scale = 6.1, width = scale / 12;
+  Scene scene = board({scale, 0, 0, 0, scale, 0});
+  scene.sampler.kind = SamplerKind::sobol;
+  scene.sampler.sample_count = 1024;
+  scene.film.filter = {FilterKind::box, 0.5, 0.5};
+  scene.film.crop = Window{3, 3, 9, 9};
+  const Image image = color(scene, Precision::fp64);
+  const auto wave = [&](double x) {
+    int total = 0;
+    for (int i = 0; i < 10000; ++i) total += fraction(x + width * ((i + 0.5) / 10000 - 0.5)) > 0.5 ? -1 : 1;
+    return total / 10000.;
+  };
+  for (int y = 0; y < 6; ++y)
+    for (int x = 0; x < 6; ++x) {
+      const double share = 0.5 + 0.5 * wave(scale * stage_x(x + 3)) * wave(scale * stage_y(y + 3));
+      REQUIRE(image.at(x, y, 0) == Approx(0.25 + 0.75 * share).margin(0.01));
+    }
+}
+
 TEST_CASE("towards the horizon the board fades to even grey") {
   require_pocl_and_rusticl();
   constexpr int size = 96;

@@ -26,6 +26,20 @@ TEST_CASE("a medium that only absorbs lets e^-depth through") {
   }
 }
 
+TEST_CASE("at its last depth a path still finds the light behind surfaces that do not count") {
+  require_pocl_and_rusticl();
+  Scene seen = filled(slab(1), medium({0.7, 0.7, 0.7}, {0, 0, 0}));
+  seen.integrator.max_depth = 1;
+  CHECK(static_cast<double>(color(seen, Precision::robust).at(10, 20, 0)) == Approx(std::exp(-0.7)).epsilon(5e-6));
+  Scene furnace = filled(slab(1), medium({1e-6, 1e-6, 1e-6}, {0, 0, 0}));
+  furnace.materials.push_back(diffuse({1, 1, 1}));
+  furnace.shapes.emplace_back();
+  furnace.shapes.back().geometry = floor_plane();
+  furnace.shapes.back().material = 1;
+  furnace.integrator.max_depth = 2;
+  CHECK(mean_of(drawn(furnace, 64)).g == Approx(1).margin(4e-3));
+}
+
 TEST_CASE("a medium that emits shows 1 - e^-depth of its radiance") {
   require_pocl_and_rusticl();
   for (const double depth : {1e-6, 0.1, 3.0}) {

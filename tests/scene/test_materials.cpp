@@ -52,6 +52,31 @@ TEST_CASE("a coating has the parameters of Mitsuba 0.x") {
 
 }  // namespace
 
+TEST_CASE(
+    "a checkerboard that gives a number has its colours the other way round, as Mitsuba's, and of each the mean") {
+  const std::string board =
+      "<rgb name=\"color0\" value=\".3, .6, .9\"/><float name=\"color1\" value=\".25\"/></texture>";
+  const auto named = [&](const char* name) {
+    return "<texture type=\"checkerboard\" name=\"" + std::string(name) + "\">" + board;
+  };
+  const LoadedScene loaded = load_body(
+      "<texture type=\"checkerboard\" id=\"b\">" + board + "<bsdf type=\"mask\">" + named("opacity") +
+      rough(named("alpha") + "<ref name=\"specular_reflectance\" id=\"b\"/>") +
+      "</bsdf><bsdf type=\"principled\"><ref name=\"metallic\" id=\"b\"/><ref name=\"base_color\" id=\"b\"/></bsdf>");
+  CHECK(loaded.warnings.empty());
+  int numbers = 0, colours = 0;
+  for (const Texture& texture : loaded.scene.textures) {
+    const auto& found = std::get<Checkerboard>(texture.pattern);
+    const bool is_number = found.color0 == Rgb{0.25, 0.25, 0.25};
+    CHECK(found.color1.r == Approx(is_number ? 0.6 : 0.25));
+    CHECK(found.color1.b == Approx(is_number ? 0.6 : 0.25));
+    if (!is_number) CHECK(found.color0 == Rgb{0.3, 0.6, 0.9});
+    (is_number ? numbers : colours) += 1;
+  }
+  CHECK(numbers == 3);
+  CHECK(colours == 1);
+}
+
 TEST_CASE("metals have a name, or eta and k, over the index outside") {
   const auto metal = [](const std::string& inside) {
     return read_as<Conductor>("<bsdf type=\"conductor\">" + inside + "</bsdf>").index;
@@ -147,6 +172,14 @@ TEST_CASE("reliefs have a map, Mitsuba's options and a material inside") {
   CHECK_FALSE(heights.flip_invalid_normals);
   CHECK_FALSE(heights.use_shadowing_function);
   CHECK(problem("<bsdf type=\"normalmap\">" + white + "</bsdf>").find("needs a normalmap") != std::string::npos);
+  const Relief scaled = relief_of(
+      "<bsdf type=\"bumpmap\"><float name=\"scale\" value=\"3\"/><texture type=\"scale\"><float name=\"scale\" "
+      "value=\".5\"/>" +
+      letter + "</texture>" + white + "</bsdf>");
+  CHECK(scaled.scale == 1.5);
+  CHECK(scaled.map.texture == 0);
+  CHECK(problem("<bsdf type=\"bumpmap\"><texture type=\"scale\"/>" + white + "</bsdf>").find("needs one <texture>") !=
+        std::string::npos);
   CHECK(problem("<bsdf type=\"bumpmap\">" + white + "</bsdf>").find("needs one <texture>") != std::string::npos);
   CHECK(problem("<bsdf type=\"bumpmap\">" + letter + "</bsdf>").find("needs one <bsdf>") != std::string::npos);
   CHECK(problem("<bsdf type=\"normalmap\">" + map + "<bsdf type=\"normalmap\">" + map + white + "</bsdf></bsdf>")

@@ -18,6 +18,7 @@ FN void triangle_surface(const Ray* ray, GLOBAL const real* prim, int stride, GL
   s->position = add3(fma3(s->u, e1, scale3(s->v, e2)), p0);
   s->normal = normalize3(cross3(e1, e2));
   s->facing = dot3(s->normal, ray->d);
+  if (HAS_TANGENT) s->along = e1;
   if (HAS_RELIEF) take_edge_gradients(e1, e2, s);
   take_near_point(ray, p0, e1, e2, t, s);
   s->outline = OUTLINE_TRIANGLE;

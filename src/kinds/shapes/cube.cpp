@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Parallelepiped: six parallelograms.
 #include <algorithm>
+#include <array>
 
 #include "kinds/rates_of_edges.h"
 #include "kinds/shapes.h"
@@ -9,6 +10,35 @@ namespace strahl::kinds {
 
 namespace {
 
+/// Along which axes u and v of a face run, and whether downwards: as of the mesh that is Mitsuba's cube.
+struct FaceAxes {
+  unsigned u;
+  bool is_u_down;
+  unsigned v;
+  bool is_v_down;
+};
+
+/// Faces -x, +x, -y, +y, -z, +z. u x v points inwards on all.
+constexpr std::array<FaceAxes, 6> face_axes{{{1, false, 2, false},
+                                             {1, false, 2, true},
+                                             {2, false, 0, false},
+                                             {0, true, 2, true},
+                                             {1, true, 0, false},
+                                             {1, false, 0, false}}};
+
+/// The corner where u and v of a face are 0: a bit an axis.
+unsigned first_corner(unsigned face) {
+  const FaceAxes& axes = face_axes.at(face);
+  return (face % 2) << (face / 2) | (axes.is_u_down ? 1U << axes.u : 0U) | (axes.is_v_down ? 1U << axes.v : 0U);
+}
+
+Vec3 corner_of(const Cube& cube, unsigned bits) {
+  Vec3 p = cube.corner;
+  for (unsigned axis = 0; axis < 3; ++axis)
+    if ((bits >> axis & 1U) != 0) p = p + cube.edge.at(axis);
+  return p;
+}
+
 Vec2 larger(const Vec2& a, const Vec2& b) { return {std::max(a.x, b.x), std::max(a.y, b.y)}; }
 
 }  // namespace
@@ -16,12 +46,7 @@ Vec2 larger(const Vec2& a, const Vec2& b) { return {std::max(a.x, b.x), std::max
 int primitive_count(const Cube&) { return 6; }
 
 void extend(Extent& extent, const Cube& c) {
-  for (unsigned corner = 0; corner < 8; ++corner) {
-    Vec3 p = c.corner;
-    for (unsigned i = 0; i < 3; ++i)
-      if ((corner >> i & 1U) != 0) p = p + c.edge[i];
-    extent.add(p);
-  }
+  for (unsigned corner = 0; corner < 8; ++corner) extent.add(corner_of(c, corner));
 }
 
 void check(Faults& faults, const Cube& c) {
@@ -32,37 +57,27 @@ void check(Faults& faults, const Cube& c) {
                  "the cube's edges must span a volume");
 }
 
-/// Faces -x, +x, -y, +y, -z, +z of the cube's own axes, normals outward where those are right-handed (faces_inward).
-/// Corners are computed once, so that faces share them to the bit.
+/// Faces -x, +x, -y, +y, -z, +z of the cube's own axes. Corners are computed once, so that faces share them to the bit.
 void pack(const Planes& to, const Cube& cube) {
   std::array<Vec3, 8> corner;
-  for (unsigned i = 0; i < 8; ++i) {
-    Vec3 p = cube.corner;
-    for (unsigned axis = 0; axis < 3; ++axis)
-      if ((i >> axis) & 1u) p = p + cube.edge[axis];
-    corner[i] = p;
-  }
-  for (unsigned axis = 0; axis < 3; ++axis) {
-    const unsigned u = 1u << ((axis + 1) % 3), v = 1u << ((axis + 2) % 3);
-    for (unsigned side = 0; side < 2; ++side) {
-      const unsigned base = side << axis;
-      const unsigned first = side == 1 ? u : v, second = side == 1 ? v : u;
-      to.parallelogram(corner[base], corner[base | first], corner[base | u | v], corner[base | second]);
-    }
+  for (unsigned i = 0; i < 8; ++i) corner.at(i) = corner_of(cube, i);
+  for (unsigned face = 0; face < 6; ++face) {
+    const unsigned base = first_corner(face), u = 1U << face_axes.at(face).u, v = 1U << face_axes.at(face).v;
+    to.parallelogram(corner.at(base), corner.at(base ^ u), corner.at(base ^ u ^ v), corner.at(base ^ v));
   }
 }
 
-bool faces_inward(const Cube& cube) { return dot(cross(cube.edge[0], cube.edge[1]), cube.edge[2]) < 0; }
+bool faces_inward(const Cube& cube) { return dot(cross(cube.edge[0], cube.edge[1]), cube.edge[2]) > 0; }
 
 std::optional<std::array<double, 9>> surface_frame(const Cube&, const UploadFrame&) { return std::nullopt; }
 
-/// As in packing: outwards where the edges are right-handed.
+/// As in packing.
 void emit(AreaItems& items, const Cube& cube, int) {
   extend(items.extent(), cube);
-  for (unsigned axis = 0; axis < 3; ++axis) {
-    const Vec3 &u = cube.edge.at((axis + 1) % 3), &v = cube.edge.at((axis + 2) % 3);
-    items.flat(cube.corner, v, u, 1);
-    items.flat(cube.corner + cube.edge.at(axis), u, v, 1);
+  for (unsigned face = 0; face < 6; ++face) {
+    const auto& [u, is_u_down, v, is_v_down] = face_axes.at(face);
+    items.flat(corner_of(cube, first_corner(face)), (is_u_down ? -1.0 : 1.0) * cube.edge.at(u),
+               (is_v_down ? -1.0 : 1.0) * cube.edge.at(v), 1);
   }
 }
 

@@ -14,11 +14,7 @@ Material read_blend(Properties& properties, SceneBuilder& builder) {
     return {};
   }
   Blend blend;
-  blend.weight = read_reflectance(properties, builder, "weight", {0.5, 0.5, 0.5});
-  // As Mitsuba reads one number from a colour.
-  const Rgb& color = blend.weight.color;
-  const double mean = (color.r + color.g + color.b) / 3;
-  blend.weight.color = {mean, mean, mean};
+  blend.weight = read_share(properties, builder, "weight", 0.5);
   blend.first = material_index(*inside[0], builder);
   blend.second = material_index(*inside[1], builder);
   Material material;

@@ -19,11 +19,7 @@ Material read_mask(Properties& properties, SceneBuilder& builder) {
                                 "a mask within a mask is not supported; the inner one is left out");
     material.opacity.reset();
   }
-  Reflectance opacity = read_reflectance(properties, builder, "opacity", {0.5, 0.5, 0.5});
-  // As Mitsuba reads one number from a colour.
-  const double mean = (opacity.color.r + opacity.color.g + opacity.color.b) / 3;
-  opacity.color = {mean, mean, mean};
-  material.opacity = opacity;
+  material.opacity = read_share(properties, builder, "opacity", 0.5);
   return material;
 }
 

@@ -34,15 +34,15 @@ Microfacets read_microfacets(Properties& properties, SceneBuilder& builder) {
   microfacets.sample_visible = properties.boolean("sample_visible").value_or(true);
   const bool has_u = properties.has("alpha_u"), has_v = properties.has("alpha_v");
   if (!has_u && !has_v) {
-    microfacets.alpha_u = microfacets.alpha_v = read_varying(properties, builder, "alpha", {0.1, 0.1, 0.1});
+    microfacets.alpha_u = microfacets.alpha_v = read_number(properties, builder, "alpha", {0.1, 0.1, 0.1});
     return microfacets;
   }
   if (properties.has("alpha") || !has_u || !has_v)
     properties.diagnostics().error(properties.where(has_u ? "alpha_u" : "alpha_v"),
                                    "either alpha or both of alpha_u and alpha_v can be given");
   properties.accept({"alpha"});
-  microfacets.alpha_u = read_varying(properties, builder, "alpha_u", {0.1, 0.1, 0.1});
-  microfacets.alpha_v = read_varying(properties, builder, "alpha_v", {0.1, 0.1, 0.1});
+  microfacets.alpha_u = read_number(properties, builder, "alpha_u", {0.1, 0.1, 0.1});
+  microfacets.alpha_v = read_number(properties, builder, "alpha_v", {0.1, 0.1, 0.1});
   return microfacets;
 }
 

@@ -30,7 +30,7 @@ double read_eta(Properties& properties, bool transmits) {
 using Values = std::vector<std::pair<const char*, Varying*>>;
 
 void read_values(Properties& properties, SceneBuilder& builder, const Values& values) {
-  for (const auto& [name, value] : values) *value = read_varying(properties, builder, name, value->color);
+  for (const auto& [name, value] : values) *value = read_number(properties, builder, name, value->color);
 }
 
 void read_rates(Properties& properties, const std::vector<std::pair<const char*, double*>>& rates) {

@@ -36,6 +36,20 @@ Material relief_of(Properties& properties, SceneBuilder& builder, Relief relief)
   return material;
 }
 
+/// The texture within Mitsuba 0.x's `scale`, whose factor `scale` takes; else the texture itself. Null after an error.
+const XmlElement* scaled_texture(const XmlElement& texture, SceneBuilder& builder, double& scale) {
+  if (texture.text("type") != "scale") return &texture;
+  Properties properties(texture, builder.ids, builder.diagnostics);
+  const std::vector<const XmlElement*> inside = properties.objects("texture");
+  if (inside.size() != 1) {
+    builder.diagnostics.error(properties.where(), fmt::format("{} needs one <texture> inside", properties.title()));
+    return nullptr;
+  }
+  scale *= properties.number("scale").value_or(1);
+  properties.report_unknown();
+  return inside.front();
+}
+
 }  // namespace
 
 Material read_normalmap(Properties& properties, SceneBuilder& builder) {
@@ -53,8 +67,8 @@ Material read_bumpmap(Properties& properties, SceneBuilder& builder) {
   const std::vector<const XmlElement*> textures = properties.objects("texture");
   if (textures.size() != 1)
     builder.diagnostics.error(properties.where(), fmt::format("{} needs one <texture> inside", properties.title()));
-  else
-    relief.map = read_nested_texture(*textures.front(), builder);
+  else if (const XmlElement* heights = scaled_texture(*textures.front(), builder, relief.scale))
+    relief.map = read_nested_texture(*heights, builder);
   return relief_of(properties, builder, relief);
 }
 

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "kinds/textures.h"
 #include "scene/readers/plugin_table.h"
 
@@ -36,12 +38,20 @@ void clamp_to_one(Texture& texture, const XmlElement& element, SceneBuilder& bui
   bitmap->mean = kinds::mean_of(*bitmap->texels, bitmap->curve);
 }
 
-int texture_index(const XmlElement& element, TextureReader reader, SceneBuilder& builder, ColorUse use) {
-  const bool is_light = use == ColorUse::emission;
-  const auto known = builder.texture_indices.find({&element, is_light});
+double mean_of(const Rgb& c) { return (c.r + c.g + c.b) / 3; }
+Rgb grey(double value) { return {value, value, value}; }
+
+int texture_index(const XmlElement& element, TextureReader reader, SceneBuilder& builder, TextureUse what) {
+  if (what == TextureUse::number && element.text("type") != "checkerboard") what = TextureUse::colour;
+  const bool is_light = what == TextureUse::light;
+  const auto known = builder.texture_indices.find({&element, what});
   if (known != builder.texture_indices.end()) return known->second;
   Properties properties(element, builder.ids, builder.diagnostics);
-  Texture texture = reader(properties, builder, use);
+  Texture texture = reader(properties, builder, is_light ? ColorUse::emission : ColorUse::reflectance);
+  if (what == TextureUse::number) {
+    auto& board = std::get<Checkerboard>(texture.pattern);
+    board.color0 = grey(mean_of(std::exchange(board.color1, grey(mean_of(board.color0)))));
+  }
   if (!is_light) clamp_to_one(texture, element, builder);
   texture.is_light = is_light;
   properties.report_unknown();
@@ -49,13 +59,13 @@ int texture_index(const XmlElement& element, TextureReader reader, SceneBuilder&
   texture.where = element.where;
   builder.scene.textures.push_back(std::move(texture));
   const int index = static_cast<int>(builder.scene.textures.size()) - 1;
-  builder.texture_indices.emplace(std::pair(&element, is_light), index);
+  builder.texture_indices.emplace(std::pair(&element, what), index);
   return index;
 }
 
 /// -1: no texture that strahl has.
 int texture_of(Properties& properties, SceneBuilder& builder, const std::string& name,
-               ColorUse use = ColorUse::reflectance) {
+               TextureUse use = TextureUse::colour) {
   const XmlElement* texture = properties.peek(name);
   // <spectrum type="bitmap"> is another way to write it.
   if (texture == nullptr || (texture->tag != "texture" && texture->tag != "spectrum")) return -1;
@@ -83,10 +93,16 @@ Reflectance read_reflectance(Properties& properties, SceneBuilder& builder, cons
   return {properties.color(name, ColorUse::reflectance, {0.5, 0.5, 0.5}).value_or(absent)};
 }
 
+Reflectance read_share(Properties& properties, SceneBuilder& builder, const std::string& name, double absent) {
+  if (const int texture = texture_of(properties, builder, name, TextureUse::number); texture >= 0)
+    return {grey(absent), texture};
+  return {grey(mean_of(properties.color(name, ColorUse::reflectance, {0.5, 0.5, 0.5}).value_or(grey(absent))))};
+}
+
 Varying read_nested_texture(const XmlElement& element, SceneBuilder& builder) {
   const std::string_view type = element.text("type");
   if (const TextureReader* reader = find_plugin(texture_readers(), type))
-    return {{0.5, 0.5, 0.5}, texture_index(element, *reader, builder, ColorUse::reflectance)};
+    return {{0.5, 0.5, 0.5}, texture_index(element, *reader, builder, TextureUse::colour)};
   builder.diagnostics.unknown(element.where, not_available("texture", type, types_of(texture_readers())) +
                                                  "; the constant 0.5 takes its place");
   return {{0.5, 0.5, 0.5}};
@@ -94,7 +110,7 @@ Varying read_nested_texture(const XmlElement& element, SceneBuilder& builder) {
 
 Emission read_emission(Properties& properties, SceneBuilder& builder, const std::string& name) {
   const Rgb white{1, 1, 1};
-  if (const int texture = texture_of(properties, builder, name, ColorUse::emission); texture >= 0)
+  if (const int texture = texture_of(properties, builder, name, TextureUse::light); texture >= 0)
     return {white, texture};
   return {properties.color(name, ColorUse::emission, white).value_or(white)};
 }
@@ -102,6 +118,12 @@ Emission read_emission(Properties& properties, SceneBuilder& builder, const std:
 Varying read_varying(Properties& properties, SceneBuilder& builder, const std::string& name, const Rgb& absent) {
   if (const int texture = texture_of(properties, builder, name); texture >= 0) return {absent, texture};
   return {properties.color(name, ColorUse::value, absent).value_or(absent)};
+}
+
+Varying read_number(Properties& properties, SceneBuilder& builder, const std::string& name, const Rgb& absent) {
+  if (const int texture = texture_of(properties, builder, name, TextureUse::number); texture >= 0)
+    return {absent, texture};
+  return read_varying(properties, builder, name, absent);
 }
 
 }  // namespace strahl

@@ -30,6 +30,11 @@ using TextureReader = Texture (*)(Properties&, SceneBuilder&, ColorUse use);
 [[nodiscard]] Reflectance read_reflectance(Properties& properties, SceneBuilder& builder, const std::string& name,
                                            const Rgb& absent);
 
+/// One number in [0, 1], grey: the mean of a colour, as Mitsuba reads one. Of a checkerboard that gives a number the
+/// two colours change places, as Mitsuba 3.9's Checkerboard::eval_1 has them; so do those of read_number.
+[[nodiscard]] Reflectance read_share(Properties& properties, SceneBuilder& builder, const std::string& name,
+                                     double absent);
+
 /// A <texture> that has no name of its own; 0.5 where strahl does not have it, with a warning.
 [[nodiscard]] Varying read_nested_texture(const XmlElement& element, SceneBuilder& builder);
 
@@ -45,5 +50,9 @@ struct Emission {
 /// As read_reflectance, of values that are no shares of light.
 [[nodiscard]] Varying read_varying(Properties& properties, SceneBuilder& builder, const std::string& name,
                                    const Rgb& absent);
+
+/// The same of one number.
+[[nodiscard]] Varying read_number(Properties& properties, SceneBuilder& builder, const std::string& name,
+                                  const Rgb& absent);
 
 }  // namespace strahl

@@ -19,6 +19,9 @@
 
 namespace strahl {
 
+/// What a texture gives.
+enum class TextureUse { colour, light, number };
+
 struct SceneBuilder {
   Scene scene;
   const SearchPath& search_path;
@@ -31,9 +34,9 @@ struct SceneBuilder {
   std::map<const XmlElement*, Material> materials{};
   std::map<const XmlElement*, int> material_indices{};
   std::set<const XmlElement*> materials_being_read{};
-  std::set<const XmlElement*> integrators_being_read{};                 ///< Those around others.
-  std::optional<int> black_material{};                                  ///< read_shape.cpp, once it is needed.
-  std::map<std::pair<const XmlElement*, bool>, int> texture_indices{};  ///< read_texture.cpp; true: of a light.
+  std::set<const XmlElement*> integrators_being_read{};                       ///< Those around others.
+  std::optional<int> black_material{};                                        ///< read_shape.cpp, once it is needed.
+  std::map<std::pair<const XmlElement*, TextureUse>, int> texture_indices{};  ///< read_texture.cpp.
   std::map<const XmlElement*, std::optional<int>> group_indices{};  ///< read_group.cpp; none: nothing is left of it.
   std::map<const XmlElement*, int> medium_indices{};                ///< read_medium.cpp; -1: left out.
   std::vector<std::string> lost_emitters{};                         ///< The type of each emitter that was left out.
