@@ -2,7 +2,7 @@
 // A diffuse base, rough metal and rough glass in any proportion under a clear coat, with sheen: B. Burley, "Physically
 // Based Shading at Disney", SIGGRAPH 2012 courses, and "Extending the Disney BRDF to a BSDF with Integrated Subsurface
 // Scattering", SIGGRAPH 2015 courses, as Mitsuba has them. Sheen and the clear coat are added, so a white one may
-// reflect more than it receives (docs/scene-format.md). Parameters: a slot each, base colour r g b; roughness,
+// reflect more than it receives (docs/scene-materials.md). Parameters: a slot each, base colour r g b; roughness,
 // anisotropic, metallic, spec_trans, spec_tint, sheen, sheen_tint, flatness, clearcoat, clearcoat_gloss in the first
 // real; index of refraction inside over outside; how often the main specular lobe, the clear coat and the base are
 // drawn.

@@ -19,7 +19,7 @@ struct MaterialRow {
   std::vector<double> p;
   bool is_lossless = false;
   double spread = 1;  ///< Least roughness.
-  double most = 1;    ///< Of the light, that it may scatter (docs/scene-format.md).
+  double most = 1;    ///< Of the light, that it may scatter (docs/scene-materials.md).
 };
 
 using AnyBsdf = decltype(strahl::Material::bsdf);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// --aov albedo: the documented colour of each material (docs/scene-format.md, "Albedo"), with its texture, seen through
-// blends, masks, sides and reliefs; black where nothing is hit; whatever the integrator, and in every tier.
+// --aov albedo: the documented colour of each material (docs/scene-materials.md, "Albedo"), with its texture, seen
+// through blends, masks, sides and reliefs; black where nothing is hit; whatever the integrator, and in every tier.
 #include <catch2/catch.hpp>
 #include <cmath>
 
