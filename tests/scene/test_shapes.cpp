@@ -123,6 +123,33 @@ TEST_CASE("bounds") {
   CHECK_FALSE(bounds(load_body("<shape type=\"plane\"/>").scene));
 }
 
+/// Two squares that meet at a right angle, one of them of two triangles and with twice the sides: at the shared edge
+/// each counts by its angle, not by its triangles or its size.
+TEST_CASE("a mesh without normals is shaded smoothly, unless it says otherwise") {
+  const SceneFolder folder;
+  folder.write("fold.ply",
+               "ply\nformat ascii 1.0\nelement vertex 6\nproperty float x\nproperty float y\nproperty float z\n"
+               "element face 3\nproperty list uchar int vertex_indices\nend_header\n"
+               "0 0 0\n0 1 0\n2 1 0\n2 0 0\n0 1 1\n0 0 1\n3 0 3 2\n3 0 2 1\n4 0 1 4 5\n");
+  const std::string file = "<shape type=\"ply\"><string name=\"filename\" value=\"fold.ply\"/>";
+  const std::string flat = "<boolean name=\"face_normals\" value=\"true\"/></shape>";
+  const std::string mirrored = "<transform name=\"to_world\"><scale x=\"-1\"/><scale value=\"7\"/></transform></shape>";
+  const Scene scene =
+      load_scene(folder.write("scene.xml", around(file + "</shape>" + file + flat + file + mirrored))).scene;
+  const auto mesh = [&](std::size_t i) { return std::get<Mesh>(scene.shapes.at(i).geometry); };
+  // 90 degrees of each: the sum of both triangles' angles at vertex 0.
+  const double half = std::sqrt(0.5);
+  check_close(mesh(0).normals.at(0), {half, 0, half});
+  check_close(mesh(0).normals.at(1), {half, 0, half});
+  check_close(mesh(0).normals.at(2), {0, 0, 1});
+  check_close(mesh(0).normals.at(4), {1, 0, 0});
+  CHECK(mesh(1).normals.empty());
+  // As the triangles turn with the map.
+  check_close(mesh(2).normals.at(0), {half, 0, -half});
+  const Scene bare = load_scene(folder.path("fold.ply")).scene;
+  CHECK(std::get<Mesh>(bare.shapes.at(0).geometry).normals.empty());
+}
+
 TEST_CASE("meshes") {
   const SceneFolder folder;
   folder.write("m/square.obj", std::string("mtllib a.mtl\nusemtl red\n") + square_obj);

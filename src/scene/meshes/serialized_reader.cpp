@@ -172,6 +172,7 @@ class SerializedReader {
     file.mesh = builder.finish();
     file.mesh.part_of_triangle.clear();
     for (const std::string& warning : builder.warnings()) source_.warn(begin_, warning);
+    file.face_normals = has(face_normals);
     file.skipped_faces = skipped_.count;
     file.warnings = source_.finish();
     return file;

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "scene/meshes/mesh_file.h"
+#include "scene/meshes/vertex_normals.h"
 #include "scene/readers/mesh_import.h"
 #include "scene/readers/shape_reader.h"
 
@@ -50,6 +51,7 @@ Geometry read_geometry(ShapeInput& input, const Mesh&) {
     if (face_normals) file.mesh.normals.clear();
     if (flip_v) flip_tex_coords(file.mesh);
     to_world(file.mesh, input.world_from_object);
+    if (file.mesh.normals.empty() && !face_normals && !file.face_normals) make_vertex_normals(file.mesh);
     return std::move(file.mesh);
   } catch (const EmptyMeshError&) {
     diagnostics.unknown(properties.where("filename"),

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#include "scene/meshes/vertex_normals.h"
+
+#include <cmath>
+#include <cstddef>
+
+namespace strahl {
+
+namespace {
+
+/// Between two vectors, 0 to pi; with all its digits near both ends.
+double angle_between(const Vec3& a, const Vec3& b) { return std::atan2(length(cross(a, b)), dot(a, b)); }
+
+}  // namespace
+
+void make_vertex_normals(Mesh& mesh) {
+  mesh.normals.assign(mesh.positions.size(), Vec3{});
+  const auto position = [&](int vertex) { return mesh.positions[static_cast<std::size_t>(vertex)]; };
+  for (const std::array<int, 3>& triangle : mesh.triangles) {
+    const Vec3 across =
+        cross(position(triangle[1]) - position(triangle[0]), position(triangle[2]) - position(triangle[0]));
+    if (across == Vec3{}) continue;
+    const Vec3 normal = normalized(across);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Vec3 corner = position(triangle.at(i));
+      const double angle =
+          angle_between(position(triangle.at((i + 1) % 3)) - corner, position(triangle.at((i + 2) % 3)) - corner);
+      Vec3& sum = mesh.normals[static_cast<std::size_t>(triangle.at(i))];
+      sum = sum + angle * normal;
+    }
+  }
+  for (Vec3& normal : mesh.normals) normal = normal == Vec3{} ? Vec3{1, 0, 0} : normalized(normal);
+}
+
+}  // namespace strahl
