@@ -22,6 +22,9 @@ struct Rgb {
   friend bool operator==(const Rgb&, const Rgb&) = default;
 };
 
+/// Three equal numbers.
+[[nodiscard]] constexpr Rgb grey(double value) { return {value, value, value}; }
+
 [[nodiscard]] Vec3 operator+(const Vec3& a, const Vec3& b);
 [[nodiscard]] Vec3 operator-(const Vec3& a, const Vec3& b);
 [[nodiscard]] Vec3 operator-(const Vec3& a);

@@ -39,7 +39,6 @@ void clamp_to_one(Texture& texture, const XmlElement& element, SceneBuilder& bui
 }
 
 double mean_of(const Rgb& c) { return (c.r + c.g + c.b) / 3; }
-Rgb grey(double value) { return {value, value, value}; }
 
 int texture_index(const XmlElement& element, TextureReader reader, SceneBuilder& builder, TextureUse what) {
   if (what == TextureUse::number && element.text("type") != "checkerboard") what = TextureUse::colour;

@@ -15,8 +15,6 @@ namespace {
 
 using SpectrumReader = std::optional<Rgb> (*)(Properties&, ColorUse);
 
-Rgb grey(double value) { return {value, value, value}; }
-
 std::optional<Rgb> read_uniform(Properties& properties, ColorUse) {
   return grey(properties.number("value").value_or(1));
 }
