@@ -24,7 +24,7 @@ struct MeshFile {
   Mesh mesh;  ///< `parts` stays empty; part_of_triangle holds indices into `materials` (empty where there are none).
   std::vector<MeshMaterial> materials;
   std::vector<std::string> libraries;  ///< Paths of the MTL files that were read.
-  bool face_normals = false;  ///< The file says to shade it flat (serialized).
+  bool face_normals = false;           ///< The file says to shade it flat (serialized).
   std::size_t skipped_faces = 0;
   std::vector<Diagnostic> warnings;           ///< Skipped faces (counted, with the first one's place), ...
   std::vector<Diagnostic> material_warnings;  ///< Of MTL files and what they lack: for who uses `materials`.
