@@ -104,6 +104,7 @@ const std::vector<std::string> texture_entries = {
 /// On a square of side 1: u and v change as lengths do.
 Scene scene_of_texture(const TextureRow& row) {
   Scene scene = empty_scene();
+  scene.sampler.kind = SamplerKind::centre;  // Where checkerboards filter over the whole footprint.
   scene.textures.push_back(row.texture);
   scene.materials.front().bsdf = Diffuse{{{}, 0}};
   scene.shapes.emplace_back().geometry = Rectangle{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};

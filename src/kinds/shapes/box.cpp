@@ -26,7 +26,8 @@ std::optional<std::array<double, 9>> surface_frame(const Box&, const UploadFrame
 
 void emit(AreaItems& items, const Box& b, int part) {
   const Vec3 size = b.max - b.min;
-  emit(items, Cube{b.min, {Vec3{size.x, 0, 0}, Vec3{0, size.y, 0}, Vec3{0, 0, size.z}}}, part);
+  // A cube's faces look outwards where its edges are left-handed.
+  emit(items, Cube{b.min, {Vec3{0, size.y, 0}, Vec3{size.x, 0, 0}, Vec3{0, 0, size.z}}}, part);
   items.unmap();  // As of hits.
 }
 
