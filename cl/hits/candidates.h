@@ -29,6 +29,9 @@ FN maskw is_departed_w(GLOBAL const int* ids, const Ray* ray) {
 /// Lanes that hold a primitive at all.
 FN maskw is_there_w(GLOBAL const int* ids) { return nonzero_w(load_int_w(ids) - splat_int_w(-1)); }
 
+/// For primitives that a ray which has left them does not hit again: lanes that hold another one.
+FN maskw is_another_w(GLOBAL const int* ids, const Ray* ray) { return is_there_w(ids) & ~is_departed_w(ids, ray); }
+
 /// For flat primitives: lanes that hold the primitive that the ray has just left or ends on.
 FN maskw is_end_w(GLOBAL const int* ids, const Ray* ray) {
   return ~(nonzero_w(load_int_w(ids) - splat_int_w(ray->departed)) &

@@ -61,9 +61,7 @@ FN Real2_w camera_paths_begin_w(const Scene* scene, Paths_w* path, const NewPath
   path->sample = sequence_begin_w(scene, sequences, begun->numbers / sums, 1u);
   Real2_w offset = pixel_offset_w(scene, &path->sample), lens = lens_point_w(scene, &path->sample);
   Rays_w rays;
-  int height = (int)scene->shading[index[HEADER_SENSOR] + SENSOR_HEIGHT];
-  camera_rays_w(scene->shading + index[HEADER_CAMERA], index[HEADER_WIDTH], height, columns + splat_int_w(film->x),
-                film->y, offset.x, offset.y + real_of_int_w(rows), lens, &rays);
+  film_rays_w(scene, columns, rows, offset, lens, &rays);
   paths_begin_w(scene, path, begun->which, &rays);
   return lens;
 }

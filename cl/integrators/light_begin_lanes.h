@@ -19,6 +19,15 @@ FN SampleState_w light_sample_begin_w(const Scene* scene, uintw pixels, uintw nu
   return sequence_begin_w(scene, numbers & (sums - 1u), places, 1u);
 }
 
+/// Camera rays through pixels of the film, whose first one is (0, 0). offset, lens: camera/sample_place_lanes.h.
+FN void film_rays_w(const Scene* scene, intw columns, intw rows, Real2_w offset, Real2_w lens, Rays_w* rays) {
+  PRIVATE const SplatFilm* film = scene->splats;
+  GLOBAL const int* index = scene->index;
+  int height = (int)scene->shading[index[HEADER_SENSOR] + SENSOR_HEIGHT];
+  camera_rays_w(scene->shading + index[HEADER_CAMERA], index[HEADER_WIDTH], height, columns + splat_int_w(film->x),
+                film->y, offset.x, offset.y + real_of_int_w(rows), lens, rays);
+}
+
 /// A place on a light as a surface that rays leave.
 FN Surfaces_w light_surface_w(const LightRay_w* ray) {
   Surfaces_w s = surfaces_none_w();

@@ -10,7 +10,6 @@ FN int shows_background_w(const Scene* scene) {
 /// What the camera sees behind the scene is seen along a ray through a pixel that the path's numbers draw.
 FN Joint_w background_joint_w(const Scene* scene, const Paths_w* path, maskw which) {
   PRIVATE const SplatFilm* film = scene->splats;
-  GLOBAL const int* index = scene->index;
   Random2_w at = sample_pair_w(scene, &path->sample, USE_SEEN);
   intw columns = int_of_uint_w(high_product_w(at.x, splat_uint_w((uint)film->columns)));
   intw rows = int_of_uint_w(high_product_w(at.y, splat_uint_w((uint)film->rows)));
@@ -20,9 +19,7 @@ FN Joint_w background_joint_w(const Scene* scene, const Paths_w* path, maskw whi
   joint.stops_at_masks = 0;
   joint.x = real_of_int_w(columns);
   joint.y = real_of_int_w(rows);
-  int height = (int)scene->shading[index[HEADER_SENSOR] + SENSOR_HEIGHT];
-  camera_rays_w(scene->shading + index[HEADER_CAMERA], index[HEADER_WIDTH], height, columns + splat_int_w(film->x),
-                film->y, offset.x, offset.y + joint.y, lens, &joint.rays);
+  film_rays_w(scene, columns, rows, offset, lens, &joint.rays);
   real3w d = real3_at_w(joint.rays.planes + RAY_PLANE_D);
   joint.light = far_radiance_w(scene, HEADER_BACKGROUND, d);
   if (HAS_SUN) joint.light = add3_w(joint.light, far_radiance_w(scene, HEADER_SUN, d));

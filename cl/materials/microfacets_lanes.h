@@ -18,8 +18,7 @@ FN void microfacets_load_w(const Scene* scene, const Surfaces_w* s, intw rows, m
                            int first) {
   for (int k = 0; k < MICROFACETS_SLOTS_w; ++k) {
     real3w value = parameter_at_w(scene, s, which, rows, slot + k);
-    int is_number = k < 2;
-    if (is_number) value.x = luminance_w(value);
+    if (k < 2) value.x = luminance_w(value);  // alpha along u and across are numbers.
     put_bsdf_color_w(b, which, first + 3 * k, value);
   }
 }

@@ -20,7 +20,9 @@ import sys
 import tempfile
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
+sys.path.insert(1, str(pathlib.Path(__file__).parents[2] / "bench" / "pictures"))
 from pictures import frames, lights, materials
+from seeds import read_pfm
 
 SCENES = {**materials.PICTURES, **lights.PICTURES, **frames.PICTURES}
 TABLE = pathlib.Path(__file__).with_suffix(".csv")
@@ -72,18 +74,10 @@ def welch(ours, theirs, freedom_of_theirs, slack):
     return two_sided((ours[0] - theirs[0]) / math.sqrt(whole + fixed), freedom)
 
 
-def read_pfm(path):
+def picture_rows(path):
     """Rows from the top, of r g b in turn."""
-    import array
-
-    data = path.read_bytes()
-    kind, size, scale, pixels = data.split(b"\n", 3)
-    width, height = (int(x) for x in size.split())
-    values = array.array("f", pixels)
-    if (float(scale) < 0) != (sys.byteorder == "little"):
-        values.byteswap()
-    rows = [values[3 * width * y : 3 * width * (y + 1)] for y in range(height)]
-    return rows[::-1]
+    width, height, values = read_pfm(path)
+    return [values[3 * width * y : 3 * width * (y + 1)] for y in reversed(range(height))]
 
 
 def blocks(rows):
@@ -108,7 +102,7 @@ def by_strahl(strahl, text, seed, folder):
     done = subprocess.run([str(part) for part in [*command, "-q", "-o", picture]], capture_output=True, text=True)
     if done.returncode != 0:
         raise SystemExit(f"{' '.join(done.args)}\n{done.stderr}")
-    return mean_and_error([list(blocks(read_pfm(folder / f"picture.{k:04}.pfm"))) for k in range(1, RENDERS + 1)])
+    return mean_and_error([list(blocks(picture_rows(folder / f"picture.{k:04}.pfm"))) for k in range(1, RENDERS + 1)])
 
 
 def by_mitsuba(text):

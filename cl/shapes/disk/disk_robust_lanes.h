@@ -7,8 +7,7 @@ FN void disk_block_w(const Ray* ray, GLOBAL const real* block, GLOBAL const int*
   dw3_w g = two_difference3_w(load_w(block), load_w(block + LANES), load_w(block + 2 * LANES), splat_w(ray->o.x),
                               splat_w(ray->o.y), splat_w(ray->o.z));
   realw r2 = load_w(block + 6 * LANES);
-  maskw candidate = within_reach_w(ray, best, -g.x.hi, -g.y.hi, -g.z.hi, sqrt_w(r2));
-  candidate = candidate & is_there_w(ids) & ~is_departed_w(ids, ray);
+  maskw candidate = is_another_w(ids, ray) & within_reach_w(ray, best, -g.x.hi, -g.y.hi, -g.z.hi, sqrt_w(r2));
   if (!any_w(candidate)) return;
 
   realw nx = load_w(block + 3 * LANES), ny = load_w(block + 4 * LANES), nz = load_w(block + 5 * LANES);

@@ -5,6 +5,6 @@
 
 FN void plane_block_w(const Ray* ray, GLOBAL const real* block, GLOBAL const int* ids, int slot, Nearest* best) {
   realw t = plane_t_w(splat3_w(ray->o), splat3_w(ray->d), load_planes3_w(block), load_planes3_w(block + 3 * LANES),
-                      splat_w(ray->t_min), splat_w(best->t), is_there_w(ids) & ~is_departed_w(ids, ray));
+                      splat_w(ray->t_min), splat_w(best->t), is_another_w(ids, ray));
   take_nearest_w(in_range_w(t, ray, best), t, ids, ray->departed, SHAPE_plane, slot, best);
 }
