@@ -5,7 +5,7 @@
 
 /// Lanes of that kind.
 FN maskw is_material_w(const Bsdf_w* b, int kind) {
-  return ~nonzero_w(b->kind - splat_int_w(MATERIAL_COUNT == 1 ? 0 : kind));
+  return ~nonzero_w(b->kind - splat_int_w(ONLY_MATERIAL ? 0 : kind));
 }
 
 /// out: where the light goes to, unit, in the world.
@@ -20,7 +20,7 @@ FN Bsdf_w bsdf_at_w(const Scene* scene, const Surfaces_w* s, const MaterialRows_
     frame.x = sel3_w(has_along, turned.x, frame.x);
     frame.y = sel3_w(has_along, turned.y, frame.y);
   }
-  intw kind = MATERIAL_COUNT == 1 ? splat_int_w(0) : gather_int_w(index + MATERIAL_KIND, rows);
+  intw kind = ONLY_MATERIAL ? splat_int_w(0) : gather_int_w(index + MATERIAL_KIND, rows);
   if (HAS_RELIEF) {
     frame.x = sel3_w(at->relief.which, at->relief.frame.x, frame.x);
     frame.y = sel3_w(at->relief.which, at->relief.frame.y, frame.y);
@@ -36,10 +36,10 @@ FN Bsdf_w bsdf_at_w(const Scene* scene, const Surfaces_w* s, const MaterialRows_
     b.coat = at->coat;
     coat_view_w(&b.coat, &b.wo);
   }
-#define MATERIAL(name, reals, lobes)                                                     \
-  {                                                                                      \
-    maskw is_one = is_material_w(&b, MATERIAL_##name);                                   \
-    if (MATERIAL_COUNT == 1 || any_w(is_one)) name##_load_w(scene, s, rows, is_one, &b); \
+#define MATERIAL(name, reals, lobes)                                               \
+  {                                                                                \
+    maskw is_one = is_material_w(&b, MATERIAL_##name);                             \
+    if (ONLY_MATERIAL || any_w(is_one)) name##_load_w(scene, s, rows, is_one, &b); \
   }
 #include "materials/materials.def"
 #undef MATERIAL
@@ -60,7 +60,7 @@ FN real3w bsdf_eval_w(const Bsdf_w* b, real3w wi, PRIVATE realw* density) {
 #define MATERIAL(name, reals, lobes)                  \
   {                                                   \
     maskw is_one = is_material_w(b, MATERIAL_##name); \
-    if (MATERIAL_COUNT == 1 || any_w(is_one)) {       \
+    if (ONLY_MATERIAL || any_w(is_one)) {             \
       realw drawn;                                    \
       real3w share = name##_eval_w(b, below, &drawn); \
       *density = sel_w(is_one, drawn, *density);      \
@@ -146,7 +146,7 @@ FN BsdfSample_w bsdf_sample_w(const Bsdf_w* b, int lobes, realw number, realw u,
 #define MATERIAL(name, reals, its_lobes)                                                  \
   if (((its_lobes)&LOBE_SIDES & lobes) != 0 && ((its_lobes)&LOBE_SPREADS & lobes) != 0) { \
     maskw is_one = is_material_w(b, MATERIAL_##name);                                     \
-    if (MATERIAL_COUNT == 1 || any_w(is_one)) {                                           \
+    if (ONLY_MATERIAL || any_w(is_one)) {                                                 \
       BsdfSample_w drawn = name##_sample_w(b, lobes, number, u, v);                       \
       s.wi = sel3_w(is_one, drawn.wi, s.wi);                                              \
       s.weight = sel3_w(is_one, drawn.weight, s.weight);                                  \

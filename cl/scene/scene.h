@@ -19,6 +19,8 @@ enum {
 #undef MATERIAL
   MATERIAL_COUNT
 };
+/// Whether every material is of the one kind that the program has. The kind of one that was left out is -1.
+#define ONLY_MATERIAL (MATERIAL_COUNT == 1 && !HAS_BLACK)
 
 enum {
 #define TEXTURE(name) TEXTURE_##name,

@@ -24,6 +24,7 @@ const std::map<std::string, std::string>& needed() {
       {"BECKMANN", "rough surfaces are made of it; their materials can be left out"},
       {"GGX", "rough surfaces are made of it; their materials can be left out"},
       {"BLEND", "a blend is two materials; one of them can take its place in the scene"},
+      {"BLACK", "the materials that are left out look so"},
       {"COAT", "a coating is a material under it; that can take its place in the scene"},
       {"RELIEF", "a normal map is a material inside it; that can take its place in the scene"},
       {"choosers", "lights are drawn by it; --light-choice takes another one"},

@@ -75,6 +75,8 @@ void shape_causes(const Scene& scene, const RenderSettings& settings, Causes& ca
     const MaterialFacts facts = material_facts(material);
     const SourceLocation& place = material.where.line > 0 ? material.where : where;
     if (facts.nested.empty()) call_for(causes, "materials/" + facts.kind, "material of type " + facts.kind, place);
+    if (facts.nested.empty() && !causes.allow("materials/" + facts.kind))
+      call_for(causes, "BLACK", "material of type " + facts.kind + ", which --disable leaves out", place);
     for (const std::string& flag : facts.flags) call_for(causes, flag, "material of type " + facts.kind, place);
     if (facts.is_twosided) call_for(causes, "TWOSIDED", "a twosided material", place);
     if (integrator.follows == kinds::Follows::mirrors &&

@@ -11,6 +11,7 @@
 #define HAS_METAL 1
 #define HAS_BECKMANN 1
 #define HAS_GGX 1
+#define HAS_BLACK 1
 #define HAS_COAT 1
 #define HAS_TANGENT 1
 #define HAS_MASK 1

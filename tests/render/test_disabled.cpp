@@ -94,6 +94,23 @@ TEST_CASE("a material that is left out reflects nothing") {
   CHECK(lit_pixels(picture_without(scene, {"materials/conductor"})) == 0);
 }
 
+TEST_CASE("a material that is left out is black beside one of another kind") {
+  require_pocl_and_rusticl();
+  Scene scene = stage({floor_plane()});
+  scene.integrator.name = "path";
+  scene.lights.push_back(light(ConstantLight{}));
+  scene.film.width = scene.film.height = 4;
+  scene.materials.push_back(scene.materials[0]);  // white, of no surface in sight
+  scene.materials[0].bsdf = Conductor{};
+  Sphere hidden;
+  hidden.center = {0, 0, -10};
+  scene.shapes.emplace_back();
+  scene.shapes.back().geometry = hidden;
+  scene.shapes.back().material = 1;
+  CHECK(lit_pixels(picture_without(scene)) == 16);
+  CHECK(lit_pixels(picture_without(scene, {"materials/conductor"})) == 0);
+}
+
 TEST_CASE("paths find an area light by themselves where none is drawn from, and gather as much") {
   require_pocl_and_rusticl();
   Scene scene = stage({floor_plane()});
