@@ -37,7 +37,9 @@ std::string outside_because(const std::string& path) {
   const fs::path there = fs::canonical(path, fault);
   if (fault) return {};  // It cannot be read at all.
   const auto [of_root, rest] = std::mismatch(root().begin(), root().end(), there.begin(), there.end());
-  if (of_root == root().end()) return {};
+  // Archives hold pipes, too; without a writer an open one is waited for without end.
+  if (of_root == root().end())
+    return fs::is_fifo(there, fault) ? "it is a pipe, which --root does not read; name a file" : std::string();
   return fmt::format("it lies outside of --root \"{}\"; put a copy there, or render without --root", root().string());
 }
 

@@ -7,7 +7,7 @@
 namespace strahl {
 
 /// While one lives, unreadable_because(), and so whatever reads a file for a scene, refuses what lies outside of
-/// `folder` once all links are resolved. One at a time; from all threads.
+/// `folder` once all links are resolved, and pipes. One at a time; from all threads.
 class ConfinedReads {
  public:
   /// Throws UsageError where there is no such folder.

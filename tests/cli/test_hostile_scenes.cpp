@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Scenes of people who mean no good: what they can read, what they can make a terminal do, what they can make it cost.
+#include <sys/stat.h>
+
 #include <catch2/catch.hpp>
 #include <chrono>
 #include <filesystem>
@@ -51,6 +53,8 @@ TEST_CASE("--root confines what a scene reads, links resolved") {
     CHECK(contains(outcome.err, "it lies outside of --root"));
   }
   CHECK(explained("../outside.ply", ".").code == 0);
+  REQUIRE(mkfifo(folder.path("mine/pipe.ply").c_str(), 0600) == 0);
+  CHECK(contains(explained("pipe.ply").err, "it is a pipe"));
   CHECK(explained("../outside.ply", "none").code == 2);
   folder.file("mine/s.xml", scene_with("<include filename=\"../t.xml\"/>"));
   folder.file("t.xml", scene_with(""));
