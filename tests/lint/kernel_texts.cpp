@@ -2,8 +2,8 @@
 // kernel_texts FOLDER [NAME]: writes every kernel x precision x {all, no, each single} effect as FOLDER/NAME.cl, for
 // clang to type-check. All, none and all of a scene without a tree at every width of lanes, single effects at the
 // widest and of one kernel that intersects; those of lists that are the same for every tier of single precision in the
-// robust one alone; all of that one also as devices with doubles have it. A text that stands already but for names that
-// it never asks for is not written again. NAME: that text alone.
+// robust one alone, as are those of kernels that begin on lights; all of that one also as devices with doubles have it.
+// A text that stands already but for names that it never asks for is not written again. NAME: that text alone.
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -124,7 +124,8 @@ int main(int count, char** arguments) {
         write(wanted, kernel, "none-paths", every(false), precision, lanes, true, lanes);
         write(wanted, kernel, "lists-paths", flat, precision, lanes, false, lanes);
       }
-      if (kernel.starts_with("intersect_")) continue;
+      const bool begins_on_lights = kernel == "light_tracing" || kernel == "bidirectional";
+      if (kernel.starts_with("intersect_") || (begins_on_lights && precision != Precision::robust)) continue;
       for (const auto& [name, features] : singles(precision)) write(wanted, kernel, name, features, precision, widest);
     }
   return 0;
