@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Camera rays of pixels of one row. Perspective and orthographic are one affine map of the place on the picture
-// (scene/layout.h); through a lens they
-// begin anywhere on it and meet again at the plane of focus. The pixel's middle enters as the exact integer numerator 2
-// i + 1 - W: one rounding, so the picture of a mirrored scene is exactly mirrored. One width; no guard.
+// (scene/layout.h); through a lens they begin anywhere on it and meet again at the plane of focus. The pixel's middle
+// enters as the exact integer numerator 2 i + 1 - W: one rounding, so the picture of a mirrored scene is exactly
+// mirrored. One width; no guard.
 
 /// Pixels (x, y) of the whole picture; dx, dy: offset from its middle in pixels; lens: the place on the lens, in radii.
 FN void camera_rays_w(GLOBAL const real* camera, int width, int height, intw x, int y, realw dx, realw dy, Real2_w lens,
