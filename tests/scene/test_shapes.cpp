@@ -37,6 +37,9 @@ TEST_CASE("sphere") {
   check_close(s.frame[0], {0, 1, 0});
   check_close(s.frame[2], {0, 0, 1});
   check_close(std::get<Sphere>(shape("sphere", "", "<scale z=\"-1\"/>").geometry).frame[2], {0, 0, -1});
+  CHECK(shape("sphere", "", "<scale z=\"-1\"/>").flip_normals);
+  CHECK_FALSE(shape("sphere", "<boolean name=\"flip_normals\" value=\"true\"/>", "<scale value=\"-2\"/>").flip_normals);
+  CHECK_FALSE(shape("sphere", "", "<scale value=\"2\"/>").flip_normals);
   CHECK_NOTHROW(shape("sphere", "", "<matrix value=\"0.707107 -0.707107 0 0.707107 0.707107 0 0 0 1\"/>"));
 }
 

@@ -26,6 +26,8 @@ Geometry read_geometry(ShapeInput& input, const Sphere&) {
   Sphere sphere;
   sphere.center = input.properties.vector("center").value_or(Vec3{});
   sphere.radius = input.properties.positive("radius").value_or(1.0);
+  // As Mitsuba has it, for spheres alone.
+  if (input.world_from_object.determinant() < 0) input.shape.flip_normals = !input.shape.flip_normals;
   return placed_sphere(sphere, input).value_or(sphere);
 }
 
