@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "kinds/materials.h"
+#include "scene/unseen.h"
 
 namespace strahl {
 
@@ -50,23 +51,10 @@ bool has_media(const Scene& scene) {
   return has;
 }
 
-bool is_masked(const Scene& scene, int index) {
-  const Material& material = scene.materials.at(static_cast<std::size_t>(index));
-  const MaterialFacts facts = material_facts(material);
-  if (material.back >= 0 && is_masked(scene, material.back)) return true;
-  return facts.opacity.has_value() ||
-         std::any_of(facts.nested.begin(), facts.nested.end(), [&](int nested) { return is_masked(scene, nested); });
-}
-
 /// On a shape, whatever else the scene names.
 bool has_masks(const Scene& scene) {
   bool has = false;
-  for_each_shape(scene, [&](const Shape& shape) {
-    const auto* mesh = std::get_if<Mesh>(&shape.geometry);
-    if (mesh == nullptr || mesh->parts.empty()) has = has || is_masked(scene, shape.material);
-    if (mesh == nullptr) return;
-    for (const MeshPart& part : mesh->parts) has = has || is_masked(scene, part.material);
-  });
+  for_each_shape(scene, [&](const Shape& shape) { has = has || is_masked(shape, scene); });
   return has;
 }
 
