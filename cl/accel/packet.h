@@ -49,10 +49,10 @@ FN void push_list_w(const Packet_w* p, PacketStack_w* stack, int entry) {
 /// The tree, and above it the lists, of the world or of a group.
 FN void push_lists_w(const Scene* scene, const Packet_w* p, GLOBAL const int* group, PacketStack_w* stack) {
   int root = NO_REFERENCE;
-  if (HAS_TREE) root = HAS_INSTANCES && group != 0 ? group[GROUP_ROOT] : scene->index[HEADER_ROOT];
+  if (HAS_TREE) root = HAS_INSTANCES && group != 0 ? group[GROUP_ROOT] : scene_root(scene);
   if (root != NO_REFERENCE) push_list_w(p, stack, NO_REFERENCE);
   for (int kind = SHAPE_COUNT - 1 + HAS_INSTANCES; kind >= 0; --kind) {
-    int listed = scene_shape_row(scene, kind)[SHAPE_LISTED];
+    int listed = scene_listed(scene, kind);
     if (HAS_INSTANCES && group != 0) listed = kind == SHAPE_COUNT ? 0 : group[GROUP_LISTED + 2 * kind + 1];
     if (listed != 0) push_list_w(p, stack, ~kind);
   }
@@ -105,7 +105,7 @@ FN void packet_walk_w(const Scene* scene, Packet_w* world) {
     maskw active = le_w(enter, p->bound) & lt_w(enter, splat_w(REAL_MAX));
     if (!any_w(active)) continue;
     if (HAS_TREE && entry >= 0) reference = children[entry];
-    if (HAS_TREE && entry == NO_REFERENCE) reference = is_within ? place.group[GROUP_ROOT] : scene->index[HEADER_ROOT];
+    if (HAS_TREE && entry == NO_REFERENCE) reference = is_within ? place.group[GROUP_ROOT] : scene_root(scene);
 
     int is_list = reference < 0 && leaf_is_list(reference);
     if (HAS_TREE && !(is_within && is_list) && are_few_w(p, active)) {
@@ -122,7 +122,7 @@ FN void packet_walk_w(const Scene* scene, Packet_w* world) {
       }
       continue;
     } else {
-      packet_leaf_w(scene, p, is_within ? place.group : 0, reference, active);
+      packet_leaf_w(scene, p, is_within ? place.group : scene_met(scene), reference, active);
       if (p->stop_at_first) packet_stop_w(scene, p);
     }
     if (is_alike_w(p)) p->last = largest_w(p->bound);

@@ -38,7 +38,7 @@ FN void packet_leaf_w(const Scene* scene, Packet_w* p, GLOBAL const int* group, 
   int count = (int)(leaf >> REFERENCE_COUNT) & REFERENCE_MOST_BLOCKS;
   GLOBAL const int* row = scene_shape_row(scene, kind);
   if (count == 0) count = row[SHAPE_LISTED];
-  if (HAS_INSTANCES && group != 0 && leaf_is_list(reference)) {
+  if (HAS_GROUPS && group != 0 && leaf_is_list(reference)) {
     first = group[GROUP_LISTED + 2 * kind];
     count = group[GROUP_LISTED + 2 * kind + 1];
   }

@@ -175,9 +175,11 @@ FN void meet_leaf_w(const Scene* scene, const Ray* ray, const Place* place, int 
   int count = (int)(leaf >> REFERENCE_COUNT) & REFERENCE_MOST_BLOCKS;
   GLOBAL const int* row = scene_shape_row(scene, kind);
   if (count == 0) count = row[SHAPE_LISTED];
-  if (HAS_INSTANCES && is_within(place) && leaf_is_list(reference)) {
-    first = place->group[GROUP_LISTED + 2 * kind];
-    count = place->group[GROUP_LISTED + 2 * kind + 1];
+  GLOBAL const int* group = scene_met(scene);
+  if (HAS_INSTANCES && is_within(place)) group = place->group;
+  if (HAS_GROUPS && group != 0 && leaf_is_list(reference)) {
+    first = group[GROUP_LISTED + 2 * kind];
+    count = group[GROUP_LISTED + 2 * kind + 1];
   }
   meet_blocks_w(scene, ray, kind, first, count, want, best);
 }
@@ -191,9 +193,8 @@ FN Nearest meet_lists_w(const Scene* scene, const Ray* ray, Nearest best, int wa
   (void)scene;  // A scene without shapes.
   (void)ray;
   (void)want;
-#define SHAPE(name, planes)                                   \
-  if (scene_shape_row(scene, SHAPE_##name)[SHAPE_LISTED] > 0) \
-    meet_leaf_w(scene, ray, &place, ~SHAPE_##name, want, &best);
+#define SHAPE(name, planes) \
+  if (scene_listed(scene, SHAPE_##name) > 0) meet_leaf_w(scene, ray, &place, ~SHAPE_##name, want, &best);
 #include "shapes/shapes.def"
 #undef SHAPE
   return best;
@@ -212,18 +213,18 @@ FN Nearest walk_w(const Scene* scene, const Ray* world, int start, Nearest best,
   real waiting_t[STACK_ENTRIES];
   int top = 0, reference = start;
   if (start == NO_REFERENCE) {
-    reference = scene->index[HEADER_ROOT];
-#define SHAPE(name, planes)                                     \
-  if (scene_shape_row(scene, SHAPE_##name)[SHAPE_LISTED] > 0) { \
-    if (reference != NO_REFERENCE) {                            \
-      waiting[top] = reference;                                 \
-      waiting_t[top++] = ray.t_min;                             \
-    }                                                           \
-    reference = ~SHAPE_##name;                                  \
+    reference = scene_root(scene);
+#define SHAPE(name, planes)                    \
+  if (scene_listed(scene, SHAPE_##name) > 0) { \
+    if (reference != NO_REFERENCE) {           \
+      waiting[top] = reference;                \
+      waiting_t[top++] = ray.t_min;            \
+    }                                          \
+    reference = ~SHAPE_##name;                 \
   }
 #include "shapes/shapes.def"
 #undef SHAPE
-    if (HAS_INSTANCES && scene_shape_row(scene, SHAPE_COUNT)[SHAPE_LISTED] > 0) {
+    if (HAS_INSTANCES && scene_listed(scene, SHAPE_COUNT) > 0) {
       if (reference != NO_REFERENCE) {
         waiting[top] = reference;
         waiting_t[top++] = ray.t_min;
@@ -302,8 +303,8 @@ FN Nearest traverse_w(const Scene* scene, const Ray* ray, int want) {
 FN Ray widened_w(const Scene* scene, const Ray* given) {
   Ray ray = *given;
   // The widening matters only for the boxes of nodes and instances.
-  int is_walked = HAS_INSTANCES || scene->index[HEADER_ROOT] != NO_REFERENCE;
-  if (HAS_TREE && is_walked) ray_widen(&ray, scene->geometry + scene->index[HEADER_BOUNDS]);
+  int is_walked = HAS_INSTANCES || scene_root(scene) != NO_REFERENCE;
+  if (HAS_TREE && is_walked) ray_widen(&ray, scene_reach(scene));
   return ray;
 }
 

@@ -48,8 +48,8 @@ FN maskw meets_any_w(const Scene* scene, Rays_w* rays, maskw which) {
 #else
 /// As widened_w of accel/traverse.h.
 FN void widen_w(const Scene* scene, Rays_w* rays) {
-  int is_walked = HAS_INSTANCES || scene->index[HEADER_ROOT] != NO_REFERENCE;
-  GLOBAL const real* reach = scene->geometry + scene->index[HEADER_BOUNDS];
+  int is_walked = HAS_INSTANCES || scene_root(scene) != NO_REFERENCE;
+  GLOBAL const real* reach = scene_reach(scene);
   maskw has_departed = nonzero_w(rays->departed + splat_int_w(1));
   if (HAS_TREE && is_walked) widen_rays_w(has_departed, rays->planes, reach);
 }

@@ -11,6 +11,9 @@
 #include "film/span_film.h"
 #include "kernels/path_parts.h"
 #include "film/first_albedo_lanes.h"
+#if HAS_MEDIA
+#include "media/first_boundary_lanes.h"
+#endif
 #if LANES != 1
 #include "integrators/path_pool_lanes.h"
 #endif
@@ -22,7 +25,8 @@ FN int wanted_w(const Scene* scene, const Paths_w* path, const FirstSamples* fir
   if (HAS_AOV) is_exact = first->lanes != 0u;
   if (HAS_EMISSION && hides_emitters(scene)) is_exact = any_w(path->alive & lt_int_w(path->depth, splat_int_w(1)));
 #if HAS_MEDIA
-  if (any_w(path->alive & is_within_w(path->medium))) is_exact = 1;
+  // Boundaries of media are before a surface or behind it.
+  if (media_table(scene)[MEDIA_BOUNDARIES] != 0 || any_w(path->alive & is_within_w(path->medium))) is_exact = 1;
 #endif
   return is_exact ? FIND_NEAREST : FIND_NEAREST_APPROXIMATELY;
 }
@@ -38,6 +42,7 @@ ONCE_FN void follow_paths_w(const Scene* scene, Paths_w* path, Branches_w* branc
 #endif
   if (HAS_ALBEDO) store_albedo_w(scene, path, &surfaces, first);
 #if HAS_MEDIA
+  if (HAS_AOV && first->lanes != 0u) store_boundaries_w(scene, path, &surfaces, first);
   media_travel_w(scene, path, &surfaces);
 #endif
   surface_step_w(scene, path, &surfaces, branches);
@@ -131,6 +136,9 @@ KERNEL LANE_HINT_OF(SCENE_LANES) void render(GLOBAL const real* geometry, GLOBAL
   scene.shading = shading;
   scene.index = index;
   scene.counters = counters;
+#if HAS_MEDIA
+  scene.met = 0;
+#endif
   // film_first: index of the first of those pixels in the film buffer, whose rows are film_columns long.
   ulong slot = (ulong)film_first + (ulong)row * (ulong)film_columns + (ulong)column;
 

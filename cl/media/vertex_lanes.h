@@ -3,69 +3,59 @@
 // stands in the record of the surface that it would have met, marked by `scatters`, so that light is drawn, weighted
 // and followed by the same functions there. One width; no guard.
 
-/// The medium that a path is in which leaves the surface towards d; `media`: where the surface is no boundary.
-FN intw medium_beyond_w(const Scene* scene, const Surfaces_w* s, real3w d, intw media) {
-  GLOBAL const int* parts = scene->index + media_table(scene)[MEDIA_PARTS];
-  maskw is_inside = lt_w(dot3_w(d, s->normal), splat_w(R(0.0)));
-  intw at =
-      s->part * (int)BOUNDARY_INTS + sel_int_w(is_inside, splat_int_w(BOUNDARY_INSIDE), splat_int_w(BOUNDARY_OUTSIDE));
-  intw beyond = gather_int_w(parts, at);
-  return sel_int_w(nonzero_w(beyond - splat_int_w(MEDIUM_SAME)) & ~s->scatters, beyond, media);
-}
-
-/// The way of the rays up to t, in units of their directions, or endless.
-FN Flight_w flight_of_w(const Paths_w* path, maskw is_endless, realw t) {
-  Flight_w w;
-  real3w d = real3_at_w(path->rays.planes + RAY_PLANE_D), o = real3_at_w(path->rays.planes + RAY_PLANE_O);
-  realw size = length3_w(d), zero = splat_w(R(0.0));
-  w.d = scale3_w(splat_w(R(1.0)) / size, d);
-  w.from = path->entered;
-  // Rays begin a little off the surface that they leave.
-  realw length = fma_w(t, size, dot3_w(sub3_w(o, path->entered), w.d));
-  w.length = sel_w(is_endless, splat_w(REAL_MAX), max_w(length, zero));
-  w.optical = path->optical;
-  w.throughput = path->throughput;
-  w.share = path->hero_shares;
-  w.radiance = vec3_w(zero, zero, zero);
-  w.scatters = none_w();
-  w.t = zero;
-  w.draws = path->draws;
-  return w;
-}
-
-/// Lets the paths that are within media go on to the surfaces s that their rays meet, or scatter before them.
-FN void media_travel_w(const Scene* scene, Paths_w* path, Surfaces_w* s) {
-  maskw which = path->alive & is_within_w(path->medium);
-  s->scatters = none_w();
-  if (!any_w(which)) return;
-  Flight_w w = flight_of_w(path, ~s->hit, s->t);
-  maskw is_new = which & lt_w(w.optical, splat_w(R(0.0)));
-  if (any_w(is_new)) {
-    Random2_w numbers = vertex_pair_w(scene, &path->sample, path->depth, USE_DISTANCE);
-    w.optical = sel_w(is_new, optical_depth_w(numbers.x, numbers.y), w.optical);
-  }
-  travel_w(scene, path->medium, &path->sample, which, &w);
-  path->throughput = sel3_w(which, w.throughput, path->throughput);
-  path->hero_shares = sel3_w(which, w.share, path->hero_shares);
-  path->radiance = sel3_w(which, add3_w(path->radiance, w.radiance), path->radiance);
-  path->optical = sel_w(which, w.optical, path->optical);
-  path->draws = w.draws;
-  s->scatters = which & w.scatters;
-  if (!any_w(s->scatters)) return;
+/// Puts the places where the lanes of `which` scatter into the records of the surfaces that they would have met.
+FN void scatter_before_w(Surfaces_w* s, maskw which, const Flight_w* w) {
+  s->scatters = s->scatters | which;
   realw zero = splat_w(R(0.0));
-  s->hit = s->hit | s->scatters;
-  s->position = sel3_w(s->scatters, fma3_w(w.t, w.d, w.from), s->position);
-  s->point = sel3_w(s->scatters, s->position, s->point);
-  s->normal = sel3_w(s->scatters, w.d, s->normal);
-  s->shading = sel3_w(s->scatters, w.d, s->shading);
-  s->move = sel3_w(s->scatters, vec3_w(zero, zero, zero), s->move);
-  s->bound = sel_w(s->scatters, zero, s->bound);
+  s->hit = s->hit | which;
+  s->position = sel3_w(which, fma3_w(w->t, w->d, w->from), s->position);
+  s->point = sel3_w(which, s->position, s->point);
+  s->normal = sel3_w(which, w->d, s->normal);
+  s->shading = sel3_w(which, w->d, s->shading);
+  s->move = sel3_w(which, vec3_w(zero, zero, zero), s->move);
+  s->bound = sel_w(which, zero, s->bound);
   // What it does not emit.
-  s->facing = sel_w(s->scatters, splat_w(R(1.0)), s->facing);
-  s->id = sel_int_w(s->scatters, splat_int_w(-1), s->id);
-  s->instance = sel_int_w(s->scatters, splat_int_w(-1), s->instance);
-  s->is_round = sel_int_w(s->scatters, splat_int_w(0), s->is_round);
-  s->is_flipped = sel_int_w(s->scatters, splat_int_w(0), s->is_flipped);
+  s->facing = sel_w(which, splat_w(R(1.0)), s->facing);
+  s->id = sel_int_w(which, splat_int_w(-1), s->id);
+  s->instance = sel_int_w(which, splat_int_w(-1), s->instance);
+  s->is_round = sel_int_w(which, splat_int_w(0), s->is_round);
+  s->is_flipped = sel_int_w(which, splat_int_w(0), s->is_flipped);
+}
+
+/// Lets the paths go on to the surfaces s that their rays meet, or scatter in a medium before them.
+FN void media_travel_w(const Scene* scene, Paths_w* path, Surfaces_w* s) {
+  s->scatters = none_w();
+  if (media_table(scene)[MEDIA_BOUNDARIES] == 0 && !any_w(path->alive & is_within_w(path->medium))) return;
+  FirstSamples none = no_first_samples_w();
+  Way_w way = way_of_w(path, s);
+  meet_boundaries_w(scene, &way, &none);
+  Flight_w w;
+  maskw scatters = none_w();
+  for (;;) {
+    maskw which = way.path.alive & is_within_w(way.path.medium);
+    if (any_w(which)) {
+      w = flight_along_w(&way, s, s->hit);
+      maskw is_new = which & lt_w(w.optical, splat_w(R(0.0)));
+      if (any_w(is_new)) {
+        Random2_w numbers = vertex_pair_w(scene, &path->sample, path->depth, USE_DISTANCE);
+        w.optical = sel_w(is_new, optical_depth_w(numbers.x, numbers.y), w.optical);
+      }
+      travel_w(scene, way.path.medium, &path->sample, which, &w);
+      path->throughput = way.path.throughput = sel3_w(which, w.throughput, path->throughput);
+      path->hero_shares = way.path.hero_shares = sel3_w(which, w.share, path->hero_shares);
+      path->radiance = sel3_w(which, add3_w(path->radiance, w.radiance), path->radiance);
+      path->optical = way.path.optical = sel_w(which, w.optical, path->optical);
+      path->draws = way.path.draws = w.draws;
+      scatters = which & w.scatters;
+      if (any_w(scatters)) scatter_before_w(s, scatters, &w);
+    }
+    path->medium = sel_int_w(way.path.alive, way.path.medium, path->medium);
+    way.path.alive = way.crosses & ~scatters;
+    if (!any_w(way.path.alive)) break;
+    way.crosses = way.path.alive;
+    cross_boundaries_w(scene, &way);
+    meet_boundaries_w(scene, &way, &none);
+  }
 }
 
 /// As bsdf_eval, of what is there: the surface's material or the medium.

@@ -23,6 +23,7 @@
 #include "program/path_lanes.h"
 #include "program/program_text.h"
 #include "render/traversal_choice.h"
+#include "scene/empty_media.h"
 #include "scene/integrator_advice.h"
 #include "study/effect_costs.h"
 
@@ -189,8 +190,9 @@ ExitCode explain(const ExplainOptions& options) {
   double load_seconds = 0;
   Scene scene = load(options.scene, load_seconds);
   apply(options.overrides, scene);
-  all.features = features_of(scene, all.settings);
   all.advice = integrator_advice(scene);
+  if (all.settings.aovs.empty()) leave_out_empty_media(scene);
+  all.features = features_of(scene, all.settings);
   all.lanes = lanes_for(options, all.settings);
   const int paths = path_lanes(all.features, all.settings, all.lanes.count);
   const bool has_tree =

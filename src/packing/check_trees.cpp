@@ -35,6 +35,7 @@ class Trees {
       within = std::max(within, group(ranges_.at(ranges_.at(row(kinds_.size()) + layout::SHAPE_IDS) + i)));
     const int need = std::max(tree.need, lists() + 1) + (instances_count() > 0 ? 1 + within : 0);
     ranges_.require(need <= stack_entries(width_), "the tree is too deep for its stack");
+    if (facts_.features.flag("MEDIA") && ranges_.fault().empty()) boundaries();
   }
 
  private:
@@ -84,6 +85,14 @@ class Trees {
       }
     }
     ranges_.require(found == wanted, "the number of primitives");
+  }
+
+  /// Those of media that stand apart.
+  void boundaries() {
+    const std::size_t rows = kinds_.size() + (has_instances_ ? 1 : 0);
+    const std::int64_t at = ranges_.at(row(rows) + layout::MEDIA_BOUNDARIES);
+    if (at != 0)
+      ranges_.require(group(at) <= stack_entries(width_), "the tree of boundaries is too deep for its stack");
   }
 
   void instances() {

@@ -2,6 +2,7 @@
 #include "packing/pack.h"
 
 #include <algorithm>
+#include <functional>
 #include <limits>
 #include <map>
 #include <span>
@@ -20,6 +21,7 @@
 #include "packing/pack_media.h"
 #include "packing/pack_shapes.h"
 #include "packing/shape_parts.h"
+#include "packing/shape_ranks.h"
 #include "packing/uv_rates.h"
 #include "settings/sampling.h"
 
@@ -173,16 +175,6 @@ class Packing {
     return at;
   }
 
-  /// Shapes by priority, of two alike the later first: places in that order are the ranks.
-  void rank_shapes() {
-    std::vector<std::pair<int, std::size_t>> order;
-    for (std::size_t i = 0; i < shapes_.size(); ++i)
-      if (shapes_[i]->priority) order.emplace_back(*shapes_[i]->priority, shapes_.size() - i);
-    std::sort(order.begin(), order.end());
-    for (std::size_t rank = 0; rank < order.size(); ++rank)
-      ranks_[shapes_[shapes_.size() - order[rank].second]] = checked_offset(rank);
-  }
-
   int rank_of(const Shape& shape, const MeshPart& look) const {
     const Material& material = scene_.materials.at(static_cast<std::size_t>(look.material));
     const auto rank = ranks_.find(&shape);
@@ -190,7 +182,7 @@ class Packing {
   }
 
   void parts() {
-    rank_shapes();
+    ranks_ = shape_ranks(shapes_);
     for (const Shape* shape : shapes_) {
       const auto* mesh = std::get_if<Mesh>(&shape->geometry);
       attributes_at_.push_back(mesh != nullptr ? put_attributes(*mesh) : -1);
@@ -238,21 +230,24 @@ class Packing {
     }
   }
 
-  /// Every primitive of one kind among `shapes`, the first of which is number `first` of all.
+  using Chosen = std::function<bool(const Shape&)>;
+  static bool all_shapes(const Shape&) { return true; }
+
+  /// Every primitive of one kind among those of `shapes` that are chosen, the first of which is number `first` of all.
   KindList<Real> primitives_of(const std::string& kind, const std::vector<Shape>& shapes, std::size_t first,
-                               const UploadFrame& frame) {
+                               const UploadFrame& frame, const Chosen& is_chosen) {
     KindList<Real> list;
     list.kind = kind;
     list.planes = planes_of(kind);
     std::size_t count = 0;
     for (const Shape& shape : shapes)
-      if (shape_kind(shape) == kind) count += static_cast<std::size_t>(primitive_count(shape));
+      if (shape_kind(shape) == kind && is_chosen(shape)) count += static_cast<std::size_t>(primitive_count(shape));
     list.values.reserve(count * static_cast<std::size_t>(list.planes));
     list.ids.reserve(count);
     list.parts.reserve(count);
     for (std::size_t i = 0; i < shapes.size(); ++i) {
       const Shape& shape = shapes[i];
-      if (shape_kind(shape) != kind) continue;
+      if (shape_kind(shape) != kind || !is_chosen(shape)) continue;
       std::int32_t primitive = 0;
       primitive_planes(shape.geometry, frame, [&](std::span<const double> values) {
         for (const double value : values) list.values.push_back(static_cast<Real>(value));
@@ -264,9 +259,10 @@ class Packing {
     return list;
   }
 
-  std::vector<KindList<Real>> lists_of(const std::vector<Shape>& shapes, std::size_t first, const UploadFrame& frame) {
+  std::vector<KindList<Real>> lists_of(const std::vector<Shape>& shapes, std::size_t first, const UploadFrame& frame,
+                                       const Chosen& is_chosen = all_shapes) {
     std::vector<KindList<Real>> lists;
-    for (const std::string& kind : kinds_) lists.push_back(primitives_of(kind, shapes, first, frame));
+    for (const std::string& kind : kinds_) lists.push_back(primitives_of(kind, shapes, first, frame, is_chosen));
     return lists;
   }
 
@@ -300,15 +296,19 @@ class Packing {
     }
   }
 
+  /// Where its row is.
+  int put_group(PackedTree<Real>& tree, const PackedTree<Real>& group, int width) {
+    const AppendedTree appended = append_tree(tree, group, width);
+    const int at = index_end();
+    packed_.put_index(std::vector{appended.root, put_geometry(group.reach)});
+    for (const auto& listed : appended.listed)
+      packed_.put_index(std::vector<std::int32_t>{listed.begin(), listed.end()});
+    return at;
+  }
+
   void put_instances(PackedTree<Real>& tree, int width) {
     std::vector<std::int32_t> rows;
-    for (const PackedTree<Real>& group : groups_) {
-      const AppendedTree appended = append_tree(tree, group, width);
-      rows.push_back(index_end());
-      packed_.put_index(std::vector{appended.root, put_geometry(group.reach)});
-      for (const auto& listed : appended.listed)
-        packed_.put_index(std::vector<std::int32_t>{listed.begin(), listed.end()});
-    }
+    for (const PackedTree<Real>& group : groups_) rows.push_back(put_group(tree, group, width));
     const int row = layout::HEADER_INTS + static_cast<int>(kinds_.size()) * layout::SHAPE_INTS;
     const int count = checked_offset(scene_.instances.size());
     const int geometry_at = put_geometry(instances_), groups_at = index_end();
@@ -324,8 +324,12 @@ class Packing {
     const int width = options_.lanes > 1 ? options_.lanes : options_.tree_width == 0 ? 4 : options_.tree_width;
     TreeOptions options{width, options_.acceleration, stack_entries(width)};
     groups(options);
-    PackedTree<Real> tree = pack_tree<Real>(lists_of(scene_.shapes, 0, options_.frame), instance_boxes_, options);
+    const Chosen apart = [&](const Shape& shape) { return stands_apart_as_boundary(shape, scene_, features_); };
+    const auto lists = [&](const Chosen& chosen) { return lists_of(scene_.shapes, 0, options_.frame, chosen); };
+    PackedTree<Real> tree = pack_tree<Real>(lists(std::not_fn(apart)), instance_boxes_, options);
     if (has_instances_) put_instances(tree, width);
+    if (std::any_of(scene_.shapes.begin(), scene_.shapes.end(), apart))
+      index(media_row_ + layout::MEDIA_BOUNDARIES) = put_group(tree, pack_tree<Real>(lists(apart), {}, options), width);
     int row = layout::HEADER_INTS;
     for (const PackedKind<Real>& kind : tree.kinds) {
       index(row + layout::SHAPE_BLOCKS) = checked_offset(kind.ids.size() / static_cast<std::size_t>(options_.lanes));

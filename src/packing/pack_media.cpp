@@ -11,6 +11,7 @@
 #include "kinds/integrators.h"
 #include "packing/cl_layout.h"
 #include "packing/majorants.h"
+#include "scene/unseen.h"
 
 namespace strahl {
 namespace {
@@ -37,6 +38,27 @@ std::vector<std::int32_t> volume_row(PackedScene<Real>& packed, PackedImages<Rea
   return {reals_at,    images.row(grid.texels, {TexelCurve::Kind::linear, 1}),
           grid.height, grid.depth,
           filter,      static_cast<int>(volume.wrap)};
+}
+
+/// Whether light passes, as it came, surfaces that do not stand apart.
+bool has_veils(const Scene& scene, const Features& features) {
+  if (!features.flag("MASK")) return false;
+  const auto is_veil = [&](const Shape& shape) { return !is_unseen(shape, scene) && is_masked(shape, scene); };
+  return std::any_of(scene.shapes.begin(), scene.shapes.end(), is_veil) ||
+         std::any_of(scene.groups.begin(), scene.groups.end(), [&](const Group& group) {
+           return std::any_of(group.shapes.begin(), group.shapes.end(),
+                              [&](const Shape& shape) { return is_masked(shape, scene); });
+         });
+}
+
+/// Whether no ray that has left what stands apart meets it again.
+bool are_one_convex_body(const Scene& scene) {
+  const auto of = [&](const Shape& shape) { return is_unseen(shape, scene); };
+  if (std::count_if(scene.shapes.begin(), scene.shapes.end(), of) != 1) return false;
+  const Shape& body = *std::find_if(scene.shapes.begin(), scene.shapes.end(), of);
+  if (body.flip_normals) return false;
+  return std::holds_alternative<Sphere>(body.geometry) || std::holds_alternative<Box>(body.geometry) ||
+         std::holds_alternative<Cube>(body.geometry);
 }
 
 /// A path may meet as many places as a cell has optical depth before it gets out of it.
@@ -73,6 +95,11 @@ std::vector<std::int32_t> grid_columns(PackedScene<Real>& packed, PackedImages<R
 
 }  // namespace
 
+bool stands_apart_as_boundary(const Shape& shape, const Scene& scene, const Features& features) {
+  return features.flag("MEDIA") && features.flag("MASK") && kinds::integrator(scene.integrator.name).goes_through &&
+         is_unseen(shape, scene);
+}
+
 template <typename Real>
 void pack_media(PackedScene<Real>& packed, PackedImages<Real>& images, int row, const Scene& scene,
                 const Features& features, const UploadFrame& frame,
@@ -104,6 +131,10 @@ void pack_media(PackedScene<Real>& packed, PackedImages<Real>& images, int row, 
   const int rows_at = packed.put_index(rows), sides_at = packed.put_index(sides);
   packed.at(row + layout::MEDIA_ROWS) = rows_at;
   packed.at(row + layout::MEDIA_PARTS) = sides_at;
+  // Boundaries that stand apart are packed with the shapes.
+  packed.at(row + layout::MEDIA_BOUNDARIES) = 0;
+  packed.at(row + layout::MEDIA_IS_CONVEX) = are_one_convex_body(scene) ? 1 : 0;
+  packed.at(row + layout::MEDIA_VEILS) = has_veils(scene, features) ? 1 : 0;
   packed.at(row + layout::MEDIA_CAMERA) = has_media ? scene.camera.medium : layout::MEDIUM_NONE;
 }
 

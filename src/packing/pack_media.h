@@ -12,6 +12,10 @@
 
 namespace strahl {
 
+/// Whether a shape is seen by nothing, in a program with MEDIA whose paths go through media: rays meet it apart from
+/// all else (cl/media/boundaries_lanes.h). Not of groups.
+[[nodiscard]] bool stands_apart_as_boundary(const Shape& shape, const Scene& scene, const Features& features);
+
 /// Fills the row of media at `row` and what it points to. boundaries: of every part; none: it is no boundary. Under an
 /// integrator that ignores media there are none.
 template <typename Real>

@@ -12,6 +12,7 @@
 #include "program/path_lanes.h"
 #include "render/light_paths.h"
 #include "render/renderer_state.h"
+#include "scene/empty_media.h"
 #include "scene/validate.h"
 #include "stopwatch.h"
 
@@ -156,8 +157,17 @@ void Renderer::State::warm_up() {
   launch_overhead = start.seconds();
 }
 
+namespace {
+
+std::shared_ptr<const Scene> shown_scene(Scene scene, const RenderSettings& settings) {
+  if (settings.aovs.empty()) leave_out_empty_media(scene);
+  return std::make_shared<const Scene>(std::move(scene));
+}
+
+}  // namespace
+
 Renderer::Renderer(const Device& device, Scene scene, const RenderSettings& settings)
-    : state_(std::make_unique<State>(device, std::make_shared<const Scene>(std::move(scene)), settings)) {
+    : state_(std::make_unique<State>(device, shown_scene(std::move(scene), settings), settings)) {
   state_->prepare();
 }
 Renderer::~Renderer() = default;
@@ -196,7 +206,7 @@ std::string Renderer::division_text(const RenderGoal& goal) const {
 std::string Renderer::program_text() const { return completed_for(state_->device, state_->source).text; }
 
 bool Renderer::is_program_cached(const Device& device, const Scene& scene, const RenderSettings& settings) {
-  State state(device, std::make_shared<const Scene>(scene), settings);
+  State state(device, shown_scene(scene, settings), settings);
   static_cast<void>(state.choose_program());
   return strahl::is_program_cached(device, state.source);
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "kinds/materials.h"
+#include "scene/unseen.h"
 
 namespace strahl {
 
@@ -50,9 +51,11 @@ bool has_media(const Scene& scene) {
   return has;
 }
 
+/// On a shape, whatever else the scene names.
 bool has_masks(const Scene& scene) {
-  return std::any_of(scene.materials.begin(), scene.materials.end(),
-                     [](const Material& material) { return material_facts(material).opacity.has_value(); });
+  bool has = false;
+  for_each_shape(scene, [&](const Shape& shape) { has = has || is_masked(shape, scene); });
+  return has;
 }
 
 IntegratorChoice integrator_for(const Scene& scene) {

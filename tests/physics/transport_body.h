@@ -24,8 +24,11 @@ namespace tier {
 #include "scene/scene.h"
 
 inline Scene scene_of(const TierBuffers& buffers) {
-  return {static_cast<const real*>(buffers.geometry), static_cast<const real*>(buffers.shading), buffers.index, nullptr,
-          nullptr};
+  Scene scene{};
+  scene.geometry = static_cast<const real*>(buffers.geometry);
+  scene.shading = static_cast<const real*>(buffers.shading);
+  scene.index = buffers.index;
+  return scene;
 }
 
 // Vectors wider than the processor's registers take the compiler as long as everything else. So lanes are compiled only

@@ -22,6 +22,17 @@ inline Scene filled(const Geometry& geometry, const Medium& medium, double aroun
 
 inline Cube slab(double depth) { return {{-100, -100, -0.5 * depth}, {{{200, 0, 0}, {0, 200, 0}, {0, 0, depth}}}}; }
 
+/// A closed mesh of twelve triangles.
+inline Mesh block(const Vec3& low, const Vec3& high) {
+  Mesh mesh;
+  for (unsigned i = 0; i < 8; ++i)
+    mesh.positions.push_back(
+        {(i & 1U) != 0 ? high.x : low.x, (i & 2U) != 0 ? high.y : low.y, (i & 4U) != 0 ? high.z : low.z});
+  mesh.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
+                    {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
+  return mesh;
+}
+
 inline Medium medium(const Rgb& sigma_t, const Rgb& albedo) {
   Medium medium;
   medium.sigma_t = sigma_t;

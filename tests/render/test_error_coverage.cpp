@@ -117,6 +117,19 @@ TEST_CASE("independent samples: the interval holds the true error as often as it
   check_coverage(SamplerKind::independent);
 }
 
+TEST_CASE("media: the interval holds the true error as often as it says") {
+  require_pocl_and_rusticl();
+  for (const Case& what :
+       {Case{"media/fog.xml", "volpath", 48, 36, true, 0, {}}, Case{"media/smoke.xml", "volpath", 48, 36, true, 0, {}}})
+    for (const SamplerKind sampler : {SamplerKind::sobol, SamplerKind::independent}) {
+      const Tally found = tally(what, sampler, 16, 40);
+      std::cout << what.file << ", " << (sampler == SamplerKind::sobol ? "sobol" : "independent") << ": "
+                << found.inside << " of 40 inside, ±" << 100 * found.half_width << " %" << std::endl;
+      CHECK(found.inside >= 34);
+      CHECK(found.half_width < 0.5);
+    }
+}
+
 /// Whose pixels are not independent: the whole film is there four times. Four say little of their own spread, so the
 /// interval is wide: of a caustic, whose noise is that of few paths, and of an even picture.
 TEST_CASE("paths from lights: the interval holds the true error as often as it says") {

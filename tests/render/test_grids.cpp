@@ -78,6 +78,22 @@ TEST_CASE("a grid that only scatters is not seen in white surroundings") {
   }
 }
 
+TEST_CASE("an empty grid around a scene leaves its every bit") {
+  require_pocl_and_rusticl();
+  Scene bare = stage({Sphere{{0, 0, 0}, 0.8}}, diffuse({0.5, 0.4, 0.3}));
+  bare.integrator.name = "path";
+  bare.lights = {light(ConstantLight{{1, 1, 1}})};
+  Scene within = filled(cube(), varying(grid(2, 2, 2, 1, std::vector<float>(8, 0.0F)), {5, 5, 5}, {1, 1, 1}));
+  add(within, std::get<Sphere>(bare.shapes.front().geometry), add(within, Diffuse{{{0.5, 0.4, 0.3}}}));
+  for (Scene* scene : {&bare, &within}) scene->sampler.sample_count = 4;
+  CHECK(same_bits(render("pocl", bare, {}), render("pocl", within, {})));
+  // What is asked beside the picture is that of the grid's boundary.
+  RenderSettings settings;
+  settings.aovs = {Aov::depth};
+  const auto depth = [&](const Scene& scene) { return render("pocl", scene, settings).aov.at(24, 24, 0); };
+  CHECK(depth(within) < depth(bare) - 0.1F);
+}
+
 TEST_CASE("a grid glows as 1 - e^-depth of what it emits") {
   require_pocl_and_rusticl();
   Medium glowing = varying(grid(1, 1, 2, 1, {0, 1}), {1.5, 1.5, 1.5}, {0, 0, 0});

@@ -83,6 +83,13 @@ TEST_CASE("paths through media and masks are the same one by one and in lanes") 
   scene.materials.push_back(veil);
   for (const double z : {2.0, 2.5})
     add(scene, Rectangle{{-2, -2, z}, {2, 0, 0}, {0, 4, 0}}, static_cast<int>(scene.materials.size()) - 1);
+  // Boundaries of other kinds: a mesh that touches the ball's medium, a box that touches the mesh.
+  scene.media.push_back(medium({2, 0.5, 1}, {0.5, 0.9, 0.9}));
+  for (const Geometry& body :
+       {Geometry(block({-1.4, -1, -0.5}, {-0.6, 1, 0.5})), Geometry(Box{{-2, -1, -0.5}, {-1.4, 1, 0.5}})}) {
+    add(scene, body, scene.shapes.front().material);
+    scene.shapes.back().media = MediumBoundary{1, -1};
+  }
   scene.film.width = scene.film.height = 16;
   scene.sampler.kind = SamplerKind::sobol;
   scene.sampler.sample_count = 32;

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 foreach(name first_principles large_ground invariance launches closed_form terminator metamorphic mirrors checkerboard
              mirror_box numeric_error accuracy_scenes area_lights many_lights path paths_in_lanes ao disabled error_coverage
-             goals resume several_devices sphere_cloud film glass albedo media grids)
+             goals resume several_devices sphere_cloud film glass albedo media media_edges grids scattering)
   strahl_test(render/test_${name}.cpp LABEL render)
 endforeach()
 strahl_test(render/test_limitations.cpp LABEL unit)
@@ -45,3 +45,10 @@ set_tests_properties(
 add_test(NAME render_test_bidirectional_long COMMAND render_tests "-#" "[#test_bidirectional]")
 set_tests_properties(
   render_test_bidirectional_long PROPERTIES LABELS slow TIMEOUT 14400 ENVIRONMENT STRAHL_AGREEMENT=long)
+
+add_test(NAME render_test_scattering_long COMMAND render_tests "-#" "[#test_scattering]")
+set_tests_properties(render_test_scattering_long PROPERTIES LABELS slow TIMEOUT 14400 ENVIRONMENT
+                                                                                      STRAHL_SCATTERING=long)
+# 10^7 walks of each body.
+add_test(NAME render_test_media_edges_long COMMAND render_tests "M07*")
+set_tests_properties(render_test_media_edges_long PROPERTIES LABELS slow TIMEOUT 7200 ENVIRONMENT STRAHL_WALKS=1e7)

@@ -35,7 +35,7 @@ struct Family {
 
 /// Ids run from 01: S01 ... S26.
 constexpr Family numbered[] = {{"S", 26}, {"PL", 11}, {"T", 23}, {"A", 18}, {"R", 8},
-                               {"D", 8},  {"Y", 10},  {"C", 6},  {"CB", 5}};
+                               {"D", 8},  {"Y", 10},  {"C", 6},  {"CB", 5}, {"M", 8}};
 
 }  // namespace
 

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#include "scene/unseen.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+#include "kinds/materials.h"
+
+namespace strahl {
+namespace {
+
+bool passes_all(const Scene& scene, int index) {
+  const std::optional<MaterialSlot> opacity =
+      material_facts(scene.materials.at(static_cast<std::size_t>(index))).opacity;
+  return opacity && opacity->texture < 0 && opacity->reals == std::array<double, 3>{};
+}
+
+bool is_masked(const Scene& scene, int index) {
+  const Material& material = scene.materials.at(static_cast<std::size_t>(index));
+  const MaterialFacts facts = material_facts(material);
+  if (material.back >= 0 && is_masked(scene, material.back)) return true;
+  return facts.opacity.has_value() ||
+         std::any_of(facts.nested.begin(), facts.nested.end(), [&](int nested) { return is_masked(scene, nested); });
+}
+
+}  // namespace
+
+bool is_unseen(const Shape& shape, const Scene& scene) {
+  const auto* mesh = std::get_if<Mesh>(&shape.geometry);
+  if (mesh == nullptr || mesh->parts.empty()) return !shape.radiance && passes_all(scene, shape.material);
+  return std::all_of(mesh->parts.begin(), mesh->parts.end(),
+                     [&](const MeshPart& part) { return !part.radiance && passes_all(scene, part.material); });
+}
+
+bool is_masked(const Shape& shape, const Scene& scene) {
+  const auto* mesh = std::get_if<Mesh>(&shape.geometry);
+  if (mesh == nullptr || mesh->parts.empty()) return is_masked(scene, shape.material);
+  return std::any_of(mesh->parts.begin(), mesh->parts.end(),
+                     [&](const MeshPart& part) { return is_masked(scene, part.material); });
+}
+
+}  // namespace strahl

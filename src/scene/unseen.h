@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// Surfaces that nothing is seen of.
+#pragma once
+
+#include "scene/model/scene.h"
+
+namespace strahl {
+
+/// Whether all light passes the shape as it came, and it emits none: a null material everywhere. Such a shape may be a
+/// boundary of media.
+[[nodiscard]] bool is_unseen(const Shape& shape, const Scene& scene);
+
+/// Whether a share of the light may pass the shape as it came.
+[[nodiscard]] bool is_masked(const Shape& shape, const Scene& scene);
+
+}  // namespace strahl
