@@ -57,6 +57,7 @@ std::vector<EffectRow> measure_effect_rows(const Device& device, const EffectsOp
   rounds.builds = 1;
   rounds.frames = options.rounds;
   rounds.frame_seconds = options.frame_seconds;
+  if (device.info().type == "CPU") rounds.clock = StudyClock::processor;
   for (const auto& [path, effects] : chosen(options.scenes)) {
     const std::string name = path.starts_with(options.folder) ? path.substr(options.folder.size()) : path;
     progress(fmt::format("{}: {}", name, fmt::join(effects, ", ")));
@@ -94,9 +95,10 @@ std::string json(const std::vector<EffectRow>& rows, const Device& device) {
 
 std::string markdown(const std::vector<EffectRow>& rows, const Device& device) {
   std::string text = fmt::format(
-      "{}.\n\n| effect | scene | kernels, ms | without it | build, s | without it | KiB | without it | private bytes | "
+      "{}; {}.\n\n| effect | scene | kernels, ms | without it | build, s | without it | KiB | without it | private "
+      "bytes | "
       "without it |\n|---|---|--:|--:|--:|--:|--:|--:|--:|--:|\n",
-      device.info().text());
+      device.info().text(), device.info().type == "CPU" ? "seconds of the processor" : "seconds of the clock");
   for (const EffectRow& row : rows) {
     if (!row.cost.needed.empty()) continue;
     const double kernel = 1e3 * row.own.kernel(), bytes = static_cast<double>(row.own.bytes);

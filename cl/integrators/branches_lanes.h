@@ -66,6 +66,10 @@ FN maskw path_branch_w(const Scene* scene, Paths_w* path, const Surfaces_w* s, c
   realw eta2 = path->eta2 * (through.eta * through.eta);
   realw back_light = max3_w(back_share) * path->eta2, through_light = max3_w(through_share) * eta2;
   maskw goes_back = which & lt_w(zero, back_light), goes_through = which & lt_w(zero, through_light);
+  if (HAS_STRICT_NORMALS) {
+    goes_back = on_one_side_w(scene, s, goes_back, back.wi);
+    goes_through = on_one_side_w(scene, s, goes_through, through.wi);
+  }
   maskw is_back_less = lt_w(back_light, through_light), splits = goes_back & goes_through;
   maskw ends = splits & lt_w(sel_w(is_back_less, back_light, through_light), least);
   if (any_w(ends)) count_events(scene, COUNT_BRANCHES, lanes_among(bits_w(ends)));

@@ -67,6 +67,7 @@ FN real3w light_gain_w(const Scene* scene, const Paths_w* path, const Surfaces_w
   }
   *light = light_sample_w(scene, which, lights, s->position, numbers);
   which = which & lt_w(zero, max3_w(light->radiance));
+  if (HAS_STRICT_NORMALS) which = on_one_side_w(scene, s, which, light->towards);
   realw density;
 #if HAS_MEDIA
   real3w reflected = vertex_eval_w(scene, path, s, b, unit3_w(light->towards), &density);

@@ -5,6 +5,7 @@
 #include "scene/counters.h"
 #include "lights/light_lanes.h"
 #include "materials/material_lanes.h"
+#include "integrators/strict_normals_lanes.h"
 #include "integrators/openness_lanes.h"
 #include "integrators/pass_on_lanes.h"
 #include "integrators/steps.h"
@@ -71,6 +72,7 @@ FN void surface_scatter_w(const Scene* scene, Paths_w* path, const Surfaces_w* s
 #if HAS_MEDIA
   if ((next & STEP_THROUGH) != 0) on = on & lt_int_w(path->depth, splat_int_w(scene->index[HEADER_MAX_DEPTH] - 1));
 #endif
+  if (HAS_STRICT_NORMALS) on = on_one_side_w(scene, s, on, wo);
   if (any_w(on)) {
     Bsdf_w b = bsdf_at_w(scene, s, &at, wo);
     Crossing_w crossing;

@@ -29,6 +29,7 @@ FN maskw path_scatter_w(const Scene* scene, Paths_w* path, const Surfaces_w* s, 
   real3w throughput = mul3_w(path->throughput, way.weight);
   realw most = max3_w(throughput), eta2 = path->eta2;
   which = which & lt_w(splat_w(R(0.0)), most);
+  if (HAS_STRICT_NORMALS) which = on_one_side_w(scene, s, which, way.wi);
   if (HAS_TRANSMISSION) {
     eta2 = eta2 * (way.eta * way.eta);
     most = most * eta2;

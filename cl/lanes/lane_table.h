@@ -614,6 +614,7 @@
 #define number_again_w LANED(number_again_w)
 #define number_of_share_w LANED(number_of_share_w)
 #define of_hero_w LANED(of_hero_w)
+#define on_one_side_w LANED(on_one_side_w)
 #define one_minus_exp_w LANED(one_minus_exp_w)
 #define optical_depth_w LANED(optical_depth_w)
 #define packet_alone_w LANED(packet_alone_w)

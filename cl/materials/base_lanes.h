@@ -6,11 +6,12 @@
 
 enum { BASE_ETA_w = 0, BASE_WEIGHT_w = 1, BASE_NONLINEAR_w = 2, BASE_INNER_w = 3, BASE_INVERSE_w = 4 };
 
-/// The chance of the specular lobe, of which so much is reflected.
-FN realw base_chance_w(const Bsdf_w* b, int base, realw reflected) {
-  realw one = splat_w(R(1.0)), weight = b->p[base + BASE_WEIGHT_w];
-  realw specular = reflected * weight, diffuse = (one - reflected) * (one - weight), sum = specular + diffuse;
-  return sel_w(lt_w(splat_w(R(0.0)), sum), specular / sum, one);
+/// The chance of the diffuse lobe, where the boundary lets so much through: with the digits of `through`, however
+/// small.
+FN realw base_chance_w(const Bsdf_w* b, int base, realw through) {
+  realw zero = splat_w(R(0.0)), one = splat_w(R(1.0)), weight = b->p[base + BASE_WEIGHT_w];
+  realw diffuse = through * (one - weight), sum = fma_w(one - through, weight, diffuse);
+  return sel_w(lt_w(zero, sum), diffuse / sum, zero);
 }
 
 /// The base's reflectance, all inner reflections summed.

@@ -50,14 +50,12 @@ FN void coat_load_w(const Scene* scene, const Surfaces_w* s, maskw which, intw r
 /// w: above the layer, in the frame.
 FN CoatWay_w coat_way_w(const Coat_w* c, real3w w) {
   realw zero = splat_w(R(0.0)), one = splat_w(R(1.0)), above = min_w(abs_w(w.z), one), inverse = one / c->eta;
-  realw below = fresnel_w(above, c->eta).cosine, g = c->eta * below, eta2 = c->eta * c->eta;
+  Fresnel_w f = fresnel_w(above, c->eta);
+  realw below = f.cosine;
   CoatWay_w in;
   maskw is_there = lt_w(zero, below) & lt_w(zero, above);
   in.cosine = sel_w(is_there, below, one);
-  // One less the reflectance, as a product: little goes through where light is grazing.
-  realw across = one / sel_w(is_there, above + g, one), along = c->eta / sel_w(is_there, fma_w(eta2, above, g), one);
-  realw through = splat_w(R(2.0)) * above * g * fma_w(across, across, along * along);
-  in.let_in = sel_w(is_there, min_w(through, one), zero);
+  in.let_in = sel_w(is_there, f.transmittance, zero);
   in.squeezed = inverse * inverse * (above / in.cosine);
   in.way = vec3_w(inverse * w.x, inverse * w.y, sel_w(lt_w(w.z, zero), -in.cosine, in.cosine));
   return in;

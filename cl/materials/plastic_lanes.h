@@ -10,32 +10,34 @@ FN void plastic_load_w(const Scene* scene, const Surfaces_w* s, intw rows, maskw
     put_bsdf_color_w(b, which, 3 * slot, parameter_at_w(scene, s, which, rows, slot));
 }
 
-FN realw plastic_fresnel_w(const Bsdf_w* b, realw cosine) {
-  realw one = splat_w(R(1.0));
-  return fresnel_w(min_w(cosine, one), b->p[PLASTIC_ETA_w]).reflectance;
+FN Fresnel_w plastic_fresnel_w(const Bsdf_w* b, realw cosine) {
+  realw zero = splat_w(R(0.0)), one = splat_w(R(1.0));
+  return fresnel_w(min_w(max_w(cosine, zero), one), b->p[PLASTIC_ETA_w]);
 }
 
 FN real3w plastic_eval_w(const Bsdf_w* b, real3w wi, PRIVATE realw* density) {
-  realw zero = splat_w(R(0.0)), one = splat_w(R(1.0));
+  realw zero = splat_w(R(0.0));
   maskw is_lit = lt_w(zero, wi.z) & lt_w(zero, b->wo.z);
-  realw out = plastic_fresnel_w(b, max_w(b->wo.z, zero)), in = plastic_fresnel_w(b, max_w(wi.z, zero));
+  realw out = plastic_fresnel_w(b, b->wo.z).transmittance, in = plastic_fresnel_w(b, wi.z).transmittance;
   realw lambert = wi.z * splat_w(ONE_OVER_PI);
-  *density = sel_w(is_lit, (one - base_chance_w(b, PLASTIC_BASE_w, out)) * lambert, zero);
-  return sel3_w(is_lit, scale3_w(lambert * (one - out) * (one - in), base_color_w(b, PLASTIC_BASE_w)), black_w());
+  *density = sel_w(is_lit, base_chance_w(b, PLASTIC_BASE_w, out) * lambert, zero);
+  return sel3_w(is_lit, scale3_w(lambert * out * in, base_color_w(b, PLASTIC_BASE_w)), black_w());
 }
 
 FN BsdfSample_w plastic_sample_w(const Bsdf_w* b, int lobes, realw number, realw u, realw v) {
   BsdfSample_w s = no_way_w(b);
-  realw zero = splat_w(R(0.0)), one = splat_w(R(1.0)), out = plastic_fresnel_w(b, max_w(b->wo.z, zero));
+  realw zero = splat_w(R(0.0)), one = splat_w(R(1.0));
+  Fresnel_w out = plastic_fresnel_w(b, b->wo.z);
   int is_either = (lobes & LOBE_DELTA) != 0 && (lobes & LOBE_DIFFUSE) != 0;
-  realw chance = is_either ? base_chance_w(b, PLASTIC_BASE_w, out) : one;
+  realw rest = is_either ? base_chance_w(b, PLASTIC_BASE_w, out.transmittance) : one;
+  realw chance = is_either ? one - rest : one;
   maskw is_specular = is_either ? lt_w(number, chance) : (lobes & LOBE_DELTA) != 0 ? ~none_w() : none_w();
   maskw is_lit = lt_w(zero, b->wo.z);
   real3w mirrored = vec3_w(-b->wo.x, -b->wo.y, b->wo.z), diffuse = square_to_cosine_hemisphere_w(u, v);
   s.wi = sel3_w(is_specular, mirrored, diffuse);
-  realw rest = is_either ? one - chance : one, in = plastic_fresnel_w(b, diffuse.z);
-  real3w specular = scale3_w(out / sel_w(is_specular, chance, one), bsdf_color_w(b, PLASTIC_SPECULAR_w));
-  realw through = (one - out) * (one - in) / sel_w(is_specular, one, rest);
+  realw in = plastic_fresnel_w(b, diffuse.z).transmittance;
+  real3w specular = scale3_w(out.reflectance / sel_w(is_specular, chance, one), bsdf_color_w(b, PLASTIC_SPECULAR_w));
+  realw through = out.transmittance * in / sel_w(is_specular, one, rest);
   real3w weight = sel3_w(is_specular, specular, scale3_w(through, base_color_w(b, PLASTIC_BASE_w)));
   s.weight = sel3_w(is_lit, weight, black_w());
   s.density = sel_w(is_specular, chance, sel_w(is_lit, rest * diffuse.z * splat_w(ONE_OVER_PI), zero));

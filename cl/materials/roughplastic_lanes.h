@@ -34,9 +34,9 @@ SELDOM_FN real3w roughplastic_eval_w(const Bsdf_w* b, real3w wi, PRIVATE realw* 
   realw cosine = dot3_w(b->wo, m), lambert = wi.z * splat_w(ONE_OVER_PI);
   maskw is_lit = lt_w(zero, wi.z) & lt_w(zero, b->wo.z), is_met = is_lit & lt_w(zero, cosine);
   realw out = roughplastic_through_w(b, b->wo.z), in = roughplastic_through_w(b, wi.z);
-  realw chance = base_chance_w(b, ROUGHPLASTIC_BASE_w, one - out), normals = facets_normals_w(&f, m);
+  realw rest = base_chance_w(b, ROUGHPLASTIC_BASE_w, out), normals = facets_normals_w(&f, m);
   realw drawn = sel_w(is_met, quarter * facets_density_w(&f, b->wo, m, normals, cosine), zero);
-  *density = sel_w(is_lit, fma_w(chance, drawn, (one - chance) * lambert), zero);
+  *density = sel_w(is_lit, fma_w(one - rest, drawn, rest * lambert), zero);
   realw eta = b->p[ROUGHPLASTIC_ETA_w], seen = facets_masking_w(&f, b->wo) * facets_masking_w(&f, wi);
   realw reflected = fresnel_w(min_w(max_w(cosine, zero), one), eta).reflectance * quarter * normals * seen * wi.z;
   real3w specular = scale3_w(sel_w(is_met, reflected, zero), bsdf_color_w(b, ROUGHPLASTIC_SPECULAR_w));
@@ -49,7 +49,7 @@ SELDOM_FN BsdfSample_w roughplastic_sample_w(const Bsdf_w* b, int lobes, realw n
   realw zero = splat_w(R(0.0)), one = splat_w(R(1.0));
   Microfacets_w f = microfacets_of_w(b, ROUGHPLASTIC_FACETS_w);
   realw out = roughplastic_through_w(b, max_w(b->wo.z, zero));
-  maskw is_specular = lt_w(number, base_chance_w(b, ROUGHPLASTIC_BASE_w, one - out));
+  maskw is_specular = lt_w(number, one - base_chance_w(b, ROUGHPLASTIC_BASE_w, out));
   real3w wo = vec3_w(b->wo.x, b->wo.y, abs_w(b->wo.z)), m = facets_draw_w(&f, wo, u, v);
   s.wi = sel3_w(is_specular, facets_mirror_w(wo, m, dot3_w(wo, m)), square_to_cosine_hemisphere_w(u, v));
   real3w value = roughplastic_eval_w(b, s.wi, &s.density);

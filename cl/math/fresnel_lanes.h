@@ -4,8 +4,9 @@
 // K. Torrance, "A Reflectance Model for Computer Graphics", ACM TOG 1(1), 1982, has R by c and g. One width; no guard.
 
 typedef struct {
-  realw reflectance;  ///< Within [0, 1]; 1 under total reflection.
-  realw cosine;       ///< Of the transmitted direction against the normal of the far side; 0 under total reflection.
+  realw reflectance;    ///< Within [0, 1]; 1 under total reflection.
+  realw transmittance;  ///< One less that, as a product: to a few roundings of its own, however little goes through.
+  realw cosine;         ///< Of the transmitted direction against the normal of the far side; 0 under total reflection.
 } Fresnel_w;
 
 /// c^2 + eta^2 - 1 to about one rounding, even near the critical angle: the squares and sums keep their rounding errors
@@ -33,5 +34,8 @@ FN Fresnel_w fresnel_w(realw c, realw eta) {
   reflectance = sel_w(is_total | is_grazing | lt_w(one, reflectance), one, reflectance);
   f.reflectance = sel_w(is_same, zero, reflectance);
   f.cosine = sel_w(is_same, c, g / eta);
+  realw along = fma_w(eta * eta, c, g), by_s = one / sum, by_p = eta / sel_w(is_total | is_grazing, one, along);
+  realw transmittance = splat_w(R(2.0)) * c * g * fma_w(by_s, by_s, by_p * by_p);
+  f.transmittance = sel_w(is_same, one, sel_w(is_total | is_grazing, zero, min_w(transmittance, one)));
   return f;
 }

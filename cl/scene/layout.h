@@ -19,6 +19,7 @@ enum {
   HEADER_MAX_DEPTH,   // -1: no limit
   HEADER_RR_DEPTH,    // Surfaces after which Russian roulette begins.
   HEADER_HIDE_EMITTERS,
+  HEADER_STRICT_NORMALS,
   HEADER_SAMPLER,    // SAMPLER_independent, ...
   HEADER_CAMERA,     // -> shading
   HEADER_SENSOR,     // -> shading, SENSOR_REALS and a table, where light paths end on the sensor; else -1

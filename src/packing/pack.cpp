@@ -75,6 +75,7 @@ class Packing {
         options_.frame.scale * scene_.integrator.max_distance, static_cast<double>(std::numeric_limits<Real>::max()))});
     index(layout::HEADER_SAMPLER) = features_.entry_index("samplers", sampler_entry(sampling.kind));
     index(layout::HEADER_HIDE_EMITTERS) = scene_.integrator.hide_emitters ? 1 : 0;
+    index(layout::HEADER_STRICT_NORMALS) = scene_.integrator.strict_normals ? 1 : 0;
     index(layout::HEADER_CAMERA) = packed_.put_shading(camera_reals(scene_.camera, scene_.film, options_.frame));
     index(layout::HEADER_FILM_ROWS) = scene_.film.window().height();
     index(layout::HEADER_SENSOR) = -1;

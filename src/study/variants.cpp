@@ -2,6 +2,7 @@
 #include "study/variants.h"
 
 #include <stdlib.h>  // NOLINT(modernize-deprecated-headers): setenv is POSIX
+#include <sys/resource.h>
 
 #include <algorithm>
 #include <optional>
@@ -12,7 +13,20 @@
 namespace strahl {
 namespace {
 
-double frame(Renderer& renderer) { return renderer.render().stats.seconds.kernel; }
+double processor_seconds() {
+  rusage used{};
+  if (getrusage(RUSAGE_SELF, &used) != 0) return 0;
+  const auto seconds = [](const timeval& t) {
+    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+  };
+  return seconds(used.ru_utime) + seconds(used.ru_stime);
+}
+
+double frame(Renderer& renderer, StudyClock clock = StudyClock::wall) {
+  const double before = processor_seconds();
+  const double kernel = renderer.render().stats.seconds.kernel;
+  return clock == StudyClock::wall ? kernel : processor_seconds() - before;
+}
 
 /// So many that a frame takes about as long as asked for, and no more than the scene has.
 int fitting_spp(const Device& device, Scene scene, const RenderSettings& settings, double seconds) {
@@ -61,10 +75,16 @@ VariantStudy time_variants(const Device& device, Scene scene, const std::vector<
       if (progress) progress(static_cast<double>(done++) / static_cast<double>(total));
       RenderSettings settings = variants[i];
       settings.passes = 1;
+      const double before = processor_seconds();
       Renderer renderer(device, scene, settings);
       RenderResult result = renderer.render();
       VariantTimes& times = study.variants[i];
-      times.build_seconds.push_back(result.stats.seconds.program);
+      if (rounds.clock == StudyClock::wall) {
+        times.build_seconds.push_back(result.stats.seconds.program);
+      } else {
+        const double whole = processor_seconds() - before;
+        times.build_seconds.push_back(std::max(0.0, whole - frame(renderer, rounds.clock)));
+      }
       if (build + 1 < rounds.builds) continue;
       times.program = result.stats.program;
       times.bytes = result.stats.program_bytes;
@@ -72,8 +92,8 @@ VariantStudy time_variants(const Device& device, Scene scene, const std::vector<
       times.color = std::move(result.color);
       if (i == 0) first.emplace(std::move(renderer));
       for (int round = 0; round < rounds.frames; ++round) {
-        times.first_seconds.push_back(frame(*first));
-        times.kernel_seconds.push_back(i == 0 ? times.first_seconds.back() : frame(renderer));
+        times.first_seconds.push_back(frame(*first, rounds.clock));
+        times.kernel_seconds.push_back(i == 0 ? times.first_seconds.back() : frame(renderer, rounds.clock));
       }
     }
   }

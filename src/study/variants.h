@@ -30,10 +30,18 @@ struct VariantTimes {
   [[nodiscard]] double ratio() const;   ///< To the first variant: median of the rounds' ratios.
 };
 
+/// What the seconds of a study are.
+enum class StudyClock {
+  wall,      ///< Of the builds' and the kernels' begin and end.
+  processor  ///< That all threads of the process spent, on CPU devices: other programs hardly lengthen them. A build's
+             ///< are those of a first frame less those of a second one.
+};
+
 struct VariantRounds {
   int builds = 3;
   int frames = 9;
   double frame_seconds = 0.1;  ///< About so long a timed frame takes: samples are added up to those of the scene.
+  StudyClock clock = StudyClock::wall;
 };
 
 struct VariantStudy {

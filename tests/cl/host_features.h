@@ -7,6 +7,7 @@
 #define HAS_EMISSION 1
 #define HAS_SUN 1
 #define HAS_LIGHT_TEXTURE 1
+#define HAS_STRICT_NORMALS 1
 #define HAS_TWOSIDED 1
 #define HAS_METAL 1
 #define HAS_BECKMANN 1

@@ -135,11 +135,13 @@ TEST_CASE("The header says what a program does not know: width, seed, depth") {
         filter_quantiles(scene.film.filter, SamplerKind::independent));
   CHECK(read.shading(read.header(layout::HEADER_CAMERA) + layout::CAMERA_D, 3) == Reals{0, 0, 1});
 
-  scene.integrator.hide_emitters = true;
+  CHECK(read.header(layout::HEADER_STRICT_NORMALS) == 0);
+  scene.integrator.hide_emitters = scene.integrator.strict_normals = true;
   RenderSettings generic;
   generic.generic = true;
   const Read<double> all(scene, {1, {}}, generic);
   CHECK(all.header(layout::HEADER_HIDE_EMITTERS) == 1);
+  CHECK(all.header(layout::HEADER_STRICT_NORMALS) == 1);
   const std::vector<std::string> integrators = list_entries("integrators");
   CHECK(integrators.at(static_cast<std::size_t>(all.header(layout::HEADER_INTEGRATOR))) == "direct");
 }

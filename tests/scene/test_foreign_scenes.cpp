@@ -230,6 +230,14 @@ TEST_CASE("more than three alike are one, with a count and the next two places")
   CHECK(contains(found[0], "2:19: error: cannot read"));
   CHECK(contains(found[0], "m0.obj"));
   CHECK(contains(found[0], "49 more like it"));
+  body.clear();
+  for (int i = 0; i < 50; ++i)
+    body += "<bsdf type=\"diffuse\"><texture type=\"bitmap\" name=\"reflectance\"><string name=\"filename\" value=\"t" +
+            std::to_string(i) + ".png\"/></texture></bsdf>\n";
+  found = problems(around(body));
+  REQUIRE(found.size() == 1);
+  CHECK(contains(found[0], "t0.png"));
+  CHECK(contains(found[0], "49 more like it"));
 }
 
 TEST_CASE("errors of a mesh name the place that asks for it; MTL is told of only where it is used") {

@@ -259,6 +259,19 @@ TEST_CASE("a mask has an opacity, nothing is a mask, and two sides may differ") 
   CHECK(std::holds_alternative<Plastic>(mask.bsdf));
   CHECK(material("<bsdf type=\"null\"/>").opacity->color == Rgb{0, 0, 0});
   CHECK_FALSE(material("<bsdf type=\"diffuse\"/>").opacity);
+  const std::string half = "<bsdf type=\"mask\"><float name=\"opacity\" value=\"0.5\"/><bsdf type=\"plastic\"/></bsdf>";
+  const Material twice = material("<bsdf type=\"mask\"><float name=\"opacity\" value=\"0.4\"/>" + half + "</bsdf>");
+  CHECK(twice.opacity->color.r == Approx(0.2));
+  CHECK(std::holds_alternative<Plastic>(twice.bsdf));
+  const Scene patterned =
+      load_body("<bsdf type=\"mask\"><texture type=\"checkerboard\" name=\"opacity\"/>" + half + "</bsdf>").scene;
+  const Material& outer = patterned.materials.back();
+  CHECK(outer.opacity->texture == 0);
+  const Blend& all = std::get<Blend>(outer.bsdf);
+  CHECK(all.weight.color == Rgb{0, 0, 0});
+  const Material& inner = patterned.materials.at(static_cast<std::size_t>(all.first));
+  CHECK(inner.opacity->color == Rgb{0.5, 0.5, 0.5});
+  CHECK(std::holds_alternative<Plastic>(inner.bsdf));
   CHECK(problem("<bsdf type=\"mask\"/>").find("needs one <bsdf> inside") != std::string::npos);
   const Scene sides =
       load_body("<bsdf type=\"twosided\"><bsdf type=\"diffuse\"/><bsdf type=\"conductor\"/></bsdf>").scene;

@@ -314,6 +314,7 @@ struct IntegratorSettings {
   int max_depth = -1;           ///< -1: no limit. Mitsuba's count: 1 = emission only, 2 = one bounce.
   int rr_depth = 5;             ///< Surfaces after which Russian roulette begins, at least 1; path only.
   bool hide_emitters = false;
+  bool strict_normals = false;  ///< Surfaces are lit where shading and geometric normal agree about the side.
   double max_distance = std::numeric_limits<double>::infinity();  ///< How far ao looks, > 0.
   std::string why;  ///< Why "auto" chose it (auto_integrator.h); empty: it was named.
   SourceLocation where;

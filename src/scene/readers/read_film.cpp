@@ -38,10 +38,12 @@ void read_crop(Properties& properties, Film& film) {
 
 Film read_film(const XmlElement& element, SceneBuilder& builder) {
   Properties properties(element, builder.ids, builder.diagnostics);
-  const bool is_ldr = properties.type() == "ldrfilm";
-  if (properties.type() != "hdrfilm" && !is_ldr)
-    builder.diagnostics.unknown(
-        element.where, fmt::format("{}; it is read as hdrfilm", not_available("film", properties.type(), {"hdrfilm"})));
+  // Mitsuba 0.x has one for each format, and one that writes tiles.
+  const std::string_view type = properties.type();
+  const bool is_old = type == "ldrfilm" || type == "mfilm" || type == "tiledhdrfilm";
+  if (type != "hdrfilm" && !is_old)
+    builder.diagnostics.unknown(element.where,
+                                fmt::format("{}; it is read as hdrfilm", not_available("film", type, {"hdrfilm"})));
   Film film;
   film.where = element.where;
   film.width = properties.integer_in("width", 1, Film::largest_size).value_or(film.width);
@@ -52,7 +54,7 @@ Film read_film(const XmlElement& element, SceneBuilder& builder) {
   if (filters.size() > 1) builder.diagnostics.error(filters[1]->where, "a film has one <rfilter>");
   properties.accept({"file_format", "pixel_format", "component_format", "sample_border", "compensate", "banner",
                      "attach_log", "high_quality_edges", "gamma"});
-  if (is_ldr) properties.accept({"filename"});
+  if (is_old) properties.accept({"filename", "digits", "variable"});
   properties.report_unknown();
   return film;
 }

@@ -20,8 +20,7 @@ std::optional<std::string> readable_path(Properties& properties, SceneBuilder& b
   const std::string path = builder.search_path.find(*name, where.file);
   const std::string obstacle = unreadable_because(path);
   if (!obstacle.empty()) {
-    diagnostics.error(where,
-                      fmt::format("cannot read \"{}\": {} (the path counts from the scene file)", path, obstacle));
+    diagnostics.unreadable(where, path, obstacle);
     return {};
   }
   return path;

@@ -57,14 +57,16 @@ IntegratorSettings read_integrator(const XmlElement& element, SceneBuilder& buil
       properties.integer_in("rr_depth", 1, std::numeric_limits<int>::max()).value_or(integrator.rr_depth);
   integrator.max_distance = properties.positive("max_distance").value_or(integrator.max_distance);
   integrator.hide_emitters = properties.boolean("hide_emitters").value_or(false);
-  if (properties.boolean("strict_normals").value_or(false))
-    builder.diagnostics.unknown(properties.where("strict_normals"),
-                                "\"strict_normals\" is not supported yet; normals count as they are");
+  integrator.strict_normals = properties.boolean("strict_normals").value_or(false);
   properties.accept({"shading_samples", "emitter_samples", "bsdf_samples", "samples_per_pass", "block_size"});
   // Of 0.x: which techniques it takes. strahl takes all, and the picture is the same but for its noise.
   if (type == "bdpt") properties.accept({"light_image", "sample_direct"});
   const bool is_known = type == "auto" || std::find(known.begin(), known.end(), type) != known.end();
   integrator.name = is_known ? std::string(type) : substitute_of(properties);
+  if (integrator.strict_normals && kinds::integrator(integrator.name == "auto" ? "path" : integrator.name).from_lights)
+    builder.diagnostics.unknown(
+        properties.where("strict_normals"),
+        fmt::format("\"strict_normals\" is not supported yet of {}; normals count as they are", integrator.name));
   properties.report_unknown();
   return integrator;
 }

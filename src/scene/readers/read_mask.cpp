@@ -2,10 +2,27 @@
 // <bsdf type="mask">: the bsdf inside it, met by a share of rays. <bsdf type="null">: met by none.
 #include <fmt/format.h>
 
+#include "kinds/textures.h"
 #include "scene/readers/read_material.h"
 #include "scene/readers/read_texture.h"
 
 namespace strahl {
+
+namespace {
+
+/// What is inside a mask that is a mask itself: of a blend all of one, since each row of materials has one opacity, and
+/// those of rows within each other multiply.
+Material of_its_own_row(const Material& mask, SceneBuilder& builder) {
+  builder.scene.materials.push_back(mask);
+  Blend all;
+  all.weight = Reflectance{{0, 0, 0}};
+  all.first = all.second = static_cast<int>(builder.scene.materials.size()) - 1;
+  Material material;
+  material.bsdf = all;
+  return material;
+}
+
+}  // namespace
 
 Material read_mask(Properties& properties, SceneBuilder& builder) {
   const std::vector<const XmlElement*> inside = properties.objects("bsdf");
@@ -14,12 +31,12 @@ Material read_mask(Properties& properties, SceneBuilder& builder) {
     return {};
   }
   Material material = material_of(*inside.front(), builder);
-  if (material.opacity) {
-    builder.diagnostics.unknown(inside.front()->where,
-                                "a mask within a mask is not supported; the inner one is left out");
-    material.opacity.reset();
-  }
-  material.opacity = read_share(properties, builder, "opacity", 0.5);
+  Reflectance opacity = read_share(properties, builder, "opacity", 0.5);
+  if (material.opacity && material.opacity->texture < 0 && opacity.texture < 0)
+    opacity.color = kinds::times(opacity.color, material.opacity->color);
+  else if (material.opacity)
+    material = of_its_own_row(material, builder);
+  material.opacity = opacity;
   return material;
 }
 

@@ -5,6 +5,7 @@
 
 #include <limits>
 
+#include "scene/meshes/creased_normals.h"
 #include "scene/meshes/mesh_file.h"
 #include "scene/meshes/vertex_normals.h"
 #include "scene/readers/mesh_import.h"
@@ -17,6 +18,14 @@ namespace {
 /// Which of the meshes of a file.
 int shape_index(Properties& properties) {
   return properties.integer_in("shape_index", 0, std::numeric_limits<int>::max()).value_or(0);
+}
+
+/// Of Mitsuba 0.x, in degrees: new normals, smooth where triangles are at most this far from each other.
+std::optional<double> max_smooth_angle(Properties& properties) {
+  const std::optional<double> degrees = properties.number("max_smooth_angle");
+  if (!degrees || (*degrees >= 0 && *degrees <= 180)) return degrees;
+  properties.diagnostics().error(properties.where("max_smooth_angle"), "max_smooth_angle must lie between 0 and 180");
+  return std::nullopt;
 }
 
 void to_world(Mesh& mesh, const Transform& world_from_object) {
@@ -33,6 +42,7 @@ Geometry read_geometry(ShapeInput& input, const Mesh&) {
   Properties& properties = input.properties;
   Diagnostics& diagnostics = input.builder.diagnostics;
   const bool face_normals = properties.boolean("face_normals").value_or(false);
+  const std::optional<double> smooth_angle = max_smooth_angle(properties);
   const bool flip_v = properties.boolean("flip_tex_coords").value_or(properties.type() == "obj");
   const int index = properties.type() == "serialized" ? shape_index(properties) : 0;
   const std::optional<std::string> path = data_path(input, properties.type());
@@ -51,7 +61,10 @@ Geometry read_geometry(ShapeInput& input, const Mesh&) {
     if (face_normals) file.mesh.normals.clear();
     if (flip_v) flip_tex_coords(file.mesh);
     to_world(file.mesh, input.world_from_object);
-    if (file.mesh.normals.empty() && !face_normals && !file.face_normals) make_vertex_normals(file.mesh);
+    if (smooth_angle && !face_normals)
+      make_creased_normals(file.mesh, *smooth_angle);
+    else if (file.mesh.normals.empty() && !face_normals && !file.face_normals)
+      make_vertex_normals(file.mesh);
     return std::move(file.mesh);
   } catch (const EmptyMeshError&) {
     diagnostics.unknown(properties.where("filename"),

@@ -212,6 +212,14 @@ PICTURES = {
         carriers=(ball, sheet, ring, plate),
         integrator=path(12),
     ),
+    "mask-nested": four(
+        bsdf("mask", number("opacity", 0.7), bsdf("mask", number("opacity", 0.6), DIFFUSE)),
+        bsdf("mask", bitmap("opacity"), bsdf("mask", checker("opacity", 0.9, 0.4), twosided(DIFFUSE))),
+        bsdf("mask", number("opacity", 0.9), bsdf("blendbsdf", number("weight", 0.5), DIFFUSE, bsdf("mask", number("opacity", 0.5), DIFFUSE))),
+        bsdf("mask", checker("opacity", 1, 0), bsdf("mask", number("opacity", 0.6), rough_plastic(RED))),
+        carriers=(ball, sheet, ring, plate),
+        integrator=path(12),
+    ),
     "blendbsdf": four(
         bsdf("blendbsdf", number("weight", 0.3), DIFFUSE, rough_metal(facets("ggx", 0.2))),
         twosided(bsdf("blendbsdf", bitmap("weight"), DIFFUSE, rough_metal(AU))),
