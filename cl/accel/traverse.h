@@ -5,6 +5,7 @@
 // Boulos, "Getting Rid of Packets", IEEE Symposium on Interactive Ray Tracing, 2008. A child that begins exactly at the
 // nearest hit so far is not dropped: among equal t the smallest id wins.
 #include "accel/instance.h"
+#include "accel/met.h"
 #include "accel/packet_kinds.h"
 #include "hits/candidates.h"
 #include "scene/counters.h"

@@ -16,14 +16,6 @@
 #define RAYS_ARE_ALIKE 0
 #endif
 
-FN Scene scene_of(GLOBAL const real* geometry, GLOBAL const real* shading, GLOBAL const int* index) {
-  Scene scene;
-  scene.geometry = geometry;
-  scene.shading = shading;
-  scene.index = index;
-  return scene;
-}
-
 #if LANES != 1
 /// find_rays of hits/trace_one.h for packets.
 ONCE_FN void find_packet_w(const Scene* scene, GLOBAL const real* in, GLOBAL const int* departed, int count,
@@ -59,7 +51,7 @@ KERNEL LANE_HINT void find(GLOBAL const real* geometry, GLOBAL const real* shadi
                            ulong count) {
   ulong first = get_global_id(0) * LANES;
   if (first >= count) return;
-  Scene scene = scene_of(geometry, shading, index);
+  Scene scene = scene_of(geometry, shading, index, (GLOBAL uint*)0);
   int rays_there = count - first < LANES ? (int)(count - first) : LANES;
   ulong ints = STOP_AT_FIRST ? 1 : FOUND_INTS;
   find_w(&scene, rays + first * RAY_REALS, departed + first * DEPARTED_INTS, rays_there, STOP_AT_FIRST, t + first,

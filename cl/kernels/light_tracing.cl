@@ -71,11 +71,7 @@ KERNEL LANE_HINT_OF(SCENE_LANES) void render(GLOBAL const real* geometry, GLOBAL
   (void)aov_ints;
   SplatFilm splats = splat_film_of(film, index, x_first, y_first, film_first, film_columns);
   splats.done = done_of_paths(counters, film_first, film_columns, row, column);
-  Scene scene;
-  scene.geometry = geometry;
-  scene.shading = shading;
-  scene.index = index;
-  scene.counters = counters;
+  Scene scene = scene_of(geometry, shading, index, counters);
   scene.splats = &splats;
   Span span;
   span.x = x_first + column;

@@ -131,14 +131,7 @@ KERNEL LANE_HINT_OF(SCENE_LANES) void render(GLOBAL const real* geometry, GLOBAL
                                              int film_first, int film_columns, int sample_first, int sample_count) {
   int column = (int)get_global_id(0) * span_columns, row = (int)get_global_id(1);
   if (column >= columns || row >= rows) return;
-  Scene scene;
-  scene.geometry = geometry;
-  scene.shading = shading;
-  scene.index = index;
-  scene.counters = counters;
-#if HAS_MEDIA
-  scene.met = 0;
-#endif
+  Scene scene = scene_of(geometry, shading, index, counters);
   // film_first: index of the first of those pixels in the film buffer, whose rows are film_columns long.
   ulong slot = (ulong)film_first + (ulong)row * (ulong)film_columns + (ulong)column;
 

@@ -89,44 +89,25 @@ typedef struct {
 #endif
 } Scene;
 
-/// Shapes that rays meet may stand in a list and a tree of their own.
-#if HAS_MEDIA
-enum { HAS_GROUPS = 1 };
-#else
-enum { HAS_GROUPS = HAS_INSTANCES };
+/// The scene in a kernel's buffers. counters: null in kernels that count nothing.
+FN Scene scene_of(GLOBAL const real* geometry, GLOBAL const real* shading, GLOBAL const int* index,
+                  GLOBAL uint* counters) {
+  Scene scene;
+  scene.geometry = geometry;
+  scene.shading = shading;
+  scene.index = index;
+  scene.counters = counters;
+#if HAS_LIGHT_PATHS
+  scene.splats = 0;
 #endif
-
-/// As Scene has it.
-FN GLOBAL const int* scene_met(const Scene* scene) {
 #if HAS_MEDIA
-  return scene->met;
-#else
-  (void)scene;
-  return (GLOBAL const int*)0;
+  scene.met = 0;
 #endif
+  return scene;
 }
 
 FN GLOBAL const int* scene_shape_row(const Scene* scene, int kind) {
   return scene->index + HEADER_INTS + kind * SHAPE_INTS;
-}
-
-/// How many blocks of the kind stand in lists outside of instances.
-FN int scene_listed(const Scene* scene, int kind) {
-  GLOBAL const int* met = scene_met(scene);
-  if (HAS_GROUPS && met != 0) return kind == SHAPE_COUNT ? 0 : met[GROUP_LISTED + 2 * kind + 1];
-  return scene_shape_row(scene, kind)[SHAPE_LISTED];
-}
-
-/// The tree outside of instances; NO_REFERENCE: there is none.
-FN int scene_root(const Scene* scene) {
-  GLOBAL const int* met = scene_met(scene);
-  return HAS_GROUPS && met != 0 ? met[GROUP_ROOT] : scene->index[HEADER_ROOT];
-}
-
-/// What bounds it, as at HEADER_BOUNDS.
-FN GLOBAL const real* scene_reach(const Scene* scene) {
-  GLOBAL const int* met = scene_met(scene);
-  return scene->geometry + (HAS_GROUPS && met != 0 ? met[GROUP_BOUNDS] : scene->index[HEADER_BOUNDS]);
 }
 
 FN GLOBAL const int* scene_part(const Scene* scene, int part) {

@@ -382,14 +382,6 @@ int most_surfaces(const IntegratorSettings& integrator) {
   return std::min(integrator.rr_depth, most - layout::ROULETTE_LONGEST) + layout::ROULETTE_LONGEST;
 }
 
-std::vector<std::int64_t> first_ids(const Scene& scene) {
-  std::vector<std::int64_t> first = {0};
-  for_each_shape(scene, [&](const Shape& shape) { first.push_back(first.back() + primitive_count(shape)); });
-  if (first.back() >= std::numeric_limits<std::int32_t>::max())
-    throw Error("the scene has more than 2^31 - 1 primitives");
-  return first;
-}
-
 template <typename Real>
 PackedScene<Real> pack_scene(const Scene& scene, const Features& features, const PackOptions& options) {
   return Packing<Real>(scene, features, options).run();

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "kinds/upload_frame.h"
+#include "packing/first_ids.h"
 #include "packing/memory_estimate.h"
 #include "packing/pack_tree.h"
 #include "packing/packed_scene.h"
@@ -26,9 +27,6 @@ struct PackOptions {
 /// Instantiated for float and double.
 template <typename Real>
 [[nodiscard]] PackedScene<Real> pack_scene(const Scene& scene, const Features& features, const PackOptions& options);
-
-/// Scene-wide id of primitive 0 of every shape, those of groups after the scene's own, and one past the last.
-[[nodiscard]] std::vector<std::int64_t> first_ids(const Scene& scene);
 
 /// max_depth as the kernels take it: where the scene has none, path has one that leaves nothing of note out
 /// (cl/scene/layout.h, ROULETTE_LONGEST).

@@ -17,7 +17,7 @@ namespace {
 
 using Corner = std::pair<std::size_t, std::size_t>;  ///< Triangle, and which of its three.
 
-std::vector<Vec3> face_normals(const Mesh& mesh) {
+std::vector<Vec3> normals_of_faces(const Mesh& mesh) {
   std::vector<Vec3> normals;
   normals.reserve(mesh.triangles.size());
   for (const std::array<int, 3>& triangle : mesh.triangles) {
@@ -47,7 +47,7 @@ std::vector<std::vector<Corner>> corners_by_place(const Mesh& mesh) {
 }  // namespace
 
 void make_creased_normals(Mesh& mesh, double degrees) {
-  const std::vector<Vec3> normals = face_normals(mesh);
+  const std::vector<Vec3> normals = normals_of_faces(mesh);
   const double least = std::cos(degrees * std::numbers::pi / 180);
   std::vector<std::array<int, 3>> triangles = mesh.triangles;
   std::vector<std::size_t> from;  ///< The vertex that each new one was.
