@@ -28,10 +28,10 @@ FN void media_travel_w(const Scene* scene, Paths_w* path, Surfaces_w* s) {
   if (media_table(scene)[MEDIA_BOUNDARIES] == 0 && !any_w(path->alive & is_within_w(path->medium))) return;
   FirstSamples none = no_first_samples_w();
   Way_w way = way_of_w(path, s);
-  meet_boundaries_w(scene, &way, &none);
   Flight_w w;
   maskw scatters = none_w();
   for (;;) {
+    meet_boundaries_w(scene, &way, &none);
     maskw which = way.path.alive & is_within_w(way.path.medium);
     if (any_w(which)) {
       w = flight_along_w(&way, s, s->hit);
@@ -54,7 +54,6 @@ FN void media_travel_w(const Scene* scene, Paths_w* path, Surfaces_w* s) {
     if (!any_w(way.path.alive)) break;
     way.crosses = way.path.alive;
     cross_boundaries_w(scene, &way);
-    meet_boundaries_w(scene, &way, &none);
   }
 }
 
