@@ -2,9 +2,9 @@
 #include "study/variants.h"
 
 #include <stdlib.h>  // NOLINT(modernize-deprecated-headers): setenv is POSIX
-#include <sys/resource.h>
 
 #include <algorithm>
+#include <ctime>
 #include <optional>
 
 #include "render/median.h"
@@ -13,14 +13,8 @@
 namespace strahl {
 namespace {
 
-double processor_seconds() {
-  rusage used{};
-  if (getrusage(RUSAGE_SELF, &used) != 0) return 0;
-  const auto seconds = [](const timeval& t) {
-    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
-  };
-  return seconds(used.ru_utime) + seconds(used.ru_stime);
-}
+/// Of all threads of the process.
+double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 double frame(Renderer& renderer, StudyClock clock = StudyClock::wall) {
   const double before = processor_seconds();
