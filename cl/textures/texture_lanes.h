@@ -5,8 +5,9 @@
 #include "textures/place_lanes.h"
 #include "textures/all_lanes.h"
 
-/// Of one texture.
-FN real3w texture_value_w(const Scene* scene, int texture, TexturePlace_w at) {
+/// Of one texture. Every parameter of every material asks for it: inlined, textures were three quarters of a program with
+/// everything.
+ONCE_FN real3w texture_value_w(const Scene* scene, int texture, TexturePlace_w at) {
   GLOBAL const int* row = scene->index + scene->index[HEADER_TEXTURES] + texture * TEXTURE_INTS;
   switch (row[TEXTURE_KIND]) {
 #define TEXTURE(name)  \
@@ -21,7 +22,7 @@ FN real3w texture_value_w(const Scene* scene, int texture, TexturePlace_w at) {
 }
 
 /// How the luminance of one texture changes with u and v.
-FN Real2_w texture_slope_w(const Scene* scene, int texture, TexturePlace_w at) {
+ONCE_FN Real2_w texture_slope_w(const Scene* scene, int texture, TexturePlace_w at) {
   GLOBAL const int* row = scene->index + scene->index[HEADER_TEXTURES] + texture * TEXTURE_INTS;
   Real2_w none;
   switch (row[TEXTURE_KIND]) {
