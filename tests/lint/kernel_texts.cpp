@@ -28,9 +28,9 @@ Features every(bool on) {
   return features;
 }
 
-/// name -> features, one effect alone.
+/// name -> features, one effect alone. What effects do with numbers they do in robust as in every tier; shapes do not.
 std::vector<std::pair<std::string, Features>> singles(Precision precision) {
-  const bool has_all = precision == Precision::robust || precision == Precision::fp64;
+  const bool has_all = precision == Precision::robust;
   std::vector<std::pair<std::string, Features>> sets;
   for (const std::string& list : list_folders())
     for (const std::string& entry : list_entries(list)) {

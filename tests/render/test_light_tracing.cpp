@@ -50,6 +50,18 @@ TEST_CASE("every light, from its own end") {
   hold_like_path("all of them", all);
 }
 
+TEST_CASE("what stands between a surface and the camera hides it from light paths") {
+  require_pocl_and_rusticl();
+  Scene scene = under_lamp(diffuse({0.7, 0.5, 0.3}));
+  scene.camera =
+      perspective_camera({0, 1, -5}, {0, 0, 0}, {0, 0, 1}, 60);  // From below the floor, which is dark there.
+  scene.integrator.name = "ptracer";
+  scene.sampler.sample_count = 16;
+  CHECK(lit_pixels(render("pocl", scene, {}).color) == 0);
+  scene.camera = perspective_camera({0, 1, 5}, {0, 0, 0}, {0, 0, 1}, 60);
+  CHECK(lit_pixels(render("pocl", scene, {}).color) > 200);
+}
+
 TEST_CASE("lights of the project's scenes: images of the sky, projectors, spots, textured screens") {
   require_pocl_and_rusticl();
   for (const char* name : {"envmap", "sunsky", "projector", "spot", "screen", "sphere", "disk", "cylinder", "mesh"})
