@@ -5,8 +5,8 @@
 #include "textures/place_lanes.h"
 #include "textures/all_lanes.h"
 
-/// Of one texture. Every parameter of every material asks for it: inlined, textures were three quarters of a program with
-/// everything.
+/// Of one texture. Every parameter of every material asks for it: inlined, textures were three quarters of a program
+/// with everything.
 ONCE_FN real3w texture_value_w(const Scene* scene, int texture, TexturePlace_w at) {
   GLOBAL const int* row = scene->index + scene->index[HEADER_TEXTURES] + texture * TEXTURE_INTS;
   switch (row[TEXTURE_KIND]) {

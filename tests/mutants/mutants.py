@@ -149,7 +149,7 @@ def command(build, killer):
     test = re.fullmatch("(.+?)_(test_.+)", program)
     if test:
         program, arguments = f"{test[1]}_tests", arguments or ["-#", f"[#{test[2]}]"]
-        arguments = ["--warn", "NoTests", *arguments]
+        arguments = ["--warn", "NoTests", "--abort", *arguments]  # One failed check is a kill.
     return [build / "tests" / program, *arguments]
 
 
