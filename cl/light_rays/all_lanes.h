@@ -4,7 +4,10 @@
 #include "light_rays/point_lanes.h"
 #include "light_rays/spot_lanes.h"
 #include "light_rays/projector_lanes.h"
+#include "light_rays/collimated_lanes.h"
+#include "light_rays/area_place_lanes.h"  // of area, directionalarea
 #include "light_rays/area_lanes.h"
+#include "light_rays/directionalarea_lanes.h"
 #include "light_rays/far_lanes.h"  // of directional, constant, envmap, sun
 #include "light_rays/directional_lanes.h"
 #include "light_rays/constant_lanes.h"

@@ -7,4 +7,7 @@
 #include "lights/constant_lanes.h"
 #include "lights/envmap_lanes.h"
 #include "lights/sun_lanes.h"
+#include "lights/collimated_lanes.h"
+#include "lights/area_places_lanes.h"  // of area, directionalarea
 #include "lights/area_lanes.h"
+#include "lights/directionalarea_lanes.h"

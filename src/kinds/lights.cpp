@@ -180,6 +180,32 @@ struct Row<DirectionalLight> {
 };
 
 template <>
+struct Row<CollimatedLight> {
+  static constexpr LightFacts facts{.entry = "collimated", .is_delta = true, .is_beam = true};
+  static constexpr auto colour = &CollimatedLight::power;
+  static std::vector<double> reals(const CollimatedLight& light, const UploadFrame& frame) {
+    const Vec3 p = frame.point(light.position), d = normalized(light.direction);
+    const double area = frame.scale * frame.scale;
+    return {p.x, p.y, p.z, d.x, d.y, d.z, area * light.power.r, area * light.power.g, area * light.power.b};
+  }
+  static void reach(LightReach& reach, const CollimatedLight& light, const UploadFrame& frame) {
+    reach.power = reach.intensity = frame.scale * frame.scale * luminance(light.power);
+    reach.extent.add(frame.point(light.position));
+    reach.axis = normalized(light.direction);
+    reach.spread = reach.cutoff = 0;
+  }
+  static void move(CollimatedLight& light, const MapVec3& point) { light.position = point(light.position); }
+  static void scale(CollimatedLight& light, double factor) { multiply(light.power, factor * factor); }
+  static void mirror(CollimatedLight& light, const MapVec3& flip_x) { light.direction = flip_x(light.direction); }
+  static void check(const CollimatedLight& light, Faults& faults) {
+    faults.require(is_finite(light.position), "the position must be finite");
+    faults.require(is_finite(light.direction) && light.direction != Vec3{},
+                   "the direction must be finite and not zero");
+    require_light(faults, light.power, "power");
+  }
+};
+
+template <>
 struct Row<ConstantLight> {
   static constexpr LightFacts facts{.entry = "constant", .is_far = true, .is_background = true};
   static constexpr auto colour = &ConstantLight::radiance;

@@ -17,9 +17,10 @@ struct UploadFrame;
 namespace strahl::kinds {
 
 struct LightFacts {
-  const char* entry;           ///< Of cl/lights/lights.def.
-  bool is_delta = false;       ///< A single direction at each point, so no ray hits it (Lamps in kinds/integrators.h).
-  bool is_far = false;         ///< Infinitely far away: it reaches every point alike.
+  const char* entry;      ///< Of cl/lights/lights.def.
+  bool is_delta = false;  ///< A single direction at each point, so no ray hits it (Lamps in kinds/integrators.h).
+  bool is_beam = false;   ///< A single direction at each of its places: only paths that begin there find its light.
+  bool is_far = false;    ///< Infinitely far away: it reaches every point alike.
   bool is_background = false;  ///< Rays that leave the scene see it; a scene has at most one, and a sun.
   bool is_sun = false;         ///< It stands before the other.
 };

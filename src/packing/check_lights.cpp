@@ -28,6 +28,7 @@ class Lights {
     for (const auto& [name, reals] : reals_of_areas)
       if (const int kind = facts.features.entry_index("areas", name); kind >= 0) areas_[kind] = {name, reals};
     area_ = facts.features.entry_index("lights", "area");
+    beams_ = facts.features.entry_index("lights", "directionalarea");
     envmap_ = facts.features.entry_index("lights", "envmap");
   }
 
@@ -51,7 +52,7 @@ class Lights {
   void light(std::int64_t row, std::int64_t i) {
     const int kind = ranges_.at(row + layout::LIGHT_KIND);
     ranges_.within(ranges_.at(row + layout::LIGHT_TEXTURE), -1, facts_.texture_rows, "the texture of light", i);
-    if (kind >= 0 && kind == area_) return area(row, i);
+    if (kind >= 0 && (kind == area_ || kind == beams_)) return area(row, i);
     const auto known = reals_.find(kind);
     if (!ranges_.require(known != reals_.end() && kind >= 0, "the kind of light", i)) return;
     if (kind == envmap_)
@@ -125,7 +126,7 @@ class Lights {
   const PackedFacts& facts_;
   std::map<int, std::int64_t> reals_;  ///< Of each kind of light of the scene.
   std::map<int, Area> areas_;
-  int area_ = -1, envmap_ = -1;
+  int area_ = -1, beams_ = -1, envmap_ = -1;
 };
 
 }  // namespace

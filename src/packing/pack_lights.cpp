@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <numbers>
 #include <optional>
 #include <span>
 #include <variant>
@@ -19,6 +20,13 @@
 
 namespace strahl {
 namespace {
+
+/// Of a surface that shines along its normals alone, from that of one that shines in all directions.
+LightReach along_normals(LightReach reach) {
+  reach.power /= std::numbers::pi;
+  reach.cutoff = 0;
+  return reach;
+}
 
 template <typename Real>
 class LightTable {
@@ -56,10 +64,12 @@ class LightTable {
     if (is_new) found->second = features_.entry_index(list, name);
     return found->second;
   }
+  [[nodiscard]] bool begins_paths() const { return kinds::integrator(scene_.integrator.name).from_lights; }
   [[nodiscard]] int count() const { return static_cast<int>(rows_.size()) / layout::LIGHT_INTS; }
 
   /// False where the program has no use for it.
   bool put_light(const Light& from) {
+    if (kinds::light(from).is_beam && !begins_paths()) return false;
     const int kind = entry("lights", light_kind(from));
     if (kind < 0) return false;
     Light light = from;
@@ -80,9 +90,8 @@ class LightTable {
   /// Behind its reals, and into the last row.
   void put_environment(const EnvironmentLight& light) {
     const kinds::Follows follows = kinds::integrator(scene_.integrator.name).follows;
-    const EnvironmentTables tables =
-        environment_tables(light, !kinds::integrator(scene_.integrator.name).from_lights &&
-                                      (follows == kinds::Follows::paths || follows == kinds::Follows::one_way));
+    const EnvironmentTables tables = environment_tables(
+        light, !begins_paths() && (follows == kinds::Follows::paths || follows == kinds::Follows::one_way));
     packed_.put_shading({tables.floor});
     packed_.put_shading(tables.rows);
     const std::span row = std::span(rows_).last(layout::LIGHT_INTS);
@@ -96,25 +105,28 @@ class LightTable {
 
   /// One for each part that emits and has an area that can be drawn from; light_of_part_ for each part of the scene.
   void area_lights(const std::vector<const Shape*>& shapes, const std::vector<std::int32_t>& first_ids) {
-    const int kind = features_.has("lights", "area") ? features_.entry_index("lights", "area") : -1;
     for (std::size_t i = 0; i < shapes.size(); ++i) {
       const Shape& shape = *shapes[i];
       const bool glows = features_.flag("EMISSION") && features_.has("shapes", shape_kind(shape));
+      const bool is_beam = shape.exitance.has_value();
+      const int kind = entry("lights", is_beam ? "directionalarea" : "area");
       const bool is_drawn = kind >= 0 && features_.has("areas", area_kind(shape.geometry));
       for (int part = 0; part < part_count(shape); ++part) {
         light_of_part_.push_back(-1);
         const MeshPart look = look_of_part(shape, part);
-        if (!look.radiance || !glows) continue;
-        const TexturedColour radiance = textured_colour(*look.radiance, look.radiance_texture, scene_, features_);
-        glow(radiance.colour);
+        if (is_beam ? !begins_paths() : !look.radiance || !glows) continue;
+        const TexturedColour radiance =
+            textured_colour(is_beam ? *shape.exitance : *look.radiance,
+                            is_beam ? shape.radiance_texture : look.radiance_texture, scene_, features_);
+        if (!is_beam) glow(radiance.colour);
         if (!is_drawn) continue;
         const kinds::UvSource uv_source = radiance.row < 0             ? kinds::UvSource::none
                                           : features_.flag("MESH_UVS") ? kinds::UvSource::mesh
                                                                        : kinds::UvSource::parameters;
         const std::optional<EmittingArea> area = emitting_area(shape, part, radiance.mean, uv_source, frame_);
         if (!area) continue;
-        light_of_part_.back() = count();
-        reaches_.push_back(area->reach);
+        if (!is_beam) light_of_part_.back() = count();
+        reaches_.push_back(is_beam ? along_normals(area->reach) : area->reach);
         const Rgb& colour = radiance.colour;
         std::vector<double> reals = {colour.r, colour.g, colour.b, 1 / area->size, area->side};
         reals.insert(reals.end(), area->items.begin(), area->items.end());

@@ -10,7 +10,7 @@ const Mesh* mesh_with_parts(const Shape& shape) {
 }
 
 bool is_cloud_of_lights(const Shape& shape) {
-  return shape.radiance && std::holds_alternative<SphereCloud>(shape.geometry);
+  return (shape.radiance || shape.exitance) && std::holds_alternative<SphereCloud>(shape.geometry);
 }
 
 }  // namespace

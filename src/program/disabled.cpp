@@ -76,9 +76,11 @@ std::set<std::string> disabled_effects(const std::set<std::string>& disabled) {
   for (const std::string& name : disabled)
     if (const std::string why = needed_because(name); !why.empty())
       throw UsageError(fmt::format("{} cannot be left out: {}", name, why));
-  if (names.contains("EMISSION")) names.insert("lights/area");
-  if (names.contains("lights/area"))
+  if (names.contains("EMISSION")) names.insert({"lights/area", "lights/directionalarea"});
+  if (names.contains("lights/area") && names.contains("lights/directionalarea"))
     for (const std::string& area : list_entries("areas")) names.insert("areas/" + area);
+  for (const std::string& light : list_entries("lights"))
+    if (names.contains("lights/" + light)) names.insert("light_rays/" + light);
   return names;
 }
 

@@ -105,12 +105,13 @@ void shape_causes(const Scene& scene, const RenderSettings& settings, Causes& ca
     return reads_uv;
   };
   // Only the first cause of each is told: of a million spheres one is looked at.
-  std::set<std::tuple<std::size_t, int, bool, int>> seen;
+  std::set<std::tuple<std::size_t, int, bool, bool, int>> seen;
   const auto look_at = [&](const Shape& shape) {
     const auto* mesh = std::get_if<Mesh>(&shape.geometry);
     if (!causes.allow("shapes/" + shape_kind(shape))) return;
     if (!mesh && !shape.priority &&
-        !seen.emplace(shape.geometry.index(), shape.material, shape.radiance.has_value(), shape.radiance_texture)
+        !seen.emplace(shape.geometry.index(), shape.material, shape.radiance.has_value(), shape.exitance.has_value(),
+                      shape.radiance_texture)
              .second)
       return;
     const std::string kind = shape_kind(shape);
@@ -119,17 +120,21 @@ void shape_causes(const Scene& scene, const RenderSettings& settings, Causes& ca
       call_for(causes, "SMOOTH_NORMALS", "a mesh with vertex normals", shape.where);
     if (mesh && settings.aovs.contains(Aov::uv) && !mesh->uvs.empty())
       call_for(causes, "MESH_UVS", "a mesh with texture coordinates, for --aov uv", shape.where);
-    auto emit = [&](const SourceLocation& where) {
+    auto emit = [&](const SourceLocation& where, const std::string& light) {
       const std::string area = area_kind(shape.geometry);
-      if (!reflects || area.empty() || !causes.allow("areas/" + area)) return;
+      if (!reflects || area.empty() || !causes.allow("areas/" + area) || !causes.allow("lights/" + light)) return;
       call_for(causes, "areas/" + area, "an area emitter on a " + kind, where);
-      call_for(causes, "lights/area", "an area emitter", where);
-      if (integrator.from_lights) call_for(causes, "light_rays/area", "paths that begin on an area emitter", where);
+      call_for(causes, "lights/" + light, "an area emitter", where);
+      if (integrator.from_lights) call_for(causes, "light_rays/" + light, "paths that begin on an area emitter", where);
     };
     bool reads_uv = false;
     if (lit && shape.radiance) {
       call_for(causes, "EMISSION", "an area emitter", shape.radiance_where);
-      emit(shape.radiance_where);
+      emit(shape.radiance_where, "area");
+      if (use_light_texture(scene, shape.radiance_texture, causes)) reads_uv = true;
+    }
+    if (integrator.from_lights && shape.exitance) {
+      emit(shape.radiance_where, "directionalarea");
       if (use_light_texture(scene, shape.radiance_texture, causes)) reads_uv = true;
     }
     if (reflects && shape.priority) call_for(causes, "PRIORITY", "a shape with a priority", shape.where);
@@ -139,7 +144,7 @@ void shape_causes(const Scene& scene, const RenderSettings& settings, Causes& ca
     for (const MeshPart& part : mesh->parts) {
       if (lit && part.radiance) {
         call_for(causes, "EMISSION", "a mesh material that emits", shape.where);
-        emit(shape.where);
+        emit(shape.where, "area");
         if (use_light_texture(scene, part.radiance_texture, causes)) reads_uv = true;
       }
       if (reads_materials && use_material(part.material, shape.where)) reads_uv = true;
@@ -183,9 +188,11 @@ void light_causes(const Scene& scene, Causes& causes) {
     if (found != causes.first.end() && drawn == nullptr) drawn = &found->second;
   };
   note("lights/area");
+  note("lights/directionalarea");
   for (const Light& light : scene.lights) {
     const kinds::LightFacts& facts = kinds::light(light);
     if (!integrator.is_lit() && !(integrator.shows_emission && facts.is_background)) continue;
+    if (facts.is_beam && !integrator.from_lights) continue;
     const std::string kind = facts.entry, effect = "lights/" + kind;
     call_for(causes, effect, "an emitter of type " + kind, light.where);
     if (integrator.from_lights && causes.contains(effect))

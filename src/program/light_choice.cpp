@@ -15,9 +15,11 @@ constexpr std::size_t least_tree = 4;
 
 std::size_t lights_of(const Shape& shape) {
   if (const auto* mesh = std::get_if<Mesh>(&shape.geometry); mesh != nullptr && !mesh->parts.empty())
-    return static_cast<std::size_t>(std::count_if(mesh->parts.begin(), mesh->parts.end(),
-                                                  [](const MeshPart& part) { return part.radiance.has_value(); }));
-  if (!shape.radiance) return 0;
+    return shape.exitance ? mesh->parts.size()
+                          : static_cast<std::size_t>(
+                                std::count_if(mesh->parts.begin(), mesh->parts.end(),
+                                              [](const MeshPart& part) { return part.radiance.has_value(); }));
+  if (!shape.radiance && !shape.exitance) return 0;
   const auto* cloud = std::get_if<SphereCloud>(&shape.geometry);
   return cloud != nullptr ? cloud->spheres.size() : 1;
 }
@@ -27,7 +29,9 @@ std::size_t lights_of(const Shape& shape) {
 DrawnLights drawn_lights(const Scene& scene, const std::function<bool(const std::string&)>& is_used) {
   DrawnLights lights;
   for (const Shape& shape : scene.shapes)
-    if (is_used("lights/area") && is_used("areas/" + area_kind(shape.geometry))) lights.near += lights_of(shape);
+    if (is_used(shape.exitance ? "lights/directionalarea" : "lights/area") &&
+        is_used("areas/" + area_kind(shape.geometry)))
+      lights.near += lights_of(shape);
   lights.count = lights.near;
   const bool draws_all = kinds::integrator(scene.integrator.name).lamps == kinds::Lamps::drawn;
   for (const Light& light : scene.lights) {

@@ -27,7 +27,7 @@ void require_finite(const Scene& scene) {
             fmt::format("integrator {} cannot light an infinite shape from afar (a light of type {}): take "
                         "a large finite one, or integrator path",
                         scene.integrator.name, kinds::light(*far).entry)}});
-    if (shape.radiance)
+    if (shape.radiance || shape.exitance)
       throw SceneError({{Severity::error, shape.where,
                          fmt::format("integrator {} cannot begin paths on an emitter of infinite area: take a large "
                                      "finite one, or integrator path",

@@ -14,6 +14,7 @@
 #include "kinds/materials.h"
 #include "kinds/shapes.h"
 #include "packing/pack_areas.h"
+#include "scene/beams.h"
 
 namespace strahl {
 
@@ -46,6 +47,7 @@ std::optional<std::string> emptiness(const Scene& scene) {
     return "the scene has no shape: no ray hits anything; add a <shape>";
   const kinds::IntegratorFacts& integrator = kinds::integrator(scene.integrator.name);
   if (!integrator.shows_emission) return std::nullopt;
+  if (has_beams_alone(scene) && integrator.is_lit()) return std::nullopt;
   const bool must_be_seen = !integrator.is_lit();
   const auto shape_emits = [](const Shape& shape) { return emits_light(shape); };
   const auto light_emits = [&](const Light& light) { return emits_light(light, must_be_seen); };
@@ -77,6 +79,13 @@ std::vector<Diagnostic> limitations(const Scene& scene) {
                         "integrator {} joins surfaces with the camera, which mirrors and glass do not allow; path "
                         "and bdpt show it",
                         scene.integrator.name));
+  if (kinds::integrator(scene.integrator.name).is_lit() && !kinds::integrator(scene.integrator.name).from_lights)
+    for (const SourceLocation& beam : beams_of(scene))
+      warn(beam,
+           fmt::format("this emitter's light is left out: each of its places shines in one direction, so that "
+                       "integrator {} cannot find it; {}",
+                       scene.integrator.name,
+                       scene.media.empty() ? "ptracer and bdpt do" : "ptracer and bdpt do where there are no media"));
   const kinds::Follows follows = kinds::integrator(scene.integrator.name).follows;
   const bool is_direct = follows == kinds::Follows::one_way, is_whitted = follows == kinds::Follows::mirrors;
   if (!(is_direct || is_whitted) || (scene.integrator.max_depth >= 0 && scene.integrator.max_depth < 2))

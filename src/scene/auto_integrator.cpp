@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "kinds/materials.h"
+#include "scene/beams.h"
 #include "scene/unseen.h"
 
 namespace strahl {
@@ -67,6 +68,8 @@ IntegratorChoice integrator_for(const Scene& scene) {
     if (reflecting.size() < 2 && reflects(shape, scene)) reflecting.push_back(&shape);
   });
   if (reflecting.empty()) return {"emission", "no surface reflects light"};
+  if (has_beams_alone(scene))
+    return {"ptracer", "all light leaves its places in one direction each, so that only paths from there find it"};
   if (scene.integrator.max_depth == 2) return {"direct", "max_depth lets light be reflected once"};
   if (reflecting.size() == 1 && scene.groups.empty()) {
     const Shape& shape = *reflecting.front();

@@ -7,6 +7,7 @@
 #include "kinds/integrators.h"
 #include "kinds/lights.h"
 #include "kinds/materials.h"
+#include "scene/beams.h"
 
 namespace strahl {
 namespace {
@@ -32,7 +33,7 @@ Where first_mirror(const Scene& scene) {
 /// A lamp that no ray hits.
 Where first_point(const Scene& scene) {
   for (const Light& light : scene.lights)
-    if (kinds::light(light).is_delta && kinds::gives_light(light)) return light.where;
+    if (kinds::light(light).is_delta && !kinds::light(light).is_beam && kinds::gives_light(light)) return light.where;
   return {};
 }
 
@@ -73,6 +74,10 @@ std::vector<Advice> integrator_advice(const Scene& scene) {
   if (point && mask && !facts.goes_through && !facts.from_lights && scene.media.empty())
     all.push_back({"volpath", "the light of a point or from far away, which surfaces with an opacity block", *mask});
   const Where mirror = first_mirror(scene);
+  const std::vector<SourceLocation> beams = beams_of(scene);
+  if (!beams.empty() && !facts.from_lights && scene.media.empty())
+    all.push_back({has_beams_alone(scene) && !mirror ? "ptracer" : "bdpt",
+                   "the light of a beam, which no ray from the camera or a surface finds", beams.front()});
   if (!mirror || facts.from_lights || !scene.media.empty()) return all;
   if (point)
     all.push_back({"bdpt", "what mirrors and glass throw of a lamp that no ray from the camera hits", *point});

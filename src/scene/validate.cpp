@@ -101,9 +101,10 @@ void check_shape(const Shape& shape, const Scene& scene, Checker& check, std::ve
       check_light_texture(part.radiance_texture, scene, check);
     }
   }
-  if (!shape.radiance) return;
+  if (!shape.radiance && !shape.exitance) return;
   if (!shape.radiance_where.file.empty()) check.at(shape.radiance_where);
-  check.require_light(*shape.radiance, "radiance");
+  check.require_light(shape.radiance.value_or(Rgb{}), "radiance");
+  check.require_light(shape.exitance.value_or(Rgb{}), "radiance");
   check_light_texture(shape.radiance_texture, scene, check);
 }
 
@@ -124,7 +125,7 @@ void check_attributes(const Shape& shape, const Scene& scene, std::map<int, std:
   const auto [found, is_new] = known.try_emplace(shape.material);
   if (is_new) add_textures(scene, shape.material, found->second);
   std::set<int> textures = found->second;
-  if (shape.radiance) textures.insert(shape.radiance_texture);
+  if (shape.radiance || shape.exitance) textures.insert(shape.radiance_texture);
   for (const int index : textures) {
     if (!is_index(index, scene.textures.size())) continue;
     const auto* texture = std::get_if<AttributeTexture>(&scene.textures[static_cast<std::size_t>(index)].pattern);
@@ -150,7 +151,8 @@ void check_group(const Group& group, const Scene& scene, Checker& check, std::ve
     check.require(mesh == nullptr || std::none_of(mesh->parts.begin(), mesh->parts.end(), emits),
                   "a mesh whose materials emit (Ke) cannot be part of a shapegroup; place it outside");
     if (!shape.radiance_where.file.empty()) check.at(shape.radiance_where);
-    check.require(!shape.radiance, "an emitter cannot be part of a shapegroup; place the shape outside");
+    check.require(!shape.radiance && !shape.exitance,
+                  "an emitter cannot be part of a shapegroup; place the shape outside");
   }
 }
 

@@ -70,6 +70,7 @@ Scene brightened(Scene scene, double factor) {
   const auto brighten_shapes = [&](std::vector<Shape>& shapes) {
     for (Shape& shape : shapes) {
       if (shape.radiance) brighten(*shape.radiance);
+      if (shape.exitance) brighten(*shape.exitance);
       if (auto* mesh = std::get_if<Mesh>(&shape.geometry))
         for (MeshPart& part : mesh->parts)
           if (part.radiance) brighten(*part.radiance);

@@ -30,8 +30,8 @@ struct Used {
     for_each_shape(scene, [&](const Shape& shape) {
       shapes.insert(shape_kind(shape));
       geometries.insert(shape.geometry.index());
-      if (!shape.radiance) return;
-      lights.insert("area");
+      if (!shape.radiance && !shape.exitance) return;
+      lights.insert(shape.exitance ? "directionalarea" : "area");
       if (const std::string area = area_kind(shape.geometry); !area.empty()) areas.insert(area);
     });
     for (const Material& material : scene.materials)
@@ -90,7 +90,8 @@ TEST_CASE("every entry has a reader, by its own name") {
   for (const std::string& name : list_entries("lights")) {
     INFO(name);
     const std::string emitter = "<emitter type=\"" + name + "\">" + needed_by(name) + "</emitter>";
-    CHECK(of_body(name == "area" ? "<shape type=\"sphere\">" + emitter + "</shape>" : emitter).lights == Names{name});
+    const bool is_of_shape = name == "area" || name == "directionalarea";
+    CHECK(of_body(is_of_shape ? "<shape type=\"sphere\">" + emitter + "</shape>" : emitter).lights == Names{name});
   }
   for (const std::string& name : list_entries("textures")) {
     INFO(name);

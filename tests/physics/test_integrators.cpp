@@ -128,6 +128,44 @@ TEST_CASE("integrators make of a white sky and of a furnace what the closed form
     }
 }
 
+/// A floor of reflectance 1/2, 1 below the camera, whose pixel sees it 2 tan 20 degrees wide.
+Scene floor_seen_from_above(const std::string& integrator) {
+  Scene scene = empty_scene();
+  scene.integrator.name = integrator;
+  scene.shapes.emplace_back().geometry = Rectangle{{-3, -3, 0}, {6, 0, 0}, {0, 6, 0}};
+  scene = seen_along(scene, {{0, 0, 1}, {0, 0, -1}, 0, far_off});
+  return scene;
+}
+
+// A floor under light of irradiance E has the radiance E / (2 pi), and a beam that ends in a pixel is seen with all of
+// its power.
+TEST_CASE("beams light what they end on with all of their power, and nothing else") {
+  const double pi = std::numbers::pi, side = 2 * std::tan(20 * pi / 180);
+  for (const std::string integrator : {"ptracer", "bdpt"})
+    for (const TransportTier& tier : transport_tiers()) {
+      INFO(tier.name << ", " << tier.lanes << " lanes, " << integrator);
+      Scene sheet = floor_seen_from_above(integrator), tilted = sheet, beam = sheet, beside = sheet;
+      const auto shine = [&](Scene& scene, const Rectangle& lamp) {
+        scene.shapes.emplace_back().geometry = lamp;
+        scene.shapes.back().exitance = Rgb{2 * pi, pi, 0};
+        scene.materials.push_back({});
+        scene.materials.back().bsdf = Diffuse{{{0, 0, 0}}};
+        scene.shapes.back().material = 1;
+      };
+      shine(sheet, {{-0.75, -0.5, 2}, {0, 1, 0}, {1.5, 0, 0}});
+      hold_splats("sheet", tier, sheet, {1, 0.5, 0});
+      // From 60 degrees off the floor's normal; twice as long on the floor as it is wide.
+      shine(tilted,
+            {{2 * std::sqrt(3.0) - 0.25, -0.5, 2 + 0.25 * std::sqrt(3.0)}, {0, 1, 0}, {0.5, 0, -0.5 * std::sqrt(3.0)}});
+      hold_splats("tilted", tier, tilted, {0.5, 0.25, 0});
+      const double power = 2 * pi * side * side;
+      beam.lights.emplace_back().emitter = CollimatedLight{{3, 0.2, 3}, {-2.9, 0, -3}, {power, power / 2, 0}};
+      hold_splats("beam", tier, beam, {1, 0.5, 0});
+      beside.lights.emplace_back().emitter = CollimatedLight{{3, 0.2, 3}, {-2, 0, -3}, {power, power, power}};
+      hold_splats("beside", tier, beside, {0, 0, 0});
+    }
+}
+
 TEST_CASE("every width makes of a sample what one lane does, to the bit") {
   std::map<std::string, TransportTier> narrow;
   for (const TransportTier& tier : transport_tiers())

@@ -32,6 +32,20 @@ std::function<void(Scene&)> put_lamp(const Emitter& emitter) {
   return [=](Scene& scene) { scene.lights.emplace_back().emitter = emitter; };
 }
 
+/// Only integrators whose paths begin on lights have beams.
+std::function<void(Scene&)> put_beam(const CollimatedLight& beam) {
+  return [=](Scene& scene) {
+    scene.integrator.name = "ptracer";
+    scene.lights.emplace_back().emitter = beam;
+  };
+}
+
+void put_shining_disk(Scene& scene) {
+  scene.integrator.name = "ptracer";
+  scene.shapes.emplace_back().geometry = Disk{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  scene.shapes.back().exitance = Rgb{2, 1, 0.5};
+}
+
 std::vector<LightRow> closed_forms() {
   const std::vector<Vec3> froms = {{0, 0, 0}, {3, -1, 2}, {1000, 0, -2000}};
   const Vec3 lamp{1, 2, 3}, axis{-1, -2, -3};
@@ -61,6 +75,9 @@ std::vector<LightRow> closed_forms() {
       {"projector", "", put_lamp(projector), true, froms, on_screen},
       {"directional", "", put_lamp(DirectionalLight{{1, -2, 0.5}, {2, 1, 0.5}}), true, froms,
        [](const Vec3&) { return 2; }},
+      {"collimated", "", put_beam(CollimatedLight{lamp, axis, {2, 1, 0.5}}), true, froms,
+       [](const Vec3&) { return 0; }},
+      {"directionalarea", "", put_shining_disk, true, {{3, -1, 2}, {-5, 7, 1}}, [](const Vec3&) { return 0; }},
       {"sun", "", put_lamp(SunLight{{2, -1, 3}, 8, {2, 1, 0.5}}), false, froms,
        [](const Vec3&) { return 4 * std::numbers::pi * (1 - std::cos(std::numbers::pi / 45)); }},
       {"constant", "", put_lamp(ConstantLight{{2, 1, 0.5}}), false, froms,

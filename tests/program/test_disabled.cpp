@@ -43,6 +43,11 @@ TEST_CASE("What is disabled is off, whatever calls for it, and so is what means 
     CHECK(report(settings, "areas/sphere").on);
     settings.disabled = {"EMISSION"};
     for (const char* name : {"EMISSION", "lights/area", "areas/sphere", "areas/disk"}) check_off(name);
+    settings.disabled = {"lights/area"};
+    check_off("light_rays/area");
+    CHECK(report(settings, "areas/sphere").on == generic);  // Of directionalarea.
+    settings.disabled = {"lights/area", "lights/directionalarea"};
+    check_off("areas/sphere");
     settings.disabled = {"areas/sphere"};
     check_off("areas/sphere");
     CHECK(report(settings, "lights/area").on == generic);

@@ -205,7 +205,8 @@ TEST_CASE("MESH_UVS: texture coordinates that --aov uv asks for") {
 TEST_CASE("Lights count where the integrator sees them") {
   const decltype(Light::emitter) emitters[] = {
       PointLight{}, SpotLight{}, ProjectorLight{}, DirectionalLight{}, ConstantLight{}, EnvironmentLight{}, SunLight{}};
-  REQUIRE(std::size(emitters) + 1 == list_entries("lights").size());  // And area.
+  // And area, and those that shine in beams.
+  REQUIRE(std::size(emitters) + 3 == list_entries("lights").size());
   for (const auto& emitter : emitters) {
     const Light light{"", emitter, line(15)};
     const std::string kind = light_kind(light);

@@ -151,7 +151,7 @@ TEST_CASE("the same bits by any lanes, launches and programs") {
   require_pocl_and_rusticl();
   Scene cornell = small_scene(scene_folder / "cornell/cornell-box.xml", 29, 23, 16);
   cornell.integrator.name = "ptracer";
-  for (const Scene& scene : {caustic(), cornell}) {
+  for (const Scene& scene : {caustic(), cornell, small_scene(scene_folder / "lights/beams.xml", 29, 23, 16)}) {
     const RenderResult expected = render("pocl", scene, {});
     CHECK(lit_pixels(expected.color) > 200);
     for (const int lanes : {1, 16}) {

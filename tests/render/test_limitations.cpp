@@ -54,6 +54,32 @@ TEST_CASE("whatever emits ends the warning") {
   }
 }
 
+TEST_CASE("beams are named where the integrator cannot find them") {
+  const auto beams = [](Scene scene, const char* integrator) {
+    scene.integrator.name = integrator;
+    int count = 0;
+    for (const Diagnostic& warning : limitations(scene))
+      count += warning.message.find("light is left out: each of its places shines") != std::string::npos ? 1 : 0;
+    return count;
+  };
+  Scene scene = scene_of("path");
+  scene.shapes.front().exitance = Rgb{1, 1, 1};
+  scene.lights.push_back({"", CollimatedLight{}, {}});
+  for (const char* integrator : {"path", "direct", "whitted", "volpath"}) {
+    INFO(integrator);
+    CHECK(beams(scene, integrator) == 2);
+  }
+  for (const char* integrator : {"ptracer", "bdpt", "normals"}) CHECK(beams(scene, integrator) == 0);
+  for (const char* integrator : {"path", "ptracer"}) {
+    scene.integrator.name = integrator;
+    CHECK(emptiness(scene).empty());
+  }
+  scene.lights.clear();
+  scene.shapes.front().exitance = Rgb{0, 0, 0};
+  CHECK(beams(scene, "path") == 0);
+  CHECK_FALSE(emptiness(scene).empty());
+}
+
 TEST_CASE("an emitter of radiance 0 emits nothing") {
   Scene scene = scene_of("path");
   scene.shapes.front().radiance = Rgb{0, 0, 0};

@@ -45,6 +45,18 @@ TEST_CASE("with one convex surface that reflects it is direct") {
   CHECK(chosen(shape_of("sphere") + shape_of("plane")).name == "path");
 }
 
+TEST_CASE("where all light is in beams it is ptracer, but for media") {
+  const auto lit_by = [](const std::string& body) { return load_body(body).scene.integrator.name; };
+  const std::string beam = "<emitter type=\"collimated\"/>", cylinder = shape_of("cylinder");
+  const std::string screen = shape_of("disk", "<emitter type=\"directionalarea\"/>");
+  CHECK(lit_by(beam + shape_of("rectangle")) == "ptracer");
+  CHECK(lit_by(screen + cylinder) == "ptracer");
+  CHECK(lit_by(beam + "<emitter type=\"point\"/>" + cylinder) == "path");
+  CHECK(lit_by(screen + shape_of("sphere", "<emitter type=\"area\"/>") + cylinder) == "path");
+  CHECK(lit_by(screen) == "emission");
+  CHECK(lit_by(beam + shape_of("cube", "<medium type=\"homogeneous\" name=\"interior\"/>")) == "volpath");
+}
+
 TEST_CASE("max_depth counts, and a name is obeyed") {
   const auto with_depth = [](const std::string& depth) {
     return chosen("<integrator type=\"auto\"><integer name=\"max_depth\" value=\"" + depth + "\"/></integrator>" +

@@ -158,6 +158,28 @@ TEST_CASE("lights") {
   CHECK(scene.shapes[0].radiance_where.column == 22);
 }
 
+TEST_CASE("beams") {
+  const Scene scene = load_body(
+                          "<emitter type=\"collimated\"><transform name=\"to_world\"><rotate y=\"1\" angle=\"90\"/>"
+                          "<translate x=\"1\" y=\"2\" z=\"3\"/></transform><rgb name=\"power\" value=\"4\"/></emitter>"
+                          "<emitter type=\"collimated\"/><shape type=\"disk\"><emitter type=\"directionalarea\">"
+                          "<rgb name=\"radiance\" value=\"5\"/></emitter></shape>")
+                          .scene;
+  REQUIRE(scene.lights.size() == 2);
+  const auto& beam = std::get<CollimatedLight>(scene.lights[0].emitter);
+  CHECK(beam.position == Vec3{1, 2, 3});
+  CHECK(beam.direction == Vec3{1, 0, 0});
+  CHECK(beam.power == Rgb{4, 4, 4});
+  const auto& plain = std::get<CollimatedLight>(scene.lights[1].emitter);
+  CHECK(plain.position == Vec3{0, 0, 0});
+  CHECK(plain.direction == Vec3{0, 0, 1});
+  CHECK(plain.power == Rgb{1, 1, 1});
+  CHECK(scene.shapes[0].exitance == Rgb{5, 5, 5});
+  CHECK_FALSE(scene.shapes[0].radiance);
+  const Material& black = scene.materials.at(static_cast<std::size_t>(scene.shapes[0].material));
+  CHECK(std::get<Diffuse>(black.bsdf).reflectance.color == Rgb{0, 0, 0});
+}
+
 TEST_CASE("a spot has a cone") {
   const LoadedScene loaded = load_body(
       "<emitter type=\"spot\"/><emitter type=\"spot\"><transform name=\"to_world\"><lookat origin=\"1, 2, 3\" "

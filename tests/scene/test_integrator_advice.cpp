@@ -36,6 +36,24 @@ TEST_CASE("a point over glass makes what paths from the camera miss") {
   CHECK(advice("path", "<emitter type=\"constant\"/>" + glass).empty());
 }
 
+TEST_CASE("beams ask for paths from lights, and where the camera looks at mirrors for both ends") {
+  const std::string beam = "<emitter type=\"collimated\"/>";
+  const std::string screen = "<shape type=\"disk\"><emitter type=\"directionalarea\"/></shape>";
+  for (const std::string& lamp : {beam, screen}) {
+    INFO(lamp);
+    REQUIRE(advice("path", lamp + floor_shape).size() == 1);
+    CHECK(advice("path", lamp + floor_shape)[0].integrator == "ptracer");
+    CHECK(advice("path", lamp + floor_shape)[0].where.line == 2);
+    for (const std::string& more : {glass, point_lamp}) {
+      REQUIRE(advice("path", lamp + floor_shape + more).size() == 1);
+      CHECK(advice("path", lamp + floor_shape + more)[0].integrator == "bdpt");
+    }
+    for (const char* finds : {"ptracer", "bdpt"}) CHECK(advice(finds, lamp + floor_shape + glass).empty());
+  }
+  const std::string dark = "<emitter type=\"collimated\"><rgb name=\"power\" value=\"0\"/></emitter>";
+  CHECK(advice("path", dark + floor_shape).empty());
+}
+
 TEST_CASE("a lamp that is small beside the scene is found by chance alone") {
   CHECK(advice("path", ball_lamp("0.01") + glass).size() == 1);
   CHECK(advice("path", ball_lamp("0.5") + glass).empty());

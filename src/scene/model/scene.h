@@ -115,7 +115,8 @@ struct Shape {
   Geometry geometry;
   int material = 0;             ///< Index into Scene::materials.
   std::optional<Rgb> radiance;  ///< Area emitter: emitted on the side that the normal points to.
-  int radiance_texture = -1;    ///< Index into Scene::textures, of one that multiplies the radiance; -1: none.
+  std::optional<Rgb> exitance;  ///< Emitter directionalarea: W/m^2 that leave along the normal and in no other way.
+  int radiance_texture = -1;    ///< Index into Scene::textures, of one that multiplies either; -1: none.
   double sampling_weight = 1;   ///< As a Light's, of what it emits.
   bool flip_normals = false;    ///< Mitsuba's flip_normals: reverses the normal as built.
   std::optional<int> priority;  ///< Of glass: where such shapes overlap the highest one is there. None: not tracked.
@@ -216,6 +217,13 @@ struct DirectionalLight {
   Rgb irradiance{1, 1, 1};  ///< W/m^2 on a plane perpendicular to it.
 };
 
+/// A beam without width.
+struct CollimatedLight {
+  Vec3 position;
+  Vec3 direction{0, 0, 1};  ///< The way the light travels, any length > 0.
+  Rgb power{1, 1, 1};       ///< W.
+};
+
 /// Radiance of every ray that leaves the scene.
 struct ConstantLight {
   Rgb radiance{1, 1, 1};
@@ -241,7 +249,8 @@ struct SunLight {
 
 struct Light {
   std::string id;
-  std::variant<PointLight, SpotLight, ProjectorLight, DirectionalLight, ConstantLight, EnvironmentLight, SunLight>
+  std::variant<PointLight, SpotLight, ProjectorLight, DirectionalLight, CollimatedLight, ConstantLight,
+               EnvironmentLight, SunLight>
       emitter;
   SourceLocation where;
   double sampling_weight = 1;  ///< Multiplies its chance to be drawn, not its light; at least 0.

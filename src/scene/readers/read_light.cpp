@@ -91,6 +91,11 @@ std::optional<Emitter> read_directional(Properties& properties, SceneBuilder&) {
   return DirectionalLight{to_world ? to_world->column(2) : direction, emission(properties, "irradiance")};
 }
 
+std::optional<Emitter> read_collimated(Properties& properties, SceneBuilder&) {
+  const Transform to_world = properties.transform("to_world").value_or(Transform{});
+  return CollimatedLight{to_world.translation(), to_world.column(2), emission(properties, "power")};
+}
+
 std::optional<Emitter> read_constant(Properties& properties, SceneBuilder&) {
   return ConstantLight{emission(properties, "radiance")};
 }
@@ -113,6 +118,10 @@ std::optional<Emitter> read_area(Properties& properties, SceneBuilder&) {
   if (properties.id().empty())
     properties.diagnostics().unknown(properties.where(), "an area emitter belongs inside a <shape>; it is left out");
   return std::nullopt;
+}
+
+std::optional<Emitter> read_directionalarea(Properties& properties, SceneBuilder& builder) {
+  return read_area(properties, builder);
 }
 
 const PluginTable<LightReader>& light_readers() {

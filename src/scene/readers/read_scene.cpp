@@ -44,7 +44,7 @@ void read_one_shape(const XmlElement& element, SceneBuilder& builder) {
 bool has_light(const Scene& scene) {
   const auto emits = [](const Shape& shape) {
     const auto* mesh = std::get_if<Mesh>(&shape.geometry);
-    return shape.radiance ||
+    return shape.radiance || shape.exitance ||
            (mesh != nullptr && std::any_of(mesh->parts.begin(), mesh->parts.end(),
                                            [](const auto& part) { return part.radiance.has_value(); }));
   };

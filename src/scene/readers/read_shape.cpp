@@ -47,15 +47,16 @@ std::vector<std::string> shape_types() {
 
 void read_area_emitter(const XmlElement& element, Shape& shape, SceneBuilder& builder) {
   Properties properties(element, builder.ids, builder.diagnostics);
-  if (properties.type() != "area") {
+  const bool is_beam = properties.type() == "directionalarea";
+  if (properties.type() != "area" && !is_beam) {
     builder.diagnostics.unknown(
         element.where, fmt::format("{} cannot be part of a shape{}; the shape does not emit", properties.title(),
-                                   did_you_mean(properties.type(), {"area"})));
+                                   did_you_mean(properties.type(), {"area", "directionalarea"})));
     builder.lost_emitters.emplace_back(properties.type());
     return;
   }
   const Emission radiance = read_emission(properties, builder, "radiance");
-  shape.radiance = radiance.color;
+  (is_beam ? shape.exitance : shape.radiance) = radiance.color;
   shape.radiance_texture = radiance.texture;
   shape.radiance_where = element.where;
   shape.sampling_weight = read_sampling_weight(properties);
@@ -112,12 +113,12 @@ void read_shape(const XmlElement& element, SceneBuilder& builder, std::vector<Sh
   const XmlElement* emitter = only_one(properties.objects("emitter"), properties);
   if (bsdf != nullptr) shape.material = material_index(*bsdf, builder);
   if (emitter != nullptr) read_area_emitter(*emitter, shape, builder);
-  if (bsdf == nullptr && shape.radiance) shape.material = black_material(builder);
+  if (bsdf == nullptr && (shape.radiance || shape.exitance)) shape.material = black_material(builder);
   shape.media = read_boundary(properties, builder);
   const Transform to_world = properties.transform("to_world").value_or(Transform{});
   ShapeInput input{properties, to_world, shape, bsdf != nullptr, builder};
   shape.geometry = (*reader)(input);
-  if (input.is_left_out && shape.radiance) builder.lost_emitters.emplace_back("area");
+  if (input.is_left_out && (shape.radiance || shape.exitance)) builder.lost_emitters.emplace_back("area");
   if (input.is_left_out) return properties.report_unknown();
   if (shape.priority && !has_glass(shape, builder.scene))
     builder.diagnostics.unknown(

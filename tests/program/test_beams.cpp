@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// Beams are in the programs of integrators whose paths begin on lights, and in no others.
+#include <catch2/catch.hpp>
+
+#include "kinds/integrators.h"
+#include "program/program_text.h"
+
+using namespace strahl;
+
+namespace {
+
+Scene ball(const std::string& integrator) {
+  Scene scene;
+  scene.integrator.name = integrator;
+  scene.shapes.resize(1);
+  return scene;
+}
+
+std::string text_of(const Scene& scene) {
+  return program_source(kinds::integrator(scene.integrator.name).kernel(), features_of(scene, {}), Precision::robust, 8)
+      .text;
+}
+
+}  // namespace
+
+TEST_CASE("Beams count where paths begin on lights") {
+  for (const std::string kind : {"collimated", "directionalarea"})
+    for (const std::string& integrator : kinds::integrator_names()) {
+      INFO(kind << ", " << integrator);
+      const Scene without = ball(integrator);
+      Scene scene = without;
+      if (kind == "collimated")
+        scene.lights.push_back({"", CollimatedLight{}, {}});
+      else
+        scene.shapes.front().exitance = Rgb{1, 1, 1};
+      const bool is_there = kinds::integrator(integrator).from_lights;
+      const Features features = features_of(scene, {});
+      CHECK(features.has("lights", kind) == is_there);
+      CHECK(features.has("light_rays", kind) == is_there);
+      CHECK(features.has("areas", "sphere") == (is_there && kind == "directionalarea"));
+      CHECK_FALSE(features.flag("EMISSION"));
+      CHECK((text_of(scene) == text_of(without)) == !is_there);  // too long to be printed
+    }
+}
