@@ -66,6 +66,9 @@ FN void surface_scatter_w(const Scene* scene, Paths_w* path, const Surfaces_w* s
     else
 #endif
       open = passes_masks_w(scene, path, &at, on);
+#if HAS_MEDIA
+    if (HAS_PRIORITY) pass_ranked_w(scene, path, s, open, d);
+#endif
     passed = passed | open;
     on = on & ~open;
   }

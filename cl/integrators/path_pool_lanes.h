@@ -31,7 +31,8 @@ enum {
   KEPT_INSTANCE_w,
   KEPT_RANKS_w = KEPT_INSTANCE_w + (HAS_INSTANCES != 0),
   KEPT_MEDIUM_w = KEPT_RANKS_w + (HAS_PRIORITY ? 2 * INTERFACES_MOST_w : 0),  // medium, draws
-  KEPT_INTS_w = KEPT_MEDIUM_w + (HAS_MEDIA ? 2 : 0)
+  KEPT_RANKED_w = KEPT_MEDIUM_w + (HAS_MEDIA ? 2 : 0),                        // around, medium
+  KEPT_INTS_w = KEPT_RANKED_w + (HAS_MEDIA && HAS_PRIORITY ? 1 + INTERFACES_MOST_w : 0)
 };
 
 /// What is kept of LANES paths, a plane each.
@@ -85,6 +86,10 @@ FN void kept_of_paths_w(const Paths_w* path, KeptPaths_w* kept) {
   kept->reals[KEPT_MEDIA_w + 6] = path->optical;
   kept->ints[KEPT_MEDIUM_w] = path->medium;
   kept->ints[KEPT_MEDIUM_w + 1] = int_of_uint_w(path->draws);
+  if (HAS_PRIORITY) {
+    kept->ints[KEPT_RANKED_w] = path->within.around;
+    for (int k = 0; k < INTERFACES_MOST_w; ++k) kept->ints[KEPT_RANKED_w + 1 + k] = path->within.medium[k];
+  }
 #endif
 }
 
@@ -122,6 +127,10 @@ FN void paths_of_kept_w(const KeptPaths_w* kept, maskw alive, Paths_w* path) {
   path->hero_shares = real3_at_w(reals + KEPT_MEDIA_w + 3);
   path->optical = reals[KEPT_MEDIA_w + 6];
   path->medium = kept->ints[KEPT_MEDIUM_w];
+  if (HAS_PRIORITY) {
+    path->within.around = kept->ints[KEPT_RANKED_w];
+    for (int k = 0; k < INTERFACES_MOST_w; ++k) path->within.medium[k] = kept->ints[KEPT_RANKED_w + 1 + k];
+  }
   path->draws = uint_of_int_w(kept->ints[KEPT_MEDIUM_w + 1]);
 #endif
 }

@@ -2,10 +2,10 @@
 // The state of paths on their way from surface to surface, one path a lane. One width; no guard.
 
 #include "scene/counters.h"
-#include "integrators/interfaces_lanes.h"
 #if HAS_MEDIA
 #include "media/all.h"
 #endif
+#include "integrators/interfaces_lanes.h"
 
 typedef struct {
   maskw alive;          ///< Paths that go on along `rays`.
@@ -49,6 +49,8 @@ FN void paths_none_w(Paths_w* path) {
 #endif
 #if HAS_MEDIA
   path->medium = splat_int_w(-1);
+  for (int k = 0; k < INTERFACES_MOST_w; ++k) path->within.medium[k] = splat_int_w(-1);
+  path->within.around = splat_int_w(-1);
   path->entered = path->hero_shares = path->from;
   path->optical = zero;
   path->draws = splat_uint_w(0u);
@@ -87,6 +89,7 @@ FN void paths_begin_w(const Scene* scene, Paths_w* path, maskw which, const Rays
   real3w first = fma3_w(rays->planes[RAY_PLANE_T_MIN], d, real3_at_w(rays->planes + RAY_PLANE_O));
   path->entered = sel3_w(which, first, path->entered);
   path->medium = sel_int_w(which, splat_int_w(media_table(scene)[MEDIA_CAMERA]), path->medium);
+  if (HAS_PRIORITY) path->within.around = sel_int_w(which, path->medium, path->within.around);
   path->optical = sel_w(which, -one, path->optical);
   path->hero_shares = sel3_w(which, vec3_w(one, one, one), path->hero_shares);
   intw stream = int_of_uint_w(splat_uint_w(STREAM_BEGIN));

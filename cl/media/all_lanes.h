@@ -6,7 +6,8 @@
 #include "media/march_lanes.h"   // of heterogeneous
 #include "media/homogeneous_lanes.h"
 #include "media/heterogeneous_lanes.h"
-#include "media/medium_lanes.h"      // of homogeneous, heterogeneous
-#include "media/boundaries_lanes.h"  // of homogeneous, heterogeneous
-#include "media/vertex_lanes.h"      // of homogeneous, heterogeneous
-#include "media/seen_share_lanes.h"  // of homogeneous, heterogeneous
+#include "media/medium_lanes.h"        // of homogeneous, heterogeneous
+#include "media/ranked_media_lanes.h"  // of homogeneous, heterogeneous
+#include "media/boundaries_lanes.h"    // of homogeneous, heterogeneous
+#include "media/vertex_lanes.h"        // of homogeneous, heterogeneous
+#include "media/seen_share_lanes.h"    // of homogeneous, heterogeneous

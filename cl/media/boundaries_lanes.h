@@ -17,14 +17,17 @@ FN FirstSamples no_first_samples_w(void) {
   return none;
 }
 
-/// The medium that a path is in which leaves the surface towards d; `media`: where the surface is no boundary.
-FN intw medium_beyond_w(const Scene* scene, const Surfaces_w* s, real3w d, intw media) {
+/// The medium that a path is in which leaves the surface towards d, and was in `path->medium` before. Its list of
+/// shapes with a priority is that beyond.
+FN intw medium_beyond_w(const Scene* scene, Paths_w* path, const Surfaces_w* s, real3w d) {
   GLOBAL const int* parts = scene->index + media_table(scene)[MEDIA_PARTS];
   maskw is_inside = lt_w(dot3_w(d, s->normal), splat_w(R(0.0)));
   intw at =
       s->part * (int)BOUNDARY_INTS + sel_int_w(is_inside, splat_int_w(BOUNDARY_INSIDE), splat_int_w(BOUNDARY_OUTSIDE));
   intw beyond = gather_int_w(parts, at);
-  return sel_int_w(nonzero_w(beyond - splat_int_w(MEDIUM_SAME)) & ~s->scatters, beyond, media);
+  intw medium = sel_int_w(nonzero_w(beyond - splat_int_w(MEDIUM_SAME)) & ~s->scatters, beyond, path->medium);
+  if (HAS_PRIORITY) medium = ranked_medium_w(scene, &path->within, s, d, path->medium, medium);
+  return medium;
 }
 
 /// A ray crosses so many boundaries at most on its way to a surface. Spheres that lie on one another could pass it to
@@ -84,7 +87,11 @@ FN void cross_boundaries_w(const Scene* scene, Way_w* way) {
   // Where two bodies touch, whichever surface is met first: what has just been entered is not left by the other's.
   maskw is_other = nonzero_w(way->last - met->part) & ~lt_int_w(way->last, splat_int_w(0));
   maskw is_kept = is_at_once & ~enters & is_other;
-  intw beyond = medium_beyond_w(scene, met, d, way->path.medium);
+  if (HAS_PRIORITY) {
+    pass_ranked_w(scene, &way->path, met, crosses, d);
+    is_kept = is_kept & lt_int_w(part_entry_w(scene, met, PART_RANK), splat_int_w(0));
+  }
+  intw beyond = medium_beyond_w(scene, &way->path, met, d);
   way->path.medium = sel_int_w(crosses & ~is_kept, beyond, way->path.medium);
   way->last = sel_int_w(crosses & enters, met->part, way->last);
   if (media_table(scene)[MEDIA_IS_CONVEX]) way->is_clear = way->is_clear | (crosses & ~enters);

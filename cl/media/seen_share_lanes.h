@@ -32,7 +32,8 @@ FN real3w seen_share_w(const Scene* scene, const Paths_w* path, const Surfaces_w
   realw one = splat_w(R(1.0)), zero = splat_w(R(0.0)), most = splat_w(REAL_MAX);
   real3w share = vec3_w(one, one, one);
   way.path.draws = path->draws + (splat_uint_w(STREAM_SHADOWS) + uint_of_int_w(path->depth) * STREAM_SHADOWS_STEP);
-  way.path.medium = medium_beyond_w(scene, from, towards, path->medium);
+  if (HAS_PRIORITY) pass_ranked_w(scene, &way.path, from, which, towards);
+  way.path.medium = medium_beyond_w(scene, &way.path, from, towards);
   way.path.entered = from->position;
   rays_leaving_w(from, which, towards, t_max, &way.path.rays);
   way.path.rays.aim = aim;
@@ -61,6 +62,7 @@ FN real3w seen_share_w(const Scene* scene, const Paths_w* path, const Surfaces_w
     share = sel3_w(hit, scale3_w(open, share), share);
     ahead = way.path.alive = hit & lt_w(zero, max3_w(share));
     if (!any_w(ahead)) break;
+    if (HAS_PRIORITY) pass_ranked_w(scene, &way.path, &s, ahead, d);
     media_enter_w(scene, &way.path, &s, none_w(), d);
     rays_leaving_w(&s, ahead, d, last - s.t, &way.path.rays);
     way.path.rays.aim = aim;

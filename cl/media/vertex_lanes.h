@@ -50,6 +50,7 @@ FN void media_travel_w(const Scene* scene, Paths_w* path, Surfaces_w* s) {
       if (any_w(scatters)) scatter_before_w(s, scatters, &w);
     }
     path->medium = sel_int_w(way.path.alive, way.path.medium, path->medium);
+    if (HAS_PRIORITY) sel_interfaces_w(way.path.alive, &way.path.within, &path->within);
     way.path.alive = way.crosses & ~scatters;
     if (!any_w(way.path.alive)) break;
     way.crosses = way.path.alive;
@@ -92,7 +93,7 @@ FN maskw passes_openly_w(Paths_w* path, const MaterialRows_w* at, maskw which) {
 
 /// The paths go on from s along d; those of `turned` in a direction that was drawn there.
 FN void media_enter_w(const Scene* scene, Paths_w* path, const Surfaces_w* s, maskw turned, real3w d) {
-  path->medium = sel_int_w(path->alive, medium_beyond_w(scene, s, d, path->medium), path->medium);
+  path->medium = sel_int_w(path->alive, medium_beyond_w(scene, path, s, d), path->medium);
   path->entered = sel3_w(path->alive, s->position, path->entered);
   path->optical = sel_w(turned, splat_w(-R(1.0)), path->optical);
 }

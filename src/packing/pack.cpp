@@ -23,6 +23,7 @@
 #include "packing/shape_parts.h"
 #include "packing/shape_ranks.h"
 #include "packing/uv_rates.h"
+#include "scene/unseen.h"
 #include "settings/sampling.h"
 
 namespace strahl {
@@ -179,7 +180,9 @@ class Packing {
   int rank_of(const Shape& shape, const MeshPart& look) const {
     const Material& material = scene_.materials.at(static_cast<std::size_t>(look.material));
     const auto rank = ranks_.find(&shape);
-    return rank == ranks_.end() || !transmits(scene_, material) ? -1 : rank->second;
+    if (rank == ranks_.end()) return -1;
+    const bool is_boundary = features_.flag("MEDIA") && shape.media && is_masked(shape, scene_);
+    return is_boundary || transmits(scene_, material) ? rank->second : -1;
   }
 
   void parts() {

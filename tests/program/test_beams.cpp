@@ -9,14 +9,14 @@ using namespace strahl;
 
 namespace {
 
-Scene ball(const std::string& integrator) {
+Scene beam_ball(const std::string& integrator) {
   Scene scene;
   scene.integrator.name = integrator;
   scene.shapes.resize(1);
   return scene;
 }
 
-std::string text_of(const Scene& scene) {
+std::string beam_text_of(const Scene& scene) {
   return program_source(kinds::integrator(scene.integrator.name).kernel(), features_of(scene, {}), Precision::robust, 8)
       .text;
 }
@@ -27,7 +27,7 @@ TEST_CASE("Beams count where paths begin on lights") {
   for (const std::string kind : {"collimated", "directionalarea"})
     for (const std::string& integrator : kinds::integrator_names()) {
       INFO(kind << ", " << integrator);
-      const Scene without = ball(integrator);
+      const Scene without = beam_ball(integrator);
       Scene scene = without;
       if (kind == "collimated")
         scene.lights.push_back({"", CollimatedLight{}, {}});
@@ -39,6 +39,6 @@ TEST_CASE("Beams count where paths begin on lights") {
       CHECK(features.has("light_rays", kind) == is_there);
       CHECK(features.has("areas", "sphere") == (is_there && kind == "directionalarea"));
       CHECK_FALSE(features.flag("EMISSION"));
-      CHECK((text_of(scene) == text_of(without)) == !is_there);  // too long to be printed
+      CHECK((beam_text_of(scene) == beam_text_of(without)) == !is_there);  // too long to be printed
     }
 }

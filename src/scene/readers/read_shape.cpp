@@ -120,10 +120,10 @@ void read_shape(const XmlElement& element, SceneBuilder& builder, std::vector<Sh
   shape.geometry = (*reader)(input);
   if (input.is_left_out && (shape.radiance || shape.exitance)) builder.lost_emitters.emplace_back("area");
   if (input.is_left_out) return properties.report_unknown();
-  if (shape.priority && !has_glass(shape, builder.scene))
-    builder.diagnostics.unknown(
-        properties.where("priority"),
-        "\"priority\" has no effect here: it ranks shapes of bsdf dielectric and roughdielectric");
+  if (shape.priority && !shape.media && !has_glass(shape, builder.scene))
+    builder.diagnostics.unknown(properties.where("priority"),
+                                "\"priority\" has no effect here: it ranks shapes of bsdf dielectric and "
+                                "roughdielectric, and boundaries of media");
   properties.report_unknown();
   shapes.push_back(std::move(shape));
 }
