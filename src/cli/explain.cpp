@@ -11,6 +11,7 @@
 
 #include "cli/commands.h"
 #include "cli/console.h"
+#include "cli/integrators_text.h"
 #include "cli/kernel_options.h"
 #include "cli/progress_bar.h"
 #include "cli/scene_options.h"
@@ -26,6 +27,7 @@
 #include "scene/empty_media.h"
 #include "scene/integrator_advice.h"
 #include "study/effect_costs.h"
+#include "study/integrator_costs.h"
 
 namespace strahl::cli {
 namespace {
@@ -38,11 +40,14 @@ program depends on the number of lanes: that of --lanes, else what fits the devi
 
 --cost builds the program once more without each effect, and renders without it: bytes of the program's binary, time to
 build it with nothing cached, time of a frame's kernels. Programs take turns; medians are told. It takes a minute or so.
+Then it renders a little by each integrator, at a low resolution: what it would miss, and how long the picture would take
+until its error is 1 % of its mean (--error-share), with an interval. --cost effects, --cost integrators: one of both.
 
 Examples:
   strahl explain scene.xml
   strahl explain scene.xml --integrator normals --aov depth
   strahl explain scene.xml --cost
+  strahl explain scene.xml --cost integrators --pilot 5
   strahl explain scene.xml --json --lanes 8)";
 
 struct ExplainOptions {
@@ -50,8 +55,11 @@ struct ExplainOptions {
   SceneOverrides overrides;
   KernelOptions kernel;
   std::string device;
-  bool cost = false;
+  std::optional<std::string> cost;
   int rounds = 3;
+  double pilot_seconds = 2;
+  double error_share = 0.01;
+  std::vector<std::string> among;
   bool json = false;
 };
 
@@ -83,6 +91,7 @@ struct Explained {
   std::string program;
   Lanes lanes;
   std::optional<EffectCosts> costs;
+  std::optional<IntegratorCosts> integrators;
   std::vector<Advice> advice;
 };
 
@@ -127,6 +136,7 @@ std::string text_of(const Explained& all) {
   }
   for (const Advice& advice : all.advice)
     text += fmt::format("advice: integrator {} finds {}  {}\n", advice.integrator, advice.why, advice.where.text());
+  if (all.integrators) text += integrators_text(*all.integrators);
   return text;
 }
 
@@ -171,7 +181,16 @@ std::string json_of(const Explained& all) {
   for (const Advice& advice : all.advice)
     json["advice"].push_back(
         {{"integrator", advice.integrator}, {"finds", advice.why}, {"where", text_or_null(advice.where.text())}});
+  if (all.integrators) json["integrators"] = integrators_json(*all.integrators);
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+IntegratorCosts integrators_of(const ExplainOptions& options, const Scene& scene, const RenderSettings& settings) {
+  const Device device = Device::open(options.device, {settings.precision == Precision::fp64});
+  ProgressBar bar("integrators", !options.scene.quiet && !options.scene.no_progress);
+  return measure_integrators(device, scene, settings, options.pilot_seconds, options.error_share,
+                             [&](double share) { bar.show(share, "pilots"); },
+                             {options.among.begin(), options.among.end()});
 }
 
 EffectCosts costs_of(const ExplainOptions& options, const Scene& scene, const RenderSettings& settings) {
@@ -184,13 +203,17 @@ EffectCosts costs_of(const ExplainOptions& options, const Scene& scene, const Re
 }
 
 ExitCode explain(const ExplainOptions& options) {
-  if (options.cost) keep_drivers_from_caching();
+  const auto is_asked = [&](const char* of) {
+    return options.cost && (*options.cost == of || *options.cost == "both");
+  };
+  if (is_asked("effects")) keep_drivers_from_caching();
   Explained all;
   all.settings = settings_of(options.kernel);
   double load_seconds = 0;
   Scene scene = load(options.scene, load_seconds);
   apply(options.overrides, scene);
   all.advice = integrator_advice(scene);
+  if (is_asked("integrators")) all.integrators = integrators_of(options, scene, all.settings);
   if (all.settings.aovs.empty()) leave_out_empty_media(scene);
   all.features = features_of(scene, all.settings);
   all.lanes = lanes_for(options, all.settings);
@@ -199,7 +222,7 @@ ExitCode explain(const ExplainOptions& options) {
       choose_traversal(scene, all.features, all.settings, {all.lanes.count, all.lanes.tree}, paths).has_tree;
   all.program = program_hash(program_source(kinds::integrator(scene.integrator.name).kernel(), all.features,
                                             all.settings.precision, all.lanes.count, all.lanes.tree, has_tree, paths));
-  if (options.cost) all.costs = costs_of(options, scene, all.settings);
+  if (is_asked("effects")) all.costs = costs_of(options, scene, all.settings);
   print(options.json ? json_of(all) : text_of(all));
   return ExitCode::ok;
 }
@@ -212,12 +235,32 @@ Command add_explain(CLI::App& app) {
   add_device_option(app, options->device);
   app.add_flag("--json", options->json, "For programs");
   CLI::Option* cost =
-      app.add_flag("--cost", options->cost, "Measure what each effect adds to the program and to a frame");
+      app.add_option("--cost", options->cost,
+                     "Measure what each effect adds to the program and to a frame, and what each integrator takes")
+          ->type_name("[effects|integrators]")
+          ->expected(0, 1)
+          ->default_str("both")
+          ->check(CLI::IsMember({"both", "effects", "integrators"}).description(""));
   app.add_option("--rounds", options->rounds, "Builds of every program, and a third of the frames")
       ->needs(cost)
       ->type_name("N")
       ->capture_default_str()
       ->check(CLI::Range(1, 100).description(""));
+  app.add_option("--pilot", options->pilot_seconds, "Seconds of each integrator's pilot, building aside")
+      ->needs(cost)
+      ->type_name("SECONDS")
+      ->capture_default_str()
+      ->check(CLI::Range(0.01, 3600.0).description(""));
+  app.add_option("--among", options->among, "Integrators to compare; all of light transport by default")
+      ->needs(cost)
+      ->type_name("NAME,...")
+      ->delimiter(',')
+      ->check(CLI::IsMember(kinds::integrator_names()).description(""));
+  app.add_option("--error-share", options->error_share, "The error that integrators are compared at, over the mean")
+      ->needs(cost)
+      ->type_name("SHARE")
+      ->capture_default_str()
+      ->check(CLI::Range(1e-6, 1.0).description(""));
   add_scene_overrides(app, options->overrides);
   add_kernel_options(app, options->kernel);
   add_program_options(app, options->kernel);

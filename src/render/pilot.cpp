@@ -51,6 +51,12 @@ double mean_of(const std::vector<double>& parts) {
   return parts.empty() ? 0 : std::accumulate(parts.begin(), parts.end(), 0.0) / static_cast<double>(parts.size());
 }
 
+double mean_of(const Image& image) {
+  double sum = 0;
+  for (const float value : image.data) sum += static_cast<double>(value);
+  return image.data.empty() ? 0 : sum / static_cast<double>(image.data.size());
+}
+
 /// Relative standard deviation of the mean of equally large parts, which are `share` of the whole.
 double spread_of(const std::vector<double>& parts, double share) {
   if (parts.size() < least_seen) return share < 1 ? unseen_spread : 0;
@@ -64,9 +70,11 @@ double spread_of(const std::vector<double>& parts, double share) {
 struct Strips {
   int spp = 0;
   std::vector<double> seconds{}, errors{}, variances{};  ///< Of each: mse, and the variance of that.
+  std::vector<double> means{};
 
   void add(const Timed& timed) {
     seconds.push_back(timed.seconds);
+    means.push_back(mean_of(timed.result.color));
     if (!timed.result.error) return;
     const Look look = look_of(spp, *timed.result.error);
     errors.push_back(look.mse);
@@ -125,6 +133,7 @@ class PilotRun {
     const PhaseSeconds& seconds = timed.result.stats.seconds;
     pilot_.look_seconds = seconds.readback + seconds.error;
     if (timed.result.error) pilot_.looks.push_back(look_of(spp, *timed.result.error));
+    pilot_.mean = mean_of(timed.result.color);
     sample_seconds_ = timed.seconds / spp;
   }
 
@@ -205,6 +214,7 @@ class PilotRun {
     pilot_.looks.clear();
     pilot_.passes = {{static_cast<double>(few.spp), strips * mean_of(few.seconds)}};
     pilot_.spread = std::hypot(ratio_spread, spread_of(few.seconds, pilot_.share));
+    pilot_.mean = mean_of(few.means);
     if (!more.seconds.empty()) {
       // The same strips with few samples show how much of the difference comes from the number of samples.
       const double factor = mean_of(more.seconds) / mean_of(paired.seconds);

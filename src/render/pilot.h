@@ -17,6 +17,7 @@ struct Pilot {
   double look_seconds = 0;       ///< To read the film of the whole picture and estimate its error.
   double seconds = 0;            ///< That the pilot took.
   double share = 1;              ///< Of the picture's rows that it looked at.
+  double mean = 0;               ///< Of the values of the latest look, all channels alike.
 };
 
 /// Renders the whole picture with few samples, then with four times as many and so on, while that is quick; else some

@@ -7,6 +7,7 @@
 #include "kinds/integrators.h"
 #include "kinds/lights.h"
 #include "kinds/materials.h"
+#include "scene/auto_integrator.h"
 #include "scene/beams.h"
 
 namespace strahl {
@@ -84,6 +85,24 @@ std::vector<Advice> integrator_advice(const Scene& scene) {
   else if (const Where lamp = first_small_lamp(scene))
     all.push_back({"bdpt", "what mirrors and glass throw of a small lamp, found by chance alone", *lamp});
   return all;
+}
+
+std::vector<std::string> integrator_misses(const Scene& scene) {
+  std::vector<std::string> misses;
+  for (const Advice& advice : integrator_advice(scene)) misses.push_back(advice.why);
+  const kinds::IntegratorFacts& facts = kinds::integrator(scene.integrator.name);
+  const bool is_direct = facts.follows == kinds::Follows::one_way,
+             is_whitted = facts.follows == kinds::Follows::mirrors;
+  if (is_direct || is_whitted) {
+    Scene whole = scene;
+    choose_integrator(whole);
+    if (kinds::integrator(whole.integrator.name).follows == kinds::Follows::paths)
+      misses.emplace_back(is_direct ? "light that surfaces reflect more than once"
+                                    : "light that surfaces reflect more than once, but for mirrors and glass");
+  }
+  if (facts.from_lights && !facts.from_camera && first_mirror(scene))
+    misses.emplace_back("what the camera sees in mirrors and through smooth glass");
+  return misses;
 }
 
 }  // namespace strahl

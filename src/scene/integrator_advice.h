@@ -19,4 +19,8 @@ struct Advice {
 /// none.
 [[nodiscard]] std::vector<Advice> integrator_advice(const Scene& scene);
 
+/// What the scene's integrator finds with much noise or not at all, a phrase each: the advice's, and light that
+/// integrators leave out by what they are. Empty where it finds all light well.
+[[nodiscard]] std::vector<std::string> integrator_misses(const Scene& scene);
+
 }  // namespace strahl

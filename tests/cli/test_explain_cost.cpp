@@ -25,8 +25,8 @@ TEST_CASE("what an effect adds to the program and to a frame") {
   folder.file("scene.xml", kGlowingSphere);
   const std::string cache = folder.path("cache");
   std::filesystem::create_directory(cache);
-  const Outcome outcome = folder.run({"explain", "scene.xml", "--cost", "--rounds", "1", "--json", "-d", "pocl",
-                                      "--lanes", "1", "--precision", "stable", "--aov", "depth"},
+  const Outcome outcome = folder.run({"explain", "scene.xml", "--cost", "effects", "--rounds", "1", "--json", "-d",
+                                      "pocl", "--lanes", "1", "--precision", "stable", "--aov", "depth"},
                                      {{"POCL_CACHE_DIR", cache}});
   INFO(outcome.err);
   REQUIRE(outcome.code == 0);

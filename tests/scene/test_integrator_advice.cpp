@@ -59,6 +59,22 @@ TEST_CASE("a lamp that is small beside the scene is found by chance alone") {
   CHECK(advice("path", ball_lamp("0.5") + glass).empty());
 }
 
+TEST_CASE("what integrators leave out by what they are is missed, where there is any of it") {
+  const auto misses = [](const std::string& integrator, const std::string& body) {
+    return integrator_misses(load_body("<integrator type=\"" + integrator + "\"/>" + body).scene);
+  };
+  const std::string sky = "<emitter type=\"constant\"/>";
+  for (const char* finds : {"path", "ptracer", "bdpt"}) CHECK(misses(finds, sky + floor_shape + floor_shape).empty());
+  for (const char* once : {"direct", "whitted"}) {
+    CHECK(misses(once, sky + floor_shape).empty());
+    REQUIRE(misses(once, sky + floor_shape + floor_shape).size() == 1);
+    CHECK(misses(once, sky + floor_shape + floor_shape)[0].find("more than once") != std::string::npos);
+  }
+  REQUIRE(misses("ptracer", sky + floor_shape + glass).size() == 1);
+  CHECK(misses("bdpt", sky + floor_shape + glass).empty());
+  CHECK(misses("path", point_lamp + floor_shape + glass).size() == 1);
+}
+
 TEST_CASE("media and masks ask for volpath") {
   const std::string fog = "<shape type=\"cube\"><medium type=\"homogeneous\" name=\"interior\"/></shape>";
   REQUIRE(advice("path", fog + point_lamp).size() == 1);

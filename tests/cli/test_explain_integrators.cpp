@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+// `strahl explain --cost integrators`: which integrator is soonest at a given error, and what the others miss. A few
+// seconds, and building six small programs.
+#include <catch2/catch.hpp>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "cli/program.h"
+
+using namespace strahl_test;
+using Json = nlohmann::json;
+
+namespace {
+
+const std::string before =
+    "<scene version=\"3.0.0\"><integrator type=\"path\"/><sensor type=\"perspective\">"
+    "<transform name=\"to_world\"><lookat origin=\"0, 2, 3\" target=\"0, 0, 0\" up=\"0, 1, 0\"/></transform>"
+    "<sampler type=\"independent\"/><film type=\"hdrfilm\"><integer name=\"width\" value=\"32\"/>"
+    "<integer name=\"height\" value=\"32\"/></film></sensor><shape type=\"rectangle\"><transform name=\"to_world\">"
+    "<scale value=\"2\"/><rotate x=\"1\" angle=\"-90\"/></transform></shape>";
+
+/// A small lamp shines through a ball of glass onto the floor.
+const std::string caustic =
+    before +
+    "<shape type=\"sphere\"><point name=\"center\" x=\"0\" y=\"1.2\" z=\"0\"/><float name=\"radius\" value=\"0.6\"/>"
+    "<bsdf type=\"dielectric\"/></shape><shape type=\"sphere\"><point name=\"center\" x=\"0\" y=\"3\" z=\"0\"/>"
+    "<float name=\"radius\" value=\"0.06\"/><emitter type=\"area\"><rgb name=\"radiance\" value=\"100\"/></emitter>"
+    "</shape></scene>";
+
+/// A box under a large lamp.
+const std::string box =
+    before +
+    "<shape type=\"cube\"><transform name=\"to_world\"><scale value=\"0.4\"/></transform></shape>"
+    "<shape type=\"rectangle\"><transform name=\"to_world\"><rotate x=\"1\" angle=\"90\"/><translate y=\"3\"/>"
+    "</transform><emitter type=\"area\"/></shape></scene>";
+
+std::map<std::string, Json> measured(const Folder& folder, const std::string& scene, const std::string& among) {
+  folder.file("scene.xml", scene);
+  const Outcome outcome = folder.run({"explain", "scene.xml", "--cost", "integrators", "--among", among, "--pilot",
+                                      "0.3", "--json", "-d", "pocl", "--lanes", "1", "--precision", "stable"});
+  INFO(outcome.err);
+  REQUIRE(outcome.code == 0);
+  const Json report = Json::parse(outcome.out);
+  CHECK_FALSE(report.contains("cost"));
+  const Json& all = report.at("integrators");
+  CHECK(all.at("width") == 32);
+  CHECK(all.at("pilot_seconds") == 0.3);
+  std::map<std::string, Json> rows;
+  for (const Json& row : all.at("integrators")) rows[row.at("integrator")] = row;
+  // Of the scene's own integrator.
+  CHECK(all.at("rmse").get<double>() == Approx(0.01 * rows.at("path").at("mean").get<double>()));
+  return rows;
+}
+
+double seconds(const Json& row, const char* end) { return row.at("seconds").at(end); }
+
+}  // namespace
+
+TEST_CASE("a caustic of a small lamp is had sooner from the light, and path is told to find it by chance") {
+  const Folder folder;
+  const std::map<std::string, Json> rows = measured(folder, caustic, "path,ptracer");
+  REQUIRE(rows.size() == 2);
+  const Json &path = rows.at("path"), &ptracer = rows.at("ptracer");
+  CHECK(seconds(ptracer, "high") < seconds(path, "low"));
+  CHECK(path.at("misses").dump().find("small lamp, found by chance") != std::string::npos);
+  CHECK(ptracer.at("misses").dump().find("in mirrors and through smooth glass") != std::string::npos);
+}
+
+TEST_CASE("a box under a large lamp is had sooner from the camera; what is refused says why") {
+  const Folder folder;
+  const std::map<std::string, Json> rows = measured(folder, box, "path,bdpt");
+  REQUIRE(rows.size() == 2);
+  const Json &path = rows.at("path"), &bdpt = rows.at("bdpt");
+  CHECK(seconds(path, "high") < seconds(bdpt, "low"));
+  for (const Json& row : {path, bdpt}) {
+    CHECK(row.at("misses").empty());
+    CHECK(row.at("refused").is_null());
+    CHECK(seconds(row, "low") < seconds(row, "middle"));
+    CHECK(seconds(row, "middle") < seconds(row, "high"));
+    CHECK(row.at("sample_seconds") > 0);
+    // The same light in both: 1 % of noise and more are far from the difference that a lost bounce makes.
+    CHECK(row.at("mean").get<double>() == Approx(path.at("mean").get<double>()).epsilon(0.05));
+  }
+  // In air of a medium bdpt is not there.
+  const std::string fog = "<shape type=\"sphere\"><medium type=\"homogeneous\" name=\"interior\"/></shape></scene>";
+  folder.file("fog.xml", before + fog);
+  const Outcome refused = folder.run({"explain", "fog.xml", "--cost", "integrators", "--among", "bdpt", "-d", "pocl",
+                                      "--lanes", "1", "--precision", "stable"});
+  CHECK(refused.code == 0);
+  CHECK(refused.out.find("bdpt      refused: integrator bdpt follows light between surfaces only") !=
+        std::string::npos);
+}
+
+TEST_CASE("options of the pilots mean nothing without --cost") {
+  const Folder folder;
+  folder.file("scene.xml", box);
+  CHECK(folder.run({"explain", "scene.xml", "--pilot", "1"}).code == 2);
+  CHECK(folder.run({"explain", "scene.xml", "--cost", "everything"}).code == 2);
+  CHECK(folder.run({"explain", "scene.xml", "--cost", "integrators", "--among", "pat"}).code == 2);
+}
