@@ -18,6 +18,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr const char* kernel_directory = "STRAHL_KERNEL_DIR";
+
 KernelFiles read_directory(const fs::path& directory) {
   KernelFiles files;
   try {
@@ -37,12 +39,22 @@ KernelFiles read_directory(const fs::path& directory) {
 
 }  // namespace
 
-KernelFiles kernel_files() {
-  const char* directory = std::getenv("STRAHL_KERNEL_DIR");
-  if (directory != nullptr && *directory != 0) return read_directory(directory);
-  KernelFiles files;
-  for (const EmbeddedKernel& kernel : embedded_kernels()) files.emplace(kernel.path, kernel.text);
+const KernelFiles& embedded_kernel_files() {
+  static const KernelFiles files = [] {
+    KernelFiles embedded;
+    for (const EmbeddedKernel& kernel : embedded_kernels()) embedded.emplace(kernel.path, kernel.text);
+    return embedded;
+  }();
   return files;
+}
+
+bool are_kernels_on_disk() {
+  const char* directory = std::getenv(kernel_directory);
+  return directory != nullptr && *directory != 0;
+}
+
+KernelFiles kernel_files() {
+  return are_kernels_on_disk() ? read_directory(std::getenv(kernel_directory)) : embedded_kernel_files();
 }
 
 }  // namespace strahl

@@ -238,7 +238,19 @@ std::string expand_kernel(const KernelFiles& files, const std::string& root, con
   return Expander(files, active).expand(root);
 }
 
-std::vector<std::string> list_entries(const std::string& folder) { return list_entries(kernel_files(), folder); }
+/// Packing a scene and checking what was packed ask for hundreds of entries.
+std::vector<std::string> list_entries(const std::string& folder) {
+  if (are_kernels_on_disk()) return list_entries(kernel_files(), folder);
+  static const std::map<std::string, std::vector<std::string>> lists = [] {
+    std::map<std::string, std::vector<std::string>> all;
+    for (const std::string& name : list_folders(embedded_kernel_files()))
+      all[name] = list_entries(embedded_kernel_files(), name);
+    return all;
+  }();
+  const auto found = lists.find(folder);
+  if (found == lists.end()) throw std::logic_error(fmt::format("there is no list {}", list_of(folder)));
+  return found->second;
+}
 std::vector<std::pair<std::string, std::string>> list_features() { return list_features(kernel_files()); }
 std::vector<std::string> list_folders() { return list_folders(kernel_files()); }
 std::string expand_kernel(const std::string& root, const ActiveEntries& active) {
