@@ -2,6 +2,7 @@
 // Files: magic, size of the header, header (JSON), samples, words, AOVs, checksum of all before it.
 #include <fmt/format.h>
 #include <sys/stat.h>
+#include <zlib.h>
 
 #include <algorithm>
 #include <bit>
@@ -13,7 +14,6 @@
 #include "checkpoint/checkpoint.h"
 #include "image/atomic_file.h"
 #include "image/file_bytes.h"
-#include "opencl/program_cache.h"
 #include "packing/cl_layout.h"
 #include "settings/sampling.h"
 
@@ -23,7 +23,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 static_assert(std::endian::native == std::endian::little, "numbers are stored as they are in memory");
-constexpr std::string_view magic = "strahlK1";
+constexpr std::string_view magic = "strahlK2";
+constexpr std::size_t magic_family = 7;  ///< Of these letters all checkpoints begin with.
 constexpr std::uint64_t most_header = std::uint64_t{1} << 28;
 constexpr int most_side = 65536;  // As validate.h.
 
@@ -69,23 +70,40 @@ std::string json_of(const Checkpoint& checkpoint) {
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
+/// CRC-32 by zlib: of all before it, however it is divided.
+class Checksum {
+ public:
+  void add(std::string_view bytes) {
+    sum_ = ::crc32_z(sum_, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size());
+  }
+  [[nodiscard]] std::uint64_t value() const { return sum_; }
+
+ private:
+  uLong sum_ = ::crc32_z(0, nullptr, 0);
+};
+
 class Writer {
  public:
   explicit Writer(const std::string& path) : file_(path) {}
   void add(std::string_view bytes) {
-    file_.write(bytes.data(), bytes.size());
-    hash_ = fnv1a(bytes, hash_);
+    while (!bytes.empty()) {  // In pieces that are in the processor's cache from the sum to the writing.
+      const std::string_view piece = bytes.substr(0, piece_bytes);
+      sum_.add(piece);
+      file_.write(piece.data(), piece.size());
+      bytes.remove_prefix(piece.size());
+    }
   }
   void add(std::uint64_t number) { add({reinterpret_cast<const char*>(&number), sizeof number}); }
   void finish() {
-    const std::uint64_t hash = hash_;
-    file_.write(&hash, sizeof hash);
+    const std::uint64_t sum = sum_.value();
+    file_.write(&sum, sizeof sum);
     file_.commit_to_disk();
   }
 
  private:
+  static constexpr std::size_t piece_bytes = std::size_t{1} << 18;
   AtomicFile file_;
-  std::uint64_t hash_ = fnv1a("");
+  Checksum sum_;
 };
 
 class Reader {
@@ -105,14 +123,14 @@ class Reader {
   void take(T* values, std::size_t count) {
     if (std::fread(values, sizeof(T), count, file_.get()) != count)
       std::ferror(file_.get()) ? fail_to_read(std::strerror(errno)) : fail("ends too early");
-    hash_ = fnv1a({reinterpret_cast<const char*>(values), count * sizeof(T)}, hash_);
+    sum_.add({reinterpret_cast<const char*>(values), count * sizeof(T)});
   }
   template <class T>
   void take(std::vector<T>& values) {
     take(values.data(), values.size());
   }
   void require_checksum() {
-    const std::uint64_t expected = hash_;
+    const std::uint64_t expected = sum_.value();
     std::uint64_t found = 0;
     take(&found, 1);
     if (found != expected) fail("its checksum is wrong");
@@ -124,15 +142,20 @@ class Reader {
   [[noreturn]] void fail_to_read(const std::string& why) const {
     throw InputError(fmt::format("cannot read \"{}\": {}", path_, why));
   }
-  [[noreturn]] void fail_as_foreign() const {
-    throw InputError(fmt::format("\"{}\" is no checkpoint of this version of strahl", path_));
+  [[noreturn]] void fail_as_foreign(std::string_view begin) const {
+    if (begin.substr(0, magic_family) == magic.substr(0, magic_family))
+      throw InputError(
+          fmt::format("\"{}\" is a checkpoint of another version of strahl: go on from it with that version, or "
+                      "render from the start",
+                      path_));
+    throw InputError(fmt::format("\"{}\" is no checkpoint", path_));
   }
 
  private:
   std::string path_;
   std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
   std::uint64_t size_ = 0;
-  std::uint64_t hash_ = fnv1a("");
+  Checksum sum_;
 };
 
 /// A number of the header within [least, most].
@@ -200,11 +223,11 @@ Head head_of(const Json& json) {
 }
 
 Head read_head(Reader& in) {
-  char found[magic.size()];
+  char found[magic.size()] = {};
   std::uint64_t header_size = 0;
-  if (in.size() < sizeof found) in.fail_as_foreign();
+  if (in.size() < sizeof found) in.fail_as_foreign({});
   in.take(found, sizeof found);
-  if (std::string_view(found, sizeof found) != magic) in.fail_as_foreign();
+  if (std::string_view(found, sizeof found) != magic) in.fail_as_foreign({found, sizeof found});
   in.take(&header_size, 1);
   const std::uint64_t fixed = sizeof found + 2 * sizeof(std::uint64_t);
   if (in.size() < fixed || header_size > std::min(most_header, in.size() - fixed)) in.fail("it is cut short");

@@ -52,6 +52,10 @@ PictureKeeper::PictureKeeper(KeepOptions options, PictureFiles picture, Checkpoi
     const Due now = due();
     return now.checkpoint || now.snapshot;
   };
+  film_keeper_.spare = [this] {
+    wait();
+    return std::move(spare_);
+  };
   film_keeper_.keep = [this](FilmState state) { keep(std::move(state)); };
   if (!options_.target().empty()) film_keeper_.keep_last = [this](FilmState state) { last_ = std::move(state); };
 }
@@ -80,6 +84,7 @@ void PictureKeeper::keep(FilmState state) {
   writing_ = std::async(std::launch::async, [this, now, checkpoint = Checkpoint{header_, std::move(state)}]() mutable {
     checkpoint.told_of_film();
     write(checkpoint, now);
+    spare_ = std::move(checkpoint.state);
   });
 }
 

@@ -46,6 +46,7 @@ class PictureKeeper {
   double every_, snapshot_every_;  ///< Seconds.
   std::optional<Checkpoint> resumed_;
   std::optional<FilmState> last_;
+  FilmState spare_;  ///< Written: the next one takes its memory. The system takes long to find as much anew.
   FilmKeeper film_keeper_;
   Stopwatch since_checkpoint_, since_snapshot_;
   std::string checkpoint_fault_, snapshot_fault_;  ///< Of the latest that was written; empty: it is there.

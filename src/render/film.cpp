@@ -9,7 +9,7 @@
 namespace strahl {
 
 FilmSums::FilmSums(int w, int h, SubSums parts, double one, bool holds_words, FilmKind its_kind)
-    : kind(its_kind), width(w), height(h), sums(parts), unit(one) {
+    : FilmShape{its_kind, w, h, parts, 0, one} {
   const std::size_t pixels = static_cast<std::size_t>(w) * static_cast<std::size_t>(h);
   if (holds_words) words.resize(pixels * words_per_pixel(), 0);
   samples.resize(pixels, 0);

@@ -22,17 +22,22 @@ enum class FilmKind {
 /// Words of a channel's sum.
 [[nodiscard]] std::size_t words_per_sum(FilmKind kind);
 
-/// Four sub-sums of three channels a pixel, or one where nobody compares them; window coordinates.
-struct FilmSums {
+/// What films have to agree in to be of one picture.
+struct FilmShape {
   FilmKind kind = FilmKind::pixels;
   int width = 0;
   int height = 0;
-  SubSums sums;                     ///< Which sample is in which.
-  int first_sample = 0;             ///< The number of each pixel's first sample; others only in a part (RenderGoal).
-  double unit = 1;                  ///< Radiance that corresponds to 1 in the kernels.
+  SubSums sums;          ///< Which sample is in which.
+  int first_sample = 0;  ///< The number of each pixel's first sample; others only in a part (RenderGoal).
+  double unit = 1;       ///< Radiance that corresponds to 1 in the kernels.
+};
+
+/// Four sub-sums of three channels a pixel, or one where nobody compares them; window coordinates.
+struct FilmSums : FilmShape {
   std::vector<std::int64_t> words;  ///< height x width x sums.count x 3 x words_per_sum(kind), as the kind has them.
   std::vector<int> samples;         ///< height x width: how many samples a pixel has, from first_sample on.
 
+  FilmSums() = default;
   /// holds_words: false where the words stay on the device (put_mean).
   FilmSums(int width, int height, SubSums sums, double unit, bool holds_words = true, FilmKind kind = FilmKind::pixels);
   [[nodiscard]] std::size_t words_per_pixel() const;

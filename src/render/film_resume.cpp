@@ -84,23 +84,28 @@ void FilmRun::begin_band_with(const FilmState& state) {
 }
 
 FilmState FilmRun::state_now() {
-  read_film();
+  FilmState state = keeper_ != nullptr && keeper_->spare ? keeper_->spare() : FilmState{};
   if (has_first_samples_ && band_.count > 0 && state_.has_aov()) read_aovs(band_.first, band_.count);
   const RunStats& run = result_.stats;
-  FilmState state{film_,
-                  passes_.position(),
-                  {run.saturated_samples, run.invalid_samples, run.weak_branches, run.lost_interfaces},
-                  aov_reals_,
-                  aov_ints_,
-                  state_.frame()};
-  if (is_read_in_parts()) {
-    state.film.words.resize(film_.samples.size() * film_.words_per_pixel());
-    read_buffer(state_.device, state_.film, state.film.words.data(), film_bytes(film_.samples.size()));
-  } else if (!is_one_band() && band_.count > 0) {
-    std::vector<std::int64_t> words(static_cast<std::size_t>(band_.count) * static_cast<std::size_t>(width_) *
-                                    film_.words_per_pixel());
-    read_buffer(state_.device, state_.film, words.data(), words.size() * sizeof(std::int64_t));
-    state.film.add_words(band_.first, words);
+  static_cast<FilmShape&>(state.film) = film_;
+  state.film.samples = film_.samples;
+  state.position = passes_.position();
+  state.unusual = {run.saturated_samples, run.invalid_samples, run.weak_branches, run.lost_interfaces};
+  state.aov_reals = aov_reals_;
+  state.aov_ints = aov_ints_;
+  state.frame = state_.frame();
+  std::vector<std::int64_t>& words = state.film.words;
+  if (is_one_band()) {  // The only copy, of tens of bytes a pixel and sum.
+    words.resize(film_.samples.size() * film_.words_per_pixel());
+    read_buffer(state_.device, state_.film, words.data(), film_bytes(film_.samples.size()));
+  } else {
+    words = film_.words;
+  }
+  if (!is_one_band() && band_.count > 0) {
+    std::vector<std::int64_t> band(static_cast<std::size_t>(band_.count) * static_cast<std::size_t>(width_) *
+                                   film_.words_per_pixel());
+    read_buffer(state_.device, state_.film, band.data(), band.size() * sizeof(std::int64_t));
+    state.film.add_words(band_.first, band);
   }
   return state;
 }

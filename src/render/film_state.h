@@ -34,6 +34,7 @@ struct FilmKeeper {
   const FilmState* begin_with = nullptr;     ///< What an earlier run has kept; none: a black film.
   std::function<bool()> is_due;              ///< Asked after each launch.
   std::function<void(FilmState)> keep;       ///< Then, with what there is. The render waits for it.
+  std::function<FilmState()> spare;          ///< Whose memory the next film to be kept takes; none: new memory.
   std::function<void(FilmState)> keep_last;  ///< At the end, whatever ended the render.
 };
 

@@ -80,6 +80,21 @@ TEST_CASE("cut anywhere, or a byte changed anywhere, it is refused") {
   CHECK_THROWS_WITH(read_checkpoint(folder / "longer"), Contains("bytes and should have"));
 }
 
+TEST_CASE("one of another layout is told apart from what is none") {
+  const TemporaryFolder folder;
+  write_checkpoint(folder / "c", small_checkpoint());
+  std::string bytes = read_file(folder / "c");
+  for (const char other : {'1', '3'}) {
+    bytes[7] = other;
+    put_bytes(folder / "other", bytes);
+    CHECK_THROWS_WITH(read_checkpoint(folder / "other"), Contains("of another version of strahl"));
+    CHECK_THROWS_WITH(read_checkpoint_header(folder / "other"), Contains("of another version of strahl"));
+  }
+  bytes[0] = 'S';
+  put_bytes(folder / "none", bytes);
+  CHECK_THROWS_WITH(read_checkpoint(folder / "none"), Contains("is no checkpoint"));
+}
+
 TEST_CASE("a header that asks for more than there is takes no memory") {
   const TemporaryFolder folder;
   write_checkpoint(folder / "c", small_checkpoint());
