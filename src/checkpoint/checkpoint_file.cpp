@@ -74,7 +74,8 @@ std::string json_of(const Checkpoint& checkpoint) {
 class Checksum {
  public:
   void add(std::string_view bytes) {
-    sum_ = ::crc32_z(sum_, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size());
+    // Without data there may be no pointer, which zlib takes for the wish to begin anew.
+    if (!bytes.empty()) sum_ = ::crc32_z(sum_, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size());
   }
   [[nodiscard]] std::uint64_t value() const { return sum_; }
 

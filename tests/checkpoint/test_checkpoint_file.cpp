@@ -80,6 +80,15 @@ TEST_CASE("cut anywhere, or a byte changed anywhere, it is refused") {
   CHECK_THROWS_WITH(read_checkpoint(folder / "longer"), Contains("bytes and should have"));
 }
 
+TEST_CASE("without AOVs, too") {
+  const TemporaryFolder folder;
+  Checkpoint out = small_checkpoint();
+  out.state.aov_reals.clear();
+  out.state.aov_ints.clear();
+  write_checkpoint(folder / "c", out);
+  CHECK(read_checkpoint(folder / "c").state.film.words == out.state.film.words);
+}
+
 TEST_CASE("one of another layout is told apart from what is none") {
   const TemporaryFolder folder;
   write_checkpoint(folder / "c", small_checkpoint());
