@@ -112,10 +112,11 @@ class Reader {
   explicit Reader(const std::string& path) : path_(path), file_(nullptr, &std::fclose) {
     const std::string obstacle = unreadable_because(path);
     if (!obstacle.empty()) fail_to_read(obstacle);
-    file_.reset(std::fopen(path.c_str(), "rb"));
     struct stat status {};
+    // Before it is opened: for a pipe that would be to wait.
+    if (::stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode)) fail_to_read("a checkpoint is a file");
+    file_.reset(std::fopen(path.c_str(), "rb"));
     if (!file_ || ::fstat(::fileno(file_.get()), &status) != 0) fail_to_read(std::strerror(errno));
-    if (!S_ISREG(status.st_mode)) fail_to_read("a checkpoint is a file");
     size_ = static_cast<std::uint64_t>(status.st_size);
   }
   [[nodiscard]] std::uint64_t size() const { return size_; }

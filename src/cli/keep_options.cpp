@@ -17,10 +17,7 @@ void add_keep_options(CLI::App& app, KeepOptions& options) {
                  "Keep the samples so far in this file, now and then and at the end; for --resume and `merge`")
       ->type_name("FILE")
       ->group(group);
-  app.add_option("--every", options.every, "How often, as 10s or 5m")
-      ->type_name("TIME")
-      ->capture_default_str()
-      ->group(group);
+  app.add_option("--every", options.every, "How often, as 10s or 5m; 60s without it")->type_name("TIME")->group(group);
   app.add_option("--resume", options.resume,
                  "Go on from this checkpoint; the same scene and options give the bits of one run. It is written on "
                  "to, unless --checkpoint names another")
@@ -41,12 +38,21 @@ void add_keep_options(CLI::App& app, KeepOptions& options) {
       ->group(group);
 }
 
+double KeepOptions::every_seconds() const { return duration_seconds(every.value_or("60s"), "--every"); }
+
 void check_keeping(const RenderOptions& options) {
   const KeepOptions& keep = options.keep;
-  static_cast<void>(duration_seconds(keep.every, "--every"));
+  static_cast<void>(keep.every_seconds());
   if (keep.snapshot_every) static_cast<void>(duration_seconds(*keep.snapshot_every, "--snapshot-every"));
   if (keep.watchdog) static_cast<void>(duration_seconds(*keep.watchdog, "--watchdog"));
   const bool is_kept = !keep.target().empty();
+  // Whoever asks for this believes that something is kept.
+  if (keep.every && !is_kept)
+    throw UsageError("--every says how often a checkpoint is written: name it with --checkpoint");
+  if (keep.snapshot_every && options.goal.frames)
+    throw UsageError("--snapshot-every shows a picture under way, and --frames are finished within their time");
+  if (keep.snapshot_every && !options.writes_picture())
+    throw UsageError("--snapshot-every writes beside the picture, and none is written: name it with -o");
   if (is_kept && options.goal.frames) throw UsageError("--frames renders many pictures, a checkpoint is of one");
   if (is_kept && options.goal.dry_run) throw UsageError("--dry-run makes no picture, so there is nothing to keep");
   if (!keep.samples) return;

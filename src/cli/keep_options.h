@@ -16,8 +16,8 @@ namespace strahl::cli {
 struct RenderOptions;
 
 struct KeepOptions {
-  std::string checkpoint;  ///< Empty: none is written.
-  std::string every = "60s";
+  std::string checkpoint;                     ///< Empty: none is written.
+  std::optional<std::string> every;           ///< None: "60s".
   std::string resume;                         ///< Empty: from the start.
   std::optional<std::string> samples;         ///< "a:b"
   std::optional<std::string> watchdog;        ///< None: a launch may take any time.
@@ -25,6 +25,8 @@ struct KeepOptions {
 
   /// Where checkpoints go: what is resumed is written on to.
   [[nodiscard]] const std::string& target() const { return checkpoint.empty() ? resume : checkpoint; }
+  /// Between checkpoints. Throws UsageError.
+  [[nodiscard]] double every_seconds() const;
 };
 
 void add_keep_options(CLI::App& app, KeepOptions& options);

@@ -32,7 +32,7 @@ PictureKeeper::PictureKeeper(KeepOptions options, PictureFiles picture, Checkpoi
       picture_(std::move(picture)),
       header_(std::move(header)),
       guard_(guard),
-      every_(duration_seconds(options_.every, "--every")),
+      every_(options_.every_seconds()),
       snapshot_every_(options_.snapshot_every ? duration_seconds(*options_.snapshot_every, "--snapshot-every")
                                               : std::numeric_limits<double>::infinity()) {
   if (!options_.resume.empty()) {

@@ -60,7 +60,15 @@ void require_writable_outputs(const RenderOptions& options) {
   for (const std::string& path : {options.stats, options.dump_kernel})
     if (!path.empty() && path != "-") require_writable(path);
   if (!options.keep.resume.empty()) static_cast<void>(read_checkpoint_header(options.keep.resume));
-  if (!options.keep.target().empty()) require_writable(options.keep.target());
+  if (options.keep.target().empty()) return;
+  std::error_code unknown;
+  // Written again and again, each in the place of the one before.
+  const std::filesystem::file_status status = std::filesystem::status(options.keep.target(), unknown);
+  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status) &&
+      !std::filesystem::is_directory(status))
+    throw UsageError(
+        fmt::format("a checkpoint is a file, and \"{}\" is none; choose another name", options.keep.target()));
+  require_writable(options.keep.target());
 }
 
 void print_pixel(const Image& color) {
@@ -199,8 +207,7 @@ ExitCode render(const RenderOptions& options, const Invocation& invocation) {
   if (const auto warning = too_wide_for_single(scene); warning && is_scaled_single) say(warning->text());
 
   PictureFiles files{options.output, options.png, kinds::integrator(scene.integrator.name).is_length, lamps_of(scene)};
-  const bool only_values = (options.overrides.pixel || options.keep.samples) && options.output.empty();
-  if (!only_values) {
+  if (options.writes_picture()) {
     if (files.path.empty()) files.path = scene.name + ".png";
     require_writable(files);
   }

@@ -12,6 +12,7 @@
 #include "cli/output_file.h"
 #include "cli/progress_bar.h"
 #include "cli/render_files.h"
+#include "cli/watchdog.h"
 #include "render/median.h"
 
 namespace strahl::cli {
@@ -52,7 +53,15 @@ ExitCode render_frames(Renderer& renderer, const RenderOptions& options, const P
     goal.seed = first_seed + static_cast<std::uint32_t>(frame);
     const Clock::time_point start = Clock::now();
     goal.deadline = later(start, time);
-    const RenderResult result = renderer.render({}, goal);
+    std::optional<Watchdog> watchdog;
+    if (options.keep.watchdog) watchdog.emplace(duration_seconds(*options.keep.watchdog, "--watchdog"), "");
+    const RenderResult result = renderer.render(
+        [&](const Progress&) {
+          if (watchdog) watchdog->fed();
+          return true;
+        },
+        goal);
+    watchdog.reset();
     seconds.push_back(std::chrono::duration<double>(Clock::now() - start).count());
     if (seconds.back() > late_seconds(time)) ++late;
     // A job of a million frames should not take more and more memory for what nobody asks.

@@ -27,6 +27,9 @@ struct RenderOptions {
   bool stats_detail = false;
   bool brief = false;
   std::string dump_kernel;
+
+  /// Else numbers or samples alone are asked for.
+  [[nodiscard]] bool writes_picture() const { return !output.empty() || !(overrides.pixel || keep.samples); }
 };
 
 }  // namespace strahl::cli

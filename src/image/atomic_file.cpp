@@ -50,6 +50,15 @@ std::string cause_and_remedy(const std::string& path, int error) {
   }
 }
 
+/// Where a link leads that has no file yet: somebody has made it for one that is to come.
+std::string end_of_links(fs::path path) {
+  std::error_code unknown;
+  constexpr int most_links = 40;  // As the system.
+  for (int i = 0; i < most_links && fs::is_symlink(fs::symlink_status(path, unknown)); ++i)
+    path = path.parent_path() / fs::read_symlink(path, unknown);
+  return path.string();
+}
+
 }  // namespace
 
 AtomicFile::AtomicFile(const std::string& path) : path_(path), target_(path) {
@@ -68,6 +77,8 @@ AtomicFile::AtomicFile(const std::string& path) : path_(path), target_(path) {
       if (descriptor_ < 0) fail(errno);
       return;
     }
+  } else {
+    target_ = end_of_links(path);
   }
 
   remove_abandoned_files(folder_of(target_));

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Checkpoints, parts and snapshots as a user has them: the program is killed, interrupted, given other options and
 // damaged files; pictures come out with the bits of one run, or one message says why not.
+#include <sys/stat.h>
+
 #include <catch2/catch.hpp>
 #include <chrono>
 #include <csignal>
@@ -187,6 +189,15 @@ TEST_CASE("usage of what keeps a render") {
   refuse(folder, {"s.xml", "--snapshot-every", "0s"}, 2, {"--snapshot-every: must be a finite time"});
   refuse(folder, {"s.xml", "--frames", "2", "--time", "1s", "--checkpoint", "c"}, 2, {"--frames", "checkpoint"});
   refuse(folder, {"s.xml", "--dry-run", "--checkpoint", "c"}, 2, {"--dry-run"});
+  refuse(folder, {"s.xml", "--every", "10s"}, 2, {"--every", "--checkpoint"});
+  refuse(folder, {"s.xml", "--snapshot-every", "1s", "--samples", "0:4", "--checkpoint", "c"}, 2, {"-o"});
+  refuse(folder, {"s.xml", "--snapshot-every", "1s", "--pixel", "0,0"}, 2, {"-o"});
+  refuse(folder, {"s.xml", "--snapshot-every", "1s", "--frames", "2", "--time", "1s"}, 2, {"--frames"});
+  // Neither is opened: for a pipe that would be to wait for its other end.
+  REQUIRE(::mkfifo(folder.path("pipe").c_str(), 0600) == 0);
+  refuse(folder, {"s.xml", "--checkpoint", "pipe"}, 2, {"a checkpoint is a file", "pipe"});
+  refuse(folder, {"s.xml", "--checkpoint", "/dev/null"}, 2, {"a checkpoint is a file"});
+  refuse(folder, {"s.xml", "--resume", "pipe"}, 3, {"a checkpoint is a file"});
   refuse(folder, {"merge", "-o", "x.exr"}, 2, {"parts is required"});
 }
 

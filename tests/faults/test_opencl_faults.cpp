@@ -73,6 +73,17 @@ class FaultyRender {
     CHECK(strahl::read_checkpoint(folder_.path("c.ckpt")).header.least >= 8);
   }
 
+  /// One of --frames, which keep no checkpoint; some call in their midst.
+  void hang_in_frames() {
+    const Outcome outcome = folder_.run(
+        {scene_, "--width", "24", "--frames", "1000", "--time", "20ms", "-d", "pocl", "-q", "-o", "f.pfm", "--watchdog",
+         "1s"},
+        {{"OPENCL_LAYERS", STRAHL_FAIL_OPENCL}, {"STRAHL_CL_FAULT_CALL", "2000"}, {"STRAHL_CL_FAULT_CODE", "hang"}});
+    INFO(outcome.err);
+    CHECK(outcome.code == 1);
+    CHECK(contains(outcome.err, "has not come back from a launch for 1 s"));
+  }
+
   int successes = 0, failures = 0;
 
  private:
@@ -111,7 +122,11 @@ TEST_CASE("each OpenCL call fails in turn") {
   CHECK(faulty.failures > faulty.successes);
 }
 
-TEST_CASE("a kernel that never ends is left behind") { FaultyRender("lecture/lit.xml").hang(); }
+TEST_CASE("a kernel that never ends is left behind") {
+  FaultyRender render("lecture/lit.xml");
+  render.hang();
+  render.hang_in_frames();
+}
 
 TEST_CASE("each OpenCL call fails in turn, all of them, and each function with each code") {
   if (std::getenv("STRAHL_ALL_FAULTS") == nullptr) return;

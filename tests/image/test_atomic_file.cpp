@@ -125,6 +125,24 @@ TEST_CASE("a symbolic link stays one, its target is replaced") {
   CHECK(bytes_of(folder / "deep/target") == "new");
 }
 
+TEST_CASE("a symbolic link to what is not there yet stays one, and leads to it") {
+  const TemporaryFolder folder;
+  fs::create_directory(folder / "deep");
+  fs::create_symlink("deep/second", folder / "first");
+  fs::create_symlink(folder / "target", folder / "deep/second");
+  AtomicFile file(folder / "first");
+  file.write("new");
+  file.commit();
+  CHECK(fs::is_symlink(folder / "first"));
+  CHECK(fs::is_symlink(folder / "deep/second"));
+  CHECK(bytes_of(folder / "target") == "new");
+  CHECK(folder.names() == std::set<std::string>{"deep", "first", "target"});
+  fs::create_symlink("loop", folder / "loop");
+  CHECK_THROWS_AS(AtomicFile(folder / "loop").commit(), Error);
+  fs::create_symlink("none/x", folder / "nowhere");
+  CHECK_THROWS_WITH(AtomicFile(folder / "nowhere"), Contains("does not exist"));
+}
+
 TEST_CASE("a name as long as names can be") {
   const TemporaryFolder folder;
   const std::string name(255, 'x');
