@@ -79,6 +79,7 @@ AtomicFile::AtomicFile(const std::string& path) : path_(path), target_(path) {
     }
   } else {
     target_ = end_of_links(path);
+    if (fs::is_symlink(fs::symlink_status(target_, unknown))) fail(ELOOP);
   }
 
   remove_abandoned_files(folder_of(target_));
