@@ -55,8 +55,16 @@ void check_header(PackedRanges<Real>& ranges, const PackedFacts& facts) {
   ranges.shading(ranges.at(layout::HEADER_CAMERA), layout::CAMERA_REALS, "the camera");
   ranges.shading(ranges.at(layout::HEADER_FILTER), layout::FILTER_CELLS + 1, "the filter");
   const int sensor = ranges.at(layout::HEADER_SENSOR);
-  if (kinds::integrator(scene.integrator.name).from_lights || sensor != -1)
+  const bool is_read = kinds::integrator(scene.integrator.name).from_lights;
+  if (is_read || sensor != -1)
     ranges.shading(sensor, int{layout::SENSOR_REALS} + int{layout::FILTER_CELLS} + 1, "the sensor");
+  if (!is_read || !ranges.fault().empty()) return;
+  // From other numbers kernels would compute a place in the filter's table that is none.
+  const Real* const reals = ranges.packed().shading.data() + sensor;
+  ranges.require(
+      reals[layout::SENSOR_HEIGHT] == static_cast<Real>(scene.film.height) &&
+          reals[layout::SENSOR_FILTER_HALF] == static_cast<Real>(filter_densities(scene.film.filter).half_width),
+      "the sensor's size");
 }
 
 template <typename Real>

@@ -39,22 +39,16 @@ KernelFiles read_directory(const fs::path& directory) {
 
 }  // namespace
 
-const KernelFiles& embedded_kernel_files() {
-  static const KernelFiles files = [] {
-    KernelFiles embedded;
-    for (const EmbeddedKernel& kernel : embedded_kernels()) embedded.emplace(kernel.path, kernel.text);
-    return embedded;
-  }();
-  return files;
-}
-
 bool are_kernels_on_disk() {
   const char* directory = std::getenv(kernel_directory);
   return directory != nullptr && *directory != 0;
 }
 
 KernelFiles kernel_files() {
-  return are_kernels_on_disk() ? read_directory(std::getenv(kernel_directory)) : embedded_kernel_files();
+  if (are_kernels_on_disk()) return read_directory(std::getenv(kernel_directory));
+  KernelFiles files;
+  for (const EmbeddedKernel& kernel : embedded_kernels()) files.emplace(kernel.path, kernel.text);
+  return files;
 }
 
 }  // namespace strahl

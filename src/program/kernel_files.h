@@ -12,9 +12,7 @@ using KernelFiles = std::map<std::string, std::string>;
 
 /// The files in use. Throws Error where STRAHL_KERNEL_DIR does not name a directory of readable files.
 [[nodiscard]] KernelFiles kernel_files();
-/// Those in the binary, which stay what they are.
-[[nodiscard]] const KernelFiles& embedded_kernel_files();
-/// STRAHL_KERNEL_DIR names the files in use.
+/// STRAHL_KERNEL_DIR names the files in use; else they stay what they are.
 [[nodiscard]] bool are_kernels_on_disk();
 
 }  // namespace strahl

@@ -242,9 +242,9 @@ std::string expand_kernel(const KernelFiles& files, const std::string& root, con
 std::vector<std::string> list_entries(const std::string& folder) {
   if (are_kernels_on_disk()) return list_entries(kernel_files(), folder);
   static const std::map<std::string, std::vector<std::string>> lists = [] {
+    const KernelFiles files = kernel_files();
     std::map<std::string, std::vector<std::string>> all;
-    for (const std::string& name : list_folders(embedded_kernel_files()))
-      all[name] = list_entries(embedded_kernel_files(), name);
+    for (const std::string& name : list_folders(files)) all[name] = list_entries(files, name);
     return all;
   }();
   const auto found = lists.find(folder);

@@ -284,7 +284,8 @@ Scene shipped(const std::string& name) {
 }
 
 /// Packs to thousands of ints at most.
-const std::vector<std::string> few_scenes = {"lecture/lit.xml", "instances/mushrooms.xml", "lights/screen.xml",
+const std::vector<std::string> few_scenes = {"lecture/lit.xml",         "instances/mushrooms.xml",
+                                             "lights/screen.xml",       "lights/caustic.xml",
                                              "materials/blendbsdf.xml", "textures/mesh_attribute.xml"};
 
 /// Scenes of scenes/, by their names there; those with media are apart. Without accuracy/: spheres, planes and a mesh
@@ -319,7 +320,7 @@ TEST_CASE("a flipped index is refused, or does no harm") {
 
 TEST_CASE("a flipped index leads no integrator astray") {
   if (!is_long) return;
-  for (const char* name : {"lecture/lit.xml", "textures/mesh_attribute.xml"})
+  for (const char* name : {"lecture/lit.xml", "lights/caustic.xml", "textures/mesh_attribute.xml"})
     for (const std::string& integrator : kinds::integrator_names()) {
       INFO(name << ", " << integrator);
       WARN(name << ", " << integrator);
