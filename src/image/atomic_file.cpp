@@ -171,7 +171,7 @@ void AtomicFile::flush_folder() {
 
 void AtomicFile::fail(int error) {
   if (failure_ == 0) failure_ = error;
-  throw Error(fmt::format("cannot write \"{}\": {}", path_, cause_and_remedy(path_, failure_)));
+  throw Error(fmt::format("cannot write \"{}\": {}", path_, cause_and_remedy(target_, failure_)));
 }
 
 }  // namespace strahl
