@@ -22,7 +22,17 @@ bool is_told(const FilmSums& film, std::size_t at) {
   return std::min(film.samples[at], film.sums.count) >= layout::FILM_SUBSUMS;
 }
 
-bool is_of_two_sequences(const FilmSums& film) { return film.sums.sequences == layout::SOBOL_SEQUENCES; }
+bool is_told(const FilmSums& film) {
+  for (std::size_t at = 0; at < film.samples.size(); ++at)
+    if (!is_told(film, at)) return false;
+  return true;
+}
+
+std::unique_ptr<ErrorLaw> law_of(const FilmSums& film) {
+  if (film.kind == FilmKind::splats) return law_of_replicates(film);
+  if (film.sums.sequences == layout::SOBOL_SEQUENCES) return law_of_sequences(film.width, film.height);
+  return law_of_turns();
+}
 
 }  // namespace
 
@@ -35,35 +45,45 @@ void PictureError::add(const PixelError& pixel) {
 
 double satterthwaite(double sum, double squares) { return squares > 0 ? 2 * sum * sum / squares : 1; }
 
-std::optional<ErrorEstimate> estimate_error(const FilmSums& film) {
-  for (std::size_t at = 0; at < film.samples.size(); ++at)
-    if (!is_told(film, at)) return std::nullopt;
-  const PictureError picture = film.kind == FilmKind::splats ? picture_error_of_replicates(film)
-                               : is_of_two_sequences(film)   ? picture_error_of_sequences(film)
-                                                             : picture_error_of_turns(film);
-  const double values = static_cast<double>(film.samples.size() * layout::FILM_CHANNELS);
-  const double mse = picture.squared / values;
-  const double half_width = quantile(picture.freedom) * std::sqrt(picture.variance) / values;
+ErrorSums::ErrorSums(const FilmSums& film)
+    : law_(law_of(film)),
+      is_told_(is_told(film)),
+      values_(static_cast<double>(film.samples.size() * layout::FILM_CHANNELS)) {}
+
+ErrorSums::~ErrorSums() = default;
+
+void ErrorSums::add(const FilmSums& rows) {
+  if (is_told_) law_->add(rows);
+}
+
+std::optional<ErrorEstimate> ErrorSums::tell() const {
+  if (!is_told_) return std::nullopt;
+  const PictureError picture = law_->tell();
+  const double mse = picture.squared / values_;
+  const double half_width = quantile(picture.freedom) * std::sqrt(picture.variance) / values_;
   return ErrorEstimate{std::sqrt(mse), std::sqrt(std::max(0.0, mse - half_width)), std::sqrt(mse + half_width),
-                       picture.relative / values};
+                       picture.relative / values_};
+}
+
+void ErrorSums::put_standard_error(const FilmSums& rows, std::size_t first, Image& image) const {
+  float* out = image.data.data() + first * layout::FILM_CHANNELS;
+  for (std::size_t at = 0; at < rows.samples.size(); ++at) {
+    Colour squared;
+    squared.fill(std::numeric_limits<double>::quiet_NaN());
+    if (is_told(rows, at)) squared = law_->pixel_error(rows, at).squared;
+    for (const double value : squared) *out++ = static_cast<float>(std::sqrt(value));
+  }
+}
+
+std::optional<ErrorEstimate> estimate_error(const FilmSums& film) {
+  ErrorSums sums(film);
+  sums.add(film);
+  return sums.tell();
 }
 
 Image standard_error(const FilmSums& film) {
-  Image image;
-  image.width = film.width;
-  image.height = film.height;
-  image.data.reserve(film.samples.size() * layout::FILM_CHANNELS);
-  const std::vector<double> sizes = film.kind == FilmKind::splats ? replicate_sizes(film) : std::vector<double>{};
-  for (std::size_t at = 0; at < film.samples.size(); ++at) {
-    if (!is_told(film, at)) {
-      image.data.insert(image.data.end(), layout::FILM_CHANNELS, std::numeric_limits<float>::quiet_NaN());
-      continue;
-    }
-    const PixelError pixel = film.kind == FilmKind::splats ? pixel_error_of_replicates(film, sizes, at)
-                             : is_of_two_sequences(film)   ? pixel_error_of_sequences(film, at)
-                                                           : pixel_error_of_turns(film, at);
-    for (const double squared : pixel.squared) image.data.push_back(static_cast<float>(std::sqrt(squared)));
-  }
+  Image image = film.black();
+  ErrorSums(film).put_standard_error(film, 0, image);
   return image;
 }
 

@@ -9,6 +9,8 @@
 // (docs/decisions/0011-error.md).
 #pragma once
 
+#include <cstddef>
+#include <memory>
 #include <optional>
 
 #include "image/image.h"
@@ -16,6 +18,7 @@
 namespace strahl {
 
 struct FilmSums;
+class ErrorLaw;
 
 /// Of linear RGB, all pixels and channels, unclamped.
 struct ErrorEstimate {
@@ -24,10 +27,28 @@ struct ErrorEstimate {
   double relmse = 0;                   ///< mean(squared error / (mean^2 + 0.01)).
 };
 
-/// None where a pixel has fewer samples than there are sub-sums.
-[[nodiscard]] std::optional<ErrorEstimate> estimate_error(const FilmSums& film);
+/// Of a film whose rows come in parts, from the top down.
+class ErrorSums {
+ public:
+  /// Of the film its shape and numbers of samples are looked at, not its words.
+  explicit ErrorSums(const FilmSums& film);
+  ~ErrorSums();
+  /// The next rows.
+  void add(const FilmSums& rows);
+  /// Of all rows; none where a pixel has fewer samples than there are sub-sums.
+  [[nodiscard]] std::optional<ErrorEstimate> tell() const;
+  /// Standard error of each channel of these rows into the pixels from `first` on; NaN where a pixel has too few
+  /// samples.
+  void put_standard_error(const FilmSums& rows, std::size_t first, Image& image) const;
 
-/// Standard error of each pixel and channel; NaN where a pixel has too few samples.
+ private:
+  std::unique_ptr<ErrorLaw> law_;
+  bool is_told_;
+  double values_;
+};
+
+/// Both of a film that is here as a whole.
+[[nodiscard]] std::optional<ErrorEstimate> estimate_error(const FilmSums& film);
 [[nodiscard]] Image standard_error(const FilmSums& film);
 
 }  // namespace strahl

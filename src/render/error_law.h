@@ -4,7 +4,7 @@
 
 #include <array>
 #include <cstddef>
-#include <vector>
+#include <memory>
 
 #include "packing/cl_layout.h"
 
@@ -30,20 +30,28 @@ struct PictureError {
   void add(const PixelError& pixel);
 };
 
-/// Four independent sums; at least four samples of each pixel.
-[[nodiscard]] PixelError pixel_error_of_turns(const FilmSums& film, std::size_t at);
-[[nodiscard]] PictureError picture_error_of_turns(const FilmSums& film);
+/// Adds up a picture whose rows come in parts, from the top down: a film may lie on the device, and only a part of it
+/// here. Every pixel has at least four samples.
+class ErrorLaw {
+ public:
+  ErrorLaw() = default;
+  ErrorLaw(const ErrorLaw&) = delete;
+  ErrorLaw& operator=(const ErrorLaw&) = delete;
+  virtual ~ErrorLaw() = default;
+  /// The next rows.
+  virtual void add(const FilmSums& rows) = 0;
+  /// at: index within the rows.
+  [[nodiscard]] virtual PixelError pixel_error(const FilmSums& rows, std::size_t at) const = 0;
+  [[nodiscard]] virtual PictureError tell() const = 0;
+};
 
-/// Two sequences, each in two sums; at least four samples of each pixel.
-[[nodiscard]] PixelError pixel_error_of_sequences(const FilmSums& film, std::size_t at);
-[[nodiscard]] PictureError picture_error_of_sequences(const FilmSums& film);
-
-/// Splats: four independent replicates of the whole picture, whose pixels are not independent. sizes: paths of a pixel
-/// on average, in each.
-[[nodiscard]] std::vector<double> replicate_sizes(const FilmSums& film);
-[[nodiscard]] PixelError pixel_error_of_replicates(const FilmSums& film, const std::vector<double>& sizes,
-                                                   std::size_t at);
-[[nodiscard]] PictureError picture_error_of_replicates(const FilmSums& film);
+/// Four independent sums.
+[[nodiscard]] std::unique_ptr<ErrorLaw> law_of_turns();
+/// Two sequences, each in two sums; of a picture of width x height pixels.
+[[nodiscard]] std::unique_ptr<ErrorLaw> law_of_sequences(int width, int height);
+/// Splats: four independent replicates of the whole picture, whose pixels are not independent. Of the film only the
+/// numbers of samples are looked at.
+[[nodiscard]] std::unique_ptr<ErrorLaw> law_of_replicates(const FilmSums& film);
 
 /// Degrees of freedom of a sum of squares of deviations, whose own squares add up to `squares`: F. E. Satterthwaite
 /// 1946. Where few pixels are most of the noise, the variance is itself known from few.

@@ -5,6 +5,7 @@
 // may differ from it. For normal deviations of covariance S that difference has the squared norm 2 f tr(S^2), with f =
 // (R - 1) R / 2 - 1 degrees of freedom; rare bright splats only enlarge it (docs/decisions/0032-light-tracing.md).
 #include <cmath>
+#include <vector>
 
 #include "render/error_law.h"
 #include "render/film.h"
@@ -43,8 +44,7 @@ Replicated replicated_at(const FilmSums& film, const std::vector<double>& sizes,
   return pixel;
 }
 
-}  // namespace
-
+/// Paths of a pixel on average, in each replicate.
 std::vector<double> replicate_sizes(const FilmSums& film) {
   std::vector<double> sizes(replicates, 0.0);
   const auto pixels = static_cast<double>(film.samples.size());
@@ -53,33 +53,46 @@ std::vector<double> replicate_sizes(const FilmSums& film) {
   return sizes;
 }
 
-PixelError pixel_error_of_replicates(const FilmSums& film, const std::vector<double>& sizes, std::size_t at) {
-  return replicated_at(film, sizes, at).error;
-}
+class LawOfReplicates final : public ErrorLaw {
+ public:
+  explicit LawOfReplicates(const FilmSums& film) : sizes_(replicate_sizes(film)) {}
 
-PictureError picture_error_of_replicates(const FilmSums& film) {
-  const std::vector<double> sizes = replicate_sizes(film);
-  std::array<std::array<double, replicates>, replicates> products{};
-  PictureError picture;
-  for (std::size_t at = 0; at < film.samples.size(); ++at) {
-    const Replicated pixel = replicated_at(film, sizes, at);
-    picture.add(pixel.error);
-    for (std::size_t i = 0; i < replicates; ++i)
-      for (std::size_t j = 0; j < replicates; ++j)
-        for (std::size_t c = 0; c < layout::FILM_CHANNELS; ++c)
-          products[i][j] += pixel.deviation[i][c] * pixel.deviation[j][c];
+  void add(const FilmSums& rows) override {
+    for (std::size_t at = 0; at < rows.samples.size(); ++at) {
+      const Replicated pixel = replicated_at(rows, sizes_, at);
+      picture_.add(pixel.error);
+      for (std::size_t i = 0; i < replicates; ++i)
+        for (std::size_t j = 0; j < replicates; ++j)
+          for (std::size_t c = 0; c < layout::FILM_CHANNELS; ++c)
+            products_[i][j] += pixel.deviation[i][c] * pixel.deviation[j][c];
+    }
   }
-  double trace = 0, norm = 0, samples = 0;
-  for (std::size_t i = 0; i < replicates; ++i) {
-    trace += products[i][i];
-    samples += sizes[i];
-    for (std::size_t j = 0; j < replicates; ++j) norm += products[i][j] * products[i][j];
+  PixelError pixel_error(const FilmSums& rows, std::size_t at) const override {
+    return replicated_at(rows, sizes_, at).error;
   }
-  constexpr double between = replicates - 1, freedom = between * replicates / 2 - 1;
-  const double squares = std::max(0.0, norm - trace * trace / between) / (2 * freedom);  // tr(S^2) of one path
-  picture.variance = 2 * replicates / (between * samples * samples) * squares;
-  picture.freedom = freedom;
-  return picture;
-}
+  PictureError tell() const override {
+    double trace = 0, norm = 0, samples = 0;
+    for (std::size_t i = 0; i < replicates; ++i) {
+      trace += products_[i][i];
+      samples += sizes_[i];
+      for (std::size_t j = 0; j < replicates; ++j) norm += products_[i][j] * products_[i][j];
+    }
+    constexpr double between = replicates - 1, freedom = between * replicates / 2 - 1;
+    const double squares = std::max(0.0, norm - trace * trace / between) / (2 * freedom);  // tr(S^2) of one path
+    PictureError picture = picture_;
+    picture.variance = 2 * replicates / (between * samples * samples) * squares;
+    picture.freedom = freedom;
+    return picture;
+  }
+
+ private:
+  std::vector<double> sizes_;
+  PictureError picture_;
+  std::array<std::array<double, replicates>, replicates> products_{};
+};
+
+}  // namespace
+
+std::unique_ptr<ErrorLaw> law_of_replicates(const FilmSums& film) { return std::make_unique<LawOfReplicates>(film); }
 
 }  // namespace strahl

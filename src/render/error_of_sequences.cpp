@@ -117,38 +117,57 @@ class TiledProducts {
   std::vector<Products> tiles_;
 };
 
+class LawOfSequences final : public ErrorLaw {
+ public:
+  LawOfSequences(int width, int height) : products_(width, height), above_(), row_(static_cast<std::size_t>(width)) {}
+
+  void add(const FilmSums& rows) override {
+    std::size_t at = 0;
+    for (int y = 0; y < rows.height; ++y, ++y_) {
+      for (int x = 0; x < rows.width; ++x, ++at) {
+        Differences& here = row_[static_cast<std::size_t>(x)];
+        picture_.add(told_by_sequences(rows, at, here));
+        add_products(here, x, rows.width);
+      }
+      above_.swap(row_);
+      row_.resize(above_.size());
+    }
+  }
+  PixelError pixel_error(const FilmSums& rows, std::size_t at) const override {
+    Differences unused;
+    return told_by_sequences(rows, at, unused);
+  }
+  PictureError tell() const override {
+    PictureError picture = picture_;
+    products_.tell(picture);
+    return picture;
+  }
+
+ private:
+  /// Of a pixel of row y_ by itself and with its neighbours to the left and above.
+  void add_products(const Differences& here, int x, int width) {
+    products_.add(x, y_, own_products(here));
+    const auto pair = [&](int other_x, int other_y, const Differences& other) {
+      const Products shared = pair_products(here, other);
+      products_.add(x, y_, shared);
+      products_.add(other_x, other_y, shared);
+    };
+    if (x > 0) pair(x - 1, y_, row_[static_cast<std::size_t>(x) - 1]);
+    if (y_ == 0) return;
+    for (int other = std::max(0, x - 1); other <= std::min(width - 1, x + 1); ++other)
+      pair(other, y_ - 1, above_[static_cast<std::size_t>(other)]);
+  }
+
+  PictureError picture_;
+  TiledProducts products_;
+  std::vector<Differences> above_, row_;
+  int y_ = 0;  ///< The next row.
+};
+
 }  // namespace
 
-PixelError pixel_error_of_sequences(const FilmSums& film, std::size_t at) {
-  Differences unused;
-  return told_by_sequences(film, at, unused);
-}
-
-PictureError picture_error_of_sequences(const FilmSums& film) {
-  PictureError picture;
-  TiledProducts products(film.width, film.height);
-  std::vector<Differences> above, row(static_cast<std::size_t>(film.width));
-  std::size_t at = 0;
-  for (int y = 0; y < film.height; ++y) {
-    for (int x = 0; x < film.width; ++x, ++at) {
-      const auto here = static_cast<std::size_t>(x);
-      picture.add(told_by_sequences(film, at, row[here]));
-      products.add(x, y, own_products(row[here]));
-      const auto pair = [&](int other_x, int other_y, const Differences& other) {
-        const Products shared = pair_products(row[here], other);
-        products.add(x, y, shared);
-        products.add(other_x, other_y, shared);
-      };
-      if (x > 0) pair(x - 1, y, row[here - 1]);
-      if (y == 0) continue;
-      for (int other = std::max(0, x - 1); other <= std::min(film.width - 1, x + 1); ++other)
-        pair(other, y - 1, above[static_cast<std::size_t>(other)]);
-    }
-    above.swap(row);
-    row.resize(above.size());
-  }
-  products.tell(picture);
-  return picture;
+std::unique_ptr<ErrorLaw> law_of_sequences(int width, int height) {
+  return std::make_unique<LawOfSequences>(width, height);
 }
 
 }  // namespace strahl

@@ -54,22 +54,31 @@ double difference_variance(const Turns& pixel, double samples) {
   return 2.0 * turns / ((turns - 1) * samples * samples) * covariance;
 }
 
+class LawOfTurns final : public ErrorLaw {
+ public:
+  void add(const FilmSums& rows) override {
+    for (std::size_t at = 0; at < rows.samples.size(); ++at) {
+      const Turns pixel = turns_of(rows, at);
+      const double variance = difference_variance(pixel, rows.samples[at]);
+      picture_.add(pixel.error);
+      picture_.variance += variance;
+      squares_ += variance * variance;
+    }
+  }
+  PixelError pixel_error(const FilmSums& rows, std::size_t at) const override { return turns_of(rows, at).error; }
+  PictureError tell() const override {
+    PictureError picture = picture_;
+    picture.freedom = satterthwaite(picture.variance, squares_);
+    return picture;
+  }
+
+ private:
+  PictureError picture_;
+  double squares_ = 0;
+};
+
 }  // namespace
 
-PixelError pixel_error_of_turns(const FilmSums& film, std::size_t at) { return turns_of(film, at).error; }
-
-PictureError picture_error_of_turns(const FilmSums& film) {
-  PictureError picture;
-  double squares = 0;
-  for (std::size_t at = 0; at < film.samples.size(); ++at) {
-    const Turns pixel = turns_of(film, at);
-    const double variance = difference_variance(pixel, film.samples[at]);
-    picture.add(pixel.error);
-    picture.variance += variance;
-    squares += variance * variance;
-  }
-  picture.freedom = satterthwaite(picture.variance, squares);
-  return picture;
-}
+std::unique_ptr<ErrorLaw> law_of_turns() { return std::make_unique<LawOfTurns>(); }
 
 }  // namespace strahl

@@ -30,7 +30,7 @@ bool FilmRun::go_on_from(const FilmState& state) {
     throw InputError(fmt::format("the film to go on from has {} samples in a pixel, more than the {} asked for", *most,
                                  end_ - film_.first_sample));
   const Stopwatch start;
-  if (!is_read_in_parts()) film_.words = state.film.words;
+  if (!is_one_band()) film_.words = state.film.words;
   film_.samples = has;
   aov_reals_ = state.aov_reals;
   aov_ints_ = state.aov_ints;

@@ -22,10 +22,9 @@ constexpr std::size_t part_bytes = std::size_t{1} << 20;
 
 }  // namespace
 
-/// One sum a pixel that stays on the device is used only for its mean, so the host keeps no copy. Memory takes most of
-/// the time of a picture of one sample.
+/// Memory takes most of the time of a picture of few samples, so the host keeps no copy of what the device has.
 FilmSums FilmRun::black_film() const {
-  FilmSums film(width_, height_, sums_, state_.radiance_unit(), !is_one_band() || sums_.count > 1, state_.film_kind());
+  FilmSums film(width_, height_, sums_, state_.radiance_unit(), !is_one_band(), state_.film_kind());
   if (goal_.samples) film.first_sample = goal_.samples->first;
   return film;
 }
@@ -197,39 +196,49 @@ void FilmRun::end_band() {
   result_.stats.seconds.readback += start.seconds();
 }
 
-void FilmRun::read_film() {
-  if (!is_one_band() || is_read_in_parts()) return;
-  const Stopwatch start;
-  read_buffer(state_.device, state_.film, film_.words.data(), film_bytes(film_.samples.size()));
-  result_.stats.seconds.readback += start.seconds();
-}
-
-Image FilmRun::mean_in_parts() const {
-  Image image = film_.black();
-  const std::size_t pixels = film_.samples.size(), most = std::max<std::size_t>(1, part_bytes / film_bytes(1));
-  const double paths = film_.paths_a_pixel();
-  std::vector<std::int64_t> part;
-  for (std::size_t first = 0; first < pixels; first += most) {
-    const std::size_t count = std::min(most, pixels - first);
-    part.resize(count * film_.words_per_pixel());
-    read_buffer(state_.device, state_.film, part.data(), film_bytes(count), film_bytes(first));
-    film_.put_mean(part, first, paths, image);
+void FilmRun::each_part(const std::function<void(const FilmSums& rows, std::size_t first)>& use) {
+  if (!is_one_band()) return use(film_, 0);
+  const auto width = static_cast<std::size_t>(width_);
+  const auto most = static_cast<int>(std::clamp<std::size_t>(part_bytes / film_bytes(width), 1, height_));
+  FilmSums rows(width_, most, sums_, film_.unit, true, film_.kind);
+  rows.first_sample = film_.first_sample;
+  for (int row = 0; row < height_; row += most) {
+    rows.height = std::min(most, height_ - row);
+    const std::size_t first = static_cast<std::size_t>(row) * width,
+                      count = static_cast<std::size_t>(rows.height) * width;
+    const auto* samples = film_.samples.data() + first;
+    rows.samples.assign(samples, samples + count);
+    rows.words.resize(count * film_.words_per_pixel());
+    const Stopwatch start;
+    read_buffer(state_.device, state_.film, rows.words.data(), film_bytes(count), film_bytes(first));
+    result_.stats.seconds.readback += start.seconds();
+    use(rows, first);
   }
-  return image;
 }
 
 void FilmRun::finish() {
-  read_film();
-  const Stopwatch start;
-  result_.color = is_read_in_parts() ? mean_in_parts() : film_.mean();
-  result_.stats.seconds.readback += start.seconds();
-  const Stopwatch estimating;
+  PhaseSeconds& seconds = result_.stats.seconds;
   // The error of samples that were clamped to the largest float, or set to 0, is unknown.
   const bool is_whole = result_.stats.saturated_samples + result_.stats.invalid_samples == 0;
-  if (state_.settings.estimate_error && is_whole) result_.error = estimate_error(film_);
-  result_.standard_error.channels.clear();
-  if (state_.settings.error_map) result_.standard_error = standard_error(film_);
-  result_.stats.seconds.error += estimating.seconds();
+  const bool has_error = state_.settings.estimate_error && is_whole, has_map = state_.settings.error_map;
+  const Stopwatch beginning;
+  std::optional<ErrorSums> error;
+  if (has_error || has_map) error.emplace(film_);
+  result_.standard_error = has_map ? film_.black() : Image{};
+  if (!has_map) result_.standard_error.channels.clear();
+  seconds.error += beginning.seconds();
+  result_.color = film_.black();
+  const double paths = film_.paths_a_pixel();
+  each_part([&](const FilmSums& rows, std::size_t first) {
+    const Stopwatch taking;
+    film_.put_mean(rows.words, first, paths, result_.color);
+    seconds.readback += taking.seconds();
+    const Stopwatch estimating;
+    if (has_error) error->add(rows);
+    if (has_map) error->put_standard_error(rows, first, result_.standard_error);
+    seconds.error += estimating.seconds();
+  });
+  if (has_error) result_.error = error->tell();
 }
 
 /// The time to be reserved for the end is measured: the end is run on a black film, as if it had its samples.
@@ -255,10 +264,13 @@ RenderResult FilmRun::run() {
   if (keeper_ != nullptr && keeper_->begin_with != nullptr) carry_on = go_on_from(*keeper_->begin_with);
   while (carry_on) {
     if (passes_.wants_error()) {
-      read_film();
-      const Stopwatch estimating;
-      passes_.estimated(estimate_error(film_));
-      result_.stats.seconds.error += estimating.seconds();
+      ErrorSums error(film_);
+      each_part([&](const FilmSums& rows, std::size_t) {
+        const Stopwatch estimating;
+        error.add(rows);
+        result_.stats.seconds.error += estimating.seconds();
+      });
+      passes_.estimated(error.tell());
     }
     const std::optional<Pass> pass = passes_.next(sample_seconds_, seconds_left());
     if (!pass) break;

@@ -3,6 +3,8 @@
 // short, until the goal holds.
 #pragma once
 
+#include <functional>
+
 #include "render/film_state.h"
 #include "render/renderer_state.h"
 #include "stopwatch.h"
@@ -20,7 +22,6 @@ class FilmRun {
   /// The film of several devices is on the host.
   [[nodiscard]] bool is_shared() const { return !is_part_ && !state_.helpers.empty(); }
   [[nodiscard]] bool is_one_band() const { return !is_shared() && band_rows_ >= height_; }
-  [[nodiscard]] bool is_read_in_parts() const { return film_.words.empty(); }
   [[nodiscard]] std::size_t film_bytes(std::size_t pixels) const {
     return pixels * film_.words_per_pixel() * sizeof(std::int64_t);
   }
@@ -64,8 +65,8 @@ class FilmRun {
   double launch_and_count(const Launch& launch, int band_row);
   void read_band(int row, int rows);
   void read_aovs(int row, int rows);
-  void read_film();
-  [[nodiscard]] Image mean_in_parts() const;
+  /// The film's rows from the top down, `first` being the number of their first pixel.
+  void each_part(const std::function<void(const FilmSums& rows, std::size_t first)>& use);
   void finish();
   void measure_finish();
 
@@ -79,7 +80,7 @@ class FilmRun {
   int width_, height_, band_rows_;
   int end_;  ///< Samples are rendered up to here.
   PassPlan passes_;
-  FilmSums film_;
+  FilmSums film_;  ///< Without words where the film is one band: it stays on the device.
   std::vector<double> aov_reals_;
   std::vector<std::int32_t> aov_ints_;
   double sample_seconds_ = 0;       ///< What one sample of every pixel took in the last pass.
