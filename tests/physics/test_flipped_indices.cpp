@@ -98,8 +98,7 @@ struct FlipProgress {
 
 struct FlipOutcome {
   std::size_t flips = 0, traced = 0;
-  std::size_t changed =
-      0;  ///< Traced ones with another light along a path than without: those that were read for sure.
+  std::size_t changed = 0;  ///< Traced, with another light along a path than without: surely read.
   std::vector<std::string> faults;
 };
 
