@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+// A film that is told of part by part tells the same picture, error and map of errors, bit for bit, as one that is
+// there as a whole.
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <random>
+
+#include "packing/cl_layout.h"
+#include "render/error_estimate.h"
+#include "render/film.h"
+
+namespace strahl::test {
+namespace {
+
+constexpr int width = 13, height = 17, samples = 64;
+
+/// Words as kernels could have written them, of an even picture with noise.
+FilmSums noisy_film(FilmKind kind, SubSums sums) {
+  FilmSums film(width, height, sums, 2, true, kind);
+  std::mt19937_64 random(5);
+  const auto per_sum = words_per_sum(kind);
+  for (std::size_t i = 0; i < film.words.size(); ++i) {
+    const auto number = static_cast<std::int64_t>(random() % (1U << 28U)) + (1 << 28);
+    if (kind == FilmKind::pixels)
+      film.words[i] = number << 2U | 1;  // Both words have two bits of the usual top, 5.
+    else if (i % per_sum == per_sum / 2)
+      film.words[i] = number;
+  }
+  std::fill(film.samples.begin(), film.samples.end(), samples);
+  return film;
+}
+
+FilmSums rows_of(const FilmSums& film, int row, int rows) {
+  FilmSums part(width, rows, film.sums, film.unit, true, film.kind);
+  const std::size_t first = static_cast<std::size_t>(row) * width;
+  std::copy_n(film.samples.begin() + static_cast<std::ptrdiff_t>(first), part.samples.size(), part.samples.begin());
+  std::copy_n(film.words.begin() + static_cast<std::ptrdiff_t>(first * film.words_per_pixel()), part.words.size(),
+              part.words.begin());
+  return part;
+}
+
+void hold(const FilmSums& film) {
+  const std::optional<ErrorEstimate> whole = estimate_error(film);
+  REQUIRE(whole);
+  CHECK(whole->rmse > 0);
+  CHECK(whole->rmse_low < whole->rmse);
+  for (const int most : {1, 2, 3, 5, height - 1, height}) {
+    ErrorSums sums(film);
+    Image map = film.black(), mean = film.black();
+    for (int row = 0; row < height; row += most) {
+      const FilmSums part = rows_of(film, row, std::min(most, height - row));
+      const auto first = static_cast<std::size_t>(row) * width;
+      sums.add(part);
+      sums.put_standard_error(part, first, map);
+      film.put_mean(part.words, first, film.paths_a_pixel(), mean);
+    }
+    const std::optional<ErrorEstimate> told = sums.tell();
+    REQUIRE(told);
+    CHECK(told->rmse == whole->rmse);
+    CHECK(told->rmse_low == whole->rmse_low);
+    CHECK(told->rmse_high == whole->rmse_high);
+    CHECK(told->relmse == whole->relmse);
+    CHECK(map.data == standard_error(film).data);
+    CHECK(mean.data == film.mean().data);
+  }
+}
+
+TEST_CASE("two sequences, in parts") { hold(noisy_film(FilmKind::pixels, {layout::FILM_SUBSUMS, 2, 4})); }
+TEST_CASE("four sequences, in parts") { hold(noisy_film(FilmKind::pixels, {layout::FILM_SUBSUMS, 4, 0})); }
+TEST_CASE("replicates of splats, in parts") {
+  FilmSums film = noisy_film(FilmKind::splats, {layout::FILM_SUBSUMS, 4, 0});
+  for (std::size_t at = 0; at < film.samples.size(); ++at) film.samples[at] += static_cast<int>(at % 5);
+  hold(film);
+}
+
+TEST_CASE("one pixel with too few samples, and nothing is told") {
+  FilmSums film = noisy_film(FilmKind::pixels, {layout::FILM_SUBSUMS, 2, 4});
+  film.samples[7] = layout::FILM_SUBSUMS - 1;
+  CHECK_FALSE(estimate_error(film));
+  const Image map = standard_error(film);
+  for (std::size_t i = 0; i < map.data.size(); ++i) CHECK(std::isnan(map.data[i]) == (i / 3 == 7));
+}
+
+}  // namespace
+}  // namespace strahl::test
