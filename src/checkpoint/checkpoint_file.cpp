@@ -162,9 +162,16 @@ class Reader {
 
 /// A number of the header within [least, most].
 int number(const Json& json, int least, int most) {
+  // Converting what has a fraction or 40 digits is undefined.
+  if (!json.is_number_integer()) throw std::out_of_range("a number is no integer");
   const auto value = json.get<std::int64_t>();
   if (value < least || value > most) throw std::out_of_range("a number is out of range");
   return static_cast<int>(value);
+}
+
+std::uint64_t count(const Json& json) {
+  if (!json.is_number_unsigned()) throw std::out_of_range("a count is none");
+  return json.get<std::uint64_t>();
 }
 
 /// The film with its arrays' sizes, empty; header and arrays follow from it.
@@ -216,8 +223,8 @@ Head head_of(const Json& json) {
   head.position.done = number(json.at("position").at("done"), 0, max_spp);
   head.position.check_at = number(json.at("position").at("check_at"), 0, max_spp);
   const Json& unusual = json.at("unusual");
-  head.unusual = {unusual.at("saturated").get<std::uint64_t>(), unusual.at("invalid").get<std::uint64_t>(),
-                  unusual.at("weak_branches").get<std::uint64_t>(), unusual.at("lost_interfaces").get<std::uint64_t>()};
+  head.unusual = {count(unusual.at("saturated")), count(unusual.at("invalid")), count(unusual.at("weak_branches")),
+                  count(unusual.at("lost_interfaces"))};
   const Json& frame = json.at("frame");
   head.frame = {{frame.at(0).get<double>(), frame.at(1).get<double>(), frame.at(2).get<double>()},
                 frame.at(3).get<double>()};

@@ -117,6 +117,19 @@ TEST_CASE("a header that asks for more than there is takes no memory") {
     put_bytes(folder / "changed", changed);
     CHECK_THROWS_WITH(read_checkpoint(folder / "changed"), Contains("is damaged"));
   }
+  // Numbers that no integer can hold (found by fuzzing), and one with a fraction.
+  const std::size_t spp = bytes.find("\"spp\": 64");
+  REQUIRE(spp != std::string::npos);
+  for (const char* other : {"\"spp\":9e99", "\"spp\": 6.5", "\"spp\": -64"}) {
+    std::string changed = bytes;
+    changed.replace(spp, 9, other);
+    std::uint64_t size = 0;
+    changed.copy(reinterpret_cast<char*>(&size), sizeof size, 8);
+    ++size;  // Of the header: the number has one digit more.
+    changed.replace(8, 8, reinterpret_cast<const char*>(&size), 8);
+    put_bytes(folder / "number", changed);
+    CHECK_THROWS_WITH(read_checkpoint_header(folder / "number"), Contains("is damaged"));
+  }
   std::uint64_t huge = ~std::uint64_t{0};
   bytes.replace(8, 8, reinterpret_cast<const char*>(&huge), 8);
   put_bytes(folder / "huge", bytes);
