@@ -119,7 +119,7 @@ class TiledProducts {
 
 class LawOfSequences final : public ErrorLaw {
  public:
-  LawOfSequences(int width, int height) : products_(width, height), above_(), row_(static_cast<std::size_t>(width)) {}
+  LawOfSequences(int width, int height) : products_(width, height), row_(static_cast<std::size_t>(width)) {}
 
   void add(const FilmSums& rows) override {
     std::size_t at = 0;

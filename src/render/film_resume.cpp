@@ -100,12 +100,7 @@ FilmState FilmRun::state_now() {
     read_buffer(state_.device, state_.film, words.data(), film_bytes(film_.samples.size()));
   } else {
     words = film_.words;
-  }
-  if (!is_one_band() && band_.count > 0) {
-    std::vector<std::int64_t> band(static_cast<std::size_t>(band_.count) * static_cast<std::size_t>(width_) *
-                                   film_.words_per_pixel());
-    read_buffer(state_.device, state_.film, band.data(), band.size() * sizeof(std::int64_t));
-    state.film.add_words(band_.first, band);
+    if (band_.count > 0) state.film.add_words(band_.first, band_words());
   }
   return state;
 }

@@ -141,11 +141,11 @@ bool FilmRun::render_all_of(const Launch& all) {
   return carry_on;
 }
 
-void FilmRun::read_band(int row, int rows) {
-  const std::size_t pixels = static_cast<std::size_t>(width_) * static_cast<std::size_t>(rows);
+std::vector<std::int64_t> FilmRun::band_words() const {
+  const std::size_t pixels = static_cast<std::size_t>(width_) * static_cast<std::size_t>(band_.count);
   std::vector<std::int64_t> words(pixels * film_.words_per_pixel());
   read_buffer(state_.device, state_.film, words.data(), film_bytes(pixels));
-  film_.add_words(row, words);
+  return words;
 }
 
 void FilmRun::read_aovs(int row, int rows) {
@@ -190,7 +190,7 @@ bool FilmRun::render_pass(const Pass& pass) {
 
 void FilmRun::end_band() {
   const Stopwatch start;
-  if (!is_one_band()) read_band(band_.first, band_.count);
+  if (!is_one_band()) film_.add_words(band_.first, band_words());
   if (has_first_samples_ && state_.has_aov()) read_aovs(band_.first, band_.count);
   band_ = {};
   result_.stats.seconds.readback += start.seconds();

@@ -63,7 +63,8 @@ class FilmRun {
   void launch_to_end(const Launch& launch, int band_row);
   /// Kernel seconds.
   double launch_and_count(const Launch& launch, int band_row);
-  void read_band(int row, int rows);
+  /// What the device has of a band that is not fetched yet.
+  [[nodiscard]] std::vector<std::int64_t> band_words() const;
   void read_aovs(int row, int rows);
   /// The film's rows from the top down, `first` being the number of their first pixel.
   void each_part(const std::function<void(const FilmSums& rows, std::size_t first)>& use);
