@@ -58,6 +58,22 @@ inline Image drawn(Scene scene, int samples) {
   return color(scene, Precision::robust);
 }
 
+/// Paths are the same one by one and in lanes; in_generic_too: in lanes of the program with everything as well.
+inline void check_in_lanes(Scene scene, bool in_generic_too = false) {
+  scene.film.width = scene.film.height = 16;
+  scene.sampler.kind = SamplerKind::sobol;
+  scene.sampler.sample_count = 32;
+  RenderSettings settings;
+  settings.precision = Precision::robust;
+  settings.paths_in_lanes = false;
+  const RenderResult one = render("pocl", scene, settings);
+  settings.paths_in_lanes = true;
+  CHECK(same_bits(one, render("pocl", scene, settings)));
+  if (!in_generic_too) return;
+  settings.generic = true;
+  CHECK(same_bits(one, render("pocl", scene, settings)));
+}
+
 /// What only scatters is not seen in white surroundings.
 inline void check_unseen(const Medium& white) {
   const Rgb mean = mean_of(drawn(filled(Sphere{{0, 0, 0}, 1}, white), 64));

@@ -170,15 +170,7 @@ TEST_CASE("a medium that no path would get out of is refused") {
 TEST_CASE("paths through grids are the same one by one and in lanes") {
   Scene scene = filled(Sphere{{0, 0, 0}, 1}, varying(random_grid(3), {5, 4, 3}, {0.9, 0.6, 0.8}));
   add(scene, floor_plane(), add(scene, Diffuse{{{0.5, 0.4, 0.3}}}));
-  scene.film.width = scene.film.height = 16;
-  scene.sampler.kind = SamplerKind::sobol;
-  scene.sampler.sample_count = 32;
-  RenderSettings settings;
-  settings.precision = Precision::robust;
-  settings.paths_in_lanes = false;
-  const RenderResult one = render("pocl", scene, settings);
-  settings.paths_in_lanes = true;
-  CHECK(same_bits(one, render("pocl", scene, settings)));
+  check_in_lanes(scene);
 }
 
 }  // namespace

@@ -90,15 +90,7 @@ TEST_CASE("paths through media and masks are the same one by one and in lanes") 
     add(scene, body, scene.shapes.front().material);
     scene.shapes.back().media = MediumBoundary{1, -1};
   }
-  scene.film.width = scene.film.height = 16;
-  scene.sampler.kind = SamplerKind::sobol;
-  scene.sampler.sample_count = 32;
-  RenderSettings settings;
-  settings.precision = Precision::robust;
-  settings.paths_in_lanes = false;
-  const RenderResult one = render("pocl", scene, settings);
-  settings.paths_in_lanes = true;
-  CHECK(same_bits(one, render("pocl", scene, settings)));
+  check_in_lanes(scene);
 }
 
 TEST_CASE("a path that scatters within glass of a priority crosses no surface there") {

@@ -155,17 +155,7 @@ TEST_CASE("bodies that only scatter are not seen where they overlap either, in l
   const Rgb mean = mean_of(drawn(scene, 64));
   CHECK(mean.r == Approx(1).margin(5e-3));
   CHECK(mean.g == Approx(1).margin(5e-3));
-  scene.film.width = scene.film.height = 16;
-  scene.sampler.kind = SamplerKind::sobol;
-  scene.sampler.sample_count = 32;
-  RenderSettings settings;
-  settings.precision = Precision::robust;
-  settings.paths_in_lanes = false;
-  const RenderResult one = render("pocl", scene, settings);
-  settings.paths_in_lanes = true;
-  CHECK(same_bits(one, render("pocl", scene, settings)));
-  settings.generic = true;
-  CHECK(same_bits(one, render("pocl", scene, settings)));
+  check_in_lanes(scene, true);
 }
 
 }  // namespace
