@@ -42,9 +42,12 @@
 #pragma OPENCL FP_CONTRACT OFF
 #endif
 // Where vectors are wider than the processor's registers clang warns of every function that takes one; here all are
-// static, and PoCL prints the number of warnings to standard error.
-#ifdef __clang__
+// static, and PoCL prints the number of warnings to standard error. So does NVIDIA's driver of a warning that its clang
+// does not know.
+#ifdef __has_warning
+#if __has_warning("-Wpsabi")
 #pragma clang diagnostic ignored "-Wpsabi"
+#endif
 #endif
 #endif
 

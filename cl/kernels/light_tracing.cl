@@ -21,13 +21,11 @@ FN void trace_in_lanes_w(Scene scene, Span span) {
   Branches_w branches;
   paths_none_w(&path);
   branches.count = splat_int_w(0);
-  while (span_left(&span) > 0) {
-    NewPaths_w begun = new_paths_w(&scene, &span);
-    do {
-      follow_light_paths_w(&scene, &path, &branches, &begun);
-      begun.which = none_w();
-    } while (any_w(path.alive));
-    if (HAS_LOOP_LIMIT) {
+  while (span_left(&span) > 0 || any_w(path.alive)) {
+    NewPaths_w begun = no_new_paths_w();
+    if (!any_w(path.alive)) begun = new_paths_w(&scene, &span);
+    follow_light_paths_w(&scene, &path, &branches, &begun);
+    if (HAS_LOOP_LIMIT && !any_w(path.alive)) {
       if (!loops_were_whole()) return;
       scene.splats->done[DONE_SAMPLE] = (uint)(span_left(&span) > 0 ? span.next : span.end);
       scene.splats->done[DONE_SPLATS] = 0u;

@@ -57,21 +57,20 @@ ONCE_FN void follow_paths_w(const Scene* scene, Paths_w* path, Branches_w* branc
   }
 }
 
-/// The span's samples in lanes that begin a new one when an eighth of them is idle.
+/// The span's samples in lanes that begin a new one when an eighth of them is idle. One loop over surfaces, not one
+/// over samples with one over surfaces within: work-items that a device runs in lockstep would wait there for the
+/// longest path among them.
 FN void follow_in_lanes_w(Scene scene, Span span, FirstSamples first, SpanFilm film) {
   Paths_w path;
   paths_none_w(&path);
   Branches_w branches;
   branches.count = splat_int_w(0);
-  while (span_left(&span) > 0) {
-    maskw are_first = begin_paths_w(&scene, &path, &span);
-    if (HAS_AOV) first.lanes = bits_w(are_first);
-    int is_full;
-    do {
-      follow_paths_w(&scene, &path, &branches, &first, &film);
-      // After the last sample idle lanes stay idle.
-      is_full = span_left(&span) == 0 || 8u * lanes_among(bits_w(~path.alive)) < LANES;
-    } while (is_full && any_w(path.alive));
+  while (span_left(&span) > 0 || any_w(path.alive)) {
+    if (span_left(&span) > 0 && 8u * lanes_among(bits_w(~path.alive)) >= LANES) {
+      maskw are_first = begin_paths_w(&scene, &path, &span);
+      if (HAS_AOV) first.lanes = bits_w(are_first);
+    }
+    follow_paths_w(&scene, &path, &branches, &first, &film);
   }
 }
 

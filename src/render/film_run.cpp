@@ -115,8 +115,8 @@ void FilmRun::clear(int rows, bool aovs_too) {
 /// false: stopped by the callback or, in a pass of single samples, by the deadline. all: pixels and samples, as a
 /// launch has them.
 bool FilmRun::render_all_of(const Launch& all) {
-  LaunchPlan plan(all.columns, all.rows, all.samples, state_.settings.passes, state_.launch_overhead,
-                  state_.samples_at_once);
+  LaunchPlan plan(all.columns, all.rows, all.samples, state_.settings.passes,
+                  {state_.launch_overhead, state_.samples_at_once, state_.shape.items_at_once()});
   if (state_.last_plan) plan.learn_from(*state_.last_plan);
   const double least = least_launch_seconds + state_.launch_overhead;
   bool carry_on = true;

@@ -5,15 +5,21 @@
 #include <cstdint>
 
 namespace strahl {
+namespace {
 
-LaunchPlan::LaunchPlan(int columns, int rows, int samples, std::optional<int> passes, double overhead_seconds,
-                       int samples_at_once)
+/// Pixel samples.
+constexpr double first_budget = 64;
+
+}  // namespace
+
+LaunchPlan::LaunchPlan(int columns, int rows, int samples, std::optional<int> passes, const LaunchCosts& costs)
     : width_(columns),
       height_(rows),
       samples_(samples),
       passes_(passes),
-      overhead_(overhead_seconds),
-      samples_at_once_(samples_at_once) {
+      costs_(costs),
+      least_(std::min(static_cast<double>(columns) * rows, static_cast<double>(costs.items_at_once))),
+      budget_(std::max(first_budget, least_)) {
   if (passes_) passes_ = std::clamp(*passes_, 1, samples);
 }
 
@@ -22,16 +28,17 @@ void LaunchPlan::choose_range() {
     const std::int64_t end = static_cast<std::int64_t>(samples_) * (pass_ + 1) / *passes_;
     range_ = static_cast<int>(end) - sample_;
   } else {
-    const double frames = budget_ / (static_cast<double>(width_) * height_ * samples_at_once_);
+    const double frames = budget_ / (static_cast<double>(width_) * height_ * costs_.samples_at_once);
     const int most = samples_ - sample_;
-    range_ = std::min(most, samples_at_once_ * static_cast<int>(std::clamp(frames, 1.0, static_cast<double>(most))));
+    range_ =
+        std::min(most, costs_.samples_at_once * static_cast<int>(std::clamp(frames, 1.0, static_cast<double>(most))));
   }
 }
 
 Launch LaunchPlan::next(double most_seconds) {
   if (range_ == 0) choose_range();
   Launch launch{column_, row_, width_ - column_, 1, sample_, range_};
-  const double budget = budget_ * std::min(1.0, most_seconds / target_seconds);
+  const double budget = std::max(budget_ * std::min(1.0, most_seconds / target_seconds), least_);
   const double pixels = std::max(budget / range_, 1.0);
   if (pixels < launch.columns)
     launch.columns = static_cast<int>(pixels);
@@ -54,10 +61,11 @@ Launch LaunchPlan::next(double most_seconds) {
 }
 
 void LaunchPlan::measured(double seconds) {
-  const double work = seconds - overhead_;
-  const double most = 8 * std::max(issued_, 64.0);
+  const double work = seconds - costs_.overhead_seconds;
+  const double most = 8 * std::max({issued_, first_budget, least_});
   // Where the work is smaller than the noise of the overhead, the only conclusion is that a launch may have more work.
-  const double fitting = work > 0.1 * overhead_ ? std::clamp(issued_ * target_seconds / work, 1.0, most) : most;
+  const double fitting =
+      work > 0.1 * costs_.overhead_seconds ? std::clamp(issued_ * target_seconds / work, least_, most) : most;
   // A few remaining pixels at the end of a row say little about the cost of a pixel.
   const bool is_remainder = issued_ < 0.5 * budget_;
   budget_ = is_remainder ? std::min(budget_, fitting) : fitting;

@@ -17,19 +17,27 @@ struct Launch {
   int samples = 0;
 };
 
-/// Begins with 64 pixel samples and lets each launch take about target_seconds, growing by at most 8 x a step. All
-/// pixels get one range of samples before the next range begins; a row is split where it alone would take too long.
+/// What launches of a device are like.
+struct LaunchCosts {
+  /// The time of a launch without pixels. It counts neither as work nor towards the target; otherwise a slow start
+  /// would shrink launches to nothing.
+  double overhead_seconds = 0;
+  /// Samples of a pixel that a work-item takes together, if there are as many; ranges are multiples of it.
+  int samples_at_once = 1;
+  /// Pixels that the device takes together: a launch of fewer is not shorter.
+  int items_at_once = 1;
+};
+
+/// Begins with 64 pixel samples, or one for each of items_at_once, and lets each launch take about target_seconds,
+/// growing by at most 8 x a step. All pixels get one range of samples before the next range begins; a row is split
+/// where it alone would take too long.
 class LaunchPlan {
  public:
   static constexpr double target_seconds =
       0.05;  ///< So that launches stay below 0.25 s where the cost of pixels varies.
 
-  /// passes: split the samples into that many ranges regardless of time. overhead_seconds: the time of a launch without
-  /// pixels. It counts neither as work nor towards the target; otherwise a slow start would shrink launches to nothing.
-  /// samples_at_once: number of samples of a pixel that a work-item takes together, if there are as many; ranges are
-  /// multiples of it.
-  LaunchPlan(int columns, int rows, int samples, std::optional<int> passes, double overhead_seconds = 0,
-             int samples_at_once = 1);
+  /// passes: split the samples into that many ranges regardless of time.
+  LaunchPlan(int columns, int rows, int samples, std::optional<int> passes, const LaunchCosts& costs = {});
 
   [[nodiscard]] bool finished() const { return sample_ >= samples_; }
   /// most_seconds: its longest time, as far as it can be predicted.
@@ -44,13 +52,13 @@ class LaunchPlan {
 
   int width_, height_, samples_;
   std::optional<int> passes_;
-  double overhead_;
-  int samples_at_once_;
+  LaunchCosts costs_;
+  double least_;   ///< Pixel samples of the smallest launch that is worth it.
+  double budget_;  ///< Pixel samples for the next launch.
   int pass_ = 0;
   int column_ = 0, row_ = 0;  ///< The first pixel not yet handed out in this range of samples.
   int sample_ = 0;            ///< First sample of the current range.
   int range_ = 0;             ///< Samples in the current range; 0: not chosen yet.
-  double budget_ = 64;        ///< Pixel samples for the next launch.
   double issued_ = 0;
 };
 

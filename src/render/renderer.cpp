@@ -46,6 +46,7 @@ void Renderer::State::prepare() {
   ProgramReport report;
   const cl::Program program = program_on(device, source, &report, settings.cached_program);
   kernel = checked(device.info().text(), [&] { return cl::Kernel(program, "render"); });
+  shape = LaunchShape(device, kernel, settings.work_group);
   stats.seconds.program = start.seconds();
 
   const Stopwatch upload_start;
@@ -120,7 +121,7 @@ SubSums Renderer::State::sub_sums(const RenderGoal& goal) const {
 
 void Renderer::State::launch(const Launch& l, int film_row) {
   const auto round_up = [](int n, int group) { return static_cast<std::size_t>((n + group - 1) / group * group); };
-  const WorkGroup group = settings.work_group;
+  const WorkGroup group = shape.group(l.rows);
   checked(device.info().text(), [&] {
     cl_uint arg = 0;
     for (const cl::Buffer* buffer :
@@ -143,11 +144,6 @@ void Renderer::State::launch(const Launch& l, int film_row) {
 /// Launches without pixels. Runtimes that finish compiling at the first launch do it here, outside of the kernel's
 /// time; the second launch shows the overhead of a launch, which is large on llvmpipe.
 void Renderer::State::warm_up() {
-  const std::size_t items =
-      static_cast<std::size_t>(settings.work_group.x) * static_cast<std::size_t>(settings.work_group.y);
-  if (settings.work_group.x < 1 || settings.work_group.y < 1 || items > device.info().max_work_group)
-    throw UsageError(fmt::format("--work-group {}x{}: {} allows 1 to {} work-items", settings.work_group.x,
-                                 settings.work_group.y, device.info().text(), device.info().max_work_group));
   {
     const Compiling compiling;
     launch({}, 0);

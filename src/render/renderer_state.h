@@ -16,6 +16,7 @@
 #include "program/program_text.h"
 #include "render/film.h"
 #include "render/launch_plan.h"
+#include "render/launch_shape.h"
 #include "render/pass_plan.h"
 #include "render/renderer.h"
 #include "render/traversal_choice.h"
@@ -126,6 +127,7 @@ struct Renderer::State {
   void launch(const Launch& launch, int film_row);
   void warm_up();
 
+  LaunchShape shape;
   double launch_overhead = 0;            ///< Seconds.
   std::optional<double> finish_seconds;  ///< From the last launch to the picture, as measured last.
   std::optional<LaunchPlan> last_plan;   ///< Of this picture or an earlier one: it knows the device's rate.

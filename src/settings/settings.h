@@ -56,9 +56,9 @@ struct RenderSettings {
   /// Intersector: neighbouring rays are alike, so `lanes` of them go through the tree together. The hits do not depend
   /// on it.
   bool coherent = false;
-  WorkGroup work_group;
-  bool error_map = false;     ///< The estimate of each pixel too.
-  std::optional<int> passes;  ///< Split the samples into this many launches; none: by measured time.
+  std::optional<WorkGroup> work_group;  ///< None: by the device.
+  bool error_map = false;               ///< The estimate of each pixel too.
+  std::optional<int> passes;            ///< Split the samples into this many launches; none: by measured time.
   /// The device ends the loops of a work-item after so many turns in sum (TierVerdict::loop_turns); none: it does not.
   /// Where it does, the program tells of every work-item whether that came to pass, which is then asked again.
   std::optional<std::uint64_t> loop_turns;

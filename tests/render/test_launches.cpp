@@ -99,9 +99,20 @@ TEST_CASE("a part of the picture four times as costly does not make a long launc
 
 TEST_CASE("what a launch costs by itself is not work: launches do not shrink under it") {
   const double overhead = 0.08, rate = 1e-6;
-  const std::vector<Launch> launches = run(LaunchPlan(200, 100, 16, {}, overhead), 200, 100, 16,
+  const std::vector<Launch> launches = run(LaunchPlan(200, 100, 16, {}, {overhead}), 200, 100, 16,
                                            [&](const Launch& launch) { return overhead + rate * samples_of(launch); });
   CHECK(launches.size() < 20);
+}
+
+TEST_CASE("a device that takes pixels together gets them together, however long its paths are") {
+  const int at_once = 1000;
+  const Seconds seconds = [&](const Launch& launch) {
+    const double items = static_cast<double>(launch.columns) * launch.rows;
+    return 0.2 * launch.samples * std::max(1.0, items / at_once);
+  };
+  for (const auto& [width, height, launches] : {std::tuple(30, 20, 4), {100, 50, 4 * 6}})
+    CHECK(run(LaunchPlan(width, height, 4, {}, {0, 1, at_once}), width, height, 4, seconds).size() <=
+          static_cast<std::size_t>(launches));
 }
 
 TEST_CASE("the next band begins at the measured rate") {

@@ -13,9 +13,9 @@
 
 namespace strahl::test {
 
-/// Selectors of what is there, of "pocl", "llvmpipe", "intel" and "oclgrind". In a program that runs under the
-/// `oclgrind` command, that is all there is. Call before anything else that uses OpenCL: Mesa reads its environment
-/// once, and offers no llvmpipe without RUSTICL_ENABLE.
+/// Selectors of what is there, of "pocl", "llvmpipe", "intel", "oclgrind" and "gpu" (the one that strahl takes by
+/// itself). In a program that runs under the `oclgrind` command, that is all there is. Call before anything else that
+/// uses OpenCL: Mesa reads its environment once, and offers no llvmpipe without RUSTICL_ENABLE.
 inline std::vector<std::string> present_devices() {
   setenv("RUSTICL_ENABLE", "llvmpipe", 0);
   const std::vector<std::pair<std::string, std::string>> known = {
@@ -31,6 +31,13 @@ inline std::vector<std::string> present_devices() {
     });
     if (found) present.push_back(selector);
   }
+  // Oclgrind calls itself a GPU.
+  const bool has_gpu = std::any_of(platforms.begin(), platforms.end(), [](const PlatformInfo& platform) {
+    return platform.name.find("Oclgrind") == std::string::npos &&
+           std::any_of(platform.devices.begin(), platform.devices.end(),
+                       [](const DeviceInfo& device) { return device.type == "GPU" && device.available; });
+  });
+  if (has_gpu) present.push_back("gpu");
   return present;
 }
 

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#include "render/launch_shape.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "errors.h"
+#include "opencl/cl_code.h"
+
+namespace strahl {
+namespace {
+
+/// GPUs run the work-items of a group in lockstep, some 32 at a time: rays of a square of pixels are more alike than
+/// those of a row (measured in docs/devices.md).
+constexpr WorkGroup square{8, 8};
+
+}  // namespace
+
+LaunchShape::LaunchShape(const Device& device, const cl::Kernel& kernel, const std::optional<WorkGroup>& asked)
+    : group_(asked.value_or(WorkGroup{})), is_asked_(asked.has_value()) {
+  const std::string name = device.info().text();
+  const std::size_t most =
+      checked(name, [&] { return kernel.getWorkGroupInfo<CL_KERNEL_WORK_GROUP_SIZE>(device.device()); });
+  const std::size_t items = static_cast<std::size_t>(group_.x) * static_cast<std::size_t>(group_.y);
+  if (is_asked_ && (group_.x < 1 || group_.y < 1 || items > most))
+    throw UsageError(fmt::format("--work-group {}x{}: {} allows 1 to {} work-items", group_.x, group_.y, name, most));
+  if (device.info().type != "GPU") return;
+  items_at_once_ = static_cast<int>(
+      std::min<std::uint64_t>(std::uint64_t{device.info().compute_units} * most, std::numeric_limits<int>::max()));
+  if (!is_asked_ && most >= items) group_ = square;
+}
+
+WorkGroup LaunchShape::group(int rows) const { return is_asked_ || rows >= group_.y ? group_ : WorkGroup{}; }
+
+}  // namespace strahl
