@@ -147,8 +147,6 @@ RenderSettings settings_of(const KernelOptions& options) {
     throw UsageError(fmt::format("--bvh-width {} tests {} at a time, not --lanes {}: state one of them",
                                  *options.bvh_width, width_of(settings, 1).lanes, *options.lanes));
   if (options.paths) settings.paths_in_lanes = *options.paths == "lanes";
-  if (settings.precision == Precision::fp64 && settings.paths_in_lanes.value_or(false))
-    throw UsageError("--precision double follows one path at a time, not --paths lanes");
   if (options.acceleration == "list") settings.acceleration = Acceleration::list;
   if (options.acceleration == "tree") settings.acceleration = Acceleration::tree;
   if (!options.work_group.empty()) settings.work_group = work_group_of(options.work_group);

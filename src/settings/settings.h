@@ -51,7 +51,7 @@ struct RenderSettings {
   /// and 4 mean one. None: by `lanes`, 4 for 1.
   std::optional<int> bvh_width;
   Acceleration acceleration = Acceleration::automatic;
-  /// Renderer: as many samples of a pixel as `lanes` are followed at a time (not in fp64). None: by the scene.
+  /// Renderer: as many samples of a pixel as `lanes` are followed at a time. None: by the scene.
   std::optional<bool> paths_in_lanes;
   /// Intersector: neighbouring rays are alike, so `lanes` of them go through the tree together. The hits do not depend
   /// on it.

@@ -4,12 +4,14 @@
 // left something; closest hit and any hit; counts that fill no packet. In fast, where a compiler may take sums as it
 // likes and infinities for what it likes, usable rays that differ are counted.
 // STRAHL_RAYS: how many a tier and width; STRAHL_DEVICE: where.
+#include <fmt/format.h>
+
 #include <cstdlib>
 #include <limits>
 
 #include "cl/instanced_scenes.h"
 #include "cl/same_bits.h"
-#include "program/path_lanes.h"
+#include "program/kernel_files.h"
 #include "support/devices.h"
 
 using namespace strahl;
@@ -141,11 +143,13 @@ void compare(const Device& on, const Scene& scene, const std::vector<Ray>& rays,
 const std::vector<std::string> round_kinds = {"sphere", "plane"},
                                flat_kinds = {"triangle", "mesh", "rectangle", "cube"};
 
-/// Whatever has no body for packets.
+/// Whatever has no body for packets, as the kernels say (cl/accel/packet_kinds.h).
 std::vector<std::string> other_kinds() {
   std::vector<std::string> kinds;
-  for (const std::string& kind : list_entries("shapes"))
-    if (!has_packet_body(kind)) kinds.push_back(kind);
+  for (const std::string& kind : list_entries("shapes")) {
+    const std::string text = kernel_files().at(fmt::format("shapes/{0}/{0}_lanes.h", kind));
+    if (text.find(fmt::format("PACKET_BODY_{}_w = PACKET_BODY_NONE", kind)) != std::string::npos) kinds.push_back(kind);
+  }
   return kinds;
 }
 

@@ -119,7 +119,7 @@ int main(int count, char** arguments) {
         for (auto& [name, on] : flat.flags) on = on && name != "INSTANCES";
         write(wanted, kernel, "lists", flat, precision, lanes, false);
         const bool makes_pictures = kernel == "render" || kernel == "light_tracing" || kernel == "bidirectional";
-        if (!makes_pictures || precision == Precision::fp64) continue;
+        if (!makes_pictures) continue;
         write(wanted, kernel, "all-paths", every(true), precision, lanes, true, lanes);
         write(wanted, kernel, "none-paths", every(false), precision, lanes, true, lanes);
         write(wanted, kernel, "lists-paths", flat, precision, lanes, false, lanes);

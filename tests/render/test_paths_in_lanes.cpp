@@ -45,6 +45,7 @@ TEST_CASE("a closed room in lanes: every tier that keeps its bits, both widths")
   require_same(scene, plain());
   require_same(scene, plain(Precision::robust, 8));
   require_same(scene, plain(Precision::stable));
+  require_same(scene, plain(Precision::fp64, 8));
 }
 
 TEST_CASE("what is reported of first samples, and counts of rays, in lanes") {
@@ -80,13 +81,17 @@ TEST_CASE("smooth meshes and instances in a tree, in lanes") {
   require_pocl_and_rusticl();
   require_same(of("mesh/torus-and-icosphere.xml"), plain());
   require_same(of("instances/mushrooms.xml"), plain(Precision::robust, 8));
+  require_same(of("instances/mushrooms.xml"), plain(Precision::fp64, 8));
 }
 
 TEST_CASE("glass in a tree, in lanes, and more samples than a pool holds") {
   require_pocl_and_rusticl();
   RenderSettings settings = plain(Precision::robust, 8);
   settings.acceleration = Acceleration::tree;
-  require_same(small_scene(scene_folder / "materials/dielectric.xml", 12, 10, 150), settings);
+  const Scene scene = small_scene(scene_folder / "materials/dielectric.xml", 12, 10, 150);
+  require_same(scene, settings);
+  settings.precision = Precision::fp64;
+  require_same(scene, settings);
 }
 
 TEST_CASE("blends, masks and sides in lanes") {
