@@ -39,6 +39,12 @@ FN wide_w wide_scale_w(wide_w x, realw y) { return x * wide_of_w(y); }
 FN wide_w wide_divide_w(wide_w x, wide_w y) { return x / y; }
 FN wide_w wide_difference_w(realw x, realw y) { return wide_of_w(x) - wide_of_w(y); }
 FN wide_w wide_product_w(realw x, realw y) { return wide_of_w(x) * wide_of_w(y); }
+FN wide_w wide_of_dw_w(dw_w x) { return wide_of_w(x.hi) + wide_of_w(x.lo); }
+/// m ? x : y.
+FN wide_w wide_sel_w(maskw m, wide_w x, wide_w y) {
+  wide_w share = wide_of_w(sel_w(m, splat_w(R(1.0)), splat_w(R(0.0))));
+  return x * share + y * (wide_of_w(splat_w(R(1.0))) - share);
+}
 FN realw wide_least_w(wide_w x, realw off) { return narrow_w(x - wide_of_w(off)); }
 FN realw wide_most_w(wide_w x, realw off) { return narrow_w(x + wide_of_w(off)); }
 #else
@@ -59,6 +65,9 @@ FN wide_w wide_scale_w(wide_w x, realw y) { return dw_scale_w(x, y); }
 FN wide_w wide_divide_w(wide_w x, wide_w y) { return dw_div_w(x, y); }
 FN wide_w wide_difference_w(realw x, realw y) { return two_sum_w(x, -y); }
 FN wide_w wide_product_w(realw x, realw y) { return two_prod_w(x, y); }
+FN wide_w wide_of_dw_w(dw_w x) { return x; }
+/// m ? x : y.
+FN wide_w wide_sel_w(maskw m, wide_w x, wide_w y) { return dw_sel_w(m, x, y); }
 FN realw wide_least_w(wide_w x, realw off) { return x.hi + (x.lo - off); }
 FN realw wide_most_w(wide_w x, realw off) { return x.hi + (x.lo + off); }
 #endif

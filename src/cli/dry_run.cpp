@@ -36,9 +36,9 @@ void set_start(const Renderer& renderer, const Preparation& preparation, double 
   costs.start_more = 2 * reload + preparation.canary_seconds;
 }
 
-std::optional<ErrorLaw> law_of(const Pilot& pilot) {
+std::optional<ErrorTrend> law_of(const Pilot& pilot) {
   if (pilot.looks.empty()) return std::nullopt;
-  return error_law(pilot.looks, pilot.common_spread);
+  return error_trend(pilot.looks, pilot.common_spread);
 }
 
 void set_pilot(const Pilot& pilot, const Preparation& preparation, const PredictedGoal& goal, RunCosts& costs) {
@@ -51,7 +51,7 @@ void set_pilot(const Pilot& pilot, const Preparation& preparation, const Predict
 
 Json range_json(const Range& range) { return {{"low", range.low}, {"high", range.high}}; }
 
-Json json_of(const Prediction& p, const Pilot& pilot, const std::optional<ErrorLaw>& law) {
+Json json_of(const Prediction& p, const Pilot& pilot, const std::optional<ErrorTrend>& law) {
   return {{"predicted",
            {{"seconds", p.seconds.middle},
             {"spp", p.spp.middle},
@@ -82,7 +82,7 @@ ExitCode dry_run(Renderer& renderer, const RenderOptions& options, const Invocat
     return pilot_seconds(predict(law_of(so_far), known, goal).seconds.low);
   });
   set_pilot(pilot, preparation, goal, costs);
-  const std::optional<ErrorLaw> law = law_of(pilot);
+  const std::optional<ErrorTrend> law = law_of(pilot);
   const Prediction prediction = predict(law, costs, goal);
   print(prediction_text(prediction));
   if (!options.stats.empty()) write_text(options.stats, json_of(prediction, pilot, law).dump(2) + "\n");

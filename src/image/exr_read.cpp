@@ -17,6 +17,7 @@
 
 #include "errors.h"
 #include "image/codecs.h"
+#include "image/exr_header.h"
 #include "image/exr_metadata.h"
 #include "image/file_bytes.h"
 
@@ -134,6 +135,7 @@ Image decode(Imf::MultiPartInputFile& file, const std::string& path, std::size_t
 Image read_exr(const std::string& path) {
   const std::string bytes = read_file(path);
   try {
+    require_attributes_fit(bytes);
     InputStream stream(bytes, path);
     Imf::MultiPartInputFile file(stream);
     return decode(file, path, bytes.size());

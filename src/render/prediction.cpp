@@ -37,13 +37,13 @@ struct ImaginedRun {
 
 class Imagination {
  public:
-  Imagination(const std::optional<ErrorLaw>& law, const RunCosts& costs, const PredictedGoal& goal)
+  Imagination(const std::optional<ErrorTrend>& law, const RunCosts& costs, const PredictedGoal& goal)
       : law_(law), costs_(costs), goal_(goal) {}
 
   ImaginedRun run() {
     const double slowness = std::exp(costs_.spread * normal_(random_));
     double seconds = costs_.start + costs_.start_more * uniform_(random_);
-    const ErrorLaw law = drawn_law();
+    const ErrorTrend law = drawn_law();
     const double told = std::exp(law.told_spread * normal_(random_));
     const auto rmse_at = [&](double spp) { return std::sqrt(law.mse * told * std::pow(spp / law.spp, -law.exponent)); };
     RenderGoal goal;
@@ -71,14 +71,14 @@ class Imagination {
   }
 
  private:
-  ErrorLaw drawn_law() {
-    ErrorLaw law = law_.value_or(ErrorLaw{});
+  ErrorTrend drawn_law() {
+    ErrorTrend law = law_.value_or(ErrorTrend{});
     law.mse *= std::exp(law.mse_spread * normal_(random_));
     law.exponent = std::max(least_exponent, law.exponent + law.exponent_spread * normal_(random_));
     return law;
   }
 
-  const std::optional<ErrorLaw>& law_;
+  const std::optional<ErrorTrend>& law_;
   const RunCosts& costs_;
   const PredictedGoal& goal_;
   std::mt19937_64 random_{1};
@@ -97,10 +97,10 @@ Range range_of(std::vector<double> values) {
 
 }  // namespace
 
-ErrorLaw error_law(const std::vector<Look>& looks, double common_spread) {
+ErrorTrend error_trend(const std::vector<Look>& looks, double common_spread) {
   const Look& last = looks.back();
-  ErrorLaw law{last.spp,  last.mse,  unseen_exponent, std::hypot(last.spread, common_spread), unseen_exponent_spread,
-               last.told, last.upper};
+  ErrorTrend law{last.spp,  last.mse,  unseen_exponent, std::hypot(last.spread, common_spread), unseen_exponent_spread,
+                 last.told, last.upper};
   // Weighted least squares of log mse on log (spp / last.spp).
   double w = 0, x = 0, y = 0, xx = 0, xy = 0;
   int seen = 0;
@@ -133,7 +133,7 @@ double pass_seconds(const std::vector<PassCost>& passes, double samples) {
   return low.seconds + (above->seconds - low.seconds) * (samples - low.samples) / (above->samples - low.samples);
 }
 
-Prediction predict(const std::optional<ErrorLaw>& law, const RunCosts& costs, const PredictedGoal& goal) {
+Prediction predict(const std::optional<ErrorTrend>& law, const RunCosts& costs, const PredictedGoal& goal) {
   std::vector<double> seconds, spp, rmse;
   Imagination imagination(law, costs, goal);
   for (int i = 0; i < imagined_runs; ++i) {

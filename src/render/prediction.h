@@ -30,7 +30,7 @@ struct Look {
 
 /// Squared error of n samples: mse (n / spp)^-exponent. Spreads are standard deviations, of logarithms but for the
 /// exponent's.
-struct ErrorLaw {
+struct ErrorTrend {
   double spp = 1, mse = 0, exponent = 1;
   double mse_spread = 0, exponent_spread = 0;
   double told_spread = 0;  ///< Of a picture's own estimate.
@@ -39,7 +39,7 @@ struct ErrorLaw {
 
 /// The line through the looks' logarithms, by least squares weighted with their spreads; looks in the order of their
 /// samples. common_spread: the spread of the error that all looks share, such as that of the part of the picture.
-[[nodiscard]] ErrorLaw error_law(const std::vector<Look>& looks, double common_spread = 0);
+[[nodiscard]] ErrorTrend error_trend(const std::vector<Look>& looks, double common_spread = 0);
 
 /// The time of a pass of a given number of samples of every pixel.
 struct PassCost {
@@ -72,6 +72,7 @@ struct Prediction {
 };
 
 /// law: none where no look gave an error. The random draws are the same each time.
-[[nodiscard]] Prediction predict(const std::optional<ErrorLaw>& law, const RunCosts& costs, const PredictedGoal& goal);
+[[nodiscard]] Prediction predict(const std::optional<ErrorTrend>& law, const RunCosts& costs,
+                                 const PredictedGoal& goal);
 
 }  // namespace strahl

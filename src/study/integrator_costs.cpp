@@ -76,7 +76,7 @@ Piloted piloted(const Device& device, const Scene& scene, const RenderSettings& 
 
 /// A pilot alone says little about how the error goes on falling. Of independent samples its square does as 1 / n, of
 /// even ones a little faster.
-void weigh_exponent(bool is_independent, ErrorLaw& law) {
+void weigh_exponent(bool is_independent, ErrorTrend& law) {
   const double usual = is_independent ? 1 : 1.1, spread = is_independent ? 0.01 : 0.1;
   const double known = 1 / (spread * spread), measured = 1 / std::max(1e-6, law.exponent_spread * law.exponent_spread);
   law.exponent = (known * usual + measured * law.exponent) / (known + measured);
@@ -94,7 +94,7 @@ void set_prediction(const Pilot& pilot, bool is_independent, double rmse, double
   PredictedGoal goal;
   goal.spp = std::numeric_limits<int>::max();
   goal.max_error = rmse;
-  ErrorLaw law = error_law(pilot.looks, pilot.common_spread);
+  ErrorTrend law = error_trend(pilot.looks, pilot.common_spread);
   weigh_exponent(is_independent, law);
   const Prediction found = predict(law, costs, goal);
   cost.seconds = found.seconds;

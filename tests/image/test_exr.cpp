@@ -196,6 +196,12 @@ TEST_CASE("damaged EXR files") {
   put_exr<float>(folder / "piz.exr", Imf::FLOAT, window, window, values);
   check_truncations(bytes_of(folder / "piz.exr"), folder / "a.exr", read);
   CHECK(check_mutations(bytes_of(folder / "piz.exr"), folder / "a.exr", 400, read) > 40);
+  // The library makes room for an attribute before it reads it.
+  std::string greedy = bytes_of(folder / "good.exr");
+  const std::string text("strahl:device\0string\0", 21);
+  greedy.replace(greedy.find(text) + text.size(), 4, "\xff\xff\xff\x75");
+  put_bytes(folder / "a.exr", greedy);
+  CHECK_THROWS_WITH(read_image(folder / "a.exr"), Contains("\"strahl:device\" is to have 1979711487 bytes, and"));
   put_bytes(folder / "a.exr", "not an OpenEXR file at all");
   CHECK_THROWS_WITH(read_image(folder / "a.exr"), Contains("a.exr\": not a readable OpenEXR file"));
 }

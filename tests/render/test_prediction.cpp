@@ -36,14 +36,14 @@ int samples_of_render(double max_error, double exponent, double told, double upp
 
 TEST_CASE("the law is the one that the looks follow") {
   for (const double exponent : {1.0, 1.4, 2.1}) {
-    const ErrorLaw law = error_law(exact_looks(exponent));
+    const ErrorTrend law = error_trend(exact_looks(exponent));
     CHECK(law.exponent == Approx(exponent));
     CHECK(law.spp == 128);
     CHECK(law.mse == Approx(law_mse(128, exponent)));
     CHECK(law.exponent_spread > 0);
   }
-  CHECK(error_law({{8, 0.1, 0.1, 1, 0}}).exponent_spread > 0.1);   // No slope was seen.
-  CHECK(error_law({{8, 0, 0, 1, 0}, {32, 0, 0, 1, 0}}).mse == 0);  // No noise at all.
+  CHECK(error_trend({{8, 0.1, 0.1, 1, 0}}).exponent_spread > 0.1);   // No slope was seen.
+  CHECK(error_trend({{8, 0, 0, 1, 0}, {32, 0, 0, 1, 0}}).mse == 0);  // No noise at all.
 }
 
 TEST_CASE("passes cost what was seen, also where few samples cost as much as many") {
@@ -71,7 +71,7 @@ TEST_CASE("the pilot's time varies as the render's does") {
 
 /// The renderer ends where the interval's upper end is near the goal too, and looks only now and then.
 TEST_CASE("the samples are those after which the renderer would end") {
-  ErrorLaw law = error_law(exact_looks(1.2));
+  ErrorTrend law = error_trend(exact_looks(1.2));
   law.mse_spread = law.exponent_spread = law.told_spread = 0;
   law.upper = 1.25;
   const RunCosts costs{1, 0, {{8, 0.8}}, 0, 0, 0.5, 0};
@@ -87,7 +87,7 @@ TEST_CASE("the samples are those after which the renderer would end") {
 
 TEST_CASE("a number of samples, and a time") {
   const RunCosts costs{1, 0, {{8, 0.8}}, 0.05, 0, 0.5, 0};
-  const std::optional<ErrorLaw> law = error_law(exact_looks(1.2));
+  const std::optional<ErrorTrend> law = error_trend(exact_looks(1.2));
   const Prediction samples = predict(law, costs, {100, std::nullopt, std::nullopt});
   CHECK(samples.spp.low == 100);
   CHECK(samples.spp.high == 100);
@@ -118,7 +118,7 @@ TEST_CASE("the intervals hold in nine of ten runs") {
     std::vector<Look> looks;
     for (const double spp : {8.0, 32.0})
       looks.push_back({spp, law_mse(spp, exponent) * std::exp(spread * normal(random)), spread, 1.1, spread});
-    const Prediction p = predict(error_law(looks), {0, 0, {{8, 1.0}}, 0, 0, 0, 0}, {1 << 21, 0.01, std::nullopt});
+    const Prediction p = predict(error_trend(looks), {0, 0, {{8, 1.0}}, 0, 0, 0, 0}, {1 << 21, 0.01, std::nullopt});
     const int spp = samples_of_render(0.01, exponent, std::exp(spread * normal(random)), 1.1);
     if (p.spp.low <= spp && spp <= p.spp.high) ++held;
   }

@@ -19,6 +19,10 @@ enum class Route { double_words, doubles, exact };
 [[nodiscard]] float robust_t(std::string_view kind, std::span<const float> planes, std::span<const float> ray,
                              bool has_left, Route = Route::double_words);
 
+/// Whether wide arithmetic tells t of a triangle or a sphere that the ray hits, so that nothing is decided exactly.
+[[nodiscard]] bool robust_is_told(std::string_view kind, std::span<const float> planes, std::span<const float> ray,
+                                  Route);
+
 /// x, y, z and radius of the ball that a primitive lies in (cl/shapes/ball.h). Throws std::logic_error for an unknown
 /// kind.
 [[nodiscard]] std::array<float, 4> robust_ball(std::string_view kind, std::span<const float> planes);
@@ -31,6 +35,7 @@ void robust_intersect(int lanes, const float* geometry, const float* shading, co
 #define ROUTE_KERNELS(route)                                                                                       \
   namespace route {                                                                                                \
   float robust_t(std::string_view kind, std::span<const float> planes, std::span<const float> ray, bool has_left); \
+  bool robust_is_told(std::string_view kind, std::span<const float> planes, std::span<const float> ray);           \
   }
 ROUTE_KERNELS(double_words)
 ROUTE_KERNELS(doubles)

@@ -65,6 +65,28 @@ float robust_t(std::string_view kind, std::span<const float> planes, std::span<c
                        : ray_given_t(&prepared, best.t, ray[RAY_T_MIN], ray[RAY_T_MAX]);
 }
 
+bool robust_is_told(std::string_view kind, std::span<const float> planes, std::span<const float> ray) {
+  using namespace TIER;
+  const TIER::Ray prepared =
+      ray_make(load3(ray.data() + RAY_O), load3(ray.data() + RAY_D), ray[RAY_T_MIN], ray[RAY_T_MAX], -1);
+  ExactRays_w_1 one;
+  exact_ray(&prepared, &one);
+  if (kind == "triangle") {
+    float least, most;
+    polygon_range_w_1(&one, corner_of(planes.data(), 0, 1), corner_of(planes.data(), 1, 1),
+                      corner_of(planes.data(), 2, 1), &least, &most);
+    return least == most;
+  }
+  if (kind != "sphere") throw std::logic_error("no kind whose doubts are counted has this name");
+  const real3 centre = center_of(planes.data(), 1);
+  const float radius = planes[3];
+  SphereRoots_w_1 roots = sphere_roots_w_1(one.o, one.d, centre, radius);
+  float t;
+  if (sphere_open_w_1(&one, &roots, ~none_w_1(), &t) == 0) return true;
+  sphere_roots_narrow_w_1(&one, &centre, &radius, &roots);
+  return sphere_open_w_1(&one, &roots, ~none_w_1(), &t) == 0;
+}
+
 #if ALL_WIDTHS
 std::array<float, 4> robust_ball(std::string_view kind, std::span<const float> planes) {
   using namespace TIER;

@@ -10,6 +10,12 @@ float robust_t(std::string_view kind, std::span<const float> planes, std::span<c
   return double_words::robust_t(kind, planes, ray, has_left);
 }
 
+bool robust_is_told(std::string_view kind, std::span<const float> planes, std::span<const float> ray, Route route) {
+  if (route == Route::doubles) return doubles::robust_is_told(kind, planes, ray);
+  if (route == Route::exact) return exact::robust_is_told(kind, planes, ray);
+  return double_words::robust_is_told(kind, planes, ray);
+}
+
 std::array<float, 4> robust_ball(std::string_view kind, std::span<const float> planes) {
   return double_words::robust_ball(kind, planes);
 }

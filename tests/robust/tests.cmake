@@ -10,6 +10,7 @@ target_compile_options(strahl_robust_kernels PRIVATE -O2 -Wno-psabi $<$<BOOL:${S
 
 strahl_test(robust/test_oracle.cpp LABEL unit LIBS strahl_robust_kernels strahl_selftest)
 strahl_test(robust/test_rounding.cpp LABEL unit LIBS strahl_robust_kernels strahl_selftest)
+strahl_test(robust/test_decisions.cpp LABEL unit LIBS strahl_robust_kernels strahl_selftest)
 strahl_test(robust/test_departed.cpp LABEL unit LIBS strahl_robust_kernels strahl_selftest)
 strahl_test(robust/test_balls.cpp LABEL unit LIBS strahl_robust_kernels strahl_selftest)
 strahl_test(robust/test_devices.cpp LABEL device LIBS strahl_robust_kernels strahl_selftest TIMEOUT 300)

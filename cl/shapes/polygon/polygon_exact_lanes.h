@@ -3,12 +3,24 @@
 // correctly rounded, held within the polygon's own range. Which rays hit is decided by edge_lanes.h, in every tier. One
 // width; no guard.
 
+/// The same corners in their order, beginning with the one between the two shorter edges: the product of their lengths
+/// bounds what is lost in the normal. That of a needle's tip would be as many times as large as the needle is long.
+FN void begin_at_short_edges_w(PRIVATE real3w* a, PRIVATE real3w* b, PRIVATE real3w* c) {
+  realw ab = size1_w(sub3_w(*b, *a)), bc = size1_w(sub3_w(*c, *b)), ca = size1_w(sub3_w(*a, *c));
+  maskw at_b = lt_w(bc, ca) & le_w(ab, ca), at_c = lt_w(bc, ab) & lt_w(ca, ab);
+  real3w p = *a, q = *b, r = *c;
+  *a = sel3_w(at_c, r, sel3_w(at_b, q, p));
+  *b = sel3_w(at_c, p, sel3_w(at_b, r, q));
+  *c = sel3_w(at_c, q, sel3_w(at_b, p, r));
+}
+
 /// A range that the correctly rounded t of the plane certainly lies in, mostly a single number; NaN where nothing is
 /// known. t = n.(a - o) / (n.d), n = e x f = (b - a) x (c - a). With w the roundoff of what is wide and E = |e| |f|,
 /// norms being sums of absolute values, n.(a - o) is within 8 w E |a - o| and n.d within 14 w E (|d_i| < 2); so t is
 /// within 20 w E (|a - o| + |t|) / |n.d| where 64 w E < |n.d|. What underflow does to double words is less than 2^-140.
 FN void polygon_range_w(const ExactRays_w* ray, real3w a, real3w b, real3w c, PRIVATE realw* least,
                         PRIVATE realw* most) {
+  begin_at_short_edges_w(&a, &b, &c);
   wide3_w e = wide_difference3_w(b, a), f = wide_difference3_w(c, a), n;
   n.x = wide_determinant_w(e.y, e.z, f.y, f.z);
   n.y = wide_determinant_w(e.z, e.x, f.z, f.x);
