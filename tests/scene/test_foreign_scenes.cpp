@@ -240,6 +240,21 @@ TEST_CASE("more than three alike are one, with a count and the next two places")
   CHECK(contains(found[0], "49 more like it"));
 }
 
+TEST_CASE("warnings that differ in numbers alone are alike, those that differ in names are not") {
+  std::string body;
+  for (int i = 0; i < 50; ++i)
+    body += "<shape type=\"sphere\"><transform name=\"to_world\"><rotate x=\"1.5\" y=\"0.3\" angle=\"" +
+            std::to_string(7 * (i - 25)) + ".5\"/></transform></shape>\n";
+  std::vector<std::string> found = problems(around(body));
+  REQUIRE(found.size() == 1);
+  CHECK(contains(found[0], "the axis of <rotate> has length"));
+  CHECK(contains(found[0], "49 more like it"));
+  body.clear();
+  for (int i = 0; i < 5; ++i)
+    body += "<shape type=\"sphere\"><float name=\"p" + std::to_string(i) + "\" value=\"1\"/></shape>\n";
+  CHECK(problems(around(body)).size() == 5);
+}
+
 TEST_CASE("errors of a mesh name the place that asks for it; MTL is told of only where it is used") {
   const SceneFolder folder;
   folder.write("bad.obj", "v 0 0 0\nf 1 2 3\n");

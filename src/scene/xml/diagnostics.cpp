@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <map>
+#include <string_view>
 #include <tuple>
 
 namespace strahl {
@@ -14,7 +15,29 @@ namespace {
 
 constexpr std::size_t most_alike = 3;
 
+/// The message without its numbers, but for those in names, which stand in quotes.
+std::string without_numbers(const std::string& message) {
+  const auto is_digit = [&](std::size_t i) { return i < message.size() && message[i] >= '0' && message[i] <= '9'; };
+  const auto is_any = [&](std::size_t i, std::string_view of) {
+    return i < message.size() && of.find(message[i]) != std::string_view::npos;
+  };
+  std::string rest;
+  bool is_quoted = false;
+  for (std::size_t i = 0; i < message.size(); ++i) {
+    if (message[i] == '"') is_quoted = !is_quoted;
+    const bool is_exponent = is_any(i, "e") && i > 0 && is_digit(i - 1) && (is_digit(i + 1) || is_any(i + 1, "+-"));
+    if (is_quoted || !(is_digit(i) || is_exponent || (is_any(i, "+-.") && is_digit(i + 1)))) rest += message[i];
+  }
+  return rest;
+}
+
 }  // namespace
+
+/// Warnings that differ in numbers alone are alike: a remedy is the same for all of them. Errors are all to be mended.
+void Diagnostics::add(Severity severity, const SourceLocation& where, std::string message) {
+  std::string kind = severity == Severity::warning ? without_numbers(message) : message;
+  all_.push_back({{severity, where, std::move(message)}, std::move(kind)});
+}
 
 void Diagnostics::unreadable(const SourceLocation& where, const std::string& path, const std::string& obstacle) {
   all_.push_back({{Severity::error, where,

@@ -43,10 +43,7 @@ class Diagnostics {
     std::string kind;  ///< Problems of one kind are alike.
   };
 
-  void add(Severity severity, const SourceLocation& where, std::string message) {
-    std::string kind = message;
-    all_.push_back({{severity, where, std::move(message)}, std::move(kind)});
-  }
+  void add(Severity severity, const SourceLocation& where, std::string message);
 
   bool strict_;
   std::vector<std::string> files_;
