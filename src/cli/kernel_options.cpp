@@ -127,10 +127,11 @@ std::optional<std::uint64_t> memory_limit(const KernelOptions& options) {
   const char* const end = text.data() + text.size();
   std::uint64_t number = 0;
   const auto [at, error] = std::from_chars(text.data(), end, number);
-  const std::string unit(at, end);
+  std::string unit(at, end);
+  if (unit.size() == 3 && unit.ends_with("iB")) unit.resize(1);
   const int shift = unit.empty() ? 0 : unit == "k" || unit == "K" ? 10 : unit == "M" ? 20 : unit == "G" ? 30 : -1;
   if (error != std::errc() || shift < 0 || number == 0 || number > UINT64_MAX >> shift)
-    throw UsageError(fmt::format("--memory-limit takes bytes, as 512M or 2G, not \"{}\"", text));
+    throw UsageError(fmt::format("--memory-limit takes bytes, as 512M, 512MiB or 2G, not \"{}\"", text));
   return number << shift;
 }
 
