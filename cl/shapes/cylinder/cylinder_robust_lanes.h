@@ -5,16 +5,22 @@
 // (f x v) x (d x v) = (f . (d x v)) v, hence the discriminant is v.v times a r^2 - (f . (d x v))^2.
 // A ray parallel to the axis misses. The cylinder just left: the other root, -2 b / a.
 
-/// Lanes whose axis the line may pass within r. Distance times |d x v|, all off by less than 16 u; NaN passes.
-FN maskw near_axis_w(const Ray* ray, dw3_w f, realw vx, realw vy, realw vz, realw r) {
-  realw dx = splat_w(ray->d.x), dy = splat_w(ray->d.y), dz = splat_w(ray->d.z);
-  realw nx = difference_of_products_w(dy, vz, dz, vy);
-  realw ny = difference_of_products_w(dz, vx, dx, vz);
-  realw nz = difference_of_products_w(dx, vy, dy, vx);
-  realw distance = fma_w(f.z.hi, nz, fma_w(f.y.hi, ny, f.x.hi * nx));
-  realw limit = fma_w(splat_w(R(0x1p-19)), abs_w(f.x.hi) + abs_w(f.y.hi) + abs_w(f.z.hi), r);
-  realw squared = limit * limit * fma_w(nz, nz, fma_w(ny, ny, nx * nx)) + splat_w(R(0x1p-120));
-  return ~lt_w(squared, distance * distance);
+/// Lanes whose mantle the ray may meet in its range, up to the best hit so far: those whose axis the line passes within
+/// r, in that range, and between the ends. Distance times |d x v| and the place k of the line's point nearest to the
+/// axis are off by less than 16 u, in terms of |f| and of |f| / |d x v|; 2^-18 is 64 u. NaN passes.
+FN maskw near_mantle_w(const Ray* ray, const Nearest* best, real3w f, real3w v, realw length, realw r) {
+  real3w d = splat3_w(ray->d), n = cross3_w(d, v), from = cross3_w(f, v);
+  realw size = size1_w(f), some = splat_w(R(0x1p-18)), distance = dot3_w(f, n), across = dot3_w(n, n);
+  realw limit = fma_w(some, size, r);
+  maskw passes_by = lt_w(limit * limit * across + splat_w(R(0x1p-120)), distance * distance);
+
+  realw k = -dot3_w(from, n) / across, reach = fma_w(some, limit, limit) / sqrt_w(across);
+  maskw beyond = lt_w(splat_w(best->t), k - reach) | lt_w(k + reach, splat_w(ray->t_min));
+
+  realw d_along = dot3_w(d, v), along = fma_w(k, d_along, dot3_w(f, v));
+  realw spare = fma_w(some, size + length + abs_w(k) + abs_w(k), abs_w(d_along) * reach);
+  maskw past_ends = lt_w(along + spare, splat_w(R(0.0))) | lt_w(length + spare, along);
+  return ~(passes_by | beyond | past_ends);
 }
 
 /// t of the lanes of `open`, from its range; of the others as it is.
@@ -35,37 +41,36 @@ SELDOM_FN realw cylinders_decided_w(const Ray* ray, GLOBAL const real* block, ui
   return t;
 }
 
-/// t of cylinders that are hit, correctly rounded. t: as a double word, the near root of the lanes of `is_near`. a: |d
-/// x v|^2. which: lanes to decide; t.hi of the others. With A = |d x v|, s = (|f| + r) |v| / A, norms of f and v being
-/// sums of absolute values, and h half the chord, t is off by less than 2^-42 (s + |t|) (1 + r |v| / (A h)) where A >=
-/// 2^-20 |d| |v|: of u^2, 14 for each dot product and 28 for the discriminant; -2 b / a by twice that for an infinite
-/// h.
-FN realw cylinder_t_w(const Ray* ray, GLOBAL const real* block, dw_w t, realw a, realw chord, maskw is_near,
-                      maskw departed, maskw which) {
+/// How far t may be off, or a NaN where that is not known. roundoff: of the arithmetic, per operation. a: |d x v|^2.
+/// With A = |d x v|, s = (|f| + r) |v| / A, norms of f and v being sums of absolute values, and h half the chord, t is
+/// off by less than 4 roundoff (s + |t|) (1 + r |v| / (A h)) where A >= 2^-20 |d| |v|: of u^2, a quarter of a double
+/// word's roundoff, 14 for each dot product and 28 for the discriminant; -2 b / a by twice that for an infinite h.
+FN realw cylinder_off_w(const Ray* ray, GLOBAL const real* block, realw t, realw a, realw chord, realw roundoff) {
   real3w foot = load_planes3_w(block), v = load_planes3_w(block + 3 * LANES);
   realw r = load_w(block + 7 * LANES), length_v = size1_w(v), across = sqrt_w(a);
-  realw s = (size1_w(sub3_w(splat3_w(ray->o), foot)) + r) * length_v / across + abs_w(t.hi);
-  chord = sel_w(departed, splat_w(REAL_MAX), chord);
-  realw off = splat_w(R(16.0) * DOUBLE_WORD_ROUNDOFF) * fma_w(s, r * length_v / (across * chord), s);
+  realw s = (size1_w(sub3_w(splat3_w(ray->o), foot)) + r) * length_v / across + abs_w(t);
+  realw off = splat_w(R(16.0)) * roundoff * fma_w(s, r * length_v / (across * chord), s);
   maskw is_known = lt_w(splat_w(R(0x1p-36)) * length_v * length_v, a) & lt_w(splat_w(R(0x1p-60)), r) &
                    lt_w(splat_w(R(0x1p-60)), s) & lt_w(off, splat_w(R(0x1p-10)) * chord);
-  realw nothing = splat_w(exact_nothing());
-  realw least = sel_w(is_known, t.hi + (t.lo - off), nothing), most = t.hi + (t.lo + off);
-  maskw open = which & ~eq_w(least, most);
-  if (!any_w(open)) return t.hi;
-  return cylinders_decided_w(ray, block, bits_w(open), bits_w(is_near), bits_w(departed), &least, &most, t.hi);
+  return sel_w(is_known, off, splat_w(exact_nothing()));
 }
 
-FN void cylinder_block_w(const Ray* ray, GLOBAL const real* block, GLOBAL const int* ids, int slot, Nearest* best) {
+#if WIDE_IS_DOUBLE
+#define CYLINDERS_IN_DOUBLE_WORDS SELDOM_FN
+#include "shapes/cylinder/cylinder_doubles_lanes.h"
+#else
+#define CYLINDERS_IN_DOUBLE_WORDS FN
+#endif
+
+/// The lanes of `which`, in double words, which decide what is hit on every device.
+CYLINDERS_IN_DOUBLE_WORDS void cylinders_decide_w(const Ray* ray, GLOBAL const real* block, GLOBAL const int* ids,
+                                                  int slot, PRIVATE const maskw* which, PRIVATE const maskw* left,
+                                                  Nearest* best) {
   dw3_w f = two_difference3_w(splat_w(ray->o.x), splat_w(ray->o.y), splat_w(ray->o.z), load_w(block),
                               load_w(block + LANES), load_w(block + 2 * LANES));
   realw vx = load_w(block + 3 * LANES), vy = load_w(block + 4 * LANES), vz = load_w(block + 5 * LANES);
   realw length = load_w(block + 6 * LANES), r = load_w(block + 7 * LANES);
-  maskw candidate = within_reach_w(ray, best, f.x.hi, f.y.hi, f.z.hi, r + length) & near_axis_w(ray, f, vx, vy, vz, r);
-  maskw departed = candidate & ~candidate;
-  if (ray->departed >= 0) departed = is_departed_w(ids, ray);
-  if (!any_w(candidate | departed)) return;
-
+  maskw departed = *left;
   realw dx = splat_w(ray->d.x), dy = splat_w(ray->d.y), dz = splat_w(ray->d.z), zero = splat_w(R(0.0));
   dw3_w across, from = cross_real3_w(f, vx, vy, vz);
   across.x = sum3_round_w(sum3_begin_w(dy, vz, -dz, vy));
@@ -75,7 +80,7 @@ FN void cylinder_block_w(const Ray* ray, GLOBAL const real* block, GLOBAL const 
   dw_w a = dw_dot3_w(across, across), b = dw_dot3_w(from, across), apart = dw_dot3_w(f, across);
   dw_w c = dw_add_w(dw_dot3_w(from, from), dw_negate_w(dw_mul_w(r2, v2)));
   dw_w discriminant = dw_mul_w(v2, dw_add_w(dw_mul_w(a, r2), dw_negate_w(dw_mul_w(apart, apart))));
-  maskw hit = le_w(zero, discriminant.hi) & lt_w(zero, a.hi);
+  maskw hit = *which & le_w(zero, discriminant.hi) & lt_w(zero, a.hi);
 
   Roots_w roots = quadratic_roots_w(a, b, c, discriminant);
   dw_w o_along = dot_real3_w(f, vx, vy, vz), d_along = real_dot_real3_w(dx, dy, dz, vx, vy, vz);
@@ -90,9 +95,28 @@ FN void cylinder_block_w(const Ray* ray, GLOBAL const real* block, GLOBAL const 
   along = dw_add_w(o_along, dw_mul_w(t, d_along));
   hit = (hit & ~departed) | (departed & lt_w(zero, other.hi));
   if (ray->departed >= 0) hit = hit & (~departed | within_cylinder_slabs_w(ray, block, t.hi));
-  if (ray->is_outward) hit = hit & ~departed;
   hit = hit & le_w(zero, along.hi) & le_w(dw_add_w(along, end).hi, zero);
   realw half_chord = sqrt_w(discriminant.hi) / a.hi;
-  realw rounded = cylinder_t_w(ray, block, t, a.hi, half_chord, near_hit, departed, hit & is_there_w(ids));
+  half_chord = sel_w(departed, splat_w(REAL_MAX), half_chord);
+  realw off = cylinder_off_w(ray, block, t.hi, a.hi, half_chord, splat_w(DOUBLE_WORD_ROUNDOFF));
+  realw least = t.hi + (t.lo - off), most = t.hi + (t.lo + off), rounded = t.hi;
+  maskw open = hit & is_there_w(ids) & ~eq_w(least, most);
+  if (any_w(open))
+    rounded = cylinders_decided_w(ray, block, bits_w(open), bits_w(near_hit), bits_w(departed), &least, &most, rounded);
   take_nearest_w(hit & in_range_w(rounded, ray, best), rounded, ids, -1, SHAPE_cylinder, slot, best);
+}
+#undef CYLINDERS_IN_DOUBLE_WORDS
+
+FN void cylinder_block_w(const Ray* ray, GLOBAL const real* block, GLOBAL const int* ids, int slot, Nearest* best) {
+  real3w f = sub3_w(splat3_w(ray->o), load_planes3_w(block)), v = load_planes3_w(block + 3 * LANES);
+  realw length = load_w(block + 6 * LANES), r = load_w(block + 7 * LANES);
+  maskw which = within_reach_w(ray, best, f.x, f.y, f.z, r + length) & near_mantle_w(ray, best, f, v, length, r);
+  maskw departed = none_w();
+  if (ray->departed >= 0) departed = is_departed_w(ids, ray);
+  if (any_w(which)) which = which & ~departed & is_there_w(ids);  // Padding is a point without an axis: NaN passes.
+  if (ray->is_outward) departed = none_w();
+#if WIDE_IS_DOUBLE
+  if (any_w(which)) which = cylinders_take_told_w(ray, block, ids, slot, which, best);
+#endif
+  if (any_w(which | departed)) cylinders_decide_w(ray, block, ids, slot, &which, &departed, best);
 }
