@@ -42,8 +42,8 @@ void add_program_options(CLI::App& app, KernelOptions& options);
 /// --work-group and --passes: how a render is launched.
 void add_launch_options(CLI::App& app, KernelOptions& options);
 
-/// Bytes of "512M", "2G", "512MiB", "1500000k" or a plain number, in powers of 1024; none where nothing is asked for. Throws
-/// UsageError.
+/// Bytes of "512M", "2G", "512MiB", "1500000k" or a plain number, in powers of 1024; none where nothing is asked for.
+/// Throws UsageError.
 [[nodiscard]] std::optional<std::uint64_t> memory_limit(const KernelOptions& options);
 
 /// Throws UsageError.

@@ -42,7 +42,7 @@ FN void box_block_w(const Ray* ray, GLOBAL const real* block, GLOBAL const int* 
   realw leave = min_w(out_z, min_w(out_y, min_w(out_x, splat_w(REAL_MAX))));
   maskw hit = le_w(enter, leave);
 #if TIER_ROBUST
-  hit = box_exact_w(ray, block, enter, leave, hit);
+  hit = box_exact_w(ray, block, ids, enter, leave, hit);
 #endif
   realw t = sel_w(le_w(splat_w(ray->t_min), enter), enter, leave);
   maskw departed = none_w();

@@ -4,10 +4,12 @@
 // differences exact, products in three-fold precision.
 
 /// Lanes of `hit`, corrected where enter and leave are too close for their own errors of 1.5 u each.
-FN maskw box_exact_w(const Ray* ray, GLOBAL const real* block, realw enter, realw leave, maskw hit) {
+FN maskw box_exact_w(const Ray* ray, GLOBAL const real* block, GLOBAL const int* ids, realw enter, realw leave,
+                     maskw hit) {
   realw zero = splat_w(R(0.0));
   realw scale = max_w(abs_w(enter), abs_w(leave));
   maskw unsure = le_w(abs_w(enter - leave), splat_w(R(0x1p-21)) * scale);
+  if (any_w(unsure)) unsure = unsure & is_there_w(ids);  // Padding is a point.
   if (!any_w(unsure)) return hit;
 
   dw_w in[3], out[3];
