@@ -976,7 +976,6 @@
 #define whitted_step_w LANED(whitted_step_w)
 #define wide3_w LANED(wide3_w)
 #define wide_add_w LANED(wide_add_w)
-#define wide_below_w LANED(wide_below_w)
 #define wide_cross_w LANED(wide_cross_w)
 #define wide_determinant_w LANED(wide_determinant_w)
 #define wide_difference3_w LANED(wide_difference3_w)

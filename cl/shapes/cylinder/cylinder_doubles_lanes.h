@@ -19,8 +19,6 @@ FN wide3_w wide_cross_w(wide3_w p, real3w q) {
   return c;
 }
 
-FN maskw wide_below_w(wide_w x, realw limit) { return lt_w(narrow_w(x), limit); }
-
 /// The lanes of `which`, as cylinder_block computes them. Norms are sums of absolute values, F = |f| + r. Double words
 /// have a r^2 - (f.(d x v))^2 within 2^-40 (|d| |v| F)^2, and t within cylinder_off; with four times that, and what
 /// rounding to a real moves t by, a place along the axis is off by 2^-38 |v| (F + |d| |t| + |v| length) and |d| |v|

@@ -62,8 +62,7 @@ FN dw_w sphere_power_w(real3w o, real3w c, realw r, PRIVATE realw* off) {
 /// Narrows the range of the root nearer to the origin, which is a small difference where the sphere is large and near:
 /// a ground, a planet. The product of the roots is the power of the origin, P, over d.d, so that root is P over d.d and
 /// the other, which is known to off / |other|. Ten products as if in three-fold precision have P within (40 u)^3 / 8 <
-/// 2^-59 of the sum of their absolute values, and what underflow does to
-/// them is less than 2^-140.
+/// 2^-59 of the sum of their absolute values, and what underflow does to them is less than 2^-140.
 SELDOM_FN void sphere_roots_narrow_w(PRIVATE const ExactRays_w* rays, PRIVATE const real3w* c, PRIVATE const realw* r,
                                      PRIVATE SphereRoots_w* roots) {
   realw power_off, two = splat_w(R(2.0));
