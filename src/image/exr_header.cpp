@@ -41,6 +41,13 @@ bool take_attribute(std::string_view& rest) {
   return true;
 }
 
+/// Whether it had any attributes.
+bool take_part(std::string_view& rest) {
+  bool had_any = false;
+  while (take_attribute(rest)) had_any = true;
+  return had_any;
+}
+
 }  // namespace
 
 void require_attributes_fit(std::string_view bytes) {
@@ -49,11 +56,8 @@ void require_attributes_fit(std::string_view bytes) {
   if (bytes.size() < magic_bytes + 4) return;
   std::string_view rest = bytes.substr(magic_bytes);
   const bool has_parts = (take_number(rest) & multi_part) != 0;
-  bool was_empty = false;
-  do {
-    was_empty = true;
-    while (take_attribute(rest)) was_empty = false;
-  } while (has_parts && !was_empty);
+  while (take_part(rest) && has_parts) {
+  }
 }
 
 }  // namespace strahl

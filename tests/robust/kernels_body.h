@@ -78,13 +78,9 @@ bool robust_is_told(std::string_view kind, std::span<const float> planes, std::s
     return least == most;
   }
   if (kind != "sphere") throw std::logic_error("no kind whose doubts are counted has this name");
-  const real3 centre = center_of(planes.data(), 1);
-  const float radius = planes[3];
-  SphereRoots_w_1 roots = sphere_roots_w_1(one.o, one.d, centre, radius);
+  SphereRoots_w_1 roots;
   float t;
-  if (sphere_open_w_1(&one, &roots, ~none_w_1(), &t) == 0) return true;
-  sphere_roots_narrow_w_1(&one, &centre, &radius, &roots);
-  return sphere_open_w_1(&one, &roots, ~none_w_1(), &t) == 0;
+  return sphere_undecided_w_1(&one, center_of(planes.data(), 1), planes[3], ~none_w_1(), &roots, &t) == 0;
 }
 
 #if ALL_WIDTHS

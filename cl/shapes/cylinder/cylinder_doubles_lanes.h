@@ -80,12 +80,9 @@ FN maskw cylinders_take_told_w(const Ray* ray, GLOBAL const real* block, GLOBAL 
                                Nearest* best) {
   ToldCylinders_w told = cylinders_told_w(ray, block, which);
   if (any_w(told.hit)) {
-    realw off = cylinder_off_w(ray, block, narrow_w(told.t), told.a, told.chord, splat_w(WIDE_ROUNDOFF));
-    realw least = wide_least_w(told.t, off), most = wide_most_w(told.t, off), t = least;
-    maskw open = told.hit & is_there_w(ids) & ~eq_w(least, most);
-    if (any_w(open))
-      t = cylinders_decided_w(ray, block, bits_w(open), bits_w(told.is_near), 0u, &least, &most, narrow_w(told.t));
-    take_nearest_w(told.hit & in_range_w(t, ray, best), t, ids, -1, SHAPE_cylinder, slot, best);
+    realw t = narrow_w(told.t), off = cylinder_off_w(ray, block, t, told.a, told.chord, splat_w(WIDE_ROUNDOFF));
+    cylinders_take_w(ray, block, ids, slot, told.hit, told.is_near, none_w(), wide_least_w(told.t, off),
+                     wide_most_w(told.t, off), t, best);
   }
   return which & ~told.told;
 }

@@ -55,6 +55,17 @@ FN realw cylinder_off_w(const Ray* ray, GLOBAL const real* block, realw t, realw
   return sel_w(is_known, off, splat_w(exact_nothing()));
 }
 
+/// Takes the nearest of `hit`. least, most: of t, which is decided exactly where they differ; about: t where they do
+/// not.
+FN void cylinders_take_w(const Ray* ray, GLOBAL const real* block, GLOBAL const int* ids, int slot, maskw hit,
+                         maskw is_near, maskw departed, realw least, realw most, realw about, Nearest* best) {
+  realw t = about;
+  maskw open = hit & is_there_w(ids) & ~eq_w(least, most);
+  if (any_w(open))
+    t = cylinders_decided_w(ray, block, bits_w(open), bits_w(is_near), bits_w(departed), &least, &most, t);
+  take_nearest_w(hit & in_range_w(t, ray, best), t, ids, -1, SHAPE_cylinder, slot, best);
+}
+
 #if WIDE_IS_DOUBLE
 #define CYLINDERS_IN_DOUBLE_WORDS SELDOM_FN
 #include "shapes/cylinder/cylinder_doubles_lanes.h"
@@ -99,11 +110,8 @@ CYLINDERS_IN_DOUBLE_WORDS void cylinders_decide_w(const Ray* ray, GLOBAL const r
   realw half_chord = sqrt_w(discriminant.hi) / a.hi;
   half_chord = sel_w(departed, splat_w(REAL_MAX), half_chord);
   realw off = cylinder_off_w(ray, block, t.hi, a.hi, half_chord, splat_w(DOUBLE_WORD_ROUNDOFF));
-  realw least = t.hi + (t.lo - off), most = t.hi + (t.lo + off), rounded = t.hi;
-  maskw open = hit & is_there_w(ids) & ~eq_w(least, most);
-  if (any_w(open))
-    rounded = cylinders_decided_w(ray, block, bits_w(open), bits_w(near_hit), bits_w(departed), &least, &most, rounded);
-  take_nearest_w(hit & in_range_w(rounded, ray, best), rounded, ids, -1, SHAPE_cylinder, slot, best);
+  cylinders_take_w(ray, block, ids, slot, hit, near_hit, departed, t.hi + (t.lo - off), t.hi + (t.lo + off), t.hi,
+                   best);
 }
 #undef CYLINDERS_IN_DOUBLE_WORDS
 

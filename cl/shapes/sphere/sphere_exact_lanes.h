@@ -111,16 +111,22 @@ FN maskw sphere_open_w(const ExactRays_w* rays, PRIVATE const SphereRoots_w* roo
   return which & ~(sure | roots->misses);
 }
 
+/// Of the lanes of `which`, those whose first root from t_min on wide arithmetic does not tell. t: of the others.
+FN maskw sphere_undecided_w(const ExactRays_w* rays, real3w c, realw r, maskw which, PRIVATE SphereRoots_w* roots,
+                            PRIVATE realw* t) {
+  *roots = sphere_roots_w(rays->o, rays->d, c, r);
+  maskw open = sphere_open_w(rays, roots, which, t);
+  if (!any_w(open)) return open;
+  sphere_roots_narrow_w(rays, &c, &r, roots);
+  return sphere_open_w(rays, roots, which, t);
+}
+
 /// The first root from t_min on of the sphere about c, the last one where there is none. which: lanes to compute; met:
 /// of these, lanes that have a root.
 ONCE_FN realw sphere_root_w(const ExactRays_w* rays, real3w c, realw r, maskw which, PRIVATE maskw* met) {
-  SphereRoots_w roots = sphere_roots_w(rays->o, rays->d, c, r);
+  SphereRoots_w roots;
   realw t;
-  maskw open = sphere_open_w(rays, &roots, which, &t);
-  if (any_w(open)) {
-    sphere_roots_narrow_w(rays, &c, &r, &roots);
-    open = sphere_open_w(rays, &roots, which, &t);
-  }
+  maskw open = sphere_undecided_w(rays, c, r, which, &roots, &t);
   if (any_w(open)) sphere_decided_w(rays, &c, &r, &roots, bits_w(open), &t);
   *met = ~nan_w(t);
   return t;
