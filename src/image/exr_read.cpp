@@ -24,6 +24,9 @@
 namespace strahl {
 namespace {
 
+constexpr int rows_at_once = 256;                    // The most that a block of scan lines has (DWAB).
+constexpr std::size_t blank_values_per_byte = 1024;  // Of display windows, whose blank parts no byte stands for.
+
 class InputStream : public Imf::IStream {
  public:
   InputStream(const std::string& bytes, const std::string& path) : Imf::IStream(path.c_str()), bytes_(bytes) {}
@@ -92,16 +95,20 @@ Image decode(Imf::MultiPartInputFile& file, const std::string& path, std::size_t
   const Imath::Box2i display = header.displayWindow();
   const auto length = [](int from, int to) { return std::int64_t{to} - from + 1; };
   const std::vector<std::string> channels = channel_order(header.channels());
-  for (const Imath::Box2i& box : {window, display}) {
-    check_picture_size(path, length(box.min.x, box.max.x), length(box.min.y, box.max.y), channels.size(), file_bytes);
-  }
+  const auto check = [&](const Imath::Box2i& box, std::size_t values_per_byte) {
+    check_picture_size(path, length(box.min.x, box.max.x), length(box.min.y, box.max.y), channels.size(), file_bytes,
+                       values_per_byte);
+  };
+  check(window, compressed_values_per_byte);
+  if (window != display) check(display, blank_values_per_byte);
 
-  const auto blank = [&channels](const Imath::Box2i& box) {
+  const auto blank = [&](const Imath::Box2i& box) {
     Image image;
     image.width = box.max.x - box.min.x + 1;
     image.height = box.max.y - box.min.y + 1;
     image.channels = channels;
-    image.data.resize(image.index(0, image.height, 0));
+    image.metadata = metadata_of(header);
+    image.data.reserve(image.index(0, image.height, 0));
     return image;
   };
   Image stored = blank(window);
@@ -113,12 +120,16 @@ Image decode(Imf::MultiPartInputFile& file, const std::string& path, std::size_t
   }
   Imf::InputPart part(file, 0);
   part.setFrameBuffer(pixels);
-  part.readPixels(window.min.y, window.max.y);
-  stored.metadata = metadata_of(header);
+  // Memory grows with what was read: a file that claims more than it holds ends here early.
+  for (int y = 0; y < stored.height; y += rows_at_once) {
+    const int end = std::min(y + rows_at_once, stored.height);
+    stored.data.resize(stored.index(0, end, 0));
+    part.readPixels(window.min.y + y, window.min.y + end - 1);
+  }
   if (window == display) return stored;
 
   Image image = blank(display);
-  image.metadata = stored.metadata;
+  image.data.resize(image.index(0, image.height, 0));
   const int left = std::max(window.min.x, display.min.x);
   const int right = std::min(window.max.x, display.max.x);
   for (int y = std::max(window.min.y, display.min.y); left <= right && y <= std::min(window.max.y, display.max.y);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "image/srgb.h"
 
@@ -45,6 +46,9 @@ bool is_half(float value) {
   return static_cast<float>(Imath::half(value)) == value;
 }
 
+/// Neither negative, nor infinite, nor no number.
+bool is_light(float value) { return value >= 0 && value <= std::numeric_limits<float>::max(); }
+
 std::uint32_t word(const Texels& texels, std::size_t at) { return static_cast<std::uint32_t>(texels.words[at]); }
 
 /// The codes of a texel of integers or halves.
@@ -57,6 +61,25 @@ std::array<std::uint32_t, 3> codes_of(const Texels& texels, std::size_t n) {
   if (!texels.is_grey) return {word(texels, 2 * n) & 65535U, word(texels, 2 * n) >> 16, word(texels, 2 * n + 1)};
   const std::uint32_t code = word(texels, n / 2) >> 16 * (n % 2) & 65535U;
   return {code, code, code};
+}
+
+/// Codes of 16 bits in words: two of grey in one, a texel of rgb in two.
+template <typename Code>
+Texels packed(Texels texels, const Code& code) {
+  const std::size_t count = texels.count();
+  const auto one = [&](std::size_t i) { return static_cast<std::int32_t>(code(i)); };
+  const auto two = [&](std::size_t i) { return static_cast<std::int32_t>(code(i) | std::uint32_t{code(i + 1)} << 16); };
+  texels.words.resize(texels.is_grey ? (count + 1) / 2 : 2 * count);
+  if (texels.is_grey) {
+    for (std::size_t i = 0; i < count / 2; ++i) texels.words[i] = two(2 * i);
+    if (count % 2 != 0) texels.words.back() = one(count - 1);
+    return texels;
+  }
+  for (std::size_t n = 0; n < count; ++n) {
+    texels.words[2 * n] = two(3 * n);
+    texels.words[2 * n + 1] = one(3 * n + 2);
+  }
+  return texels;
 }
 
 }  // namespace
@@ -106,16 +129,7 @@ Texels texels_of_bytes(int width, int height, int channels, const std::uint8_t* 
 }
 
 Texels texels_of_words(int width, int height, int channels, const std::uint16_t* codes, TexelFormat format) {
-  Texels texels = blank(width, height, channels, format);
-  const std::size_t count = texels.count();
-  texels.words.resize(texels.is_grey ? (count + 1) / 2 : 2 * count);
-  for (std::size_t n = 0; n < count; ++n)
-    for (std::size_t c = 0; c < (texels.is_grey ? 1U : 3U); ++c) {
-      const std::size_t place = texels.is_grey ? n : 4 * n + c;
-      const std::uint32_t code = codes[texels.is_grey ? n : 3 * n + c];
-      texels.words[place / 2] = static_cast<std::int32_t>(word(texels, place / 2) | code << 16 * (place % 2));
-    }
-  return texels;
+  return packed(blank(width, height, channels, format), [&](std::size_t i) { return codes[i]; });
 }
 
 Texels texels_of_rgbe(int width, int height, const float* values) {
@@ -136,31 +150,30 @@ Texels texels_of_rgbe(int width, int height, const float* values) {
 }
 
 Texels texels_of_floats(int width, int height, int channels, std::vector<float> values) {
-  if (std::all_of(values.begin(), values.end(), is_half)) {
-    std::vector<std::uint16_t> codes;
-    codes.reserve(values.size());
-    for (const float value : values) codes.push_back(Imath::half(value).bits());
-    return texels_of_words(width, height, channels, codes.data(), TexelFormat::half);
-  }
+  if (std::all_of(values.begin(), values.end(), is_half))
+    return packed(blank(width, height, channels, TexelFormat::half),
+                  [&](std::size_t i) { return Imath::half(values[i]).bits(); });
   Texels texels = blank(width, height, channels, TexelFormat::real);
   texels.reals = std::move(values);
   return texels;
 }
 
 Texels repaired_texels(int width, int height, int channels, std::vector<float> values) {
-  float largest = 0;
-  for (const float value : values)
-    if (std::isfinite(value)) largest = std::max(largest, value);
-  std::size_t repaired = 0;
   const auto step = static_cast<std::size_t>(channels);
-  for (std::size_t i = 0; i < values.size(); i += step) {
-    bool is_faulty = false;
-    for (std::size_t c = i; c < i + step; ++c) {
-      if (std::isfinite(values[c]) && values[c] >= 0) continue;
-      values[c] = values[c] > 0 ? largest : 0;
-      is_faulty = true;
+  std::size_t repaired = 0;
+  if (!std::all_of(values.begin(), values.end(), is_light)) {
+    float largest = 0;
+    for (const float value : values)
+      if (is_light(value)) largest = std::max(largest, value);
+    for (std::size_t i = 0; i < values.size(); i += step) {
+      bool is_faulty = false;
+      for (std::size_t c = i; c < i + step; ++c) {
+        if (is_light(values[c])) continue;
+        values[c] = values[c] > 0 ? largest : 0;
+        is_faulty = true;
+      }
+      repaired += is_faulty ? 1 : 0;
     }
-    repaired += is_faulty ? 1 : 0;
   }
   Texels texels = texels_of_floats(width, height, channels, std::move(values));
   texels.repaired = repaired;

@@ -56,15 +56,17 @@ std::vector<std::size_t> colours_of(const Image& image, const std::string& path)
       fmt::format("\"{}\" has the channels {}; an image has R, G and B, or Y", path, fmt::join(image.channels, ", ")));
 }
 
-Texels texels_of_image(const Image& image, const std::string& path) {
+Texels texels_of_image(Image image, const std::string& path) {
   check_texel_count(path, image.width, image.height);
   const std::vector<std::size_t> colours = colours_of(image, path);
-  const std::size_t count = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
-  std::vector<float> values;
-  values.reserve(count * colours.size());
-  for (std::size_t n = 0; n < count; ++n)
-    for (const std::size_t c : colours) values.push_back(image.data[n * image.channels.size() + c]);
-  return repaired_texels(image.width, image.height, static_cast<int>(colours.size()), std::move(values));
+  // In place, as channels stand in the order of colours.
+  const std::size_t step = image.channels.size(), count = image.data.size() / step;
+  if (colours.size() < step)
+    for (std::size_t n = 0; n < count; ++n)
+      for (std::size_t c = 0; c < colours.size(); ++c)
+        image.data[n * colours.size() + c] = image.data[n * step + colours[c]];
+  image.data.resize(count * colours.size());
+  return repaired_texels(image.width, image.height, static_cast<int>(colours.size()), std::move(image.data));
 }
 
 Texels read_by_first_bytes(const std::string& path) {

@@ -131,21 +131,38 @@ TEST_CASE("the display window is the picture, 0 where there are no data") {
   CHECK(read_image(path).data == std::vector<float>{0, 0});
 }
 
-TEST_CASE("tiles") {
+TEST_CASE("a display window that the file's bytes do not account for") {
   const TemporaryFolder folder;
   const std::string path = folder / "a.exr";
-  std::vector<float> values(7 * 5);
+  std::vector<float> values(64 * 64);
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] = static_cast<float>(i * i);
+  put_exr<float>(path, Imf::FLOAT, box(0, 0, 3999, 3999), box(8, 8, 71, 71), values);
+  CHECK(read_image(path).width == 4000);  // Part of a picture.
+  put_exr<float>(path, Imf::FLOAT, box(0, 0, 0, (1 << 27) - 1), box(0, 0, 63, 63), values);
+  CHECK_THROWS_WITH(read_image(path), Contains("1 x 134217728 pixels with 1 channels in"));
+}
+
+TEST_CASE("rows in blocks and tiles of any height") {
+  const TemporaryFolder folder;
+  const std::string path = folder / "a.exr";
+  const int height = GENERATE(5, 256, 700), tile = GENERATE(4, 200);
+  std::vector<float> values(7 * static_cast<std::size_t>(height));
   for (std::size_t i = 0; i < values.size(); ++i) values[i] = static_cast<float>(i);
   {
-    Imf::Header header(7, 5);
+    Imf::Header header(7, height);
     header.channels().insert("Y", Imf::Channel(Imf::FLOAT));
-    header.setTileDescription(Imf::TileDescription(4, 4));
+    header.setTileDescription(Imf::TileDescription(4, static_cast<unsigned>(tile)));
     Imf::TiledOutputFile file(path.c_str(), header);
     Imf::FrameBuffer pixels;
     pixels.insert("Y", Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(values.data()), 4, 28));
     file.setFrameBuffer(pixels);
     file.writeTiles(0, file.numXTiles() - 1, 0, file.numYTiles() - 1);
   }
+  CHECK(read_image(path).data == values);
+  const Imath::Box2i window = box(0, -3, 6, height - 4);
+  put_exr<float>(path, Imf::FLOAT, window, window, values, Imf::DWAB_COMPRESSION);
+  CHECK(read_image(path).height == height);
+  put_exr<float>(path, Imf::FLOAT, window, window, values, Imf::ZIP_COMPRESSION);
   CHECK(read_image(path).data == values);
 }
 
