@@ -19,12 +19,17 @@ WriteReport write_pfm(const Image& image, const std::string& path);
 [[nodiscard]] Image read_exr(const std::string& path);
 [[nodiscard]] Image read_pfm(const std::string& path);
 
-/// More than the best compression reaches (OpenEXR's DWA of one constant).
-constexpr std::size_t compressed_values_per_byte = 65536;
+/// The most values that a file may claim.
+struct ClaimLimit {
+  std::size_t always = 0;    ///< Are no danger, whatever the file.
+  std::size_t per_byte = 0;  ///< Of the file.
+};
+/// 256 MiB, and more than the best compression reaches (OpenEXR's DWA of one constant).
+constexpr ClaimLimit compressed_values = {std::size_t{1} << 26, 65536};
 
 /// Throws InputError for sizes that no file of so many bytes can hold, before memory for them is asked for: a damaged
 /// header must not end in an exhausted computer.
 void check_picture_size(const std::string& path, std::int64_t width, std::int64_t height, std::size_t channels,
-                        std::size_t file_bytes, std::size_t values_per_byte = compressed_values_per_byte);
+                        std::size_t file_bytes, const ClaimLimit& claim = compressed_values);
 
 }  // namespace strahl

@@ -24,8 +24,7 @@
 namespace strahl {
 namespace {
 
-constexpr int rows_at_once = 256;                    // The most that a block of scan lines has (DWAB).
-constexpr std::size_t blank_values_per_byte = 1024;  // Of display windows, whose blank parts no byte stands for.
+constexpr int rows_at_once = 256;  // The most that a block of scan lines has (DWAB).
 
 class InputStream : public Imf::IStream {
  public:
@@ -88,6 +87,14 @@ void check_readable(const Imf::MultiPartInputFile& file, const std::string& path
   if (!file.partComplete(0)) reject("incomplete OpenEXR file");
 }
 
+/// No byte stands for the blank parts of a display window: it may be four times as large as the data window, or 64 MiB,
+/// or what a part of a picture with so many bytes is likely to come from.
+ClaimLimit display_claim(const Imath::Box2i& window, std::size_t channels) {
+  const auto length = [](int from, int to) { return static_cast<std::size_t>(std::int64_t{to} - from + 1); };
+  const std::size_t held = length(window.min.x, window.max.x) * length(window.min.y, window.max.y) * channels;
+  return {std::max(std::size_t{1} << 24, 4 * held), 256};
+}
+
 Image decode(Imf::MultiPartInputFile& file, const std::string& path, std::size_t file_bytes) {
   check_readable(file, path);
   const Imf::Header& header = file.header(0);
@@ -95,12 +102,12 @@ Image decode(Imf::MultiPartInputFile& file, const std::string& path, std::size_t
   const Imath::Box2i display = header.displayWindow();
   const auto length = [](int from, int to) { return std::int64_t{to} - from + 1; };
   const std::vector<std::string> channels = channel_order(header.channels());
-  const auto check = [&](const Imath::Box2i& box, std::size_t values_per_byte) {
+  const auto check = [&](const Imath::Box2i& box, const ClaimLimit& claim) {
     check_picture_size(path, length(box.min.x, box.max.x), length(box.min.y, box.max.y), channels.size(), file_bytes,
-                       values_per_byte);
+                       claim);
   };
-  check(window, compressed_values_per_byte);
-  if (window != display) check(display, blank_values_per_byte);
+  check(window, compressed_values);
+  check(display, display_claim(window, channels.size()));
 
   const auto blank = [&](const Imath::Box2i& box) {
     Image image;

@@ -72,13 +72,12 @@ Image read_image(const std::string& path) {
 }
 
 void check_picture_size(const std::string& path, std::int64_t width, std::int64_t height, std::size_t channels,
-                        std::size_t file_bytes, std::size_t values_per_byte) {
-  constexpr double limit = 1u << 30;   // Values: 4 GiB.
-  constexpr double always = 1u << 26;  // Values: 256 MiB are no danger, whatever the file.
+                        std::size_t file_bytes, const ClaimLimit& claim) {
+  constexpr std::size_t limit = std::size_t{1} << 30;  // Values: 4 GiB.
   constexpr std::int64_t longest = std::numeric_limits<int>::max();
   const double values = static_cast<double>(width) * static_cast<double>(height) * static_cast<double>(channels);
   if (width < 1 || height < 1 || width > longest || height > longest || channels < 1 ||
-      values > std::min(limit, std::max(always, static_cast<double>(file_bytes * values_per_byte)))) {
+      values > static_cast<double>(std::min(limit, std::max(claim.always, file_bytes * claim.per_byte)))) {
     throw InputError(fmt::format("\"{}\": {} x {} pixels with {} channels in {} bytes: damaged, or too large", path,
                                  width, height, channels, file_bytes));
   }
