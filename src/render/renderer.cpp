@@ -177,9 +177,6 @@ void Renderer::share_with(const Device& device, std::optional<std::uint64_t> loo
         fmt::format("several devices make one picture in the precisions robust and double; in {} each device has bits "
                     "of its own",
                     precision_name(settings.precision)));
-  if (state_->film_kind() == FilmKind::splats)
-    throw UsageError(
-        fmt::format("integrator {} renders on one device, and -d names several", state_->scene.integrator.name));
   settings.loop_turns = loop_turns;
   auto helper = std::make_unique<State>(device, state_->shared_scene, settings);
   helper->prepare();

@@ -173,6 +173,37 @@ TEST_CASE("a part of the samples") {
   check_same(one.render({}, goal), shared(shared_scene(), shared_settings()).render({}, goal));
 }
 
+TEST_CASE("paths from lights, which end in any row") {
+  require_pocl_and_rusticl();
+  for (const char* integrator : {"ptracer", "bdpt"}) {
+    INFO(integrator);
+    Scene scene = shared_scene();
+    scene.integrator.name = integrator;
+    RenderSettings settings;
+    settings.error_map = true;
+    Renderer one(Device::open("pocl"), scene, settings);
+    const RenderResult expected = one.render();
+    Renderer several = shared(scene, settings);
+    std::array<std::uint64_t, 2> parts{};
+    for (int i = 0; i < 2 || (i < 50 && parts[0] * parts[1] == 0); ++i) {
+      const RenderResult result = several.render();
+      check_same(expected, result);
+      for (std::size_t part = 0; part < parts.size(); ++part) parts[part] += result.stats.shares[part].samples;
+    }
+    CHECK(parts[0] * parts[1] > 0);
+    // Stopped, and gone on with by one.
+    std::optional<FilmState> last;
+    FilmKeeper keeper;
+    keeper.keep_last = [&](FilmState state) { last = std::move(state); };
+    int left = 3;
+    static_cast<void>(several.render([&](const Progress&) { return --left > 0; }, {}, &keeper));
+    FilmKeeper resuming;
+    resuming.begin_with = &*last;
+    check_same(expected, one.render({}, {}, &resuming));
+    check_same(expected, several.render({}, {}, &resuming));
+  }
+}
+
 TEST_CASE("what several devices do not do") {
   require_pocl_and_rusticl();
   Renderer stable(Device::open("pocl"), shared_scene(), shared_settings(Precision::stable));
