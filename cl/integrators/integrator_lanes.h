@@ -72,12 +72,22 @@ FN void surface_scatter_w(const Scene* scene, Paths_w* path, const Surfaces_w* s
     passed = passed | open;
     on = on & ~open;
   }
+  maskw reflects = none_w();
+#if HAS_PANE
+  if ((next & STEP_THROUGH) != 0) {
+    maskw clear = passes_panes_w(scene, path, s, &at, at_surface & on, wo, &reflects);
+    if (HAS_PRIORITY) pass_ranked_w(scene, path, s, clear, d);
+    passed = passed | clear;
+    on = on & ~clear;
+  }
+#endif
 #if HAS_MEDIA
   if ((next & STEP_THROUGH) != 0) on = on & lt_int_w(path->depth, splat_int_w(scene->index[HEADER_MAX_DEPTH] - 1));
 #endif
   if (HAS_STRICT_NORMALS) on = on_one_side_w(scene, s, on, wo);
   if (any_w(on)) {
     Bsdf_w b = bsdf_at_w(scene, s, &at, wo);
+    if (HAS_PANE) b.reflects = reflects;
     Crossing_w crossing;
     if (HAS_PRIORITY) {
       crossing = crossing_of_w(scene, &path->within, s, on & at_surface, &b);

@@ -13,6 +13,7 @@ typedef struct {
   realw p[BSDF_REALS];  ///< The material's parameters at the point, from constants or textures.
   Relief_w relief;      ///< Kept only with RELIEF.
   Coat_w coat;          ///< Kept only with COAT.
+  maskw reflects;       ///< Panes that do not let this path pass (media/panes_lanes.h). Kept only with PANE.
 } Bsdf_w;
 
 typedef struct {

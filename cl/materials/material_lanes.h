@@ -32,6 +32,7 @@ FN Bsdf_w bsdf_at_w(const Scene* scene, const Surfaces_w* s, const MaterialRows_
   b.out = out;
   for (int i = 0; i < BSDF_REALS; ++i) b.p[i] = splat_w(R(0.0));
   if (HAS_RELIEF) b.relief = at->relief;
+  if (HAS_PANE) b.reflects = none_w();
   if (HAS_COAT) {
     b.coat = at->coat;
     coat_view_w(&b.coat, &b.wo);

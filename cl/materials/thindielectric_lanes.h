@@ -5,6 +5,13 @@
 
 enum { THINDIELECTRIC_TRANSMITTANCE_w = 3, THINDIELECTRIC_ETA_w = 6 };
 
+/// The share that is reflected of light at that cosine. through: the share that goes through.
+FN realw pane_reflectance_w(realw cosine, realw eta, PRIVATE realw* through) {
+  realw one = splat_w(R(1.0)), once = fresnel_w(cosine, eta).reflectance;
+  *through = (one - once) / (one + once);
+  return splat_w(R(2.0)) * once / (one + once);
+}
+
 FN void thindielectric_load_w(const Scene* scene, const Surfaces_w* s, intw rows, maskw which, Bsdf_w* b) {
   for (int slot = 0; slot < 3; ++slot)
     put_bsdf_color_w(b, which, 3 * slot, parameter_at_w(scene, s, which, rows, slot));
@@ -21,10 +28,11 @@ FN BsdfSample_w thindielectric_sample_w(const Bsdf_w* b, int lobes, realw number
   (void)u;
   (void)v;
   BsdfSample_w s = no_way_w(b);
-  realw one = splat_w(R(1.0)), once = fresnel_w(abs_w(b->wo.z), b->p[THINDIELECTRIC_ETA_w]).reflectance;
-  realw reflectance = splat_w(R(2.0)) * once / (one + once), transmittance = (one - once) / (one + once);
+  realw one = splat_w(R(1.0)), transmittance;
+  realw reflectance = pane_reflectance_w(abs_w(b->wo.z), b->p[THINDIELECTRIC_ETA_w], &transmittance);
   int is_either = (lobes & LOBE_SIDES) == LOBE_SIDES;
   maskw is_reflected = lt_w(number, reflectance);
+  if (HAS_PANE) is_reflected = is_reflected | b->reflects;
   if (!is_either) is_reflected = (lobes & LOBE_REFLECT) != 0 ? ~none_w() : none_w();
   realw chance = sel_w(is_reflected, reflectance, transmittance);
   s.weight = sel3_w(is_reflected, bsdf_color_w(b, 0), bsdf_color_w(b, THINDIELECTRIC_TRANSMITTANCE_w));

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Visibility through media and through surfaces that let light pass as it came: the share of the light that arrives.
 // One width; no guard.
+#if HAS_PANE
+#include "media/panes_lanes.h"
+#endif
 
 /// What the media between the lanes' rays and their ends let through; s: the surfaces there, in the lanes of `hit`.
 FN real3w way_share_w(const Scene* scene, Way_w* way, const Surfaces_w* s, maskw hit) {
@@ -57,9 +60,22 @@ FN real3w seen_share_w(const Scene* scene, const Paths_w* path, const Surfaces_w
     share = mul3_w(share, way_share_w(scene, &way, &s, hit));
     if (!any_w(hit)) break;
     s.scatters = none_w();
-    MaterialRows_w at = rows_at_w(scene, &s, hit, negate3_w(scale3_w(one / length3_w(d), d)), splat_w(R(0.5)));
-    realw open = one - at.opacity;
-    share = sel3_w(hit, scale3_w(open, share), share);
+    real3w out = negate3_w(scale3_w(one / length3_w(d), d));
+    realw number = splat_w(R(0.5)), open;
+    if (HAS_PANE && HAS_BLEND) {
+      // Which part of a blend is met decides whether it is a pane.
+      const SampleState_w* sample = &way.path.sample;
+      number = random_between_w(random4_w(sample->pixel, sample->sample, way.path.draws, sample->seed).x);
+      way.path.draws = way.path.draws + uint_of_int_w(sel_int_w(hit, splat_int_w(1), splat_int_w(0)));
+    }
+    MaterialRows_w at = rows_at_w(scene, &s, hit, out, number);
+    open = one - at.opacity;
+    real3w lets = vec3_w(open, open, open);
+#if HAS_PANE
+    Pane_w pane = pane_at_w(scene, &s, &at, hit, out);
+    lets = add3_w(lets, scale3_w(at.opacity * pane.through, pane.tint));
+#endif
+    share = sel3_w(hit, mul3_w(lets, share), share);
     ahead = way.path.alive = hit & lt_w(zero, max3_w(share));
     if (!any_w(ahead)) break;
     if (HAS_PRIORITY) pass_ranked_w(scene, &way.path, &s, ahead, d);

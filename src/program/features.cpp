@@ -42,6 +42,11 @@ void call_for(Causes& causes, const std::string& name, const std::string& why, c
   if (causes.allow(name)) causes.first.try_emplace(name, Cause{why, where});
 }
 
+/// Panes are glass that is looked through, so they need both.
+bool allows_panes(const Causes& causes) {
+  return causes.allow("MEDIA") && causes.allow("materials/thindielectric") && causes.allow("PANE");
+}
+
 const Material& material_at(const Scene& scene, int index) {
   return scene.materials.at(static_cast<std::size_t>(index));
 }
@@ -77,6 +82,8 @@ void shape_causes(const Scene& scene, const RenderSettings& settings, Causes& ca
     if (facts.nested.empty()) call_for(causes, "materials/" + facts.kind, "material of type " + facts.kind, place);
     if (facts.nested.empty() && !causes.allow("materials/" + facts.kind))
       call_for(causes, "BLACK", "material of type " + facts.kind + ", which --disable leaves out", place);
+    if (integrator.goes_through && std::holds_alternative<ThinDielectric>(material.bsdf) && allows_panes(causes))
+      call_for(causes, "PANE", "material of type thindielectric, under integrator " + scene.integrator.name, place);
     for (const std::string& flag : facts.flags) call_for(causes, flag, "material of type " + facts.kind, place);
     if (facts.is_twosided) call_for(causes, "TWOSIDED", "a twosided material", place);
     if (integrator.follows == kinds::Follows::mirrors &&
@@ -250,7 +257,7 @@ Causes causes_of(const Scene& scene, const RenderSettings& settings) {
 
 /// Could a program of this integrator's kernel use it? Even --generic leaves the rest out.
 bool has_place(const kinds::IntegratorFacts& integrator, const std::string& name) {
-  if (name == (integrator.from_lights ? "MEDIA" : "LIGHT_PATHS")) return false;
+  if (integrator.from_lights ? name == "MEDIA" || name == "PANE" : name == "LIGHT_PATHS") return false;
   const std::vector<std::string>& entries = kinds::integrator_names();
   return std::none_of(entries.begin(), entries.end(), [&](const std::string& entry) {
     const kinds::IntegratorFacts& other = kinds::integrator(entry);
@@ -287,7 +294,7 @@ Features features_of(const Scene& scene, const RenderSettings& settings) {
   auto report = [&](const std::string& name, const std::string& purpose) {
     const auto cause = causes.first.find(name);
     FeatureReport row{name, cause != causes.first.end(), purpose, {}};
-    if (!causes.allow(name)) {
+    if (!causes.allow(name) || (name == "PANE" && !allows_panes(causes))) {
       row.why = "--disable";
     } else if (row.on) {
       row.why = cause->second.why;

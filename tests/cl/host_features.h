@@ -20,6 +20,11 @@
 #define HAS_RELIEF 1
 #define HAS_BRANCHES 1
 #define HAS_PRIORITY 1
+#if HAS_MEDIA
+#define HAS_PANE 1
+#else
+#define HAS_PANE 0
+#endif
 #define HAS_LIGHT_PATHS 1
 #define HAS_SMOOTH_NORMALS 1
 #define HAS_MESH_UVS 1

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// Panes of thin glass, for integrators that look through surfaces: the light that goes straight through them is no
+// event (as in Mitsuba's volpath). What a pane reflects is. Under a coat, or with a normal that a texture bends, it is
+// a material as any other. One width; no guard.
+
+typedef struct {
+  maskw which;    ///< Lanes that are at a pane.
+  realw through;  ///< The share of light that goes through, before its colour.
+  real3w tint;    ///< Its colour.
+} Pane_w;
+
+/// The panes among the lanes of `which`. out: unit, in the world.
+FN Pane_w pane_at_w(const Scene* scene, const Surfaces_w* s, const MaterialRows_w* at, maskw which, real3w out) {
+  Pane_w pane;
+  pane.which = which;
+  if (!ONLY_MATERIAL) {
+    intw kind = gather_int_w(scene->index + MATERIAL_KIND, at->rows);
+    pane.which = which & ~nonzero_w(kind - splat_int_w(MATERIAL_thindielectric));
+  }
+  if (HAS_RELIEF) pane.which = pane.which & ~at->relief.which;
+  if (HAS_COAT) pane.which = pane.which & ~at->coat.which;
+  pane.through = splat_w(R(0.0));
+  pane.tint = black_w();
+  if (!any_w(pane.which)) return pane;
+  realw eta = parameter_at_w(scene, s, pane.which, at->rows, THINDIELECTRIC_ETA_w / 3).x, through;
+  pane_reflectance_w(abs_w(dot3_w(out, at->normal)), eta, &through);
+  pane.through = sel_w(pane.which, through, pane.through);
+  pane.tint = parameter_at_w(scene, s, pane.which, at->rows, THINDIELECTRIC_TRANSMITTANCE_w / 3);
+  return pane;
+}
+
+/// Lanes of `which` that panes let pass. reflects: those that are at a pane and do not pass.
+FN maskw passes_panes_w(const Scene* scene, Paths_w* path, const Surfaces_w* s, const MaterialRows_w* at, maskw which,
+                        real3w out, PRIVATE maskw* reflects) {
+  Pane_w pane = pane_at_w(scene, s, at, which, out);
+  *reflects = none_w();
+  if (!any_w(pane.which)) return pane.which;
+  Random4_w numbers = random4_w(path->sample.pixel, path->sample.sample, path->draws, path->sample.seed);
+  path->draws = path->draws + uint_of_int_w(sel_int_w(pane.which, splat_int_w(1), splat_int_w(0)));
+  maskw passes = pane.which & lt_w(random_between_w(numbers.x), pane.through);
+  path->throughput = sel3_w(passes, mul3_w(path->throughput, pane.tint), path->throughput);
+  *reflects = pane.which & ~passes;
+  return passes;
+}
