@@ -5,8 +5,10 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <cstddef>
+#include <cstdlib>
 #include <numeric>
 #include <random>
+#include <string>
 #include <vector>
 
 namespace strahl::test {
@@ -14,6 +16,12 @@ namespace strahl::test {
 /// An odd multiple of 2^-24: exact in either precision, within (0, 1).
 [[nodiscard]] inline double unit_number(std::mt19937_64& engine) {
   return (static_cast<double>(engine() >> 41) + 0.5) * 0x1p-23;
+}
+
+/// How many draws a density is held to: STRAHL_DRAWS, else `usual`.
+[[nodiscard]] inline std::size_t draws_asked(std::size_t usual) {
+  const char* asked = std::getenv("STRAHL_DRAWS");
+  return asked == nullptr ? usual : static_cast<std::size_t>(std::stod(asked));
 }
 
 /// Compares counts with expected values: chi^2 over the bins that expect five or more, within six standard deviations.

@@ -92,7 +92,7 @@ TEST_CASE("every material has parameters here") {
 
 TEST_CASE("directions are drawn as densely as is said, and densities integrate to what is no delta lobe") {
   constexpr int rings = 8, sectors = 8, within = 12;
-  const std::vector<Triad> numbers = random_numbers(4000);
+  const std::vector<Triad> numbers = random_numbers(draws_asked(4000));
   for_each_case([&](const BsdfTier& tier, int kind, const BsdfEntry& entry, const MaterialRow& row, const Triad& wo) {
     // Narrow lobes, as refracted ones are: test_microfacets.cpp, test_principled.cpp.
     const bool is_narrow = row.spread < 0.3 || (row.spread < 1 && (entry.lobes & LOBE_TRANSMIT) != 0);

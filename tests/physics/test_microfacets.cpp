@@ -146,7 +146,7 @@ const std::vector<Rough>& roughs() {
 }
 
 TEST_CASE("narrow and grazing lobes are drawn as densely as is said, and their density integrates to 1") {
-  const std::vector<Triad> numbers = numbers_to_draw_by(10000);
+  const std::vector<Triad> numbers = numbers_to_draw_by(draws_asked(10000));
   for (const BsdfTier& tier : bsdf_tiers()) {
     if (tier.lanes == 1 || tier.lanes == 16) continue;
     for (const Rough& rough : roughs())
