@@ -27,10 +27,12 @@ target_sources(
          src/render/goal.h
          src/render/intersector.h
          src/render/renderer.h
+         src/settings/aov_list.h
          src/settings/sampling.h
          src/settings/settings.h
          src/render/stats.h
          src/packing/tree_stats.h
+         src/scene/model/aovs.h
          src/scene/model/build.h
          src/scene/loader.h
          src/scene/meshes/mesh_file.h

@@ -8,6 +8,7 @@
 
 #include "checkpoint/identity.h"
 #include "render/film_state.h"
+#include "scene/model/aovs.h"
 
 namespace strahl {
 
@@ -15,7 +16,8 @@ namespace strahl {
 struct CheckpointHeader {
   PictureIdentity identity;
   std::map<std::string, std::string> metadata;  ///< Of the picture that it becomes.
-  std::vector<std::string> aovs;                ///< By their names.
+  std::vector<std::string> aovs;                ///< By strahl's names.
+  std::vector<NamedAov> named_aovs;             ///< Those that the scene has named.
   bool is_length = false;                       ///< The picture's values are distances.
   int spp = 0;                                  ///< Samples of the whole picture; 0: an open goal.
   int least = 0, most = 0;                      ///< Samples of a pixel in the film.

@@ -16,6 +16,7 @@
 #include "image/file_bytes.h"
 #include "packing/cl_layout.h"
 #include "settings/sampling.h"
+#include "settings/settings.h"
 
 namespace strahl {
 namespace {
@@ -40,10 +41,13 @@ std::string json_of(const Checkpoint& checkpoint) {
   const UploadFrame& frame = state.frame;
   Json identity = Json::array();
   for (const IdentityPart& part : header.identity.parts) identity.push_back({part.name, part.value, part.note});
+  Json named_aovs = Json::array();
+  for (const NamedAov& named : header.named_aovs) named_aovs.push_back(Json::array({named.name, aov_name(named.aov)}));
   const Json json = {
       {"identity", identity},
       {"metadata", header.metadata},
       {"aovs", header.aovs},
+      {"named_aovs", named_aovs},
       {"is_length", header.is_length},
       {"spp", header.spp},
       {"least", header.least},
@@ -203,6 +207,8 @@ Head head_of(const Json& json) {
         {part.at(0).get<std::string>(), part.at(1).get<std::string>(), part.at(2).get<std::string>()});
   head.header.metadata = json.at("metadata").get<std::map<std::string, std::string>>();
   head.header.aovs = json.at("aovs").get<std::vector<std::string>>();
+  for (const Json& named : json.value("named_aovs", Json::array()))
+    head.header.named_aovs.push_back({named.at(0).get<std::string>(), aov_from_name(named.at(1).get<std::string>())});
   head.header.is_length = json.at("is_length").get<bool>();
   head.header.spp = number(json.at("spp"), 0, max_spp);
   head.header.least = number(json.at("least"), 0, max_spp);
@@ -220,6 +226,8 @@ Head head_of(const Json& json) {
   head.header.first_sample = number(film.at("first_sample"), 0, max_spp);
   head.unit = film.at("unit").get<double>();
   head.has_aovs = json.at("has_aovs").get<bool>();
+  if (!head.has_aovs && !(head.header.aovs.empty() && head.header.named_aovs.empty()))
+    throw std::out_of_range("it names AOVs and has none");
   head.position.done = number(json.at("position").at("done"), 0, max_spp);
   head.position.check_at = number(json.at("position").at("check_at"), 0, max_spp);
   const Json& unusual = json.at("unusual");
@@ -248,6 +256,8 @@ Head read_head(Reader& in) {
   } catch (const Json::exception& fault) {
     in.fail(fault.what());
   } catch (const std::out_of_range& fault) {
+    in.fail(fault.what());
+  } catch (const UsageError& fault) {  // The name of an AOV.
     in.fail(fault.what());
   }
   const std::uint64_t expected = fixed + header_size + head->array_bytes();

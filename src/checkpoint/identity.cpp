@@ -47,7 +47,7 @@ std::string sorted_list(std::vector<std::string> values) {
 
 std::string aov_list(const RenderSettings& settings) {
   std::vector<std::string> names;
-  for (const Aov aov : settings.aovs) names.emplace_back(aov_name(aov));
+  for (const Aov aov : settings.aovs.plain()) names.emplace_back(aov_name(aov));
   return sorted_list(names);
 }
 

@@ -11,12 +11,12 @@ RenderResult picture_of(const Checkpoint& checkpoint) {
   const FilmState& state = checkpoint.state;
   RenderResult result;
   result.color = state.film.mean();
-  result.aov.channels.clear();
   std::set<Aov> aovs;
   for (const std::string& name : checkpoint.header.aovs) aovs.insert(aov_from_name(name));
   aovs.erase(Aov::numeric_error);
-  if (!aovs.empty())
-    result.aov = aov_image(state.film.width, state.film.height, aovs, state.aov_reals, state.aov_ints, state.frame);
+  const FirstSampleValues values{state.film.width, state.film.height, state.aov_reals, state.aov_ints, state.frame};
+  result.aov = aov_image(values, aovs);
+  result.named_aov = aov_image(values, checkpoint.header.named_aovs);
   return result;
 }
 

@@ -23,8 +23,8 @@
 #include "program/features.h"
 #include "program/path_lanes.h"
 #include "program/program_text.h"
+#include "render/shown_scene.h"
 #include "render/traversal_choice.h"
-#include "scene/empty_media.h"
 #include "scene/integrator_advice.h"
 #include "study/effect_costs.h"
 #include "study/integrator_costs.h"
@@ -214,7 +214,7 @@ ExitCode explain(const ExplainOptions& options) {
   apply(options.overrides, scene);
   all.advice = integrator_advice(scene);
   if (is_asked("integrators")) all.integrators = integrators_of(options, scene, all.settings);
-  if (all.settings.aovs.empty()) leave_out_empty_media(scene);
+  scene = shown_scene(std::move(scene), all.settings);
   all.features = features_of(scene, all.settings);
   all.lanes = lanes_for(options, all.settings);
   const int paths = path_lanes(all.features, all.settings, all.lanes.count);

@@ -16,6 +16,7 @@
 #include "cli/output_file.h"
 #include "cli/picture_files.h"
 #include "cli/picture_metadata.h"
+#include "cli/scene_aovs.h"
 
 namespace strahl::cli {
 namespace {
@@ -61,6 +62,8 @@ RenderResult result_of(const Checkpoint& sum) {
 
 void write_picture(const MergeOptions& options, const Checkpoint& sum, const Invocation& invocation) {
   const RenderResult result = result_of(sum);
+  if (!sum.header.named_aovs.empty() && image_format(options.output) != ImageFormat::exr && !options.quiet)
+    say_unwritten(sum.header.named_aovs, options.output);
   std::map<std::string, std::string> metadata = sum.header.metadata;
   metadata["command"] = invocation.command_line;
   metadata["spp"] = std::to_string(sum.header.most);

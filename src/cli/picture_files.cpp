@@ -68,7 +68,8 @@ Written write(const PictureFiles& files, const RenderResult& result, const std::
   const ImageFormat format = image_format(files.path);
   Image color = result.color;
   color.metadata = metadata;
-  if (format == ImageFormat::exr) return write_color(files, merged(color, result.aov), false, quiet);
+  if (format == ImageFormat::exr)
+    return write_color(files, merged(merged(color, result.aov), result.named_aov), false, quiet);
   const Written written = write_color(files, std::move(color), format == ImageFormat::png, quiet);
   if (result.aov.data.empty()) return written;
   for (const std::string& name : layers(result.aov)) {

@@ -21,6 +21,7 @@
 #include "cli/render_files.h"
 #include "cli/render_frames.h"
 #include "cli/render_goal.h"
+#include "cli/scene_aovs.h"
 #include "cli/shared_devices.h"
 #include "cli/summary.h"
 #include "cli/watchdog.h"
@@ -125,13 +126,12 @@ void say_summary(const RenderOptions& options, const std::string& picture, const
 constexpr double checkpoint_rate = 1e8;
 
 /// What writing the pictures may take; 0 where no deadline wants to know.
-double end_seconds(const RenderOptions& options, const PictureFiles& files, const Window& window) {
+double end_seconds(const RenderOptions& options, const PictureFiles& files, const Window& window, const AovList& aovs) {
   if (!options.goal.time) return 0;
   const double pixels = static_cast<double>(window.width()) * window.height();
   // The film, and three pictures of floats.
   double seconds = expected_exit_seconds(pixels * (96 + 36));
-  if (!files.path.empty())
-    seconds += expected_write_seconds(files.path, files.png, pixels, 3 * (1 + options.kernel.aovs.size()));
+  if (!files.path.empty()) seconds += expected_write_seconds(files.path, files.png, pixels, 3 * (1 + aovs.size()));
   if (!options.error_map.empty()) seconds += expected_write_seconds(options.error_map, {}, pixels, 3);
   if (!options.keep.target().empty()) seconds += 0.02 + pixels * 196 / checkpoint_rate;
   return seconds;
@@ -183,7 +183,8 @@ CheckpointHeader checkpoint_header(const RenderOptions& options, const Invocatio
                                    const Renderer& renderer, const RenderSettings& settings, const RenderGoal& goal) {
   CheckpointHeader header;
   header.metadata = metadata_of(options, invocation, renderer.stats());
-  for (const Aov aov : settings.aovs) header.aovs.emplace_back(aov_name(aov));
+  for (const Aov aov : settings.aovs.plain()) header.aovs.emplace_back(aov_name(aov));
+  header.named_aovs = settings.aovs.named();
   header.is_length = kinds::integrator(renderer.scene().integrator.name).is_length;
   if (goal.samples) header.first_sample = goal.samples->first;
   if (options.keep.target().empty()) return header;
@@ -212,6 +213,7 @@ ExitCode render(const RenderOptions& options, const Invocation& invocation) {
     require_writable(files);
   }
   require_distinct_files(options, files.path, scene.files);
+  add_scene_aovs(scene, options, files.path, settings.aovs);
 
   std::optional<ProgressBar> bar;
   bar.emplace(options.goal.dry_run ? "dry run" : "render", !options.scene.quiet && !options.scene.no_progress);
@@ -234,7 +236,7 @@ ExitCode render(const RenderOptions& options, const Invocation& invocation) {
     bar.reset();
     return render_frames(renderer, options, files, sampling.seed, guard);
   }
-  const double end = end_seconds(options, files, window);
+  const double end = end_seconds(options, files, window, settings.aovs);
   if (options.goal.dry_run) return dry_run(renderer, options, invocation, {canary.seconds, end, sampling.spp});
   const RenderGoal goal = goal_of(options, invocation, end);
   PictureKeeper keeper(options.keep, files, checkpoint_header(options, invocation, device, renderer, settings, goal),

@@ -68,6 +68,13 @@ bool use_light_texture(const Scene& scene, int index, Causes& causes) {
   return true;
 }
 
+void aov_causes(const Scene& scene, const AovList& aovs, Causes& causes) {
+  if (!aovs.plain().empty()) call_for(causes, "AOV", "--aov", {});
+  if (!aovs.empty()) call_for(causes, "AOV", "integrator aov", scene.integrator.aovs_where);
+  if (aovs.plain().contains(Aov::albedo)) call_for(causes, "ALBEDO", "--aov albedo", {});
+  if (aovs.contains(Aov::albedo)) call_for(causes, "ALBEDO", "integrator aov, albedo", scene.integrator.aovs_where);
+}
+
 void shape_causes(const Scene& scene, const RenderSettings& settings, Causes& causes) {
   const kinds::IntegratorFacts& integrator = kinds::integrator(scene.integrator.name);
   const bool lit = integrator.shows_emission;
@@ -126,7 +133,10 @@ void shape_causes(const Scene& scene, const RenderSettings& settings, Causes& ca
     if (mesh && shading && !mesh->normals.empty())
       call_for(causes, "SMOOTH_NORMALS", "a mesh with vertex normals", shape.where);
     if (mesh && settings.aovs.contains(Aov::uv) && !mesh->uvs.empty())
-      call_for(causes, "MESH_UVS", "a mesh with texture coordinates, for --aov uv", shape.where);
+      call_for(causes, "MESH_UVS",
+               std::string("a mesh with texture coordinates, for ") +
+                   (settings.aovs.plain().contains(Aov::uv) ? "--aov uv" : "integrator aov"),
+               shape.where);
     auto emit = [&](const SourceLocation& where, const std::string& light) {
       const std::string area = area_kind(shape.geometry);
       if (!reflects || area.empty() || !causes.allow("areas/" + area) || !causes.allow("lights/" + light)) return;
@@ -247,8 +257,7 @@ Causes causes_of(const Scene& scene, const RenderSettings& settings) {
   if (facts.asks_openness) call_for(causes, "OPENNESS", "integrator ao", scene.integrator.where);
   if (settings.texture_lod && causes.contains("textures/bitmap"))
     call_for(causes, "TEXTURE_LOD", "--texture-lod, and a bitmap", {});
-  if (!settings.aovs.empty()) call_for(causes, "AOV", "--aov", {});
-  if (settings.aovs.contains(Aov::albedo)) call_for(causes, "ALBEDO", "--aov albedo", {});
+  aov_causes(scene, settings.aovs, causes);
   if (settings.estimate_error) call_for(causes, "ERROR_SUMS", "the estimate of the picture's error", {});
   if (settings.count_rays) call_for(causes, "COUNT_RAYS", "--stats-detail", {});
   if (settings.loop_turns) call_for(causes, "LOOP_LIMIT", "a device that ends long loops", {});
@@ -303,6 +312,9 @@ Features features_of(const Scene& scene, const RenderSettings& settings) {
                has_place(kinds::integrator(scene.integrator.name), name)) {
       row.on = true;
       row.why = "--generic";
+    } else if (name == "AOV" && !scene.integrator.aovs.empty()) {
+      row.why = "integrator aov calls for it where an .exr is written";
+      row.where = scene.integrator.aovs_where;
     }
     features.report.push_back(row);
     return row.on;

@@ -16,7 +16,7 @@ struct FeatureReport {
   std::string name;  ///< "shapes/sphere" for an entry of a list, "AOV" for a flag of features.def.
   bool on = false;
   std::string why;       ///< "shape of type sphere", or what the flag is for.
-  SourceLocation where;  ///< The element (or option) that called for it; empty where off or a default.
+  SourceLocation where;  ///< The element that called for it, or would where another file is written; else empty.
 };
 
 struct Features {

@@ -6,7 +6,7 @@
 namespace strahl {
 namespace {
 
-/// A channel: its name and where its value stands.
+/// A channel: strahl's own name and where its value stands.
 struct AovChannel {
   Aov aov;
   const char* name;
@@ -32,6 +32,39 @@ constexpr AovChannel known_channels[] = {
     {Aov::primitive_id, "primitive_id.I", layout::AOV_PRIMITIVE, true},
 };
 
+/// A channel of an image: its own name, and the value.
+struct Column {
+  std::string name;
+  const AovChannel* channel;
+};
+
+Image image_of(const FirstSampleValues& values, const std::vector<Column>& columns) {
+  Image image;
+  image.channels.clear();
+  if (columns.empty()) return image;
+  image.width = values.width;
+  image.height = values.height;
+  for (const Column& column : columns) image.channels.push_back(column.name);
+  const std::size_t pixels = static_cast<std::size_t>(values.width) * static_cast<std::size_t>(values.height);
+  image.data.reserve(pixels * columns.size());
+  const UploadFrame& frame = values.frame;
+  const double origin[] = {frame.origin.x, frame.origin.y, frame.origin.z};
+  for (std::size_t pixel = 0; pixel < pixels; ++pixel) {
+    const double* real = &values.reals[pixel * layout::AOV_REALS];
+    const std::int32_t* integer = &values.ints[pixel * layout::AOV_INTS];
+    const bool hit = integer[layout::AOV_SHAPE] >= 0;
+    for (const Column& column : columns) {
+      const AovChannel& channel = *column.channel;
+      double value = channel.integer ? integer[channel.at] : real[channel.at];
+      if (channel.aov == Aov::position || channel.aov == Aov::depth) value /= frame.scale;
+      if (channel.aov == Aov::position && hit) value += origin[channel.at - layout::AOV_POSITION];
+      // -0 becomes 0: some devices' fma (Mesa's software fma) loses the sign of a zero sum.
+      image.data.push_back(static_cast<float>(value + 0.0));
+    }
+  }
+  return image;
+}
+
 }  // namespace
 
 std::vector<std::string> aov_channels(const std::set<Aov>& aovs) {
@@ -41,29 +74,22 @@ std::vector<std::string> aov_channels(const std::set<Aov>& aovs) {
   return names;
 }
 
-Image aov_image(int width, int height, const std::set<Aov>& aovs, const std::vector<double>& reals,
-                const std::vector<std::int32_t>& ints, const UploadFrame& frame) {
-  Image image;
-  image.width = width;
-  image.height = height;
-  image.channels = aov_channels(aovs);
-  const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-  image.data.reserve(pixels * image.channels.size());
-  const double origin[] = {frame.origin.x, frame.origin.y, frame.origin.z};
-  for (std::size_t pixel = 0; pixel < pixels; ++pixel) {
-    const double* real = &reals[pixel * layout::AOV_REALS];
-    const std::int32_t* integer = &ints[pixel * layout::AOV_INTS];
-    const bool hit = integer[layout::AOV_SHAPE] >= 0;
-    for (const AovChannel& channel : known_channels) {
-      if (!aovs.contains(channel.aov)) continue;
-      double value = channel.integer ? integer[channel.at] : real[channel.at];
-      if (channel.aov == Aov::position || channel.aov == Aov::depth) value /= frame.scale;
-      if (channel.aov == Aov::position && hit) value += origin[channel.at - layout::AOV_POSITION];
-      // -0 becomes 0: some devices' fma (Mesa's software fma) loses the sign of a zero sum.
-      image.data.push_back(static_cast<float>(value + 0.0));
-    }
+Image aov_image(const FirstSampleValues& values, const std::set<Aov>& aovs) {
+  std::vector<Column> columns;
+  for (const AovChannel& channel : known_channels)
+    if (aovs.contains(channel.aov)) columns.push_back({channel.name, &channel});
+  return image_of(values, columns);
+}
+
+Image aov_image(const FirstSampleValues& values, const std::vector<NamedAov>& aovs) {
+  std::vector<Column> columns;
+  for (const NamedAov& named : aovs) {
+    const std::vector<std::string> names = channels_of(named);
+    auto name = names.begin();
+    for (const AovChannel& channel : known_channels)
+      if (channel.aov == named.aov) columns.push_back({*name++, &channel});
   }
-  return image;
+  return image_of(values, columns);
 }
 
 }  // namespace strahl

@@ -4,11 +4,12 @@
 
 #include <cstdint>
 #include <set>
+#include <string>
 #include <vector>
 
 #include "image/image.h"
 #include "kinds/upload_frame.h"
-#include "settings/settings.h"
+#include "scene/model/aovs.h"
 
 namespace strahl {
 
@@ -16,9 +17,19 @@ namespace strahl {
 /// "numeric_error.ULP".
 [[nodiscard]] std::vector<std::string> aov_channels(const std::set<Aov>& aovs);
 
-/// Raw values as cl/scene/layout.h orders them (AOV_REALS and AOV_INTS a pixel); positions and depths return to the
-/// world frame. With numeric_error, t has given way to its error (numeric_error.h).
-[[nodiscard]] Image aov_image(int width, int height, const std::set<Aov>& aovs, const std::vector<double>& reals,
-                              const std::vector<std::int32_t>& ints, const UploadFrame& frame);
+/// Raw values as cl/scene/layout.h orders them (AOV_REALS and AOV_INTS a pixel), in the frame of the upload. With
+/// numeric_error, t has given way to its error (numeric_error.h).
+struct FirstSampleValues {
+  int width = 0, height = 0;
+  const std::vector<double>& reals;
+  const std::vector<std::int32_t>& ints;
+  UploadFrame frame;
+};
+
+/// The channels of aov_channels(); positions and depths return to the world frame. No channels without AOVs, of which
+/// there may then be no values.
+[[nodiscard]] Image aov_image(const FirstSampleValues& values, const std::set<Aov>& aovs);
+/// The same under a scene's names: channels_of() each.
+[[nodiscard]] Image aov_image(const FirstSampleValues& values, const std::vector<NamedAov>& aovs);
 
 }  // namespace strahl

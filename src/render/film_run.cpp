@@ -299,10 +299,9 @@ RenderResult FilmRun::run() {
   if (state_.settings.aovs.contains(Aov::numeric_error))
     replace_t_by_its_error(living_device().device, state_.scene, state_.frame(), living_device().settings, aov_reals_,
                            aov_ints_);
-  if (!state_.settings.aovs.empty())
-    result_.aov = aov_image(width_, height_, state_.settings.aovs, aov_reals_, aov_ints_, state_.frame());
-  else
-    result_.aov.channels.clear();
+  const FirstSampleValues values{width_, height_, aov_reals_, aov_ints_, state_.frame()};
+  result_.aov = aov_image(values, state_.settings.aovs.plain());
+  result_.named_aov = aov_image(values, state_.settings.aovs.named());
   run.seconds.readback += convert.seconds();
   return std::move(result_);
 }

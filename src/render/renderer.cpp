@@ -12,7 +12,7 @@
 #include "program/path_lanes.h"
 #include "render/light_paths.h"
 #include "render/renderer_state.h"
-#include "scene/empty_media.h"
+#include "render/shown_scene.h"
 #include "scene/validate.h"
 #include "stopwatch.h"
 
@@ -155,15 +155,12 @@ void Renderer::State::warm_up() {
 
 namespace {
 
-std::shared_ptr<const Scene> shown_scene(Scene scene, const RenderSettings& settings) {
-  if (settings.aovs.empty()) leave_out_empty_media(scene);
-  return std::make_shared<const Scene>(std::move(scene));
-}
+std::shared_ptr<const Scene> shared(Scene scene) { return std::make_shared<const Scene>(std::move(scene)); }
 
 }  // namespace
 
 Renderer::Renderer(const Device& device, Scene scene, const RenderSettings& settings)
-    : state_(std::make_unique<State>(device, shown_scene(std::move(scene), settings), settings)) {
+    : state_(std::make_unique<State>(device, shared(shown_scene(std::move(scene), settings)), settings)) {
   state_->prepare();
 }
 Renderer::~Renderer() = default;
@@ -199,7 +196,7 @@ std::string Renderer::division_text(const RenderGoal& goal) const {
 std::string Renderer::program_text() const { return completed_for(state_->device, state_->source).text; }
 
 bool Renderer::is_program_cached(const Device& device, const Scene& scene, const RenderSettings& settings) {
-  State state(device, shown_scene(scene, settings), settings);
+  State state(device, shared(shown_scene(scene, settings)), settings);
   static_cast<void>(state.choose_program());
   return strahl::is_program_cached(device, state.source);
 }

@@ -27,8 +27,9 @@ struct Progress {
 using ProgressCallback = std::function<bool(const Progress&)>;
 
 struct RenderResult {
-  Image color;  ///< R, G, B, linear, size of the crop window. A pixel without samples (interrupted) is black.
-  Image aov;    ///< Layered channels ("depth.Z", "normal.X", ...); no channels where no AOV was asked for.
+  Image color;      ///< R, G, B, linear, size of the crop window. A pixel without samples (interrupted) is black.
+  Image aov;        ///< Layered channels ("depth.Z", "normal.X", ...); no channels where no AOV was asked for.
+  Image named_aov;  ///< Those that the scene has named (AovList::named()), in layers of these names.
   /// R, G, B of each pixel's standard error, NaN where it is not known; no channels unless asked for.
   Image standard_error;
   /// Of `color`; none where a pixel has too few samples, a sample was infinite or no number (RunStats), or nobody wants

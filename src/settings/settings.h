@@ -7,6 +7,8 @@
 #include <set>
 #include <string>
 
+#include "settings/aov_list.h"
+
 namespace strahl {
 
 /// Kernel variants of one source (docs/numerics.md). fast: the textbook's forms, world frame, relaxed maths. stable:
@@ -21,10 +23,6 @@ enum class Precision { fast, stable, robust, fp64 };
 /// and double.
 enum class Acceleration { automatic, list, tree };
 
-/// Values of the first sample of each pixel, beside the picture.
-/// numeric_error: how far the hit's t is off, in ulps of float (render/numeric_error.h).
-enum class Aov { depth, normal, position, uv, shape_id, primitive_id, numeric_error, albedo };
-
 [[nodiscard]] Aov aov_from_name(const std::string& name);  ///< Throws UsageError that lists the names.
 [[nodiscard]] const char* aov_name(Aov aov);
 
@@ -36,7 +34,7 @@ struct WorkGroup {
 
 struct RenderSettings {
   Precision precision = Precision::robust;
-  std::set<Aov> aovs;
+  AovList aovs;
   bool generic = false;  ///< Every entry and flag in the program; the same picture, slower.
   /// Effects to leave out, as FeatureReport names them, though the scene calls for them (program/disabled.h).
   std::set<std::string> disabled;

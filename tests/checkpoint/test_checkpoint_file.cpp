@@ -25,6 +25,7 @@ Checkpoint small_checkpoint(int first_sample = 3) {
   checkpoint.header.identity.parts = {{"the seed", "7", ""}, {"a file", "abc", " (\xff name)"}};
   checkpoint.header.metadata = {{"scene", "s.xml"}};
   checkpoint.header.aovs = {"depth"};
+  checkpoint.header.named_aovs = {{"dd.y", Aov::depth}, {"nn", Aov::normal}};
   checkpoint.header.spp = 64;
   checkpoint.state.aov_reals.assign(6 * layout::AOV_REALS, 1 / 3.0);
   checkpoint.state.aov_ints.assign(6 * layout::AOV_INTS, -1);
@@ -45,6 +46,8 @@ TEST_CASE("it comes back to the bit") {
   CHECK(in.state.film.first_sample == 3);
   CHECK(in.state.film.unit == out.state.film.unit);
   CHECK(in.state.film.sums.turn_bits == 1);
+  CHECK(in.header.aovs == out.header.aovs);
+  CHECK(in.header.named_aovs == out.header.named_aovs);
   CHECK(in.state.aov_reals == out.state.aov_reals);
   CHECK(in.state.aov_ints == out.state.aov_ints);
   CHECK(in.state.unusual == out.state.unusual);
@@ -85,6 +88,13 @@ TEST_CASE("without AOVs, too") {
   Checkpoint out = small_checkpoint();
   out.state.aov_reals.clear();
   out.state.aov_ints.clear();
+  // No program writes names of what is not there.
+  write_checkpoint(folder / "plain", out);
+  CHECK_THROWS_WITH(read_checkpoint(folder / "plain"), Contains("names AOVs and has none"));
+  out.header.aovs.clear();
+  write_checkpoint(folder / "named", out);
+  CHECK_THROWS_WITH(read_checkpoint(folder / "named"), Contains("names AOVs and has none"));
+  out.header.named_aovs.clear();
   write_checkpoint(folder / "c", out);
   CHECK(read_checkpoint(folder / "c").state.film.words == out.state.film.words);
 }

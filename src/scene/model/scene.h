@@ -16,6 +16,7 @@
 
 #include "errors.h"
 #include "image/texels.h"
+#include "scene/model/aovs.h"
 #include "scene/model/materials.h"
 #include "scene/model/media.h"
 #include "scene/model/vec.h"
@@ -327,6 +328,10 @@ struct IntegratorSettings {
   double max_distance = std::numeric_limits<double>::infinity();  ///< How far ao looks, > 0.
   std::string why;  ///< Why "auto" chose it (auto_integrator.h); empty: it was named.
   SourceLocation where;
+  /// To be written beside the picture; no two have a channel in common. Whoever renders the scene decides whether its
+  /// file holds them (RenderSettings::aovs).
+  std::vector<NamedAov> aovs;
+  SourceLocation aovs_where;
 };
 
 struct Scene {

@@ -38,15 +38,15 @@ IntegratorSettings read_integrator(const XmlElement& element, SceneBuilder& buil
   Properties properties(element, builder.ids, builder.diagnostics);
   // Mitsuba's name and its alias.
   const std::string_view type = properties.type() == "particle" ? "ptracer" : properties.type();
+  if (is_around_another(type) && !builder.integrators_being_read.insert(&element).second) {
+    builder.diagnostics.error(element.where, fmt::format("{} contains itself", properties.title()));
+    return {};
+  }
+  if (type == "aov") return read_aov(properties, builder);
   const std::vector<const XmlElement*> inside = properties.objects("integrator");
   if (is_around_another(type) && !inside.empty()) {
-    if (!builder.integrators_being_read.insert(&element).second) {
-      builder.diagnostics.error(element.where, fmt::format("{} contains itself", properties.title()));
-      return {};
-    }
     builder.diagnostics.unknown(element.where,
-                                fmt::format("integrator \"{}\" is not supported yet; the one inside it renders{}", type,
-                                            type == "aov" ? ", and --aov names what is written beside it" : ""));
+                                fmt::format("integrator \"{}\" is not supported yet; the one inside it renders", type));
     return read_integrator(*inside.front(), builder);
   }
   IntegratorSettings integrator;

@@ -17,5 +17,7 @@ void read_sensor(const XmlElement& element, SceneBuilder& builder);
 [[nodiscard]] Filter read_filter(const XmlElement& element, SceneBuilder& builder);
 [[nodiscard]] SamplerSettings read_sampler(const XmlElement& element, SceneBuilder& builder);
 [[nodiscard]] IntegratorSettings read_integrator(const XmlElement& element, SceneBuilder& builder);
+/// Integrator `aov`: the one inside it, with what is written beside its picture.
+[[nodiscard]] IntegratorSettings read_aov(Properties& properties, SceneBuilder& builder);
 
 }  // namespace strahl
