@@ -44,7 +44,12 @@ std::vector<std::pair<std::string, Features>> singles(Precision precision) {
     Features& features = sets.back().second;
     features.flags[i].second = true;
     // Its files are those of the list's entries; a program has both or neither.
-    if (name == "MEDIA") features.entries["media"] = every(true).entries["media"];
+    if (name == "MEDIA" || name == "PANE") features.entries["media"] = every(true).entries["media"];
+    // Panes are a material's, and media look through them.
+    if (name == "PANE") {
+      features.entries["materials"] = {"thindielectric"};
+      for (auto& [flag, on] : features.flags) on = on || flag == "MEDIA";
+    }
   }
   return sets;
 }
