@@ -7,8 +7,9 @@ import struct
 
 
 def write_ply(path, vertices, faces):
-    """vertices: (x, y, z) each, or (x, y, z, nx, ny, nz) for a mesh with normals; faces: three indices each."""
-    names = ("x", "y", "z", "nx", "ny", "nz")[:len(vertices[0])]
+    """vertices: (x, y, z) each, or with normals nx, ny, nz, or with texture coordinates u, v behind these; faces: three
+    indices each."""
+    names = ("x", "y", "z", "nx", "ny", "nz", "u", "v")[:len(vertices[0])]
     with open(path, "wb") as file:
         header = ["ply", "format binary_little_endian 1.0", f"element vertex {len(vertices)}"]
         header += [f"property float {name}" for name in names]
@@ -40,8 +41,9 @@ def cross(a, b):
     return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
 
 
-def knot(triangles, thickness=0.35):
-    """A (2, 3) torus knot within a ball of radius 1 around the origin, with normals that point outwards."""
+def knot(triangles, thickness=0.35, has_uvs=False):
+    """A (2, 3) torus knot within a ball of radius 1 around the origin, with normals that point outwards; u along it, v
+    around it."""
     rows = max(6, round(math.sqrt(triangles / 12.5)))
     columns = max(24, round(triangles / (2 * rows)))
     size = 3 + thickness
@@ -60,7 +62,8 @@ def knot(triangles, thickness=0.35):
         for j in range(rows):
             c, s = math.cos(2 * math.pi * j / rows), math.sin(2 * math.pi * j / rows)
             normal = tuple(c * a + s * b for a, b in zip(other, side))
-            vertices.append(tuple((p + thickness * n) / size for p, n in zip(here, normal)) + normal)
+            uv = (i / columns, j / rows) if has_uvs else ()
+            vertices.append(tuple((p + thickness * n) / size for p, n in zip(here, normal)) + normal + uv)
     return vertices, [(a, c, b) for a, b, c in grid_faces(columns, rows, True)]
 
 
