@@ -67,16 +67,13 @@ FN Surfaces_w find_surfaces_w(const Scene* scene, Paths_w* path, int want, const
   widen_w(scene, &path->rays);
   NearestEach_w each = packet_traverse_w(scene, &path->rays, want);
   s.hit = path->alive & ~lt_int_w(each.kind, splat_int_w(0));
-  maskw single = path->alive;
-  if (HAS_TANGENT + HAS_RELIEF == 0) {
-    realw travelled = path->travelled;
-    maskw is_plain = plain_surfaces_w(scene, path, &each, &s);
-    if (HAS_AOV) {  // Surfaces that are reported are computed whole.
-      is_plain = is_plain & ~nonzero_w(int_of_uint_w(splat_uint_w(first->lanes) >> lane_numbers_w() & 1u));
-      if (TEXTURE_COUNT > 0) path->travelled = sel_w(is_plain, path->travelled, travelled);
-    }
-    single = single & ~is_plain;
+  realw travelled = path->travelled;
+  maskw is_plain = plain_surfaces_w(scene, path, &each, &s);
+  if (HAS_AOV) {  // Surfaces that are reported are computed whole.
+    is_plain = is_plain & ~nonzero_w(int_of_uint_w(splat_uint_w(first->lanes) >> lane_numbers_w() & 1u));
+    if (TEXTURE_COUNT > 0) path->travelled = sel_w(is_plain, path->travelled, travelled);
   }
+  maskw single = path->alive & ~is_plain;
   for (uint lanes = bits_w(single); lanes != 0u; lanes &= lanes - 1u) {
     int lane = first_bit(lanes);
     Ray ray = ray_of_w(&path->rays, lane);

@@ -2,6 +2,7 @@
 // Surfaces in lanes, for the kinds and cases that have a body: surface_at of shapes/shape.h, operation by operation.
 // One width; no guard.
 #include "hits/surface_hits_lanes.h"
+#include "hits/surface_tangents_lanes.h"
 #include "textures/footprint_lanes.h"
 #include "shapes/polygon/flat_surfaces_lanes.h"
 #include "shapes/sphere/sphere_surfaces_lanes.h"
@@ -67,19 +68,22 @@ FN void texture_each_w(const Scene* scene, Paths_w* path, const SurfaceHits_w* h
 FN maskw plain_surfaces_w(const Scene* scene, Paths_w* path, const NearestEach_w* each, Surfaces_w* s) {
   SurfaceHits_w hits = surface_hits_w(scene, &path->rays, each, s->hit);
   HitParameters_w at;
-  maskw plain = none_w();
+  maskw plain, flat = none_w(), round = none_w();
   at.u = at.v = splat_w(R(0.0));
+  at.edge_u = at.edge_v = hits.o;
   (void)hits;  // A scene without shapes.
-#define SHAPE(name, planes)                                                         \
-  if (PACKET_BODY_##name##_w == PACKET_BODY_TRIANGLE)                               \
-    plain = plain | flat_surfaces_w(scene, &hits, s->hit, SHAPE_##name, 3, s, &at); \
-  else if (PACKET_BODY_##name##_w == PACKET_BODY_PARALLELOGRAM)                     \
-    plain = plain | flat_surfaces_w(scene, &hits, s->hit, SHAPE_##name, 4, s, &at); \
-  else if (PACKET_BODY_##name##_w == PACKET_BODY_SPHERE)                            \
-    plain = plain | sphere_surfaces_w(scene, &hits, s->hit, SHAPE_##name, planes, s);
+#define SHAPE(name, planes)                                                       \
+  if (PACKET_BODY_##name##_w == PACKET_BODY_TRIANGLE)                             \
+    flat = flat | flat_surfaces_w(scene, &hits, s->hit, SHAPE_##name, 3, s, &at); \
+  else if (PACKET_BODY_##name##_w == PACKET_BODY_PARALLELOGRAM)                   \
+    flat = flat | flat_surfaces_w(scene, &hits, s->hit, SHAPE_##name, 4, s, &at); \
+  else if (PACKET_BODY_##name##_w == PACKET_BODY_SPHERE)                          \
+    round = round | sphere_surfaces_w(scene, &hits, s->hit, SHAPE_##name, planes, s, &at);
 #include "shapes/shapes.def"
 #undef SHAPE
+  plain = flat | round;
   if (HAS_SMOOTH_NORMALS) smooth_each_w(scene, &hits, plain, &at, s);
+  if (HAS_TANGENT + HAS_RELIEF > 0) tangents_each_w(scene, &hits, plain, flat, &at, s);
   if (TEXTURE_COUNT > 0) texture_each_w(scene, path, &hits, plain, &at, s);
   return plain | ~s->hit;
 }

@@ -68,11 +68,15 @@ FN maskw finite3_w(real3w v) { return finite_w(v.x) & finite_w(v.y) & finite_w(v
 /// u, v of the hits, for smooth normals and textures.
 typedef struct {
   realw u, v;
+  real3w edge_u, edge_v;  ///< Along which they grow, in the frame of the group; kept only with TANGENT or RELIEF.
 } HitParameters_w;
 
-FN void take_parameters_w(maskw plain, realw u, realw v, HitParameters_w* to) {
+FN void take_parameters_w(maskw plain, realw u, realw v, real3w edge_u, real3w edge_v, HitParameters_w* to) {
   to->u = sel_w(plain, u, to->u);
   to->v = sel_w(plain, v, to->v);
+  if (HAS_TANGENT + HAS_RELIEF == 0) return;
+  to->edge_u = sel3_w(plain, edge_u, to->edge_u);
+  to->edge_v = sel3_w(plain, edge_v, to->edge_v);
 }
 
 /// Sets the parts of the lanes of `which`, which have hit a kind of so many planes; returns where each lane's primitive

@@ -87,6 +87,7 @@ FN maskw flat_surfaces_w(const Scene* scene, const SurfaceHits_w* hits, maskw wh
   real3w p = add3_w(fma3_w(u, e, scale3_w(v, f)), a);
   real3w normal = normalize3_w(cross3_w(e, f));
   realw facing = dot3_w(normal, hits->d), bound = zero, off = zero;
+  real3w edge_u = e, edge_v = f;
   if (!TIER_FAST) {
     realw size = edges_size_w(e, f), across = abs_w(dot3_w(normal, plain_cross3_w(e, f)));
     NearPoint_w near = near_point_w(hits, a, e, f, normal, facing, size, across,
@@ -119,6 +120,6 @@ FN maskw flat_surfaces_w(const Scene* scene, const SurfaceHits_w* hits, maskw wh
     bound = sel_w(lt_w(zero, off), off, bound);
   }
   take_surfaces_w(scene, hits, plain, p, normal, facing, bound, s);
-  take_parameters_w(plain, u, v, parameters);
+  take_parameters_w(plain, u, v, edge_u, edge_v, parameters);
   return plain;
 }

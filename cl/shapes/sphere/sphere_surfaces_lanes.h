@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Surfaces of LANES spheres, one a lane: sphere_surface of sphere.h in lanes, operation by operation. Textured spheres
-// are left to that function. One width; no guard.
+// Surfaces of LANES spheres, one a lane: sphere_surface of sphere.h in lanes, operation by operation. One width; no
+// guard.
+#include "math/atan2_lanes.h"
 
 /// sphere_outward_from_afar. f: o - center.
 FN real3w sphere_outward_each_w(const SurfaceHits_w* hits, real3w center, real3w f, realw radius, maskw is_far) {
@@ -16,9 +17,36 @@ FN real3w sphere_outward_each_w(const SurfaceHits_w* hits, real3w center, real3w
   return fma3_w(sel_w(is_far, half_chord, -half_chord), d, l);
 }
 
+/// Where the lanes of `which` are in their spheres' own frames, and how u and v change there. normal: outwards, in the
+/// frame of the group, as the gradients.
+FN void sphere_coordinates_w(const Scene* scene, maskw which, real3w normal, realw radius, Surfaces_w* s,
+                             HitParameters_w* parameters) {
+  realw zero = splat_w(R(0.0)), one = splat_w(R(1.0)), two = splat_w(R(2.0)), turn = splat_w(ONE_OVER_TWO_PI);
+  intw axes = part_entry_w(scene, s, PART_AXES);
+  axes = sel_int_w(lt_int_w(axes, splat_int_w(0)), splat_int_w(0), axes);
+  real3w axis_x = gather3_w(scene->shading, axes), axis_y = gather3_w(scene->shading + 3, axes);
+  real3w axis_z = gather3_w(scene->shading + 6, axes);
+  realw x = dot3_w(normal, axis_x), y = dot3_w(normal, axis_y), z = dot3_w(normal, axis_z);
+  real3w around = fma3_w(x, axis_y, scale3_w(-y, axis_x));
+  if (HAS_TANGENT) s->along = sel3_w(which, around, s->along);
+  realw sine = sqrt_w(fma_w(x, x, y * y));
+  if (HAS_RELIEF) {
+    maskw is_off_pole = which & lt_w(zero, sine);
+    realw divisor = sel_w(is_off_pole, sine, one), inverse = one / divisor;
+    real3w outward = scale3_w(inverse, fma3_w(x, axis_x, scale3_w(y, axis_y)));
+    real3w grad_u = scale3_w(turn / (radius * divisor), scale3_w(inverse, around));
+    real3w grad_v = scale3_w(two * turn / radius, fma3_w(z, outward, scale3_w(-sine, axis_z)));
+    s->grad_u = sel3_w(is_off_pole, grad_u, s->grad_u);
+    s->grad_v = sel3_w(is_off_pole, grad_v, s->grad_v);
+  }
+  if (TEXTURE_COUNT == 0) return;
+  parameters->u = sel_w(which, atan2_turns_w(y, x), parameters->u);
+  parameters->v = sel_w(which, two * atan2_turns_w(sine, z), parameters->v);
+}
+
 /// As flat_surfaces_w.
 FN maskw sphere_surfaces_w(const Scene* scene, const SurfaceHits_w* hits, maskw which, int kind, int planes,
-                           Surfaces_w* s) {
+                           Surfaces_w* s, HitParameters_w* parameters) {
   which = which & ~nonzero_w(hits->kind - splat_int_w(kind));
   if (!any_w(which)) return which;
   GLOBAL const real* spheres = scene->geometry + scene_shape_row(scene, kind)[SHAPE_GEOMETRY];
@@ -36,15 +64,15 @@ FN maskw sphere_surfaces_w(const Scene* scene, const SurfaceHits_w* hits, maskw 
     facing = sel_w(is_distant, sel_w(is_far, one, -one), facing);
   }
 #endif
-  real3w normal = normalize3_w(out), p = fma3_w(radius, normal, center);
+  real3w normal = normalize3_w(out), p = fma3_w(radius, normal, center), own = normal;
   p = hit_point_to_world_w(scene, hits, p);
   normal = hit_normal_to_world_w(scene, hits, normal);
 #if TIER_FAST
   p = fma3_w(hits->world_t, hits->world_d, hits->world_o);
 #endif
   maskw plain = which & finite3_w(p) & finite3_w(normal) & finite_w(facing);
-  if (TEXTURE_COUNT > 0) plain = plain & lt_int_w(part_entry_w(scene, s, PART_UV_RATES), splat_int_w(0));
   take_surfaces_w(scene, hits, plain, p, normal, facing, splat_w(R(0.0)), s);
+  if (TEXTURE_COUNT + HAS_TANGENT + HAS_RELIEF > 0) sphere_coordinates_w(scene, plain, own, radius, s, parameters);
   s->is_round = sel_int_w(plain, splat_int_w(1), s->is_round);
   return plain;
 }

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+// Where texture coordinates grow on LANES surfaces, for materials that know along from across and for reliefs: as in
+// surface_at of shapes/shape.h and hits/edge_gradients.h, operation by operation. One width; no guard.
+
+/// The texture coordinates of each lane's triangle, relative to those of its first corner.
+typedef struct {
+  realw u1, v1, u2, v2;
+} UvEdges_w;
+
+FN UvEdges_w uv_edges_w(GLOBAL const real* uv, intw place) {
+  realw u = gather_w(uv, place), v = gather_w(uv + 1, place);
+  UvEdges_w edges;
+  edges.u1 = gather_w(uv + 2, place) - u;
+  edges.v1 = gather_w(uv + 3, place) - v;
+  edges.u2 = gather_w(uv + 4, place) - u;
+  edges.v2 = gather_w(uv + 5, place) - v;
+  return edges;
+}
+
+/// triangle_along of shapes/shape.h.
+FN real3w triangle_along_w(const UvEdges_w* uv, real3w e1, real3w e2) {
+  realw one = splat_w(R(1.0)), zero = splat_w(R(0.0));
+  realw area = difference_of_products_w(uv->u1, uv->v2, uv->u2, uv->v1);
+  real3w along = scale3_w(sel_w(lt_w(area, zero), -one, one), fma3_w(uv->v2, e1, scale3_w(-uv->v1, e2)));
+  return sel3_w(eq_w(area, zero), e1, along);
+}
+
+/// take_edge_gradients of hits/edge_gradients.h.
+FN void edge_gradients_w(real3w edge_u, real3w edge_v, PRIVATE real3w* grad_u, PRIVATE real3w* grad_v) {
+  realw one = splat_w(R(1.0)), zero = splat_w(R(0.0));
+  real3w n = cross3_w(edge_u, edge_v), unit = normalize3_w(n);
+  realw area = length3_w(n);
+  maskw has_area = lt_w(zero, area);
+  realw inverse = sel_w(has_area, one / sel_w(has_area, area, one), zero);
+  *grad_u = scale3_w(inverse, cross3_w(edge_v, unit));
+  *grad_v = scale3_w(inverse, cross3_w(unit, edge_u));
+}
+
+/// flat: the lanes of `plain` that have hit polygons; the along of the others is there, in the frame of their group.
+FN void tangents_each_w(const Scene* scene, const SurfaceHits_w* hits, maskw plain, maskw flat,
+                        const HitParameters_w* at, Surfaces_w* s) {
+  if (HAS_TANGENT) s->along = sel3_w(flat, at->edge_u, s->along);
+  if (HAS_RELIEF) {
+    real3w grad_u, grad_v;
+    edge_gradients_w(at->edge_u, at->edge_v, &grad_u, &grad_v);
+    s->grad_u = sel3_w(flat, grad_u, s->grad_u);
+    s->grad_v = sel3_w(flat, grad_v, s->grad_v);
+  }
+  if (HAS_MESH_UVS) {
+    intw uvs = part_entry_w(scene, s, PART_UVS), zero = splat_int_w(0);
+    maskw has_uvs = flat & ~lt_int_w(uvs, zero);
+    if (any_w(has_uvs)) {
+      intw primitive = hits->id - part_entry_w(scene, s, PART_FIRST_ID);
+      UvEdges_w uv = uv_edges_w(scene->shading, sel_int_w(has_uvs, uvs + primitive * 6, zero));
+      if (HAS_TANGENT) s->along = sel3_w(has_uvs, triangle_along_w(&uv, at->edge_u, at->edge_v), s->along);
+      real3w u = s->grad_u, v = s->grad_v;
+      s->grad_u = sel3_w(has_uvs, fma3_w(uv.u1, u, scale3_w(uv.u2, v)), u);
+      s->grad_v = sel3_w(has_uvs, fma3_w(uv.v1, u, scale3_w(uv.v2, v)), v);
+    }
+  }
+  if (!HAS_INSTANCES) return;
+  maskw placed = plain & hits->is_placed;
+  if (!any_w(placed)) return;
+  if (HAS_TANGENT) s->along = sel3_w(placed, vector_to_world_w(scene->geometry, hits->placed, s->along), s->along);
+  if (HAS_RELIEF) {
+    s->grad_u = sel3_w(placed, normal_to_world_w(scene->geometry, hits->placed, s->grad_u), s->grad_u);
+    s->grad_v = sel3_w(placed, normal_to_world_w(scene->geometry, hits->placed, s->grad_v), s->grad_v);
+  }
+}
