@@ -1,16 +1,22 @@
 // SPDX-License-Identifier: MIT
 // OpenEXR files: bit-exact round trips, metadata, and files of other kinds written by OpenEXR itself.
+#include <ImfBoxAttribute.h>
 #include <ImfChannelList.h>
 #include <ImfDeepFrameBuffer.h>
 #include <ImfDeepScanLineOutputFile.h>
+#include <ImfFloatVectorAttribute.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
 #include <ImfInputFile.h>
+#include <ImfMatrixAttribute.h>
 #include <ImfMultiPartOutputFile.h>
 #include <ImfOutputFile.h>
 #include <ImfPartType.h>
+#include <ImfPreviewImage.h>
+#include <ImfStandardAttributes.h>
 #include <ImfStringAttribute.h>
 #include <ImfTiledOutputFile.h>
+#include <ImfVecAttribute.h>
 #include <half.h>
 
 #include <catch2/catch.hpp>
@@ -203,6 +209,34 @@ TEST_CASE("kinds that are not read say so") {
   CHECK_THROWS_AS(read_image(path), InputError);
 }
 
+TEST_CASE("attributes of many types are none of its business") {
+  const TemporaryFolder folder;
+  Imf::Header header(2, 2);
+  header.channels().insert("Y", Imf::Channel(Imf::FLOAT));
+  header.setPreviewImage(Imf::PreviewImage(3, 2));
+  Imf::addChromaticities(header, Imf::Chromaticities());
+  Imf::addKeyCode(header, Imf::KeyCode());
+  Imf::addTimeCode(header, Imf::TimeCode());
+  Imf::addFramesPerSecond(header, Imf::Rational(24, 1));
+  Imf::addEnvmap(header, Imf::ENVMAP_LATLONG);
+  Imf::addWorldToCamera(header, Imath::M44f());
+  Imf::addMultiView(header, {"left", "", "right"});
+  header.insert("v2d", Imf::V2dAttribute({1, 2}));
+  header.insert("v3i", Imf::V3iAttribute({1, 2, 3}));
+  header.insert("box", Imf::Box2fAttribute());
+  header.insert("matrix", Imf::M33dAttribute());
+  header.insert("numbers", Imf::FloatVectorAttribute({1, 2, 3}));
+  {
+    std::vector<float> values{1, 2, 3, 4};
+    Imf::FrameBuffer pixels;
+    pixels.insert("Y", Imf::Slice::Make(Imf::FLOAT, values.data(), header.dataWindow(), 4, 8));
+    Imf::OutputFile file((folder / "a.exr").c_str(), header);
+    file.setFrameBuffer(pixels);
+    file.writePixels(2);
+  }
+  CHECK(read_image(folder / "a.exr").data == std::vector<float>{1, 2, 3, 4});
+}
+
 TEST_CASE("damaged EXR files") {
   const TemporaryFolder folder;
   const auto read = [](const std::string& name) { return read_image(name); };
@@ -223,6 +257,24 @@ TEST_CASE("damaged EXR files") {
   greedy.replace(greedy.find(text) + text.size(), 4, "\xff\xff\xff\x75");
   put_bytes(folder / "a.exr", greedy);
   CHECK_THROWS_WITH(read_image(folder / "a.exr"), Contains("\"strahl:device\" is to have 1979711487 bytes, and"));
+  // Or reads on at another place than the attribute's length says, and finds one there.
+  const auto refused = [&](const std::string& attribute, const std::string& why) {
+    std::string bytes = bytes_of(folder / "good.exr");
+    bytes.insert(8, attribute);
+    put_bytes(folder / "a.exr", bytes);
+    INFO(why);
+    CHECK_THROWS_WITH(read_image(folder / "a.exr"), Contains(why));
+  };
+  const auto attribute = [](const std::string& type, const std::string& value) {
+    std::string bytes = "x" + std::string(1, '\0') + type + std::string(1, '\0');
+    for (std::size_t i = 0; i < 4; ++i) bytes += static_cast<char>(value.size() >> 8 * i & 255U);
+    return bytes + value;
+  };
+  refused(attribute("float", "12345"), "attribute \"x\" of type float and 5 bytes is to have 4 bytes");
+  refused(attribute("chlist", std::string("Y\0", 2) + std::string(20, '\0')), "is no list of channels");
+  refused(attribute("chlist", std::string("Y\0", 2) + std::string(16, '\0')), "is no list of channels");
+  refused(attribute("stringvector", std::string("\x7f\0\0\0ab", 6)), "is no list of texts");
+  refused(attribute("preview", std::string("\0\0\1\0\0\0\1\0abcd", 12)), "is no picture");
   put_bytes(folder / "a.exr", "not an OpenEXR file at all");
   CHECK_THROWS_WITH(read_image(folder / "a.exr"), Contains("a.exr\": not a readable OpenEXR file"));
 }
