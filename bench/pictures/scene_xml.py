@@ -37,7 +37,7 @@ def to(x, y, z):
 
 
 def diffuse(*reflectance):
-    return element("bsdf", rgb("reflectance", *reflectance), type="diffuse")
+    return bsdf("diffuse", rgb("reflectance", *reflectance))
 
 
 def bsdf(kind, *inside):
@@ -66,7 +66,7 @@ def sphere(centre, radius, *inside):
 
 
 def ply(name, *inside):
-    return shape("ply", element("string", name="filename", value=name), *inside)
+    return shape("ply", text("filename", name), *inside)
 
 
 def scene(path, pixels, integrator, camera, *parts):

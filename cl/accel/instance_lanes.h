@@ -67,12 +67,13 @@ FN real3w point_to_world_w(GLOBAL const real* geometry, intw at, real3w p) {
   return add3_w(gather3_w(geometry + INSTANCE_PIVOT, at), turned);
 }
 
-/// normal_to_world.
+/// vector_to_world.
 FN real3w vector_to_world_w(GLOBAL const real* geometry, intw at, real3w v) {
   GLOBAL const real* a = geometry + INSTANCE_TO_WORLD;
   return vec3_w(dot3_w(gather3_w(a, at), v), dot3_w(gather3_w(a + 3, at), v), dot3_w(gather3_w(a + 6, at), v));
 }
 
+/// normal_to_world.
 FN real3w normal_to_world_w(GLOBAL const real* geometry, intw at, real3w n) {
   GLOBAL const real* a = geometry + INSTANCE_TO_GROUP;
   return fma3_w(n.z, gather3_w(a + 6, at), fma3_w(n.y, gather3_w(a + 3, at), scale3_w(n.x, gather3_w(a, at))));

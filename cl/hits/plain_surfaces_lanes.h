@@ -17,11 +17,8 @@ FN real3w interpolate_each_w(GLOBAL const real* corners, intw at, realw u, realw
 /// Smooth normals in the lanes of `which`, where the mesh has any.
 FN void smooth_each_w(const Scene* scene, const SurfaceHits_w* hits, maskw which, const HitParameters_w* at,
                       Surfaces_w* s) {
-  intw normals = part_entry_w(scene, s, PART_NORMALS), zero = splat_int_w(0);
-  which = which & ~lt_int_w(normals, zero);
+  intw place = mesh_corners_w(scene, hits, s, PART_NORMALS, 9, &which);
   if (!any_w(which)) return;
-  intw primitive = hits->id - part_entry_w(scene, s, PART_FIRST_ID);
-  intw place = sel_int_w(which, normals + primitive * 9, zero);
   real3w smooth = interpolate_each_w(scene->shading, place, at->u, at->v);
   if (HAS_INSTANCES) smooth = sel3_w(hits->is_placed, normal_to_world_w(scene->geometry, hits->placed, smooth), smooth);
   which = which & lt_w(splat_w(R(0.0)), dot3_w(smooth, smooth));
@@ -39,11 +36,9 @@ FN void texture_each_w(const Scene* scene, Paths_w* path, const SurfaceHits_w* h
     s->own_v = sel_w(which, v, s->own_v);
   }
   if (HAS_MESH_UVS) {
-    intw uvs = part_entry_w(scene, s, PART_UVS), zero = splat_int_w(0);
-    maskw has_uvs = which & ~lt_int_w(uvs, zero);
+    maskw has_uvs = which;
+    intw place = mesh_corners_w(scene, hits, s, PART_UVS, 6, &has_uvs);
     if (any_w(has_uvs)) {
-      intw primitive = hits->id - part_entry_w(scene, s, PART_FIRST_ID);
-      intw place = sel_int_w(has_uvs, uvs + primitive * 6, zero);
       GLOBAL const real* uv = scene->shading;
       realw w = splat_w(R(1.0)) - u - v;
       realw tex_u = fma_w(v, gather_w(uv + 4, place), fma_w(u, gather_w(uv + 2, place), w * gather_w(uv, place)));

@@ -89,6 +89,17 @@ FN intw hit_places_w(const Scene* scene, const SurfaceHits_w* hits, maskw which,
   return (slot - lane) * planes + lane;
 }
 
+/// Where the numbers of the lanes' triangles begin among those of their meshes' corners, so many a triangle; entry: the
+/// PART_... that says where a mesh's are. *which loses the lanes whose mesh has none.
+FN intw mesh_corners_w(const Scene* scene, const SurfaceHits_w* hits, const Surfaces_w* s, int entry, int reals,
+                       PRIVATE maskw* which) {
+  intw first = part_entry_w(scene, s, entry), zero = splat_int_w(0);
+  *which = *which & ~lt_int_w(first, zero);
+  if (!any_w(*which)) return zero;
+  intw triangle = hits->id - part_entry_w(scene, s, PART_FIRST_ID);
+  return sel_int_w(*which, first + triangle * reals, zero);
+}
+
 /// Takes the surfaces of a kind, in the world, in the lanes of `plain`. normal, facing: as the shape has them. bound:
 /// as in hits/departure.h, of surfaces that rays leave from their position.
 FN void take_surfaces_w(const Scene* scene, const SurfaceHits_w* hits, maskw plain, real3w position, real3w normal,

@@ -47,15 +47,16 @@ FN void tangents_each_w(const Scene* scene, const SurfaceHits_w* hits, maskw pla
     s->grad_v = sel3_w(flat, grad_v, s->grad_v);
   }
   if (HAS_MESH_UVS) {
-    intw uvs = part_entry_w(scene, s, PART_UVS), zero = splat_int_w(0);
-    maskw has_uvs = flat & ~lt_int_w(uvs, zero);
+    maskw has_uvs = flat;
+    intw place = mesh_corners_w(scene, hits, s, PART_UVS, 6, &has_uvs);
     if (any_w(has_uvs)) {
-      intw primitive = hits->id - part_entry_w(scene, s, PART_FIRST_ID);
-      UvEdges_w uv = uv_edges_w(scene->shading, sel_int_w(has_uvs, uvs + primitive * 6, zero));
+      UvEdges_w uv = uv_edges_w(scene->shading, place);
       if (HAS_TANGENT) s->along = sel3_w(has_uvs, triangle_along_w(&uv, at->edge_u, at->edge_v), s->along);
-      real3w u = s->grad_u, v = s->grad_v;
-      s->grad_u = sel3_w(has_uvs, fma3_w(uv.u1, u, scale3_w(uv.u2, v)), u);
-      s->grad_v = sel3_w(has_uvs, fma3_w(uv.v1, u, scale3_w(uv.v2, v)), v);
+      if (HAS_RELIEF) {
+        real3w u = s->grad_u, v = s->grad_v;
+        s->grad_u = sel3_w(has_uvs, fma3_w(uv.u1, u, scale3_w(uv.u2, v)), u);
+        s->grad_v = sel3_w(has_uvs, fma3_w(uv.v1, u, scale3_w(uv.v2, v)), v);
+      }
     }
   }
   if (!HAS_INSTANCES) return;

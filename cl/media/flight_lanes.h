@@ -16,6 +16,13 @@ typedef struct {
   uintw draws;        ///< The stream's next numbers (samplers/uses.h).
 } Flight_w;
 
+/// The stream's next numbers, which the lanes of `which` have then drawn: of what a path meets any number of times.
+FN Random4_w stream_numbers_w(const SampleState_w* sample, maskw which, PRIVATE uintw* draws) {
+  Random4_w numbers = random4_w(sample->pixel, sample->sample, *draws, sample->seed);
+  *draws = *draws + uint_of_int_w(sel_int_w(which, splat_int_w(1), splat_int_w(0)));
+  return numbers;
+}
+
 /// -ln(1 - v), v the number whose bits are those of `high` and then of `low`: an optical depth from 1e-19 to 44 of
 /// exponential distribution. Exact to 2 ulps: near 0 by the logarithm's series, beyond by ln of what is left to 1.
 FN realw optical_depth_w(uintw high, uintw low) {

@@ -11,13 +11,6 @@ FN real3w density_share_w(const Scene* scene, GLOBAL const int* volumes, real3w 
   return vec3_w(min_w(share.x, one), min_w(share.y, one), min_w(share.z, one));
 }
 
-/// The numbers of one place, which the flight counts: paths meet any number of them.
-FN Random4_w flight_numbers_w(const SampleState_w* sample, maskw which, Flight_w* w) {
-  Random4_w numbers = random4_w(sample->pixel, sample->sample, w->draws, sample->seed);
-  w->draws = w->draws + uint_of_int_w(sel_int_w(which, splat_int_w(1), splat_int_w(0)));
-  return numbers;
-}
-
 FN void heterogeneous_travel_w(const Scene* scene, GLOBAL const int* row, const SampleState_w* sample, maskw which,
                                Flight_w* w) {
   GLOBAL const int* cells = scene->index + row[MEDIUM_MAJORANTS];
@@ -29,7 +22,7 @@ FN void heterogeneous_travel_w(const Scene* scene, GLOBAL const int* row, const 
     realw most;
     maskw here = march_w(scene, cells, &m, &w->optical, &most);
     if (!any_w(here)) break;
-    Random4_w numbers = flight_numbers_w(sample, here, w);
+    Random4_w numbers = stream_numbers_w(sample, here, &w->draws);
     real3w place = fma3_w(m.t, w->d, w->from);
     real3w share = density_share_w(scene, volumes + VOLUME_SIGMA_T * VOLUME_INTS, place, most);
     real3w rest = sub3_w(ones, share);
@@ -71,13 +64,13 @@ FN real3w heterogeneous_transmittance_w(const Scene* scene, GLOBAL const int* ro
   realw zero = splat_w(R(0.0));
   March_w m = march_begin_w(scene, cells, w, which);
   if (!any_w(m.goes)) return share;
-  Random4_w first = flight_numbers_w(sample, m.goes, w);
+  Random4_w first = stream_numbers_w(sample, m.goes, &w->draws);
   realw left = optical_depth_w(first.y, first.z);
   while (any_w(m.goes)) {
     realw most;
     maskw here = march_w(scene, cells, &m, &left, &most);
     if (!any_w(here)) break;
-    Random4_w numbers = flight_numbers_w(sample, here, w);
+    Random4_w numbers = stream_numbers_w(sample, here, &w->draws);
     real3w place = fma3_w(m.t, w->d, w->from);
     real3w kept = mul3_w(share, sub3_w(ones, density_share_w(scene, volume, place, most)));
     maskw is_faint = lt_w(max3_w(kept), splat_w(FAINT_SHARE));

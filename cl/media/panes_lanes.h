@@ -35,8 +35,7 @@ FN maskw passes_panes_w(const Scene* scene, Paths_w* path, const Surfaces_w* s, 
   Pane_w pane = pane_at_w(scene, s, at, which, out);
   *reflects = none_w();
   if (!any_w(pane.which)) return pane.which;
-  Random4_w numbers = random4_w(path->sample.pixel, path->sample.sample, path->draws, path->sample.seed);
-  path->draws = path->draws + uint_of_int_w(sel_int_w(pane.which, splat_int_w(1), splat_int_w(0)));
+  Random4_w numbers = stream_numbers_w(&path->sample, pane.which, &path->draws);
   maskw passes = pane.which & lt_w(random_between_w(numbers.x), pane.through);
   path->throughput = sel3_w(passes, mul3_w(path->throughput, pane.tint), path->throughput);
   *reflects = pane.which & ~passes;

@@ -61,15 +61,11 @@ FN real3w seen_share_w(const Scene* scene, const Paths_w* path, const Surfaces_w
     if (!any_w(hit)) break;
     s.scatters = none_w();
     real3w out = negate3_w(scale3_w(one / length3_w(d), d));
-    realw number = splat_w(R(0.5)), open;
-    if (HAS_PANE && HAS_BLEND) {
-      // Which part of a blend is met decides whether it is a pane.
-      const SampleState_w* sample = &way.path.sample;
-      number = random_between_w(random4_w(sample->pixel, sample->sample, way.path.draws, sample->seed).x);
-      way.path.draws = way.path.draws + uint_of_int_w(sel_int_w(hit, splat_int_w(1), splat_int_w(0)));
-    }
+    realw number = splat_w(R(0.5));
+    // Which part of a blend is met decides whether it is a pane.
+    if (HAS_PANE && HAS_BLEND) number = random_between_w(stream_numbers_w(&way.path.sample, hit, &way.path.draws).x);
     MaterialRows_w at = rows_at_w(scene, &s, hit, out, number);
-    open = one - at.opacity;
+    realw open = one - at.opacity;
     real3w lets = vec3_w(open, open, open);
 #if HAS_PANE
     Pane_w pane = pane_at_w(scene, &s, &at, hit, out);

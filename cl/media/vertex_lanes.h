@@ -86,8 +86,7 @@ FN void vertex_turn_w(const Scene* scene, const Paths_w* path, const Surfaces_w*
 FN maskw passes_openly_w(Paths_w* path, const MaterialRows_w* at, maskw which) {
   which = which & lt_w(at->opacity, splat_w(R(1.0)));
   if (!any_w(which)) return which;
-  Random4_w numbers = random4_w(path->sample.pixel, path->sample.sample, path->draws, path->sample.seed);
-  path->draws = path->draws + uint_of_int_w(sel_int_w(which, splat_int_w(1), splat_int_w(0)));
+  Random4_w numbers = stream_numbers_w(&path->sample, which, &path->draws);
   return which & le_w(at->opacity, random_between_w(numbers.x));
 }
 

@@ -87,12 +87,13 @@ void check_readable(const Imf::MultiPartInputFile& file, const std::string& path
   if (!file.partComplete(0)) reject("incomplete OpenEXR file");
 }
 
+std::int64_t length(int from, int to) { return std::int64_t{to} - from + 1; }
+
 /// No byte stands for the blank parts of a display window: it may be four times as large as the data window, or 64 MiB,
 /// or what a part of a picture with so many bytes is likely to come from.
 ClaimLimit display_claim(const Imath::Box2i& window, std::size_t channels) {
-  const auto length = [](int from, int to) { return static_cast<std::size_t>(std::int64_t{to} - from + 1); };
-  const std::size_t held = length(window.min.x, window.max.x) * length(window.min.y, window.max.y) * channels;
-  return {std::max(std::size_t{1} << 24, 4 * held), 256};
+  const std::int64_t pixels = length(window.min.x, window.max.x) * length(window.min.y, window.max.y);
+  return {std::max(std::size_t{1} << 24, 4 * static_cast<std::size_t>(pixels) * channels), 256};
 }
 
 Image decode(Imf::MultiPartInputFile& file, const std::string& path, std::size_t file_bytes) {
@@ -100,7 +101,6 @@ Image decode(Imf::MultiPartInputFile& file, const std::string& path, std::size_t
   const Imf::Header& header = file.header(0);
   const Imath::Box2i window = header.dataWindow();
   const Imath::Box2i display = header.displayWindow();
-  const auto length = [](int from, int to) { return std::int64_t{to} - from + 1; };
   const std::vector<std::string> channels = channel_order(header.channels());
   const auto check = [&](const Imath::Box2i& box, const ClaimLimit& claim) {
     check_picture_size(path, length(box.min.x, box.max.x), length(box.min.y, box.max.y), channels.size(), file_bytes,

@@ -27,6 +27,12 @@ struct Cause {
   SourceLocation where;
 };
 
+/// Effects without which one is nothing.
+const std::map<std::string, std::vector<std::string>>& needs() {
+  static const std::map<std::string, std::vector<std::string>> all{{"PANE", {"MEDIA", "materials/thindielectric"}}};
+  return all;
+}
+
 struct Causes {
   std::set<std::string> left_out;
   std::map<std::string, Cause> first;       ///< That was found of each name.
@@ -34,17 +40,17 @@ struct Causes {
   std::string light_chooser = "uniform";    ///< The entry that is called for, if any is.
   bool background = false;                  ///< A light that rays find where they leave the scene.
 
-  [[nodiscard]] bool allow(const std::string& name) const { return !left_out.contains(name); }
+  [[nodiscard]] bool allow(const std::string& name) const {
+    const auto needed = needs().find(name);
+    return !left_out.contains(name) &&
+           (needed == needs().end() || std::all_of(needed->second.begin(), needed->second.end(),
+                                                   [&](const std::string& other) { return allow(other); }));
+  }
   [[nodiscard]] bool contains(const std::string& name) const { return first.contains(name); }
 };
 
 void call_for(Causes& causes, const std::string& name, const std::string& why, const SourceLocation& where) {
   if (causes.allow(name)) causes.first.try_emplace(name, Cause{why, where});
-}
-
-/// Panes are glass that is looked through, so they need both.
-bool allows_panes(const Causes& causes) {
-  return causes.allow("MEDIA") && causes.allow("materials/thindielectric") && causes.allow("PANE");
 }
 
 const Material& material_at(const Scene& scene, int index) {
@@ -89,7 +95,7 @@ void shape_causes(const Scene& scene, const RenderSettings& settings, Causes& ca
     if (facts.nested.empty()) call_for(causes, "materials/" + facts.kind, "material of type " + facts.kind, place);
     if (facts.nested.empty() && !causes.allow("materials/" + facts.kind))
       call_for(causes, "BLACK", "material of type " + facts.kind + ", which --disable leaves out", place);
-    if (integrator.goes_through && std::holds_alternative<ThinDielectric>(material.bsdf) && allows_panes(causes))
+    if (integrator.goes_through && std::holds_alternative<ThinDielectric>(material.bsdf))
       call_for(causes, "PANE", "material of type thindielectric, under integrator " + scene.integrator.name, place);
     for (const std::string& flag : facts.flags) call_for(causes, flag, "material of type " + facts.kind, place);
     if (facts.is_twosided) call_for(causes, "TWOSIDED", "a twosided material", place);
@@ -303,7 +309,7 @@ Features features_of(const Scene& scene, const RenderSettings& settings) {
   auto report = [&](const std::string& name, const std::string& purpose) {
     const auto cause = causes.first.find(name);
     FeatureReport row{name, cause != causes.first.end(), purpose, {}};
-    if (!causes.allow(name) || (name == "PANE" && !allows_panes(causes))) {
+    if (!causes.allow(name)) {
       row.why = "--disable";
     } else if (row.on) {
       row.why = cause->second.why;

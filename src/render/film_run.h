@@ -42,6 +42,7 @@ class FilmRun {
     bool is_cut = false;  ///< By the deadline.
   };
   class Table;
+  [[nodiscard]] Rows rows_of_part(const Launch& launch) const;
   [[nodiscard]] Part part(const Launch& launch);
   [[nodiscard]] Part part_on(Renderer::State& device, const Launch& launch, const ProgressCallback& progress) const;
   bool render_shared(const Launch& all);

@@ -68,31 +68,32 @@ FilmRun::Part FilmRun::part(const Launch& launch) {
   write_header();
   has_first_samples_ = launch.sample_first == 0;
   bool carry_on = true;
-  if (film_.kind == FilmKind::splats) {
-    band_ = {0, height_};
-    clear(height_, false);
-    carry_on = render_all_of(launch);
-    return {state_now(), std::move(result_.stats), is_cut_};
-  }
   for (int row = 0; row < height_ && carry_on; row += band_rows_) {
     band_ = {row, std::min(band_rows_, height_ - row)};
     clear(band_.count, has_first_samples_);
-    carry_on =
-        render_all_of({launch.column_first, row, launch.columns, band_.count, launch.sample_first, launch.samples});
+    Launch pixels = launch;
+    if (film_.kind == FilmKind::pixels) {
+      pixels.row_first = row;
+      pixels.rows = band_.count;
+    }
+    carry_on = render_all_of(pixels);
     end_band();
   }
   return {state_now(), std::move(result_.stats), is_cut_};
 }
 
-/// Of a device's thread: the launch's rows as a picture of their own; of light paths, which end in any row, a film of
-/// all rows that has those of the launch's pixels.
+/// The rows of a part's film: those of the launch; of light paths, which end in any row, all.
+Rows FilmRun::rows_of_part(const Launch& launch) const {
+  return film_.kind == FilmKind::splats ? Rows{0, height_} : Rows{launch.row_first, launch.rows};
+}
+
+/// Of a device's thread: the part as a picture of its own.
 FilmRun::Part FilmRun::part_on(Renderer::State& device, const Launch& launch, const ProgressCallback& progress) const {
   RenderGoal goal;
   goal.spp = end_;
   goal.seed = result_.stats.seed;
   goal.samples = {launch.sample_first, launch.samples};
-  const bool is_whole = film_.kind == FilmKind::splats;
-  const RowsOnly only(device.window, is_whole ? Rows{0, height_} : Rows{launch.row_first, launch.rows});
+  const RowsOnly only(device.window, rows_of_part(launch));
   FilmRun run(device, goal, progress, nullptr, sums_);
   run.samples_until_ = samples_until_;
   return run.part(launch);
@@ -167,7 +168,7 @@ void FilmRun::work_at(Table& table, std::size_t worker) {
 
 void FilmRun::add(const Part& part, const Launch& launch, std::size_t worker) {
   const FilmState& state = part.state;
-  const int top = state.film.kind == FilmKind::splats ? 0 : launch.row_first;
+  const int top = rows_of_part(launch).first;
   film_.add_words(top, state.film.words);
   const std::size_t first = static_cast<std::size_t>(top) * static_cast<std::size_t>(width_);
   for (std::size_t i = 0; i < state.film.samples.size(); ++i) film_.samples[first + i] += state.film.samples[i];

@@ -98,7 +98,7 @@ std::vector<BsdfTier> widest_tiers() {
 
 TEST_CASE("directions are drawn as densely as is said, and densities integrate to what is drawn") {
   constexpr int rings = 8, sectors = 8, within = 40;
-  const std::vector<Triad> numbers = random_numbers(6000);
+  const std::vector<Triad> numbers = random_numbers(draws_asked(6000));
   for (const Look& look : looks())
     for (const BsdfTier& tier : widest_tiers())
       for (const double cosine : {0.95, 0.5, 0.1, -0.7}) {
