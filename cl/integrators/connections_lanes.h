@@ -38,6 +38,7 @@ FN void add_drawn_light_w(const Scene* scene, Paths_w* path, const Vertex_w* v) 
   LightChoice_w choice = choose_light_w(scene, &path->sample, path->depth, v->s.position);
   LightSample_w light = light_sample_w(scene, v->which, choice.light, v->s.position, numbers);
   maskw which = v->which & lt_w(zero, max3_w(light.radiance));
+  if (HAS_STRICT_NORMALS) which = on_one_side_w(scene, &v->s, which, light.towards);
   if (!any_w(which)) return;
   real3w way = unit3_w(light.towards);
   vertex_share_w(scene, v, which, v->back, way, &reflected, &drawn);
@@ -96,6 +97,7 @@ FN void add_connection_w(const Scene* scene, Paths_w* path, const Vertex_w* x, c
   real3w off = sub3_w(y->s.position, x->s.position), way = unit3_w(off), away = negate3_w(way);
   realw square = dot3_w(off, off);
   which = which & lt_w(zero, square);
+  if (HAS_STRICT_NORMALS) which = on_one_side_w(scene, &x->s, on_one_side_w(scene, &y->s, which, away), way);
   if (!any_w(which)) return;
   realw from_x, from_y, to_x, to_y;
   real3w at_x, at_y, unused;
@@ -122,6 +124,7 @@ FN void join_with_sensor_w(const Scene* scene, const Paths_w* path, const Vertex
   if (HAS_EMISSION && hides_emitters(scene))
     is_shown = is_shown & lt_int_w(part_entry_w(scene, &v->s, PART_RADIANCE), splat_int_w(0));
   SensorWay_w way = way_to_sensor_w(scene, path, is_shown, v->s.position);
+  if (HAS_STRICT_NORMALS) way.which = on_one_side_w(scene, &v->s, way.which, way.towards);
   if (!any_w(way.which)) return;
   real3w on = unit3_w(way.towards), reflected;
   realw reverse;

@@ -18,12 +18,20 @@ FN real3w shown_light_w(const Scene* scene, const Paths_w* path, const Surfaces_
   return mul3_w(mul3_w(path->radiance, path->throughput), share);
 }
 
+/// Lanes in which strict_normals lets light come along the rays of `path` and leave for the sensor.
+FN maskw shown_on_one_side_w(const Scene* scene, const Paths_w* path, const Surfaces_w* s, maskw which,
+                             const SensorWay_w* way) {
+  which = on_one_side_w(scene, s, which, negate3_w(real3_at_w(path->rays.planes + RAY_PLANE_D)));
+  return on_one_side_w(scene, s, which, way->towards);
+}
+
 /// The joints of the surfaces that the rays of `path` have met.
 FN Joint_w ptracer_joint_w(const Scene* scene, const Paths_w* path, const Surfaces_w* s) {
   maskw is_shown = path->alive & s->hit & lt_int_w(path->depth, splat_int_w(scene->index[HEADER_MAX_DEPTH]));
   if (HAS_EMISSION && hides_emitters(scene))
     is_shown = is_shown & lt_int_w(part_entry_w(scene, s, PART_RADIANCE), splat_int_w(0));
   SensorWay_w way = way_to_sensor_w(scene, path, is_shown, s->position);
+  if (HAS_STRICT_NORMALS) way.which = shown_on_one_side_w(scene, path, s, way.which, &way);
   if (!any_w(way.which)) return no_joint_w();
   return joint_w(s, way.which, &way, shown_light_w(scene, path, s, way.which, &way));
 }

@@ -72,6 +72,7 @@ FN void arrive_vertex_w(const Scene* scene, Paths_w* path, const LightEnd_w* end
     v->passed = v->passed | open;
     v->which = v->which & ~open;
   }
+  if (HAS_STRICT_NORMALS) v->which = on_one_side_w(scene, &v->s, v->which, v->back);
   v->carried = end ? mul3_w(path->radiance, path->throughput) : path->throughput;
   if (any_w(v->which)) {
     real3w off = sub3_w(v->s.position, path->from);

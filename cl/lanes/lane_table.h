@@ -838,6 +838,7 @@
 #define shear_for_each_w LANED(shear_for_each_w)
 #define shear_vertex_w LANED(shear_vertex_w)
 #define shown_light_w LANED(shown_light_w)
+#define shown_on_one_side_w LANED(shown_on_one_side_w)
 #define shows_background_w LANED(shows_background_w)
 #define signs_differ_w LANED(signs_differ_w)
 #define sincos_eighth_w LANED(sincos_eighth_w)

@@ -243,7 +243,7 @@ Causes causes_of(const Scene& scene, const RenderSettings& settings) {
   const kinds::IntegratorFacts& facts = kinds::integrator(integrator);
   if (scene.integrator.hide_emitters && (causes.contains("EMISSION") || causes.background))
     call_for(causes, "HIDE_EMITTERS", "the integrator's hide_emitters", scene.integrator.where);
-  if (scene.integrator.strict_normals && facts.is_lit() && !facts.from_lights && causes.contains("SMOOTH_NORMALS"))
+  if (scene.integrator.strict_normals && facts.is_lit() && causes.contains("SMOOTH_NORMALS"))
     call_for(causes, "STRICT_NORMALS", "the integrator's strict_normals", scene.integrator.where);
   const std::string& why = scene.integrator.why;
   call_for(causes, "integrators/" + integrator, why.empty() ? "integrator " + integrator : "integrator auto: " + why,

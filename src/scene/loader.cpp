@@ -12,6 +12,7 @@
 #include "scene/meshes/mesh_file.h"
 #include "scene/model/framing.h"
 #include "scene/readers/mesh_import.h"
+#include "scene/readers/other_names.h"
 #include "scene/validate.h"
 #include "scene/xml/diagnostics.h"
 #include "scene/xml/element_ids.h"
@@ -33,6 +34,7 @@ Scene scene_of_xml(const std::string& path, const LoadOptions& options, Diagnost
   SearchPath search_path(path);
   XmlElement* root = read_expanded_xml(path, options.defines, search_path, pool, diagnostics);
   if (root == nullptr || !check_vocabulary(*root, diagnostics)) return {};
+  use_mitsuba_names(*root, pool);
   const ElementIds ids(*root, diagnostics);
   SceneBuilder builder{{}, search_path, ids, diagnostics, options.progress};
   read_scene(*root, builder);

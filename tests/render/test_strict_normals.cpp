@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "render/alike.h"
 #include "render/stage.h"
 
 namespace strahl::test {
@@ -74,6 +75,30 @@ TEST_CASE("what is seen from one side by one normal and from the other by the ot
   CHECK(mean_radiance(color(scene, Precision::robust)) > 0.2);
   scene.integrator.strict_normals = true;
   CHECK(mean_radiance(color(scene, Precision::robust)) == 0);
+}
+
+TEST_CASE("paths from the light, and from both ends, keep to the same sides") {
+  // An open sheet over a floor, whose normals lean to all sides, with a lamp above it, one below, and one that
+  // lights the floor.
+  Mesh mesh;
+  mesh.positions = {{-1.5, -1.5, 1}, {1.5, -1.5, 1}, {1.5, 1.5, 1}, {-1.5, 1.5, 1}};
+  mesh.normals = {normalized({-2, -2, 1}), normalized({2, -2, 1}), normalized({2, 2, 1}), normalized({-2, 2, 1})};
+  mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
+  Scene scene;
+  scene.materials = {diffuse({0.8, 0.8, 0.8}, true)};
+  add(scene, Rectangle{{-3, -3, 0}, {6, 0, 0}, {0, 6, 0}});
+  add(scene, mesh);
+  add(scene, emitting(Rectangle{{-3, -1, 3}, {0, 2, 0}, {2, 0, 0}}, {0.5, 0.5, 0.5}));
+  add(scene, emitting(Rectangle{{1, -1, 0.1}, {2, 0, 0}, {0, 2, 0}}, {4, 4, 4}));
+  add(scene, emitting(Rectangle{{1.6, -3, 0.9}, {0, 4, 0}, {2, 0, 0}}, {16, 16, 16}));
+  scene.camera = perspective_camera({0, -5, 3}, {0, 0, 0.8}, {0, 0, 1}, 40);
+  scene.film.filter = {FilterKind::box, 0.5, 0.5};
+  scene.integrator.max_depth = 5;
+  const std::vector<double> loose = blocks_of(scene, "path", 16).mean;
+  scene.integrator.strict_normals = true;
+  const std::vector<double> strict = blocks_of(scene, "path", 16).mean;
+  for (const std::size_t on_sheet : {5, 6}) CHECK(strict.at(on_sheet) < 0.98 * loose.at(on_sheet));
+  for (const char* integrator : {"ptracer", "bdpt"}) hold_alike(integrator, "path", integrator, scene, 128, 0.01);
 }
 
 TEST_CASE("a program of the scene's own draws the same as the generic one, and flat meshes do not have it") {

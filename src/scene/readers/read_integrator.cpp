@@ -63,10 +63,6 @@ IntegratorSettings read_integrator(const XmlElement& element, SceneBuilder& buil
   if (type == "bdpt") properties.accept({"light_image", "sample_direct"});
   const bool is_known = type == "auto" || std::find(known.begin(), known.end(), type) != known.end();
   integrator.name = is_known ? std::string(type) : substitute_of(properties);
-  if (integrator.strict_normals && kinds::integrator(integrator.name == "auto" ? "path" : integrator.name).from_lights)
-    builder.diagnostics.unknown(
-        properties.where("strict_normals"),
-        fmt::format("\"strict_normals\" is not supported yet of {}; normals count as they are", integrator.name));
   properties.report_unknown();
   return integrator;
 }

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// Capitals: Mitsuba loads a plugin by the name of its file, and some file systems ignore case there, so that scenes
+// with such names were rendered by it. Mirror and glass: the names that other renderers' formats use for them.
+#include "scene/readers/other_names.h"
+
+#include <algorithm>
+#include <cctype>
+
+#include "scene/readers/foreign_plugins.h"
+
+namespace strahl {
+
+namespace {
+
+bool is_type_of_mitsuba(std::string_view tag, std::string_view type) {
+  const std::vector<std::string>& types = mitsuba_types(tag);
+  return std::find(types.begin(), types.end(), type) != types.end();
+}
+
+std::string lower_case(std::string_view text) {
+  std::string lower(text);
+  std::transform(lower.begin(), lower.end(), lower.begin(), [](unsigned char c) { return std::tolower(c); });
+  return lower;
+}
+
+XmlElement* parameter(XmlElement& element, std::string_view name) {
+  for (XmlElement* child = element.first_child; child != nullptr; child = child->next_sibling)
+    if (child->text("name") == name) return child;
+  return nullptr;
+}
+
+XmlAttribute* attribute(XmlElement& element, std::string_view name) {
+  const auto found = std::find_if(element.attributes.begin(), element.attributes.end(),
+                                  [&](const XmlAttribute& candidate) { return candidate.name == name; });
+  return found == element.attributes.end() ? nullptr : &*found;
+}
+
+}  // namespace
+
+void use_mitsuba_names(XmlElement& element, XmlPool& pool) {
+  for (XmlElement* child = element.first_child; child != nullptr; child = child->next_sibling)
+    use_mitsuba_names(*child, pool);
+  XmlAttribute* type = attribute(element, "type");
+  if (type == nullptr || is_type_of_mitsuba(element.tag, type->value)) return;
+  const std::string lower = lower_case(type->value);
+  if (is_type_of_mitsuba(element.tag, lower)) type->value = pool.keep(lower).c_str();
+  if (element.tag != "bsdf") return;
+  if (lower == "mirror") {
+    type->value = "conductor";
+    if (XmlElement* reflectance = parameter(element, "reflectance"))
+      attribute(*reflectance, "name")->value = "specular_reflectance";
+  }
+  if (lower == "glass") type->value = parameter(element, "alpha") != nullptr ? "roughdielectric" : "dielectric";
+}
+
+}  // namespace strahl
