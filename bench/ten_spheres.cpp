@@ -78,7 +78,7 @@ class Minimal {
   }
 
   Image picture() {
-    FilmSums film(side_, side_, {1, 1, 0}, 1);
+    FilmSums film({FilmKind::pixels, side_, side_, {1, 1, 0}});
     read_buffer(device_, film_, film.words.data(), film_bytes_);
     film.add_samples({0, 0, side_, side_, 0, 1});
     return film.mean();

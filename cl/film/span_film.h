@@ -4,6 +4,7 @@
 #define STRAHL_FILM_SPAN_FILM_H
 
 #include "film/film.h"
+#include "film/moments.h"
 #include "film/sub_sums.h"
 
 typedef struct {
@@ -30,6 +31,7 @@ FN void add_sample(const Scene* scene, GLOBAL long* pixel_sums, SubSums sums, in
   film_add_sample(scene, sum, light.x);
   film_add_sample(scene, sum + FILM_SUM_WORDS, light.y);
   film_add_sample(scene, sum + 2 * FILM_SUM_WORDS, light.z);
+  if (HAS_MOMENT) add_squares(scene, pixel_sums + sums.count * (FILM_CHANNELS * FILM_SUM_WORDS), light, 1);
 }
 
 /// Adds `times` samples of a pixel from `sample` on, all with this radiance.
@@ -62,6 +64,7 @@ FN void add_to_film(const Scene* scene, const SpanFilm* film, int pixel, int sam
     film_add_slowly(scene, sum + FILM_SUM_WORDS, light.y, number);
     film_add_slowly(scene, sum + 2 * FILM_SUM_WORDS, light.z, number);
   }
+  if (HAS_MOMENT) add_squares(scene, pixel_sums + sums.count * (FILM_CHANNELS * FILM_SUM_WORDS), light, times);
 }
 
 #endif

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// strict_normals of Mitsuba 0.x (its integrators path, direct, volpath, ptracer and bdpt): light arrives and leaves on
-// one side of the surface by the shading normal and by the geometric one alike, or there is none. One width; no guard.
+// strict_normals of Mitsuba 0.x: light arrives and leaves on one side of the surface by the shading normal and by the
+// geometric one alike, or there is none. One width; no guard.
 
 /// The lanes of `which` in which both normals have d on one side. An interpolated normal that faces the other way than
 /// its triangle counts turned around. Where a path scatters in a medium the two are one.

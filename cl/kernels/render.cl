@@ -155,7 +155,7 @@ KERNEL LANE_HINT_OF(SCENE_LANES) void render(GLOBAL const real* geometry, GLOBAL
   first.first_pixel = span_pixel(&span);
   first.lanes = 0u;
   SpanFilm to;
-  to.pixel_words = index[HEADER_SUMS] * FILM_CHANNELS * FILM_SUM_WORDS;
+  to.pixel_words = (index[HEADER_SUMS] + HAS_MOMENT) * FILM_CHANNELS * FILM_SUM_WORDS;
   to.sums = film + slot * (ulong)to.pixel_words;
   to.done = done;
   to.sub_sums = sub_sums_of(&scene);

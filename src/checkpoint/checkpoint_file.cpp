@@ -60,7 +60,8 @@ std::string json_of(const Checkpoint& checkpoint) {
         {"sequences", film.sums.sequences},
         {"turn_bits", film.sums.turn_bits},
         {"first_sample", film.first_sample},
-        {"unit", film.unit}}},
+        {"unit", film.unit},
+        {"squares", film.has_squares}}},
       {"has_aovs", !state.aov_reals.empty()},
       {"position", {{"done", state.position.done}, {"check_at", state.position.check_at}}},
       {"unusual",
@@ -181,22 +182,18 @@ std::uint64_t count(const Json& json) {
 /// The film with its arrays' sizes, empty; header and arrays follow from it.
 struct Head {
   CheckpointHeader header;
-  FilmKind kind = FilmKind::pixels;
-  int width, height;
-  SubSums sums;
-  double unit;
+  FilmShape film;
   bool has_aovs;
   PassPosition position;
   UnusualSamples unusual;
   UploadFrame frame;
 
   [[nodiscard]] std::uint64_t pixels() const {
-    return static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height);
+    return static_cast<std::uint64_t>(film.width) * static_cast<std::uint64_t>(film.height);
   }
   [[nodiscard]] std::uint64_t array_bytes() const {
-    const std::uint64_t words = static_cast<std::uint64_t>(sums.count * layout::FILM_CHANNELS) * words_per_sum(kind);
     const std::uint64_t aovs = has_aovs ? layout::AOV_REALS * sizeof(double) + layout::AOV_INTS * sizeof(int) : 0;
-    return pixels() * (sizeof(int) + words * sizeof(std::int64_t) + aovs);
+    return pixels() * (sizeof(int) + film.words_per_pixel() * sizeof(std::int64_t) + aovs);
   }
 };
 
@@ -214,19 +211,26 @@ Head head_of(const Json& json) {
   head.header.least = number(json.at("least"), 0, max_spp);
   head.header.most = number(json.at("most"), head.header.least, max_spp);
   const Json& film = json.at("film");
-  head.kind = film.value("splats", false) ? FilmKind::splats : FilmKind::pixels;
-  head.width = number(film.at("width"), 1, most_side);
-  head.height = number(film.at("height"), 1, most_side);
-  head.sums.count = number(film.at("sums"), 1, layout::FILM_SUBSUMS);
-  head.sums.sequences = number(film.at("sequences"), 1, head.sums.count);
-  head.sums.turn_bits = number(film.at("turn_bits"), 0, 20);
-  if (!std::has_single_bit(static_cast<unsigned>(head.sums.count)) ||
-      !std::has_single_bit(static_cast<unsigned>(head.sums.sequences)))
+  FilmShape& shape = head.film;
+  shape.kind = film.value("splats", false) ? FilmKind::splats : FilmKind::pixels;
+  shape.width = number(film.at("width"), 1, most_side);
+  shape.height = number(film.at("height"), 1, most_side);
+  shape.sums.count = number(film.at("sums"), 1, layout::FILM_SUBSUMS);
+  shape.sums.sequences = number(film.at("sequences"), 1, shape.sums.count);
+  shape.sums.turn_bits = number(film.at("turn_bits"), 0, 20);
+  if (!std::has_single_bit(static_cast<unsigned>(shape.sums.count)) ||
+      !std::has_single_bit(static_cast<unsigned>(shape.sums.sequences)))
     throw std::out_of_range("a number of sums is no power of two");
-  head.header.first_sample = number(film.at("first_sample"), 0, max_spp);
-  head.unit = film.at("unit").get<double>();
+  shape.first_sample = head.header.first_sample = number(film.at("first_sample"), 0, max_spp);
+  shape.unit = film.at("unit").get<double>();
+  shape.has_squares = film.value("squares", false);
+  if (shape.has_squares && shape.kind == FilmKind::splats) throw std::out_of_range("it has second moments of splats");
   head.has_aovs = json.at("has_aovs").get<bool>();
-  if (!head.has_aovs && !(head.header.aovs.empty() && head.header.named_aovs.empty()))
+  const auto has = [&](const NamedAov& named) {
+    return is_of_first_sample(named.aov) ? head.has_aovs : named.aov == Aov::xyz || shape.has_squares;
+  };
+  const std::vector<NamedAov>& named_aovs = head.header.named_aovs;
+  if (!(head.has_aovs || head.header.aovs.empty()) || !std::all_of(named_aovs.begin(), named_aovs.end(), has))
     throw std::out_of_range("it names AOVs and has none");
   head.position.done = number(json.at("position").at("done"), 0, max_spp);
   head.position.check_at = number(json.at("position").at("check_at"), 0, max_spp);
@@ -295,15 +299,8 @@ CheckpointHeader read_checkpoint_header(const std::string& path) {
 Checkpoint read_checkpoint(const std::string& path) {
   Reader in(path);
   const Head head = read_head(in);
-  Checkpoint checkpoint{head.header,
-                        {FilmSums(head.width, head.height, head.sums, head.unit, true, head.kind),
-                         head.position,
-                         head.unusual,
-                         {},
-                         {},
-                         head.frame}};
+  Checkpoint checkpoint{head.header, {FilmSums(head.film), head.position, head.unusual, {}, {}, head.frame}};
   FilmState& state = checkpoint.state;
-  state.film.first_sample = head.header.first_sample;
   if (head.has_aovs) {
     state.aov_reals.resize(head.pixels() * layout::AOV_REALS);
     state.aov_ints.resize(head.pixels() * layout::AOV_INTS);

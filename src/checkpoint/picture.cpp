@@ -16,7 +16,8 @@ RenderResult picture_of(const Checkpoint& checkpoint) {
   aovs.erase(Aov::numeric_error);
   const FirstSampleValues values{state.film.width, state.film.height, state.aov_reals, state.aov_ints, state.frame};
   result.aov = aov_image(values, aovs);
-  result.named_aov = aov_image(values, checkpoint.header.named_aovs);
+  const Image squares = state.film.has_squares ? state.film.mean_of_squares() : Image{};
+  result.named_aov = aov_image(values, {result.color, squares}, checkpoint.header.named_aovs);
   return result;
 }
 

@@ -158,7 +158,7 @@ RenderSettings settings_of(const KernelOptions& options) {
   settings.light_choice = options.light_choice;
   settings.disabled.insert(options.disabled.begin(), options.disabled.end());
   static_cast<void>(disabled_effects(settings.disabled));  // Says what is wrong with it before a scene is loaded.
-  for (const std::string& name : options.aovs) settings.aovs.add(aov_from_name(name));
+  for (const std::string& name : options.aovs) settings.aovs.add(first_sample_aov(name));
   return settings;
 }
 

@@ -63,10 +63,12 @@ void say_unwritten(const std::vector<NamedAov>& aovs, const std::string& picture
   std::set<std::string> kinds;
   for (const NamedAov& named : aovs) {
     names.push_back(named.name);
-    kinds.insert(aov_name(named.aov));
+    if (is_of_first_sample(named.aov)) kinds.insert(aov_name(named.aov));
   }
-  say(fmt::format("{}: without the scene's AOVs ({}), which an .exr holds; --aov {} writes them as pictures", picture,
-                  fmt::join(names, ", "), fmt::join(kinds, ",")));
+  std::string remedy;
+  if (!kinds.empty())
+    remedy = fmt::format("; --aov {} writes {} as pictures", fmt::join(kinds, ","), kinds.size() == 1 ? "it" : "them");
+  say(fmt::format("{}: without the scene's AOVs ({}), which an .exr holds{}", picture, fmt::join(names, ", "), remedy));
 }
 
 }  // namespace strahl::cli

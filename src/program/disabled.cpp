@@ -35,6 +35,7 @@ const std::map<std::string, std::string>& needed() {
       {"phases", "a medium needs its phase function; MEDIA can be left out"},
       {"AOV", "--aov asks for it, or the scene's integrator aov where an .exr is written; leave that out"},
       {"ALBEDO", "--aov albedo asks for it, or the scene's integrator aov where an .exr is written; leave that out"},
+      {"MOMENT", "the scene's integrator moment asks for it where an .exr is written; leave that out"},
       {"COUNT_RAYS", "--stats-detail asks for it; leave that out"},
       {"LOOP_LIMIT", "the device ends long loops, and a picture might be wrong without a word"},
       {"MESH_ATTRIBUTE", "the texture mesh_attribute reads by it; that can be left out"},

@@ -76,9 +76,10 @@ bool use_light_texture(const Scene& scene, int index, Causes& causes) {
 
 void aov_causes(const Scene& scene, const AovList& aovs, Causes& causes) {
   if (!aovs.plain().empty()) call_for(causes, "AOV", "--aov", {});
-  if (!aovs.empty()) call_for(causes, "AOV", "integrator aov", scene.integrator.aovs_where);
+  if (aovs.names_first_samples()) call_for(causes, "AOV", "integrator aov", scene.integrator.aovs_where);
   if (aovs.plain().contains(Aov::albedo)) call_for(causes, "ALBEDO", "--aov albedo", {});
   if (aovs.contains(Aov::albedo)) call_for(causes, "ALBEDO", "integrator aov, albedo", scene.integrator.aovs_where);
+  if (aovs.contains(Aov::xyz_squared)) call_for(causes, "MOMENT", "integrator moment", scene.integrator.aovs_where);
 }
 
 void shape_causes(const Scene& scene, const RenderSettings& settings, Causes& causes) {
@@ -270,6 +271,15 @@ Causes causes_of(const Scene& scene, const RenderSettings& settings) {
   return causes;
 }
 
+/// The integrator of the scene that calls for the effect where its values can be written; empty: none.
+std::string asking_scene(const Scene& scene, const std::string& name) {
+  for (const NamedAov& named : scene.integrator.aovs) {
+    if (name == "AOV" && is_of_first_sample(named.aov)) return "integrator aov";
+    if (name == "MOMENT" && named.aov == Aov::xyz_squared) return "integrator moment";
+  }
+  return {};
+}
+
 /// Could a program of this integrator's kernel use it? Even --generic leaves the rest out.
 bool has_place(const kinds::IntegratorFacts& integrator, const std::string& name) {
   if (integrator.from_lights ? name == "MEDIA" || name == "PANE" : name == "LIGHT_PATHS") return false;
@@ -315,11 +325,11 @@ Features features_of(const Scene& scene, const RenderSettings& settings) {
       row.why = cause->second.why;
       row.where = cause->second.where;
     } else if (settings.generic && name != "COUNT_RAYS" && name != "LOOP_LIMIT" && name != "TEXTURE_LOD" &&
-               has_place(kinds::integrator(scene.integrator.name), name)) {
+               name != "MOMENT" && has_place(kinds::integrator(scene.integrator.name), name)) {
       row.on = true;
       row.why = "--generic";
-    } else if (name == "AOV" && !scene.integrator.aovs.empty()) {
-      row.why = "integrator aov calls for it where an .exr is written";
+    } else if (const std::string asking = asking_scene(scene, name); !asking.empty()) {
+      row.why = asking + " calls for it where an .exr is written";
       row.where = scene.integrator.aovs_where;
     }
     features.report.push_back(row);

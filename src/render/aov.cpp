@@ -1,10 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "render/aov.h"
 
+#include <array>
+
 #include "packing/cl_layout.h"
 
 namespace strahl {
 namespace {
+
+#define R(x) x
+#include "../../cl/film/xyz.h"
+constexpr std::array<std::array<double, 3>, 3> xyz_of_rgb{{{XYZ_OF_RGB_X}, {XYZ_OF_RGB_Y}, {XYZ_OF_RGB_Z}}};
+#undef R
 
 /// A channel: strahl's own name and where its value stands.
 struct AovChannel {
@@ -32,11 +39,26 @@ constexpr AovChannel known_channels[] = {
     {Aov::primitive_id, "primitive_id.I", layout::AOV_PRIMITIVE, true},
 };
 
-/// A channel of an image: its own name, and the value.
+/// A channel of an image: its own name, and where its values stand: those of first samples, or a picture's.
 struct Column {
   std::string name;
-  const AovChannel* channel;
+  const AovChannel* channel = nullptr;
+  const Image* picture = nullptr;
+  std::size_t component = 0;
 };
+
+float first_sample_value(const FirstSampleValues& values, const AovChannel& channel, std::size_t pixel) {
+  const double* real = &values.reals[pixel * layout::AOV_REALS];
+  const std::int32_t* integer = &values.ints[pixel * layout::AOV_INTS];
+  const UploadFrame& frame = values.frame;
+  const double origin[] = {frame.origin.x, frame.origin.y, frame.origin.z};
+  const bool hit = integer[layout::AOV_SHAPE] >= 0;
+  double value = channel.integer ? integer[channel.at] : real[channel.at];
+  if (channel.aov == Aov::position || channel.aov == Aov::depth) value /= frame.scale;
+  if (channel.aov == Aov::position && hit) value += origin[channel.at - layout::AOV_POSITION];
+  // -0 becomes 0: some devices' fma (Mesa's software fma) loses the sign of a zero sum.
+  return static_cast<float>(value + 0.0);
+}
 
 Image image_of(const FirstSampleValues& values, const std::vector<Column>& columns) {
   Image image;
@@ -47,22 +69,21 @@ Image image_of(const FirstSampleValues& values, const std::vector<Column>& colum
   for (const Column& column : columns) image.channels.push_back(column.name);
   const std::size_t pixels = static_cast<std::size_t>(values.width) * static_cast<std::size_t>(values.height);
   image.data.reserve(pixels * columns.size());
-  const UploadFrame& frame = values.frame;
-  const double origin[] = {frame.origin.x, frame.origin.y, frame.origin.z};
-  for (std::size_t pixel = 0; pixel < pixels; ++pixel) {
-    const double* real = &values.reals[pixel * layout::AOV_REALS];
-    const std::int32_t* integer = &values.ints[pixel * layout::AOV_INTS];
-    const bool hit = integer[layout::AOV_SHAPE] >= 0;
-    for (const Column& column : columns) {
-      const AovChannel& channel = *column.channel;
-      double value = channel.integer ? integer[channel.at] : real[channel.at];
-      if (channel.aov == Aov::position || channel.aov == Aov::depth) value /= frame.scale;
-      if (channel.aov == Aov::position && hit) value += origin[channel.at - layout::AOV_POSITION];
-      // -0 becomes 0: some devices' fma (Mesa's software fma) loses the sign of a zero sum.
-      image.data.push_back(static_cast<float>(value + 0.0));
-    }
-  }
+  for (std::size_t pixel = 0; pixel < pixels; ++pixel)
+    for (const Column& column : columns)
+      image.data.push_back(column.picture != nullptr ? column.picture->data[pixel * 3 + column.component]
+                                                     : first_sample_value(values, *column.channel, pixel));
   return image;
+}
+
+Image xyz_of(const Image& rgb) {
+  Image xyz = rgb;
+  for (std::size_t at = 0; at < rgb.data.size(); ++at) {
+    const std::array<double, 3>& row = xyz_of_rgb[at % 3];
+    const float* color = &rgb.data[at - at % 3];
+    xyz.data[at] = static_cast<float>(row[0] * color[0] + row[1] * color[1] + row[2] * color[2]);
+  }
+  return xyz;
 }
 
 }  // namespace
@@ -81,13 +102,20 @@ Image aov_image(const FirstSampleValues& values, const std::set<Aov>& aovs) {
   return image_of(values, columns);
 }
 
-Image aov_image(const FirstSampleValues& values, const std::vector<NamedAov>& aovs) {
+Image aov_image(const FirstSampleValues& values, const SampleMeans& means, const std::vector<NamedAov>& aovs) {
   std::vector<Column> columns;
+  const Image xyz = xyz_of(means.color);
   for (const NamedAov& named : aovs) {
     const std::vector<std::string> names = channels_of(named);
     auto name = names.begin();
-    for (const AovChannel& channel : known_channels)
-      if (channel.aov == named.aov) columns.push_back({*name++, &channel});
+    if (is_of_first_sample(named.aov)) {
+      for (const AovChannel& channel : known_channels)
+        if (channel.aov == named.aov) columns.push_back({*name++, &channel});
+    } else {
+      const Image& picture = named.aov == Aov::xyz ? xyz : means.squares;
+      for (std::size_t component = 0; component < 3; ++component)
+        columns.push_back({*name++, nullptr, &picture, component});
+    }
   }
   return image_of(values, columns);
 }

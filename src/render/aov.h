@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// First-sample values of every pixel as named channels.
+// Values of every pixel beside its colour as named channels.
 #pragma once
 
 #include <cstdint>
@@ -29,7 +29,14 @@ struct FirstSampleValues {
 /// The channels of aov_channels(); positions and depths return to the world frame. No channels without AOVs, of which
 /// there may then be no values.
 [[nodiscard]] Image aov_image(const FirstSampleValues& values, const std::set<Aov>& aovs);
+/// Of all samples of a pixel: three channels each.
+struct SampleMeans {
+  const Image& color;
+  const Image& squares;  ///< FilmSums::mean_of_squares(); read where Aov::xyz_squared is asked for.
+};
+
 /// The same under a scene's names: channels_of() each.
-[[nodiscard]] Image aov_image(const FirstSampleValues& values, const std::vector<NamedAov>& aovs);
+[[nodiscard]] Image aov_image(const FirstSampleValues& values, const SampleMeans& means,
+                              const std::vector<NamedAov>& aovs);
 
 }  // namespace strahl

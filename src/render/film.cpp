@@ -8,9 +8,8 @@
 
 namespace strahl {
 
-FilmSums::FilmSums(int w, int h, SubSums parts, double one, bool holds_words, FilmKind its_kind)
-    : FilmShape{its_kind, w, h, parts, 0, one} {
-  const std::size_t pixels = static_cast<std::size_t>(w) * static_cast<std::size_t>(h);
+FilmSums::FilmSums(const FilmShape& shape, bool holds_words) : FilmShape(shape) {
+  const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
   if (holds_words) words.resize(pixels * words_per_pixel(), 0);
   samples.resize(pixels, 0);
 }
@@ -20,8 +19,8 @@ std::size_t words_per_sum(FilmKind kind) {
   return layout::FILM_SUM_WORDS;
 }
 
-std::size_t FilmSums::words_per_pixel() const {
-  return static_cast<std::size_t>(sums.count) * layout::FILM_CHANNELS * words_per_sum(kind);
+std::size_t FilmShape::words_per_pixel() const {
+  return static_cast<std::size_t>(sums.count + (has_squares ? 1 : 0)) * layout::FILM_CHANNELS * words_per_sum(kind);
 }
 
 void FilmSums::add_samples(const Launch& launch) {
@@ -90,6 +89,17 @@ void FilmSums::put_mean(std::span<const std::int64_t> part, std::size_t first, d
   }
 }
 
+void FilmSums::put_squares(std::span<const std::int64_t> part, std::size_t first, Image& image) const {
+  constexpr std::size_t channels = layout::FILM_CHANNELS, per_sum = layout::FILM_SUM_WORDS;
+  const std::int64_t* sum = part.data() + static_cast<std::size_t>(sums.count) * channels * per_sum;
+  float* out = &image.data[first * channels];
+  for (std::size_t at = first; at < first + part.size() / words_per_pixel(); ++at, sum += words_per_pixel())
+    for (std::size_t channel = 0; channel < channels; ++channel, ++out) {
+      const std::int64_t* bins = sum + channel * per_sum;
+      if (samples[at] > 0) *out = static_cast<float>(value_of(film_bins(bins[0], bins[1])) / samples[at] * unit * unit);
+    }
+}
+
 /// Added up as the film adds, so that it does not matter which sub-sum a sample is in.
 double FilmSums::total(const std::int64_t* sum) const {
   const std::size_t stride = layout::FILM_CHANNELS * words_per_sum(kind);
@@ -115,6 +125,12 @@ double FilmSums::paths_a_pixel() const {
 Image FilmSums::mean() const {
   Image image = black();
   put_mean(words, 0, paths_a_pixel(), image);
+  return image;
+}
+
+Image FilmSums::mean_of_squares() const {
+  Image image = black();
+  put_squares(words, 0, image);
   return image;
 }
 

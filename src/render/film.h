@@ -30,17 +30,21 @@ struct FilmShape {
   SubSums sums;          ///< Which sample is in which.
   int first_sample = 0;  ///< The number of each pixel's first sample; others only in a part (RenderGoal).
   double unit = 1;       ///< Radiance that corresponds to 1 in the kernels.
+  /// One sum more behind a pixel's sub-sums (cl/film/moments.h). Not of splats.
+  bool has_squares = false;
+
+  [[nodiscard]] std::size_t words_per_pixel() const;
 };
 
-/// Four sub-sums of three channels a pixel, or one where nobody compares them; window coordinates.
+/// Sub-sums of three channels a pixel: four, or one where nobody compares them; window coordinates.
 struct FilmSums : FilmShape {
-  std::vector<std::int64_t> words;  ///< height x width x sums.count x 3 x words_per_sum(kind), as the kind has them.
+  std::vector<std::int64_t> words;  ///< height x width x words_per_pixel(): sums.count, or one more, x 3 x
+                                    ///< words_per_sum(kind), as the kind has them.
   std::vector<int> samples;         ///< height x width: how many samples a pixel has, from first_sample on.
 
   FilmSums() = default;
   /// holds_words: false where the words stay on the device (put_mean).
-  FilmSums(int width, int height, SubSums sums, double unit, bool holds_words = true, FilmKind kind = FilmKind::pixels);
-  [[nodiscard]] std::size_t words_per_pixel() const;
+  explicit FilmSums(const FilmShape& shape, bool holds_words = true);
   /// What rows [row, row + rows) lack of the samples below `end`: rectangles of pixels that are equally far.
   [[nodiscard]] std::vector<Launch> missing(int row, int rows, int end) const;
   /// Counts the samples that a launch has added to its pixels; rows are those of the window.
@@ -59,6 +63,9 @@ struct FilmSums : FilmShape {
   /// The mean of the pixels from `first` on into their places. part: the words of them; paths: paths_a_pixel(), which
   /// looks at all pixels, and there may be many parts.
   void put_mean(std::span<const std::int64_t> part, std::size_t first, double paths, Image& image) const;
+  /// The same of the squares, where the film has them.
+  void put_squares(std::span<const std::int64_t> part, std::size_t first, Image& image) const;
+  [[nodiscard]] Image mean_of_squares() const;
 
  private:
   /// All sub-sums of a channel together, `sum` being the first one's words.

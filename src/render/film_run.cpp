@@ -24,9 +24,9 @@ constexpr std::size_t part_bytes = std::size_t{1} << 20;
 
 /// Memory takes most of the time of a picture of few samples, so the host keeps no copy of what the device has.
 FilmSums FilmRun::black_film() const {
-  FilmSums film(width_, height_, sums_, state_.radiance_unit(), !is_one_band(), state_.film_kind());
-  if (goal_.samples) film.first_sample = goal_.samples->first;
-  return film;
+  FilmShape shape{state_.film_kind(), width_, height_, sums_, 0, state_.radiance_unit(), state_.has_squares()};
+  if (goal_.samples) shape.first_sample = goal_.samples->first;
+  return FilmSums(shape, !is_one_band());
 }
 
 /// Behind the last sample that is asked for.
@@ -200,8 +200,9 @@ void FilmRun::each_part(const std::function<void(const FilmSums& rows, std::size
   if (!is_one_band()) return use(film_, 0);
   const auto width = static_cast<std::size_t>(width_);
   const auto most = static_cast<int>(std::clamp<std::size_t>(part_bytes / film_bytes(width), 1, height_));
-  FilmSums rows(width_, most, sums_, film_.unit, true, film_.kind);
-  rows.first_sample = film_.first_sample;
+  FilmShape shape = film_;
+  shape.height = most;
+  FilmSums rows(shape);
   for (int row = 0; row < height_; row += most) {
     rows.height = std::min(most, height_ - row);
     const std::size_t first = static_cast<std::size_t>(row) * width,
@@ -228,10 +229,12 @@ void FilmRun::finish() {
   if (!has_map) result_.standard_error.channels.clear();
   seconds.error += beginning.seconds();
   result_.color = film_.black();
+  if (film_.has_squares) squares_ = film_.black();
   const double paths = film_.paths_a_pixel();
   each_part([&](const FilmSums& rows, std::size_t first) {
     const Stopwatch taking;
     film_.put_mean(rows.words, first, paths, result_.color);
+    if (film_.has_squares) film_.put_squares(rows.words, first, squares_);
     seconds.readback += taking.seconds();
     const Stopwatch estimating;
     if (has_error) error->add(rows);
@@ -301,7 +304,7 @@ RenderResult FilmRun::run() {
                            aov_ints_);
   const FirstSampleValues values{width_, height_, aov_reals_, aov_ints_, state_.frame()};
   result_.aov = aov_image(values, state_.settings.aovs.plain());
-  result_.named_aov = aov_image(values, state_.settings.aovs.named());
+  result_.named_aov = aov_image(values, {result_.color, squares_}, state_.settings.aovs.named());
   run.seconds.readback += convert.seconds();
   return std::move(result_);
 }

@@ -95,6 +95,7 @@ class FilmRun {
   std::optional<Clock::time_point> samples_until_;
   Stopwatch watch_;
   RenderResult result_;
+  Image squares_;  ///< As result_.color, of the second moments.
 };
 
 }  // namespace strahl

@@ -66,6 +66,7 @@ struct Renderer::State {
     return kinds::integrator(scene.integrator.name).is_length ? 1 / frame().scale : 1;
   }
   [[nodiscard]] bool has_aov() const { return features.flag("AOV"); }
+  [[nodiscard]] bool has_squares() const { return features.flag("MOMENT"); }
   [[nodiscard]] std::size_t real_bytes() const { return settings.precision == Precision::fp64 ? 8 : 4; }
   [[nodiscard]] std::size_t aov_real_bytes(std::size_t pixels) const {
     return has_aov() ? pixels * layout::AOV_REALS * real_bytes() : 0;
@@ -81,7 +82,7 @@ struct Renderer::State {
   /// At the most: a film of one sum takes a part of the buffer.
   [[nodiscard]] std::size_t film_bytes_per_pixel() const {
     const std::size_t sums = film_kind() == FilmKind::splats && !settings.estimate_error ? 1 : layout::FILM_SUBSUMS;
-    return sizeof(std::int64_t) * sums * layout::FILM_CHANNELS * words_per_sum(film_kind());
+    return sizeof(std::int64_t) * (sums + (has_squares() ? 1 : 0)) * layout::FILM_CHANNELS * words_per_sum(film_kind());
   }
 
   /// Behind the counters: how far each pixel has come.

@@ -10,4 +10,8 @@ bool AovList::contains(Aov aov) const {
          std::any_of(named_.begin(), named_.end(), [aov](const NamedAov& named) { return named.aov == aov; });
 }
 
+bool AovList::names_first_samples() const {
+  return std::any_of(named_.begin(), named_.end(), [](const NamedAov& named) { return is_of_first_sample(named.aov); });
+}
+
 }  // namespace strahl

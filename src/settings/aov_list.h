@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which values of each pixel's first sample a render is asked for, and under which names.
+// Which values beside the picture a render is asked for, and under which names.
 #pragma once
 
 #include <cstddef>
@@ -27,6 +27,7 @@ class AovList {
   [[nodiscard]] bool empty() const { return plain_.empty() && named_.empty(); }
   [[nodiscard]] std::size_t size() const { return plain_.size() + named_.size(); }
   [[nodiscard]] bool contains(Aov aov) const;
+  [[nodiscard]] bool names_first_samples() const;  ///< Whether the scene's are of first samples, some of them.
   [[nodiscard]] const std::set<Aov>& plain() const { return plain_; }
   [[nodiscard]] const std::vector<NamedAov>& named() const { return named_; }
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 #include <stdexcept>
 #include <utility>
 
@@ -21,7 +22,7 @@ constexpr std::array<std::pair<const char*, Precision>, 4> kPrecisions{{
     {"double", Precision::fp64},
 }};
 
-constexpr std::array<std::pair<const char*, Aov>, 8> kAovs{{
+constexpr std::array<std::pair<const char*, Aov>, 10> kAovs{{
     {"depth", Aov::depth},
     {"normal", Aov::normal},
     {"position", Aov::position},
@@ -30,7 +31,12 @@ constexpr std::array<std::pair<const char*, Aov>, 8> kAovs{{
     {"primitive_id", Aov::primitive_id},
     {"numeric_error", Aov::numeric_error},
     {"albedo", Aov::albedo},
+    {"xyz", Aov::xyz},
+    {"xyz_squared", Aov::xyz_squared},
 }};
+
+/// They stand first.
+constexpr std::size_t first_sample_aovs = 8;
 
 template <typename Table>
 auto by_name(const Table& table, const char* what, const std::string& name) {
@@ -57,6 +63,12 @@ Precision precision_from_name(const std::string& name) { return by_name(kPrecisi
 const char* precision_name(Precision precision) { return name_of(kPrecisions, precision); }
 
 Aov aov_from_name(const std::string& name) { return by_name(kAovs, "AOV", name); }
+
+Aov first_sample_aov(const std::string& name) {
+  static_assert(is_of_first_sample(kAovs[first_sample_aovs - 1].second) &&
+                !is_of_first_sample(kAovs[first_sample_aovs].second));
+  return by_name(std::span(kAovs).first<first_sample_aovs>(), "AOV", name);
+}
 
 const char* aov_name(Aov aov) { return name_of(kAovs, aov); }
 

@@ -23,7 +23,8 @@ enum class Precision { fast, stable, robust, fp64 };
 /// and double.
 enum class Acceleration { automatic, list, tree };
 
-[[nodiscard]] Aov aov_from_name(const std::string& name);  ///< Throws UsageError that lists the names.
+[[nodiscard]] Aov aov_from_name(const std::string& name);     ///< Throws UsageError that lists the names.
+[[nodiscard]] Aov first_sample_aov(const std::string& name);  ///< The same, of those alone that --aov takes.
 [[nodiscard]] const char* aov_name(Aov aov);
 
 /// Work-items per group, x times y.

@@ -17,7 +17,7 @@ using Catch::Matchers::Contains;
 namespace {
 
 Checkpoint small_checkpoint(int first_sample = 3) {
-  FilmSums film(3, 2, {4, 2, 1}, 0.1);
+  FilmSums film({FilmKind::pixels, 3, 2, {4, 2, 1}, 0, 0.1});
   film.first_sample = first_sample;
   for (std::size_t i = 0; i < film.words.size(); ++i) film.words[i] = static_cast<std::int64_t>(i * 0x123456789abcdefU);
   film.samples = {5, 5, 5, 5, 4, 4};
@@ -99,6 +99,21 @@ TEST_CASE("without AOVs, too") {
   CHECK(read_checkpoint(folder / "c").state.film.words == out.state.film.words);
 }
 
+TEST_CASE("second moments, and names of them where there are none") {
+  const TemporaryFolder folder;
+  Checkpoint out = small_checkpoint();
+  out.header.named_aovs = {{"p", Aov::xyz}, {"m2_p", Aov::xyz_squared}};
+  write_checkpoint(folder / "none", out);
+  CHECK_THROWS_WITH(read_checkpoint(folder / "none"), Contains("names AOVs and has none"));
+  out.state.film.has_squares = true;
+  out.state.film.words.resize(out.state.film.words.size() / 4 * 5, 7);
+  write_checkpoint(folder / "c", out);
+  const Checkpoint in = read_checkpoint(folder / "c");
+  CHECK(in.state.film.has_squares);
+  CHECK(in.state.film.words == out.state.film.words);
+  CHECK(in.header.named_aovs == out.header.named_aovs);
+}
+
 TEST_CASE("one of another layout is told apart from what is none") {
   const TemporaryFolder folder;
   write_checkpoint(folder / "c", small_checkpoint());
@@ -167,7 +182,7 @@ TEST_CASE("what is not finished, or of another size, is no part") {
 
 TEST_CASE("a part has as many samples in each sub-sum as its numbers say") {
   // Points 48 to 79 of both sequences; turns of 64.
-  FilmSums film(1, 1, {4, 2, 6}, 1);
+  FilmSums film({FilmKind::pixels, 1, 1, {4, 2, 6}});
   film.first_sample = 96;
   film.samples = {64};
   for (int sub = 0; sub < 4; ++sub) CHECK(film.sub_sum_samples(0, sub) == 16);
@@ -179,7 +194,7 @@ TEST_CASE("a part has as many samples in each sub-sum as its numbers say") {
 }
 
 TEST_CASE("what pixels lack, as rectangles") {
-  FilmSums film(4, 5, {4, 2, 0}, 1);
+  FilmSums film({FilmKind::pixels, 4, 5, {4, 2, 0}});
   film.first_sample = 10;
   film.samples = {2, 2, 2, 2,   //
                   2, 2, 2, 2,   //

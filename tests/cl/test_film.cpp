@@ -247,7 +247,7 @@ TEST_CASE("a sequence's sums are its halves") {
 
 TEST_CASE("bands and sub-sums add up to one mean") {
   std::mt19937 random(11);
-  FilmSums four(3, 2, {4, 4, 0}, 1), one(3, 2, {1, 1, 0}, 1);
+  FilmSums four({FilmKind::pixels, 3, 2, {4, 4, 0}}), one({FilmKind::pixels, 3, 2, {1, 1, 0}});
   Values<float> values;
   for (std::size_t pixel = 0; pixel < 6; ++pixel) {
     const std::vector<float> samples = values.draw(64, false);
@@ -265,7 +265,7 @@ TEST_CASE("bands and sub-sums add up to one mean") {
     CHECK(sum == Approx(exact_sum(samples).get_d()).epsilon(1e-12));
   }
   CHECK(one.mean().data == four.mean().data);
-  FilmSums again(3, 2, {4, 4, 0}, 1);
+  FilmSums again({FilmKind::pixels, 3, 2, {4, 4, 0}});
   again.samples = four.samples;
   const auto row = static_cast<std::ptrdiff_t>(3 * four.words_per_pixel());
   again.add_words(1, {four.words.begin() + row, four.words.end()});
@@ -276,7 +276,7 @@ TEST_CASE("bands and sub-sums add up to one mean") {
 TEST_CASE("a pixel whose samples are alike is that sample, to the bit") {
   for (const float value : {1.0F, 0.1F, 3.3e-41F, 1e13F, 3.4e38F})
     for (const int count : {1, 3, 7, 4095, 1 << 21}) {
-      FilmSums film(1, 1, {1, 1, 0}, 1);
+      FilmSums film({FilmKind::pixels, 1, 1, {1, 1, 0}});
       film.samples[0] = count;
       FilmWords word{};
       Counts counts{};

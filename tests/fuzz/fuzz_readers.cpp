@@ -100,7 +100,7 @@ void write_seeds(const fs::path& folder) {
   for (int i = 0; i < 18; ++i) picture.data.push_back(static_cast<float>(i) / 7);
   for (const char* name : {"s.png", "s.exr", "s.pfm"}) static_cast<void>(write_image(picture, folder / name));
   write_npy({2, 6, std::vector<double>(12, 0.5)}, folder / "s.npy");
-  FilmSums film(2, 2, {4, 2, 1}, 1);
+  FilmSums film({FilmKind::pixels, 2, 2, {4, 2, 1}});
   Checkpoint checkpoint{{}, {film, {4, 8}, {}, {}, {}, {}}};
   checkpoint.header.identity.parts = {{"the seed", "0", ""}};
   checkpoint.told_of_film();

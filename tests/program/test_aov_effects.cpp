@@ -37,3 +37,17 @@ TEST_CASE("AOVs that a scene names call for effects where they are written") {
   CHECK(row(settings, "ALBEDO").why == "--aov albedo");
   CHECK(row(settings, "ALBEDO").where.line == 0);
 }
+
+TEST_CASE("second moments call for an effect of their own, and for no first samples") {
+  Scene scene;
+  scene.shapes.emplace_back().geometry = Sphere{};
+  scene.integrator.aovs = {{"p", Aov::xyz}, {"m2_p", Aov::xyz_squared}};
+  RenderSettings settings;
+  CHECK_FALSE(features_of(scene, settings).flag("MOMENT"));
+  settings.generic = true;
+  CHECK_FALSE(features_of(scene, settings).flag("MOMENT"));
+  settings.generic = false;
+  for (const NamedAov& named : scene.integrator.aovs) settings.aovs.add(named);
+  CHECK(features_of(scene, settings).flag("MOMENT"));
+  CHECK_FALSE(features_of(scene, settings).flag("AOV"));
+}

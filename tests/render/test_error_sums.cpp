@@ -17,7 +17,7 @@ constexpr int width = 13, height = 17, samples = 64;
 
 /// Words as kernels could have written them, of an even picture with noise.
 FilmSums noisy_film(FilmKind kind, SubSums sums) {
-  FilmSums film(width, height, sums, 2, true, kind);
+  FilmSums film({kind, width, height, sums, 0, 2});
   std::mt19937_64 random(5);
   const auto per_sum = words_per_sum(kind);
   for (std::size_t i = 0; i < film.words.size(); ++i) {
@@ -32,7 +32,9 @@ FilmSums noisy_film(FilmKind kind, SubSums sums) {
 }
 
 FilmSums rows_of(const FilmSums& film, int row, int rows) {
-  FilmSums part(width, rows, film.sums, film.unit, true, film.kind);
+  FilmShape shape = film;
+  shape.height = rows;
+  FilmSums part(shape);
   const std::size_t first = static_cast<std::size_t>(row) * width;
   std::copy_n(film.samples.begin() + static_cast<std::ptrdiff_t>(first), part.samples.size(), part.samples.begin());
   std::copy_n(film.words.begin() + static_cast<std::ptrdiff_t>(first * film.words_per_pixel()), part.words.size(),

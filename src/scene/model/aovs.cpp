@@ -16,6 +16,8 @@ std::string_view letters(Aov aov) {
       return "T";
     case Aov::normal:
     case Aov::position:
+    case Aov::xyz:
+    case Aov::xyz_squared:
       return "XYZ";
     case Aov::uv:
       return "UV";

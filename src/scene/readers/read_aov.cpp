@@ -15,9 +15,6 @@
 namespace strahl {
 namespace {
 
-/// A file of OpenEXR cuts names of channels that are longer than 255 bytes.
-constexpr std::size_t longest_name = 250;
-
 /// Mitsuba's types; none: strahl does not have it yet.
 const std::map<std::string, std::optional<Aov>, std::less<>>& types() {
   static const std::map<std::string, std::optional<Aov>, std::less<>> all{
@@ -73,8 +70,9 @@ class AovReader {
     if (colon == std::string::npos || colon == 0 || colon + 1 == part.size() || colon != part.rfind(':'))
       return fault(fmt::format("\"{}\" is not NAME:TYPE, as \"dist:depth\"", part));
     const std::string name = part.substr(0, colon), type = part.substr(colon + 1);
-    if (name.size() > longest_name)
-      return fault(fmt::format("the name of \"{}\" has {} bytes; a file holds {}", part, name.size(), longest_name));
+    if (name.size() > longest_layer_name)
+      return fault(
+          fmt::format("the name of \"{}\" has {} bytes; a file holds {}", part, name.size(), longest_layer_name));
     const auto found = types().find(type);
     if (found == types().end())
       return unknown(fmt::format("unknown type \"{}\"{}; \"{}\" is left out; strahl has {}", type,

@@ -43,6 +43,7 @@ IntegratorSettings read_integrator(const XmlElement& element, SceneBuilder& buil
     return {};
   }
   if (type == "aov") return read_aov(properties, builder);
+  if (type == "moment") return read_moment(properties, builder);
   const std::vector<const XmlElement*> inside = properties.objects("integrator");
   if (is_around_another(type) && !inside.empty()) {
     builder.diagnostics.unknown(element.where,

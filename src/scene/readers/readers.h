@@ -19,5 +19,7 @@ void read_sensor(const XmlElement& element, SceneBuilder& builder);
 [[nodiscard]] IntegratorSettings read_integrator(const XmlElement& element, SceneBuilder& builder);
 /// Integrator `aov`: the one inside it, with what is written beside its picture.
 [[nodiscard]] IntegratorSettings read_aov(Properties& properties, SceneBuilder& builder);
+/// Integrator `moment`, alike.
+[[nodiscard]] IntegratorSettings read_moment(Properties& properties, SceneBuilder& builder);
 
 }  // namespace strahl

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// Second moments: the mean of the squares of a pixel's samples, in CIE 1931's X, Y and Z, as Mitsuba's integrator
+// moment has them. Their sum stands behind the pixel's sub-sums.
+#ifndef STRAHL_FILM_MOMENTS_H
+#define STRAHL_FILM_MOMENTS_H
+
+#include "film/film.h"
+#include "film/xyz.h"
+#include "math/vec3.h"
+
+/// Adds `times` equal samples.
+SELDOM_FN void add_squares(const Scene* scene, GLOBAL long* sum, real3 light, int times) {
+  real x = dot3(vec3(XYZ_OF_RGB_X), light), y = dot3(vec3(XYZ_OF_RGB_Y), light), z = dot3(vec3(XYZ_OF_RGB_Z), light);
+  film_add_slowly(scene, sum, x * x, times);
+  film_add_slowly(scene, sum + FILM_SUM_WORDS, y * y, times);
+  film_add_slowly(scene, sum + 2 * FILM_SUM_WORDS, z * z, times);
+}
+
+#endif

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// <integrator type="moment">: the mean of the squares of each pixel's samples, beside the picture of the integrator
+// inside it. Names of channels are Mitsuba's.
+#include <fmt/format.h>
+
+#include "scene/readers/readers.h"
+#include "scene/xml/properties.h"
+
+namespace strahl {
+namespace {
+
+/// Mitsuba's of the first nested object without a name.
+constexpr const char* no_name = "_arg_0";
+
+/// Values of the integrator inside, which get its name before theirs.
+void take_inner(const std::string& name, const SourceLocation& where, Diagnostics& diagnostics,
+                std::vector<NamedAov>& aovs) {
+  if (aovs.empty()) return;
+  for (NamedAov& named : aovs) named.name = fmt::format("{}.{}", name, named.name);
+  diagnostics.unknown(where, "second moments of AOVs are not supported yet; those of the picture are written");
+}
+
+}  // namespace
+
+IntegratorSettings read_moment(Properties& properties, SceneBuilder& builder) {
+  IntegratorSettings integrator;
+  integrator.name = "auto";
+  integrator.where = properties.where();
+  std::string name = no_name;
+  const std::vector<const XmlElement*> inside = properties.objects("integrator");
+  if (!inside.empty()) {
+    integrator = read_integrator(*inside.front(), builder);
+    if (!inside.front()->text("name").empty()) name = inside.front()->text("name");
+  }
+  for (std::size_t i = 1; i < inside.size(); ++i)
+    builder.diagnostics.unknown(inside[i]->where,
+                                "the first <integrator> of integrator \"moment\" renders; this one is left out");
+  // Of the integrator inside, where Mitsuba heeds them.
+  properties.accept({"samples_per_pass", "block_size", "hide_emitters"});
+  take_inner(name, properties.where(), builder.diagnostics, integrator.aovs);
+  integrator.aovs.push_back({name, Aov::xyz});
+  integrator.aovs.push_back({"m2_" + name, Aov::xyz_squared});
+  for (const NamedAov& named : integrator.aovs)
+    if (named.name.size() > longest_layer_name)
+      builder.diagnostics.error(properties.where(),
+                                fmt::format("the layer \"{}\" has a name of {} bytes; a file holds {}", named.name,
+                                            named.name.size(), longest_layer_name));
+  integrator.aovs_where = properties.where();
+  properties.report_unknown();
+  return integrator;
+}
+
+}  // namespace strahl
