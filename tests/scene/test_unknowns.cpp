@@ -37,6 +37,7 @@ const Unknown unknowns[] = {
     {"<shape type=\"sphere\"><emitter type=\"collimated\"/></shape><emitter type=\"point\"/>", "2:22",
      "cannot be part of a shape"},
     {"<integrator type=\"pth\"/>", "2:1", "unknown integrator \"pth\" (did you mean \"path\"?); \"path\" takes"},
+    {"<integrator type=\"path\"><integrator type=\"direct\"/></integrator>", "2:25", "has no use for a <integrator>"},
     {"<texture type=\"bitmap\"/>", "2:1", "without an id"},
     {"<bsdf type=\"diffuse\"><texture type=\"volume\" name=\"reflectance\"/></bsdf>", "2:22",
      "the constant 0.5 takes its place"},

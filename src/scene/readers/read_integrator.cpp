@@ -44,11 +44,13 @@ IntegratorSettings read_integrator(const XmlElement& element, SceneBuilder& buil
   }
   if (type == "aov") return read_aov(properties, builder);
   if (type == "moment") return read_moment(properties, builder);
-  const std::vector<const XmlElement*> inside = properties.objects("integrator");
-  if (is_around_another(type) && !inside.empty()) {
-    builder.diagnostics.unknown(element.where,
-                                fmt::format("integrator \"{}\" is not supported yet; the one inside it renders", type));
-    return read_integrator(*inside.front(), builder);
+  if (is_around_another(type)) {
+    const std::vector<const XmlElement*> inside = properties.objects("integrator");
+    if (!inside.empty()) {
+      builder.diagnostics.unknown(
+          element.where, fmt::format("integrator \"{}\" is not supported yet; the one inside it renders", type));
+      return read_integrator(*inside.front(), builder);
+    }
   }
   IntegratorSettings integrator;
   integrator.where = element.where;
