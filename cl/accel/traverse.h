@@ -18,9 +18,9 @@
 #include "accel/slabs_lanes.h"
 #if TIER_COMPENSATED
 #include "lanes/double_word.h"
+#include "math/vec3_lanes.h"
 #endif
 #if TIER_ROBUST
-#include "math/vec3_lanes.h"
 #include "lanes/wide_lanes.h"
 #include "shapes/exact/quadratic_lanes.h"
 #include "shapes/plane/plane_t_lanes.h"

@@ -372,6 +372,8 @@
 #define disk_density_w LANED(disk_density_w)
 #define disk_point_w LANED(disk_point_w)
 #define disk_uv_w LANED(disk_uv_w)
+#define disks_met_w LANED(disks_met_w)
+#define disks_told_w LANED(disks_told_w)
 #define disney_coat_masking_w LANED(disney_coat_masking_w)
 #define disney_diffuse_w LANED(disney_diffuse_w)
 #define disney_facets_w LANED(disney_facets_w)
