@@ -78,7 +78,8 @@ TEST_CASE("the picture is as without them, in every tier, and they do not depend
   CHECK(same(all, render("pocl", lamp_room(), one)));
   CHECK(same(all, render("pocl", lamp_room(), no_error)));
   const Image exact = render("pocl", lamp_room(), with_moments(Precision::fp64)).named_aov;
-  for (std::size_t i = 0; i < exact.data.size(); ++i) CHECK(all.named_aov.data[i] == Approx(exact.data[i]).epsilon(1e-4));
+  for (std::size_t i = 0; i < exact.data.size(); ++i)
+    CHECK(all.named_aov.data[i] == Approx(exact.data[i]).epsilon(1e-4));
   Renderer shared(Device::open("pocl"), lamp_room(), with_moments());
   shared.share_with(Device::open("pocl"));
   CHECK(same(all, shared.render()));
