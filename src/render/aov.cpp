@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "render/aov.h"
 
+#include <algorithm>
 #include <array>
 
 #include "packing/cl_layout.h"
@@ -104,7 +105,9 @@ Image aov_image(const FirstSampleValues& values, const std::set<Aov>& aovs) {
 
 Image aov_image(const FirstSampleValues& values, const SampleMeans& means, const std::vector<NamedAov>& aovs) {
   std::vector<Column> columns;
-  const Image xyz = xyz_of(means.color);
+  const bool has_xyz =
+      std::any_of(aovs.begin(), aovs.end(), [](const NamedAov& named) { return named.aov == Aov::xyz; });
+  const Image xyz = has_xyz ? xyz_of(means.color) : Image{};
   for (const NamedAov& named : aovs) {
     const std::vector<std::string> names = channels_of(named);
     auto name = names.begin();

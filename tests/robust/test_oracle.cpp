@@ -102,6 +102,36 @@ TEST_CASE("the settings that break single precision in its usual forms") {
   }
 }
 
+TEST_CASE("disks far larger than the way to their plane, nearly along it") {
+  // n.d has nothing in single precision but rounding, which makes t any number.
+  oracle::Random random(13);
+  int wrong = 0, hits = 0, misses = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const auto part = [&] { return to_float(random.uniform(-1, 1)); };
+    const Vec3 n{1, part(), part()}, along_u{n.y, -1, 0}, along_v{n.z, 0, -1};
+    const double height = std::pow(10, random.uniform(-5, -2));
+    Question q;
+    q.kind = "disk";
+    put(q.planes, Vec3{0, 0, 0});
+    put(q.planes, n);
+    q.planes.push_back(to_float(std::pow(height * std::pow(10, random.uniform(8, 11)), 2)));
+    q.ray.origin = {to_float(height), 0, 0};
+    do {
+      const Vec3 d = random.uniform(-1, 1) * along_u + random.uniform(-1, 1) * along_v;
+      q.ray.direction = {to_float(d.x), to_float(d.y), to_float(d.z)};
+    } while (std::fabs(dot(n, q.ray.direction)) > 1e-10);
+    const auto answer = oracle::disk(q.ray, {{0, 0, 0}, along_u, along_v, std::sqrt(q.planes.back())});
+    settle(q, answer, std::fabs(answer.margin) > 1e-3);
+    const float t = ask_host(q);
+    wrong += judge(q, t, std::isfinite(t) ? 0 : -1).is_wrong;
+    hits += q.expected == Expected::hit;
+    misses += q.expected == Expected::miss;
+  }
+  CHECK(wrong == 0);
+  CHECK(hits > 2000);
+  CHECK(misses > 2000);
+}
+
 TEST_CASE("needles: a triangle's t is measured from the corner where least cancels") {
   oracle::Random random(11);
   int wrong = 0, hits = 0;

@@ -5,14 +5,14 @@
 
 /// Lanes whose rays meet the plane surely inside the disk and surely outside it. g: c - o, rounded. With |.| the sum of
 /// absolute values and u = 2^-24, n.g and n.d are off by less than 4 u |n| |g| and 3 u |n| |d|, so p by less than 16 u
-/// |n| |d| (|g| + |t| |d|) / |n.d|; 2^-18 is 64 u, and 2^-100 far above what underflow does. The same of r is more than
-/// the rounding of r and |p|. A NaN is neither.
+/// |n| |d| (|g| + |t| |d|) / |n.d| where n.d is not mostly rounding; 2^-18 is 64 u, and 2^-100 far above what underflow
+/// does. The same of r is more than the rounding of r and |p|. A NaN is neither.
 FN void disks_told_w(real3w g, real3w n, real3w d, realw r2, PRIVATE maskw* inside, PRIVATE maskw* outside) {
   realw some = splat_w(R(0x1p-18)), n_d = dot3_w(n, d), t = dot3_w(n, g) / n_d, r = sqrt_w(r2), size_d = size1_w(d);
   real3w p = fma3_w(t, d, negate3_w(g));
-  realw lost = some * size1_w(n) * fma_w(abs_w(t), size_d, size1_w(g)) + splat_w(R(0x1p-100));
+  realw size_n = size1_w(n), lost = some * size_n * fma_w(abs_w(t), size_d, size1_w(g)) + splat_w(R(0x1p-100));
   realw off = fma_w(lost / abs_w(n_d), size_d, some * r), within = r - off, beyond = r + off, p2 = dot3_w(p, p);
-  maskw is_sound = lt_w(splat_w(R(0x1p-80)), r2);
+  maskw is_sound = lt_w(splat_w(R(0x1p-80)), r2) & lt_w(fma_w(some * size_n, size_d, splat_w(R(0x1p-100))), abs_w(n_d));
   *inside = is_sound & lt_w(splat_w(R(0.0)), within) & lt_w(p2, within * within);
   *outside = is_sound & lt_w(beyond * beyond, p2);
 }
