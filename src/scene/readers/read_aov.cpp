@@ -115,16 +115,7 @@ class AovReader {
 }  // namespace
 
 IntegratorSettings read_aov(Properties& properties, SceneBuilder& builder) {
-  IntegratorSettings integrator;
-  integrator.name = "auto";
-  integrator.where = properties.where();
-  const std::vector<const XmlElement*> inside = properties.objects("integrator");
-  if (!inside.empty()) integrator = read_integrator(*inside.front(), builder);
-  for (std::size_t i = 1; i < inside.size(); ++i)
-    builder.diagnostics.unknown(inside[i]->where,
-                                "the first <integrator> of integrator \"aov\" renders; this one is left out");
-  // Of the integrator inside, where Mitsuba heeds them.
-  properties.accept({"samples_per_pass", "block_size", "hide_emitters"});
+  IntegratorSettings integrator = read_inner_integrator(properties, builder);
   if (const std::optional<std::string> list = properties.string("aovs"))
     AovReader(properties, integrator.aovs).read(*list);
   else if (!properties.has("aovs"))

@@ -33,6 +33,21 @@ std::string substitute_of(Properties& properties) {
 
 }  // namespace
 
+IntegratorSettings read_inner_integrator(Properties& properties, SceneBuilder& builder) {
+  // Of the integrator inside, where Mitsuba heeds them.
+  properties.accept({"samples_per_pass", "block_size", "hide_emitters"});
+  const std::vector<const XmlElement*> inside = properties.objects("integrator");
+  for (std::size_t i = 1; i < inside.size(); ++i)
+    builder.diagnostics.unknown(
+        inside[i]->where,
+        fmt::format("the first <integrator> of integrator \"{}\" renders; this one is left out", properties.type()));
+  if (!inside.empty()) return read_integrator(*inside.front(), builder);
+  IntegratorSettings integrator;
+  integrator.name = "auto";
+  integrator.where = properties.where();
+  return integrator;
+}
+
 IntegratorSettings read_integrator(const XmlElement& element, SceneBuilder& builder) {
   const std::vector<std::string>& known = kinds::integrator_names();
   Properties properties(element, builder.ids, builder.diagnostics);

@@ -23,20 +23,10 @@ void take_inner(const std::string& name, const SourceLocation& where, Diagnostic
 }  // namespace
 
 IntegratorSettings read_moment(Properties& properties, SceneBuilder& builder) {
-  IntegratorSettings integrator;
-  integrator.name = "auto";
-  integrator.where = properties.where();
-  std::string name = no_name;
+  IntegratorSettings integrator = read_inner_integrator(properties, builder);
   const std::vector<const XmlElement*> inside = properties.objects("integrator");
-  if (!inside.empty()) {
-    integrator = read_integrator(*inside.front(), builder);
-    if (!inside.front()->text("name").empty()) name = inside.front()->text("name");
-  }
-  for (std::size_t i = 1; i < inside.size(); ++i)
-    builder.diagnostics.unknown(inside[i]->where,
-                                "the first <integrator> of integrator \"moment\" renders; this one is left out");
-  // Of the integrator inside, where Mitsuba heeds them.
-  properties.accept({"samples_per_pass", "block_size", "hide_emitters"});
+  std::string name(inside.empty() ? "" : inside.front()->text("name"));
+  if (name.empty()) name = no_name;
   take_inner(name, properties.where(), builder.diagnostics, integrator.aovs);
   integrator.aovs.push_back({name, Aov::xyz});
   integrator.aovs.push_back({"m2_" + name, Aov::xyz_squared});
