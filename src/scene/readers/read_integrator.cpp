@@ -33,7 +33,7 @@ std::string substitute_of(Properties& properties) {
 
 }  // namespace
 
-IntegratorSettings read_inner_integrator(Properties& properties, SceneBuilder& builder) {
+IntegratorSettings read_inner_integrator(Properties& properties, SceneBuilder& builder, std::string* name) {
   // Of the integrator inside, where Mitsuba heeds them.
   properties.accept({"samples_per_pass", "block_size", "hide_emitters"});
   const std::vector<const XmlElement*> inside = properties.objects("integrator");
@@ -41,6 +41,7 @@ IntegratorSettings read_inner_integrator(Properties& properties, SceneBuilder& b
     builder.diagnostics.unknown(
         inside[i]->where,
         fmt::format("the first <integrator> of integrator \"{}\" renders; this one is left out", properties.type()));
+  if (name != nullptr && !inside.empty()) *name = inside.front()->text("name");
   if (!inside.empty()) return read_integrator(*inside.front(), builder);
   IntegratorSettings integrator;
   integrator.name = "auto";

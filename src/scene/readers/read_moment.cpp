@@ -23,9 +23,8 @@ void take_inner(const std::string& name, const SourceLocation& where, Diagnostic
 }  // namespace
 
 IntegratorSettings read_moment(Properties& properties, SceneBuilder& builder) {
-  IntegratorSettings integrator = read_inner_integrator(properties, builder);
-  const std::vector<const XmlElement*> inside = properties.objects("integrator");
-  std::string name(inside.empty() ? "" : inside.front()->text("name"));
+  std::string name;
+  IntegratorSettings integrator = read_inner_integrator(properties, builder, &name);
   if (name.empty()) name = no_name;
   take_inner(name, properties.where(), builder.diagnostics, integrator.aovs);
   integrator.aovs.push_back({name, Aov::xyz});

@@ -17,8 +17,9 @@ void read_sensor(const XmlElement& element, SceneBuilder& builder);
 [[nodiscard]] Filter read_filter(const XmlElement& element, SceneBuilder& builder);
 [[nodiscard]] SamplerSettings read_sampler(const XmlElement& element, SceneBuilder& builder);
 [[nodiscard]] IntegratorSettings read_integrator(const XmlElement& element, SceneBuilder& builder);
-/// Of one around others: the first inside it, or `auto`.
-[[nodiscard]] IntegratorSettings read_inner_integrator(Properties& properties, SceneBuilder& builder);
+/// Of one around others: the first inside it, or `auto`. name: that one's, where it has one.
+[[nodiscard]] IntegratorSettings read_inner_integrator(Properties& properties, SceneBuilder& builder,
+                                                       std::string* name = nullptr);
 /// Integrator `aov`: the one inside it, with what is written beside its picture.
 [[nodiscard]] IntegratorSettings read_aov(Properties& properties, SceneBuilder& builder);
 /// Integrator `moment`, alike.
