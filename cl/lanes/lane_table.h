@@ -415,6 +415,7 @@
 #define envmap_sample_w LANED(envmap_sample_w)
 #define envmap_spread_w LANED(envmap_spread_w)
 #define eq_w LANED(eq_w)
+#define erf_inverse_w LANED(erf_inverse_w)
 #define erfcx_w LANED(erfcx_w)
 #define exact_rays_w LANED(exact_rays_w)
 #define exact_sphere_w LANED(exact_sphere_w)

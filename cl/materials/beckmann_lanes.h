@@ -3,6 +3,7 @@
 // (docs/decisions/0025-microfacets.md). B. Walter and others, "Microfacet Models for Refraction through Rough
 // Surfaces", EGSR 2007; E. Heitz, "Understanding the Masking-Shadowing Function in Microfacet-Based BRDFs", JCGT 3(2),
 // 2014. One width; no guard.
+#include "math/erf_inverse_lanes.h"
 #include "math/erfc_lanes.h"
 
 #define ONE_OVER_SQRT_PI R(0.564189583547756286948)
@@ -35,11 +36,10 @@ FN realw beckmann_exact_masking_w(realw z, realw across) {
   return two / fma_w(two, z, sel_w(is_masked, across * hidden, zero));
 }
 
-/// s e^(-x^2) / sqrt(pi) + c (1 + erf(x)), which grows with x up to c / s.
-FN realw beckmann_slopes_below_w(realw s, realw c, realw x) {
-  realw zero = splat_w(R(0.0)), size = abs_w(x), tail = exp_minus_w(x * x) * erfcx_w(size);
-  realw within = sel_w(lt_w(x, zero), tail, splat_w(R(2.0)) - tail);
-  return fma_w(s * splat_w(ONE_OVER_SQRT_PI), exp_minus_w(x * x), c * within);
+/// s e^(-x^2) / sqrt(pi) + c (1 + erf(x)), which grows with x up to c / s. e: e^(-x^2); tail: erfc(|x|).
+FN realw beckmann_slopes_below_w(realw s, realw c, realw x, realw e, realw tail) {
+  realw within = sel_w(lt_w(x, splat_w(R(0.0))), tail, splat_w(R(2.0)) - tail);
+  return fma_w(s * splat_w(ONE_OVER_SQRT_PI), e, c * within);
 }
 
 /// The slope along the direction of view, of which s and c are the stretched sine and cosine: the share u of the
@@ -50,8 +50,9 @@ SELDOM_FN realw beckmann_slope_w(realw s, realw c, realw u) {
   realw zero = splat_w(R(0.0)), one = splat_w(R(1.0)), two = splat_w(R(2.0)), far = splat_w(R(8.0));
   maskw is_near = lt_w(c, far * s);
   realw most = sel_w(is_near, c, far) / sel_w(is_near, s, one);
-  realw whole = beckmann_slopes_below_w(s, c, most), root = sqrt_w(minus_log_w(u));
-  realw up = one - exp_minus_w(most * most) * erfcx_w(most), down = one - exp_minus_w(root * root) * erfcx_w(root);
+  realw e = exp_minus_w(most * most), tail = e * erfcx_w(most), root = sqrt_w(minus_log_w(u));
+  realw whole = beckmann_slopes_below_w(s, c, most, e, tail), up = one - tail;
+  realw down = one - u * erfcx_w(root);  // e^(-root^2) is u.
   realw guess = up - (up + one) * fma_w(one - c, down, c * (one - u));
   realw room = (one - guess) * (one + guess), least = splat_w(real_roundoff() * real_roundoff());
   realw l = -minus_log_w(sel_w(lt_w(least, room), room, least)), b = fma_w(splat_w(R(0.5)), l, splat_w(R(4.3307467)));
@@ -59,20 +60,22 @@ SELDOM_FN realw beckmann_slope_w(realw s, realw c, realw u) {
   realw x = sqrt_w(sel_w(lt_w(zero, x2), x2, zero));
   x = min_w(sel_w(lt_w(guess, zero), -x, x), most);
   for (int step = 0; step < 3; ++step) {
-    realw below = beckmann_slopes_below_w(s, c, x), share = below / whole;
+    e = exp_minus_w(x * x);
+    tail = e * erfcx_w(abs_w(x));
+    realw below = beckmann_slopes_below_w(s, c, x, e, tail), share = below / whole;
     share = sel_w(lt_w(share, one), share, one);
-    realw y = sqrt_w(minus_log_w(share)), rise = two * fma_w(-x, s, c) * splat_w(ONE_OVER_SQRT_PI) * exp_minus_w(x * x);
+    realw y = sqrt_w(minus_log_w(share)), rise = two * fma_w(-x, s, c) * splat_w(ONE_OVER_SQRT_PI) * e;
     realw move = two * y * (y - root) * below / sel_w(lt_w(zero, rise), rise, one);
     x = min_w(sel_w(lt_w(zero, rise), x + move, x), most);
   }
   return x;
 }
 
-/// Slopes of visible microfacets of roughness 1 along and across the direction of view.
+/// Slopes of visible microfacets of roughness 1 along and across the direction of view. Across, a Gaussian.
 FN Real2_w beckmann_visible_slopes_w(realw s, realw c, realw u, realw v) {
   Real2_w slopes;
   slopes.x = beckmann_slope_w(s, c, u);
-  slopes.y = beckmann_slope_w(splat_w(R(0.0)), splat_w(R(1.0)), v);
+  slopes.y = erf_inverse_w(v);
   return slopes;
 }
 

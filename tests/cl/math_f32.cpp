@@ -22,6 +22,8 @@ inline void atomic_inc(uint* counter) { ++*counter; }
 // As above.
 #include "math/erfc_lanes.h"
 #include "math/exp_log_lanes.h"
+// Needs the one above.
+#include "math/erf_inverse_lanes.h"
 }  // namespace f32
 
 namespace strahl::test {
@@ -37,6 +39,7 @@ float random_unit(float, std::uint32_t bits) { return f32::random_unit_w_1(bits)
 float exp_minus(float a) { return f32::exp_minus_w_1(a); }
 float minus_log(float u) { return f32::minus_log_w_1(u); }
 float erfcx(float a) { return f32::erfcx_w_1(a); }
+float erf_inverse(float share) { return f32::erf_inverse_w_1(share); }
 void add_to_film(FilmWords& sum, float value, std::array<std::uint32_t, 4>* counts) {
   const f32::Scene scene{nullptr, nullptr, nullptr, counts->data(), nullptr};
   f32::film_add_sample(&scene, sum.data(), value);

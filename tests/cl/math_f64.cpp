@@ -21,6 +21,8 @@ inline void atomic_inc(uint* counter) { ++*counter; }
 // As above.
 #include "math/erfc_lanes.h"
 #include "math/exp_log_lanes.h"
+// Needs the one above.
+#include "math/erf_inverse_lanes.h"
 }  // namespace f64
 
 namespace strahl::test {
@@ -42,6 +44,7 @@ double random_unit(double, std::uint32_t bits) { return f64::random_unit_w_1(bit
 double exp_minus(double a) { return f64::exp_minus_w_1(a); }
 double minus_log(double u) { return f64::minus_log_w_1(u); }
 double erfcx(double a) { return f64::erfcx_w_1(a); }
+double erf_inverse(double share) { return f64::erf_inverse_w_1(share); }
 void add_to_film(FilmWords& sum, double value, std::array<std::uint32_t, 4>* counts) {
   const f64::Scene scene{nullptr, nullptr, nullptr, counts->data(), nullptr};
   f64::film_add_sample(&scene, sum.data(), value);

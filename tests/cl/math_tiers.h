@@ -30,6 +30,8 @@ float minus_log(float u);
 double minus_log(double u);
 float erfcx(float a);
 double erfcx(double a);
+float erf_inverse(float share);
+double erf_inverse(double share);
 
 /// A channel's sum in the film: the words of cl/film/film_sum.h.
 using FilmWords = std::array<std::int64_t, 2>;

@@ -87,6 +87,22 @@ TEMPLATE_TEST_CASE("minus_log keeps its bound", "", float, double) {
   CHECK(std::isfinite(minus_log(std::numeric_limits<TestType>::min())));
 }
 
+TEMPLATE_TEST_CASE("the inverse of erf leads back to the share", "", float, double) {
+  // erfc holds small shares to their last digits.
+  Random random(19);
+  for (const auto& [least_exponent, bound] : {std::pair(-7.0, 4e-7), std::pair(-9.0, 2e-4)})
+    for (int i = 0; i < count<TestType>; ++i) {
+      const auto share = static_cast<TestType>(0.5 * std::fabs(random.log_uniform(least_exponent, 0)));
+      const double x = erf_inverse(share);
+      INFO("share " << share);
+      // A share's relative error is that of x, times 2 x e^(-x^2) / (sqrt(pi) erfc(-x)), below 2 x^2 + 1.
+      REQUIRE(std::erfc(-x) / 2 == Approx(double{share}).epsilon((2 * x * x + 1) * bound));
+      if (share > TestType(1e-5))
+        REQUIRE(erf_inverse(TestType(1) - share) == Approx(-x).epsilon(sizeof share == 4 ? 3e-3 : 1e-6));
+    }
+  CHECK(erf_inverse(TestType(0.5)) == 0);
+}
+
 TEMPLATE_TEST_CASE("erfcx keeps its bound", "", float, double) {
   const auto function = [](TestType a) { return erfcx(a); };
   const double worst = worst_error<TestType>(function, exact_erfcx, 12, -12, count<TestType>);
