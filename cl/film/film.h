@@ -6,6 +6,7 @@
 
 #include "scene/counters.h"
 #include "film/film_sum.h"
+#include "math/vec3.h"
 #include "portable.h"
 
 /// The largest number that a sample may add: a float's, in every tier, so that no mean is infinite in a picture of
@@ -66,6 +67,13 @@ SELDOM_FN void film_add_slowly(const Scene* scene, GLOBAL long* sum, real value,
   bins.high *= times;
   bins.low *= times;
   film_add(sum, bins);
+}
+
+/// The same of three channels, whose sums stand side by side.
+FN void film_add_color_slowly(const Scene* scene, GLOBAL long* sum, real3 value, int times) {
+  film_add_slowly(scene, sum, value.x, times);
+  film_add_slowly(scene, sum + FILM_SUM_WORDS, value.y, times);
+  film_add_slowly(scene, sum + 2 * FILM_SUM_WORDS, value.z, times);
 }
 
 /// Adds a sample to one channel's sum. Most samples are not above the sum's top. Then two products with powers of two

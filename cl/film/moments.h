@@ -11,9 +11,7 @@
 /// Adds `times` equal samples.
 SELDOM_FN void add_squares(const Scene* scene, GLOBAL long* sum, real3 light, int times) {
   real x = dot3(vec3(XYZ_OF_RGB_X), light), y = dot3(vec3(XYZ_OF_RGB_Y), light), z = dot3(vec3(XYZ_OF_RGB_Z), light);
-  film_add_slowly(scene, sum, x * x, times);
-  film_add_slowly(scene, sum + FILM_SUM_WORDS, y * y, times);
-  film_add_slowly(scene, sum + 2 * FILM_SUM_WORDS, z * z, times);
+  film_add_color_slowly(scene, sum, vec3(x * x, y * y, z * z), times);
 }
 
 #endif

@@ -60,9 +60,7 @@ FN void add_to_film(const Scene* scene, const SpanFilm* film, int pixel, int sam
     int number = sub_sum_size(sums, k, sample + times) - sub_sum_size(sums, k, sample);
     GLOBAL long* sum = pixel_sums + k * (FILM_CHANNELS * FILM_SUM_WORDS);
     if (number == 0) continue;
-    film_add_slowly(scene, sum, light.x, number);
-    film_add_slowly(scene, sum + FILM_SUM_WORDS, light.y, number);
-    film_add_slowly(scene, sum + 2 * FILM_SUM_WORDS, light.z, number);
+    film_add_color_slowly(scene, sum, light, number);
   }
   if (HAS_MOMENT) add_squares(scene, pixel_sums + sums.count * (FILM_CHANNELS * FILM_SUM_WORDS), light, times);
 }

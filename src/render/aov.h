@@ -29,6 +29,7 @@ struct FirstSampleValues {
 /// The channels of aov_channels(); positions and depths return to the world frame. No channels without AOVs, of which
 /// there may then be no values.
 [[nodiscard]] Image aov_image(const FirstSampleValues& values, const std::set<Aov>& aovs);
+
 /// Of all samples of a pixel: three channels each.
 struct SampleMeans {
   const Image& color;

@@ -118,7 +118,7 @@ void write_seeds(const fs::path& folder) {
 }
 
 std::string folder_of_inputs() {
-  std::string pattern = "/tmp/strahl-fuzz-XXXXXX";
+  std::string pattern = (fs::temp_directory_path() / "strahl-fuzz-XXXXXX").string();
   if (mkdtemp(pattern.data()) == nullptr) std::abort();
   write(fs::path(pattern) / "in.obj", "mtllib in.mtl\nusemtl a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   return pattern;

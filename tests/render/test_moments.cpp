@@ -67,7 +67,7 @@ TEST_CASE("the squares of single samples have the mean that all have together") 
   CHECK(varies);
 }
 
-TEST_CASE("the picture is as without them, in every tier, and they do not depend on lanes, passes or devices") {
+TEST_CASE("the picture is as without them, and they do not depend on lanes, passes or devices") {
   require_pocl_and_rusticl();
   const RenderResult all = render("pocl", lamp_room(), with_moments());
   CHECK(same_bits(all.color, render("pocl", lamp_room(), {}).color));

@@ -36,6 +36,7 @@ TEST_CASE("a mirror is an ideal conductor") {
   CHECK(std::get<Conductor>(plain.bsdf).reflectance.color == Rgb{1, 1, 1});
   CHECK(std::get<Conductor>(tinted.bsdf).reflectance.color == std::get<Conductor>(same.bsdf).reflectance.color);
   CHECK(std::get<Conductor>(tinted.bsdf).index.eta.color == Rgb{0, 0, 0});
+  CHECK(std::holds_alternative<Conductor>(material("<bsdf type=\"Mirror\"/>").bsdf));
   const std::string text =
       "<scene version=\"0.6.0\"><shape type=\"sphere\"><bsdf type=\"mirror\"/></shape>"
       "<sensor type=\"perspective\"/></scene>";

@@ -17,6 +17,10 @@ bool is_type_of_mitsuba(std::string_view tag, std::string_view type) {
   return std::find(types.begin(), types.end(), type) != types.end();
 }
 
+bool has_capitals(std::string_view text) {
+  return std::any_of(text.begin(), text.end(), [](unsigned char c) { return std::isupper(c) != 0; });
+}
+
 std::string lower_case(std::string_view text) {
   std::string lower(text);
   std::transform(lower.begin(), lower.end(), lower.begin(), [](unsigned char c) { return std::tolower(c); });
@@ -41,16 +45,19 @@ void use_mitsuba_names(XmlElement& element, XmlPool& pool) {
   for (XmlElement* child = element.first_child; child != nullptr; child = child->next_sibling)
     use_mitsuba_names(*child, pool);
   XmlAttribute* type = attribute(element, "type");
-  if (type == nullptr || is_type_of_mitsuba(element.tag, type->value)) return;
-  const std::string lower = lower_case(type->value);
-  if (is_type_of_mitsuba(element.tag, lower)) type->value = pool.keep(lower).c_str();
+  if (type == nullptr) return;
+  // No plugin of Mitsuba has any, and a scene may have a million elements.
+  std::string lower;
+  if (has_capitals(type->value)) lower = lower_case(type->value);
+  if (!lower.empty() && is_type_of_mitsuba(element.tag, lower)) type->value = pool.keep(lower).c_str();
   if (element.tag != "bsdf") return;
-  if (lower == "mirror") {
+  const std::string_view name = lower.empty() ? std::string_view(type->value) : lower;
+  if (name == "mirror") {
     type->value = "conductor";
     if (XmlElement* reflectance = parameter(element, "reflectance"))
       attribute(*reflectance, "name")->value = "specular_reflectance";
   }
-  if (lower == "glass") type->value = parameter(element, "alpha") != nullptr ? "roughdielectric" : "dielectric";
+  if (name == "glass") type->value = parameter(element, "alpha") != nullptr ? "roughdielectric" : "dielectric";
 }
 
 }  // namespace strahl
