@@ -8,7 +8,7 @@
 
 #include "kinds/materials.h"
 #include "physics/bsdf_tiers.h"
-#include "physics/statistics.h"
+#include "physics/sphere_bins.h"
 
 using namespace strahl::test;
 
@@ -86,58 +86,21 @@ std::vector<Triad> random_numbers(std::size_t count) {
   return numbers;
 }
 
-/// The widest of each tier: all widths give the same bits (test_materials.cpp).
-std::vector<BsdfTier> widest_tiers() {
-  std::vector<BsdfTier> widest;
-  for (const BsdfTier& tier : bsdf_tiers()) {
-    if (!widest.empty() && std::string(widest.back().name) == tier.name) widest.pop_back();
-    widest.push_back(tier);
-  }
-  return widest;
-}
-
 TEST_CASE("directions are drawn as densely as is said, and densities integrate to what is drawn") {
-  constexpr int rings = 8, sectors = 8, within = 40;
   const std::vector<Triad> numbers = random_numbers(draws_asked(6000));
   for (const Look& look : looks())
-    for (const BsdfTier& tier : widest_tiers())
+    for (const BsdfTier& tier : widest_bsdf_tiers())
       for (const double cosine : {0.95, 0.5, 0.1, -0.7}) {
         const Triad wo = towards(cosine, 0.7);
         INFO(tier.name << ", " << look.entry << " " << Catch::Detail::stringify(look.p) << ", cosine " << cosine);
-        std::vector<double> hits(rings * sectors, 0), expected(rings * sectors, 0);
-        double others = 0;
         const int kind = entry_of(look.entry);
-        for (const Way& way : tier.sample(kind, look.p, wo, LOBES_ALL, numbers)) {
-          if (way.density == 0) {
-            others += 1;
-            continue;
-          }
-          const double turn = std::atan2(way.wi[1], way.wi[0]) / (2 * std::numbers::pi);
-          const int ring = std::min(static_cast<int>((0.5 + 0.5 * way.wi[2]) * rings), rings - 1);
-          const int sector = static_cast<int>((turn + 1) * sectors) % sectors;
-          hits.at(static_cast<std::size_t>(ring * sectors + sector)) += 1;
-        }
-        std::vector<Triad> middles;
-        for (int i = 0; i < rings * within; ++i)
-          for (int j = 0; j < sectors * within; ++j)
-            middles.push_back(
-                towards(2 * (i + 0.5) / (rings * within) - 1, 2 * std::numbers::pi * (j + 0.5) / (sectors * within)));
-        const std::vector<Scattered> found = tier.eval(kind, look.p, wo, middles);
-        double whole = 0;
-        const auto n = static_cast<double>(numbers.size());
-        for (std::size_t i = 0; i < found.size(); ++i) {
-          const double share = found[i].density * 4 * std::numbers::pi / static_cast<double>(found.size());
-          const std::size_t ring = i / (sectors * within) / within, sector = i % (sectors * within) / within;
-          expected[ring * sectors + sector] += share * n;
-          whole += share;
-        }
-        if (others == n) {
-          CHECK(whole == 0);
-          continue;
-        }
-        const double share = others / n;
-        CHECK(whole + share == Approx(1).margin(5e-3 + 4 * std::sqrt(share * (1 - share) / n)));
-        hold_counts(hits, expected);
+        const std::vector<Way> ways = tier.sample(kind, look.p, wo, LOBES_ALL, numbers);
+        const SphereBins bins = sphere_bins(tier, kind, look.p, wo, ways, 20);
+        const auto n = static_cast<double>(ways.size());
+        if (bins.others == n)
+          CHECK(bins.whole() == 0);
+        else
+          bins.hold(n);
       }
 }
 
@@ -145,7 +108,7 @@ TEST_CASE("finite and of the values told for them, from grazing light to the lea
   const std::vector<Triad> numbers = random_numbers(256);
   for (const double roughness : {0.0, 0.01, 0.1, 1.0})
     for (const double cosine : {1.0, 0.3, 1e-3, 1e-7, -1e-7, -0.4})
-      for (const BsdfTier& tier : widest_tiers()) {
+      for (const BsdfTier& tier : widest_bsdf_tiers()) {
         INFO(tier.name << ", roughness " << roughness << ", cosine " << cosine);
         strahl::Principled bsdf = principled(roughness, 0.3, 0.5, 1);
         bsdf.clearcoat_gloss = grey(1);
