@@ -170,7 +170,7 @@ void hold_draws(const BsdfTier& tier, const Rough& rough, const Triad& wo, const
   }
   const double whole = std::accumulate(expected.begin(), expected.end(), 0.0),
                others = (beyond + absorbed + misplaced) / n;
-  CHECK(misplaced <= 5 + 2e-4 * n);
+  CHECK(misplaced <= 5 + 5e4 * roundoff(tier) * n);  // 0.3 % in single precision, none in double.
   CHECK(whole + others == Approx(1).margin(1e-3 + 4 * std::sqrt(others * (1 - others) / n)));
   for (double& share : expected) share *= n;
   hold_counts(hits, expected);
