@@ -15,12 +15,14 @@ namespace strahl {
 
 /// What one step of a run gives back the next one asks for: it need not be mapped and cleared again, which took a
 /// quarter of the time of a large scene. Blocks of 256 MiB and more go back: a grid of 512 MiB would be held beside its
-/// file.
+/// file. All threads have one arena: in those of their own, aligned blocks that PoCL's workers ask for and free in each
+/// launch grow by a megabyte a minute (glibc's bug 30723, docs/reliability.md).
 void keep_freed_memory() {
 #ifdef __GLIBC__
   mallopt(M_MMAP_THRESHOLD, 1 << 28);
   mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());
   mallopt(M_TOP_PAD, 1 << 26);
+  mallopt(M_ARENA_MAX, 1);
 #endif
 }
 

@@ -7,7 +7,8 @@
 
 namespace strahl {
 
-/// Freed memory stays with the process. To be called before anything large is allocated.
+/// Freed memory stays with the process, in one heap for all threads. To be called before there is another thread or
+/// anything large is allocated.
 void keep_freed_memory();
 
 /// Begins the program anew, once, so that large blocks come in huge pages where the system gives them: that has to be
