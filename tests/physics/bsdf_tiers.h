@@ -57,11 +57,4 @@ struct BsdfTier {
   return all;
 }
 
-/// The widest of each: all widths of a tier give the same bits (test_materials.cpp).
-[[nodiscard]] inline std::vector<BsdfTier> widest_bsdf_tiers() {
-  std::vector<BsdfTier> widest;
-  for (const auto& tiers : {bsdf_stable(), bsdf_robust(), bsdf_double()}) widest.push_back(tiers.back());
-  return widest;
-}
-
 }  // namespace strahl::test

@@ -6,7 +6,6 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <random>
 
 #include "physics/bsdf_tiers.h"
@@ -67,9 +66,9 @@ bool is_delta(const Way& way) { return (way.lobe & LOBE_DELTA) != 0; }
 
 /// visit(tier, kind, entry, row, wo)
 template <class Visit>
-void for_each_case(const std::vector<BsdfTier>& tiers, Visit visit) {
+void for_each_case(Visit visit) {
   const std::vector<BsdfEntry> entries = bsdf_entries();
-  for (const BsdfTier& tier : tiers)
+  for (const BsdfTier& tier : bsdf_tiers())
     for (std::size_t kind = 0; kind < entries.size(); ++kind) {
       const BsdfEntry& entry = entries[kind];
       for (const MaterialRow& row : material_rows_of(entry.name))
@@ -92,47 +91,44 @@ TEST_CASE("every material has parameters here") {
 
 TEST_CASE("directions are drawn as densely as is said, and densities integrate to what is no delta lobe") {
   const std::vector<Triad> numbers = random_numbers(draws_asked(4000));
-  for_each_case(widest_bsdf_tiers(),
-                [&](const BsdfTier& tier, int kind, const BsdfEntry& entry, const MaterialRow& row, const Triad& wo) {
-                  // Narrow lobes, as refracted ones are: test_microfacets.cpp, test_principled.cpp.
-                  const bool is_narrow = row.spread < 0.3 || (row.spread < 1 && (entry.lobes & LOBE_TRANSMIT) != 0);
-                  if ((entry.lobes & LOBE_SPREADS) == LOBE_DELTA || is_narrow) return;
-                  const std::vector<Way> ways = tier.sample(kind, row.p, wo, LOBES_ALL, numbers);
-                  const SphereBins bins = sphere_bins(tier, kind, row.p, wo, ways, 6);
-                  if (std::any_of(ways.begin(), ways.end(), [](const Way& way) { return !is_black(way.weight); }))
-                    bins.hold(static_cast<double>(ways.size()));
-                  else if (largest({row.p[0], row.p[1], row.p[2]}) > 0)
-                    CHECK(bins.whole() == 0);
-                });
+  for_each_case([&](const BsdfTier& tier, int kind, const BsdfEntry& entry, const MaterialRow& row, const Triad& wo) {
+    // Narrow lobes, as refracted ones are: test_microfacets.cpp, test_principled.cpp.
+    const bool is_narrow = row.spread < 0.3 || (row.spread < 1 && (entry.lobes & LOBE_TRANSMIT) != 0);
+    if ((entry.lobes & LOBE_SPREADS) == LOBE_DELTA || is_narrow) return;
+    const std::vector<Way> ways = tier.sample(kind, row.p, wo, LOBES_ALL, numbers);
+    const SphereBins bins = sphere_bins(tier, kind, row.p, wo, ways, 6);
+    if (std::any_of(ways.begin(), ways.end(), [](const Way& way) { return !is_black(way.weight); }))
+      bins.hold(static_cast<double>(ways.size()));
+    else if (largest({row.p[0], row.p[1], row.p[2]}) > 0)
+      CHECK(bins.whole() == 0);
+  });
 }
 
 TEST_CASE("weights are f |cos| over the density, and f is reciprocal") {
   const std::vector<Triad> numbers = random_numbers(64);
-  for_each_case(bsdf_tiers(),
-                [&](const BsdfTier& tier, int kind, const BsdfEntry& entry, const MaterialRow& row, const Triad& wo) {
-                  if ((entry.lobes & LOBE_SPREADS) == LOBE_DELTA) return;
-                  for (const Way& way : tier.sample(kind, row.p, wo, LOBES_ALL, numbers)) {
-                    if (is_delta(way) || is_black(way.weight)) continue;
-                    const double bound = rounding(tier, row, index_of(entry, row), wo, way);
-                    const Scattered there = tier.eval(kind, row.p, wo, {way.wi}).front();
-                    const Scattered back = tier.eval(kind, row.p, way.wi, {wo}).front();
-                    CHECK(there.density == Approx(way.density).epsilon(bound));
-                    for (std::size_t i = 0; i < 3; ++i) {
-                      CHECK(there.value[i] == Approx(way.weight[i] * way.density).epsilon(bound));
-                      // What a sheet's glass transmits is not, as in Mitsuba.
-                      if (entry.name == "principledthin" && (way.lobe & LOBE_TRANSMIT) != 0) continue;
-                      // Between media of different indices f / eta^2 is reciprocal.
-                      const double f = there.value[i] / std::fabs(way.wi[2]) * way.eta * way.eta;
-                      CHECK(f == Approx(back.value[i] / std::fabs(wo[2])).epsilon(bound));
-                    }
-                  }
-                });
+  for_each_case([&](const BsdfTier& tier, int kind, const BsdfEntry& entry, const MaterialRow& row, const Triad& wo) {
+    if ((entry.lobes & LOBE_SPREADS) == LOBE_DELTA) return;
+    for (const Way& way : tier.sample(kind, row.p, wo, LOBES_ALL, numbers)) {
+      if (is_delta(way) || is_black(way.weight)) continue;
+      const double bound = rounding(tier, row, index_of(entry, row), wo, way);
+      const Scattered there = tier.eval(kind, row.p, wo, {way.wi}).front();
+      const Scattered back = tier.eval(kind, row.p, way.wi, {wo}).front();
+      CHECK(there.density == Approx(way.density).epsilon(bound));
+      for (std::size_t i = 0; i < 3; ++i) {
+        CHECK(there.value[i] == Approx(way.weight[i] * way.density).epsilon(bound));
+        // What a sheet's glass transmits is not, as in Mitsuba.
+        if (entry.name == "principledthin" && (way.lobe & LOBE_TRANSMIT) != 0) continue;
+        // Between media of different indices f / eta^2 is reciprocal.
+        const double f = there.value[i] / std::fabs(way.wi[2]) * way.eta * way.eta;
+        CHECK(f == Approx(back.value[i] / std::fabs(wo[2])).epsilon(bound));
+      }
+    }
+  });
 }
 
 TEST_CASE("no material makes energy, and a lossless one loses none") {
   const std::vector<Triad> numbers = random_numbers(1024);
-  for_each_case(bsdf_tiers(), [&](const BsdfTier& tier, int kind, const BsdfEntry& entry, const MaterialRow& row,
-                                  const Triad& wo) {
+  for_each_case([&](const BsdfTier& tier, int kind, const BsdfEntry& entry, const MaterialRow& row, const Triad& wo) {
     double sum = 0, squares = 0;
     for (const Way& way : tier.sample(kind, row.p, wo, LOBES_ALL, numbers)) {
       // Radiance over the squared index is conserved.
@@ -154,8 +150,7 @@ TEST_CASE("no material makes energy, and a lossless one loses none") {
 
 TEST_CASE("delta lobes lead where mirrors and Snell's law do, back again, and carry together what one of them does") {
   const std::vector<Triad> numbers = random_numbers(32);
-  for_each_case(bsdf_tiers(), [&](const BsdfTier& tier, int kind, const BsdfEntry& entry, const MaterialRow& row,
-                                  const Triad& wo) {
+  for_each_case([&](const BsdfTier& tier, int kind, const BsdfEntry& entry, const MaterialRow& row, const Triad& wo) {
     if ((entry.lobes & LOBE_DELTA) == 0) return;
     const double u = roundoff(tier);
     double together = 0;
@@ -200,27 +195,26 @@ TEST_CASE("every width draws and tells what one lane does, to the bit") {
   std::map<std::string, BsdfTier> narrow;
   for (const BsdfTier& tier : bsdf_tiers())
     if (tier.lanes == 1) narrow.emplace(tier.name, tier);
-  for_each_case(bsdf_tiers(),
-                [&](const BsdfTier& tier, int kind, const BsdfEntry&, const MaterialRow& row, const Triad& wo) {
-                  if (tier.lanes == 1) return;
-                  const BsdfTier& one = narrow.at(tier.name);
-                  const auto wide_ways = tier.sample(kind, row.p, wo, LOBES_ALL, numbers),
-                             ways = one.sample(kind, row.p, wo, LOBES_ALL, numbers);
-                  std::vector<Triad> wis;
-                  for (std::size_t i = 0; i < ways.size(); ++i) {
-                    CHECK(wide_ways[i].wi == ways[i].wi);
-                    CHECK(wide_ways[i].weight == ways[i].weight);
-                    CHECK(wide_ways[i].density == ways[i].density);
-                    CHECK(wide_ways[i].eta == ways[i].eta);
-                    CHECK(wide_ways[i].lobe == ways[i].lobe);
-                    wis.push_back(ways[i].wi);
-                  }
-                  const auto wide = tier.eval(kind, row.p, wo, wis), values = one.eval(kind, row.p, wo, wis);
-                  for (std::size_t i = 0; i < values.size(); ++i) {
-                    CHECK(wide[i].value == values[i].value);
-                    CHECK(wide[i].density == values[i].density);
-                  }
-                });
+  for_each_case([&](const BsdfTier& tier, int kind, const BsdfEntry&, const MaterialRow& row, const Triad& wo) {
+    if (tier.lanes == 1) return;
+    const BsdfTier& one = narrow.at(tier.name);
+    const auto wide_ways = tier.sample(kind, row.p, wo, LOBES_ALL, numbers),
+               ways = one.sample(kind, row.p, wo, LOBES_ALL, numbers);
+    std::vector<Triad> wis;
+    for (std::size_t i = 0; i < ways.size(); ++i) {
+      CHECK(wide_ways[i].wi == ways[i].wi);
+      CHECK(wide_ways[i].weight == ways[i].weight);
+      CHECK(wide_ways[i].density == ways[i].density);
+      CHECK(wide_ways[i].eta == ways[i].eta);
+      CHECK(wide_ways[i].lobe == ways[i].lobe);
+      wis.push_back(ways[i].wi);
+    }
+    const auto wide = tier.eval(kind, row.p, wo, wis), values = one.eval(kind, row.p, wo, wis);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      CHECK(wide[i].value == values[i].value);
+      CHECK(wide[i].density == values[i].density);
+    }
+  });
   // A parameter is a constant or a texture, lane by lane.
   for (const BsdfTier& tier : bsdf_tiers()) {
     const std::vector<Triad> found = tier.parameters(points);

@@ -4,7 +4,6 @@
 // roughness. 10 s.
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <numbers>
 
 #include "kinds/materials.h"
 #include "physics/bsdf_tiers.h"
@@ -86,10 +85,20 @@ std::vector<Triad> random_numbers(std::size_t count) {
   return numbers;
 }
 
+/// The widest of each tier: all widths give the same bits (test_materials.cpp).
+std::vector<BsdfTier> widest_tiers() {
+  std::vector<BsdfTier> widest;
+  for (const BsdfTier& tier : bsdf_tiers()) {
+    if (!widest.empty() && std::string(widest.back().name) == tier.name) widest.pop_back();
+    widest.push_back(tier);
+  }
+  return widest;
+}
+
 TEST_CASE("directions are drawn as densely as is said, and densities integrate to what is drawn") {
   const std::vector<Triad> numbers = random_numbers(draws_asked(6000));
   for (const Look& look : looks())
-    for (const BsdfTier& tier : widest_bsdf_tiers())
+    for (const BsdfTier& tier : widest_tiers())
       for (const double cosine : {0.95, 0.5, 0.1, -0.7}) {
         const Triad wo = towards(cosine, 0.7);
         INFO(tier.name << ", " << look.entry << " " << Catch::Detail::stringify(look.p) << ", cosine " << cosine);
@@ -108,7 +117,7 @@ TEST_CASE("finite and of the values told for them, from grazing light to the lea
   const std::vector<Triad> numbers = random_numbers(256);
   for (const double roughness : {0.0, 0.01, 0.1, 1.0})
     for (const double cosine : {1.0, 0.3, 1e-3, 1e-7, -1e-7, -0.4})
-      for (const BsdfTier& tier : widest_bsdf_tiers()) {
+      for (const BsdfTier& tier : widest_tiers()) {
         INFO(tier.name << ", roughness " << roughness << ", cosine " << cosine);
         strahl::Principled bsdf = principled(roughness, 0.3, 0.5, 1);
         bsdf.clearcoat_gloss = grey(1);
