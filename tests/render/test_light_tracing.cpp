@@ -147,6 +147,37 @@ bool is_told_alike(const RenderResult& a, const RenderResult& b) {
   return a.error && b.error && a.error->rmse == b.error->rmse && a.error->rmse_high == b.error->rmse_high;
 }
 
+/// What a floor of reflectance 1/2 under the camera throws upwards, times pi / (1/2): the power that reaches it.
+double power_on_floor(const Scene& scene) {
+  const Image image = render("pocl", scene, {}).color;
+  double sum = 0;
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x) sum += static_cast<double>(image.at(x, y, 0));
+  const double pixel_side = 2 * half_width / stage_size;
+  return 2 * std::numbers::pi * sum * pixel_side * pixel_side;
+}
+
+TEST_CASE("beams bring all of their power to where they point") {
+  require_pocl_and_rusticl();
+  Scene floor = stage({Rectangle{{-2, -2, 0}, {4, 0, 0}, {0, 4, 0}}}, diffuse({0.5, 0.5, 0.5}));
+  floor.integrator.name = "ptracer";
+  floor.sampler.kind = SamplerKind::independent;
+  floor.sampler.sample_count = 4;
+  floor.film.filter = {FilterKind::box, 0.5, 0.5};
+  Scene beam = floor, beside = floor, lamp = floor;
+  add(beam, CollimatedLight{{3, 0.2, 3}, {-2.9, 0, -3}, {7, 7, 7}});
+  CHECK(power_on_floor(beam) == Approx(7));
+  CHECK(lit_pixels(render("pocl", beam, {}).color) == 1);
+  add(beside, CollimatedLight{{3, 0.2, 3}, {2.9, 0, -3}, {7, 7, 7}});
+  CHECK(power_on_floor(beside) == 0);
+  // Of area 1/2, out of the camera's sight; the floor's normal is 60 degrees off.
+  add(lamp, Rectangle{{2 * std::sqrt(3.0) - 0.125, -0.5, 2 + 0.125 * std::sqrt(3.0)},
+                      {0, 1, 0},
+                      {0.25, 0, -0.25 * std::sqrt(3.0)}});
+  lamp.shapes.back().exitance = Rgb{3, 3, 3};
+  CHECK(power_on_floor(lamp) == Approx(1.5).epsilon(1e-3));
+}
+
 TEST_CASE("the same bits by any lanes, launches and programs") {
   require_pocl_and_rusticl();
   Scene cornell = small_scene(scene_folder / "cornell/cornell-box.xml", 29, 23, 16);
