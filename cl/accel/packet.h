@@ -58,16 +58,23 @@ FN void push_lists_w(const Scene* scene, const Packet_w* p, GLOBAL const int* gr
   }
 }
 
-/// Pushes the children of a node that rays of `active` meet, the nearest on top.
+/// Pushes the children of a node that rays of `active` meet, the nearest on top; of alike rays the one that the bounds
+/// over all rays meet first, since the least of all lanes takes longer than the test of a child.
 FN void push_children_w(const Packet_w* p, GLOBAL const real* nodes, int node, maskw active, PacketStack_w* stack) {
   GLOBAL const real* planes = nodes + (ulong)node * (NODE_PLANES * LANES);
-  uint met = is_alike_w(p) ? may_meet_children_w(p, planes) : (1u << LANES) - 1u;
+  uint met = (1u << LANES) - 1u;
+  real firsts[LANES];
+  if (is_alike_w(p)) {
+    Interval_w slabs = bounds_within_children_w(p, planes);
+    met = bits_w(le_w(slabs.enter, slabs.leave));
+    store_w(slabs.enter, firsts);
+  }
   int bottom = stack->top;
   for (; met != 0u; met &= met - 1u) {
     int lane = first_bit(met), at = stack->top;
     realw enter = enters_child_w(p, planes + lane, active);
-    real least = least_w(enter);
-    if (least == REAL_MAX) continue;
+    if (!any_w(lt_w(enter, splat_w(REAL_MAX)))) continue;
+    real least = is_alike_w(p) ? firsts[lane] : least_w(enter);
     ++stack->top;
     for (; at > bottom && stack->least[at - 1] < least; --at) {
       stack->entry[at] = stack->entry[at - 1];

@@ -14,19 +14,24 @@ FN Interval_w clip_bounds_w(Interval_w t, realw near, realw far, Bounds_w b) {
   return t;
 }
 
-/// Bit i: some ray may meet box i. The rays are alike.
-FN uint may_meet_w(const Packet_w* p, real3w near, real3w far) {
+/// Where rays may be within each of LANES boxes. The rays are alike.
+FN Interval_w bounds_within_w(const Packet_w* p, real3w near, real3w far) {
   Interval_w slabs;
   slabs.enter = splat_w(p->first);
   slabs.leave = splat_w(p->last);
   slabs = clip_bounds_w(slabs, near.x, far.x, p->x);
   slabs = clip_bounds_w(slabs, near.y, far.y, p->y);
-  slabs = clip_bounds_w(slabs, near.z, far.z, p->z);
+  return clip_bounds_w(slabs, near.z, far.z, p->z);
+}
+
+/// Bit i: some ray may meet box i. The rays are alike.
+FN uint may_meet_w(const Packet_w* p, real3w near, real3w far) {
+  Interval_w slabs = bounds_within_w(p, near, far);
   return bits_w(le_w(slabs.enter, slabs.leave));
 }
 
-/// Bit i: some ray may meet child i of the node. The rays are alike.
-FN uint may_meet_children_w(const Packet_w* p, GLOBAL const real* node) {
+/// Where rays may be within each child of the node. The rays are alike.
+FN Interval_w bounds_within_children_w(const Packet_w* p, GLOBAL const real* node) {
   int x = p->near_x, y = p->near_y, z = p->near_z;
   real3w near, far;
   near.x = load_w(node + x * LANES);
@@ -35,15 +40,20 @@ FN uint may_meet_children_w(const Packet_w* p, GLOBAL const real* node) {
   far.x = load_w(node + (x ^ 1) * LANES);
   far.y = load_w(node + (y ^ 1) * LANES);
   far.z = load_w(node + (z ^ 1) * LANES);
-  return may_meet_w(p, near, far);
+  return bounds_within_w(p, near, far);
 }
 
-/// clip_slab of one box for every ray. back: lanes that move towards lo.
-FN Interval_w clip_each_w(Interval_w t, real lo, real hi, realw o, realw inv, realw slack, maskw back) {
-  realw near = sel_w(back, splat_w(hi), splat_w(lo)), far = sel_w(back, splat_w(lo), splat_w(hi));
+/// clip_slab of one box for every ray, of the planes that it meets first and last.
+FN Interval_w clip_planes_w(Interval_w t, realw near, realw far, realw o, realw inv, realw slack) {
   t.enter = max_w(fma_w(near - o, inv, -slack), t.enter);
   t.leave = min_w(fma_w(far - o, inv, slack), t.leave);
   return t;
+}
+
+/// The same; back: lanes that move towards lo.
+FN Interval_w clip_each_w(Interval_w t, real lo, real hi, realw o, realw inv, realw slack, maskw back) {
+  realw near = sel_w(back, splat_w(hi), splat_w(lo)), far = sel_w(back, splat_w(lo), splat_w(hi));
+  return clip_planes_w(t, near, far, o, inv, slack);
 }
 
 /// The part of `t` within a box. planes: lo_x, hi_x, lo_y, hi_y, lo_z, hi_z of it, `stride` apart.
@@ -53,13 +63,22 @@ FN Interval_w within_box_each_w(const Packet_w* p, GLOBAL const real* planes, in
   return clip_each_w(t, planes[4 * stride], planes[5 * stride], p->o.z, p->inv.z, p->slack.z, p->back_z);
 }
 
+/// The same of the rays that can hit something, which are alike.
+FN Interval_w within_box_alike_w(const Packet_w* p, GLOBAL const real* planes, int stride, Interval_w t) {
+  int x = p->near_x, y = p->near_y, z = p->near_z;
+  t = clip_planes_w(t, splat_w(planes[x * stride]), splat_w(planes[(x ^ 1) * stride]), p->o.x, p->inv.x, p->slack.x);
+  t = clip_planes_w(t, splat_w(planes[y * stride]), splat_w(planes[(y ^ 1) * stride]), p->o.y, p->inv.y, p->slack.y);
+  return clip_planes_w(t, splat_w(planes[z * stride]), splat_w(planes[(z ^ 1) * stride]), p->o.z, p->inv.z,
+                       p->slack.z);
+}
+
 /// Where each ray enters a child of a node; REAL_MAX where it does not, or is not of `active`. planes: the planes of
 /// the child, LANES apart.
 FN realw enters_child_w(const Packet_w* p, GLOBAL const real* planes, maskw active) {
   Interval_w slabs;
   slabs.enter = p->t_min;
   slabs.leave = p->bound;
-  slabs = within_box_each_w(p, planes, LANES, slabs);
+  slabs = is_alike_w(p) ? within_box_alike_w(p, planes, LANES, slabs) : within_box_each_w(p, planes, LANES, slabs);
   return sel_w(active & le_w(slabs.enter, slabs.leave), slabs.enter, splat_w(REAL_MAX));
 }
 

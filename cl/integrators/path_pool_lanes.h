@@ -3,6 +3,7 @@
 // that go on are taken in new groups, so that few lanes are idle, and paths that go the same way stand together
 // (docs/decisions/0026-path-pool.md). A path is a function of its pixel and its number, so the groups do not show in
 // the picture. More than one lane. One width; no guard.
+#include "lanes/lane_transpose.h"
 
 /// A sector is one of the eight combinations of signs of a direction.
 enum { SECTORS_w = 8 };
@@ -35,6 +36,9 @@ enum {
   KEPT_INTS_w = KEPT_RANKED_w + (HAS_MEDIA && HAS_PRIORITY ? 1 + INTERFACES_MOST_w : 0)
 };
 
+/// A path is kept as so many vectors: its reals, then its ints as bits of reals.
+enum { KEPT_VECTORS_w = (KEPT_REALS_w + KEPT_INTS_w + LANES - 1) / LANES };
+
 /// What is kept of LANES paths, a plane each.
 typedef struct {
   realw reals[KEPT_REALS_w];
@@ -46,8 +50,7 @@ typedef struct {
   uchar order[POOL_PATHS];              ///< Their places, in the order in which they are taken.
   uchar places[SECTORS_w][POOL_PATHS];  ///< Places of the paths that are put back, by sector,
   int counts[SECTORS_w];                ///< and their number.
-  real reals[POOL_PATHS * KEPT_REALS_w];
-  int ints[POOL_PATHS * KEPT_INTS_w];
+  realw kept[(POOL_PATHS + 1) * KEPT_VECTORS_w];  ///< The last place takes what is not kept.
 } PathPool_w;
 
 FN void keep3_w(PRIVATE realw* to, real3w v) {
@@ -143,12 +146,23 @@ FN void pool_none_w(PathPool_w* pool) {
 /// The paths order[first], ... in lanes, as far as there are any. Lanes beyond repeat the first and are not alive.
 FN void pool_take_w(const PathPool_w* pool, int first, Paths_w* path) {
   KeptPaths_w kept;
-  PRIVATE real* reals = (PRIVATE real*)kept.reals;
-  PRIVATE int* ints = (PRIVATE int*)kept.ints;
-  for (int lane = 0; lane < LANES; ++lane) {
-    int place = pool->order[first + lane < pool->count ? first + lane : first];
-    for (int k = 0; k < KEPT_REALS_w; ++k) reals[k * LANES + lane] = pool->reals[place * KEPT_REALS_w + k];
-    for (int k = 0; k < KEPT_INTS_w; ++k) ints[k * LANES + lane] = pool->ints[place * KEPT_INTS_w + k];
+  int places[LANES];
+  for (int lane = 0; lane < LANES; ++lane)
+    places[lane] = pool->order[first + lane < pool->count ? first + lane : first] * KEPT_VECTORS_w;
+  UNROLLED
+  for (int v = 0; v < KEPT_VECTORS_w; ++v) {
+    realw rows[LANES];
+    UNROLLED
+    for (int lane = 0; lane < LANES; ++lane) rows[lane] = pool->kept[places[lane] + v];
+    transpose_w(rows);
+    UNROLLED
+    for (int i = 0; i < LANES; ++i) {
+      int k = v * LANES + i;
+      if (k < KEPT_REALS_w)
+        kept.reals[k] = rows[i];
+      else if (k < KEPT_REALS_w + KEPT_INTS_w)
+        kept.ints[k - KEPT_REALS_w] = int_of_real_bits_w(rows[i]);
+    }
   }
   paths_of_kept_w(&kept, first_lanes_w(pool->count - first), path);
 }
@@ -156,20 +170,35 @@ FN void pool_take_w(const PathPool_w* pool, int first, Paths_w* path) {
 /// Puts the paths that are alive back. first: as for pool_take, whose places they get; of new paths, their number in
 /// the pool.
 FN void pool_put_w(PathPool_w* pool, int first, int are_new, const Paths_w* path) {
-  KeptPaths_w kept;
-  kept_of_paths_w(path, &kept);
-  PRIVATE const real* reals = (PRIVATE const real*)kept.reals;
-  PRIVATE const int* ints = (PRIVATE const int*)kept.ints;
   realw zero = splat_w(R(0.0));
   uint x = bits_w(lt_w(path->rays.planes[RAY_PLANE_D], zero)),
        y = bits_w(lt_w(path->rays.planes[RAY_PLANE_D + 1], zero));
   uint z = bits_w(lt_w(path->rays.planes[RAY_PLANE_D + 2], zero));
+  int places[LANES];
+  for (int lane = 0; lane < LANES; ++lane) places[lane] = POOL_PATHS;
   for (uint alive = bits_w(path->alive); alive != 0u; alive &= alive - 1u) {
     int lane = first_bit(alive), place = are_new ? first + lane : (int)pool->order[first + lane];
-    for (int k = 0; k < KEPT_REALS_w; ++k) pool->reals[place * KEPT_REALS_w + k] = reals[k * LANES + lane];
-    for (int k = 0; k < KEPT_INTS_w; ++k) pool->ints[place * KEPT_INTS_w + k] = ints[k * LANES + lane];
     int sector = (int)((x >> lane & 1u) | (y >> lane & 1u) << 1 | (z >> lane & 1u) << 2);
     pool->places[sector][pool->counts[sector]++] = (uchar)place;
+    places[lane] = place;
+  }
+  KeptPaths_w kept;
+  kept_of_paths_w(path, &kept);
+  UNROLLED
+  for (int v = 0; v < KEPT_VECTORS_w; ++v) {
+    realw rows[LANES];
+    UNROLLED
+    for (int i = 0; i < LANES; ++i) {
+      int k = v * LANES + i;
+      rows[i] = zero;
+      if (k < KEPT_REALS_w)
+        rows[i] = kept.reals[k];
+      else if (k < KEPT_REALS_w + KEPT_INTS_w)
+        rows[i] = real_bits_of_int_w(kept.ints[k - KEPT_REALS_w]);
+    }
+    transpose_w(rows);
+    UNROLLED
+    for (int lane = 0; lane < LANES; ++lane) pool->kept[places[lane] * KEPT_VECTORS_w + v] = rows[lane];
   }
 }
 

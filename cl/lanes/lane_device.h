@@ -10,6 +10,7 @@ typedef LANE_VECTOR(long) maskw;
 #define LANE_AS_MASK(a) LANE_VECTOR(as_long)(a)
 #define LANE_AS_REAL(m) LANE_VECTOR(as_double)(m)
 #define LANE_TO_MASK(i) LANE_VECTOR(convert_long)(i)
+#define LANE_TO_INT(m) LANE_VECTOR(convert_int)(m)
 #define LANE_TO_REAL(m) LANE_VECTOR(convert_double)(m)
 #define LANE_SPLAT_MASK(x) ((maskw)((long)(x)))
 #else
@@ -18,6 +19,7 @@ typedef LANE_VECTOR(int) maskw;
 #define LANE_AS_MASK(a) LANE_VECTOR(as_int)(a)
 #define LANE_AS_REAL(m) LANE_VECTOR(as_float)(m)
 #define LANE_TO_MASK(i) (i)
+#define LANE_TO_INT(m) (m)
 #define LANE_TO_REAL(m) LANE_VECTOR(convert_float)(m)
 #define LANE_SPLAT_MASK(x) ((maskw)((int)(x)))
 #endif

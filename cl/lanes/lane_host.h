@@ -6,6 +6,7 @@ typedef decltype(realw{} < realw{}) maskw;
 #define LANE_AS_MASK(a) ((maskw)(a))
 #define LANE_AS_REAL(m) ((realw)(m))
 #define LANE_TO_MASK(i) __builtin_convertvector(i, maskw)
+#define LANE_TO_INT(m) __builtin_convertvector(m, intw)
 #define LANE_TO_REAL(m) __builtin_convertvector(m, realw)
 #define LANE_SPLAT_MASK(x) ((decltype(maskw{}[0] + 0))(x)-maskw{})
 
