@@ -76,6 +76,13 @@
 #define ONCE_FN FN
 #endif
 
+/// Before a loop of constant length: its arrays become registers. Compilers that do not know it decide by themselves.
+#if !defined(__cplusplus) && defined(__clang__)
+#define UNROLLED _Pragma("unroll")
+#else
+#define UNROLLED
+#endif
+
 #ifdef __cplusplus
 #define ON_HOST 1
 #define GLOBAL

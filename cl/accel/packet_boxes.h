@@ -68,8 +68,7 @@ FN Interval_w within_box_alike_w(const Packet_w* p, GLOBAL const real* planes, i
   int x = p->near_x, y = p->near_y, z = p->near_z;
   t = clip_planes_w(t, splat_w(planes[x * stride]), splat_w(planes[(x ^ 1) * stride]), p->o.x, p->inv.x, p->slack.x);
   t = clip_planes_w(t, splat_w(planes[y * stride]), splat_w(planes[(y ^ 1) * stride]), p->o.y, p->inv.y, p->slack.y);
-  return clip_planes_w(t, splat_w(planes[z * stride]), splat_w(planes[(z ^ 1) * stride]), p->o.z, p->inv.z,
-                       p->slack.z);
+  return clip_planes_w(t, splat_w(planes[z * stride]), splat_w(planes[(z ^ 1) * stride]), p->o.z, p->inv.z, p->slack.z);
 }
 
 /// Where each ray enters a child of a node; REAL_MAX where it does not, or is not of `active`. planes: the planes of

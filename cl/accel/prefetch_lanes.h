@@ -8,7 +8,7 @@
 enum { LINE_REALS_w = 64 / sizeof(real) };
 
 FN void prefetch_reals_w(GLOBAL const real* p, int reals) {
-#pragma unroll
+  UNROLLED
   for (int i = 0; i < reals; i += LINE_REALS_w) __builtin_prefetch((PRIVATE const void*)(ulong)(p + i));
 }
 FN void prefetch_ints_w(GLOBAL const int* p) { __builtin_prefetch((PRIVATE const void*)(ulong)p); }

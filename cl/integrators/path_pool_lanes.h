@@ -46,10 +46,10 @@ typedef struct {
 } KeptPaths_w;
 
 typedef struct {
-  int count;                            ///< Paths that go on.
-  uchar order[POOL_PATHS];              ///< Their places, in the order in which they are taken.
-  uchar places[SECTORS_w][POOL_PATHS];  ///< Places of the paths that are put back, by sector,
-  int counts[SECTORS_w];                ///< and their number.
+  int count;                                      ///< Paths that go on.
+  uchar order[POOL_PATHS];                        ///< Their places, in the order in which they are taken.
+  uchar places[SECTORS_w][POOL_PATHS];            ///< Places of the paths that are put back, by sector,
+  int counts[SECTORS_w];                          ///< and their number.
   realw kept[(POOL_PATHS + 1) * KEPT_VECTORS_w];  ///< The last place takes what is not kept.
 } PathPool_w;
 

@@ -1,12 +1,6 @@
 // SPDX-License-Identifier: MIT
-// LANES vectors as rows of a square, and the square's columns. By registers: a gather from what has just been stored
+// LANES vectors as rows of a square, and the square's columns. In registers: a gather from what has just been stored
 // waits until the stores have ended. More than one lane. One width; no guard.
-
-#if ON_HOST
-#define UNROLLED
-#else
-#define UNROLLED _Pragma("unroll")
-#endif
 
 /// The lower halves of a and b, element by element in turns, and the upper ones.
 #if ON_HOST
