@@ -92,8 +92,10 @@ def write_cloud(path, side):
 
 
 here = pathlib.Path(__file__).parent
-if len(sys.argv) > 1:
-    write_cloud("cloud.vol", int(sys.argv[1]))
-else:
+if len(sys.argv) == 1:
     write(here / "smoke.vol", (40, 64, 32), smoke())
     write(here / "flame.vol", (24, 48, 24), flame())
+elif len(sys.argv) == 2 and sys.argv[1].isdigit() and int(sys.argv[1]) > 0:
+    write_cloud("cloud.vol", int(sys.argv[1]))
+else:
+    sys.exit(__doc__)
