@@ -30,60 +30,57 @@ FN void packet_stop_w(const Scene* scene, Packet_w* p) {
   p->bound = min_w(p->t, p->bound);
 }
 
-/// The stack: `top` entries, and the t at which each ray enters them; the least of them orders the children of a node.
+/// The stack: `top` entries, and the t at which the first ray enters each, or less; it orders the children of a node.
 /// An entry >= 0 is a child, node * LANES + lane; below 0 it is a leaf or list that every ray is tested against, or
 /// NO_REFERENCE, the tree.
 typedef struct {
   int top;
   int entry[STACK_ENTRIES];
-  real least[STACK_ENTRIES];
-  realw enter[STACK_ENTRIES];
+  real first[STACK_ENTRIES];
 } PacketStack_w;
 
-FN void push_list_w(const Packet_w* p, PacketStack_w* stack, int entry) {
+FN void push_list_w(PacketStack_w* stack, int entry) {
   stack->entry[stack->top] = entry;
-  stack->least[stack->top] = -REAL_MAX;
-  stack->enter[stack->top++] = p->t_min;
+  stack->first[stack->top++] = -REAL_MAX;
 }
 
 /// The tree, and above it the lists, of the world or of a group.
-FN void push_lists_w(const Scene* scene, const Packet_w* p, GLOBAL const int* group, PacketStack_w* stack) {
+FN void push_lists_w(const Scene* scene, GLOBAL const int* group, PacketStack_w* stack) {
   int root = NO_REFERENCE;
   if (HAS_TREE) root = HAS_INSTANCES && group != 0 ? group[GROUP_ROOT] : scene_root(scene);
-  if (root != NO_REFERENCE) push_list_w(p, stack, NO_REFERENCE);
+  if (root != NO_REFERENCE) push_list_w(stack, NO_REFERENCE);
   for (int kind = SHAPE_COUNT - 1 + HAS_INSTANCES; kind >= 0; --kind) {
     int listed = scene_listed(scene, kind);
     if (HAS_INSTANCES && group != 0) listed = kind == SHAPE_COUNT ? 0 : group[GROUP_LISTED + 2 * kind + 1];
-    if (listed != 0) push_list_w(p, stack, ~kind);
+    if (listed != 0) push_list_w(stack, ~kind);
   }
 }
 
-/// Pushes the children of a node that rays of `active` meet, the nearest on top; of alike rays the one that the bounds
-/// over all rays meet first, since the least of all lanes takes longer than the test of a child.
+/// Pushes the children of a node that rays of `active` may meet, the one that is entered first on top.
 FN void push_children_w(const Packet_w* p, GLOBAL const real* nodes, int node, maskw active, PacketStack_w* stack) {
   GLOBAL const real* planes = nodes + (ulong)node * (NODE_PLANES * LANES);
-  uint met = (1u << LANES) - 1u;
-  real firsts[LANES];
+  realw first_of_each;
+  uint met;
   if (is_alike_w(p)) {
     Interval_w slabs = bounds_within_children_w(p, planes);
     met = bits_w(le_w(slabs.enter, slabs.leave));
-    store_w(slabs.enter, firsts);
+    first_of_each = slabs.enter;
+  } else {
+    first_of_each = first_of_each_child_w(p, planes, active);
+    met = bits_w(lt_w(first_of_each, splat_w(REAL_MAX)));
   }
+  real firsts[LANES];
+  store_w(first_of_each, firsts);
   int bottom = stack->top;
   for (; met != 0u; met &= met - 1u) {
-    int lane = first_bit(met), at = stack->top;
-    realw enter = enters_child_w(p, planes + lane, active);
-    if (!any_w(lt_w(enter, splat_w(REAL_MAX)))) continue;
-    real least = is_alike_w(p) ? firsts[lane] : least_w(enter);
-    ++stack->top;
-    for (; at > bottom && stack->least[at - 1] < least; --at) {
+    int lane = first_bit(met), at = stack->top++;
+    real first = firsts[lane];
+    for (; at > bottom && stack->first[at - 1] < first; --at) {
       stack->entry[at] = stack->entry[at - 1];
-      stack->least[at] = stack->least[at - 1];
-      stack->enter[at] = stack->enter[at - 1];
+      stack->first[at] = stack->first[at - 1];
     }
     stack->entry[at] = node * LANES + lane;
-    stack->least[at] = least;
-    stack->enter[at] = enter;
+    stack->first[at] = first;
   }
 }
 
@@ -97,7 +94,7 @@ FN void packet_walk_w(const Scene* scene, Packet_w* world) {
   place.instance = -1;
   place.group = 0;
   stack.top = 0;
-  push_lists_w(scene, p, 0, &stack);
+  push_lists_w(scene, 0, &stack);
   for (;;) {
     int is_within = HAS_INSTANCES && place.instance >= 0;
     if (HAS_INSTANCES && is_within && stack.top == place.floor) {
@@ -108,10 +105,15 @@ FN void packet_walk_w(const Scene* scene, Packet_w* world) {
     }
     if (stack.top == 0) return;
     int entry = stack.entry[--stack.top], reference = entry;
-    realw enter = stack.enter[stack.top];
-    maskw active = le_w(enter, p->bound) & lt_w(enter, splat_w(REAL_MAX));
+    maskw active;
+    if (HAS_TREE && entry >= 0) {
+      if (is_alike_w(p) && p->last < stack.first[stack.top]) continue;
+      active = meets_child_w(p, nodes + (ulong)(entry / LANES) * (NODE_PLANES * LANES) + entry % LANES);
+      reference = children[entry];
+    } else {
+      active = le_w(p->t_min, p->bound);
+    }
     if (!any_w(active)) continue;
-    if (HAS_TREE && entry >= 0) reference = children[entry];
     if (HAS_TREE && entry == NO_REFERENCE) reference = is_within ? place.group[GROUP_ROOT] : scene_root(scene);
 
     int is_list = reference < 0 && leaf_is_list(reference);
@@ -122,10 +124,10 @@ FN void packet_walk_w(const Scene* scene, Packet_w* world) {
       continue;
     } else if (HAS_INSTANCES && leaf_kind(reference) == SHAPE_COUNT) {
       int next = next_instance(scene, reference);
-      if (next != NO_REFERENCE) push_list_w(p, &stack, next);
+      if (next != NO_REFERENCE) push_list_w(&stack, next);
       if (packet_enter_w(scene, p, reference, active, stack.top, &place, &within)) {
         p = &within;
-        push_lists_w(scene, p, place.group, &stack);
+        push_lists_w(scene, place.group, &stack);
       }
       continue;
     } else {

@@ -71,14 +71,35 @@ FN Interval_w within_box_alike_w(const Packet_w* p, GLOBAL const real* planes, i
   return clip_planes_w(t, splat_w(planes[z * stride]), splat_w(planes[(z ^ 1) * stride]), p->o.z, p->inv.z, p->slack.z);
 }
 
-/// Where each ray enters a child of a node; REAL_MAX where it does not, or is not of `active`. planes: the planes of
-/// the child, LANES apart.
-FN realw enters_child_w(const Packet_w* p, GLOBAL const real* planes, maskw active) {
+/// The t at which the first ray of `active` enters each child of a node; REAL_MAX: none does. One ray after the other
+/// against all children, since that takes the least without a reduction over lanes.
+FN realw first_of_each_child_w(const Packet_w* p, GLOBAL const real* node, maskw active) {
+  uint back_x = bits_w(p->back_x), back_y = bits_w(p->back_y), back_z = bits_w(p->back_z);
+  realw first = splat_w(REAL_MAX);
+  for (uint lanes = bits_w(active); lanes != 0u; lanes &= lanes - 1u) {
+    int lane = first_bit(lanes);
+    int x = (int)(back_x >> lane & 1u), y = 2 + (int)(back_y >> lane & 1u), z = 4 + (int)(back_z >> lane & 1u);
+    Interval_w slabs;
+    slabs.enter = splat_w(get_w(&p->t_min, lane));
+    slabs.leave = splat_w(get_w(&p->bound, lane));
+    slabs = clip_slab_w(slabs, load_w(node + x * LANES), load_w(node + (x ^ 1) * LANES), get_w(&p->o.x, lane),
+                        get_w(&p->inv.x, lane), get_w(&p->slack.x, lane));
+    slabs = clip_slab_w(slabs, load_w(node + y * LANES), load_w(node + (y ^ 1) * LANES), get_w(&p->o.y, lane),
+                        get_w(&p->inv.y, lane), get_w(&p->slack.y, lane));
+    slabs = clip_slab_w(slabs, load_w(node + z * LANES), load_w(node + (z ^ 1) * LANES), get_w(&p->o.z, lane),
+                        get_w(&p->inv.z, lane), get_w(&p->slack.z, lane));
+    first = sel_w(le_w(slabs.enter, slabs.leave), min_w(slabs.enter, first), first);
+  }
+  return first;
+}
+
+/// The rays that meet a child of a node. planes: the planes of the child, LANES apart.
+FN maskw meets_child_w(const Packet_w* p, GLOBAL const real* planes) {
   Interval_w slabs;
   slabs.enter = p->t_min;
   slabs.leave = p->bound;
   slabs = is_alike_w(p) ? within_box_alike_w(p, planes, LANES, slabs) : within_box_each_w(p, planes, LANES, slabs);
-  return sel_w(active & le_w(slabs.enter, slabs.leave), slabs.enter, splat_w(REAL_MAX));
+  return le_w(slabs.enter, slabs.leave);
 }
 
 #if TIER_COMPENSATED

@@ -4,11 +4,11 @@
 
 enum { CONDUCTOR_ETA_w = 3, CONDUCTOR_K_w = 6 };
 
-FN void conductor_load_w(const Scene* scene, const Surfaces_w* s, intw rows, maskw which, Bsdf_w* b) {
-  put_bsdf_color_w(b, which, 0, parameter_at_w(scene, s, which, rows, 0));
+FN void conductor_load_w(const Scene* scene, const TexturePlace_w* at, int row, maskw which, Bsdf_w* b) {
+  put_bsdf_color_w(b, which, 0, parameter_of_w(scene, at, row, 0));
   if (HAS_METAL) {
-    put_bsdf_color_w(b, which, CONDUCTOR_ETA_w, parameter_at_w(scene, s, which, rows, 1));
-    put_bsdf_color_w(b, which, CONDUCTOR_K_w, parameter_at_w(scene, s, which, rows, 2));
+    put_bsdf_color_w(b, which, CONDUCTOR_ETA_w, parameter_of_w(scene, at, row, 1));
+    put_bsdf_color_w(b, which, CONDUCTOR_K_w, parameter_of_w(scene, at, row, 2));
   }
 }
 

@@ -6,10 +6,10 @@
 // inside and outside, which are used where overlapping glass is tracked (integrators/interfaces_lanes.h).
 enum { DIELECTRIC_TRANSMITTANCE_w = 3, DIELECTRIC_ETA_w = 6 };
 
-FN void dielectric_load_w(const Scene* scene, const Surfaces_w* s, intw rows, maskw which, Bsdf_w* b) {
-  put_bsdf_color_w(b, which, 0, parameter_at_w(scene, s, which, rows, 0));
-  put_bsdf_color_w(b, which, DIELECTRIC_TRANSMITTANCE_w, parameter_at_w(scene, s, which, rows, 1));
-  put_bsdf_color_w(b, which, DIELECTRIC_ETA_w, parameter_at_w(scene, s, which, rows, 2));
+FN void dielectric_load_w(const Scene* scene, const TexturePlace_w* at, int row, maskw which, Bsdf_w* b) {
+  put_bsdf_color_w(b, which, 0, parameter_of_w(scene, at, row, 0));
+  put_bsdf_color_w(b, which, DIELECTRIC_TRANSMITTANCE_w, parameter_of_w(scene, at, row, 1));
+  put_bsdf_color_w(b, which, DIELECTRIC_ETA_w, parameter_of_w(scene, at, row, 2));
 }
 
 FN real3w dielectric_eval_w(const Bsdf_w* b, real3w wi, PRIVATE realw* density) {

@@ -2,8 +2,8 @@
 // A sheet that scatters light to the other side only, alike from both sides: f = T / pi, as Mitsuba 0.x has it.
 // Parameters: T r g b.
 
-FN void difftrans_load_w(const Scene* scene, const Surfaces_w* s, intw rows, maskw which, Bsdf_w* b) {
-  put_bsdf_color_w(b, which, 0, parameter_at_w(scene, s, which, rows, 0));
+FN void difftrans_load_w(const Scene* scene, const TexturePlace_w* at, int row, maskw which, Bsdf_w* b) {
+  put_bsdf_color_w(b, which, 0, parameter_of_w(scene, at, row, 0));
 }
 
 FN real3w difftrans_eval_w(const Bsdf_w* b, real3w wi, PRIVATE realw* density) {

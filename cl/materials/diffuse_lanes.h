@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Lambertian reflection, f = rho / pi. Parameters: rho r g b.
 
-FN void diffuse_load_w(const Scene* scene, const Surfaces_w* s, intw rows, maskw which, Bsdf_w* b) {
-  put_bsdf_color_w(b, which, 0, parameter_at_w(scene, s, which, rows, 0));
+FN void diffuse_load_w(const Scene* scene, const TexturePlace_w* at, int row, maskw which, Bsdf_w* b) {
+  put_bsdf_color_w(b, which, 0, parameter_of_w(scene, at, row, 0));
 }
 
 FN real3w diffuse_eval_w(const Bsdf_w* b, real3w wi, PRIVATE realw* density) {

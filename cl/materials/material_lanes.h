@@ -11,39 +11,42 @@ FN maskw is_material_w(const Bsdf_w* b, int kind) {
 /// out: where the light goes to, unit, in the world.
 FN Bsdf_w bsdf_at_w(const Scene* scene, const Surfaces_w* s, const MaterialRows_w* at, real3w out) {
   GLOBAL const int* index = scene->index;
-  intw rows = at->rows;
+  Bsdf_w b;
+  b.kind = splat_int_w(ONLY_MATERIAL ? 0 : -1);
+  for (int i = 0; i < BSDF_REALS; ++i) b.p[i] = splat_w(R(0.0));
+  maskw has_along = none_w();
+  TexturePlace_w place = texture_place_w(scene, s);
+  for (uint lanes = bits_w(s->hit); lanes != 0u;) {
+    int row;
+    maskw is_one = next_row_w(at->rows, s->hit, &lanes, &row);
+    int kind = ONLY_MATERIAL ? 0 : index[row + MATERIAL_KIND];
+    if (!ONLY_MATERIAL) b.kind = sel_int_w(is_one, splat_int_w(kind), b.kind);
+    if (HAS_TANGENT && index[row + MATERIAL_ALONG] != 0) has_along = has_along | is_one;
+#define MATERIAL(name, reals, lobes) \
+  if (ONLY_MATERIAL || kind == MATERIAL_##name) name##_load_w(scene, &place, row, is_one, &b);
+#include "materials/materials.def"
+#undef MATERIAL
+  }
   Frame_w frame = frame_around_w(at->normal);
   if (HAS_TANGENT) {
     // Twosided materials look from behind as from the front: x and y stay those of the front.
-    maskw has_along = nonzero_w(gather_int_w(index + MATERIAL_ALONG, rows));
     Frame_w turned = frame_along_w(s->shading, s->along);
     frame.x = sel3_w(has_along, turned.x, frame.x);
     frame.y = sel3_w(has_along, turned.y, frame.y);
   }
-  intw kind = ONLY_MATERIAL ? splat_int_w(0) : gather_int_w(index + MATERIAL_KIND, rows);
   if (HAS_RELIEF) {
     frame.x = sel3_w(at->relief.which, at->relief.frame.x, frame.x);
     frame.y = sel3_w(at->relief.which, at->relief.frame.y, frame.y);
   }
-  Bsdf_w b;
-  b.kind = kind;
   b.frame = frame;
   b.wo = to_frame_w(&frame, out);
   b.out = out;
-  for (int i = 0; i < BSDF_REALS; ++i) b.p[i] = splat_w(R(0.0));
   if (HAS_RELIEF) b.relief = at->relief;
   if (HAS_PANE) b.reflects = none_w();
   if (HAS_COAT) {
     b.coat = at->coat;
     coat_view_w(&b.coat, &b.wo);
   }
-#define MATERIAL(name, reals, lobes)                                               \
-  {                                                                                \
-    maskw is_one = is_material_w(&b, MATERIAL_##name);                             \
-    if (ONLY_MATERIAL || any_w(is_one)) name##_load_w(scene, s, rows, is_one, &b); \
-  }
-#include "materials/materials.def"
-#undef MATERIAL
   return b;
 }
 

@@ -14,10 +14,10 @@ typedef struct {
 
 enum { MICROFACETS_SLOTS_w = 3 };
 
-FN void microfacets_load_w(const Scene* scene, const Surfaces_w* s, intw rows, maskw which, int slot, Bsdf_w* b,
+FN void microfacets_load_w(const Scene* scene, const TexturePlace_w* at, int row, maskw which, int slot, Bsdf_w* b,
                            int first) {
   for (int k = 0; k < MICROFACETS_SLOTS_w; ++k) {
-    real3w value = parameter_at_w(scene, s, which, rows, slot + k);
+    real3w value = parameter_of_w(scene, at, row, slot + k);
     if (k < 2) value.x = luminance_w(value);  // alpha along u and across are numbers.
     put_bsdf_color_w(b, which, first + 3 * k, value);
   }

@@ -6,9 +6,9 @@
 
 enum { PHONG_SPECULAR_w = 3, PHONG_EXPONENT_w = 6, PHONG_CHANCE_w = 9 };
 
-FN void phong_load_w(const Scene* scene, const Surfaces_w* s, intw rows, maskw which, Bsdf_w* b) {
+FN void phong_load_w(const Scene* scene, const TexturePlace_w* at, int row, maskw which, Bsdf_w* b) {
   for (int slot = 0; slot < 4; ++slot) {
-    real3w value = parameter_at_w(scene, s, which, rows, slot);
+    real3w value = parameter_of_w(scene, at, row, slot);
     int is_number = 3 * slot == PHONG_EXPONENT_w;
     if (is_number) value.x = luminance_w(value);
     put_bsdf_color_w(b, which, 3 * slot, value);

@@ -23,9 +23,9 @@ enum {
   PRINCIPLED_SLOTS_w = 13
 };
 
-FN void principled_load_w(const Scene* scene, const Surfaces_w* s, intw rows, maskw which, Bsdf_w* b) {
+FN void principled_load_w(const Scene* scene, const TexturePlace_w* at, int row, maskw which, Bsdf_w* b) {
   for (int slot = 0; slot < PRINCIPLED_SLOTS_w; ++slot) {
-    real3w value = parameter_at_w(scene, s, which, rows, slot);
+    real3w value = parameter_of_w(scene, at, row, slot);
     int is_number = slot > 0 && slot < PRINCIPLED_ETA_w / 3;
     if (is_number) value.x = luminance_w(value);
     put_bsdf_color_w(b, which, 3 * slot, value);

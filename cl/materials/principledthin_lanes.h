@@ -19,9 +19,9 @@ enum {
   PRINCIPLEDTHIN_SLOTS_w = 12
 };
 
-FN void principledthin_load_w(const Scene* scene, const Surfaces_w* s, intw rows, maskw which, Bsdf_w* b) {
+FN void principledthin_load_w(const Scene* scene, const TexturePlace_w* at, int row, maskw which, Bsdf_w* b) {
   for (int slot = 0; slot < PRINCIPLEDTHIN_SLOTS_w; ++slot) {
-    real3w value = parameter_at_w(scene, s, which, rows, slot);
+    real3w value = parameter_of_w(scene, at, row, slot);
     int is_number = slot > 0 && slot < PRINCIPLEDTHIN_RATES_w / 3;
     if (is_number) value.x = luminance_w(value);
     put_bsdf_color_w(b, which, 3 * slot, value);

@@ -5,10 +5,10 @@
 
 enum { ROUGHDIELECTRIC_TRANSMITTANCE_w = 3, ROUGHDIELECTRIC_ETA_w = 6, ROUGHDIELECTRIC_FACETS_w = 9 };
 
-FN void roughdielectric_load_w(const Scene* scene, const Surfaces_w* s, intw rows, maskw which, Bsdf_w* b) {
+FN void roughdielectric_load_w(const Scene* scene, const TexturePlace_w* at, int row, maskw which, Bsdf_w* b) {
   for (int slot = 0; slot < 3; ++slot)
-    put_bsdf_color_w(b, which, 3 * slot, parameter_at_w(scene, s, which, rows, slot));
-  microfacets_load_w(scene, s, rows, which, 3, b, ROUGHDIELECTRIC_FACETS_w);
+    put_bsdf_color_w(b, which, 3 * slot, parameter_of_w(scene, at, row, slot));
+  microfacets_load_w(scene, at, row, which, 3, b, ROUGHDIELECTRIC_FACETS_w);
 }
 
 /// Index of refraction on the far side over that on the side of wo.

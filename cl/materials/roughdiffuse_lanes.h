@@ -6,9 +6,9 @@
 
 enum { ROUGHDIFFUSE_ALPHA_w = 3, ROUGHDIFFUSE_FAST_w = 6 };
 
-FN void roughdiffuse_load_w(const Scene* scene, const Surfaces_w* s, intw rows, maskw which, Bsdf_w* b) {
+FN void roughdiffuse_load_w(const Scene* scene, const TexturePlace_w* at, int row, maskw which, Bsdf_w* b) {
   for (int slot = 0; slot < 3; ++slot) {
-    real3w value = parameter_at_w(scene, s, which, rows, slot);
+    real3w value = parameter_of_w(scene, at, row, slot);
     int is_number = 3 * slot == ROUGHDIFFUSE_ALPHA_w;
     if (is_number) value.x = luminance_w(value);
     put_bsdf_color_w(b, which, 3 * slot, value);

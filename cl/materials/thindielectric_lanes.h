@@ -12,9 +12,9 @@ FN realw pane_reflectance_w(realw cosine, realw eta, PRIVATE realw* through) {
   return splat_w(R(2.0)) * once / (one + once);
 }
 
-FN void thindielectric_load_w(const Scene* scene, const Surfaces_w* s, intw rows, maskw which, Bsdf_w* b) {
+FN void thindielectric_load_w(const Scene* scene, const TexturePlace_w* at, int row, maskw which, Bsdf_w* b) {
   for (int slot = 0; slot < 3; ++slot)
-    put_bsdf_color_w(b, which, 3 * slot, parameter_at_w(scene, s, which, rows, slot));
+    put_bsdf_color_w(b, which, 3 * slot, parameter_of_w(scene, at, row, slot));
 }
 
 FN real3w thindielectric_eval_w(const Bsdf_w* b, real3w wi, PRIVATE realw* density) {

@@ -7,11 +7,11 @@
 
 enum { WARD_SPECULAR_w = 3, WARD_FACETS_w = 6, WARD_CHANCE_w = 15, WARD_VARIANT_w = 16 };
 
-FN void ward_load_w(const Scene* scene, const Surfaces_w* s, intw rows, maskw which, Bsdf_w* b) {
+FN void ward_load_w(const Scene* scene, const TexturePlace_w* at, int row, maskw which, Bsdf_w* b) {
   for (int slot = 0; slot < 2; ++slot)
-    put_bsdf_color_w(b, which, 3 * slot, parameter_at_w(scene, s, which, rows, slot));
-  microfacets_load_w(scene, s, rows, which, 2, b, WARD_FACETS_w);
-  put_bsdf_color_w(b, which, WARD_CHANCE_w, parameter_at_w(scene, s, which, rows, 5));
+    put_bsdf_color_w(b, which, 3 * slot, parameter_of_w(scene, at, row, slot));
+  microfacets_load_w(scene, at, row, which, 2, b, WARD_FACETS_w);
+  put_bsdf_color_w(b, which, WARD_CHANCE_w, parameter_of_w(scene, at, row, 5));
 }
 
 SELDOM_FN real3w ward_eval_w(const Bsdf_w* b, real3w wi, PRIVATE realw* density) {

@@ -89,12 +89,12 @@ FN real3w textures_at_w(const Scene* scene, maskw which, intw textures, TextureP
   return value;
 }
 
-/// The same, as wide as the pixel is on the surface.
-FN real3w texture_values_w(const Scene* scene, const Surfaces_w* s, maskw which, intw textures, real3w value) {
-  if (!any_w(which)) return value;
-  intw rates = part_entry_w(scene, s, PART_UV_RATES);
+/// Points of surfaces, as wide as the pixel is there; without textures undefined.
+FN TexturePlace_w texture_place_w(const Scene* scene, const Surfaces_w* s) {
   TexturePlace_w at = texture_point_w(scene, s);
+  if (TEXTURE_COUNT == 0) return at;
+  intw rates = part_entry_w(scene, s, PART_UV_RATES);
   at.du = s->footprint * gather_w(scene->shading, rates);
   at.dv = s->footprint * gather_w(scene->shading + 1, rates);
-  return textures_at_w(scene, which, textures, at, value);
+  return at;
 }
