@@ -6,8 +6,7 @@
 enum { PLASTIC_SPECULAR_w = 3, PLASTIC_BASE_w = 6, PLASTIC_ETA_w = 6 };
 
 FN void plastic_load_w(const Scene* scene, const TexturePlace_w* at, int row, maskw which, Bsdf_w* b) {
-  for (int slot = 0; slot < 4; ++slot)
-    put_bsdf_color_w(b, which, 3 * slot, parameter_of_w(scene, at, row, slot));
+  for (int slot = 0; slot < 4; ++slot) put_bsdf_color_w(b, which, 3 * slot, parameter_of_w(scene, at, row, slot));
 }
 
 FN Fresnel_w plastic_fresnel_w(const Bsdf_w* b, realw cosine) {

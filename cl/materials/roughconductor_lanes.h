@@ -5,8 +5,7 @@
 enum { ROUGHCONDUCTOR_ETA_w = 3, ROUGHCONDUCTOR_K_w = 6, ROUGHCONDUCTOR_FACETS_w = 9 };
 
 FN void roughconductor_load_w(const Scene* scene, const TexturePlace_w* at, int row, maskw which, Bsdf_w* b) {
-  for (int slot = 0; slot < 3; ++slot)
-    put_bsdf_color_w(b, which, 3 * slot, parameter_of_w(scene, at, row, slot));
+  for (int slot = 0; slot < 3; ++slot) put_bsdf_color_w(b, which, 3 * slot, parameter_of_w(scene, at, row, slot));
   microfacets_load_w(scene, at, row, which, 3, b, ROUGHCONDUCTOR_FACETS_w);
 }
 

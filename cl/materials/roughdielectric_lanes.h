@@ -6,8 +6,7 @@
 enum { ROUGHDIELECTRIC_TRANSMITTANCE_w = 3, ROUGHDIELECTRIC_ETA_w = 6, ROUGHDIELECTRIC_FACETS_w = 9 };
 
 FN void roughdielectric_load_w(const Scene* scene, const TexturePlace_w* at, int row, maskw which, Bsdf_w* b) {
-  for (int slot = 0; slot < 3; ++slot)
-    put_bsdf_color_w(b, which, 3 * slot, parameter_of_w(scene, at, row, slot));
+  for (int slot = 0; slot < 3; ++slot) put_bsdf_color_w(b, which, 3 * slot, parameter_of_w(scene, at, row, slot));
   microfacets_load_w(scene, at, row, which, 3, b, ROUGHDIELECTRIC_FACETS_w);
 }
 

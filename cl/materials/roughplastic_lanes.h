@@ -14,8 +14,7 @@ enum {
 enum { ROUGHPLASTIC_TERMS_w = 9 };
 
 FN void roughplastic_load_w(const Scene* scene, const TexturePlace_w* at, int row, maskw which, Bsdf_w* b) {
-  for (int slot = 0; slot < 10; ++slot)
-    put_bsdf_color_w(b, which, 3 * slot, parameter_of_w(scene, at, row, slot));
+  for (int slot = 0; slot < 10; ++slot) put_bsdf_color_w(b, which, 3 * slot, parameter_of_w(scene, at, row, slot));
 }
 
 /// The share that goes through at that cosine.

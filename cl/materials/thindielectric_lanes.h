@@ -13,8 +13,7 @@ FN realw pane_reflectance_w(realw cosine, realw eta, PRIVATE realw* through) {
 }
 
 FN void thindielectric_load_w(const Scene* scene, const TexturePlace_w* at, int row, maskw which, Bsdf_w* b) {
-  for (int slot = 0; slot < 3; ++slot)
-    put_bsdf_color_w(b, which, 3 * slot, parameter_of_w(scene, at, row, slot));
+  for (int slot = 0; slot < 3; ++slot) put_bsdf_color_w(b, which, 3 * slot, parameter_of_w(scene, at, row, slot));
 }
 
 FN real3w thindielectric_eval_w(const Bsdf_w* b, real3w wi, PRIVATE realw* density) {

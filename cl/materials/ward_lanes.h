@@ -8,8 +8,7 @@
 enum { WARD_SPECULAR_w = 3, WARD_FACETS_w = 6, WARD_CHANCE_w = 15, WARD_VARIANT_w = 16 };
 
 FN void ward_load_w(const Scene* scene, const TexturePlace_w* at, int row, maskw which, Bsdf_w* b) {
-  for (int slot = 0; slot < 2; ++slot)
-    put_bsdf_color_w(b, which, 3 * slot, parameter_of_w(scene, at, row, slot));
+  for (int slot = 0; slot < 2; ++slot) put_bsdf_color_w(b, which, 3 * slot, parameter_of_w(scene, at, row, slot));
   microfacets_load_w(scene, at, row, which, 2, b, WARD_FACETS_w);
   put_bsdf_color_w(b, which, WARD_CHANCE_w, parameter_of_w(scene, at, row, 5));
 }
