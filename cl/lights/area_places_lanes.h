@@ -8,7 +8,7 @@
 FN intw area_item_w(const Scene* scene, GLOBAL const int* row, uintw numbers) {
   uint items = (uint)row[LIGHT_ITEMS];
   if (items == 1u) return splat_int_w(0);
-  return alias_item_w(scene->index + row[LIGHT_CHOICE], splat_int_w(0), items, numbers);
+  return chosen_item_w(scene->index + row[LIGHT_CHOICE], splat_int_w(0), items, numbers);
 }
 
 FN AreaPoint_w area_point_of_w(const Scene* scene, GLOBAL const int* row, real3w from, int item, realw u, realw v) {

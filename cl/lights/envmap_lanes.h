@@ -93,8 +93,8 @@ FN LightSample_w envmap_sample_w(const Scene* scene, GLOBAL const int* row, real
   int width = image[IMAGE_WIDTH], rows = image[IMAGE_HEIGHT] - 1;
   (void)from;
   EnvmapPlace_w p;
-  p.row = alias_item_w(choices, splat_int_w(0), (uint)rows, numbers.row);
-  p.column = alias_item_w(choices, splat_int_w(rows) + p.row * splat_int_w(width), (uint)width, numbers.column);
+  p.row = chosen_item_w(choices, splat_int_w(0), (uint)rows, numbers.row);
+  p.column = chosen_item_w(choices, splat_int_w(rows) + p.row * splat_int_w(width), (uint)width, numbers.column);
   EnvmapCorners_w corners = envmap_corners_w(scene, row, &p);
   EnvmapLuminances_w y = envmap_luminances_w(scene, row, &corners);
   p.t = linear_place_w(numbers.v, y.upper_first + y.upper_second, y.lower_first + y.lower_second);

@@ -3,7 +3,7 @@
 // that surfaces emit. One width; no guard.
 #include "lights/light_table.h"
 #include "lights/light_sample_lanes.h"
-#include "lights/alias_lanes.h"
+#include "lights/choice_lanes.h"
 #include "textures/texture_lanes.h"
 #include "lights/all_lanes.h"
 #include "choosers/chooser_lanes.h"

@@ -16,6 +16,7 @@ FN Bsdf_w bsdf_at_w(const Scene* scene, const Surfaces_w* s, const MaterialRows_
   for (int i = 0; i < BSDF_REALS; ++i) b.p[i] = splat_w(R(0.0));
   maskw has_along = none_w();
   TexturePlace_w place = texture_place_w(scene, s);
+  (void)place;  // A scene without materials.
   for (uint lanes = bits_w(s->hit); lanes != 0u;) {
     int row;
     maskw is_one = next_row_w(at->rows, s->hit, &lanes, &row);

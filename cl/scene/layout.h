@@ -148,9 +148,9 @@ enum {
 // Of an environment: -> index, IMAGE_INTS; LIGHT_CHOICE leads to a table of the rows of cells, and from there on one of
 // the cells of each row.
 enum { LIGHT_IMAGE = LIGHT_AREA };
-// An item is kept if a number of 32 bits is below the limit; else the alias is taken (A. Walker, "An Efficient Method
-// for Generating Discrete Random Variables with General Distributions", ACM TOMS 3(3), 1977).
-enum { CHOICE_LIMIT, CHOICE_OTHER, CHOICE_INTS };
+// One of n items by a number of 32 bits (lights/choice_lanes.h). Item i: the last number that leads to it or to an item
+// before it. Part i of the numbers, which are in n equal parts: the item that its first number leads to.
+enum { CHOICE_LAST, CHOICE_GUIDE, CHOICE_INTS };
 // A child of the tree of lights: the middle of the ball around its lights, x y z; the axis of the cone of their own
 // axes; their greatest intensities in sum (of lights infinitely far away the irradiances); the ball's radius, squared
 // (-1: infinitely far away); cosines of the cone's half angle and of the greatest angle from a light's axis at which

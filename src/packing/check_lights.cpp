@@ -96,7 +96,7 @@ class Lights {
   void choices(std::int64_t at, std::int64_t count, const char* what, std::int64_t which) {
     if (!ranges_.index(at, count * layout::CHOICE_INTS, what, which)) return;
     for (std::int64_t i = 0; i < count; ++i)
-      if (!ranges_.within(ranges_.at(at + i * layout::CHOICE_INTS + layout::CHOICE_OTHER), 0, count, what, which))
+      if (!ranges_.within(ranges_.at(at + i * layout::CHOICE_INTS + layout::CHOICE_GUIDE), 0, count, what, which))
         return;
   }
 

@@ -57,7 +57,7 @@ std::optional<EmittingArea> emitting_area(const Shape& shape, int part, const Rg
   area.reach.weight = shape.sampling_weight;
   area.items = std::move(items.items());
   area.uvs = std::move(items.uvs());
-  area.choices = alias_table(weights);
+  area.choices = choice_table(weights);
   return area;
 }
 

@@ -10,7 +10,7 @@
 #include "kinds/area_items.h"
 #include "kinds/light_reach.h"
 #include "kinds/upload_frame.h"
-#include "packing/alias_table.h"
+#include "packing/choice_table.h"
 #include "scene/model/scene.h"
 
 namespace strahl {

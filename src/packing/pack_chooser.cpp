@@ -6,7 +6,7 @@
 #include <numbers>
 #include <numeric>
 
-#include "packing/alias_table.h"
+#include "packing/choice_table.h"
 #include "packing/cl_layout.h"
 #include "packing/light_tree.h"
 
@@ -58,7 +58,7 @@ void pack_chooser(PackedScene<Real>& packed, const Scene& scene, const Features&
     for (const double power : all)
       rarities.push_back(std::min(sum / power, static_cast<double>(std::numeric_limits<Real>::max())));
     const int rarities_at = packed.put_shading(rarities);
-    const int choices_at = put_choices(packed, alias_table(all));
+    const int choices_at = put_choices(packed, choice_table(all));
     packed.at(layout::HEADER_CHANCES) = rarities_at;
     packed.at(layout::HEADER_CHOICES) = choices_at;
   }

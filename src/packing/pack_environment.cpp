@@ -36,7 +36,7 @@ double compensation(const std::vector<double>& luminances) {
 /// A table that is never asked where there is nothing to draw.
 std::vector<Choice> choices_of(const std::vector<double>& weights) {
   const bool is_dark = std::all_of(weights.begin(), weights.end(), [](double weight) { return !(weight > 0); });
-  return is_dark ? alias_table(std::vector<double>(weights.size(), 1)) : alias_table(weights);
+  return is_dark ? choice_table(std::vector<double>(weights.size(), 1)) : choice_table(weights);
 }
 
 }  // namespace

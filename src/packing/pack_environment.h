@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "packing/alias_table.h"
+#include "packing/choice_table.h"
 #include "scene/model/scene.h"
 
 namespace strahl {
