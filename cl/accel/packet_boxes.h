@@ -82,12 +82,8 @@ FN realw first_of_each_child_w(const Packet_w* p, GLOBAL const real* node, maskw
     Interval_w slabs;
     slabs.enter = splat_w(get_w(&p->t_min, lane));
     slabs.leave = splat_w(get_w(&p->bound, lane));
-    slabs = clip_slab_w(slabs, load_w(node + x * LANES), load_w(node + (x ^ 1) * LANES), get_w(&p->o.x, lane),
-                        get_w(&p->inv.x, lane), get_w(&p->slack.x, lane));
-    slabs = clip_slab_w(slabs, load_w(node + y * LANES), load_w(node + (y ^ 1) * LANES), get_w(&p->o.y, lane),
-                        get_w(&p->inv.y, lane), get_w(&p->slack.y, lane));
-    slabs = clip_slab_w(slabs, load_w(node + z * LANES), load_w(node + (z ^ 1) * LANES), get_w(&p->o.z, lane),
-                        get_w(&p->inv.z, lane), get_w(&p->slack.z, lane));
+    slabs =
+        within_children_w(slabs, node, x, y, z, get3_w(&p->o, lane), get3_w(&p->inv, lane), get3_w(&p->slack, lane));
     first = sel_w(le_w(slabs.enter, slabs.leave), min_w(slabs.enter, first), first);
   }
   return first;

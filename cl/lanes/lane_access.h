@@ -16,6 +16,7 @@
 //   store_int_w               the other way
 //   put_w put_int_w(p, i, x)  into lane i
 //   get_w get_int_w(p, i)     of lane i
+//   next_alike_w(i, m, ...)   the next lanes of m that are equal, in a loop over values
 //   least_w(a) largest_w(a)   of all lanes; none may be NaN
 
 #if LANES == 1
@@ -128,4 +129,12 @@ FN void put_w(PRIVATE realw* p, int i, real x) { ((PRIVATE real*)p)[i] = x; }
 FN void put_int_w(PRIVATE intw* p, int i, int x) { ((PRIVATE int*)p)[i] = x; }
 FN real get_w(PRIVATE const realw* p, int i) { return ((PRIVATE const real*)p)[i]; }
 FN int get_int_w(PRIVATE const intw* p, int i) { return ((PRIVATE const int*)p)[i]; }
+/// Lanes of `which` whose value is that of the first of `lanes`; they are taken out of `lanes`. lanes: of `which`, at
+/// least one. So a loop over values asks for all lanes of a value together. value: receives it.
+FN maskw next_alike_w(intw values, maskw which, PRIVATE uint* lanes, PRIVATE int* value) {
+  *value = get_int_w(&values, first_bit(*lanes));
+  which = which & ~nonzero_w(values - splat_int_w(*value));
+  *lanes &= ~bits_w(which);
+  return which;
+}
 FN real largest_w(realw a) { return -least_w(-a); }

@@ -45,8 +45,8 @@ FN LightRay_w ray_of_light_w(const Scene* scene, int light, LightNumbers_w numbe
 FN LightRay_w light_ray_w(const Scene* scene, maskw which, intw lights, LightNumbers_w numbers, Real2_w way) {
   LightRay_w ray = no_light_ray_w();
   for (uint lanes = bits_w(which); lanes != 0u;) {
-    int light = get_int_w(&lights, first_bit(lanes));
-    maskw of_light = ~nonzero_w(lights - splat_int_w(light));
+    int light;
+    maskw of_light = next_alike_w(lights, which, &lanes, &light);
     LightRay_w one = ray_of_light_w(scene, light, numbers, way);
     ray.from = sel3_w(of_light, one.from, ray.from);
     ray.way = sel3_w(of_light, one.way, ray.way);
@@ -56,7 +56,6 @@ FN LightRay_w light_ray_w(const Scene* scene, maskw which, intw lights, LightNum
     ray.is_surface = (of_light & one.is_surface) | (~of_light & ray.is_surface);
     ray.is_far = (of_light & one.is_far) | (~of_light & ray.is_far);
     ray.inverse = sel_w(of_light, one.inverse, ray.inverse);
-    lanes &= ~bits_w(of_light);
   }
   return ray;
 }
@@ -79,10 +78,9 @@ FN realw spread_of_light_w(const Scene* scene, int light, real3w way) {
 FN realw light_spread_w(const Scene* scene, maskw which, intw lights, real3w way) {
   realw spread = splat_w(R(1.0));
   for (uint lanes = bits_w(which); lanes != 0u;) {
-    int light = get_int_w(&lights, first_bit(lanes));
-    maskw of_light = ~nonzero_w(lights - splat_int_w(light));
+    int light;
+    maskw of_light = next_alike_w(lights, which, &lanes, &light);
     spread = sel_w(of_light, spread_of_light_w(scene, light, way), spread);
-    lanes &= ~bits_w(of_light);
   }
   return spread;
 }

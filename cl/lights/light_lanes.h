@@ -56,10 +56,9 @@ FN LightSample_w sample_of_light_w(const Scene* scene, int light, real3w from, L
 FN LightSample_w light_sample_w(const Scene* scene, maskw which, intw lights, real3w from, LightNumbers_w numbers) {
   LightSample_w sample = no_light_w();
   for (uint lanes = bits_w(which); lanes != 0u;) {
-    int light = get_int_w(&lights, first_bit(lanes));
-    maskw of_light = ~nonzero_w(lights - splat_int_w(light));
+    int light;
+    maskw of_light = next_alike_w(lights, which, &lanes, &light);
     sample = sel_light_w(of_light, sample_of_light_w(scene, light, from, numbers), sample);
-    lanes &= ~bits_w(of_light);
   }
   return sample;
 }
@@ -88,10 +87,9 @@ FN realw light_density_w(const Scene* scene, maskw which, intw lights, real3w fr
                          const Surfaces_w* s) {
   realw density = splat_w(R(0.0));
   for (uint lanes = bits_w(which); lanes != 0u;) {
-    int light = get_int_w(&lights, first_bit(lanes));
-    maskw of_light = ~nonzero_w(lights - splat_int_w(light));
+    int light;
+    maskw of_light = next_alike_w(lights, which, &lanes, &light);
     density = sel_w(of_light, density_of_light_w(scene, light, from, towards, s), density);
-    lanes &= ~bits_w(of_light);
   }
   return density;
 }

@@ -19,7 +19,7 @@ FN Bsdf_w bsdf_at_w(const Scene* scene, const Surfaces_w* s, const MaterialRows_
   (void)place;  // A scene without materials.
   for (uint lanes = bits_w(s->hit); lanes != 0u;) {
     int row;
-    maskw is_one = next_row_w(at->rows, s->hit, &lanes, &row);
+    maskw is_one = next_alike_w(at->rows, s->hit, &lanes, &row);
     int kind = ONLY_MATERIAL ? 0 : index[row + MATERIAL_KIND];
     if (!ONLY_MATERIAL) b.kind = sel_int_w(is_one, splat_int_w(kind), b.kind);
     if (HAS_TANGENT && index[row + MATERIAL_ALONG] != 0) has_along = has_along | is_one;

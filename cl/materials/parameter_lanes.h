@@ -4,15 +4,6 @@
 // all lanes that have it, since a gather takes ten times as long as a read (docs/decisions/0020-materials.md).
 // textures/texture_lanes.h comes before. One width; no guard.
 
-/// Lanes of `which` whose row is that of the first of `lanes`, which are then taken out of `lanes`. lanes: lanes of
-/// `which`, at least one. row: receives the row, an offset into the index.
-FN maskw next_row_w(intw rows, maskw which, PRIVATE uint* lanes, PRIVATE int* row) {
-  *row = get_int_w(&rows, first_bit(*lanes));
-  which = which & ~nonzero_w(rows - splat_int_w(*row));
-  *lanes &= ~bits_w(which);
-  return which;
-}
-
 /// Up to three reals of one row, of use in the lanes that have it. number: the number of the parameter in the material.
 FN real3w parameter_of_w(const Scene* scene, const TexturePlace_w* at, int row, int number) {
   int slot = scene->index[row + MATERIAL_SLOTS + number];
@@ -28,7 +19,7 @@ FN real3w parameter_at_w(const Scene* scene, const Surfaces_w* s, maskw which, i
   TexturePlace_w at = texture_place_w(scene, s);
   for (uint lanes = bits_w(which); lanes != 0u;) {
     int row;
-    maskw is_one = next_row_w(rows, which, &lanes, &row);
+    maskw is_one = next_alike_w(rows, which, &lanes, &row);
     value = sel3_w(is_one, parameter_of_w(scene, &at, row, number), value);
   }
   return value;

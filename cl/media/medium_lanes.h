@@ -4,16 +4,10 @@
 
 FN maskw is_within_w(intw medium) { return ~lt_int_w(medium, splat_int_w(0)); }
 
-/// The lanes whose medium is that of the first lane of `lanes`. medium receives it.
-FN maskw same_medium_w(intw media, uint lanes, PRIVATE int* medium) {
-  *medium = get_int_w((PRIVATE const intw*)&media, first_bit(lanes));
-  return ~nonzero_w(media - splat_int_w(*medium));
-}
-
 FN void travel_w(const Scene* scene, intw media, const SampleState_w* sample, maskw which, Flight_w* flight) {
   for (uint lanes = bits_w(which); lanes != 0u;) {
     int medium;
-    maskw of_medium = which & same_medium_w(media, lanes, &medium);
+    maskw of_medium = next_alike_w(media, which, &lanes, &medium);
     GLOBAL const int* row = medium_row(scene, medium);
     switch (row[MEDIUM_KIND]) {
 #define MEDIUM(name)                                        \
@@ -25,7 +19,6 @@ FN void travel_w(const Scene* scene, intw media, const SampleState_w* sample, ma
       default:
         break;
     }
-    lanes &= ~bits_w(of_medium);
   }
 }
 
@@ -34,7 +27,7 @@ FN real3w transmittance_w(const Scene* scene, intw media, const SampleState_w* s
   real3w share = vec3_w(one, one, one);
   for (uint lanes = bits_w(which); lanes != 0u;) {
     int medium;
-    maskw of_medium = which & same_medium_w(media, lanes, &medium);
+    maskw of_medium = next_alike_w(media, which, &lanes, &medium);
     GLOBAL const int* row = medium_row(scene, medium);
     switch (row[MEDIUM_KIND]) {
 #define MEDIUM(name)                                                                                 \
@@ -46,7 +39,6 @@ FN real3w transmittance_w(const Scene* scene, intw media, const SampleState_w* s
       default:
         break;
     }
-    lanes &= ~bits_w(of_medium);
   }
   return share;
 }
@@ -56,9 +48,8 @@ FN realw phase_value_w(const Scene* scene, intw media, maskw which, real3w befor
   realw value = splat_w(R(0.0));
   for (uint lanes = bits_w(which); lanes != 0u;) {
     int medium;
-    maskw of_medium = which & same_medium_w(media, lanes, &medium);
+    maskw of_medium = next_alike_w(media, which, &lanes, &medium);
     value = sel_w(of_medium, phase_of_medium_w(scene, medium_row(scene, medium), before, after), value);
-    lanes &= ~bits_w(of_medium);
   }
   return value;
 }
@@ -69,12 +60,11 @@ FN real3w phase_turn_w(const Scene* scene, intw media, maskw which, real3w befor
   *density = splat_w(R(0.0));
   for (uint lanes = bits_w(which); lanes != 0u;) {
     int medium;
-    maskw of_medium = which & same_medium_w(media, lanes, &medium);
+    maskw of_medium = next_alike_w(media, which, &lanes, &medium);
     realw drawn;
     real3w turned = turned_by_medium_w(scene, medium_row(scene, medium), before, number, u, v, &drawn);
     after = sel3_w(of_medium, turned, after);
     *density = sel_w(of_medium, drawn, *density);
-    lanes &= ~bits_w(of_medium);
   }
   return after;
 }

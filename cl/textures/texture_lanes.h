@@ -64,27 +64,23 @@ FN TexturePlace_w texture_point_w(const Scene* scene, const Surfaces_w* s) {
 FN Real2_w texture_slopes_w(const Scene* scene, const Surfaces_w* s, maskw which, intw textures) {
   Real2_w slope;
   slope.x = slope.y = splat_w(R(0.0));
-  uint lanes = bits_w(which);
   TexturePlace_w at = texture_point_w(scene, s);
-  while (lanes != 0u) {
-    int texture = get_int_w(&textures, first_bit(lanes));
-    maskw is_one = which & ~nonzero_w(textures - splat_int_w(texture));
+  for (uint lanes = bits_w(which); lanes != 0u;) {
+    int texture;
+    maskw is_one = next_alike_w(textures, which, &lanes, &texture);
     Real2_w found = texture_slope_w(scene, texture, at);
     slope.x = sel_w(is_one, found.x, slope.x);
     slope.y = sel_w(is_one, found.y, slope.y);
-    lanes &= ~bits_w(is_one);
   }
   return slope;
 }
 
 /// Those textures in the lanes of `which`, and `value` in the others.
 FN real3w textures_at_w(const Scene* scene, maskw which, intw textures, TexturePlace_w at, real3w value) {
-  uint lanes = bits_w(which);
-  while (lanes != 0u) {
-    int texture = get_int_w(&textures, first_bit(lanes));
-    maskw is_one = which & ~nonzero_w(textures - splat_int_w(texture));
+  for (uint lanes = bits_w(which); lanes != 0u;) {
+    int texture;
+    maskw is_one = next_alike_w(textures, which, &lanes, &texture);
     value = sel3_w(is_one, texture_value_w(scene, texture, at), value);
-    lanes &= ~bits_w(is_one);
   }
   return value;
 }
