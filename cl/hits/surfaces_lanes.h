@@ -73,6 +73,15 @@ FN void surface_to_w(Surfaces_w* to, int lane, const Surface* s, int id, real t)
   put_w(&to->bound, lane, departure.bound);
 }
 
+/// Lanes at a surface. A path that scatters before it stands in the record, too, perhaps in a scene without any part.
+FN maskw at_surfaces_w(const Surfaces_w* s) {
+#if HAS_MEDIA
+  return s->hit & ~s->scatters;
+#else
+  return s->hit;
+#endif
+}
+
 /// PART_... of each lane's part.
 FN intw part_entry_w(const Scene* scene, const Surfaces_w* s, int entry) {
   return gather_int_w(scene->index + scene->index[HEADER_PARTS] + entry, s->part * (int)PART_INTS);

@@ -238,6 +238,7 @@
 #define area_texture_w LANED(area_texture_w)
 #define arrive_vertex_w LANED(arrive_vertex_w)
 #define aside_of_w LANED(aside_of_w)
+#define at_surfaces_w LANED(at_surfaces_w)
 #define atan2_turns_w LANED(atan2_turns_w)
 #define axis_bounds_w LANED(axis_bounds_w)
 #define background_joint_w LANED(background_joint_w)

@@ -17,9 +17,10 @@ FN Bsdf_w bsdf_at_w(const Scene* scene, const Surfaces_w* s, const MaterialRows_
   maskw has_along = none_w();
   TexturePlace_w place = texture_place_w(scene, s);
   (void)place;  // A scene without materials.
-  for (uint lanes = bits_w(s->hit); lanes != 0u;) {
+  maskw which = at_surfaces_w(s);
+  for (uint lanes = bits_w(which); lanes != 0u;) {
     int row;
-    maskw is_one = next_alike_w(at->rows, s->hit, &lanes, &row);
+    maskw is_one = next_alike_w(at->rows, which, &lanes, &row);
     int kind = ONLY_MATERIAL ? 0 : index[row + MATERIAL_KIND];
     if (!ONLY_MATERIAL) b.kind = sel_int_w(is_one, splat_int_w(kind), b.kind);
     if (HAS_TANGENT && index[row + MATERIAL_ALONG] != 0) has_along = has_along | is_one;

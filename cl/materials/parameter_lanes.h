@@ -11,10 +11,12 @@ FN real3w parameter_of_w(const Scene* scene, const TexturePlace_w* at, int row, 
   return splat3_w(load3(scene->shading + slot));
 }
 
-/// The same of a row a lane, in the lanes of `which`. rows: offsets into the index.
+/// The same of a row a lane, in the lanes of `which` that are at surfaces; 0 in the others. rows: offsets into the
+/// index.
 FN real3w parameter_at_w(const Scene* scene, const Surfaces_w* s, maskw which, intw rows, int number) {
   realw zero = splat_w(R(0.0));
   real3w value = vec3_w(zero, zero, zero);
+  which = which & at_surfaces_w(s);
   if (!any_w(which)) return value;
   TexturePlace_w at = texture_place_w(scene, s);
   for (uint lanes = bits_w(which); lanes != 0u;) {

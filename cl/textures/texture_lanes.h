@@ -88,9 +88,10 @@ FN real3w textures_at_w(const Scene* scene, maskw which, intw textures, TextureP
 /// Points of surfaces, as wide as the pixel is there; undefined where no texture is.
 FN TexturePlace_w texture_place_w(const Scene* scene, const Surfaces_w* s) {
   TexturePlace_w at = texture_point_w(scene, s);
-  if (TEXTURE_COUNT == 0) return at;
+  maskw which = at_surfaces_w(s);
+  if (TEXTURE_COUNT == 0 || !any_w(which)) return at;
   intw rates = part_entry_w(scene, s, PART_UV_RATES), zero = splat_int_w(0);
-  rates = sel_int_w(lt_int_w(rates, zero), zero, rates);
+  rates = sel_int_w(which & ~lt_int_w(rates, zero), rates, zero);
   at.du = s->footprint * gather_w(scene->shading, rates);
   at.dv = s->footprint * gather_w(scene->shading + 1, rates);
   return at;

@@ -131,6 +131,7 @@ inline std::vector<Triad> LANED(texture_values)(const TierBuffers& buffers, int 
   std::vector<Triad> found(points.size());
   for (std::size_t first = 0; first < points.size(); first += LANES) {
     Surfaces_w s = surfaces_none_w();
+    s.hit = ~none_w();
     LANED(for_lanes)
     (first, points.size(), [&](std::size_t i, int lane) {
       put_w(&s.tex_u, lane, (real)points[i].u);
