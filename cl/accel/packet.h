@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // LANES rays that traverse the scene together (docs/decisions/0010-packets.md). Each child of a node waits with the t
-// at which every ray enters it. Where few rays are in a subtree they go on alone (packet_alone.h). Hits are those of
-// accel/traverse.h. One width; no guard.
+// at which the first ray enters it. Where few rays are in a subtree they go on alone (packet_alone.h). Hits are those
+// of accel/traverse.h. One width; no guard.
 #include "accel/packet_bounds.h"
 #include "accel/packet_hits.h"
 #include "accel/packet_boxes.h"

@@ -48,10 +48,7 @@ FN void surface_scatter_w(const Scene* scene, Paths_w* path, const Surfaces_w* s
   if (next == 0 || !any_w(on)) return;
   real3w d = real3_at_w(path->rays.planes + RAY_PLANE_D), way = d;
   realw t_max = path->rays.planes[RAY_PLANE_T_MAX] - s->t;
-  maskw at_surface = on;
-#if HAS_MEDIA
-  at_surface = on & ~s->scatters;
-#endif
+  maskw at_surface = on & at_surfaces_w(s);
   maskw passed = passes_on_w(scene, path, s, at_surface);
   on = on & ~passed;
   real3w wo = unit3_w(negate3_w(d));
