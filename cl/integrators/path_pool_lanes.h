@@ -46,7 +46,7 @@ typedef struct {
 } KeptPaths_w;
 
 typedef struct {
-  int count;                                      ///< Paths that go on.
+  int count;                                      ///< Paths that go on. Those that ended keep their places.
   uchar order[POOL_PATHS];                        ///< Their places, in the order in which they are taken.
   uchar places[SECTORS_w][POOL_PATHS];            ///< Places of the paths that are put back, by sector,
   int counts[SECTORS_w];                          ///< and their number.
@@ -167,20 +167,22 @@ FN void pool_take_w(const PathPool_w* pool, int first, Paths_w* path) {
   paths_of_kept_w(&kept, first_lanes_w(pool->count - first), path);
 }
 
-/// Puts the paths that are alive back. first: as for pool_take, whose places they get; of new paths, their number in
-/// the pool.
-FN void pool_put_w(PathPool_w* pool, int first, int are_new, const Paths_w* path) {
+/// Puts paths back, of which those that are alive are taken next. first: as for pool_take_w, whose places they get; of
+/// new paths, their number in the pool. count: of all that were taken or are new.
+FN void pool_put_w(PathPool_w* pool, int first, int are_new, int count, const Paths_w* path) {
   realw zero = splat_w(R(0.0));
   uint x = bits_w(lt_w(path->rays.planes[RAY_PLANE_D], zero)),
        y = bits_w(lt_w(path->rays.planes[RAY_PLANE_D + 1], zero));
   uint z = bits_w(lt_w(path->rays.planes[RAY_PLANE_D + 2], zero));
   int places[LANES];
-  for (int lane = 0; lane < LANES; ++lane) places[lane] = POOL_PATHS;
+  for (int lane = 0; lane < LANES; ++lane) {
+    int i = first + lane;
+    places[lane] = i >= count ? (int)POOL_PATHS : are_new ? i : (int)pool->order[i];
+  }
   for (uint alive = bits_w(path->alive); alive != 0u; alive &= alive - 1u) {
-    int lane = first_bit(alive), place = are_new ? first + lane : (int)pool->order[first + lane];
+    int lane = first_bit(alive);
     int sector = (int)((x >> lane & 1u) | (y >> lane & 1u) << 1 | (z >> lane & 1u) << 2);
-    pool->places[sector][pool->counts[sector]++] = (uchar)place;
-    places[lane] = place;
+    pool->places[sector][pool->counts[sector]++] = (uchar)places[lane];
   }
   KeptPaths_w kept;
   kept_of_paths_w(path, &kept);
@@ -209,4 +211,22 @@ FN void pool_turn_w(PathPool_w* pool) {
     for (int i = 0; i < pool->counts[sector]; ++i) pool->order[pool->count++] = pool->places[sector][i];
     pool->counts[sector] = 0;
   }
+}
+
+/// What the paths at places first, first + 1, ... have gathered, LANES of them.
+FN real3w pool_light_w(const PathPool_w* pool, int first) {
+  realw light[3];
+  UNROLLED
+  for (int v = KEPT_RADIANCE_w / LANES; v <= (KEPT_RADIANCE_w + 2) / LANES; ++v) {
+    realw rows[LANES];
+    UNROLLED
+    for (int lane = 0; lane < LANES; ++lane) rows[lane] = pool->kept[(first + lane) * KEPT_VECTORS_w + v];
+    transpose_w(rows);
+    UNROLLED
+    for (int c = 0; c < 3; ++c) {
+      int k = KEPT_RADIANCE_w + c;
+      if (k / LANES == v) light[c] = rows[k % LANES];
+    }
+  }
+  return real3_at_w(light);
 }

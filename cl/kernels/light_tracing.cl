@@ -51,7 +51,7 @@ ONCE_FN void trace_in_pools_w(Scene scene, Span span) {
       else
         pool_take_w(&pool, i, &path);
       follow_light_paths_w(&scene, &path, &branches, &begun);
-      pool_put_w(&pool, i, are_new, &path);
+      pool_put_w(&pool, i, are_new, count, &path);
     }
     pool_turn_w(&pool);
   }

@@ -16,6 +16,7 @@
 #endif
 #if LANES != 1
 #include "integrators/path_pool_lanes.h"
+#include "film/pixel_samples_lanes.h"
 #endif
 
 /// What the traversal looks for. The last digits of t are needed only where t is reported or the path goes on behind a
@@ -31,10 +32,8 @@ FN int wanted_w(const Scene* scene, const Paths_w* path, const FirstSamples* fir
   return is_exact ? FIND_NEAREST : FIND_NEAREST_APPROXIMATELY;
 }
 
-/// One surface of each path that is alive; those that end there go into the film.
-ONCE_FN void follow_paths_w(const Scene* scene, Paths_w* path, Branches_w* branches, FirstSamples* first,
-                            const SpanFilm* film) {
-  uint before = bits_w(path->alive);
+/// One surface of each path that is alive.
+ONCE_FN void follow_paths_w(const Scene* scene, Paths_w* path, Branches_w* branches, FirstSamples* first) {
 #if HAS_MEDIA
   Surfaces_w surfaces = meet_surfaces_w(scene, path, wanted_w(scene, path, first), first);
 #else
@@ -47,6 +46,10 @@ ONCE_FN void follow_paths_w(const Scene* scene, Paths_w* path, Branches_w* branc
 #endif
   surface_step_w(scene, path, &surfaces, branches);
   if (HAS_AOV) first->lanes = 0u;
+}
+
+/// Adds the paths among `before` that are no longer alive to the film.
+FN void add_ended_w(const Scene* scene, const Paths_w* path, uint before, const SpanFilm* film) {
   for (uint ended = before & ~bits_w(path->alive); ended != 0u; ended &= ended - 1u) {
     if (HAS_LOOP_LIMIT && !loops_were_whole()) break;
     int i = first_bit(ended);
@@ -70,7 +73,9 @@ FN void follow_in_lanes_w(Scene scene, Span span, FirstSamples first, SpanFilm f
       maskw are_first = begin_paths_w(&scene, &path, &span);
       if (HAS_AOV) first.lanes = bits_w(are_first);
     }
-    follow_paths_w(&scene, &path, &branches, &first, &film);
+    uint before = bits_w(path.alive);
+    follow_paths_w(&scene, &path, &branches, &first);
+    add_ended_w(&scene, &path, before, &film);
   }
 }
 
@@ -79,9 +84,34 @@ ONCE_FN void follow_in_lanes_once_w(Scene scene, Span span, FirstSamples first, 
 }
 
 #if LANES != 1
-/// The same, in pools.
+/// Adds the `count` paths that began at `begun`, in the order of their places, to the film.
+FN void add_pool_w(const Scene* scene, const PathPool_w* pool, const Span* begun, int count, const SpanFilm* film) {
+  PixelSamples_w samples;
+  samples.first = begun->next;
+  samples.count = count;
+  for (int g = 0; g < groups_of_samples_w(&samples); ++g) {
+    maskw is_held = first_lanes_w(count - g * LANES);
+    samples.light[g] = sel3_w(is_held, pool_light_w(pool, g * LANES), splat3_w(vec3(R(0.0), R(0.0), R(0.0))));
+  }
+  int column = begun->column;
+  if (!HAS_MOMENT && film->times == 1 && count >= LANES && count <= begun->end - begun->next) {
+    add_samples_w(scene, &samples, film->sub_sums, film->sums + (ulong)column * (ulong)film->pixel_words);
+    return;
+  }
+  int sample = begun->next;
+  for (int i = 0; i < count; ++i) {
+    add_to_film(scene, film, film->first_pixel + column, sample, get3_w(&samples.light[i / LANES], i % LANES));
+    if (++sample < begun->end) continue;
+    sample = begun->first;
+    ++column;
+  }
+}
+
+/// As follow_in_lanes_w, in pools.
 ONCE_FN void follow_in_pools_w(Scene scene, Span span, FirstSamples first, SpanFilm film) {
   PathPool_w pool;
+  Span begun = span;
+  int begun_count = 0;
   Paths_w path;
   Branches_w branches;
   paths_none_w(&path);
@@ -89,6 +119,10 @@ ONCE_FN void follow_in_pools_w(Scene scene, Span span, FirstSamples first, SpanF
   pool_none_w(&pool);
   while (span_left(&span) > 0 || pool.count > 0) {
     int are_new = pool.count == 0, count = are_new ? min((int)POOL_PATHS, span_left(&span)) : pool.count;
+    if (are_new) {
+      begun = span;
+      begun_count = count;
+    }
     for (int i = 0; i < count; i += LANES) {
       if (are_new) {
         path.alive = none_w();
@@ -97,10 +131,11 @@ ONCE_FN void follow_in_pools_w(Scene scene, Span span, FirstSamples first, SpanF
       } else {
         pool_take_w(&pool, i, &path);
       }
-      follow_paths_w(&scene, &path, &branches, &first, &film);
-      pool_put_w(&pool, i, are_new, &path);
+      follow_paths_w(&scene, &path, &branches, &first);
+      pool_put_w(&pool, i, are_new, count, &path);
     }
     pool_turn_w(&pool);
+    if (pool.count == 0) add_pool_w(&scene, &pool, &begun, begun_count, &film);
   }
 }
 #endif

@@ -17,6 +17,7 @@
 //   put_w put_int_w(p, i, x)  into lane i
 //   get_w get_int_w(p, i)     of lane i
 //   next_alike_w(i, m, ...)   the next lanes of m that are equal, in a loop over values
+//   sum_int_w(a)              of all lanes
 //   least_w(a) largest_w(a)   of all lanes; none may be NaN
 
 #if LANES == 1
@@ -38,6 +39,7 @@ FN realw read_w(PRIVATE const real* p) { return *p; }
 FN intw read_int_w(PRIVATE const int* p) { return *p; }
 FN void store_int_w(intw a, PRIVATE int* p) { *p = a; }
 FN real least_w(realw a) { return a; }
+FN int sum_int_w(intw a) { return a; }
 #else
 #if ON_HOST
 typedef uint uintw __attribute__((vector_size(LANES * sizeof(uint))));
@@ -62,6 +64,11 @@ FN intw int_of_uint_w(uintw a) { return (intw)a; }
 FN realw read_w(const real* p) { return load_w(p); }
 FN intw read_int_w(const int* p) { return load_int_w(p); }
 FN void store_int_w(intw a, int* p) { std::memcpy(p, &a, sizeof a); }
+FN int sum_int_w(intw a) {
+  int sum = 0;
+  for (int i = 0; i < LANES; ++i) sum += a[i];
+  return sum;
+}
 FN real least_w(realw a) {
   real least = a[0];
   for (int i = 1; i < LANES; ++i) least = a[i] < least ? a[i] : least;
@@ -114,10 +121,17 @@ FN real least_of_8_w(float8 a) {
   return c.x < c.y ? c.x : c.y;
 }
 #endif
+FN int sum_of_8_w(int8 a) {
+  int4 b = a.lo + a.hi;
+  int2 c = b.lo + b.hi;
+  return c.x + c.y;
+}
 #if LANES == 16
 FN real least_w(realw a) { return least_of_8_w(a.lo < a.hi ? a.lo : a.hi); }
+FN int sum_int_w(intw a) { return sum_of_8_w(a.lo + a.hi); }
 #else
 FN real least_w(realw a) { return least_of_8_w(a); }
+FN int sum_int_w(intw a) { return sum_of_8_w(a); }
 #endif
 #endif
 #include "lanes/lane_gather.h"

@@ -14,7 +14,7 @@ check_cxx_source_runs(
    int main() { volatile double a = 1; return std::fma(a, a, -a) == 0 ? 0 : 1; }" STRAHL_HOST_HAS_FMA)
 unset(CMAKE_REQUIRED_FLAGS)
 add_library(strahl_host_kernels STATIC cl/host_kernels_f32.cpp cl/host_kernels_f64.cpp cl/math_f32.cpp cl/math_f64.cpp
-            cl/sampling_f32.cpp cl/sampling_f64.cpp)
+            cl/pixel_samples_f32.cpp cl/pixel_samples_f64.cpp cl/sampling_f32.cpp cl/sampling_f64.cpp)
 # One dialect, two precisions: each file is a world of its own.
 set_target_properties(strahl_host_kernels PROPERTIES UNITY_BUILD OFF)
 target_include_directories(strahl_host_kernels PRIVATE ${PROJECT_SOURCE_DIR}/cl ${CMAKE_CURRENT_SOURCE_DIR})
@@ -23,7 +23,7 @@ target_compile_options(strahl_host_kernels PRIVATE -O2 -Wno-psabi $<$<BOOL:${STR
 
 strahl_test(cl/test_departure.cpp LABEL unit)
 strahl_test(cl/test_near_point.cpp LABEL unit)
-foreach(name departed exp_log film math samplers sampling soft_fma splat)
+foreach(name departed exp_log film math pixel_samples samplers sampling soft_fma splat)
   strahl_test(cl/test_${name}.cpp LABEL unit LIBS strahl_host_kernels strahl_oracle)
 endforeach()
 foreach(name shapes_oracle watertight ties arbitrary_bits host_equals_device)

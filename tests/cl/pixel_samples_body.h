@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+// Samples of a pixel in one tier; needs REAL_BITS and LANES. No guard: once a unit.
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+
+#include "cl/host_features.h"
+#include "cl/pixel_samples_tiers.h"
+#define HAS_ERROR_SUMS 1
+#define HAS_MOMENT 0
+
+// Internal to the unit: both tiers' headers give their functions the same names.
+namespace {
+namespace tier {
+#include "portable.h"
+// OpenCL's, for scene/counters.h.
+inline void atomic_inc(uint* counter) { ++*counter; }
+inline void atomic_add(uint* counter, uint more) { *counter += more; }
+#include "film/span_film.h"
+#include "math/vec3.h"
+#include "scene/scene.h"
+// Lanes come first: they define what the rest is written in.
+#include "lanes/lane_ops.h"
+// Each needs what is above it.
+#include "math/vec3_lanes.h"
+// As above.
+#include "film/pixel_samples_lanes.h"
+}  // namespace tier
+
+tier::SubSums sub_sums(const strahl::test::PixelSums& sums) { return {sums.count, sums.sequences, sums.turn_bits}; }
+
+}  // namespace
+
+namespace strahl::test {
+
+template <>
+void add_in_lanes(PixelSums& sums, int first, const std::vector<std::array<tier::real, 3>>& light) {
+  const tier::Scene scene{nullptr, nullptr, nullptr, sums.counts.data(), nullptr};
+  tier::PixelSamples_w samples;
+  samples.first = first;
+  samples.count = static_cast<int>(light.size());
+  for (std::size_t i = 0; i < std::size_t{LANES} * tier::groups_of_samples_w(&samples); ++i) {
+    auto& group = samples.light[i / LANES];
+    const std::array<tier::real, 3> one = i < light.size() ? light[i] : std::array<tier::real, 3>{};
+    group.x[i % LANES] = one[0];
+    group.y[i % LANES] = one[1];
+    group.z[i % LANES] = one[2];
+  }
+  tier::add_samples_w(&scene, &samples, sub_sums(sums), sums.words.data()->data());
+}
+
+template <>
+void add_one_by_one(PixelSums& sums, int first, const std::vector<std::array<tier::real, 3>>& light) {
+  const tier::Scene scene{nullptr, nullptr, nullptr, sums.counts.data(), nullptr};
+  for (std::size_t i = 0; i < light.size(); ++i)
+    tier::add_sample(&scene, sums.words.data()->data(), sub_sums(sums), first + static_cast<int>(i),
+                     tier::vec3(light[i][0], light[i][1], light[i][2]));
+}
+
+}  // namespace strahl::test
