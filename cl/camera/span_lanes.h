@@ -20,6 +20,15 @@ FN int span_pixel(const Span* span) { return span->y * span->width + span->x; }
 /// Takes the span's next samples, one for each lane of `idle`, as far as there are any. numbers, pixels: get their
 /// numbers, and their pixels where the span's first is first_pixel. Returns the lanes that have got one.
 FN maskw span_take_w(Span* span, uint idle, int first_pixel, PRIVATE intw* numbers, PRIVATE intw* pixels) {
+#if LANES != 1
+  // Most often all lanes begin samples of one pixel, and the pixel has more than those.
+  if (idle == bits_w(~none_w()) && span->column < span->columns && span->next + LANES < span->end) {
+    *numbers = splat_int_w(span->next) + int_of_uint_w(lane_numbers_w());
+    *pixels = splat_int_w(first_pixel + span->column);
+    span->next += LANES;
+    return ~none_w();
+  }
+#endif
   intw is_begun = splat_int_w(0);
   for (; idle != 0u && span->column < span->columns; idle &= idle - 1u) {
     int lane = first_bit(idle);

@@ -7,13 +7,19 @@
 /// int.
 enum { FILM_DIGIT_BITS_w = 20, FILM_DIGITS_w = 2 * FILM_BIN_BITS / FILM_DIGIT_BITS_w };
 
-/// Samples [first, first + count) of a pixel: lane l of group g is sample first + g LANES + l. Lanes beyond are black.
+/// Samples [first, first + count) of a pixel, a plane a channel: lane l of group g is sample first + g LANES + l.
 typedef struct {
   int first, count;
-  real3w light[POOL_PATHS / LANES];
+  realw light[FILM_CHANNELS][POOL_PATHS / LANES];
 } PixelSamples_w;
 
 FN int groups_of_samples_w(const PixelSamples_w* samples) { return (samples->count + LANES - 1) / LANES; }
+
+FN real3 light_of_sample_w(const PixelSamples_w* samples, int i) {
+  int g = i / LANES, lane = i % LANES;
+  return vec3(get_w(&samples->light[0][g], lane), get_w(&samples->light[1][g], lane),
+              get_w(&samples->light[2][g], lane));
+}
 
 /// sub_sum_of for the lanes of group g.
 FN intw sub_sums_w(SubSums sums, const PixelSamples_w* samples, int g) {
@@ -42,56 +48,48 @@ FN FilmBins bins_of_digits_w(PRIVATE const intw* digits) {
   return bins;
 }
 
-/// Lanes whose three values are in [0, 2^20).
-FN maskw is_usual_w(real3w v) {
-  realw least = min_w(v.x, min_w(v.y, v.z)), most = max_w(v.x, max_w(v.y, v.z));
-  maskw is_number = finite_w(v.x) & finite_w(v.y) & finite_w(v.z);
-  return is_number & le_w(splat_w(R(0.0)), least) & lt_w(most, splat_w(R(0x1p+20)));
+/// Lanes whose number is in [0, 2^20).
+FN maskw is_usual_w(realw x) { return finite_w(x) & le_w(splat_w(R(0.0)), x) & lt_w(x, splat_w(R(0x1p+20))); }
+
+/// One channel of the samples that are in the same sub-sum, one by one.
+SELDOM_FN void add_channel_slowly_w(const Scene* scene, PRIVATE const realw* light, PRIVATE const maskw* which,
+                                    int groups, GLOBAL long* sum) {
+  for (int g = 0; g < groups; ++g)
+    for (uint lanes = bits_w(which[g]); lanes != 0u; lanes &= lanes - 1u)
+      film_add_sample(scene, sum, get_w(light + g, first_bit(lanes)));
 }
 
-/// The samples of sub-sum k one by one.
-SELDOM_FN void add_samples_slowly_w(const Scene* scene, const PixelSamples_w* samples, SubSums sums, int k,
-                                    GLOBAL long* pixel_sums) {
-  for (int i = 0; i < samples->count; ++i) {
-    if (sub_sum_of(sums, samples->first + i) != k) continue;
-    real3 light = get3_w(&samples->light[i / LANES], i % LANES);
-    add_sample(scene, pixel_sums, sums, samples->first + i, light);
-  }
-}
-
-/// Adds the samples of sub-sum k. Slowly, unless all are usual, and at least one reaches the upper bin where the sum
-/// does not yet: else the sum's top is a lower one.
-FN void add_sub_sum_w(const Scene* scene, const PixelSamples_w* samples, SubSums sums, int k, GLOBAL long* pixel_sums) {
-  intw digits[(int)FILM_CHANNELS * (int)FILM_DIGITS_w];
-  for (int i = 0; i < (int)FILM_CHANNELS * (int)FILM_DIGITS_w; ++i) digits[i] = splat_int_w(0);
-  maskw is_unusual = none_w(), is_black = ~none_w();
+/// The same at once, where all are usual, and where one reaches the upper bin or the sum has done so: else the sum's
+/// top is a lower one.
+FN void add_channel_w(const Scene* scene, PRIVATE const realw* light, PRIVATE const maskw* which, int groups,
+                      GLOBAL long* sum) {
+  intw digits[FILM_DIGITS_w];
+  for (int i = 0; i < FILM_DIGITS_w; ++i) digits[i] = splat_int_w(0);
+  maskw is_usual = ~none_w(), is_lit = none_w();
   realw zero = splat_w(R(0.0));
-  for (int g = 0; g < groups_of_samples_w(samples); ++g) {
-    real3w light = samples->light[g];
-    maskw is_here = ~nonzero_w(sub_sums_w(sums, samples, g) - splat_int_w(k)), is_usual = is_usual_w(light);
-    is_unusual = is_unusual | (is_here & ~is_usual);
-    is_black = is_black & (~is_here | (is_usual & eq_w(light.x, zero) & eq_w(light.y, zero) & eq_w(light.z, zero)));
-    add_digits_w(sel_w(is_here & is_usual, light.x, zero), digits);
-    add_digits_w(sel_w(is_here & is_usual, light.y, zero), digits + FILM_DIGITS_w);
-    add_digits_w(sel_w(is_here & is_usual, light.z, zero), digits + 2 * FILM_DIGITS_w);
+  for (int g = 0; g < groups; ++g) {
+    maskw is_usual_here = which[g] & is_usual_w(light[g]);
+    is_usual = is_usual & (is_usual_here | ~which[g]);
+    is_lit = is_lit | (is_usual_here & lt_w(zero, light[g]));
+    add_digits_w(sel_w(is_usual_here, light[g], zero), digits);
   }
-  if (!any_w(~is_black)) return;
-  int is_slow = any_w(is_unusual);
-  FilmBins bins[FILM_CHANNELS];
-  GLOBAL long* sum = pixel_sums + k * (FILM_CHANNELS * FILM_SUM_WORDS);
-  for (int c = 0; c < FILM_CHANNELS; ++c) {
-    bins[c] = bins_of_digits_w(digits + c * FILM_DIGITS_w);
-    GLOBAL long* words = sum + c * FILM_SUM_WORDS;
-    if (bins[c].high == 0 && film_bins(words[0], words[1]).top < FILM_USUAL_TOP) is_slow = 1;
-  }
-  if (is_slow) {
-    add_samples_slowly_w(scene, samples, sums, k, pixel_sums);
-    return;
-  }
-  for (int c = 0; c < FILM_CHANNELS; ++c) film_add(sum + c * FILM_SUM_WORDS, bins[c]);
+  int are_usual = !any_w(~is_usual);
+  if (are_usual && !any_w(is_lit)) return;
+  FilmBins bins = bins_of_digits_w(digits);
+  if (are_usual && (bins.high != 0 || film_bins(sum[0], sum[1]).top >= FILM_USUAL_TOP))
+    film_add(sum, bins);
+  else
+    add_channel_slowly_w(scene, light, which, groups, sum);
 }
 
-/// Adds samples of a pixel whose sums begin at pixel_sums. Without moments, whose squares are summed, too.
-FN void add_samples_w(const Scene* scene, const PixelSamples_w* samples, SubSums sums, GLOBAL long* pixel_sums) {
-  for (int k = 0; k < sums.count; ++k) add_sub_sum_w(scene, samples, sums, k, pixel_sums);
+/// Adds samples of a pixel whose sums begin at `sum`. Without moments, whose squares are summed, too.
+FN void add_samples_w(const Scene* scene, const PixelSamples_w* samples, SubSums sums, GLOBAL long* sum) {
+  int groups = groups_of_samples_w(samples);
+  for (int k = 0; k < sums.count; ++k) {
+    maskw which[POOL_PATHS / LANES];
+    for (int g = 0; g < groups; ++g)
+      which[g] = first_lanes_w(samples->count - g * LANES) & ~nonzero_w(sub_sums_w(sums, samples, g) - splat_int_w(k));
+    for (int c = 0; c < FILM_CHANNELS; ++c, sum += FILM_SUM_WORDS)
+      add_channel_w(scene, samples->light[c], which, groups, sum);
+  }
 }

@@ -90,8 +90,10 @@ FN void add_pool_w(const Scene* scene, const PathPool_w* pool, const Span* begun
   samples.first = begun->next;
   samples.count = count;
   for (int g = 0; g < groups_of_samples_w(&samples); ++g) {
-    maskw is_held = first_lanes_w(count - g * LANES);
-    samples.light[g] = sel3_w(is_held, pool_light_w(pool, g * LANES), splat3_w(vec3(R(0.0), R(0.0), R(0.0))));
+    real3w light = pool_light_w(pool, g * LANES);
+    samples.light[0][g] = light.x;
+    samples.light[1][g] = light.y;
+    samples.light[2][g] = light.z;
   }
   int column = begun->column;
   if (!HAS_MOMENT && film->times == 1 && count >= LANES && count <= begun->end - begun->next) {
@@ -100,7 +102,7 @@ FN void add_pool_w(const Scene* scene, const PathPool_w* pool, const Span* begun
   }
   int sample = begun->next;
   for (int i = 0; i < count; ++i) {
-    add_to_film(scene, film, film->first_pixel + column, sample, get3_w(&samples.light[i / LANES], i % LANES));
+    add_to_film(scene, film, film->first_pixel + column, sample, light_of_sample_w(&samples, i));
     if (++sample < begun->end) continue;
     sample = begun->first;
     ++column;

@@ -11,8 +11,8 @@ namespace strahl {
 class LaunchShape {
  public:
   LaunchShape() = default;
-  /// Throws UsageError where the device does not take the group that is asked for.
-  LaunchShape(const Device& device, const cl::Kernel& kernel, const std::optional<WorkGroup>& asked);
+  /// lanes: of the kernel's paths. Throws UsageError where the device does not take the group that is asked for.
+  LaunchShape(const Device& device, const cl::Kernel& kernel, int lanes, const std::optional<WorkGroup>& asked);
 
   /// For a launch of so many rows of pixels.
   [[nodiscard]] WorkGroup group(int rows) const;

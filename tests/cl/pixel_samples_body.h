@@ -39,13 +39,8 @@ void add_in_lanes(PixelSums& sums, int first, const std::vector<std::array<tier:
   tier::PixelSamples_w samples;
   samples.first = first;
   samples.count = static_cast<int>(light.size());
-  for (std::size_t i = 0; i < std::size_t{LANES} * tier::groups_of_samples_w(&samples); ++i) {
-    auto& group = samples.light[i / LANES];
-    const std::array<tier::real, 3> one = i < light.size() ? light[i] : std::array<tier::real, 3>{};
-    group.x[i % LANES] = one[0];
-    group.y[i % LANES] = one[1];
-    group.z[i % LANES] = one[2];
-  }
+  for (std::size_t i = 0; i < light.size(); ++i)
+    for (std::size_t c = 0; c < 3; ++c) samples.light[c][i / LANES][i % LANES] = light[i][c];
   tier::add_samples_w(&scene, &samples, sub_sums(sums), sums.words.data()->data());
 }
 
