@@ -19,13 +19,13 @@ constexpr WorkGroup square{8, 8};
 /// A CPU's threads take groups in chunks, of PoCL half of those that are left: with work-items that fill the
 /// processor's lanes by themselves, groups of a few share a launch more evenly (measured in
 /// docs/decisions/0026-path-pool.md).
-constexpr WorkGroup few{4, 1};
+constexpr WorkGroup short_row{4, 1};
 
 }  // namespace
 
 LaunchShape::LaunchShape(const Device& device, const cl::Kernel& kernel, int lanes,
                          const std::optional<WorkGroup>& asked)
-    : group_(asked.value_or(lanes > 1 ? few : WorkGroup{})), is_asked_(asked.has_value()) {
+    : group_(asked.value_or(lanes > 1 ? short_row : WorkGroup{})), is_asked_(asked.has_value()) {
   const std::string name = device.info().text();
   const std::size_t most =
       checked(name, [&] { return kernel.getWorkGroupInfo<CL_KERNEL_WORK_GROUP_SIZE>(device.device()); });

@@ -14,12 +14,12 @@ using namespace strahl::test;
 namespace {
 
 /// What the samples of a pool are like.
-enum class Light { usual, dark, bright, any, black, faulty };
+enum class PoolLight { usual, dark, bright, any, black, faulty };
 
 template <class Real>
-class Samples {
+class PoolSamples {
  public:
-  std::vector<std::array<Real, 3>> draw(std::size_t count, Light light) {
+  std::vector<std::array<Real, 3>> draw(std::size_t count, PoolLight light) {
     std::vector<std::array<Real, 3>> samples(count);
     for (std::array<Real, 3>& sample : samples) {
       const bool is_black = random_() % 4 == 0;
@@ -30,22 +30,22 @@ class Samples {
   std::mt19937& random() { return random_; }
 
  private:
-  Real value(Light light) {
+  Real value(PoolLight light) {
     const auto between = [&](double low, double high) {
       return static_cast<Real>(std::pow(10.0, std::uniform_real_distribution<double>(low, high)(random_)));
     };
     switch (light) {
-      case Light::usual:
+      case PoolLight::usual:
         return between(-5, 5);
-      case Light::dark:
+      case PoolLight::dark:
         return between(-30, -6.5);
-      case Light::bright:
+      case PoolLight::bright:
         return between(3, 9);
-      case Light::any:
+      case PoolLight::any:
         return between(-40, 38);
-      case Light::black:
+      case PoolLight::black:
         return random_() % 2 == 0 ? Real(0) : -Real(0);
-      case Light::faulty:
+      case PoolLight::faulty:
         break;
     }
     switch (random_() % 24) {
@@ -66,9 +66,10 @@ class Samples {
 }  // namespace
 
 TEMPLATE_TEST_CASE("samples in lanes leave the words of samples one by one", "", float, double) {
-  Samples<TestType> samples;
+  PoolSamples<TestType> samples;
   std::mt19937& random = samples.random();
-  constexpr std::array all{Light::usual, Light::dark, Light::bright, Light::any, Light::black, Light::faulty};
+  constexpr std::array all{PoolLight::usual, PoolLight::dark,  PoolLight::bright,
+                           PoolLight::any,   PoolLight::black, PoolLight::faulty};
   for (int trial = 0; trial < 6000; ++trial) {
     PixelSums lanes;
     lanes.sequences = 1 << random() % 3;
