@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // kernel_texts FOLDER [NAME]: writes every kernel x precision x {all, no, each single} effect as FOLDER/NAME.cl, for
-// clang to type-check. All, none and all of a scene without a tree at every width of lanes, single effects at the
-// widest and of one kernel that intersects; those of lists that are the same for every tier of single precision in the
-// robust one alone, as are those of kernels that begin on lights; all of that one also as devices with doubles have it.
+// clang to type-check. All, none and all of a scene without a tree at every width of lanes; single effects at the
+// widest: shapes in every tier, the others, which are the same for every tier, in the robust one alone. Of the kernels
+// that begin on lights one has single effects, of those that intersect one, and that has shapes and flags. All of the
+// robust tier also as devices with doubles have it.
 // A text that stands already but for names that it never asks for is not written again. NAME: that text alone.
 #include <fmt/format.h>
 
@@ -29,15 +30,19 @@ Features every(bool on) {
 }
 
 /// name -> features, one effect alone. What effects do with numbers they do in robust as in every tier; shapes do not.
-std::vector<std::pair<std::string, Features>> singles(Precision precision) {
-  const bool has_all = precision == Precision::robust;
+std::vector<std::pair<std::string, Features>> singles(const std::string& kernel, Precision precision) {
   std::vector<std::pair<std::string, Features>> sets;
+  if (kernel.starts_with("intersect_") || kernel == "probe" || kernel == "light_tracing") return sets;
+  const bool is_robust = precision == Precision::robust;
+  if (kernel == "bidirectional" && !is_robust) return sets;
+  const bool has_all = is_robust && kernel != "intersect";
   for (const std::string& list : list_folders())
     for (const std::string& entry : list_entries(list)) {
       if (!has_all && list != "shapes") continue;
       sets.emplace_back(list + "-" + entry, every(false));
       sets.back().second.entries[list].insert(entry);
     }
+  if (!is_robust) return sets;
   for (std::size_t i = 0; i < list_features().size(); ++i) {
     const std::string name = list_features()[i].first;
     sets.emplace_back(name, every(false));
@@ -129,9 +134,8 @@ int main(int count, char** arguments) {
         write(wanted, kernel, "none-paths", every(false), precision, lanes, true, lanes);
         write(wanted, kernel, "lists-paths", flat, precision, lanes, false, lanes);
       }
-      const bool begins_on_lights = kernel == "light_tracing" || kernel == "bidirectional";
-      if (kernel.starts_with("intersect_") || (begins_on_lights && precision != Precision::robust)) continue;
-      for (const auto& [name, features] : singles(precision)) write(wanted, kernel, name, features, precision, widest);
+      for (const auto& [name, features] : singles(kernel, precision))
+        write(wanted, kernel, name, features, precision, widest);
     }
   return 0;
 }

@@ -5,7 +5,6 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
-#include <regex>
 
 #include "image/temporary_folder.h"
 #include "kinds/integrators.h"
@@ -240,7 +239,9 @@ TEST_CASE("A shipped scene's programs hold the entries that it uses and no other
         };
         const bool is_there = has_file(stem) || has_file(stem + "/" + entry);
         CHECK(is_there == used);
-        CHECK(std::regex_search(text, std::regex(macros.at(list) + "\\(" + entry + "[,)]")) == used);
+        const std::string row = macros.at(list) + "(" + entry;
+        const bool is_listed = text.find(row + ",") != std::string::npos || text.find(row + ")") != std::string::npos;
+        CHECK(is_listed == used);
       }
   }
 }
