@@ -2,14 +2,14 @@
 # SPDX-License-Identifier: MIT
 """Puts known mistakes into the kernels, one at a time, and requires that a test turns red for every one of them.
 
-mutants.py BUILD [--only ID ...] [--matrix] [--list]
+mutants.py BUILD [--only ID ...] [--all] [--matrix] [--list]
 
 A mutant is one replacement in a copy of cl/, which the built programs read by way of STRAHL_KERNEL_DIR. It is killed
 by a command that fails because a check failed: a program that no longer builds, an exception or a crash proves nothing
-and counts as an error. Mutants stand in *.mutants beside this file, whose language round.mutants explains. Without
---matrix a mutant's first killer must kill it, and those that say `matrix: only` must fit; --matrix runs every killer of
-the list and WHOLE_TESTS against every mutant, keeps what it has found in BUILD/mutants/matrix.json, and goes on from
-there.
+and counts as an error. Mutants stand in *.mutants beside this file, whose language round.mutants explains. A mutant's
+first killer must kill it; those that say `matrix: only` are asked by --all, and must fit in any case. --matrix runs
+every killer of the list and WHOLE_TESTS against every mutant, keeps what it has found in BUILD/mutants/matrix.json, and
+goes on from there.
 """
 import argparse
 import concurrent.futures
@@ -31,8 +31,8 @@ TABLE = HERE.parents[1] / "docs" / "mutants.md"
 HEAD = """# Mutants
 
 Known mistakes that the tests must find. `tests/mutants/mutants.py BUILD` puts each of them into a copy of `cl/` and
-requires that the named test turns red; `--matrix`, of the label `slow`, asks all these tests and some more about every
-mutant, those marked (matrix) only there. Written by `mutants.py BUILD --list`.
+requires that the named test turns red, of those marked (matrix) with `--all`; `--matrix` asks all these tests and some
+more about every mutant. Both are of the label `slow`. Written by `mutants.py BUILD --list`.
 
 | mutant | the mistake | killed by |
 |---|---|---|
@@ -244,6 +244,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("build", type=pathlib.Path)
     parser.add_argument("--only", action="append", metavar="ID")
+    parser.add_argument("--all", action="store_true", help="those too that are of the matrix alone")
     parser.add_argument("--matrix", action="store_true", help="every killer against every mutant")
     parser.add_argument("--list", action="store_true", help="the mutants and their killers, as a table")
     options = parser.parse_args()
@@ -257,7 +258,7 @@ def main():
         if options.only:
             mutants = [mutant for mutant in mutants if mutant.name in options.only]
         laboratory = Laboratory(options.build.resolve())
-        if not (options.only or options.matrix):
+        if not (options.only or options.all or options.matrix):
             for mutant in mutants:
                 if mutant.matrix_only:
                     laboratory.kernels(mutant)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The generic program, which holds every effect, gives every scene of the project bit for bit the picture and the AOVs
-// of the program made for it: in the robust tier scenes that call for every effect together; with STRAHL_ALL_TIERS all
-// scenes, in stable and double too, each with AOVs and without.
+// of the program made for it, and so does the one that follows samples one by one: in the robust tier scenes that call
+// for every effect together; with STRAHL_ALL_TIERS all scenes, in stable and double too, each with AOVs and without.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cstdlib>
@@ -22,9 +22,12 @@ void hold(const std::filesystem::path& path, const RenderSettings& settings) {
   if (is_dark) scene.integrator.max_depth = 100;
   RenderSettings generic = settings;
   generic.generic = true;
+  RenderSettings one_by_one = generic;
+  one_by_one.paths_in_lanes = false;
   const RenderResult expected = render("pocl", scene, settings);
   CHECK((lit_pixels(expected.color) > 0) == !is_dark);
   CHECK(same_bits(expected, render("pocl", scene, generic)));
+  CHECK(same_bits(expected, render("pocl", scene, one_by_one)));
 }
 
 std::set<std::string> effects(const std::filesystem::path& path) {

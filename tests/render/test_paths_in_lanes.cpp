@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Samples of a pixel that are followed in lanes give the picture, the AOVs and the counts of samples followed one by
 // one, bit for bit: kinds with a body for packets and without, trees, instances, smooth meshes, drawn and taken lights,
-// mirrors, glass, textures, hidden emitters, more samples than a pool holds, and few, so that a work-item takes a span
-// of pixels.
+// mirrors, glass, hidden emitters, more samples than a pool holds, and few, so that a work-item takes a span of pixels.
+// Every effect: test_generic.cpp.
 #include <catch2/catch.hpp>
 
 #include "render/pictures.h"
@@ -39,12 +39,10 @@ RenderSettings plain(Precision precision = Precision::robust, int lanes = 16) {
   return settings;
 }
 
-TEST_CASE("a closed room in lanes: every tier that keeps its bits, both widths") {
+TEST_CASE("a closed room in lanes, in both tiers that keep their bits everywhere") {
   require_pocl_and_rusticl();
   const Scene scene = of("cornell/cornell-box.xml");
   require_same(scene, plain());
-  require_same(scene, plain(Precision::robust, 8));
-  require_same(scene, plain(Precision::stable));
   require_same(scene, plain(Precision::fp64, 8));
 }
 
@@ -57,22 +55,13 @@ TEST_CASE("what is reported of first samples, and counts of rays, in lanes") {
   require_same(scene, settings);
 }
 
-TEST_CASE("emitters that the camera looks through, in lanes") {
-  require_pocl_and_rusticl();
-  Scene scene = of("lights/rectangle.xml");
-  scene.integrator.name = "path";
-  scene.integrator.max_depth = 4;
-  scene.integrator.hide_emitters = true;
-  require_same(scene, plain());
-}
-
-TEST_CASE("shapes that are asked ray by ray, listed and in a tree, in lanes") {
+TEST_CASE("shapes that are asked ray by ray in a tree, and emitters that the camera looks through, in lanes") {
   require_pocl_and_rusticl();
   Scene scene = of("lights/disk.xml");
   scene.integrator.name = "path";
   scene.integrator.max_depth = 4;
+  scene.integrator.hide_emitters = true;
   RenderSettings settings = plain(Precision::robust, 8);
-  require_same(scene, settings);
   settings.acceleration = Acceleration::tree;
   require_same(scene, settings);
 }
@@ -80,7 +69,6 @@ TEST_CASE("shapes that are asked ray by ray, listed and in a tree, in lanes") {
 TEST_CASE("smooth meshes and instances in a tree, in lanes") {
   require_pocl_and_rusticl();
   require_same(of("mesh/torus-and-icosphere.xml"), plain());
-  require_same(of("instances/mushrooms.xml"), plain(Precision::robust, 8));
   require_same(of("instances/mushrooms.xml"), plain(Precision::fp64, 8));
 }
 
@@ -88,27 +76,7 @@ TEST_CASE("glass in a tree, in lanes, and more samples than a pool holds") {
   require_pocl_and_rusticl();
   RenderSettings settings = plain(Precision::robust, 8);
   settings.acceleration = Acceleration::tree;
-  const Scene scene = small_scene(scene_folder / "materials/dielectric.xml", 12, 10, 150);
-  require_same(scene, settings);
-  settings.precision = Precision::fp64;
-  require_same(scene, settings);
-}
-
-TEST_CASE("blends, masks and sides in lanes") {
-  require_pocl_and_rusticl();
-  require_same(of("materials/blendbsdf.xml"), plain());
-  require_same(of("materials/mask.xml"), plain(Precision::robust, 8));
-}
-
-TEST_CASE("bent normals in lanes") {
-  require_pocl_and_rusticl();
-  require_same(of("materials/normalmap.xml"), plain());
-  require_same(of("materials/bumpmap.xml"), plain(Precision::robust, 8));
-}
-
-TEST_CASE("textures in lanes") {
-  require_pocl_and_rusticl();
-  require_same(of("accuracy/checkerboard.xml"), plain());
+  require_same(small_scene(scene_folder / "materials/dielectric.xml", 12, 10, 150), settings);
 }
 
 /// Spans that end before the row does, and rows of a part of the picture.
