@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <limits>
 
 #include "errors.h"
@@ -17,9 +18,10 @@ namespace {
 constexpr WorkGroup square{8, 8};
 
 /// A CPU's threads take groups in chunks, of PoCL half of those that are left: with work-items that fill the
-/// processor's lanes by themselves, groups of a few share a launch more evenly (measured in
-/// docs/decisions/0026-path-pool.md).
+/// processor's lanes by themselves, groups of a few share a launch more evenly, and where a launch has few work-items,
+/// groups of one (measured in docs/decisions/0026-path-pool.md).
 constexpr WorkGroup short_row{4, 1};
+constexpr int few_items = 2048;
 
 }  // namespace
 
@@ -38,6 +40,10 @@ LaunchShape::LaunchShape(const Device& device, const cl::Kernel& kernel, int lan
   if (!is_asked_ && most >= items) group_ = square;
 }
 
-WorkGroup LaunchShape::group(int rows) const { return is_asked_ || rows >= group_.y ? group_ : WorkGroup{}; }
+WorkGroup LaunchShape::group(int columns, int rows) const {
+  if (is_asked_) return group_;
+  if (group_.x == short_row.x && static_cast<std::int64_t>(columns) * rows < few_items) return {1, 1};
+  return rows >= group_.y ? group_ : WorkGroup{};
+}
 
 }  // namespace strahl

@@ -14,8 +14,8 @@ class LaunchShape {
   /// lanes: of the kernel's paths. Throws UsageError where the device does not take the group that is asked for.
   LaunchShape(const Device& device, const cl::Kernel& kernel, int lanes, const std::optional<WorkGroup>& asked);
 
-  /// For a launch of so many rows of pixels.
-  [[nodiscard]] WorkGroup group(int rows) const;
+  /// For a launch of columns x rows work-items.
+  [[nodiscard]] WorkGroup group(int columns, int rows) const;
   /// Launches of fewer take as long as the slowest of their work-items. A CPU runs a few work-items to their end before
   /// it begins others: 1.
   [[nodiscard]] int items_at_once() const { return items_at_once_; }

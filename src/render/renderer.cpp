@@ -121,21 +121,19 @@ SubSums Renderer::State::sub_sums(const RenderGoal& goal) const {
 
 void Renderer::State::launch(const Launch& l, int film_row) {
   const auto round_up = [](int n, int group) { return static_cast<std::size_t>((n + group - 1) / group * group); };
-  const WorkGroup group = shape.group(l.rows);
+  const int span = span_columns(l), items = std::max((l.columns + span - 1) / span, 1);
+  const WorkGroup group = shape.group(items, l.rows);
   checked(device.info().text(), [&] {
     cl_uint arg = 0;
     for (const cl::Buffer* buffer :
          {&buffers.geometry, &buffers.shading, &buffers.index, &film, &aov_reals, &aov_ints, &counters})
       kernel.setArg(arg++, *buffer);
-    const int span = span_columns(l);
     const int film_first = (l.row_first - film_row) * window.width() + l.column_first;
     for (const int value : {scene.film.width, scene.film.height, window.x0 + l.column_first, window.y0 + l.row_first,
                             l.columns, l.rows, span, film_first, window.width(), l.sample_first, l.samples})
       kernel.setArg(arg++, value);
     device.queue().enqueueNDRangeKernel(
-        kernel, cl::NullRange,
-        cl::NDRange(round_up(std::max((l.columns + span - 1) / span, 1), group.x),
-                    round_up(std::max(l.rows, 1), group.y)),
+        kernel, cl::NullRange, cl::NDRange(round_up(items, group.x), round_up(std::max(l.rows, 1), group.y)),
         cl::NDRange(static_cast<std::size_t>(group.x), static_cast<std::size_t>(group.y)));
     return device.queue().finish();
   });

@@ -13,13 +13,13 @@ strahl_test(render/test_rounding_pilot.cpp LABEL unit)
 strahl_test(render/test_prediction.cpp LABEL unit)
 strahl_test(render/test_traversal_choice.cpp LABEL unit)
 # A program for every scene, compiled where nothing is cached yet.
-strahl_test(render/test_generic.cpp LABEL render TIMEOUT 400)
+strahl_test(render/test_generic.cpp LABEL render TIMEOUT 900)
 add_test(NAME render_test_generic_all_tiers COMMAND render_tests "-#" "[#test_generic]")
 set_tests_properties(render_test_generic_all_tiers PROPERTIES LABELS slow TIMEOUT 3600 ENVIRONMENT STRAHL_ALL_TIERS=1)
 # Where nothing is cached yet, rusticl takes some ten seconds for a stable program.
 strahl_test(render/test_devices.cpp LABEL render TIMEOUT 900)
 strahl_test(render/test_loop_limit.cpp LABEL render TIMEOUT 300)
-strahl_test(render/test_light_tracing.cpp LABEL render TIMEOUT 400)
+strahl_test(render/test_light_tracing.cpp LABEL render TIMEOUT 600)
 strahl_test(render/test_bidirectional.cpp LABEL render TIMEOUT 600)
 
 add_test(NAME render_test_oclgrind COMMAND ${CMAKE_CURRENT_LIST_DIR}/test_oclgrind $<TARGET_FILE:strahl-bin>
