@@ -85,10 +85,12 @@ FN void add_channel_w(const Scene* scene, PRIVATE const realw* light, PRIVATE co
 /// Adds samples of a pixel whose sums begin at `sum`. Without moments, whose squares are summed, too.
 FN void add_samples_w(const Scene* scene, const PixelSamples_w* samples, SubSums sums, GLOBAL long* sum) {
   int groups = groups_of_samples_w(samples);
+  intw subs[POOL_PATHS / LANES];
+  for (int g = 0; g < groups; ++g) subs[g] = sub_sums_w(sums, samples, g);
   for (int k = 0; k < sums.count; ++k) {
     maskw which[POOL_PATHS / LANES];
     for (int g = 0; g < groups; ++g)
-      which[g] = first_lanes_w(samples->count - g * LANES) & ~nonzero_w(sub_sums_w(sums, samples, g) - splat_int_w(k));
+      which[g] = first_lanes_w(samples->count - g * LANES) & ~nonzero_w(subs[g] - splat_int_w(k));
     for (int c = 0; c < FILM_CHANNELS; ++c, sum += FILM_SUM_WORDS)
       add_channel_w(scene, samples->light[c], which, groups, sum);
   }

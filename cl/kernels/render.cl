@@ -113,7 +113,6 @@ FN void add_pool_w(const Scene* scene, const PathPool_w* pool, const Span* begun
 ONCE_FN void follow_in_pools_w(Scene scene, Span span, FirstSamples first, SpanFilm film) {
   PathPool_w pool;
   Span begun = span;
-  int begun_count = 0;
   Paths_w path;
   Branches_w branches;
   paths_none_w(&path);
@@ -121,10 +120,7 @@ ONCE_FN void follow_in_pools_w(Scene scene, Span span, FirstSamples first, SpanF
   pool_none_w(&pool);
   while (span_left(&span) > 0 || pool.count > 0) {
     int are_new = pool.count == 0, count = are_new ? min((int)POOL_PATHS, span_left(&span)) : pool.count;
-    if (are_new) {
-      begun = span;
-      begun_count = count;
-    }
+    if (are_new) begun = span;
     for (int i = 0; i < count; i += LANES) {
       if (are_new) {
         path.alive = none_w();
@@ -137,7 +133,7 @@ ONCE_FN void follow_in_pools_w(Scene scene, Span span, FirstSamples first, SpanF
       pool_put_w(&pool, i, are_new, count, &path);
     }
     pool_turn_w(&pool);
-    if (pool.count == 0) add_pool_w(&scene, &pool, &begun, begun_count, &film);
+    if (pool.count == 0) add_pool_w(&scene, &pool, &begun, span_left(&begun) - span_left(&span), &film);
   }
 }
 #endif

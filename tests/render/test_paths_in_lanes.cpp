@@ -2,8 +2,10 @@
 // Samples of a pixel that are followed in lanes give the picture, the AOVs and the counts of samples followed one by
 // one, bit for bit: kinds with a body for packets and without, trees, instances, smooth meshes, drawn and taken lights,
 // mirrors, glass, hidden emitters, more samples than a pool holds, and few, so that a work-item takes a span of pixels.
-// Every effect: test_generic.cpp.
+// Every effect: test_generic.cpp. With STRAHL_LANES=long all tiers and widths, by a program for each scene.
 #include <catch2/catch.hpp>
+#include <cstdlib>
+#include <string_view>
 
 #include "render/pictures.h"
 
@@ -39,11 +41,19 @@ RenderSettings plain(Precision precision = Precision::robust, int lanes = 16) {
   return settings;
 }
 
+bool is_long() {
+  const char* run = std::getenv("STRAHL_LANES");
+  return run != nullptr && std::string_view(run) == "long";
+}
+
 TEST_CASE("a closed room in lanes, in both tiers that keep their bits everywhere") {
   require_pocl_and_rusticl();
   const Scene scene = of("cornell/cornell-box.xml");
   require_same(scene, plain());
   require_same(scene, plain(Precision::fp64, 8));
+  if (!is_long()) return;
+  require_same(scene, plain(Precision::robust, 8));
+  require_same(scene, plain(Precision::stable));
 }
 
 TEST_CASE("what is reported of first samples, and counts of rays, in lanes") {
@@ -64,19 +74,44 @@ TEST_CASE("shapes that are asked ray by ray in a tree, and emitters that the cam
   RenderSettings settings = plain(Precision::robust, 8);
   settings.acceleration = Acceleration::tree;
   require_same(scene, settings);
+  if (!is_long()) return;
+  settings.acceleration = Acceleration::automatic;
+  scene.integrator.hide_emitters = false;
+  require_same(scene, settings);
+  settings.acceleration = Acceleration::tree;
+  require_same(scene, settings);
+  Scene rectangle = of("lights/rectangle.xml");
+  rectangle.integrator = scene.integrator;
+  rectangle.integrator.hide_emitters = true;
+  require_same(rectangle, plain());
 }
 
 TEST_CASE("smooth meshes and instances in a tree, in lanes") {
   require_pocl_and_rusticl();
   require_same(of("mesh/torus-and-icosphere.xml"), plain());
   require_same(of("instances/mushrooms.xml"), plain(Precision::fp64, 8));
+  if (is_long()) require_same(of("instances/mushrooms.xml"), plain(Precision::robust, 8));
 }
 
 TEST_CASE("glass in a tree, in lanes, and more samples than a pool holds") {
   require_pocl_and_rusticl();
   RenderSettings settings = plain(Precision::robust, 8);
   settings.acceleration = Acceleration::tree;
-  require_same(small_scene(scene_folder / "materials/dielectric.xml", 12, 10, 150), settings);
+  const Scene scene = small_scene(scene_folder / "materials/dielectric.xml", 12, 10, 150);
+  require_same(scene, settings);
+  if (!is_long()) return;
+  settings.precision = Precision::fp64;
+  require_same(scene, settings);
+}
+
+TEST_CASE("blends, masks, bent normals and textures in lanes, by programs of their own") {
+  if (!is_long()) return;
+  require_pocl_and_rusticl();
+  require_same(of("materials/blendbsdf.xml"), plain());
+  require_same(of("materials/mask.xml"), plain(Precision::robust, 8));
+  require_same(of("materials/normalmap.xml"), plain());
+  require_same(of("materials/bumpmap.xml"), plain(Precision::robust, 8));
+  require_same(of("accuracy/checkerboard.xml"), plain());
 }
 
 /// Spans that end before the row does, and rows of a part of the picture.

@@ -40,6 +40,9 @@ add_test(NAME render_test_oclgrind_every_scene COMMAND ${CMAKE_CURRENT_LIST_DIR}
                                                        ${every_scene})
 set_tests_properties(render_test_oclgrind_every_scene PROPERTIES LABELS slow SKIP_RETURN_CODE 77 TIMEOUT 3600)
 
+add_test(NAME render_test_paths_in_lanes_long COMMAND render_tests "-#" "[#test_paths_in_lanes]")
+set_tests_properties(render_test_paths_in_lanes_long PROPERTIES LABELS slow TIMEOUT 3600 ENVIRONMENT STRAHL_LANES=long)
+
 add_test(NAME render_test_error_coverage_long COMMAND render_tests "-#" "[#test_error_coverage]")
 set_tests_properties(
   render_test_error_coverage_long PROPERTIES LABELS slow TIMEOUT 14400 ENVIRONMENT STRAHL_COVERAGE=long)
