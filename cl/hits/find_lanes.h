@@ -64,6 +64,10 @@ SELDOM_FN void take_surface_alone_w(const Scene* scene, Paths_w* path, int lane,
 
 FN Surfaces_w find_surfaces_w(const Scene* scene, Paths_w* path, int want, const FirstSamples* first) {
   Surfaces_w s = surfaces_none_w();
+  // Rays that nobody made, and those of paths that have ended, must not be walked: with all planes 0 one meets every
+  // node of the tree.
+  PRIVATE realw* t_max = path->rays.planes + RAY_PLANE_T_MAX;
+  *t_max = sel_w(path->alive, *t_max, splat_w(-R(1.0)));
   widen_w(scene, &path->rays);
   NearestEach_w each = packet_traverse_w(scene, &path->rays, want);
   s.hit = path->alive & ~lt_int_w(each.kind, splat_int_w(0));

@@ -99,10 +99,9 @@ FN void kept_of_paths_w(const Paths_w* path, KeptPaths_w* kept) {
 /// path: its sample's seed and sequences are those of the pool.
 FN void paths_of_kept_w(const KeptPaths_w* kept, maskw alive, Paths_w* path) {
   PRIVATE const realw* reals = kept->reals;
-  realw t_max = sel_w(alive, reals[KEPT_RAY_w + 6], splat_w(-R(1.0)));
   path->alive = alive;
-  rays_make_w(real3_at_w(reals + KEPT_RAY_w), real3_at_w(reals + KEPT_RAY_w + 3), splat_w(R(0.0)), t_max, alive,
-              &path->rays);
+  rays_make_w(real3_at_w(reals + KEPT_RAY_w), real3_at_w(reals + KEPT_RAY_w + 3), splat_w(R(0.0)),
+              reals[KEPT_RAY_w + 6], alive, &path->rays);
   path->rays.departed = kept->ints[KEPT_DEPARTED_w];
   path->rays.departed_instance = HAS_INSTANCES ? kept->ints[KEPT_INSTANCE_w] : splat_int_w(-1);
   path->rays.aim = splat_int_w(-1);

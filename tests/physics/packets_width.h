@@ -69,4 +69,27 @@ inline std::vector<FoundHit> LANED(find_packets)(const TierBuffers& buffers, con
   }
   return found;
 }
+
+/// Lanes of `rays` that packet_make_w does not take for dead.
+inline unsigned LANED(living_lanes)(const Rays_w& rays) {
+  return bits_w(le_w(rays.planes[RAY_PLANE_T_MIN], rays.planes[RAY_PLANE_T_MAX]));
+}
+
+inline std::array<unsigned, 2> LANED(walked_lanes)(const TierBuffers& buffers, const GivenRay& ray, unsigned alive) {
+  const Scene scene = scene_of(buffers);
+  const FirstSamples unreported{nullptr, nullptr, 0, 0u};
+  const Rays_w rays = LANED(rays_at)({ray}, 0);
+  const maskw which = nonzero_w(int_of_uint_w(splat_uint_w(alive) >> lane_numbers_w() & 1u));
+  std::array<unsigned, 2> walked{};
+  for (std::size_t is_left_over = 0; is_left_over < 2; ++is_left_over) {
+    Paths_w path;
+    paths_none_w(&path);
+    if (is_left_over != 0) paths_begin_w(&scene, &path, ~none_w(), &rays);
+    path.alive = none_w();
+    paths_begin_w(&scene, &path, which, &rays);
+    find_surfaces_w(&scene, &path, FIND_NEAREST, &unreported);
+    walked[is_left_over] = LANED(living_lanes)(path.rays);
+  }
+  return walked;
+}
 #endif

@@ -133,4 +133,21 @@ TEST_CASE("rays in packets find what each finds alone, to the bit") {
         }
 }
 
+TEST_CASE("lanes without a path are not walked") {
+  SceneMaker maker(5);
+  maker.add("mesh", 12);
+  const GivenRay ray{{0, 0, -50}, {0.01, 0.02, 1}, 0, 1000};
+  for (const PacketTier& tier : {packets_stable(), packets_robust()})
+    for (const auto& [lanes, walked] : tier.walked) {
+      const PackedScene<float> packed = packed_for(maker.scene(), lanes, Acceleration::tree);
+      const unsigned all = (1u << lanes) - 1u;
+      for (const unsigned alive : {0u, 1u, 0x5au, all >> 1, all}) {
+        INFO(tier.name << ", " << lanes << " lanes, alive " << alive);
+        const auto [unmade, left_over] = walked(buffers_of(packed), ray, alive);
+        CHECK(unmade == alive);
+        CHECK(left_over == alive);
+      }
+    }
+}
+
 }  // namespace

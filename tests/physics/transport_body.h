@@ -78,6 +78,11 @@ inline PacketTier packets(const char* name) {
 #if TIER_ROBUST
            {16, find_packets_16}
 #endif
+          },
+          {{8, walked_lanes_8},
+#if TIER_ROBUST
+           {16, walked_lanes_16}
+#endif
           }};
 }
 #endif

@@ -134,10 +134,15 @@ struct TransportTier {
 /// Nearest, or any. The scene is packed for as many lanes as there are.
 using FindHits = std::vector<FoundHit> (*)(const TierBuffers& scene, const std::vector<GivenRay>& rays, bool any);
 
+/// Bits of the lanes that find_surfaces walks for paths in the lanes `alive`, before any ray was made in the others,
+/// and after all lanes had followed `ray`.
+using WalkedLanes = std::array<unsigned, 2> (*)(const TierBuffers& scene, const GivenRay& ray, unsigned alive);
+
 struct PacketTier {
   const char* name;
-  FindHits alone;                   ///< Ray by ray, at width 1.
-  std::map<int, FindHits> packets;  ///< By the number of lanes.
+  FindHits alone;                     ///< Ray by ray, at width 1.
+  std::map<int, FindHits> packets;    ///< By the number of lanes.
+  std::map<int, WalkedLanes> walked;  ///< The same.
 };
 
 [[nodiscard]] std::vector<TransportTier> transport_fast();
