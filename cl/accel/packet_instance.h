@@ -25,14 +25,14 @@ SELDOM_FN int packet_enter_w(const Scene* scene, Packet_w* p, int reference, mas
   span = within_box_each_w(p, placed + INSTANCE_BOX, 1, span);
   maskw which = active & le_w(span.enter, span.leave) & ~lt_w(p->bound, span.enter);
   if (!any_w(which)) return 0;
-  packet_settle_w(scene, p);
   place->instance = instance;
   place->floor = floor;
   place->enter = span.enter;
   place->leave = span.leave;
   place->group = instance_group(scene, instance);
-  // As in enter_instance.
-  realw limit = sel_w(lt_w(p->t, span.leave), p->t, splat_w(REAL_MAX));
+  // As in enter_instance, up to `bound`, because t of what is put off is not known yet: packet_leave_w drops what lies
+  // beyond t.
+  realw limit = sel_w(lt_w(p->bound, span.leave), p->bound, splat_w(REAL_MAX));
   intw none = splat_int_w(-1);
   maskw is_from = ~nonzero_w(p->rays->departed_instance - splat_int_w(instance));
   intw departed = TIER_FAST ? none : sel_int_w(is_from, p->rays->departed, none);
@@ -58,6 +58,7 @@ SELDOM_FN void packet_leave_w(const Scene* scene, PacketPlace_w* place, Packet_w
   intw instance = splat_int_w(place->instance);
   place->instance = -1;
   if (!any_w(found)) return;
+  packet_settle_w(scene, p);
   realw t = from->t * place->rays.planes[RAY_PLANE_T_FROM_SCALED];
   t = sel_w(lt_w(t, place->enter), place->enter, t);
   t = sel_w(lt_w(place->leave, t), place->leave, t);
