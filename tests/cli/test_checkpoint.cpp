@@ -51,6 +51,11 @@ void refuse(const Folder& folder, const std::vector<std::string>& arguments, int
   CHECK(folder.files() == before);
 }
 
+void keep_only(const Folder& folder, const std::string& kept) {
+  for (const std::string& name : folder.files())
+    if (name != kept) fs::remove(folder.path(name));
+}
+
 void wait_for(const std::string& path) {
   for (int i = 0; i < 6000 && !fs::exists(path); ++i) std::this_thread::sleep_for(5ms);
 }
@@ -71,8 +76,7 @@ TEST_CASE("killed at any moment, again and again, it ends with the same picture"
   int killed = 0, resumed = 0;
   for (int kill_number = 0; kill_number < kills; ++kill_number) {
     INFO("kill " << kill_number);
-    for (const std::string& name : folder.files())
-      if (name != "one.exr") fs::remove(folder.path(name));
+    keep_only(folder, "one.exr");
     // As a script would: resumed where there is something to resume.
     const auto attempt = [&](double seconds) {
       const bool is_there = fs::exists(folder.path("c.ckpt"));
@@ -103,8 +107,7 @@ TEST_CASE("interrupted, it keeps picture and checkpoint, and goes on with other 
   succeed(folder, options + std::vector<std::string>{"-o", "one.exr"});
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     INFO("signal " << signal);
-    for (const std::string& name : folder.files())
-      if (name != "one.exr") fs::remove(folder.path(name));
+    keep_only(folder, "one.exr");
     const Outcome stopped = folder.run(options + std::vector<std::string>{"-o", "part.exr", "--checkpoint", "c.ckpt",
                                                                           "--every", "1h", "--snapshot-every", "1ms"},
                                        {}, [&](pid_t child) {
