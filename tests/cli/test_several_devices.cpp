@@ -77,10 +77,10 @@ TEST_CASE("a checkpoint of one goes on with two, and of two with one") {
 
 TEST_CASE("interrupted in its midst, it goes on") {
   const Folder folder;
-  make_on(folder, "pocl", {"--spp", "4096", "-o", "whole.exr"});
+  make_on(folder, "pocl", {"--spp", "1024", "-o", "whole.exr"});
   const Outcome stopped =
       folder.run({STRAHL_SOURCE_DIR "/scenes/cornell/cornell-box.xml", "--width", "24", "-d", both, "-q", "--spp",
-                  "4096", "-o", "part.exr", "--checkpoint", "c.ckpt", "--every", "1ms"},
+                  "1024", "-o", "part.exr", "--checkpoint", "c.ckpt", "--every", "1ms"},
                  {{"RUSTICL_ENABLE", "llvmpipe"}}, [&](pid_t child) {
                    for (int i = 0; i < 60000 && !std::filesystem::exists(folder.path("c.ckpt")); ++i)
                      std::this_thread::sleep_for(std::chrono::milliseconds(1));
@@ -89,7 +89,7 @@ TEST_CASE("interrupted in its midst, it goes on") {
   INFO(stopped.err);
   REQUIRE(stopped.code == 130);
   CHECK(strahl::read_image(folder.path("part.exr")).metadata.count("incomplete") == 1);
-  make_on(folder, both, {"--spp", "4096", "-o", "sum.exr", "--resume", "c.ckpt"});
+  make_on(folder, both, {"--spp", "1024", "-o", "sum.exr", "--resume", "c.ckpt"});
   require_same_picture(folder, "whole.exr", "sum.exr");
 }
 

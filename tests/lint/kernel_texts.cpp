@@ -18,7 +18,7 @@ using namespace strahl;
 
 namespace {
 
-Features every(bool on) {
+Features read_every(bool on) {
   Features features;
   for (const std::string& list : list_folders()) {
     features.entries[list];
@@ -27,6 +27,12 @@ Features every(bool on) {
   }
   for (const auto& [name, why] : list_features()) features.flags.emplace_back(name, on);
   return features;
+}
+
+/// All of them, or none. The lists are files: they are read once.
+const Features& every(bool on) {
+  static const Features all = read_every(true), none = read_every(false);
+  return on ? all : none;
 }
 
 /// name -> features, one effect alone. What effects do with numbers they do in robust as in every tier; shapes do not.
@@ -49,7 +55,7 @@ std::vector<std::pair<std::string, Features>> singles(const std::string& kernel,
     Features& features = sets.back().second;
     features.flags[i].second = true;
     // Its files are those of the list's entries; a program has both or neither.
-    if (name == "MEDIA" || name == "PANE") features.entries["media"] = every(true).entries["media"];
+    if (name == "MEDIA" || name == "PANE") features.entries["media"] = every(true).entries.at("media");
     // Panes are a material's, and media look through them.
     if (name == "PANE") {
       features.entries["materials"] = {"thindielectric"};

@@ -86,10 +86,9 @@ namespace strahl::test {
 }
 
 /// Texel by texel of the infinite plane.
-[[nodiscard]] inline Triad bitmap_value(const Bitmap& bitmap, double u, double v) {
+[[nodiscard]] inline Triad bitmap_value(const Bitmap& bitmap, const TexelDecoder& decoded, double u, double v) {
   const auto& m = bitmap.to_uv;
   const Texels& texels = *bitmap.texels;
-  const TexelDecoder decoded(texels, bitmap.curve);
   const double x = (m[0] * u + m[1] * v + m[2]) * texels.width, y = (m[3] * u + m[4] * v + m[5]) * texels.height;
   const auto texel = [&](double column, double row) {
     return decoded(static_cast<std::size_t>(wrapped(static_cast<int>(row), texels.height, bitmap.wrap) * texels.width +
