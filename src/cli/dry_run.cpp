@@ -5,7 +5,6 @@
 
 #include "cli/console.h"
 #include "cli/output_file.h"
-#include "cli/process_clock.h"
 #include "render/pilot.h"
 #include "render/rounding_pilot.h"
 #include "settings/sampling.h"
@@ -45,7 +44,7 @@ void set_pilot(const Pilot& pilot, const Preparation& preparation, const Predict
   costs.passes = pilot.passes;
   costs.spread = pilot.spread;
   costs.look = pilot.look_seconds;
-  costs.end = pilot.look_seconds + preparation.end_seconds + expected_exit_seconds();
+  costs.end = pilot.look_seconds + preparation.end_seconds;
   costs.extra_share = goal.seconds ? 0 : rounding_share;
 }
 

@@ -10,7 +10,7 @@ namespace strahl::cli {
 /// What is known of a run before its pilot.
 struct Preparation {
   double canary_seconds = 0;
-  double end_seconds = 0;  ///< What writing the picture will take.
+  double end_seconds = 0;  ///< What writing the picture and ending the process will take.
   int scene_spp = 1;
 };
 

@@ -87,7 +87,7 @@ ExitCode intersect(const IntersectOptions& options, const Invocation& invocation
   stats.seconds.device = device_seconds;
   stats.seconds.load = load_seconds;
   stats.seconds.encode = invocation.seconds() - encode_start;
-  stats.seconds.exit = expected_exit_seconds();
+  stats.seconds.exit = expected_exit_seconds({device});
   stats.seconds.total = invocation.seconds() + stats.seconds.exit;
 
   if (options.scene.verbose) say(kernel_summary(stats));

@@ -14,6 +14,8 @@
 namespace strahl::cli {
 namespace {
 
+constexpr double gpu_exit_seconds = 0.12;
+
 double seconds_of(const timeval& time) {
   return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
 }
@@ -51,6 +53,18 @@ double resident_bytes() {
   return file ? resident * static_cast<double>(sysconf(_SC_PAGESIZE)) : 0;
 }
 
+double memory_exit_seconds(double more_bytes) {
+  constexpr std::size_t piece = std::size_t{8} << 20;
+  void* memory = mmap(nullptr, piece, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  if (memory == MAP_FAILED) return 0;
+  madvise(memory, piece, MADV_NOHUGEPAGE);  // As most of a heap is.
+  for (std::size_t at = 0; at < piece; at += 4096) static_cast<volatile char*>(memory)[at] = 1;
+  const Clock::time_point start = Clock::now();
+  munmap(memory, piece);
+  const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  return (resident_bytes() + more_bytes) / static_cast<double>(piece) * seconds;
+}
+
 }  // namespace
 
 Clock::time_point process_start() {
@@ -65,16 +79,10 @@ Clock::time_point process_start() {
   return later(now, -age);
 }
 
-double expected_exit_seconds(double more_bytes) {
-  constexpr std::size_t piece = std::size_t{8} << 20;
-  void* memory = mmap(nullptr, piece, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
-  if (memory == MAP_FAILED) return 0;
-  madvise(memory, piece, MADV_NOHUGEPAGE);  // As most of a heap is.
-  for (std::size_t at = 0; at < piece; at += 4096) static_cast<volatile char*>(memory)[at] = 1;
-  const Clock::time_point start = Clock::now();
-  munmap(memory, piece);
-  const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
-  return (resident_bytes() + more_bytes) / static_cast<double>(piece) * seconds;
+double expected_exit_seconds(const std::vector<Device>& devices, double more_bytes) {
+  const bool has_gpu =
+      std::any_of(devices.begin(), devices.end(), [](const Device& device) { return device.info().type == "GPU"; });
+  return memory_exit_seconds(more_bytes) + (has_gpu ? gpu_exit_seconds : 0);
 }
 
 }  // namespace strahl::cli

@@ -2,6 +2,9 @@
 // When this process began: what an outside clock would say, not when main was reached.
 #pragma once
 
+#include <vector>
+
+#include "opencl/device.h"
 #include "render/goal.h"
 
 namespace strahl::cli {
@@ -11,7 +14,8 @@ namespace strahl::cli {
 [[nodiscard]] Clock::time_point process_start();
 
 /// What the operating system will take to end the process: it gives back the memory that is resident by then, and
-/// `more_bytes`, at the rate at which it takes back a piece of it now. 0 where that cannot be told.
-[[nodiscard]] double expected_exit_seconds(double more_bytes = 0);
+/// `more_bytes`, at the rate at which it takes back a piece of it now. Then the driver of a GPU lets it go, which takes
+/// a tenth of a second (docs/devices.md). devices: those that are open.
+[[nodiscard]] double expected_exit_seconds(const std::vector<Device>& devices, double more_bytes = 0);
 
 }  // namespace strahl::cli

@@ -125,12 +125,13 @@ void say_summary(const RenderOptions& options, const std::string& picture, const
 /// Bytes a second that a disk takes at the least, flushed. What it falls short of makes a picture late, not wrong.
 constexpr double checkpoint_rate = 1e8;
 
-/// What writing the pictures may take; 0 where no deadline wants to know.
-double end_seconds(const RenderOptions& options, const PictureFiles& files, const Window& window, const AovList& aovs) {
-  if (!options.goal.time) return 0;
+/// What the process may take to end once its picture is done, with a deadline writing it too; 0 where nobody asks.
+double end_seconds(const RenderOptions& options, const PictureFiles& files, const Window& window, const AovList& aovs,
+                   const std::vector<Device>& devices) {
+  if (!options.goal.time) return options.goal.dry_run ? expected_exit_seconds(devices) : 0;
   const double pixels = static_cast<double>(window.width()) * window.height();
   // The film, and three pictures of floats.
-  double seconds = expected_exit_seconds(pixels * (96 + 36));
+  double seconds = expected_exit_seconds(devices, pixels * (96 + 36));
   if (!files.path.empty()) seconds += expected_write_seconds(files.path, files.png, pixels, 3 * (1 + aovs.size()));
   if (!options.error_map.empty()) seconds += expected_write_seconds(options.error_map, {}, pixels, 3);
   if (!options.keep.target().empty()) seconds += 0.02 + pixels * 196 / checkpoint_rate;
@@ -236,7 +237,7 @@ ExitCode render(const RenderOptions& options, const Invocation& invocation) {
     bar.reset();
     return render_frames(renderer, options, files, sampling.seed, guard);
   }
-  const double end = end_seconds(options, files, window, settings.aovs);
+  const double end = end_seconds(options, files, window, settings.aovs, devices);
   if (options.goal.dry_run) return dry_run(renderer, options, invocation, {canary.seconds, end, sampling.spp});
   const RenderGoal goal = goal_of(options, invocation, end);
   PictureKeeper keeper(options.keep, files, checkpoint_header(options, invocation, device, renderer, settings, goal),
@@ -263,7 +264,7 @@ ExitCode render(const RenderOptions& options, const Invocation& invocation) {
   if (result.complete)
     add_rounding(options, invocation, living(devices, result.stats), renderer.scene(), settings, result.stats);
   bar.reset();
-  result.stats.seconds.exit = expected_exit_seconds();
+  result.stats.seconds.exit = expected_exit_seconds(devices);
   result.stats.seconds.total = invocation.seconds() + result.stats.seconds.exit;
   warn_of_dropped(result.stats);
   warn_of_samples(result.stats);
