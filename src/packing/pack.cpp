@@ -281,6 +281,7 @@ class Packing {
     if (!has_instances_) return;
     const int entries = options.stack;
     options.stack = entries / 2;
+    options.outline = outline_size(scene_.instances.size());
     std::size_t first = scene_.shapes.size();
     int need = 0;
     for (const Group& group : scene_.groups) {
@@ -290,11 +291,13 @@ class Packing {
       need = std::max(need, groups_.back().stack_need);
     }
     options.stack = entries - need - 1;
+    options.outline = 0;
     instances_.reserve(scene_.instances.size() * layout::INSTANCE_REALS);
     for (const Instance& instance : scene_.instances) {
       const auto group = static_cast<std::size_t>(instance.group);
       const UploadFrame frame = group_frame(scene_.groups[group], options_.frame);
-      const auto reals = instance_reals<Real>(frame_from_group(instance, frame, options_.frame), groups_[group].box());
+      const auto reals = instance_reals<Real>(frame_from_group(instance, frame, options_.frame), groups_[group].box(),
+                                              groups_[group].outline);
       instances_.insert(instances_.end(), reals.begin(), reals.end());
       std::copy_n(reals.begin() + layout::INSTANCE_BOX, 6, instance_boxes_.emplace_back().begin());
     }
@@ -327,6 +330,8 @@ class Packing {
   void shapes() {
     const int width = options_.lanes > 1 ? options_.lanes : options_.tree_width == 0 ? 4 : options_.tree_width;
     TreeOptions options{width, options_.acceleration, stack_entries(width)};
+    // The program walks trees then, whatever is in them: a list saves no text, and costs time even for three shapes.
+    if (has_instances_ && options.acceleration == Acceleration::automatic) options.acceleration = Acceleration::tree;
     groups(options);
     const Chosen apart = [&](const Shape& shape) { return stands_apart_as_boundary(shape, scene_, features_); };
     const auto lists = [&](const Chosen& chosen) { return lists_of(scene_.shapes, 0, options_.frame, chosen); };

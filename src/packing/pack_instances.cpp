@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "kinds/extent.h"
+
 namespace strahl {
 namespace {
 
@@ -51,6 +53,18 @@ void put_linear(InstanceReals<Real>& reals, int at, const Transform& transform) 
   }
 }
 
+/// Around boxes of the group where the instance has them: p = pivot + A (x - offset).
+template <typename Real>
+Box mapped(const std::vector<Bounds<Real>>& boxes, const Transform& a, const Vec3& offset, const Vec3& pivot) {
+  const Transform magnitude = magnitudes(a);
+  kinds::Extent all;
+  for (const Bounds<Real>& box : boxes) {
+    const Vec3 lo{double(box[0]), double(box[2]), double(box[4])}, hi{double(box[1]), double(box[3]), double(box[5])};
+    all.add(pivot + a.vector(0.5 * (lo + hi) - offset), magnitude.vector(0.5 * (hi - lo)));
+  }
+  return *all.box();
+}
+
 }  // namespace
 
 UploadFrame group_frame(const Group& group, const UploadFrame& scene) {
@@ -75,7 +89,8 @@ Transform frame_from_group(const Instance& instance, const UploadFrame& group, c
 }
 
 template <typename Real>
-InstanceReals<Real> instance_reals(const Transform& frame_from_group, const Bounds<Real>& box) {
+InstanceReals<Real> instance_reals(const Transform& frame_from_group, const Bounds<Real>& box,
+                                   const std::vector<Bounds<Real>>& outline) {
   const Vec3 lo{double(box[0]), double(box[2]), double(box[4])}, hi{double(box[1]), double(box[3]), double(box[5])};
   const Vec3 pivot_in_group = pivot_of(lo, hi), pivot_exact = frame_from_group.point(pivot_in_group);
   const Vec3 pivot = rounded<Real>(pivot_exact);
@@ -88,16 +103,7 @@ InstanceReals<Real> instance_reals(const Transform& frame_from_group, const Boun
   const Vec3 offset = rounded<Real>(pivot_in_group + to_group.vector(pivot - pivot_exact));
   const Transform to_frame = to_group.inverse();
 
-  constexpr double infinite = std::numeric_limits<double>::infinity();
-  Vec3 least{infinite, infinite, infinite}, most = -least;
-  for (unsigned corner = 0; corner < 8; ++corner) {
-    const Vec3 in_group{(corner & 1U) != 0 ? hi.x : lo.x, (corner & 2U) != 0 ? hi.y : lo.y,
-                        (corner & 4U) != 0 ? hi.z : lo.z};
-    const Vec3 p = pivot + to_frame.vector(in_group - offset);
-    least = {std::min(least.x, p.x), std::min(least.y, p.y), std::min(least.z, p.z)};
-    most = {std::max(most.x, p.x), std::max(most.y, p.y), std::max(most.z, p.z)};
-  }
-
+  const auto [least, most] = mapped<Real>({box}, to_frame, offset, pivot);
   // What is rounded when a point of the instance is mapped: within the group, and before that on the way there.
   const Vec3 in_group =
       absolute(offset) + Vec3{std::max(std::fabs(lo.x), std::fabs(hi.x)), std::max(std::fabs(lo.y), std::fabs(hi.y)),
@@ -109,7 +115,8 @@ InstanceReals<Real> instance_reals(const Transform& frame_from_group, const Boun
   InstanceReals<Real> reals;
   // Outwards by more than the corners and the mapping of rays that begin nearby round.
   const double out = 4 * std::numeric_limits<Real>::epsilon() * (error + largest_component(absolute(pivot) + around));
-  const Bounds<Real> outer = rounded_outwards<Real>(least - Vec3{out, out, out}, most + Vec3{out, out, out});
+  const Box tight = outline.empty() ? Box{least, most} : mapped(outline, to_frame, offset, pivot);
+  const Bounds<Real> outer = rounded_outwards<Real>(tight.min - Vec3{out, out, out}, tight.max + Vec3{out, out, out});
   std::copy(outer.begin(), outer.end(), reals.begin() + layout::INSTANCE_BOX);
   put(reals, layout::INSTANCE_PIVOT, pivot);
   put_linear(reals, layout::INSTANCE_TO_GROUP, to_group);
@@ -120,7 +127,8 @@ InstanceReals<Real> instance_reals(const Transform& frame_from_group, const Boun
   return reals;
 }
 
-template InstanceReals<float> instance_reals(const Transform&, const Bounds<float>&);
-template InstanceReals<double> instance_reals(const Transform&, const Bounds<double>&);
+template InstanceReals<float> instance_reals(const Transform&, const Bounds<float>&, const std::vector<Bounds<float>>&);
+template InstanceReals<double> instance_reals(const Transform&, const Bounds<double>&,
+                                              const std::vector<Bounds<double>>&);
 
 }  // namespace strahl

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <vector>
 
 #include "kinds/upload_frame.h"
 #include "packing/cl_layout.h"
@@ -21,8 +22,10 @@ namespace strahl {
 template <typename Real>
 using InstanceReals = std::array<Real, layout::INSTANCE_REALS>;
 
-/// box: around what the group holds as it is uploaded. Instantiated for float and double.
+/// box: around what the group holds as it is uploaded. outline: boxes within it that hold the same, so that the
+/// instance's own box is no larger than they take; empty: `box` stands for them. Instantiated for float and double.
 template <typename Real>
-[[nodiscard]] InstanceReals<Real> instance_reals(const Transform& frame_from_group, const Bounds<Real>& box);
+[[nodiscard]] InstanceReals<Real> instance_reals(const Transform& frame_from_group, const Bounds<Real>& box,
+                                                 const std::vector<Bounds<Real>>& outline);
 
 }  // namespace strahl

@@ -12,6 +12,7 @@
 #include "errors.h"
 #include "kinds/entries.h"
 #include "packing/cl_layout.h"
+#include "packing/outline.h"
 #include "packing/primitive_bounds.h"
 #include "stopwatch.h"
 
@@ -36,20 +37,6 @@ std::int32_t leaf_reference(std::size_t block, std::size_t count, std::size_t ki
     throw Error(fmt::format("the scene is too large for a tree of {} children a node: more than {} blocks of a kind",
                             width, 1U << (31 - layout::REFERENCE_BLOCK)));
   return ~static_cast<std::int32_t>(block << layout::REFERENCE_BLOCK | count << layout::REFERENCE_COUNT | kind);
-}
-
-template <typename Real>
-Bounds<Real> nothing() {
-  constexpr Real most = std::numeric_limits<Real>::max();
-  return {most, -most, most, -most, most, -most};
-}
-
-template <typename Real>
-void include(Bounds<Real>& box, const Bounds<Real>& other) {
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    box[2 * axis] = std::min(box[2 * axis], other[2 * axis]);
-    box[2 * axis + 1] = std::max(box[2 * axis + 1], other[2 * axis + 1]);
-  }
 }
 
 /// Of a box that may be a rounding larger.
@@ -77,7 +64,7 @@ class TreePacking {
 
   PackedTree<Real> run() {
     std::size_t bounded = instances_.size();
-    Bounds<Real> reach = nothing<Real>();
+    Bounds<Real> reach = empty_bounds<Real>();
     for (std::size_t k = 0; k < lists_.size(); ++k) {
       if (bounds_of_[k] == nullptr) continue;
       bounded += lists_[k].ids.size();
@@ -88,6 +75,7 @@ class TreePacking {
         include(reach, boxes_[k].back());
       }
     }
+    if (options_.outline > 0) outline_of_shapes();
     for (const Bounds<Real>& box : instances_) include(reach, box);
     if (bounded == 0) reach = {};
     packed_.reach = center_and_half(reach);
@@ -107,6 +95,11 @@ class TreePacking {
     return boxes_[kind][i];
   }
   [[nodiscard]] std::size_t lanes() const { return static_cast<std::size_t>(lanes_of(width_)); }
+
+  void outline_of_shapes() {
+    for (const auto& boxes : boxes_) packed_.outline.insert(packed_.outline.end(), boxes.begin(), boxes.end());
+    packed_.outline = outline(std::move(packed_.outline), options_.outline);
+  }
 
   /// Primitives [0, count) of a kind, given by number(i), into new blocks.
   template <typename Number>
@@ -196,7 +189,7 @@ class TreePacking {
       const std::size_t block = packed_.kinds[leaf.kind].ids.size() / lanes();
       const std::size_t count = (leaf.count + lanes() - 1) / lanes();
       append(leaf.kind, leaf.count, [&](std::size_t i) { return binary.primitives[leaf.first + i].number(); });
-      Bounds<Real> box = nothing<Real>();
+      Bounds<Real> box = empty_bounds<Real>();
       for (std::uint32_t i = 0; i < leaf.count; ++i)
         include(box, bounds(leaf.kind, binary.primitives[leaf.first + i].number()));
       leaf_bounds_.push_back(box);
@@ -210,11 +203,11 @@ class TreePacking {
     packed_.nodes.resize(wide.nodes() * layout::NODE_PLANES * width);
     // Where boxes are of no help, an empty child may be entered: a leaf of a kind that lists nothing.
     packed_.children.resize(wide.children.size(), ~static_cast<std::int32_t>(wide.leaves.front().kind));
-    std::vector<Bounds<Real>> boxes(wide.nodes(), nothing<Real>());
+    std::vector<Bounds<Real>> boxes(wide.nodes(), empty_bounds<Real>());
     for (std::size_t node = wide.nodes(); node-- > 0;)
       for (std::size_t i = 0; i < width; ++i) {
         const std::int32_t child = wide.children[node * width + i];
-        Bounds<Real> box = nothing<Real>();
+        Bounds<Real> box = empty_bounds<Real>();
         if (child != accel::WideTree::none) {
           box = child >= 0 ? boxes[static_cast<std::size_t>(child)] : leaf_bounds_[static_cast<std::size_t>(~child)];
           packed_.children[node * width + i] = child >= 0 ? child : references_[static_cast<std::size_t>(~child)];

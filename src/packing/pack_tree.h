@@ -40,6 +40,7 @@ struct PackedTree {
   std::vector<Real> reach;              ///< Centre and half the size of a box around everything bounded.
   int stack_need = 0;                   ///< References that may wait at a time.
   bool lists_instances = false;         ///< They are not in the tree: all or none.
+  std::vector<Bounds<Real>> outline;    ///< Around the bounded primitives; empty where none was asked for.
   TreeStats stats;
 
   /// `reach`, rounded outwards.
@@ -49,7 +50,8 @@ struct PackedTree {
 struct TreeOptions {
   int width = 16;  ///< 2, 4, 8 or 16 children a node; 8 and 16 test as many primitives at a time, 2 and 4 one.
   Acceleration acceleration = Acceleration::automatic;
-  int stack = 0;  ///< References that may wait at a time.
+  int stack = 0;            ///< References that may wait at a time.
+  std::size_t outline = 0;  ///< Boxes of PackedTree::outline, about (packing/outline.h); 0: none.
 };
 
 /// Whether a program for the scene needs more than lists; where not, it is to be packed with Acceleration::list.
