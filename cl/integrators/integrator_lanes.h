@@ -27,6 +27,7 @@ enum {
 };
 
 #include "integrators/scatter_lanes.h"
+#include "integrators/last_rays_lanes.h"
 #include "integrators/branches_lanes.h"
 
 /// As surface_step, without the waiting branches going on.
@@ -111,7 +112,9 @@ FN void surface_scatter_w(const Scene* scene, Paths_w* path, const Surfaces_w* s
 #if HAS_MEDIA
   media_enter_w(scene, path, s, on, way);
 #endif
-  if (any_w(path->alive)) rays_leaving_w(s, path->alive, way, t_max, &path->rays);
+  if (!any_w(path->alive)) return;
+  rays_leaving_w(s, path->alive, way, t_max, &path->rays);
+  if ((STEPS_w & STEP_SCATTER) != 0) path->alive = path->alive & finds_more_w(scene, path);
 }
 
 /// Processes one surface of each path that is alive. The paths that are alive afterwards go on along their new rays.

@@ -17,6 +17,9 @@ enum {
   HEADER_FILM_ROWS,   // Rows of the film, of which a launch renders a part.
   HEADER_INTEGRATOR,  // INTEGRATOR_direct, ...
   HEADER_MAX_DEPTH,   // -1: no limit
+  HEADER_LAST_DEPTH,  // Rays with so many surfaces before them only look for emission, ...
+  HEADER_GLOWING,     // ... which is in boxes -> shading, lo x y z, hi x y z each, ...
+  HEADER_GLOWING_COUNT,
   HEADER_RR_DEPTH,    // Surfaces after which Russian roulette begins.
   HEADER_HIDE_EMITTERS,
   HEADER_STRICT_NORMALS,

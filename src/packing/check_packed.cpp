@@ -10,6 +10,7 @@
 #include "packing/pack_instances.h"
 #include "packing/pack_shapes.h"
 #include "packing/packed_ranges.h"
+#include "packing/path_lengths.h"
 #include "packing/shape_parts.h"
 #include "settings/sampling.h"
 
@@ -49,6 +50,10 @@ void check_header(PackedRanges<Real>& ranges, const PackedFacts& facts) {
   is(layout::HEADER_TURN_BITS, 0, "the turns");
   is(layout::HEADER_INTEGRATOR, facts.features.entry_index("integrators", scene.integrator.name), "the integrator");
   is(layout::HEADER_MAX_DEPTH, most_surfaces(scene.integrator), "the depth");
+  const std::int64_t glowing = ranges.at(layout::HEADER_GLOWING_COUNT);
+  ranges.within(ranges.at(layout::HEADER_LAST_DEPTH), -1, std::int64_t{1} << 31, "the depth of last rays");
+  if (ranges.within(glowing, 0, static_cast<std::int64_t>(scene.shapes.size()) + 1, "the boxes of emission"))
+    ranges.shading(ranges.at(layout::HEADER_GLOWING), 6 * glowing, "the boxes of emission");
   is(layout::HEADER_RR_DEPTH, scene.integrator.rr_depth, "the depth of roulette");
   is(layout::HEADER_SAMPLER, facts.features.entry_index("samplers", sampler_entry(sampler)), "the sampler");
   ranges.shading(ranges.at(layout::HEADER_REACH), 1, "the reach");

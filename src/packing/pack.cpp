@@ -20,6 +20,7 @@
 #include "packing/pack_materials.h"
 #include "packing/pack_media.h"
 #include "packing/pack_shapes.h"
+#include "packing/path_lengths.h"
 #include "packing/shape_parts.h"
 #include "packing/shape_ranks.h"
 #include "packing/uv_rates.h"
@@ -52,6 +53,7 @@ class Packing {
     materials();
     textures();
     light_of_part_ = pack_lights(packed_, images_, scene_, features_, options_.frame, shapes_, first_ids_);
+    pack_last_rays(packed_, scene_, options_.frame);
     parts();
     if (features_.flag("MEDIA"))
       pack_media(packed_, images_, media_row_, scene_, features_, options_.frame, boundaries_);
@@ -382,13 +384,6 @@ class Packing {
 };
 
 }  // namespace
-
-int most_surfaces(const IntegratorSettings& integrator) {
-  if (integrator.max_depth >= 0 || kinds::integrator(integrator.name).follows != kinds::Follows::paths)
-    return integrator.max_depth;
-  constexpr int most = std::numeric_limits<int>::max();
-  return std::min(integrator.rr_depth, most - layout::ROULETTE_LONGEST) + layout::ROULETTE_LONGEST;
-}
 
 template <typename Real>
 PackedScene<Real> pack_scene(const Scene& scene, const Features& features, const PackOptions& options) {

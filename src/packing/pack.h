@@ -28,10 +28,6 @@ struct PackOptions {
 template <typename Real>
 [[nodiscard]] PackedScene<Real> pack_scene(const Scene& scene, const Features& features, const PackOptions& options);
 
-/// max_depth as the kernels take it: where the scene has none, path has one that leaves nothing of note out
-/// (cl/scene/layout.h, ROULETTE_LONGEST).
-[[nodiscard]] int most_surfaces(const IntegratorSettings& integrator);
-
 /// FILM_CELLS + 1 quantiles of a pixel filter in pixels, antisymmetric; all 0 for the centre sampler.
 [[nodiscard]] std::vector<double> filter_quantiles(const Filter& filter, SamplerKind sampler);
 
