@@ -6,14 +6,14 @@
 
 namespace strahl {
 
-// All instances together go through 4 million boxes, 10 ns each.
+// All instances together go through 4 million boxes, 40 ns each; where they are more than a million, through 8 each.
 std::size_t outline_size(std::size_t instances) { return (std::size_t{1} << 22) / std::max<std::size_t>(1, instances); }
 
 template <typename Real>
 std::vector<Bounds<Real>> outline(std::vector<Bounds<Real>> boxes, std::size_t most) {
   if (boxes.size() <= most) return boxes;
   // A surface that goes around meets some 3 cells^2 of them.
-  const std::size_t cells = std::clamp(static_cast<std::size_t>(std::sqrt(most / 3)), std::size_t{4}, std::size_t{64});
+  const std::size_t cells = std::clamp(static_cast<std::size_t>(std::sqrt(most / 3)), std::size_t{2}, std::size_t{64});
   Bounds<Real> all = empty_bounds<Real>();
   for (const Bounds<Real>& box : boxes) include(all, box);
   const auto cell = [&](const Bounds<Real>& box, std::size_t axis) -> std::size_t {

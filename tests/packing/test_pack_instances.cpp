@@ -75,7 +75,7 @@ TEST_CASE("an outline holds every box in few, and is the same in any order") {
   std::vector<Bounds<double>> boxes = ellipsoid<double>(5000, random);
   for (const std::size_t most : {outline_size(1000000), outline_size(10000)}) {
     const std::vector<Bounds<double>> few = outline(boxes, most);
-    CHECK(few.size() <= std::max<std::size_t>(4 * 4 * 4, 2 * most));
+    CHECK(few.size() <= std::max<std::size_t>(2 * 2 * 2, 2 * most));
     std::size_t held = 0;
     for (const Bounds<double>& box : boxes)
       held += std::any_of(few.begin(), few.end(), [&](Bounds<double> around) {
