@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 
 #include "kinds/extent.h"
 
@@ -55,7 +56,7 @@ void put_linear(InstanceReals<Real>& reals, int at, const Transform& transform) 
 
 /// Around boxes of the group where the instance has them: p = pivot + A (x - offset).
 template <typename Real>
-Box mapped(const std::vector<Bounds<Real>>& boxes, const Transform& a, const Vec3& offset, const Vec3& pivot) {
+Box mapped(std::span<const Bounds<Real>> boxes, const Transform& a, const Vec3& offset, const Vec3& pivot) {
   const Transform magnitude = magnitudes(a);
   kinds::Extent all;
   for (const Bounds<Real>& box : boxes) {
@@ -103,7 +104,7 @@ InstanceReals<Real> instance_reals(const Transform& frame_from_group, const Boun
   const Vec3 offset = rounded<Real>(pivot_in_group + to_group.vector(pivot - pivot_exact));
   const Transform to_frame = to_group.inverse();
 
-  const auto [least, most] = mapped<Real>({box}, to_frame, offset, pivot);
+  const auto [least, most] = mapped<Real>({&box, 1}, to_frame, offset, pivot);
   // What is rounded when a point of the instance is mapped: within the group, and before that on the way there.
   const Vec3 in_group =
       absolute(offset) + Vec3{std::max(std::fabs(lo.x), std::fabs(hi.x)), std::max(std::fabs(lo.y), std::fabs(hi.y)),
@@ -115,7 +116,7 @@ InstanceReals<Real> instance_reals(const Transform& frame_from_group, const Boun
   InstanceReals<Real> reals;
   // Outwards by more than the corners and the mapping of rays that begin nearby round.
   const double out = 4 * std::numeric_limits<Real>::epsilon() * (error + largest_component(absolute(pivot) + around));
-  const Box tight = outline.empty() ? Box{least, most} : mapped(outline, to_frame, offset, pivot);
+  const Box tight = outline.empty() ? Box{least, most} : mapped<Real>(outline, to_frame, offset, pivot);
   const Bounds<Real> outer = rounded_outwards<Real>(tight.min - Vec3{out, out, out}, tight.max + Vec3{out, out, out});
   std::copy(outer.begin(), outer.end(), reals.begin() + layout::INSTANCE_BOX);
   put(reals, layout::INSTANCE_PIVOT, pivot);

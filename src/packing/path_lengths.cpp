@@ -40,10 +40,14 @@ std::vector<Box> few_of(std::vector<Box> boxes) {
   if (boxes.size() <= most_boxes) return boxes;
   const auto around = [](std::span<const Box> some) {
     kinds::Extent all;
-    for (const Box& box : some) all.add(0.5 * (box.min + box.max), 0.5 * (box.max - box.min));
+    for (const Box& box : some) {
+      all.add(box.min);
+      all.add(box.max);
+    }
     return *all.box();
   };
-  const Vec3 size = around(boxes).max - around(boxes).min;
+  const Box all = around(boxes);
+  const Vec3 size = all.max - all.min;
   const double Vec3::*axis = size.x >= size.y && size.x >= size.z ? &Vec3::x : size.y >= size.z ? &Vec3::y : &Vec3::z;
   std::stable_sort(boxes.begin(), boxes.end(),
                    [&](const Box& a, const Box& b) { return a.min.*axis + a.max.*axis < b.min.*axis + b.max.*axis; });
@@ -66,7 +70,8 @@ int most_surfaces(const IntegratorSettings& integrator) {
 template <typename Real>
 void pack_last_rays(PackedScene<Real>& packed, const Scene& scene, const UploadFrame& frame) {
   packed.at(layout::HEADER_LAST_DEPTH) = never;
-  if (packed.at(layout::HEADER_BACKGROUND) >= 0 || packed.at(layout::HEADER_SUN) >= 0) return;
+  const int last = last_depth(scene.integrator);
+  if (last == never || packed.at(layout::HEADER_BACKGROUND) >= 0 || packed.at(layout::HEADER_SUN) >= 0) return;
   std::vector<Box> boxes;
   for (const Shape& shape : scene.shapes) {
     if (!is_glowing(shape)) continue;
@@ -74,7 +79,7 @@ void pack_last_rays(PackedScene<Real>& packed, const Scene& scene, const UploadF
     if (!box) return;
     boxes.push_back({frame.point(box->min), frame.point(box->max)});
   }
-  packed.at(layout::HEADER_LAST_DEPTH) = last_depth(scene.integrator);
+  packed.at(layout::HEADER_LAST_DEPTH) = last;
   std::vector<double> reals;
   for (const Box& box : few_of(std::move(boxes))) {
     const double by = slack * std::max(largest_component(box.min), largest_component(box.max));
