@@ -19,10 +19,13 @@ FN InstanceRows_w instance_rows_w(GLOBAL const real* placed) {
 
 /// at: where each lane's INSTANCE_REALS begin in the geometry.
 FN InstanceRows_w gather_instance_rows_w(GLOBAL const real* geometry, intw at) {
+  enum { FIRST = INSTANCE_PIVOT, END = INSTANCE_OFFSET + 3 };
+  realw row[END - FIRST];
+  gather_row_w(geometry + FIRST, at, END - FIRST, row);
   InstanceRows_w rows;
-  for (int k = 0; k < 3; ++k) rows.to_group[k] = gather3_w(geometry + INSTANCE_TO_GROUP + 3 * k, at);
-  rows.pivot = gather3_w(geometry + INSTANCE_PIVOT, at);
-  rows.offset = gather3_w(geometry + INSTANCE_OFFSET, at);
+  for (int k = 0; k < 3; ++k) rows.to_group[k] = real3_at_w(row + INSTANCE_TO_GROUP - FIRST + 3 * k);
+  rows.pivot = real3_at_w(row + INSTANCE_PIVOT - FIRST);
+  rows.offset = real3_at_w(row + INSTANCE_OFFSET - FIRST);
   return rows;
 }
 
@@ -58,23 +61,25 @@ FN void ray_into_group_w(const InstanceRows_w* rows, real3w* o, real3w* d) {
               mapped_each_w(rows->to_group[2], to_d, none, zero));
 }
 
-/// point_to_world. at: as for gather_instance_rows.
-FN real3w point_to_world_w(GLOBAL const real* geometry, intw at, real3w p) {
-  GLOBAL const real* l = geometry + INSTANCE_TO_WORLD;
-  real3w from = sub3_w(p, gather3_w(geometry + INSTANCE_OFFSET, at));
-  real3w turned =
-      vec3_w(dot3_w(gather3_w(l, at), from), dot3_w(gather3_w(l + 3, at), from), dot3_w(gather3_w(l + 6, at), from));
-  return add3_w(gather3_w(geometry + INSTANCE_PIVOT, at), turned);
+/// vector_to_world. at: as for gather_instance_rows.
+FN real3w vector_to_world_w(GLOBAL const real* geometry, intw at, real3w v) {
+  realw a[9];
+  gather_row_w(geometry + INSTANCE_TO_WORLD, at, 9, a);
+  return vec3_w(dot3_w(real3_at_w(a), v), dot3_w(real3_at_w(a + 3), v), dot3_w(real3_at_w(a + 6), v));
 }
 
-/// vector_to_world.
-FN real3w vector_to_world_w(GLOBAL const real* geometry, intw at, real3w v) {
-  GLOBAL const real* a = geometry + INSTANCE_TO_WORLD;
-  return vec3_w(dot3_w(gather3_w(a, at), v), dot3_w(gather3_w(a + 3, at), v), dot3_w(gather3_w(a + 6, at), v));
+/// point_to_world.
+FN real3w point_to_world_w(GLOBAL const real* geometry, intw at, real3w p) {
+  realw offset[4], pivot[4];
+  gather_row_w(geometry + INSTANCE_OFFSET, at, 4, offset);
+  gather_row_w(geometry + INSTANCE_PIVOT, at, 4, pivot);
+  real3w turned = vector_to_world_w(geometry, at, sub3_w(p, real3_at_w(offset)));
+  return add3_w(real3_at_w(pivot), turned);
 }
 
 /// normal_to_world.
 FN real3w normal_to_world_w(GLOBAL const real* geometry, intw at, real3w n) {
-  GLOBAL const real* a = geometry + INSTANCE_TO_GROUP;
-  return fma3_w(n.z, gather3_w(a + 6, at), fma3_w(n.y, gather3_w(a + 3, at), scale3_w(n.x, gather3_w(a, at))));
+  realw a[9];
+  gather_row_w(geometry + INSTANCE_TO_GROUP, at, 9, a);
+  return fma3_w(n.z, real3_at_w(a + 6), fma3_w(n.y, real3_at_w(a + 3), scale3_w(n.x, real3_at_w(a))));
 }

@@ -34,9 +34,10 @@ FN AreaPoint_w flat_point_w(GLOBAL const real* item, GLOBAL const real* area, re
 
 /// Texture coordinates of places on flat items. uvs: six reals an item, those of the corner and what each edge adds.
 FN Real2_w flat_uv_w(GLOBAL const real* uvs, intw item, const AreaPoint_w* p) {
-  intw at = item * 6;
+  realw row[6];
+  gather_row_w(uvs, item * 6, 6, row);
   Real2_w uv;
-  uv.x = fma_w(p->v, gather_w(uvs + 4, at), fma_w(p->u, gather_w(uvs + 2, at), gather_w(uvs, at)));
-  uv.y = fma_w(p->v, gather_w(uvs + 5, at), fma_w(p->u, gather_w(uvs + 3, at), gather_w(uvs + 1, at)));
+  uv.x = fma_w(p->v, row[4], fma_w(p->u, row[2], row[0]));
+  uv.y = fma_w(p->v, row[5], fma_w(p->u, row[3], row[1]));
   return uv;
 }

@@ -28,22 +28,22 @@ FN LightAngle_w angle_beyond_w(LightAngle_w a, LightAngle_w b) {
 
 /// What the lights of a child may bring to a point: strength over the squared distance, less where they shine past it;
 /// 0 where none of them can reach it. Within the ball around them, strength over its squared radius.
-FN realw light_importance_w(GLOBAL const real* child, intw at, real3w from) {
+FN realw light_importance_w(PRIVATE const realw* child, real3w from) {
   realw zero = splat_w(R(0.0)), one = splat_w(R(1.0)), share = one;
-  realw strength = gather_w(child + LIGHT_CHILD_STRENGTH, at), radius2 = gather_w(child + LIGHT_CHILD_RADIUS2, at);
-  real3w away = sub3_w(from, gather3_w(child + LIGHT_CHILD_MIDDLE, at));
+  realw strength = child[LIGHT_CHILD_STRENGTH], radius2 = child[LIGHT_CHILD_RADIUS2];
+  real3w away = sub3_w(from, real3_at_w(child + LIGHT_CHILD_MIDDLE));
   realw distance2 = dot3_w(away, away);
   maskw is_everywhere = lt_w(radius2, zero), is_inside = le_w(distance2, radius2);
   distance2 = sel_w(is_inside, radius2, distance2);
-  realw cos_spread = gather_w(child + LIGHT_CHILD_COS_SPREAD, at);
+  realw cos_spread = child[LIGHT_CHILD_COS_SPREAD];
   maskw is_turned = lt_w(-one, cos_spread) & ~is_inside;
   if (any_w(is_turned)) {
-    realw cosine = dot3_w(gather3_w(child + LIGHT_CHILD_AXIS, at), away) / sqrt_w(distance2);
+    realw cosine = dot3_w(real3_at_w(child + LIGHT_CHILD_AXIS), away) / sqrt_w(distance2);
     LightAngle_w size = angle_of_cosine_w(sqrt_w(max_w(one - radius2 / distance2, zero)));
     LightAngle_w angle = angle_beyond_w(angle_of_cosine_w(cosine), angle_of_cosine_w(cos_spread));
     angle = angle_beyond_w(angle, size);
     share = max_w(angle.cosine, splat_w(R(0.0625)));
-    share = sel_w(lt_w(gather_w(child + LIGHT_CHILD_COS_CUTOFF, at), angle.cosine), share, zero);
+    share = sel_w(lt_w(child[LIGHT_CHILD_COS_CUTOFF], angle.cosine), share, zero);
     share = sel_w(is_turned, share, one);
   }
   return sel_w(is_everywhere, strength, strength * share / distance2);
@@ -55,20 +55,21 @@ typedef struct {
 
 /// Of the lights of both children.
 FN realw importance_of_node_w(GLOBAL const real* children, intw node, real3w from) {
-  intw at = node * (int)(2 * LIGHT_CHILD_REALS);
-  return light_importance_w(children, at, from) + light_importance_w(children + LIGHT_CHILD_REALS, at, from);
+  realw both[2 * LIGHT_CHILD_REALS];
+  gather_row_w(children, node * (int)(2 * LIGHT_CHILD_REALS), 2 * LIGHT_CHILD_REALS, both);
+  return light_importance_w(both, from) + light_importance_w(both + LIGHT_CHILD_REALS, from);
 }
 
 /// Of a node's children. Where no light of either reaches the point, or numbers overflow, both are equal. Where one
 /// holds lights from afar (the left one) and the other near ones, the children of the latter give its importance: a
 /// light far out makes the ball around all near ones too wide to tell. Each of the two has an eighth at least.
 FN LightShares_w light_shares_w(GLOBAL const real* children, GLOBAL const int* links, intw node, real3w from) {
-  intw at = node * (int)(2 * LIGHT_CHILD_REALS);
+  realw row[2 * LIGHT_CHILD_REALS];
+  gather_row_w(children, node * (int)(2 * LIGHT_CHILD_REALS), 2 * LIGHT_CHILD_REALS, row);
   realw zero = splat_w(R(0.0)), one = splat_w(R(1.0)), even = splat_w(R(0.5)), eighth = splat_w(R(0.125));
-  realw left = light_importance_w(children, at, from);
-  realw right = light_importance_w(children + LIGHT_CHILD_REALS, at, from);
-  maskw is_mixed = lt_w(gather_w(children + LIGHT_CHILD_RADIUS2, at), zero) &
-                   ~lt_w(gather_w(children + LIGHT_CHILD_REALS + LIGHT_CHILD_RADIUS2, at), zero);
+  realw left = light_importance_w(row, from);
+  realw right = light_importance_w(row + LIGHT_CHILD_REALS, from);
+  maskw is_mixed = lt_w(row[LIGHT_CHILD_RADIUS2], zero) & ~lt_w(row[LIGHT_CHILD_REALS + LIGHT_CHILD_RADIUS2], zero);
   if (any_w(is_mixed)) {
     intw next = gather_int_w(links + 1, node + node);
     maskw is_node = is_mixed & ~lt_int_w(next, splat_int_w(0));

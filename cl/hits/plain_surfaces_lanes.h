@@ -9,9 +9,9 @@
 
 /// Three reals of each of a primitive's corners.
 FN real3w interpolate_each_w(GLOBAL const real* corners, intw at, realw u, realw v) {
-  realw w = splat_w(R(1.0)) - u - v;
-  return fma3_w(v, gather3_w(corners + 6, at),
-                fma3_w(u, gather3_w(corners + 3, at), scale3_w(w, gather3_w(corners, at))));
+  realw w = splat_w(R(1.0)) - u - v, row[9];
+  gather_row_w(corners, at, 9, row);
+  return fma3_w(v, real3_at_w(row + 6), fma3_w(u, real3_at_w(row + 3), scale3_w(w, real3_at_w(row))));
 }
 
 /// Smooth normals in the lanes of `which`, where the mesh has any.
@@ -39,10 +39,10 @@ FN void texture_each_w(const Scene* scene, Paths_w* path, const SurfaceHits_w* h
     maskw has_uvs = which;
     intw place = mesh_corners_w(scene, hits, s, PART_UVS, 6, &has_uvs);
     if (any_w(has_uvs)) {
-      GLOBAL const real* uv = scene->shading;
-      realw w = splat_w(R(1.0)) - u - v;
-      realw tex_u = fma_w(v, gather_w(uv + 4, place), fma_w(u, gather_w(uv + 2, place), w * gather_w(uv, place)));
-      realw tex_v = fma_w(v, gather_w(uv + 5, place), fma_w(u, gather_w(uv + 3, place), w * gather_w(uv + 1, place)));
+      realw w = splat_w(R(1.0)) - u - v, uv[6];
+      gather_row_w(scene->shading, place, 6, uv);
+      realw tex_u = fma_w(v, uv[4], fma_w(u, uv[2], w * uv[0]));
+      realw tex_v = fma_w(v, uv[5], fma_w(u, uv[3], w * uv[1]));
       u = sel_w(has_uvs, tex_u, u);
       v = sel_w(has_uvs, tex_v, v);
     }

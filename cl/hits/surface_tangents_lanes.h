@@ -8,12 +8,13 @@ typedef struct {
 } UvEdges_w;
 
 FN UvEdges_w uv_edges_w(GLOBAL const real* uv, intw place) {
-  realw u = gather_w(uv, place), v = gather_w(uv + 1, place);
+  realw corners[6];
+  gather_row_w(uv, place, 6, corners);
   UvEdges_w edges;
-  edges.u1 = gather_w(uv + 2, place) - u;
-  edges.v1 = gather_w(uv + 3, place) - v;
-  edges.u2 = gather_w(uv + 4, place) - u;
-  edges.v2 = gather_w(uv + 5, place) - v;
+  edges.u1 = corners[2] - corners[0];
+  edges.v1 = corners[3] - corners[1];
+  edges.u2 = corners[4] - corners[0];
+  edges.v2 = corners[5] - corners[1];
   return edges;
 }
 

@@ -12,6 +12,7 @@
 //   int_of_real_w(x)          towards 0
 //   uint_of_int_w int_of_uint_w  the same bits
 //   gather_w gather_int_w(p, i)  p[i], a place for each lane
+//   gather_row_w(p, i, n, row)  p[i] to p[i + n - 1], a place for each lane; n: 4 at least
 //   read_w read_int_w         LANES consecutive values of private memory
 //   store_int_w               the other way
 //   put_w put_int_w(p, i, x)  into lane i
@@ -35,6 +36,9 @@ FN uintw uint_of_int_w(intw a) { return (uint)a; }
 FN intw int_of_uint_w(uintw a) { return (int)a; }
 FN realw gather_w(GLOBAL const real* p, intw i) { return p[i]; }
 FN intw gather_int_w(GLOBAL const int* p, intw i) { return p[i]; }
+FN void gather_row_w(GLOBAL const real* p, intw i, int count, PRIVATE realw* row) {
+  for (int k = 0; k < count; ++k) row[k] = p[i + k];
+}
 FN realw read_w(PRIVATE const real* p) { return *p; }
 FN intw read_int_w(PRIVATE const int* p) { return *p; }
 FN void store_int_w(intw a, PRIVATE int* p) { *p = a; }
@@ -135,6 +139,7 @@ FN int sum_int_w(intw a) { return sum_of_8_w(a); }
 #endif
 #endif
 #include "lanes/lane_gather.h"
+#include "lanes/lane_rows.h"
 #endif
 
 FN maskw first_lanes_w(int n) { return lt_int_w(int_of_uint_w(lane_numbers_w()), splat_int_w(n)); }

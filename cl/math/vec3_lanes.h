@@ -26,6 +26,8 @@ FN real3w vec3_w(realw x, realw y, realw z) {
   return v;
 }
 
+FN real3w real3_at_w(PRIVATE const realw* planes) { return vec3_w(planes[0], planes[1], planes[2]); }
+
 /// Three planes of LANES reals.
 FN real3w load_planes3_w(GLOBAL const real* planes) {
   return vec3_w(load_w(planes), load_w(planes + LANES), load_w(planes + 2 * LANES));

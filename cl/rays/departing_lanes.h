@@ -10,8 +10,6 @@ typedef struct {
   intw departed, departed_instance, aim, is_outward;
 } Rays_w;
 
-FN real3w real3_at_w(PRIVATE const realw* planes) { return vec3_w(planes[0], planes[1], planes[2]); }
-
 /// Rays as in GivenRays_w, prepared and not widened yet.
 FN void rays_make_w(real3w o, real3w d, realw t_min, realw t_max, maskw has_departed, Rays_w* rays) {
   GivenRays_w given;

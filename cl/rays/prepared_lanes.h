@@ -89,8 +89,16 @@ FN void widen_rays_w(maskw has_departed, PRIVATE realw* to, GLOBAL const real* r
   to[RAY_PLANE_SLACK + 2] = sel_w(eq_w(to[RAY_PLANE_D + 2], zero), zero, aside * abs_w(to[RAY_PLANE_INV + 2]));
 }
 
+#if LANES == 1
+#define ONE_BY_ONE
+#else
+// Of reads that lie LANES apart LLVM makes gathers of four, which take longer than the reads, unless these are
+// volatile.
+#define ONE_BY_ONE volatile
+#endif
+
 FN Ray prepared_ray_w(PRIVATE const realw* from, int lane, int departed) {
-  PRIVATE const real* planes = (PRIVATE const real*)from + lane;
+  PRIVATE const ONE_BY_ONE real* planes = (PRIVATE const real*)from + lane;
   Ray ray;
   ray.o = vec3(planes[RAY_PLANE_O * LANES], planes[(RAY_PLANE_O + 1) * LANES], planes[(RAY_PLANE_O + 2) * LANES]);
   ray.d = vec3(planes[RAY_PLANE_D * LANES], planes[(RAY_PLANE_D + 1) * LANES], planes[(RAY_PLANE_D + 2) * LANES]);
@@ -122,3 +130,4 @@ FN Ray prepared_ray_w(PRIVATE const realw* from, int lane, int departed) {
   ray.shear_z = planes[(RAY_PLANE_SHEAR + 3) * LANES];
   return ray;
 }
+#undef ONE_BY_ONE

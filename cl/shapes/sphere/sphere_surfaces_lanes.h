@@ -24,8 +24,9 @@ FN void sphere_coordinates_w(const Scene* scene, maskw which, real3w normal, rea
   realw zero = splat_w(R(0.0)), one = splat_w(R(1.0)), two = splat_w(R(2.0)), turn = splat_w(ONE_OVER_TWO_PI);
   intw axes = part_entry_w(scene, s, PART_AXES);
   axes = sel_int_w(lt_int_w(axes, splat_int_w(0)), splat_int_w(0), axes);
-  real3w axis_x = gather3_w(scene->shading, axes), axis_y = gather3_w(scene->shading + 3, axes);
-  real3w axis_z = gather3_w(scene->shading + 6, axes);
+  realw row[9];
+  gather_row_w(scene->shading, axes, 9, row);
+  real3w axis_x = real3_at_w(row), axis_y = real3_at_w(row + 3), axis_z = real3_at_w(row + 6);
   realw x = dot3_w(normal, axis_x), y = dot3_w(normal, axis_y), z = dot3_w(normal, axis_z);
   real3w around = fma3_w(x, axis_y, scale3_w(-y, axis_x));
   if (HAS_TANGENT) s->along = sel3_w(which, around, s->along);
