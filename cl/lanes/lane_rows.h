@@ -19,7 +19,7 @@ FN Four_w load_four_w(GLOBAL const real* p) { return *(GLOBAL const FourAnywhere
 FN Four_w load_four_w(GLOBAL const real* p) { return vload4(0, p); }
 #endif
 
-/// The first two, or the last two, of each four of a and b, in turns.
+// zip: the first two, or the last two, of each four of a and b, in turns. join: those of a, then those of b.
 #if LANES == 16
 #define FOURS(p, i, k) load_four_w(p + i.s##k)
 #define FOURS_AT(p, i, a, b, c, d) (realw)(FOURS(p, i, a), FOURS(p, i, b), FOURS(p, i, c), FOURS(p, i, d))
@@ -43,6 +43,7 @@ FN realw join_first_w(realw a, realw b) { return (realw)(a.s0, a.s1, b.s0, b.s1,
 FN realw join_last_w(realw a, realw b) { return (realw)(a.s2, a.s3, b.s2, b.s3, a.s6, a.s7, b.s6, b.s7); }
 #endif
 
+/// p[i] to p[i + 3] of each lane.
 FN void gather_four_w(GLOBAL const real* p, intw i, PRIVATE realw* row) {
   realw a = FOURS_AT(p, i, 0, 4, 8, c), b = FOURS_AT(p, i, 1, 5, 9, d);
   realw c = FOURS_AT(p, i, 2, 6, a, e), d = FOURS_AT(p, i, 3, 7, b, f);

@@ -86,5 +86,5 @@ FN real3w area_texture_w(const Scene* scene, GLOBAL const int* row, intw item, c
     at.part = splat_int_w(row[LIGHT_PART]);
     at.primitive = item;
   }
-  return texture_value_w(scene, row[LIGHT_TEXTURE], at);
+  return texture_value_w(scene, row[LIGHT_TEXTURE], &at);
 }

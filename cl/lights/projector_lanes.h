@@ -25,7 +25,7 @@ FN LightSample_w projector_sample_w(const Scene* scene, GLOBAL const int* row, r
   radiance = scale3_w(inverse, radiance);
   if (HAS_LIGHT_TEXTURE && row[LIGHT_TEXTURE] >= 0) {
     TexturePlace_w at = texture_at_w(fma_w(half_one, x, half_one), fma_w(half_one, y, half_one));
-    radiance = mul3_w(radiance, texture_value_w(scene, row[LIGHT_TEXTURE], at));
+    radiance = mul3_w(radiance, texture_value_w(scene, row[LIGHT_TEXTURE], &at));
   }
   s.radiance = sel3_w(is_lit, radiance, s.radiance);
   s.is_delta = ~none_w();

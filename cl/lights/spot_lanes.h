@@ -25,7 +25,8 @@ FN LightSample_w spot_sample_w(const Scene* scene, GLOBAL const int* row, real3w
     realw half_over = half_one / sel_w(lt_w(zero, along), along, splat_w(R(1.0)));
     realw u = fma_w(dot3_w(splat3_w(load3(params + 11)), out), half_over, half_one);
     realw v = fma_w(dot3_w(splat3_w(load3(params + 14)), out), half_over, half_one);
-    s.radiance = mul3_w(s.radiance, texture_value_w(scene, row[LIGHT_TEXTURE], texture_at_w(u, v)));
+    TexturePlace_w at = texture_at_w(u, v);
+    s.radiance = mul3_w(s.radiance, texture_value_w(scene, row[LIGHT_TEXTURE], &at));
   }
   s.is_delta = ~none_w();
   return s;

@@ -7,7 +7,7 @@
 /// Up to three reals of one row, of use in the lanes that have it. number: the number of the parameter in the material.
 FN real3w parameter_of_w(const Scene* scene, const TexturePlace_w* at, int row, int number) {
   int slot = scene->index[row + MATERIAL_SLOTS + number];
-  if (TEXTURE_COUNT > 0 && slot < 0) return texture_value_w(scene, ~slot, *at);
+  if (TEXTURE_COUNT > 0 && slot < 0) return texture_value_w(scene, ~slot, at);
   return splat3_w(load3(scene->shading + slot));
 }
 

@@ -7,12 +7,12 @@
 
 /// Of one texture. Every parameter of every material asks for it: inlined, textures were three quarters of a program
 /// with everything.
-ONCE_FN real3w texture_value_w(const Scene* scene, int texture, TexturePlace_w at) {
+ONCE_FN real3w texture_value_w(const Scene* scene, int texture, const TexturePlace_w* at) {
   GLOBAL const int* row = scene->index + scene->index[HEADER_TEXTURES] + texture * TEXTURE_INTS;
   switch (row[TEXTURE_KIND]) {
 #define TEXTURE(name)  \
   case TEXTURE_##name: \
-    return name##_value_w(scene, row, at);
+    return name##_value_w(scene, row, *at);
 #include "textures/textures.def"
 #undef TEXTURE
     default:
@@ -22,13 +22,13 @@ ONCE_FN real3w texture_value_w(const Scene* scene, int texture, TexturePlace_w a
 }
 
 /// How the luminance of one texture changes with u and v.
-ONCE_FN Real2_w texture_slope_w(const Scene* scene, int texture, TexturePlace_w at) {
+ONCE_FN Real2_w texture_slope_w(const Scene* scene, int texture, const TexturePlace_w* at) {
   GLOBAL const int* row = scene->index + scene->index[HEADER_TEXTURES] + texture * TEXTURE_INTS;
   Real2_w none;
   switch (row[TEXTURE_KIND]) {
 #define TEXTURE(name)  \
   case TEXTURE_##name: \
-    return name##_slope_w(scene, row, at);
+    return name##_slope_w(scene, row, *at);
 #include "textures/textures.def"
 #undef TEXTURE
     default:
@@ -68,7 +68,7 @@ FN Real2_w texture_slopes_w(const Scene* scene, const Surfaces_w* s, maskw which
   for (uint lanes = bits_w(which); lanes != 0u;) {
     int texture;
     maskw is_one = next_alike_w(textures, which, &lanes, &texture);
-    Real2_w found = texture_slope_w(scene, texture, at);
+    Real2_w found = texture_slope_w(scene, texture, &at);
     slope.x = sel_w(is_one, found.x, slope.x);
     slope.y = sel_w(is_one, found.y, slope.y);
   }
@@ -80,7 +80,7 @@ FN real3w textures_at_w(const Scene* scene, maskw which, intw textures, TextureP
   for (uint lanes = bits_w(which); lanes != 0u;) {
     int texture;
     maskw is_one = next_alike_w(textures, which, &lanes, &texture);
-    value = sel3_w(is_one, texture_value_w(scene, texture, at), value);
+    value = sel3_w(is_one, texture_value_w(scene, texture, &at), value);
   }
   return value;
 }

@@ -140,7 +140,8 @@ inline std::vector<Triad> LANED(texture_values)(const TierBuffers& buffers, int 
       put_w(&s.own_v, lane, (real)points[i].v);
       put_w(&s.footprint, lane, (real)points[i].footprint);
     });
-    const real3w value = texture_value_w(&scene, texture, texture_place_w(&scene, &s));
+    const TexturePlace_w at = texture_place_w(&scene, &s);
+    const real3w value = texture_value_w(&scene, texture, &at);
     LANED(for_lanes)(first, points.size(), [&](std::size_t i, int lane) { found[i] = LANED(triad_at)(value, lane); });
   }
   return found;
