@@ -53,23 +53,30 @@ typedef struct {
   realw left, right;  ///< Their sum is 1.
 } LightShares_w;
 
+enum { LIGHT_NODE_REALS_w = 2 * LIGHT_CHILD_REALS };
+
+/// pair: receives both children of each lane's node.
+FN void light_node_w(GLOBAL const real* children, intw node, PRIVATE realw* pair) {
+  gather_row_w(children, node * (int)LIGHT_NODE_REALS_w, LIGHT_NODE_REALS_w, pair);
+}
+
 /// Of the lights of both children.
 FN realw importance_of_node_w(GLOBAL const real* children, intw node, real3w from) {
-  realw both[2 * LIGHT_CHILD_REALS];
-  gather_row_w(children, node * (int)(2 * LIGHT_CHILD_REALS), 2 * LIGHT_CHILD_REALS, both);
-  return light_importance_w(both, from) + light_importance_w(both + LIGHT_CHILD_REALS, from);
+  realw pair[LIGHT_NODE_REALS_w];
+  light_node_w(children, node, pair);
+  return light_importance_w(pair, from) + light_importance_w(pair + LIGHT_CHILD_REALS, from);
 }
 
 /// Of a node's children. Where no light of either reaches the point, or numbers overflow, both are equal. Where one
 /// holds lights from afar (the left one) and the other near ones, the children of the latter give its importance: a
 /// light far out makes the ball around all near ones too wide to tell. Each of the two has an eighth at least.
 FN LightShares_w light_shares_w(GLOBAL const real* children, GLOBAL const int* links, intw node, real3w from) {
-  realw row[2 * LIGHT_CHILD_REALS];
-  gather_row_w(children, node * (int)(2 * LIGHT_CHILD_REALS), 2 * LIGHT_CHILD_REALS, row);
+  realw pair[LIGHT_NODE_REALS_w];
+  light_node_w(children, node, pair);
   realw zero = splat_w(R(0.0)), one = splat_w(R(1.0)), even = splat_w(R(0.5)), eighth = splat_w(R(0.125));
-  realw left = light_importance_w(row, from);
-  realw right = light_importance_w(row + LIGHT_CHILD_REALS, from);
-  maskw is_mixed = lt_w(row[LIGHT_CHILD_RADIUS2], zero) & ~lt_w(row[LIGHT_CHILD_REALS + LIGHT_CHILD_RADIUS2], zero);
+  realw left = light_importance_w(pair, from);
+  realw right = light_importance_w(pair + LIGHT_CHILD_REALS, from);
+  maskw is_mixed = lt_w(pair[LIGHT_CHILD_RADIUS2], zero) & ~lt_w(pair[LIGHT_CHILD_REALS + LIGHT_CHILD_RADIUS2], zero);
   if (any_w(is_mixed)) {
     intw next = gather_int_w(links + 1, node + node);
     maskw is_node = is_mixed & ~lt_int_w(next, splat_int_w(0));

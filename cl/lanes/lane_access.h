@@ -36,9 +36,6 @@ FN uintw uint_of_int_w(intw a) { return (uint)a; }
 FN intw int_of_uint_w(uintw a) { return (int)a; }
 FN realw gather_w(GLOBAL const real* p, intw i) { return p[i]; }
 FN intw gather_int_w(GLOBAL const int* p, intw i) { return p[i]; }
-FN void gather_row_w(GLOBAL const real* p, intw i, int count, PRIVATE realw* row) {
-  for (int k = 0; k < count; ++k) row[k] = p[i + k];
-}
 FN realw read_w(PRIVATE const real* p) { return *p; }
 FN intw read_int_w(PRIVATE const int* p) { return *p; }
 FN void store_int_w(intw a, PRIVATE int* p) { *p = a; }
@@ -139,8 +136,8 @@ FN int sum_int_w(intw a) { return sum_of_8_w(a); }
 #endif
 #endif
 #include "lanes/lane_gather.h"
-#include "lanes/lane_rows.h"
 #endif
+#include "lanes/lane_rows.h"
 
 FN maskw first_lanes_w(int n) { return lt_int_w(int_of_uint_w(lane_numbers_w()), splat_int_w(n)); }
 FN maskw none_w(void) { return lt_w(splat_w(R(0.0)), splat_w(R(0.0))); }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Rows: consecutive reals, elsewhere for each lane, a field in each vector. Four at a time are read as they lie and
-// transposed in registers, which takes a quarter of the time of a gather for each field. LANES 8 and 16; no guard.
-#if ON_HOST
-FN void gather_row_w(const real* p, intw i, int count, realw* row) {
+// transposed in registers, which takes a quarter of the time of a gather for each field. One width; no guard.
+#if LANES == 1 || ON_HOST
+FN void gather_row_w(GLOBAL const real* p, intw i, int count, PRIVATE realw* row) {
   for (int k = 0; k < count; ++k) row[k] = gather_w(p + k, i);
 }
 #else
