@@ -69,19 +69,17 @@ FN void push_children_w(const Packet_w* p, GLOBAL const real* nodes, int node, m
     first_of_each = first_of_each_child_w(p, planes, active);
     met = bits_w(lt_w(first_of_each, splat_w(REAL_MAX)));
   }
-  real firsts[LANES];
-  store_w(first_of_each, firsts);
-  int bottom = stack->top;
-  for (; met != 0u; met &= met - 1u) {
-    int lane = first_bit(met), at = stack->top++;
+  PRIVATE const real* firsts = (PRIVATE const real*)&first_of_each;
+  for (uint left = met; left != 0u; left &= left - 1u) {
+    int lane = first_bit(left);
     real first = firsts[lane];
-    for (; at > bottom && stack->first[at - 1] < first; --at) {
-      stack->entry[at] = stack->entry[at - 1];
-      stack->first[at] = stack->first[at - 1];
-    }
+    uint beneath = bits_w(lt_w(splat_w(first), first_of_each));
+    beneath |= bits_w(le_w(splat_w(first), first_of_each)) & ((1u << lane) - 1u);
+    int at = stack->top + (int)lanes_among(beneath & met);
     stack->entry[at] = node * LANES + lane;
     stack->first[at] = first;
   }
+  stack->top += (int)lanes_among(met);
 }
 
 /// Traverses all rays of a packet.

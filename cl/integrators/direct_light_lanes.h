@@ -2,16 +2,18 @@
 // Light at the surfaces of paths: the emission that their rays hit, and the light of lights that are drawn or taken,
 // weighted by multiple importance sampling. One width; no guard.
 
-/// The radiance along the paths' rays: the emission of the surfaces hit, or the background where nothing is hit.
-FN real3w radiance_along_w(const Scene* scene, const Paths_w* path, const Surfaces_w* s) {
-  real3w towards = real3_at_w(path->rays.planes + RAY_PLANE_D);
-  return sel3_w(s->hit, emitted_radiance_w(scene, s), far_radiance_w(scene, HEADER_BACKGROUND, towards));
+/// The light along the paths' rays: the emission of the surfaces hit, or the background where nothing is hit.
+FN FoundLight_w light_along_w(const Scene* scene, const Paths_w* path, const Surfaces_w* s) {
+  FoundLight_w found = far_light_w(scene, HEADER_BACKGROUND, real3_at_w(path->rays.planes + RAY_PLANE_D));
+  found.radiance = sel3_w(s->hit, emitted_radiance_w(scene, s), found.radiance);
+  return found;
 }
 
 /// Of the sun, before the background, where nothing is hit.
-FN real3w sun_along_w(const Scene* scene, const Paths_w* path, const Surfaces_w* s) {
-  real3w towards = real3_at_w(path->rays.planes + RAY_PLANE_D);
-  return sel3_w(s->hit, splat3_w(vec3(R(0.0), R(0.0), R(0.0))), far_radiance_w(scene, HEADER_SUN, towards));
+FN FoundLight_w sun_along_w(const Scene* scene, const Paths_w* path, const Surfaces_w* s) {
+  FoundLight_w found = far_light_w(scene, HEADER_SUN, real3_at_w(path->rays.planes + RAY_PLANE_D));
+  found.radiance = sel3_w(s->hit, splat3_w(vec3(R(0.0), R(0.0), R(0.0))), found.radiance);
+  return found;
 }
 
 /// hide_emitters hides emitters from camera rays only.
@@ -25,20 +27,20 @@ FN realw balance_w(realw density, realw other) {
   return one / fma_w(ratio, ratio, one);
 }
 
-/// The radiance along the paths' rays of a light that they have found, the one that the header names where nothing is
-/// hit, weighted against the density with which the path's last vertex draws this light.
-FN void path_add_found_w(const Scene* scene, Paths_w* path, const Surfaces_w* s, int header, real3w radiance) {
+/// The radiance that the paths' rays have found, of the light that the header names where nothing is hit, weighted
+/// against the density with which the path's last vertex draws this light.
+FN void path_add_found_w(const Scene* scene, Paths_w* path, const Surfaces_w* s, int header, FoundLight_w found) {
   realw zero = splat_w(R(0.0));
+  real3w radiance = found.radiance;
   maskw is_bright = is_light_shown_w(scene, path) & lt_w(zero, max3_w(radiance));
   if (!any_w(is_bright)) return;
   if (LIGHT_COUNT > 0) {
     intw lights = sel_int_w(s->hit, part_entry_w(scene, s, PART_LIGHT), splat_int_w(scene->index[header]));
     maskw is_drawn = is_bright & lt_w(zero, path->density) & ~lt_int_w(lights, splat_int_w(0));
     if (any_w(is_drawn)) {
-      real3w ray = real3_at_w(path->rays.planes + RAY_PLANE_D);
-      real3w towards = sel3_w(s->hit, sub3_w(s->position, path->from), ray);
-      realw density = light_density_w(scene, is_drawn, lights, path->from, towards, s);
-      density = density / light_rarity_w(scene, lights, path->from);
+      maskw is_near = is_drawn & s->hit;
+      realw density = light_density_w(scene, is_near, lights, path->from, sub3_w(s->position, path->from), s);
+      density = sel_w(is_near, density, found.density) / light_rarity_w(scene, lights, path->from);
       radiance = sel3_w(is_drawn, scale3_w(balance_w(path->density, density), radiance), radiance);
     }
   }
@@ -47,7 +49,7 @@ FN void path_add_found_w(const Scene* scene, Paths_w* path, const Surfaces_w* s,
 
 /// All that the rays see.
 FN void path_add_light_w(const Scene* scene, Paths_w* path, const Surfaces_w* s) {
-  path_add_found_w(scene, path, s, HEADER_BACKGROUND, radiance_along_w(scene, path, s));
+  path_add_found_w(scene, path, s, HEADER_BACKGROUND, light_along_w(scene, path, s));
   if (HAS_SUN) path_add_found_w(scene, path, s, HEADER_SUN, sun_along_w(scene, path, s));
 }
 

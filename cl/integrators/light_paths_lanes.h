@@ -21,8 +21,8 @@ FN Joint_w background_joint_w(const Scene* scene, const Paths_w* path, maskw whi
   joint.y = real_of_int_w(rows);
   film_rays_w(scene, columns, rows, offset, lens, &joint.rays);
   real3w d = real3_at_w(joint.rays.planes + RAY_PLANE_D);
-  joint.light = far_radiance_w(scene, HEADER_BACKGROUND, d);
-  if (HAS_SUN) joint.light = add3_w(joint.light, far_radiance_w(scene, HEADER_SUN, d));
+  joint.light = far_light_w(scene, HEADER_BACKGROUND, d).radiance;
+  if (HAS_SUN) joint.light = add3_w(joint.light, far_light_w(scene, HEADER_SUN, d).radiance);
   joint.which = which & lt_w(splat_w(R(0.0)), max3_w(joint.light));
   return joint;
 }

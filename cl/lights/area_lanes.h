@@ -45,9 +45,9 @@ FN realw area_density_w(const Scene* scene, GLOBAL const int* row, real3w from, 
   return sel_w(is_lit, density, splat_w(R(0.0)));
 }
 
-FN real3w area_background_w(const Scene* scene, GLOBAL const int* row, real3w towards) {
+FN FoundLight_w area_background_w(const Scene* scene, GLOBAL const int* row, real3w towards) {
   (void)scene;
   (void)row;
   (void)towards;
-  return splat3_w(vec3(R(0.0), R(0.0), R(0.0)));
+  return no_light_found_w();
 }

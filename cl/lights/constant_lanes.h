@@ -14,17 +14,17 @@ FN LightSample_w constant_sample_w(const Scene* scene, GLOBAL const int* row, re
   return s;
 }
 
-FN realw constant_density_w(const Scene* scene, GLOBAL const int* row, real3w from, real3w towards,
-                            const Surfaces_w* s) {
-  (void)scene;
-  (void)row;
-  (void)from;
+FN FoundLight_w constant_background_w(const Scene* scene, GLOBAL const int* row, real3w towards) {
   (void)towards;
-  (void)s;
-  return splat_w(R(0.25) * ONE_OVER_PI);
+  FoundLight_w found;
+  found.radiance = splat3_w(load3(scene->shading + row[LIGHT_REALS]));
+  found.density = splat_w(R(0.25) * ONE_OVER_PI);
+  return found;
 }
 
-FN real3w constant_background_w(const Scene* scene, GLOBAL const int* row, real3w towards) {
-  (void)towards;
-  return splat3_w(load3(scene->shading + row[LIGHT_REALS]));
+FN realw constant_density_w(const Scene* scene, GLOBAL const int* row, real3w from, real3w towards,
+                            const Surfaces_w* s) {
+  (void)from;
+  (void)s;
+  return constant_background_w(scene, row, towards).density;
 }

@@ -141,19 +141,19 @@ FN EnvmapPlace_w envmap_place_w(const Scene* scene, GLOBAL const int* row, real3
   return p;
 }
 
-FN realw envmap_density_w(const Scene* scene, GLOBAL const int* row, real3w from, real3w towards, const Surfaces_w* s) {
-  (void)from;
-  (void)s;
+FN FoundLight_w envmap_background_w(const Scene* scene, GLOBAL const int* row, real3w towards) {
   realw sine;
   EnvmapPlace_w p = envmap_place_w(scene, row, towards, &sine);
   EnvmapCorners_w corners = envmap_corners_w(scene, row, &p);
   EnvmapLuminances_w y = envmap_luminances_w(scene, row, &corners);
-  return envmap_place_density_w(scene, row, &y, &p, sine);
+  FoundLight_w found;
+  found.radiance = envmap_radiance_w(scene, row, &corners, &p);
+  found.density = envmap_place_density_w(scene, row, &y, &p, sine);
+  return found;
 }
 
-FN real3w envmap_background_w(const Scene* scene, GLOBAL const int* row, real3w towards) {
-  realw sine;
-  EnvmapPlace_w p = envmap_place_w(scene, row, towards, &sine);
-  EnvmapCorners_w corners = envmap_corners_w(scene, row, &p);
-  return envmap_radiance_w(scene, row, &corners, &p);
+FN realw envmap_density_w(const Scene* scene, GLOBAL const int* row, real3w from, real3w towards, const Surfaces_w* s) {
+  (void)from;
+  (void)s;
+  return envmap_background_w(scene, row, towards).density;
 }

@@ -94,11 +94,10 @@ FN realw light_density_w(const Scene* scene, maskw which, intw lights, real3w fr
   return density;
 }
 
-/// Radiance along rays that leave the scene, of the light that the header names: the background or the sun.
-FN real3w far_radiance_w(const Scene* scene, int header, real3w towards) {
-  real3w none = splat3_w(vec3(R(0.0), R(0.0), R(0.0)));
+/// What rays that leave the scene find of the light that the header names: the background or the sun.
+FN FoundLight_w far_light_w(const Scene* scene, int header, real3w towards) {
   int light = LIGHT_COUNT == 0 ? -1 : scene->index[header];
-  if (light < 0) return none;
+  if (light < 0) return no_light_found_w();
   GLOBAL const int* row = light_row(scene, light);
   switch (row[LIGHT_KIND]) {
 #define LIGHT(name)  \
@@ -110,7 +109,7 @@ FN real3w far_radiance_w(const Scene* scene, int header, real3w towards) {
 #undef LIGHT
     default:
       (void)towards;
-      return none;
+      return no_light_found_w();
   }
 }
 

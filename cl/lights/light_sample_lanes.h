@@ -10,6 +10,20 @@ typedef struct {
   intw aim;         ///< Id of the primitive that the place is on; -1: none.
 } LightSample_w;
 
+/// What rays find of a light.
+typedef struct {
+  real3w radiance;
+  realw density;  ///< With which a light that is infinitely far away draws their directions, per solid angle.
+} FoundLight_w;
+
+FN FoundLight_w no_light_found_w(void) {
+  FoundLight_w found;
+  realw zero = splat_w(R(0.0));
+  found.radiance = vec3_w(zero, zero, zero);
+  found.density = zero;
+  return found;
+}
+
 /// What a light draws besides a place or a direction, name_NUMBERS of its file.
 enum { NUMBERS_NONE_w = 0, NUMBERS_TEXEL_w = 1 };
 

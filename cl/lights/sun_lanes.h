@@ -26,16 +26,17 @@ FN LightSample_w sun_sample_w(const Scene* scene, GLOBAL const int* row, real3w 
   return s;
 }
 
-FN realw sun_density_w(const Scene* scene, GLOBAL const int* row, real3w from, real3w towards, const Surfaces_w* s) {
+FN FoundLight_w sun_background_w(const Scene* scene, GLOBAL const int* row, real3w towards) {
   GLOBAL const real* params = scene->shading + row[LIGHT_REALS];
-  (void)from;
-  (void)s;
   maskw is_within = le_w(sun_less_w(params, towards), splat_w(params[3]));
-  return sel_w(is_within, splat_w(R(0.5) * ONE_OVER_PI / params[3]), splat_w(R(0.0)));
+  FoundLight_w found = no_light_found_w();
+  found.radiance = sel3_w(is_within, splat3_w(load3(params + 4)), found.radiance);
+  found.density = sel_w(is_within, splat_w(R(0.5) * ONE_OVER_PI / params[3]), found.density);
+  return found;
 }
 
-FN real3w sun_background_w(const Scene* scene, GLOBAL const int* row, real3w towards) {
-  GLOBAL const real* params = scene->shading + row[LIGHT_REALS];
-  real3w none = splat3_w(vec3(R(0.0), R(0.0), R(0.0)));
-  return sel3_w(le_w(sun_less_w(params, towards), splat_w(params[3])), splat3_w(load3(params + 4)), none);
+FN realw sun_density_w(const Scene* scene, GLOBAL const int* row, real3w from, real3w towards, const Surfaces_w* s) {
+  (void)from;
+  (void)s;
+  return sun_background_w(scene, row, towards).density;
 }

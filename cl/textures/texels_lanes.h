@@ -21,6 +21,16 @@ FN realw decoded_w(const Scene* scene, GLOBAL const int* image, uintw code) {
   return gather_w(scene->shading + image[IMAGE_TABLE], int_of_uint_w(code));
 }
 
+/// 2^(exponent - 136), 0 where it is 0: of RGBE, whose mantissas are integers of 8 bits.
+FN realw rgbe_unit_w(intw exponent) {
+  // What is below the normal numbers in float is not below a product.
+  intw halvings = splat_int_w(136) - exponent;
+  maskw is_tiny = lt_int_w(splat_int_w(126), halvings);
+  realw unit = power_of_half_w(sel_int_w(is_tiny, halvings - splat_int_w(10), halvings));
+  unit = unit * sel_w(is_tiny, splat_w(R(0x1p-10)), splat_w(R(1.0)));
+  return sel_w(nonzero_w(exponent), unit, splat_w(R(0.0)));
+}
+
 FN real3w grey_w(realw value) { return vec3_w(value, value, value); }
 
 /// number: row * width + column, of the image.
@@ -50,7 +60,7 @@ FN real3w texel_w(const Scene* scene, GLOBAL const int* image, intw number) {
     default: {
       // TEXELS_RGBE: the table holds the exponent's power of two.
       word = texel_word_w(scene, image, number);
-      realw power = decoded_w(scene, image, word >> 24u);
+      realw power = rgbe_unit_w(int_of_uint_w(word >> 24u));
       return scale3_w(power, vec3_w(real_of_uint_w(word & byte), real_of_uint_w((word >> 8u) & byte),
                                     real_of_uint_w((word >> 16u) & byte)));
     }

@@ -79,7 +79,8 @@ inline std::vector<Sight> LANED(look_along)(const TierBuffers& buffers, const Tr
     paths_none_w(&path);
     paths_begin_w(&scene, &path, ~none_w(), &rays);
     const Surfaces_w s = find_surfaces_w(&scene, &path, FIND_NEAREST, &unreported);
-    const real3w sun = sun_along_w(&scene, &path, &s), radiance = add3_w(radiance_along_w(&scene, &path, &s), sun);
+    const real3w sun = sun_along_w(&scene, &path, &s).radiance;
+    const real3w radiance = add3_w(light_along_w(&scene, &path, &s).radiance, sun);
     // As path_add_light does; the sun before the background.
     const intw afar = sel_int_w(lt_w(splat_w(R(0.0)), max3_w(sun)), splat_int_w(scene.index[HEADER_SUN]),
                                 splat_int_w(scene.index[HEADER_BACKGROUND]));
