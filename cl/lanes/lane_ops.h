@@ -15,7 +15,7 @@
 //   finite_w(x) nan_w(x)      neither NaN nor infinite; NaN
 //   power_of_two_w(x)         the largest power of two not above |x|, held within the exponents of normal numbers but
 //                             the last; inverse_power_w(p): 1 / p, exact
-//   power_of_half_w(n)        2^-n of ints from 0 to the exponent of the least normal number
+//   power_of_half_w(n)        2^-n of ints, a normal number
 //   halvings_w(p)             n of a power of two p = 2^-n, as a real
 //   bits_w(m) any_w(m)        bit i = lane i; is a lane set
 //   load_w load_int_w store_w LANES consecutive values

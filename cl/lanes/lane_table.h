@@ -506,6 +506,7 @@
 #define groups_of_samples_w LANED(groups_of_samples_w)
 #define gtr1_draw_w LANED(gtr1_draw_w)
 #define gtr1_normals_w LANED(gtr1_normals_w)
+#define half_w LANED(half_w)
 #define halvings_w LANED(halvings_w)
 #define heterogeneous_transmittance_w LANED(heterogeneous_transmittance_w)
 #define heterogeneous_travel_w LANED(heterogeneous_travel_w)

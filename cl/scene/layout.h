@@ -126,12 +126,22 @@ enum {
 enum { TEXTURE_KIND, TEXTURE_REALS, TEXTURE_IMAGE, TEXTURE_FILTER, TEXTURE_WRAP, TEXTURE_LEVELS, TEXTURE_INTS };
 enum { FILTER_BILINEAR, FILTER_NEAREST };
 enum { WRAP_REPEAT, WRAP_MIRROR, WRAP_CLAMP };
-// An image: TEXELS_...; its texels, -> index, of TEXELS_..._REAL -> shading; what its codes mean, -> shading, 256 or
-// 65536 reals. Rows from the top.
+// An image: TEXELS_...; its texels, -> index, of TEXELS_..._REAL -> shading; what codes of 8 and 16 bits mean, ->
+// shading, 256 or 65536 reals. Rows from the top.
 enum { IMAGE_WIDTH, IMAGE_HEIGHT, IMAGE_FORMAT, IMAGE_TEXELS, IMAGE_TABLE, IMAGE_INTS };
-// Codes from the low bits of an int on: GREY_8 four texels an int, GREY_16 two; RGB_8 and RGBE (whose last byte is an
-// exponent) an int a texel, RGB_16 two, with blue alone in the second.
-enum { TEXELS_GREY_8, TEXELS_GREY_16, TEXELS_GREY_REAL, TEXELS_RGB_8, TEXELS_RGB_16, TEXELS_RGB_REAL, TEXELS_RGBE };
+// Codes from the low bits of an int on: GREY_8 four texels an int, GREY_16 and GREY_HALF two; RGB_8 and RGBE (whose
+// last byte is an exponent) an int a texel, RGB_16 and RGB_HALF two, with blue alone in the second.
+enum {
+  TEXELS_GREY_8,
+  TEXELS_GREY_16,
+  TEXELS_GREY_HALF,
+  TEXELS_GREY_REAL,
+  TEXELS_RGB_8,
+  TEXELS_RGB_16,
+  TEXELS_RGB_HALF,
+  TEXELS_RGB_REAL,
+  TEXELS_RGBE
+};
 // LIGHT_AREA to LIGHT_FIRST_ID are an area light's: AREA_sphere, ...; number of items; -> index, CHOICE_INTS an item;
 // scene-wide id of item 0 where the items are primitives in order, else -1. LIGHT_TEXTURE: the row of the table of
 // textures that multiplies its colour; -1: none. LIGHT_UVS: of an area light with a texture, -> shading, what texture

@@ -57,16 +57,21 @@ void check_image(PackedRanges<Real>& ranges, std::int64_t row) {
   const std::int64_t count = width * height;
   const auto ints = [&](std::int64_t size, std::int64_t codes) {
     ranges.index(texels, size, "the texels of the image at", row);
-    ranges.shading(table, codes, "the table of the image at", row);
+    if (codes > 0) ranges.shading(table, codes, "the table of the image at", row);
   };
   switch (ranges.at(row + layout::IMAGE_FORMAT)) {
     case layout::TEXELS_GREY_8:
       return ints((count + 3) / 4, 256);
     case layout::TEXELS_GREY_16:
       return ints((count + 1) / 2, 65536);
+    case layout::TEXELS_GREY_HALF:
+      return ints((count + 1) / 2, 0);
     case layout::TEXELS_RGB_8:
-    case layout::TEXELS_RGBE:
       return ints(count, 256);
+    case layout::TEXELS_RGBE:
+      return ints(count, 0);
+    case layout::TEXELS_RGB_HALF:
+      return ints(2 * count, 0);
     case layout::TEXELS_RGB_16: {
       ints(2 * count, 65536);
       // Its blue is a code by itself.

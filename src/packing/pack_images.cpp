@@ -13,8 +13,9 @@ int layout_of(const Texels& texels) {
     case TexelFormat::bits_8:
       return texels.is_grey ? layout::TEXELS_GREY_8 : layout::TEXELS_RGB_8;
     case TexelFormat::bits_16:
-    case TexelFormat::half:
       return texels.is_grey ? layout::TEXELS_GREY_16 : layout::TEXELS_RGB_16;
+    case TexelFormat::half:
+      return texels.is_grey ? layout::TEXELS_GREY_HALF : layout::TEXELS_RGB_HALF;
     case TexelFormat::rgbe:
       return layout::TEXELS_RGBE;
     case TexelFormat::real:
@@ -33,10 +34,13 @@ std::array<std::int32_t, layout::IMAGE_INTS> PackedImages<Real>::put(const Texel
   if (is_new)
     texels_at->second =
         texels.format == TexelFormat::real ? packed_.put_floats(texels.reals) : packed_.put_index(texels.words);
-  const TexelCurve told = has_curve(texels.format) ? curve : TexelCurve{};
-  const auto [table_at, is_new_table] = tables_.try_emplace({texels.format, told.kind, told.gamma}, 0);
-  if (is_new_table) table_at->second = packed_.put_shading(decoding_table(texels.format, told));
-  return {texels.width, texels.height, layout_of(texels), texels_at->second, table_at->second};
+  int table = 0;
+  if (has_curve(texels.format)) {
+    const auto [table_at, is_new_table] = tables_.try_emplace({texels.format, curve.kind, curve.gamma}, 0);
+    if (is_new_table) table_at->second = packed_.put_shading(decoding_table(texels.format, curve));
+    table = table_at->second;
+  }
+  return {texels.width, texels.height, layout_of(texels), texels_at->second, table};
 }
 
 template <typename Real>

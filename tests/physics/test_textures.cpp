@@ -5,6 +5,7 @@
 // one row in `texture_rows`.
 #include <functional>
 #include <limits>
+#include <numeric>
 
 #include "physics/bitmap_rows.h"
 #include "physics/rows.h"
@@ -207,6 +208,38 @@ TEST_CASE("no footprint changes the mean over the whole pattern") {
         CHECK(mean[k] == Approx(row.mean[k]).margin((row.most[k] - row.least[k]) / 32));
     }
   });
+}
+
+TEST_CASE("halves and RGBE are computed to the bit, whatever their code") {
+  std::vector<std::uint16_t> halves(0x7c00);  // Below infinity.
+  std::iota(halves.begin(), halves.end(), std::uint16_t{0});
+  Texels exponents;
+  exponents.width = 256;
+  exponents.height = 1;
+  exponents.format = TexelFormat::rgbe;
+  for (std::uint32_t e = 0; e < 256; ++e)
+    exponents.words.push_back(static_cast<std::int32_t>(e << 24 | 128U << 16 | 1U << 8 | 255U));
+  for (const Texels& texels : {texels_of_words(248, 128, 1, halves.data(), TexelFormat::half), exponents}) {
+    Bitmap bitmap;
+    bitmap.texels = std::make_shared<const Texels>(texels);
+    bitmap.filter = TextureFilter::nearest;
+    TextureRow row{"bitmap", {}, {}, {}, {}, 0, {}, {}};
+    row.texture.pattern = bitmap;
+    const TexelDecoder decoded(texels, {});
+    std::vector<TexturePlace> places;
+    std::vector<Triad> expected;
+    for (std::size_t n = 0; n < texels.count(); ++n) {
+      const auto width = static_cast<std::size_t>(texels.width);
+      places.push_back({(static_cast<double>(n % width) + 0.5) / texels.width,
+                        (static_cast<double>(n / width) + 0.5) / texels.height, 0});
+      expected.push_back(decoded(n));
+    }
+    for (const TransportTier& tier : transport_tiers()) {
+      INFO(tier.name << ", " << tier.lanes << " lanes");
+      const TierScene scene(scene_of_texture(row), tier);
+      CHECK(tier.texture(scene.buffers(), 0, places) == expected);
+    }
+  }
 }
 
 TEST_CASE("every width reads textures as one lane does, to the bit") {
