@@ -126,8 +126,8 @@ enum {
 enum { TEXTURE_KIND, TEXTURE_REALS, TEXTURE_IMAGE, TEXTURE_FILTER, TEXTURE_WRAP, TEXTURE_LEVELS, TEXTURE_INTS };
 enum { FILTER_BILINEAR, FILTER_NEAREST };
 enum { WRAP_REPEAT, WRAP_MIRROR, WRAP_CLAMP };
-// An image: TEXELS_...; its texels, -> index, of TEXELS_..._REAL -> shading; what codes of 8 and 16 bits mean, ->
-// shading, 256 or 65536 reals. Rows from the top.
+// An image: TEXELS_...; its texels, -> index, of TEXELS_..._REAL -> shading, and after those one real more; what codes
+// of 8 and 16 bits mean, -> shading, 256 or 65536 reals. Rows from the top.
 enum { IMAGE_WIDTH, IMAGE_HEIGHT, IMAGE_FORMAT, IMAGE_TEXELS, IMAGE_TABLE, IMAGE_INTS };
 // Codes from the low bits of an int on: GREY_8 four texels an int, GREY_16 and GREY_HALF two; RGB_8 and RGBE (whose
 // last byte is an exponent) an int a texel, RGB_16 and RGB_HALF two, with blue alone in the second.

@@ -70,8 +70,11 @@ FN real3w texel_w(const Scene* scene, GLOBAL const int* image, intw number) {
       if (format == TEXELS_RGB_HALF) return vec3_w(half_w(red), half_w(green), half_w(blue));
       return vec3_w(decoded_w(scene, image, red), decoded_w(scene, image, green), decoded_w(scene, image, blue));
     }
-    case TEXELS_RGB_REAL:
-      return gather3_w(scene->shading + image[IMAGE_TEXELS], number * splat_int_w(3));
+    case TEXELS_RGB_REAL: {
+      realw row[4];  // The fourth is another texel's, or the image's last real.
+      gather_row_w(scene->shading + image[IMAGE_TEXELS], number * splat_int_w(3), 4, row);
+      return real3_at_w(row);
+    }
     default: {
       // TEXELS_RGBE.
       word = texel_word_w(scene, image, number);

@@ -82,7 +82,7 @@ void check_image(PackedRanges<Real>& ranges, std::int64_t row) {
     case layout::TEXELS_GREY_REAL:
     case layout::TEXELS_RGB_REAL: {
       const bool is_grey = ranges.at(row + layout::IMAGE_FORMAT) == layout::TEXELS_GREY_REAL;
-      ranges.shading(texels, is_grey ? count : 3 * count, "the texels of the image at", row);
+      ranges.shading(texels, (is_grey ? count : 3 * count) + 1, "the texels of the image at", row);
       return;
     }
     default:

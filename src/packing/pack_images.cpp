@@ -31,9 +31,12 @@ bool has_curve(TexelFormat format) { return format == TexelFormat::bits_8 || for
 template <typename Real>
 std::array<std::int32_t, layout::IMAGE_INTS> PackedImages<Real>::put(const Texels& texels, const TexelCurve& curve) {
   const auto [texels_at, is_new] = texels_.try_emplace(&texels, 0);
-  if (is_new)
-    texels_at->second =
-        texels.format == TexelFormat::real ? packed_.put_floats(texels.reals) : packed_.put_index(texels.words);
+  if (is_new && texels.format == TexelFormat::real) {
+    texels_at->second = packed_.put_floats(texels.reals);
+    packed_.put_shading({0});
+  } else if (is_new) {
+    texels_at->second = packed_.put_index(texels.words);
+  }
   int table = 0;
   if (has_curve(texels.format)) {
     const auto [table_at, is_new_table] = tables_.try_emplace({texels.format, curve.kind, curve.gamma}, 0);
