@@ -78,9 +78,8 @@ FN real3w texel_w(const Scene* scene, GLOBAL const int* image, intw number) {
     default: {
       // TEXELS_RGBE.
       word = texel_word_w(scene, image, number);
-      return scale3_w(rgbe_unit_w(word >> 24u),
-                      vec3_w(real_of_uint_w(word & byte), real_of_uint_w((word >> 8u) & byte),
-                             real_of_uint_w((word >> 16u) & byte)));
+      return scale3_w(rgbe_unit_w(word >> 24u), vec3_w(real_of_uint_w(word & byte), real_of_uint_w((word >> 8u) & byte),
+                                                       real_of_uint_w((word >> 16u) & byte)));
     }
   }
 }

@@ -5,6 +5,7 @@
 #include "kinds/entries.h"
 #include "kinds/lights.h"
 #include "packing/cl_layout.h"
+#include "packing/entry_numbers.h"
 #include "packing/packed_ranges.h"
 
 namespace strahl {
@@ -20,9 +21,10 @@ template <typename Real>
 class Lights {
  public:
   Lights(PackedRanges<Real>& ranges, const PackedFacts& facts) : ranges_(ranges), facts_(facts) {
+    EntryNumbers numbers(facts.features);
     for (const Light& light : facts.scene.lights) {
       const std::string kind = light_kind(light);
-      reals_[facts.features.entry_index("lights", kind)] =
+      reals_[numbers("lights", kind)] =
           static_cast<std::int64_t>(kinds::light_reals(light, facts.options.frame).size());
     }
     for (const auto& [name, reals] : reals_of_areas)

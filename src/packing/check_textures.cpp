@@ -4,6 +4,7 @@
 
 #include "kinds/textures.h"
 #include "packing/cl_layout.h"
+#include "packing/entry_numbers.h"
 #include "packing/packed_ranges.h"
 
 namespace strahl {
@@ -20,10 +21,11 @@ struct Kind {
 /// What each kind of texture of the scene reads, by its number.
 std::map<int, Kind> kinds_of(const PackedFacts& facts) {
   std::map<int, Kind> kinds;
+  EntryNumbers numbers(facts.features);
   for (const Texture& texture : facts.scene.textures) {
     const kinds::TextureFacts is = kinds::texture(texture);
-    kinds[facts.features.entry_index("textures", is.entry)] = {static_cast<std::int64_t>(is.reals.size()),
-                                                               is.bitmap != nullptr, !is.attribute.empty()};
+    kinds[numbers("textures", is.entry)] = {static_cast<std::int64_t>(is.reals.size()), is.bitmap != nullptr,
+                                            !is.attribute.empty()};
   }
   return kinds;
 }

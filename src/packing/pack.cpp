@@ -95,7 +95,7 @@ class Packing {
       return slot.texture < 0 ? packed_.put_shading(reals) : ~texture_row(slot);
     };
     for (std::size_t row = 0; row < scene_.materials.size(); ++row) {
-      const PackedMaterial packed = packed_material(row, scene_, features_);
+      const PackedMaterial packed = packed_material(row, scene_, features_, numbers_);
       packed_.index.insert(packed_.index.end(), {packed.kind, packed.back, packed.has_along ? 1 : 0,
                                                  features_.flag("MASK") ? slot_of(packed.opacity) : 0, packed.first,
                                                  packed.second, packed.is_metal ? 1 : 0});
@@ -123,7 +123,7 @@ class Packing {
   void put_textures(std::vector<std::int32_t>& rows, bool has_levels) {
     for (const Texture& texture : scene_.textures) {
       const kinds::TextureFacts facts = kinds::texture(texture);
-      const int kind = features_.entry_index("textures", facts.entry);
+      const int kind = numbers_("textures", facts.entry);
       const int parts = resolve_sampling(scene_).kind == SamplerKind::centre ? 1 : 8;
       rows.insert(rows.end(), {kind, packed_.put_shading(facts.reals), 0, parts, 0, 1});
       const std::span last = std::span(rows).last(layout::TEXTURE_INTS);
@@ -366,6 +366,7 @@ class Packing {
   const PackOptions& options_;
   PackedScene<Real> packed_;
   PackedImages<Real> images_{packed_};
+  EntryNumbers numbers_{features_};
   bool has_textures_ = !features_.entries.at("textures").empty() && !scene_.textures.empty();
   bool has_instances_ = features_.flag("INSTANCES") && !scene_.instances.empty();
   std::vector<const Shape*> shapes_;  ///< As for_each_shape has them.

@@ -2,7 +2,6 @@
 #include "packing/pack_lights.h"
 
 #include <algorithm>
-#include <map>
 #include <numbers>
 #include <optional>
 #include <span>
@@ -12,6 +11,7 @@
 #include "kinds/integrators.h"
 #include "kinds/lights.h"
 #include "packing/cl_layout.h"
+#include "packing/entry_numbers.h"
 #include "packing/light_textures.h"
 #include "packing/pack_areas.h"
 #include "packing/pack_chooser.h"
@@ -58,19 +58,13 @@ class LightTable {
 
  private:
   std::int32_t& header(int field) { return packed_.at(field); }
-  /// The number of an active entry, which is looked up once: there may be many lights.
-  int entry(const std::string& list, const std::string& name) {
-    const auto [found, is_new] = entries_.try_emplace({list, name}, -1);
-    if (is_new) found->second = features_.entry_index(list, name);
-    return found->second;
-  }
   [[nodiscard]] bool begins_paths() const { return kinds::integrator(scene_.integrator.name).from_lights; }
   [[nodiscard]] int count() const { return static_cast<int>(rows_.size()) / layout::LIGHT_INTS; }
 
   /// False where the program has no use for it.
   bool put_light(const Light& from) {
     if (kinds::light(from).is_beam && !begins_paths()) return false;
-    const int kind = entry("lights", light_kind(from));
+    const int kind = numbers_("lights", light_kind(from));
     if (kind < 0) return false;
     Light light = from;
     const TexturedColour colour =
@@ -109,7 +103,7 @@ class LightTable {
       const Shape& shape = *shapes[i];
       const bool glows = features_.flag("EMISSION") && features_.has("shapes", shape_kind(shape));
       const bool is_beam = shape.exitance.has_value();
-      const int kind = entry("lights", is_beam ? "directionalarea" : "area");
+      const int kind = numbers_("lights", is_beam ? "directionalarea" : "area");
       const bool is_drawn = kind >= 0 && features_.has("areas", area_kind(shape.geometry));
       for (int part = 0; part < part_count(shape); ++part) {
         light_of_part_.push_back(-1);
@@ -135,8 +129,8 @@ class LightTable {
         const int choice_at = put_choices(packed_, area->choices);
         const int first = first_of_area(shape.geometry, part);
         const int uvs_at = area->uvs.empty() ? -1 : packed_.put_shading(area->uvs);
-        rows_.insert(rows_.end(), {kind, packed_.put_shading(reals), entry("areas", area_kind(shape.geometry)), items,
-                                   choice_at, first < 0 ? -1 : first_ids[i] + first, radiance.row, uvs_at,
+        rows_.insert(rows_.end(), {kind, packed_.put_shading(reals), numbers_("areas", area_kind(shape.geometry)),
+                                   items, choice_at, first < 0 ? -1 : first_ids[i] + first, radiance.row, uvs_at,
                                    static_cast<int>(light_of_part_.size()) - 1});
       }
     }
@@ -149,7 +143,7 @@ class LightTable {
   const UploadFrame& frame_;
   std::vector<std::int32_t> rows_;
   std::vector<LightReach> reaches_;  ///< One a row.
-  std::map<std::pair<std::string, std::string>, int> entries_;
+  EntryNumbers numbers_{features_};
   std::vector<int> light_of_part_;
 };
 

@@ -8,11 +8,11 @@
 
 namespace strahl {
 
-PackedMaterial packed_material(std::size_t row, const Scene& scene, const Features& features) {
+PackedMaterial packed_material(std::size_t row, const Scene& scene, const Features& features, EntryNumbers& numbers) {
   const Material& material = scene.materials[row];
   const MaterialFacts facts = material_facts(material);
   PackedMaterial packed;
-  if (facts.nested.empty()) packed.kind = features.entry_index("materials", facts.kind);
+  if (facts.nested.empty()) packed.kind = numbers("materials", facts.kind);
   if (!facts.nested.empty()) packed.first = facts.nested[0];
   if (facts.nested.size() > 1) packed.second = facts.nested[1];
   if (facts.is_coat) packed.second = -2;

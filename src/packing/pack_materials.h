@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "kinds/materials.h"
+#include "packing/entry_numbers.h"
 #include "program/features.h"
 
 namespace strahl {
@@ -19,6 +20,7 @@ struct PackedMaterial {
 };
 
 /// Of scene.materials[row].
-[[nodiscard]] PackedMaterial packed_material(std::size_t row, const Scene& scene, const Features& features);
+[[nodiscard]] PackedMaterial packed_material(std::size_t row, const Scene& scene, const Features& features,
+                                             EntryNumbers& numbers);
 
 }  // namespace strahl
