@@ -2,16 +2,23 @@
 // Light at the surfaces of paths: the emission that their rays hit, and the light of lights that are drawn or taken,
 // weighted by multiple importance sampling. One width; no guard.
 
+/// The light that the header names along the paths' rays that leave the scene. Where none does, as in most rooms, it is
+/// not looked for.
+FN FoundLight_w light_afar_w(const Scene* scene, const Paths_w* path, const Surfaces_w* s, int header) {
+  if (!any_w(path->alive & ~s->hit)) return no_light_found_w();
+  return far_light_w(scene, header, real3_at_w(path->rays.planes + RAY_PLANE_D));
+}
+
 /// The light along the paths' rays: the emission of the surfaces hit, or the background where nothing is hit.
 FN FoundLight_w light_along_w(const Scene* scene, const Paths_w* path, const Surfaces_w* s) {
-  FoundLight_w found = far_light_w(scene, HEADER_BACKGROUND, real3_at_w(path->rays.planes + RAY_PLANE_D));
+  FoundLight_w found = light_afar_w(scene, path, s, HEADER_BACKGROUND);
   found.radiance = sel3_w(s->hit, emitted_radiance_w(scene, s), found.radiance);
   return found;
 }
 
 /// Of the sun, before the background, where nothing is hit.
 FN FoundLight_w sun_along_w(const Scene* scene, const Paths_w* path, const Surfaces_w* s) {
-  FoundLight_w found = far_light_w(scene, HEADER_SUN, real3_at_w(path->rays.planes + RAY_PLANE_D));
+  FoundLight_w found = light_afar_w(scene, path, s, HEADER_SUN);
   found.radiance = sel3_w(s->hit, splat3_w(vec3(R(0.0), R(0.0), R(0.0))), found.radiance);
   return found;
 }

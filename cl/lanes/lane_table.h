@@ -573,6 +573,7 @@
 #define left_sphere_w LANED(left_sphere_w)
 #define length3_w LANED(length3_w)
 #define lens_point_w LANED(lens_point_w)
+#define light_afar_w LANED(light_afar_w)
 #define light_along_w LANED(light_along_w)
 #define light_density_w LANED(light_density_w)
 #define light_edge_w LANED(light_edge_w)
