@@ -23,7 +23,7 @@ FN realw decoded_w(const Scene* scene, GLOBAL const int* image, uintw code) {
 }
 
 /// Of half precision, not negative, infinite or NaN.
-FN realw half_w(uintw code) {
+FN realw value_of_half_w(uintw code) {
   uintw exponent = (code >> 10u) & splat_uint_w(31u), mantissa = code & splat_uint_w(1023u);
   maskw is_normal = lt_uint_w(splat_uint_w(0u), exponent);
   realw digits = real_of_uint_w(mantissa) + sel_w(is_normal, splat_w(R(1024.0)), splat_w(R(0.0)));
@@ -55,7 +55,7 @@ FN real3w texel_w(const Scene* scene, GLOBAL const int* image, intw number) {
     case TEXELS_GREY_HALF:
       word = texel_word_w(scene, image, int_of_uint_w(n >> 1u)) >> ((n & splat_uint_w(1u)) << 4u);
       word = word & two_bytes;
-      return grey_w(format == TEXELS_GREY_HALF ? half_w(word) : decoded_w(scene, image, word));
+      return grey_w(format == TEXELS_GREY_HALF ? value_of_half_w(word) : decoded_w(scene, image, word));
     case TEXELS_GREY_REAL:
       return grey_w(gather_w(scene->shading + image[IMAGE_TEXELS], number));
     case TEXELS_RGB_8:
@@ -67,7 +67,7 @@ FN real3w texel_w(const Scene* scene, GLOBAL const int* image, intw number) {
       uintw blue = texel_word_w(scene, image, number * splat_int_w(2) + splat_int_w(1));
       word = texel_word_w(scene, image, number * splat_int_w(2));
       uintw red = word & two_bytes, green = word >> 16u;
-      if (format == TEXELS_RGB_HALF) return vec3_w(half_w(red), half_w(green), half_w(blue));
+      if (format == TEXELS_RGB_HALF) return vec3_w(value_of_half_w(red), value_of_half_w(green), value_of_half_w(blue));
       return vec3_w(decoded_w(scene, image, red), decoded_w(scene, image, green), decoded_w(scene, image, blue));
     }
     case TEXELS_RGB_REAL: {
