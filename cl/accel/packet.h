@@ -69,10 +69,10 @@ FN void push_children_w(const Packet_w* p, GLOBAL const real* nodes, int node, m
     first_of_each = first_of_each_child_w(p, planes, active);
     met = bits_w(lt_w(first_of_each, splat_w(REAL_MAX)));
   }
-  PRIVATE const real* firsts = (PRIVATE const real*)&first_of_each;
+  // Each goes to its place at once, above those that are entered later and those before it that are entered with it.
   for (uint left = met; left != 0u; left &= left - 1u) {
     int lane = first_bit(left);
-    real first = firsts[lane];
+    real first = get_w(&first_of_each, lane);
     uint beneath = bits_w(lt_w(splat_w(first), first_of_each));
     beneath |= bits_w(le_w(splat_w(first), first_of_each)) & ((1u << lane) - 1u);
     int at = stack->top + (int)lanes_among(beneath & met);

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Texels of images (scene/layout.h, IMAGE_...). Codes of 8 and 16 bits lie in the index as the file had them: a table
 // says what integers mean, and halves and RGBE are computed, which takes less time than to gather. Floats lie in the
-// shading data. Textures and lights include this file: once per
-// width.
+// shading data. Textures and lights include this file: once per width.
 #if !((LANES == 1 && defined(STRAHL_TEXELS_1)) || (LANES == 8 && defined(STRAHL_TEXELS_8)) || \
       (LANES == 16 && defined(STRAHL_TEXELS_16)))
 #if LANES == 1
