@@ -75,8 +75,8 @@ FN void follow_from_camera_w(const Scene* scene, Paths_w* path, Real2_w lens, co
   while (most > 0 && any_w(path->alive)) {
     Vertex_w v;
     find_vertex_w(scene, path, &v.s);
-    add_found_light_w(scene, path, &v.s, HEADER_BACKGROUND, light_along_w(scene, path, &v.s).radiance, &t);
-    if (HAS_SUN) add_found_light_w(scene, path, &v.s, HEADER_SUN, sun_along_w(scene, path, &v.s).radiance, &t);
+    add_found_light_w(scene, path, &v.s, HEADER_BACKGROUND, light_along_w(scene, path, &v.s), &t);
+    if (HAS_SUN) add_found_light_w(scene, path, &v.s, HEADER_SUN, sun_along_w(scene, path, &v.s), &t);
     arrive_vertex_w(scene, path, 0, lens, most - 1, &t, &v);
     if (any_w(v.which)) {
       add_drawn_light_w(scene, path, &v);

@@ -6,9 +6,10 @@
 
 /// The radiance of a light that the camera's rays have found, the one that the header names where nothing is hit. t: as
 /// the rays have left the last vertex.
-FN void add_found_light_w(const Scene* scene, Paths_w* path, const Surfaces_w* s, int header, real3w radiance,
+FN void add_found_light_w(const Scene* scene, Paths_w* path, const Surfaces_w* s, int header, FoundLight_w found,
                           const Techniques_w* t) {
   realw zero = splat_w(R(0.0)), one = splat_w(R(1.0));
+  real3w radiance = found.radiance;
   maskw is_bright = is_light_shown_w(scene, path) & lt_w(zero, max3_w(radiance));
   if (LIGHT_COUNT == 0 || !any_w(is_bright)) {
     path_add_w(path, is_bright, radiance);
@@ -18,8 +19,7 @@ FN void add_found_light_w(const Scene* scene, Paths_w* path, const Surfaces_w* s
   maskw is_shared = is_bright & lt_int_w(splat_int_w(0), path->depth) & ~lt_int_w(lights, splat_int_w(0));
   if (any_w(is_shared)) {
     real3w ray = real3_at_w(path->rays.planes + RAY_PLANE_D);
-    real3w towards = sel3_w(s->hit, sub3_w(s->position, path->from), ray);
-    realw drawn = light_density_w(scene, is_shared, lights, path->from, towards, s);
+    realw drawn = found_density_w(scene, path, s, is_shared, lights, &found);
     realw spread = light_spread_w(scene, is_shared, lights, unit3_w(negate3_w(ray)));
     spread = spread * sel_w(is_long_w(path->depth + splat_int_w(1)), t->ends, t->earlier);
     realw others = fma_w(sel_w(s->hit, one, drawn), spread, sel_w(lt_w(zero, t->last), drawn * t->last, zero));

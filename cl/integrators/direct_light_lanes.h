@@ -34,6 +34,14 @@ FN realw balance_w(realw density, realw other) {
   return one / fma_w(ratio, ratio, one);
 }
 
+/// The density with which `lights` draw what the paths' rays have found of them, in the lanes of `which`.
+FN realw found_density_w(const Scene* scene, const Paths_w* path, const Surfaces_w* s, maskw which, intw lights,
+                         const FoundLight_w* found) {
+  which = which & s->hit;
+  real3w towards = sub3_w(s->position, path->from);
+  return sel_w(which, light_density_w(scene, which, lights, path->from, towards, s), found->density);
+}
+
 /// The radiance that the paths' rays have found, of the light that the header names where nothing is hit, weighted
 /// against the density with which the path's last vertex draws this light.
 FN void path_add_found_w(const Scene* scene, Paths_w* path, const Surfaces_w* s, int header, FoundLight_w found) {
@@ -45,9 +53,8 @@ FN void path_add_found_w(const Scene* scene, Paths_w* path, const Surfaces_w* s,
     intw lights = sel_int_w(s->hit, part_entry_w(scene, s, PART_LIGHT), splat_int_w(scene->index[header]));
     maskw is_drawn = is_bright & lt_w(zero, path->density) & ~lt_int_w(lights, splat_int_w(0));
     if (any_w(is_drawn)) {
-      maskw is_near = is_drawn & s->hit;
-      realw density = light_density_w(scene, is_near, lights, path->from, sub3_w(s->position, path->from), s);
-      density = sel_w(is_near, density, found.density) / light_rarity_w(scene, lights, path->from);
+      realw density = found_density_w(scene, path, s, is_drawn, lights, &found);
+      density = density / light_rarity_w(scene, lights, path->from);
       radiance = sel3_w(is_drawn, scale3_w(balance_w(path->density, density), radiance), radiance);
     }
   }

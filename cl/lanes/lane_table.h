@@ -480,6 +480,7 @@
 #define follow_in_pools_w LANED(follow_in_pools_w)
 #define follow_light_paths_w LANED(follow_light_paths_w)
 #define follow_paths_w LANED(follow_paths_w)
+#define found_density_w LANED(found_density_w)
 #define frame_along_w LANED(frame_along_w)
 #define frame_around_w LANED(frame_around_w)
 #define free_lanes_w LANED(free_lanes_w)

@@ -33,7 +33,7 @@ std::array<std::int32_t, layout::IMAGE_INTS> PackedImages<Real>::put(const Texel
   const auto [texels_at, is_new] = texels_.try_emplace(&texels, 0);
   if (is_new && texels.format == TexelFormat::real) {
     texels_at->second = packed_.put_floats(texels.reals);
-    packed_.put_shading({0});
+    packed_.put_shading({0});  // The last texel's three are read as four.
   } else if (is_new) {
     texels_at->second = packed_.put_index(texels.words);
   }
