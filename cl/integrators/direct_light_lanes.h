@@ -50,7 +50,7 @@ FN void path_add_found_w(const Scene* scene, Paths_w* path, const Surfaces_w* s,
   maskw is_bright = is_light_shown_w(scene, path) & lt_w(zero, max3_w(radiance));
   if (!any_w(is_bright)) return;
   if (LIGHT_COUNT > 0) {
-    intw lights = sel_int_w(s->hit, part_entry_w(scene, s, PART_LIGHT), splat_int_w(scene->index[header]));
+    intw lights = sel_int_w(s->hit, part_entry_w(scene, s, PART_LIGHT), splat_int_w(drawn_afar(scene, header)));
     maskw is_drawn = is_bright & lt_w(zero, path->density) & ~lt_int_w(lights, splat_int_w(0));
     if (any_w(is_drawn)) {
       realw density = found_density_w(scene, path, s, is_drawn, lights, &found);
@@ -100,8 +100,9 @@ FN real3w light_gain_w(const Scene* scene, const Paths_w* path, const Surfaces_w
 FN void add_lights_w(const Scene* scene, Paths_w* path, const Surfaces_w* s, const Bsdf_w* b, real3w wo, maskw which,
                      int next) {
   int is_open = HAS_OPENNESS && (next & STEP_OPENNESS) != 0;
-  int count = LIGHT_COUNT == 0 ? 0 : scene->index[HEADER_LIGHT_COUNT];
-  int taken = LIGHT_COUNT == 0 ? 0 : scene->index[HEADER_LIGHTS_TAKEN];
+  // Programs with lights that are drawn have a chooser of them.
+  int count = CHOOSER_COUNT + DELTA_LIGHT_COUNT == 0 ? 0 : scene->index[HEADER_LIGHT_COUNT];
+  int taken = DELTA_LIGHT_COUNT == 0 ? 0 : scene->index[HEADER_LIGHTS_TAKEN];
   int rays = count > taken ? taken + 1 : taken;
   if (is_open) rays = 1;
   for (int i = 0; i < rays; ++i) {

@@ -14,6 +14,12 @@ FN int lights_drawn_from(const Scene* scene) {
   return scene->index[HEADER_LIGHT_COUNT] - scene->index[HEADER_LIGHTS_TAKEN];
 }
 
+/// The light from afar that the header names; -1: none, or none that is drawn.
+FN int drawn_afar(const Scene* scene, int header) {
+  int light = scene->index[header];
+  return light < scene->index[HEADER_LIGHT_COUNT] ? light : -1;
+}
+
 /// The camera looks through what glows.
 FN int hides_emitters(const Scene* scene) { return HAS_HIDE_EMITTERS && scene->index[HEADER_HIDE_EMITTERS] != 0; }
 

@@ -23,15 +23,15 @@ enum {
   HEADER_RR_DEPTH,  // Surfaces after which Russian roulette begins.
   HEADER_HIDE_EMITTERS,
   HEADER_STRICT_NORMALS,
-  HEADER_SAMPLER,    // SAMPLER_independent, ...
-  HEADER_CAMERA,     // -> shading
-  HEADER_SENSOR,     // -> shading, SENSOR_REALS and a table, where light paths end on the sensor; else -1
-  HEADER_FILTER,     // -> shading, FILTER_CELLS + 1 quantiles
-  HEADER_PARTS,      // -> index, PART_INTS a part
-  HEADER_MATERIALS,  // -> index, MATERIAL_INTS a material
-  HEADER_TEXTURES,   // -> index, TEXTURE_INTS a texture
-  HEADER_LIGHTS,     // -> index, LIGHT_INTS a light
-  HEADER_LIGHT_COUNT,
+  HEADER_SAMPLER,       // SAMPLER_independent, ...
+  HEADER_CAMERA,        // -> shading
+  HEADER_SENSOR,        // -> shading, SENSOR_REALS and a table, where light paths end on the sensor; else -1
+  HEADER_FILTER,        // -> shading, FILTER_CELLS + 1 quantiles
+  HEADER_PARTS,         // -> index, PART_INTS a part
+  HEADER_MATERIALS,     // -> index, MATERIAL_INTS a material
+  HEADER_TEXTURES,      // -> index, TEXTURE_INTS a texture
+  HEADER_LIGHTS,        // -> index, LIGHT_INTS a light
+  HEADER_LIGHT_COUNT,   // Of those that are taken or drawn; behind them come those that rays only find.
   HEADER_LIGHTS_TAKEN,  // Number of lights that every surface takes; one of the others is drawn.
   HEADER_CHOOSER,       // CHOOSER_uniform, ...: how that one is chosen, ...
   HEADER_CHOICES,       // ... -> index, and ...

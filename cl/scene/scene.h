@@ -38,6 +38,16 @@ enum {
   LIGHT_COUNT
 };
 
+/// Of these, those that no ray hits.
+enum {
+#define LIGHT(name)
+#define DELTA_LIGHT(name) DELTA_LIGHT_##name,
+#include "lights/lights.def"
+#undef DELTA_LIGHT
+#undef LIGHT
+  DELTA_LIGHT_COUNT
+};
+
 enum {
 #define CHOOSER(name) CHOOSER_##name,
 #include "choosers/choosers.def"

@@ -86,11 +86,12 @@ void add_program_options(CLI::App& app, KernelOptions& options) {
          "Filter images to the pixel's width (mip levels), where they are colours of surfaces: less noise far off, "
          "and a blur that the error does not tell")
       ->group(kGroup);
-  app.add_option("--light-choice", options.light_choice,
-                 "How a point chooses one of several lights: uniform, power, or tree (by power, distance and "
-                 "direction); default: power for few, tree for many; only the noise changes")
+  app.add_option(
+         "--light-choice", options.light_choice,
+         "How a point chooses one of several lights: uniform, power, each (by power, distance and direction), or "
+         "tree (so too, but by groups); default: each for few, tree for many; only the noise changes")
       ->type_name("NAME")
-      ->check(CLI::IsMember({"uniform", "power", "tree"}))
+      ->check(CLI::IsMember({"uniform", "power", "each", "tree"}))
       ->group(kGroup);
   app.add_flag("--no-error", options.no_error,
                "Keep one sum a pixel instead of four and tell no error; sobol's samples are one sequence then, spread "

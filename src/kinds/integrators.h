@@ -44,6 +44,10 @@ struct IntegratorFacts {
   [[nodiscard]] bool is_lit() const { return lamps != Lamps::unused; }
   /// max_depth limits more than the first surface's light.
   [[nodiscard]] bool has_depth() const { return follows == Follows::mirrors || follows == Follows::paths; }
+  /// Directions that materials draw find emission too, weighted against lights that are drawn.
+  [[nodiscard]] bool finds_emission() const {
+    return !from_lights && (follows == Follows::paths || follows == Follows::one_way);
+  }
 };
 
 /// Throws std::logic_error for a name that is no entry.

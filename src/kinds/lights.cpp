@@ -207,7 +207,7 @@ struct Row<CollimatedLight> {
 
 template <>
 struct Row<ConstantLight> {
-  static constexpr LightFacts facts{.entry = "constant", .is_far = true, .is_background = true};
+  static constexpr LightFacts facts{.entry = "constant", .is_far = true, .is_background = true, .is_even = true};
   static constexpr auto colour = &ConstantLight::radiance;
   static std::vector<double> reals(const ConstantLight& light, const UploadFrame&) {
     return {light.radiance.r, light.radiance.g, light.radiance.b};
@@ -303,6 +303,11 @@ decltype(auto) of_kind(AnyLight& light, Ask ask) {
 
 const LightFacts& light(const Light& light) {
   return of_kind(light, [](auto row, const auto&) -> const LightFacts& { return decltype(row)::facts; });
+}
+
+bool is_drawn(const LightFacts& light, const IntegratorFacts& integrator) {
+  if (light.is_delta) return integrator.lamps == Lamps::drawn;
+  return !(light.is_even && integrator.finds_emission());
 }
 
 std::vector<double> light_reals(const Light& light, const UploadFrame& frame) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "kinds/integrators.h"
 #include "kinds/light_reach.h"
 #include "kinds/map_vec3.h"
 #include "scene/model/scene.h"
@@ -23,9 +24,14 @@ struct LightFacts {
   bool is_far = false;    ///< Infinitely far away: it reaches every point alike.
   bool is_background = false;  ///< Rays that leave the scene see it; a scene has at most one, and a sun.
   bool is_sun = false;         ///< It stands before the other.
+  bool is_even = false;        ///< The same from all directions.
 };
 
 [[nodiscard]] const LightFacts& light(const Light& light);
+
+/// Whether directions to it are drawn. To one that is even they are not, where materials draw theirs: these are spread
+/// as what it lights is, and need no help (docs/decisions/0028-many-lights.md).
+[[nodiscard]] bool is_drawn(const LightFacts& light, const IntegratorFacts& integrator);
 
 /// Its parameters, as its file in cl/lights says, in the frame's units.
 [[nodiscard]] std::vector<double> light_reals(const Light& light, const UploadFrame& frame);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <map>
 #include <string>
 
@@ -40,10 +41,15 @@ class Lights {
     if (!ranges_.within(count, 0, most + 1, "the number of lights")) return;
     const std::int64_t taken = ranges_.at(layout::HEADER_LIGHTS_TAKEN), first = ranges_.at(layout::HEADER_LIGHTS);
     ranges_.within(taken, 0, count + 1, "the number of lights that are taken");
-    for (const int field : {layout::HEADER_BACKGROUND, layout::HEADER_SUN})
-      ranges_.within(ranges_.at(field), -1, count, "the light from afar");
-    if (!ranges_.index(first, count * layout::LIGHT_INTS, "the lights")) return;
-    for (std::int64_t i = 0; i < count && ranges_.fault().empty(); ++i) light(first + i * layout::LIGHT_INTS, i);
+    std::int64_t rows = count;
+    for (const int field : {layout::HEADER_BACKGROUND, layout::HEADER_SUN}) {
+      const std::int64_t row = ranges_.at(field);
+      // One that rays only find stands behind those that are counted.
+      if (!ranges_.within(row, -1, most, "the light from afar")) return;
+      rows = std::max(rows, row + 1);
+    }
+    if (!ranges_.index(first, rows * layout::LIGHT_INTS, "the lights")) return;
+    for (std::int64_t i = 0; i < rows && ranges_.fault().empty(); ++i) light(first + i * layout::LIGHT_INTS, i);
     ranges_.require(
         ranges_.at(layout::HEADER_CHOOSER) == facts_.features.entry_index("choosers", facts_.features.light_chooser),
         "the chooser of lights");
@@ -108,6 +114,8 @@ class Lights {
       ranges_.shading(chances, lights, "the rarities of lights");
       choices(at, lights, "the choices of lights", -1);
     }
+    if (facts_.features.light_chooser == "each")
+      ranges_.shading(chances, lights * layout::LIGHT_CHILD_REALS, "the reaches of lights");
     if (facts_.features.light_chooser != "tree") return;
     const std::int64_t nodes = lights - 1, links = at + lights;
     ranges_.shading(chances, 2 * nodes * layout::LIGHT_CHILD_REALS, "the tree of lights");

@@ -68,4 +68,12 @@ std::vector<double> LightCluster::reals(double least_radius) const {
           axis.z,   strength, radius * radius, cosine(spread), cosine(cutoff)};
 }
 
+double least_light_radius(std::span<const LightReach> lights) {
+  kinds::Extent extent;
+  for (const LightReach& light : lights)
+    if (const std::optional<Box> box = light.extent.box()) extent.add(box->min), extent.add(box->max);
+  const double size = extent.box() ? length(extent.box()->max - extent.box()->min) : 0;
+  return size > 0 ? 1e-6 * size : 1e-6;
+}
+
 }  // namespace strahl

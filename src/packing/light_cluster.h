@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "kinds/light_reach.h"
@@ -27,5 +28,8 @@ struct LightCluster {
   /// LIGHT_CHILD_... of cl/scene/layout.h; least_radius: of its ball, so that nothing divides by zero.
   [[nodiscard]] std::vector<double> reals(double least_radius) const;
 };
+
+/// Far below the distance of any point that is lit by one of several lights apart.
+[[nodiscard]] double least_light_radius(std::span<const LightReach> lights);
 
 }  // namespace strahl

@@ -20,19 +20,15 @@ double along(const Vec3& v, std::size_t axis) { return axis == 0 ? v.x : axis ==
 
 class Builder {
  public:
-  explicit Builder(std::span<const LightReach> lights) : order_(lights.size()) {
-    kinds::Extent extent;
+  explicit Builder(std::span<const LightReach> lights)
+      : order_(lights.size()), least_radius_(least_light_radius(lights)) {
     for (const LightReach& light : lights) {
       clusters_.push_back(LightCluster::of(light));
       const std::optional<Box>& box = clusters_.back().box;
       middles_.push_back(box ? 0.5 * (box->min + box->max) : Vec3{});
-      if (box) extent.add(box->min), extent.add(box->max);
     }
     std::iota(order_.begin(), order_.end(), 0);
     tree_.ways.resize(lights.size());
-    // Far below the distance of any point that is lit by one of several lights apart.
-    const double size = extent.box() ? length(extent.box()->max - extent.box()->min) : 0;
-    least_radius_ = size > 0 ? 1e-6 * size : 1e-6;
   }
 
   LightTree run() {
@@ -169,7 +165,7 @@ class Builder {
   std::vector<LightCluster> clusters_;
   std::vector<Vec3> middles_;
   std::vector<std::int32_t> order_;
-  double least_radius_ = 0;
+  double least_radius_;
   LightTree tree_;
 };
 

@@ -8,6 +8,7 @@
 
 #include "packing/choice_table.h"
 #include "packing/cl_layout.h"
+#include "packing/light_cluster.h"
 #include "packing/light_tree.h"
 
 namespace strahl {
@@ -61,6 +62,15 @@ void pack_chooser(PackedScene<Real>& packed, const Scene& scene, const Features&
     const int choices_at = put_choices(packed, choice_table(all));
     packed.at(layout::HEADER_CHANCES) = rarities_at;
     packed.at(layout::HEADER_CHOICES) = choices_at;
+  }
+  if (features.light_chooser == "each") {
+    std::vector<double> children;
+    for (const LightReach& light : lights) {
+      const std::vector<double> child = LightCluster::of(light).reals(least_light_radius(lights));
+      children.insert(children.end(), child.begin(), child.end());
+    }
+    const int children_at = packed.put_shading(children);
+    packed.at(layout::HEADER_CHANCES) = children_at;
   }
   if (features.light_chooser == "tree") {
     const LightTree tree = light_tree(lights);

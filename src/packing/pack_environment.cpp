@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
+#include <numeric>
 
 namespace strahl {
 namespace {
@@ -21,15 +21,22 @@ std::vector<double> luminances(const EnvironmentLight& light) {
   return all;
 }
 
+/// Of the texels, by the solid angles that they stand for.
+double mean_of(const EnvironmentLight& light, const std::vector<double>& luminances) {
+  double sum = 0, whole = 0;
+  for (int row = 0; row < light.texels->height; ++row) {
+    const double sine = std::sin(pi * row / (light.texels->height - 1));
+    const auto first = luminances.begin() + static_cast<std::ptrdiff_t>(row) * light.texels->width;
+    sum += sine * std::accumulate(first, first + light.texels->width, 0.0);
+    whole += sine * light.texels->width;
+  }
+  return sum / whole;
+}
+
 /// O. Karlik, M. Sik, P. Vivoda, T. Skrivan, J. Krivanek, "MIS Compensation: Optimizing Sampling Techniques in Multiple
 /// Importance Sampling", SIGGRAPH Asia 2019; where all is about as bright as the mean, nothing is left out.
-double compensation(const std::vector<double>& luminances) {
-  double sum = 0, least = std::numeric_limits<double>::infinity();
-  for (const double y : luminances) {
-    sum += y;
-    least = std::min(least, y);
-  }
-  const double mean = sum / static_cast<double>(luminances.size());
+double compensation(double mean, const std::vector<double>& luminances) {
+  const double least = *std::min_element(luminances.begin(), luminances.end());
   return mean - least <= 0.01 * mean ? 0 : mean;
 }
 
@@ -46,8 +53,10 @@ EnvironmentTables environment_tables(const EnvironmentLight& light, bool is_comp
   const auto rows = static_cast<std::size_t>(light.texels->height) - 1;
   std::vector<double> y = luminances(light);
   EnvironmentTables tables;
-  if (is_compensated && light.mis_compensation) tables.floor = compensation(y);
+  const double mean = mean_of(light, y);
+  if (is_compensated && light.mis_compensation) tables.floor = compensation(mean, y);
   for (double& one : y) one = std::max(one - tables.floor, 0.0);
+  if (mean > 0) tables.drawn = mean_of(light, y) / mean;
 
   std::vector<double> sines(rows), row_weights(rows, 0), cells(width);
   std::vector<Choice> of_cells;

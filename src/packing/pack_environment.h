@@ -11,6 +11,7 @@ namespace strahl {
 
 struct EnvironmentTables {
   double floor = 0;             ///< The luminance that is not drawn.
+  double drawn = 1;             ///< The share of the irradiance that is.
   std::vector<double> rows;     ///< Of each row of cells: cl/scene/layout.h, ENVMAP_ROWS.
   std::vector<Choice> choices;  ///< Among the rows of cells, then among the cells of each row.
 };

@@ -35,22 +35,18 @@ class LightTable {
              const UploadFrame& frame)
       : packed_(packed), images_(images), scene_(scene), features_(features), frame_(frame) {}
 
-  /// Delta lights first: those that are taken come before those that are drawn.
+  /// Those that are taken, those that are drawn, and those that rays only find.
   std::vector<int> run(const std::vector<const Shape*>& shapes, const std::vector<std::int32_t>& first_ids) {
     header(layout::HEADER_BACKGROUND) = header(layout::HEADER_SUN) = -1;
-    for (const Light& light : scene_.lights)
-      if (kinds::light(light).is_delta) put_light(light);
-    const int lamps = count();
-    for (const Light& light : scene_.lights) {
-      const kinds::LightFacts& facts = kinds::light(light);
-      if (!facts.is_delta && put_light(light) && facts.is_background)
-        header(facts.is_sun ? layout::HEADER_SUN : layout::HEADER_BACKGROUND) = count() - 1;
-    }
+    put_lights(true, false);
+    const int taken = count();
+    put_lights(true, true);
+    put_lights(false, true);
     area_lights(shapes, first_ids);
-    header(layout::HEADER_LIGHT_COUNT) = count();
-    const int taken = kinds::integrator(scene_.integrator.name).lamps == kinds::Lamps::drawn ? 0 : lamps;
     header(layout::HEADER_LIGHTS_TAKEN) = taken;
+    header(layout::HEADER_LIGHT_COUNT) = count();
     pack_chooser(packed_, scene_, features_, frame_, std::span(reaches_).subspan(static_cast<std::size_t>(taken)));
+    put_lights(false, false);
     const int rows_at = packed_.put_index(rows_);
     header(layout::HEADER_LIGHTS) = rows_at;
     return std::move(light_of_part_);
@@ -61,11 +57,21 @@ class LightTable {
   [[nodiscard]] bool begins_paths() const { return kinds::integrator(scene_.integrator.name).from_lights; }
   [[nodiscard]] int count() const { return static_cast<int>(rows_.size()) / layout::LIGHT_INTS; }
 
-  /// False where the program has no use for it.
-  bool put_light(const Light& from) {
-    if (kinds::light(from).is_beam && !begins_paths()) return false;
+  void put_lights(bool is_delta, bool is_drawn) {
+    const kinds::IntegratorFacts& integrator = kinds::integrator(scene_.integrator.name);
+    for (const Light& light : scene_.lights) {
+      const kinds::LightFacts& facts = kinds::light(light);
+      if (facts.is_delta == is_delta && kinds::is_drawn(facts, integrator) == is_drawn) put_light(light);
+    }
+  }
+
+  /// Not where the program has no use for it.
+  void put_light(const Light& from) {
+    const kinds::LightFacts& facts = kinds::light(from);
+    if (facts.is_beam && !begins_paths()) return;
     const int kind = numbers_("lights", light_kind(from));
-    if (kind < 0) return false;
+    if (kind < 0) return;
+    if (facts.is_background) header(facts.is_sun ? layout::HEADER_SUN : layout::HEADER_BACKGROUND) = count();
     Light light = from;
     const TexturedColour colour =
         textured_colour(kinds::light_colour(from), kinds::light_texture(from), scene_, features_);
@@ -78,14 +84,14 @@ class LightTable {
     kinds::light_colour(light) = colour.mean;
     reaches_.push_back(is_chosen ? kinds::light_reach(light, frame_) : LightReach{});
     if (const auto* environment = std::get_if<EnvironmentLight>(&light.emitter)) put_environment(*environment);
-    return true;
   }
 
-  /// Behind its reals, and into the last row.
+  /// Behind its reals, and into the last row and reach.
   void put_environment(const EnvironmentLight& light) {
-    const kinds::Follows follows = kinds::integrator(scene_.integrator.name).follows;
-    const EnvironmentTables tables = environment_tables(
-        light, !begins_paths() && (follows == kinds::Follows::paths || follows == kinds::Follows::one_way));
+    const EnvironmentTables tables =
+        environment_tables(light, kinds::integrator(scene_.integrator.name).finds_emission());
+    reaches_.back().power *= tables.drawn;
+    reaches_.back().intensity *= tables.drawn;
     packed_.put_shading({tables.floor});
     packed_.put_shading(tables.rows);
     const std::span row = std::span(rows_).last(layout::LIGHT_INTS);

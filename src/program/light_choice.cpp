@@ -10,8 +10,8 @@
 namespace strahl {
 namespace {
 
-/// From here on a tree is worth its text in the program.
-constexpr std::size_t least_tree = 4;
+/// From here on a walk down a tree takes less time than to ask each light.
+constexpr std::size_t least_tree = 33;
 
 std::size_t lights_of(const Shape& shape) {
   if (const auto* mesh = std::get_if<Mesh>(&shape.geometry); mesh != nullptr && !mesh->parts.empty())
@@ -33,10 +33,10 @@ DrawnLights drawn_lights(const Scene& scene, const std::function<bool(const std:
         is_used("areas/" + area_kind(shape.geometry)))
       lights.near += lights_of(shape);
   lights.count = lights.near;
-  const bool draws_all = kinds::integrator(scene.integrator.name).lamps == kinds::Lamps::drawn;
+  const kinds::IntegratorFacts& integrator = kinds::integrator(scene.integrator.name);
   for (const Light& light : scene.lights) {
     const kinds::LightFacts& facts = kinds::light(light);
-    if ((facts.is_delta && !draws_all) || !is_used(std::string("lights/") + facts.entry)) continue;
+    if (!kinds::is_drawn(facts, integrator) || !is_used(std::string("lights/") + facts.entry)) continue;
     ++lights.count;
     if (!facts.is_far) ++lights.near;
   }
@@ -45,7 +45,8 @@ DrawnLights drawn_lights(const Scene& scene, const std::function<bool(const std:
 
 std::string light_chooser(const DrawnLights& lights) {
   if (lights.count < 2) return "uniform";
-  return lights.count < least_tree || lights.near < 2 ? "power" : "tree";
+  if (lights.near == 0) return "power";
+  return lights.count < least_tree ? "each" : "tree";
 }
 
 }  // namespace strahl

@@ -18,7 +18,7 @@ struct DrawnLights {
 /// program holds an effect, as FeatureReport names it.
 [[nodiscard]] DrawnLights drawn_lights(const Scene& scene, const std::function<bool(const std::string&)>& is_used);
 
-/// "uniform" for a single light, "power" for few and for lights from afar, else "tree"
+/// "uniform" for a single light, "power" where all come from afar, "each" for few, else "tree"
 /// (docs/decisions/0028-many-lights.md).
 [[nodiscard]] std::string light_chooser(const DrawnLights& lights);
 

@@ -55,8 +55,8 @@ void require_light_paths(const Scene& scene, const RenderSettings& settings) {
   };
   if (!settings.aovs.empty()) refuse("--aov needs a camera ray in every pixel; take integrator path for the values");
   if (settings.texture_lod) refuse("--texture-lod needs the width of camera rays");
-  if (settings.light_choice && *settings.light_choice == "tree")
-    refuse("a tree of lights is asked from a point, and there is none; --light-choice power or uniform");
+  if (const std::string choice = settings.light_choice.value_or("power"); choice == "each" || choice == "tree")
+    refuse("lights are weighed by " + choice + " at a point, and there is none; --light-choice power or uniform");
   if (resolve_sampling(scene).kind == SamplerKind::centre)
     refuse("they never meet the pixels' centres alone; take another sampler");
   if (!scene.media.empty())

@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 #include <numbers>
 
+#include "kinds/integrators.h"
 #include "packing/cl_layout.h"
 #include "packing/pack.h"
 #include "scene/model/build.h"
@@ -284,7 +285,7 @@ TEST_CASE("Lights: those that the program knows, numbered as it numbers them") {
   add(scene, PointLight{{1e9 + 0.5, 2, 3}, {4, 5, 6}});
   add(scene, DirectionalLight{{0, 0, -8}, {7, 8, 9}});
   const Read<double> read(scene, {1, {1e9, 0, 0}});
-  REQUIRE(read.header(layout::HEADER_LIGHT_COUNT) == 3);
+  REQUIRE(read.header(layout::HEADER_LIGHT_COUNT) == 2);
   const auto light = [&](int i) {
     return read.ints(read.header(layout::HEADER_LIGHTS) + i * layout::LIGHT_INTS, layout::LIGHT_INTS);
   };
@@ -294,8 +295,24 @@ TEST_CASE("Lights: those that the program knows, numbered as it numbers them") {
   CHECK(read.shading(light(1)[layout::LIGHT_REALS], 6) == Reals{0, 0, -1, 7, 8, 9});
   CHECK(light(2)[layout::LIGHT_KIND] == read.features.entry_index("lights", "constant"));
   CHECK(read.shading(light(2)[layout::LIGHT_REALS], 3) == Reals{1, 2, 3});
-  CHECK(read.header(layout::HEADER_BACKGROUND) == 2);
-  CHECK(read.header(layout::HEADER_LIGHTS_TAKEN) == 2);  // One of the others is drawn, here the only one.
+  CHECK(read.header(layout::HEADER_BACKGROUND) == 2);  // Behind those that are counted: it is found, not drawn.
+  CHECK(read.header(layout::HEADER_LIGHTS_TAKEN) == 2);
+  CHECK(read.features.entries.at("choosers").empty());
+
+  // Nothing but drawing finds it there.
+  scene.integrator.name = "whitted";
+  const Read<double> drawn(scene, {1, {}});
+  CHECK(drawn.header(layout::HEADER_LIGHT_COUNT) == 3);
+  CHECK(drawn.header(layout::HEADER_BACKGROUND) == 2);
+  CHECK(drawn.header(layout::HEADER_LIGHTS_TAKEN) == 2);
+  for (const char* name : {"path", "volpath", "bdpt", "ptracer"}) {
+    INFO(name);
+    scene.integrator.name = name;
+    const Read<double> paths(scene, {1, {}});
+    CHECK(paths.header(layout::HEADER_LIGHT_COUNT) == (kinds::integrator(name).from_lights ? 3 : 2));
+    CHECK(paths.header(layout::HEADER_BACKGROUND) == 2);
+    CHECK(paths.header(layout::HEADER_LIGHTS_TAKEN) == 0);
+  }
 
   scene.integrator.name = "emission";
   const Read<double> seen(scene, {1, {}});

@@ -18,11 +18,12 @@ struct EnvironmentRow {
   EnvironmentLight light;
 };
 
-/// Grey, of floats; red, green and blue are 1, 1/2 and 1/4 of it.
+/// Grey, of floats; red, green and blue are 1, 1/2 and 1/4 of it. All of it is drawn.
 [[nodiscard]] inline EnvironmentLight environment_of(int width, int height, const std::vector<float>& values) {
   EnvironmentLight light;
   light.texels = std::make_shared<const Texels>(texels_of_floats(width, height, 1, values));
   light.scale = {1, 0.5, 0.25};
+  light.mis_compensation = false;
   return light;
 }
 

@@ -238,7 +238,7 @@ struct EnvironmentLight {
   /// Where x, y (towards row 0) and z of the image lie in the world: orthonormal, of either handedness.
   std::array<Vec3, 3> axes{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};
   /// Draws no more than what exceeds the mean luminance; directions of materials find the rest.
-  bool mis_compensation = false;
+  bool mis_compensation = true;
 };
 
 /// A disc in the sky, before the background.

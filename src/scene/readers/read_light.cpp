@@ -105,7 +105,7 @@ std::optional<Emitter> read_envmap(Properties& properties, SceneBuilder& builder
   light.texels = read_image_file(properties, builder);
   const double scale = properties.number("scale").value_or(1);
   light.scale = {scale, scale, scale};
-  light.mis_compensation = properties.boolean("mis_compensation").value_or(false);
+  light.mis_compensation = properties.boolean("mis_compensation").value_or(light.mis_compensation);
   if (const std::optional<Transform> to_world = properties.transform("to_world")) {
     const double size = std::cbrt(std::fabs(to_world->determinant()));
     for (std::size_t i = 0; i < 3; ++i) light.axes[i] = (1 / size) * to_world->column(static_cast<int>(i));
