@@ -22,6 +22,17 @@ FN int are_few_w(const Packet_w* p, maskw active) {
   return (int)lanes_among(bits_w(active)) <= (is_alike_w(p) ? (int)FEW_ALIKE_w : (int)FEW_UNLIKE_w);
 }
 
+/// A leaf of one block with two primitives for each of its rays at most: the packet tests these sooner than the rays go
+/// on alone.
+FN int is_short_leaf_w(const Scene* scene, int reference, maskw active) {
+  uint leaf = (uint)~reference;
+  int kind = (int)(leaf & (REFERENCE_MOST_KINDS - 1)), first = (int)(leaf >> REFERENCE_BLOCK);
+  if (reference >= 0 || ((leaf >> REFERENCE_COUNT) & REFERENCE_MOST_BLOCKS) != 1u) return 0;
+  if (HAS_INSTANCES && kind == SHAPE_COUNT) return 0;
+  GLOBAL const int* ids = scene->index + scene_shape_row(scene, kind)[SHAPE_IDS] + first * LANES;
+  return ids[2 * (int)lanes_among(bits_w(active))] < 0;
+}
+
 /// Where any hit will do: ends the rays that have hit something.
 FN void packet_stop_w(const Scene* scene, Packet_w* p) {
   packet_settle_w(scene, p);
@@ -115,7 +126,7 @@ FN void packet_walk_w(const Scene* scene, Packet_w* world) {
     if (HAS_TREE && entry == NO_REFERENCE) reference = is_within ? place.group[GROUP_ROOT] : scene_root(scene);
 
     int is_list = reference < 0 && leaf_is_list(reference);
-    if (HAS_TREE && !(is_within && is_list) && are_few_w(p, active)) {
+    if (HAS_TREE && !(is_within && is_list) && are_few_w(p, active) && !is_short_leaf_w(scene, reference, active)) {
       packet_alone_w(scene, p, reference, active);
     } else if (HAS_TREE && reference >= 0) {
       push_children_w(p, nodes, reference, active, &stack);

@@ -553,6 +553,7 @@
 #define is_plain_w LANED(is_plain_w)
 #define is_same_shape_w LANED(is_same_shape_w)
 #define is_seen_through_w LANED(is_seen_through_w)
+#define is_short_leaf_w LANED(is_short_leaf_w)
 #define is_there_w LANED(is_there_w)
 #define is_usual_w LANED(is_usual_w)
 #define is_within_w LANED(is_within_w)
