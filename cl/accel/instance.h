@@ -94,7 +94,8 @@ FN Ray ray_of_world(const Ray* world) {
 
 FN int leaf_kind(int reference) { return (int)((uint)~reference & (REFERENCE_MOST_KINDS - 1)); }
 FN int leaf_first(int reference) { return (int)((uint)~reference >> REFERENCE_BLOCK); }
-FN int leaf_is_list(int reference) { return ((uint)~reference >> REFERENCE_COUNT & REFERENCE_MOST_BLOCKS) == 0u; }
+FN int leaf_blocks(int reference) { return (int)((uint)~reference >> REFERENCE_COUNT) & REFERENCE_MOST_BLOCKS; }
+FN int leaf_is_list(int reference) { return leaf_blocks(reference) == 0; }
 
 /// The list of instances after the first one of this list; NO_REFERENCE: it is empty.
 FN int next_instance(const Scene* scene, int reference) {

@@ -25,11 +25,10 @@ FN int are_few_w(const Packet_w* p, maskw active) {
 /// A leaf of one block with two primitives for each of its rays at most: the packet tests these sooner than the rays go
 /// on alone.
 FN int is_short_leaf_w(const Scene* scene, int reference, maskw active) {
-  uint leaf = (uint)~reference;
-  int kind = (int)(leaf & (REFERENCE_MOST_KINDS - 1)), first = (int)(leaf >> REFERENCE_BLOCK);
-  if (reference >= 0 || ((leaf >> REFERENCE_COUNT) & REFERENCE_MOST_BLOCKS) != 1u) return 0;
+  int kind = leaf_kind(reference);
+  if (reference >= 0 || leaf_blocks(reference) != 1) return 0;
   if (HAS_INSTANCES && kind == SHAPE_COUNT) return 0;
-  GLOBAL const int* ids = scene->index + scene_shape_row(scene, kind)[SHAPE_IDS] + first * LANES;
+  GLOBAL const int* ids = scene->index + scene_shape_row(scene, kind)[SHAPE_IDS] + leaf_first(reference) * LANES;
   return ids[2 * (int)lanes_among(bits_w(active))] < 0;
 }
 

@@ -33,9 +33,7 @@ FN void settle_one_w(const Ray* ray, Nearest* best) {
 /// Tests the blocks of a leaf, or all blocks that its kind lists, against the rays of `active`. group: the row of the
 /// group that the packet is in; 0: none.
 FN void packet_leaf_w(const Scene* scene, Packet_w* p, GLOBAL const int* group, int reference, maskw active) {
-  uint leaf = (uint)~reference;
-  int kind = (int)(leaf & (REFERENCE_MOST_KINDS - 1)), first = (int)(leaf >> REFERENCE_BLOCK);
-  int count = (int)(leaf >> REFERENCE_COUNT) & REFERENCE_MOST_BLOCKS;
+  int kind = leaf_kind(reference), first = leaf_first(reference), count = leaf_blocks(reference);
   GLOBAL const int* row = scene_shape_row(scene, kind);
   if (count == 0) count = row[SHAPE_LISTED];
   if (HAS_GROUPS && group != 0 && leaf_is_list(reference)) {

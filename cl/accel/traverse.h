@@ -171,9 +171,7 @@ LEAF_FN void meet_blocks_w(const Scene* scene, const Ray* ray, int kind, int fir
 
 /// Tests the blocks of a leaf, or all blocks that the kind lists in that place.
 FN void meet_leaf_w(const Scene* scene, const Ray* ray, const Place* place, int reference, int want, Nearest* best) {
-  uint leaf = (uint)~reference;
-  int kind = (int)(leaf & (REFERENCE_MOST_KINDS - 1)), first = (int)(leaf >> REFERENCE_BLOCK);
-  int count = (int)(leaf >> REFERENCE_COUNT) & REFERENCE_MOST_BLOCKS;
+  int kind = leaf_kind(reference), first = leaf_first(reference), count = leaf_blocks(reference);
   GLOBAL const int* row = scene_shape_row(scene, kind);
   if (count == 0) count = row[SHAPE_LISTED];
   GLOBAL const int* group = scene_met(scene);
