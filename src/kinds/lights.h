@@ -29,8 +29,8 @@ struct LightFacts {
 
 [[nodiscard]] const LightFacts& light(const Light& light);
 
-/// Whether directions to it are drawn. To one that is even they are not, where materials draw theirs: these are spread
-/// as what it lights is, and need no help (docs/decisions/0028-many-lights.md).
+/// Whether directions to it are drawn. To one that is even they are not, where materials draw directions: they do so
+/// about in proportion to what they reflect of it (docs/decisions/0028-many-lights.md).
 [[nodiscard]] bool is_drawn(const LightFacts& light, const IntegratorFacts& integrator);
 
 /// Its parameters, as its file in cl/lights says, in the frame's units.
