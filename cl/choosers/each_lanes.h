@@ -17,7 +17,7 @@ typedef struct {
 } LightRates_w;
 
 FN LightRates_w light_rates_w(const Scene* scene, GLOBAL const real* children, real3w from) {
-  realw zero = splat_w(R(0.0)), one = splat_w(R(1.0)), eighth = splat_w(R(0.125)), far = zero, near = zero;
+  realw zero = splat_w(R(0.0)), one = splat_w(R(1.0)), far = zero, near = zero;
   int count = lights_drawn_from(scene);
   for (int i = 0; i < count; ++i) {
     GLOBAL const real* child = children + i * LIGHT_CHILD_REALS;
@@ -27,7 +27,7 @@ FN LightRates_w light_rates_w(const Scene* scene, GLOBAL const real* children, r
     else
       near = near + importance;
   }
-  realw both = far + near, share = min_w(max_w(far / both, eighth), one - eighth);
+  realw both = far + near, share = share_afar_w(far / both);
   maskw is_sound = lt_w(zero, both) & lt_w(both, splat_w(REAL_MAX));
   share = sel_w(lt_w(zero, near), share, one);
   share = sel_w(lt_w(zero, far), share, zero);

@@ -47,3 +47,9 @@ FN realw light_importance_w(PRIVATE const realw* child, real3w from) {
   }
   return sel_w(is_everywhere, strength, strength * share / distance2);
 }
+
+/// Of the whole, where there are near lights too: lights from afar, and near ones, have an eighth of it at least.
+FN realw share_afar_w(realw share) {
+  realw eighth = splat_w(R(0.125));
+  return min_w(max_w(share, eighth), splat_w(R(1.0)) - eighth);
+}

@@ -28,7 +28,7 @@ FN realw importance_of_node_w(GLOBAL const real* children, intw node, real3w fro
 FN LightShares_w light_shares_w(GLOBAL const real* children, GLOBAL const int* links, intw node, real3w from) {
   realw pair[LIGHT_NODE_REALS_w];
   light_node_w(children, node, pair);
-  realw zero = splat_w(R(0.0)), one = splat_w(R(1.0)), even = splat_w(R(0.5)), eighth = splat_w(R(0.125));
+  realw zero = splat_w(R(0.0)), one = splat_w(R(1.0)), even = splat_w(R(0.5));
   realw left = light_importance_w(pair, from);
   realw right = light_importance_w(pair + LIGHT_CHILD_REALS, from);
   maskw is_mixed = lt_w(pair[LIGHT_CHILD_RADIUS2], zero) & ~lt_w(pair[LIGHT_CHILD_REALS + LIGHT_CHILD_RADIUS2], zero);
@@ -43,7 +43,7 @@ FN LightShares_w light_shares_w(GLOBAL const real* children, GLOBAL const int* l
   LightShares_w shares;
   shares.left = sel_w(is_sound, left / both, even);
   shares.right = sel_w(is_sound, right / both, even);
-  realw far = min_w(max_w(shares.left, eighth), one - eighth);
+  realw far = share_afar_w(shares.left);
   shares.left = sel_w(is_mixed, far, shares.left);
   shares.right = sel_w(is_mixed, one - far, shares.right);
   return shares;

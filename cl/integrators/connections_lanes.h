@@ -15,7 +15,7 @@ FN void add_found_light_w(const Scene* scene, Paths_w* path, const Surfaces_w* s
     path_add_w(path, is_bright, radiance);
     return;
   }
-  intw lights = sel_int_w(s->hit, part_entry_w(scene, s, PART_LIGHT), splat_int_w(scene->index[header]));
+  intw lights = sel_int_w(s->hit, part_entry_w(scene, s, PART_LIGHT), splat_int_w(drawn_afar(scene, header)));
   maskw is_shared = is_bright & lt_int_w(splat_int_w(0), path->depth) & ~lt_int_w(lights, splat_int_w(0));
   if (any_w(is_shared)) {
     real3w ray = real3_at_w(path->rays.planes + RAY_PLANE_D);

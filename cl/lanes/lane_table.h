@@ -883,6 +883,7 @@
 #define settle_w LANED(settle_w)
 #define settled_kind_w LANED(settled_kind_w)
 #define settled_w LANED(settled_w)
+#define share_afar_w LANED(share_afar_w)
 #define shear_each_w LANED(shear_each_w)
 #define shear_for_each_w LANED(shear_for_each_w)
 #define shear_vertex_w LANED(shear_vertex_w)

@@ -9,6 +9,7 @@
 #include <variant>
 
 #include "kinds/faults.h"
+#include "kinds/sphere_mean.h"
 #include "kinds/textures.h"
 #include "kinds/upload_frame.h"
 
@@ -236,16 +237,11 @@ struct Row<EnvironmentLight> {
   /// As if it were the same in all directions.
   static void reach(LightReach& reach, const EnvironmentLight& light, const UploadFrame&) {
     const TexelDecoder decoded(*light.texels, light.curve);
-    double sum = 0, weights = 0;
-    for (int row = 0; row < light.texels->height; ++row) {
-      const double weight = std::sin(std::numbers::pi * row / (light.texels->height - 1));
-      for (int column = 0; column < light.texels->width; ++column) {
-        const std::array<double, 3> c = decoded(static_cast<std::size_t>(row * light.texels->width + column));
-        sum += weight * luminance({light.scale.r * c[0], light.scale.g * c[1], light.scale.b * c[2]});
-        weights += weight;
-      }
-    }
-    reach.power = reach.intensity = weights > 0 ? std::numbers::pi * sum / weights : 0;
+    const double mean = sphere_mean(*light.texels, [&](std::size_t n) {
+      const std::array<double, 3> c = decoded(n);
+      return luminance({light.scale.r * c[0], light.scale.g * c[1], light.scale.b * c[2]});
+    });
+    reach.power = reach.intensity = std::numbers::pi * mean;
   }
   static void move(EnvironmentLight&, const MapVec3&) {}
   static void scale(EnvironmentLight&, double) {}

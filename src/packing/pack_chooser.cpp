@@ -65,8 +65,9 @@ void pack_chooser(PackedScene<Real>& packed, const Scene& scene, const Features&
   }
   if (features.light_chooser == "each") {
     std::vector<double> children;
+    const double least_radius = least_light_radius(lights);
     for (const LightReach& light : lights) {
-      const std::vector<double> child = LightCluster::of(light).reals(least_light_radius(lights));
+      const std::vector<double> child = LightCluster::of(light).reals(least_radius);
       children.insert(children.end(), child.begin(), child.end());
     }
     const int children_at = packed.put_shading(children);

@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <numeric>
+
+#include "kinds/sphere_mean.h"
 
 namespace strahl {
 namespace {
@@ -19,18 +20,6 @@ std::vector<double> luminances(const EnvironmentLight& light) {
     all[n] = luminance({c[0], c[1], c[2]});
   }
   return all;
-}
-
-/// Of the texels, by the solid angles that they stand for.
-double mean_of(const EnvironmentLight& light, const std::vector<double>& luminances) {
-  double sum = 0, whole = 0;
-  for (int row = 0; row < light.texels->height; ++row) {
-    const double sine = std::sin(pi * row / (light.texels->height - 1));
-    const auto first = luminances.begin() + static_cast<std::ptrdiff_t>(row) * light.texels->width;
-    sum += sine * std::accumulate(first, first + light.texels->width, 0.0);
-    whole += sine * light.texels->width;
-  }
-  return sum / whole;
 }
 
 /// O. Karlik, M. Sik, P. Vivoda, T. Skrivan, J. Krivanek, "MIS Compensation: Optimizing Sampling Techniques in Multiple
@@ -53,10 +42,11 @@ EnvironmentTables environment_tables(const EnvironmentLight& light, bool is_comp
   const auto rows = static_cast<std::size_t>(light.texels->height) - 1;
   std::vector<double> y = luminances(light);
   EnvironmentTables tables;
-  const double mean = mean_of(light, y);
+  const auto mean_of = [&] { return kinds::sphere_mean(*light.texels, [&](std::size_t n) { return y[n]; }); };
+  const double mean = mean_of();
   if (is_compensated && light.mis_compensation) tables.floor = compensation(mean, y);
   for (double& one : y) one = std::max(one - tables.floor, 0.0);
-  if (mean > 0) tables.drawn = mean_of(light, y) / mean;
+  if (mean > 0) tables.drawn = mean_of() / mean;
 
   std::vector<double> sines(rows), row_weights(rows, 0), cells(width);
   std::vector<Choice> of_cells;
