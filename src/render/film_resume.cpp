@@ -68,10 +68,12 @@ bool FilmRun::go_on_from(const FilmState& state) {
 
 /// One band has its sums on the device; of several the device adds to none, and the host adds them up.
 void FilmRun::begin_band_with(const FilmState& state) {
-  clear(band_.count, false);
   const std::size_t first = static_cast<std::size_t>(band_.first) * static_cast<std::size_t>(width_);
   const std::size_t pixels = static_cast<std::size_t>(band_.count) * static_cast<std::size_t>(width_);
-  if (is_one_band()) write_buffer(state_.device, state_.film, state.film.words.data(), film_bytes(pixels));
+  if (is_one_band())
+    write_buffer(state_.device, state_.film, state.film.words.data(), film_bytes(pixels));
+  else
+    clear(band_.count, false);
   if (!has_first_samples_ || !state_.has_aov()) return;
   write_buffer(state_.device, state_.aov_ints, &state.aov_ints[first * layout::AOV_INTS], state_.aov_int_bytes(pixels));
   const double* reals = &state.aov_reals[first * layout::AOV_REALS];

@@ -181,7 +181,7 @@ bool FilmRun::render_pass(const Pass& pass) {
   bool carry_on = true;
   for (int row = 0; row < height_ && carry_on; row += band_rows_) {
     band_ = {row, std::min(band_rows_, height_ - row)};
-    if (!is_one_band() || pass.first == film_.first_sample) clear(band_.count, has_first_samples_);
+    if (!is_one_band()) clear(band_.count, has_first_samples_);
     carry_on = render_all_of({0, row, width_, band_.count, pass.first, pass.count});
     end_band();
   }
@@ -248,7 +248,6 @@ void FilmRun::finish() {
 void FilmRun::measure_finish() {
   const Stopwatch start;
   const PhaseSeconds before = result_.stats.seconds;
-  if (!is_shared()) clear(std::min(band_rows_, height_), false);
   std::fill(film_.samples.begin(), film_.samples.end(), layout::FILM_SUBSUMS);
   finish();
   std::fill(film_.samples.begin(), film_.samples.end(), 0);
@@ -259,11 +258,11 @@ void FilmRun::measure_finish() {
 
 RenderResult FilmRun::run() {
   if (!is_shared()) write_header();
+  // Whatever ends the render, there is a film: of one band on the device, of several on the host.
+  if (is_one_band()) clear(height_, true);
   if (goal_.deadline && !state_.finish_seconds) measure_finish();
   if (goal_.deadline) samples_until_ = later(*goal_.deadline, -state_.finish_seconds.value_or(0));
   bool carry_on = true;
-  // What is kept must be a film even where there is no time for a single pass.
-  if (keeper_ != nullptr && is_one_band()) clear(height_, true);
   if (keeper_ != nullptr && keeper_->begin_with != nullptr) carry_on = go_on_from(*keeper_->begin_with);
   while (carry_on) {
     if (passes_.wants_error()) {

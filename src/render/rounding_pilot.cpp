@@ -18,9 +18,8 @@ constexpr int least_side = 12;  ///< Pixels.
 constexpr int most_side = 40;
 constexpr std::uint64_t most_bytes = std::uint64_t{64} << 20;
 
-/// A pilot's sample in both tiers, counted in samples of the run: double precision on one lane takes up to ten, and so
-/// do four samples where the run followed eight at a time.
-constexpr double cost_of_a_sample = 20;
+/// A pilot's sample in both tiers, counted in samples of the run: there are few of each pixel, and few pixels.
+constexpr double cost_of_a_sample = 15;
 
 /// Seconds to assume for the build where the run itself has built no program: twice the slowest of the shipped scenes.
 constexpr double longest_build = 30;
@@ -83,8 +82,8 @@ class PilotDifferences {
 int rounding_pilot_side(const RunStats& run, bool is_built, std::optional<double> most_seconds) {
   if (!most_seconds) return most_side;
   if (run.camera_rays == 0) return 0;
-  // The program in double precision builds faster than wider ones (docs/decisions/0011-error.md), so the run's own time
-  // is an upper bound. Loading takes the same time for every program.
+  // The program in double precision builds no longer than the tier's (docs/decisions/0011-error.md). Loading takes the
+  // same time for every program.
   const bool is_known = is_built || !run.program_from_cache;
   const double build = is_known ? run.seconds.program : std::max(run.seconds.program, longest_build);
   const double left = *most_seconds - build - 2 * (run.seconds.upload + run.seconds.bvh);
@@ -97,13 +96,15 @@ int rounding_pilot_side(const RunStats& run, bool is_built, std::optional<double
 std::optional<double> rounding_rmse(const Device& device, const Scene& scene, const RenderSettings& settings,
                                     const RunStats& run, std::optional<double> most_seconds) {
   if (!device.info().fp64 || settings.precision == Precision::fp64 || run.scene_bytes > most_bytes) return std::nullopt;
+  // To ask the cache takes a program's text, which is more than a short run may spend.
+  if (rounding_pilot_side(run, true, most_seconds) == 0) return std::nullopt;
   const Stopwatch watch;
   RenderSettings tier = settings;
   tier.aovs.clear();
   tier.error_map = false;
   RenderSettings exact = tier;
   exact.precision = Precision::fp64;
-  exact.lanes = 1;  // Builds faster than wider programs (docs/decisions/0011-error.md).
+  exact.lanes.reset();
   exact.bvh_width.reset();
   exact.generic = false;
   const int side =

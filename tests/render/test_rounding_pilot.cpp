@@ -18,8 +18,8 @@ RunStats run_of(double program_seconds, bool from_cache) {
   return run;
 }
 
-/// Of the least that can be told: two seeds of 4 samples, 20 samples of the run each.
-double least_seconds(int side) { return side * side * 2 * 4 * 20 * 2e-6; }
+/// Of the least that can be told: two seeds of 4 samples, 15 samples of the run each.
+double least_seconds(int side) { return side * side * 2 * 4 * 15 * 2e-6; }
 
 TEST_CASE("a program that is yet to be built costs what the run's own did") {
   CHECK(rounding_pilot_side(run_of(3.0, false), false, 0.3) == 0);
