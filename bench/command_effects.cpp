@@ -15,9 +15,9 @@
 namespace strahl::bench {
 namespace {
 
-constexpr const char* kScenes = STRAHL_BENCH_FOLDER "/../scenes/";
-constexpr const char *kBegin = "<!-- measured: bench/run effects -->\n",
-                     *kEach = "<!-- measured: bench/run effects --each -->\n", *kEnd = "<!-- end -->";
+constexpr const char* scenes_folder = STRAHL_BENCH_FOLDER "/../scenes/";
+constexpr const char *begin_mark = "<!-- measured: bench/run effects -->\n",
+                     *each_mark = "<!-- measured: bench/run effects --each -->\n", *end_mark = "<!-- end -->";
 
 struct EffectsCommand {
   EffectsOptions what;
@@ -36,10 +36,10 @@ void write(const std::string& path, const std::string& text) {
 void write_report(const std::string& path, const char* mark, const std::string& measured, const std::string& json_path,
                   const std::string& json_text) {
   std::string page = read_file(path);
-  const std::size_t begin = page.find(mark), end = page.find(kEnd, begin);
+  const std::size_t begin = page.find(mark), end = page.find(end_mark, begin);
   if (begin == std::string::npos || end == std::string::npos)
     throw UsageError(fmt::format("{}: there are no marks `{}` and `{}` around what is measured", path,
-                                 std::string(mark).substr(0, std::string(mark).size() - 1), kEnd));
+                                 std::string(mark).substr(0, std::string(mark).size() - 1), end_mark));
   const std::size_t from = begin + std::string(mark).size();
   page.replace(from, end - from, measured);
   write(path, page);
@@ -48,9 +48,9 @@ void write_report(const std::string& path, const char* mark, const std::string& 
 
 void run(EffectsCommand options) {
   keep_drivers_from_caching();
-  options.what.folder = kScenes;
+  options.what.folder = scenes_folder;
   if (options.what.scenes.empty())
-    for (const auto& entry : std::filesystem::recursive_directory_iterator(kScenes))
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(scenes_folder))
       if (entry.path().extension() == ".xml" && entry.path().stem() != "stage")
         options.what.scenes.push_back(entry.path().string());
   std::sort(options.what.scenes.begin(), options.what.scenes.end());
@@ -61,12 +61,13 @@ void run(EffectsCommand options) {
     const std::vector<EffectRow> rows = measure_effect_rows(device, options.what, tell);
     fmt::print("{}", markdown(rows, device));
     if (!options.report.empty())
-      write_report(options.report, kEach, markdown(rows, device), stem + "-each.json", json(rows, device));
+      write_report(options.report, each_mark, markdown(rows, device), stem + "-each.json", json(rows, device));
     return;
   }
   const Effects effects = measure_effects(device, options.what, tell);
   fmt::print("{}", markdown(effects));
-  if (!options.report.empty()) write_report(options.report, kBegin, markdown(effects), stem + ".json", json(effects));
+  if (!options.report.empty())
+    write_report(options.report, begin_mark, markdown(effects), stem + ".json", json(effects));
 }
 
 }  // namespace

@@ -23,7 +23,7 @@
 namespace strahl::bench {
 namespace {
 
-constexpr const char* kRoot = "kernels/ten_spheres_minimal.cl";
+constexpr const char* minimal_kernel = "kernels/ten_spheres_minimal.cl";
 
 /// The kernels of that file, on buffers of their own.
 template <typename Real>
@@ -32,9 +32,9 @@ class Minimal {
   Minimal(const Device& device, const Scene& scene, const RenderSettings& settings, int lanes)
       : device_(device), side_(scene.film.width) {
     KernelFiles files = kernel_files();
-    files[kRoot] = read_file(STRAHL_BENCH_FOLDER "/kernels/ten_spheres_minimal.cl");
-    program_ = build_program(
-        device, program_source(files, kRoot, features_of(scene, settings), settings.precision, lanes, lanes, false));
+    files[minimal_kernel] = read_file(STRAHL_BENCH_FOLDER "/kernels/ten_spheres_minimal.cl");
+    program_ = build_program(device, program_source(files, minimal_kernel, features_of(scene, settings),
+                                                    settings.precision, lanes, lanes, false));
     const UploadFrame frame = settings.precision == Precision::fast ? UploadFrame{} : camera_frame(scene);
     const std::size_t width = static_cast<std::size_t>(lanes), count = scene.shapes.size();
     blocks_ = static_cast<int>((count + width - 1) / width);

@@ -127,7 +127,9 @@ struct Plane {
 };
 
 float blocks(std::uint32_t count, int block) {
-  return static_cast<float>((count + static_cast<std::uint32_t>(block) - 1) / static_cast<std::uint32_t>(block));
+  const auto of_one = static_cast<std::uint32_t>(block);
+  const std::uint32_t whole = (count + of_one - 1) / of_one;
+  return static_cast<float>(whole);
 }
 
 Plane best_plane(const Bins& bins, const BinScale& scale, int block) {

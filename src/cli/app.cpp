@@ -17,7 +17,7 @@
 namespace strahl::cli {
 namespace {
 
-constexpr const char* kAppFooter = R"(
+constexpr const char* app_footer = R"(
 The first argument may be a scene or a mesh instead of a subcommand: it is rendered.
 
 Examples:
@@ -83,7 +83,7 @@ ExitCode run(std::vector<std::string> arguments, const Invocation& invocation) {
   app.set_version_flag("--version", "strahl " STRAHL_VERSION, "Print the version and exit");
   app.set_help_flag("-h,--help", "Print this help and exit");
   app.get_formatter()->column_width(34);
-  app.footer(kAppFooter);
+  app.footer(app_footer);
   app.require_subcommand(1);
   // As everywhere: of an option that takes one value and is given twice, the last holds, so that a script's own can be
   // overridden at the end of its line. Subcommands inherit it; lists keep all of their values.

@@ -23,7 +23,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* kBenchFooter = R"(
+constexpr const char* bench_footer = R"(
 Rays through one scene in every precision that the device has: camera rays, shadow rays and diffuse bounces, by the code
 that render uses; in turns, medians of five rounds. Memory: reads by a kernel, copies by the driver. Less than a minute.
 
@@ -217,7 +217,7 @@ Command add_bench(CLI::App& app) {
       ->excludes("--compare");
   app.add_flag("-q,--quiet", options->quiet, "Say nothing but the table");
   app.add_flag("--no-progress", options->no_progress, "No progress bar");
-  app.footer(kBenchFooter);
+  app.footer(bench_footer);
   return [options] { return bench(*options); };
 }
 

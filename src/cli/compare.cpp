@@ -19,7 +19,7 @@
 namespace strahl::cli {
 namespace {
 
-constexpr const char* kCompareFooter = R"(
+constexpr const char* compare_footer = R"(
 B is the reference. mse, rmse, mae and relmse compare linear values; psnr (dB, inf: equal) and ssim (1: equal) sRGB
 values from 0 to 1; flip is the error that an eye sees at --ppd when it flips between the pictures, from 0 to 1, of
 values up to 1; hdrflip is the same over all exposures that suit the reference.
@@ -123,7 +123,7 @@ Command add_compare(CLI::App& app) {
   require_finite(app.add_option("--fail-above", options->bound, "Exit with 7 where the metric is worse than X"))
       ->type_name("X");
   app.add_flag("--json", options->json, "For programs");
-  app.footer(kCompareFooter);
+  app.footer(compare_footer);
   return [options] { return compare(*options); };
 }
 

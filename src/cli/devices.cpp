@@ -17,7 +17,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* kDevicesFooter = R"(
+constexpr const char* devices_footer = R"(
 Examples:
   strahl devices                  the default device is marked with *
   strahl devices --json
@@ -124,7 +124,7 @@ Command add_devices(CLI::App& app) {
   const auto options = std::make_shared<DevicesOptions>();
   app.add_flag("--json", options->json, "For programs");
   app.add_flag("--clear-cache", options->clear_cache, "Remove every cached program instead");
-  app.footer(kDevicesFooter);
+  app.footer(devices_footer);
   return [options] { return devices(*options); };
 }
 

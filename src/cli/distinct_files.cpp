@@ -23,7 +23,7 @@ constexpr int most_links = 40;  // As Linux follows.
 fs::path place_of(fs::path path) {
   std::error_code fault;
   for (int link = 0; link < most_links; ++link) {
-    const fs::path there = fs::canonical(path, fault);
+    fs::path there = fs::canonical(path, fault);
     if (!fault) return there;
     const fs::path parent = path.has_parent_path() ? path.parent_path() : fs::path(".");
     const fs::path folder = fs::weakly_canonical(parent, fault);

@@ -34,7 +34,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* kExplainFooter = R"(
+constexpr const char* explain_footer = R"(
 Lists every effect, on or off, with the scene element that called for it, and the hash of the rendering program. The
 program depends on the number of lanes: that of --lanes, else what fits the device, else (no device at all) 1.
 
@@ -264,7 +264,7 @@ Command add_explain(CLI::App& app) {
   add_scene_overrides(app, options->overrides);
   add_kernel_options(app, options->kernel);
   add_program_options(app, options->kernel);
-  app.footer(kExplainFooter);
+  app.footer(explain_footer);
   return [options] { return explain(*options); };
 }
 

@@ -21,7 +21,7 @@
 namespace strahl::cli {
 namespace {
 
-constexpr const char* kIntersectFooter = R"(
+constexpr const char* intersect_footer = R"(
 Rays: N x 8 float32 or float64 (origin x y z, direction x y z of any length, t_min, t_max; t_min <= t <= t_max counts),
 or N x 11 (and the instance, shape and primitive just left, -1: none).
 Hits: N x 9 float64 (t, instance, shape, primitive, u, v, unit normal x y z); a miss is inf -1 -1 -1 0 0 0 0 0.
@@ -120,7 +120,7 @@ Command add_intersect(CLI::App& app, const Invocation& invocation) {
   app.add_option("--stats", options->stats, "Time and memory as JSON; - for standard output")->type_name("FILE");
   add_kernel_options(app, options->kernel);
   add_canary_option(app, options->kernel);
-  app.footer(kIntersectFooter);
+  app.footer(intersect_footer);
   return [options, &invocation] { return intersect(*options, invocation); };
 }
 

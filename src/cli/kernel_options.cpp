@@ -15,7 +15,7 @@
 namespace strahl::cli {
 namespace {
 
-constexpr const char* kGroup = "How it is computed";
+constexpr const char* how_computed = "How it is computed";
 
 WorkGroup work_group_of(const std::string& text) {
   const char* const end = text.data() + text.size();
@@ -37,38 +37,38 @@ void add_kernel_options(CLI::App& app, KernelOptions& options) {
       ->type_name("NAME")
       ->check(CLI::IsMember({"fast", "stable", "robust", "double"}))
       ->default_str("robust")
-      ->group(kGroup);
+      ->group(how_computed);
   app.add_option("--lanes", options.lanes,
                  "Primitives tested at a time: 1, 8 or 16 (double: 1 or 8); default: what fits the device; the "
                  "results do not change")
       ->type_name("N")
       ->check(CLI::IsMember({1, 8, 16}))
-      ->group(kGroup);
+      ->group(how_computed);
   app.add_option(
          "--bvh-width", options.bvh_width,
          "Children of a tree's node: 16 or 8, tested at a time together with as many primitives, or 4 or 2, one "
          "after the other (double: up to 8); default: what fits the device; the results do not change")
       ->type_name("N")
       ->check(CLI::IsMember({2, 4, 8, 16}))
-      ->group(kGroup);
+      ->group(how_computed);
   app.add_option("--accel", options.acceleration,
                  "auto: a tree where there are enough primitives; list: every ray meets every primitive; tree; the "
                  "results do not change")
       ->type_name("NAME")
       ->check(CLI::IsMember({"auto", "list", "tree"}))
       ->default_str("auto")
-      ->group(kGroup);
+      ->group(how_computed);
   app.add_option("--disable", options.disabled,
                  "Without this effect, as `strahl explain` names it, though the scene calls for it; repeatable")
       ->type_name("NAME")
       ->allow_extra_args(false)
-      ->group(kGroup);
+      ->group(how_computed);
 }
 
 void add_canary_option(CLI::App& app, KernelOptions& options) {
   app.add_flag("--no-canary", options.no_canary,
                "Trust the device's arithmetic without asking it; otherwise a precision that it cannot keep is refused")
-      ->group(kGroup);
+      ->group(how_computed);
 }
 
 void add_program_options(CLI::App& app, KernelOptions& options) {
@@ -80,23 +80,23 @@ void add_program_options(CLI::App& app, KernelOptions& options) {
       ->allow_extra_args(false)
       ->group("Output");
   app.add_flag("--generic", options.generic, "Every effect in the program, used or not; the picture does not change")
-      ->group(kGroup);
+      ->group(how_computed);
   app.add_flag(
          "--texture-lod", options.texture_lod,
          "Filter images to the pixel's width (mip levels), where they are colours of surfaces: less noise far off, "
          "and a blur that the error does not tell")
-      ->group(kGroup);
+      ->group(how_computed);
   app.add_option(
          "--light-choice", options.light_choice,
          "How a point chooses one of several lights: uniform, power, each (by power, distance and direction), or "
          "tree (so too, but by groups); default: each for few, tree for many; only the noise changes")
       ->type_name("NAME")
       ->check(CLI::IsMember({"uniform", "power", "each", "tree"}))
-      ->group(kGroup);
+      ->group(how_computed);
   app.add_flag("--no-error", options.no_error,
                "Keep one sum a pixel instead of four and tell no error; sobol's samples are one sequence then, spread "
                "more evenly")
-      ->group(kGroup);
+      ->group(how_computed);
 }
 
 void add_launch_options(CLI::App& app, KernelOptions& options) {
@@ -106,20 +106,20 @@ void add_launch_options(CLI::App& app, KernelOptions& options) {
          "not change")
       ->type_name("NAME")
       ->check(CLI::IsMember({"one", "lanes"}))
-      ->group(kGroup);
+      ->group(how_computed);
   app.add_option("--work-group", options.work_group, "Work-items per group; the picture does not change")
       ->type_name("XxY")
-      ->group(kGroup);
+      ->group(how_computed);
   app.add_option("--memory-limit", options.memory_limit,
                  "The most that scene and film may take on the device, as 512M or 2G; a film that does not fit is "
                  "rendered in bands, a scene that does not is refused; the picture does not change")
       ->type_name("BYTES")
-      ->group(kGroup);
+      ->group(how_computed);
   app.add_option("--passes", options.passes,
                  "Split the samples into N launches; default: by measured time; the picture does not change")
       ->type_name("N")
       ->check(CLI::Range(1, std::numeric_limits<int>::max()).description(""))
-      ->group(kGroup);
+      ->group(how_computed);
 }
 
 std::optional<std::uint64_t> memory_limit(const KernelOptions& options) {

@@ -21,7 +21,7 @@
 namespace strahl::cli {
 namespace {
 
-constexpr const char* kMergeFooter = R"(
+constexpr const char* merge_footer = R"(
 Parts come from `strahl render --samples A:B --checkpoint PART`, with the same scene and options. In any order the sum
 has the bits of one run, its told error too. A finished checkpoint of a whole picture is a part as well.
 
@@ -114,7 +114,7 @@ Command add_merge(CLI::App& app, const Invocation& invocation) {
       ->check(CLI::IsMember({8, 16}))
       ->capture_default_str();
   app.add_flag("-q", options->quiet, "Say nothing but warnings and errors");
-  app.footer(kMergeFooter);
+  app.footer(merge_footer);
   return [options, &invocation] { return merge(*options, invocation); };
 }
 

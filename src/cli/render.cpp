@@ -34,7 +34,7 @@
 namespace strahl::cli {
 namespace {
 
-constexpr const char* kRenderFooter = R"(
+constexpr const char* render_footer = R"(
 Examples:
   strahl render scene.xml                            writes scene.png here
   strahl render scene.xml -o out.exr --spp 256 --aov depth,normal
@@ -332,7 +332,7 @@ Command add_render(CLI::App& app, const Invocation& invocation) {
   add_canary_option(app, options->kernel);
   add_program_options(app, options->kernel);
   add_launch_options(app, options->kernel);
-  app.footer(kRenderFooter);
+  app.footer(render_footer);
   return [options, &invocation] { return render(*options, invocation); };
 }
 

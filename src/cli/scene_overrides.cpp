@@ -21,7 +21,7 @@
 namespace strahl::cli {
 namespace {
 
-constexpr int kMaxSize = 65536;  // As validate.h.
+constexpr int max_size = 65536;  // As validate.h.
 
 std::vector<int> integers(const std::string& option, const std::string& text, std::size_t count, const char* form) {
   std::vector<int> values;
@@ -43,7 +43,7 @@ std::vector<int> integers(const std::string& option, const std::string& text, st
 
 int scaled(int length, int numerator, int denominator) {
   const double exact = static_cast<double>(length) * numerator / denominator;
-  return static_cast<int>(std::clamp(std::round(exact), 1.0, static_cast<double>(kMaxSize)));
+  return static_cast<int>(std::clamp(std::round(exact), 1.0, static_cast<double>(max_size)));
 }
 
 void resize(const SceneOverrides& overrides, Film& film) {
@@ -106,11 +106,11 @@ void add_scene_overrides(CLI::App& app, SceneOverrides& overrides) {
       ->group(group);
   app.add_option("--width", overrides.width, "Pixels; without --height the aspect ratio stays")
       ->type_name("N")
-      ->check(CLI::Range(1, kMaxSize).description(""))
+      ->check(CLI::Range(1, max_size).description(""))
       ->group(group);
   app.add_option("--height", overrides.height, "Pixels; without --width the aspect ratio stays")
       ->type_name("N")
-      ->check(CLI::Range(1, kMaxSize).description(""))
+      ->check(CLI::Range(1, max_size).description(""))
       ->group(group);
   CLI::Option* crop_option =
       app.add_option("--crop", overrides.crop, "Only the pixels x0 <= x < x1, y0 <= y < y1; the picture is that large")

@@ -20,7 +20,7 @@
 namespace strahl::cli {
 namespace {
 
-constexpr const char* kSelftestFooter = R"(
+constexpr const char* selftest_footer = R"(
 Asks the device millions of questions whose exact answers are known, and says per precision whether its promise holds.
 
 Examples:
@@ -101,7 +101,7 @@ Command add_selftest(CLI::App& app) {
     what += fmt::format("{}{}: {}", faults.size() == 1 ? "" : "; ", fault.name, fault.what);
   }
   app.add_option("--inject", command->fault, what)->type_name("FAULT")->check(CLI::IsMember(faults).description(""));
-  app.footer(kSelftestFooter);
+  app.footer(selftest_footer);
   return [command] { return run(*command); };
 }
 

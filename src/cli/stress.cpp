@@ -22,7 +22,7 @@
 namespace strahl::cli {
 namespace {
 
-constexpr const char* kStressFooter = R"(
+constexpr const char* stress_footer = R"(
 Renders the scene at scales of 1e-6 to 1e6, at offsets of up to 1e7 along each axis, by 1e-10 and 1e10 times the light,
 and with one more lamp that is far (1e7 times the scene's extent) or small (1e-7 of its distance), in every precision
 that the device has, and prints how far each picture is from the scene as it is in double, or with a lamp that is
@@ -133,7 +133,7 @@ Command add_stress(CLI::App& app, const Invocation& invocation) {
       ->type_name("N")
       ->capture_default_str()
       ->check(CLI::Range(1, 65536).description(""));
-  app.footer(kStressFooter);
+  app.footer(stress_footer);
   return [options, &invocation] { return stress(*options, invocation); };
 }
 

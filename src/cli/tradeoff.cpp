@@ -28,7 +28,7 @@
 namespace strahl::cli {
 namespace {
 
-constexpr const char* kTradeoffFooter = R"(
+constexpr const char* tradeoff_footer = R"(
 Renders the scene in every precision, with every sampler, some depths and numbers of samples, each with several seeds,
 and holds the pictures against one reference in double. DIR gets report.html (open it in a browser), tradeoff.json,
 tradeoff.csv, the reference and all pictures. Interrupted, the same command goes on where it was.
@@ -235,7 +235,7 @@ Command add_tradeoff(CLI::App& app, const Invocation& invocation) {
   app.add_flag("--no-canary", command->no_canary, "Trust the device's arithmetic without asking it");
   app.add_flag("--restart", command->restart, "Give up another study that the folder holds");
   app.add_flag("--json", command->json, "Print tradeoff.json in place of the table");
-  app.footer(kTradeoffFooter);
+  app.footer(tradeoff_footer);
   return [command, &invocation] { return tradeoff(*command, invocation); };
 }
 

@@ -47,14 +47,14 @@ void check_keyword(const std::string& key) {
 }
 
 /// tEXt for plain ASCII, which every program reads; iTXt, which is UTF-8, for the rest.
-void set_metadata(const Writer& writer, std::map<std::string, std::string> metadata) {
-  for (auto& [key, value] : metadata) {
+void set_metadata(const Writer& writer, const std::map<std::string, std::string>& metadata) {
+  for (const auto& [key, value] : metadata) {
     check_keyword(key);
-    std::string keyword = key;
+    std::string keyword = key, content = value;
     png_text text{};
     text.compression = is_ascii(value) ? PNG_TEXT_COMPRESSION_NONE : PNG_ITXT_COMPRESSION_NONE;
     text.key = keyword.data();
-    text.text = value.data();
+    text.text = content.data();
     png_set_text(writer.png, writer.info, &text, 1);
   }
 }
@@ -80,7 +80,7 @@ unsigned encode(float value, double scale, const std::vector<double>& linear, Wr
   const double exposed = value * scale;
   const bool clipped = exposed < 0 || exposed > 1;
   if (clipped) ++report.clipped;
-  const auto code = static_cast<unsigned>(srgb_from_linear(std::clamp(exposed, 0.0, 1.0)) * largest_code + 0.5);
+  const auto code = static_cast<unsigned>(std::lround(srgb_from_linear(std::clamp(exposed, 0.0, 1.0)) * largest_code));
   const double difference = linear[code] - exposed;
   (clipped ? losses.clipping : losses.rounding) += difference * difference;
   return code;

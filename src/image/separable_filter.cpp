@@ -29,11 +29,11 @@ Channel filter_rows(const Channel& channel, const std::vector<double>& weights, 
   std::vector<double> padded(static_cast<std::size_t>(channel.width) + weights.size() - 1);
   for (int y = 0; y < channel.height; ++y) {
     const double* row = channel.row(y);
-    std::copy(row, row + channel.width, padded.data() + radius);
+    double* const middle = padded.data() + radius;
+    std::copy(row, row + channel.width, middle);
     for (int i = 1; i <= radius; ++i) {
-      padded[static_cast<std::size_t>(radius - i)] = row[inside(-i, channel.width, border)];
-      padded[static_cast<std::size_t>(radius + channel.width - 1 + i)] =
-          row[inside(channel.width - 1 + i, channel.width, border)];
+      middle[-i] = row[inside(-i, channel.width, border)];
+      middle[channel.width - 1 + i] = row[inside(channel.width - 1 + i, channel.width, border)];
     }
     for (std::size_t k = 0; k < weights.size(); ++k) {
       add_scaled(result.row(y), padded.data() + k, weights[k], channel.width);

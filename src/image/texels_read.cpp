@@ -47,7 +47,7 @@ std::vector<std::size_t> colours_of(const Image& image, const std::string& path)
   for (const std::string& name : image.channels)
     if (find("R") == image.channels.size() && layer.empty() && name.ends_with(".R"))
       layer = name.substr(0, name.size() - 1);
-  const std::vector<std::size_t> rgb = {find(layer + "R"), find(layer + "G"), find(layer + "B")};
+  std::vector<std::size_t> rgb = {find(layer + "R"), find(layer + "G"), find(layer + "B")};
   const bool has_all = std::all_of(rgb.begin(), rgb.end(), [&](std::size_t c) { return c < image.channels.size(); });
   if (has_all) return rgb;
   if (find("Y") < image.channels.size()) return {find("Y")};

@@ -54,7 +54,7 @@ std::string prepare() {
   }
   unsetenv("POCL_CACHE_DIR");  // PoCL 3.1 ends the process where it is empty.
   const std::string cache = default_pocl_cache();
-  const std::string why = unusable_folder(cache);
+  std::string why = unusable_folder(cache);
   if (why.empty()) return why;
   const std::string temporary = temporary_pocl_cache();
   const std::string fault = fmt::format("its cache \"{}\" cannot be written ({})", cache, why);

@@ -16,7 +16,7 @@ cl::Program ProgramShelf::get(const Device& device, const ProgramSource& source,
     return built_.front().program;
   }
   ProgramReport how;
-  const cl::Program program = build_program(device, source, &how);
+  cl::Program program = build_program(device, source, &how);
   built_.push_front({source, program, how.binary_bytes});
   if (built_.size() > most) built_.pop_back();
   if (report != nullptr) *report = how;

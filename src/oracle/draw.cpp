@@ -7,7 +7,7 @@
 
 namespace strahl::oracle {
 
-Draw::Draw(Random& random_, Law law_, Rounding rounding) : random(random_), law(law_), rounding_(rounding) {
+Draw::Draw(Random& generator, Law kind, Rounding rounding) : random(generator), law(kind), rounding_(rounding) {
   const auto spread = [&](double low, double high) {
     return Point{random.log_uniform(low, high), random.log_uniform(low, high), random.log_uniform(low, high)};
   };

@@ -12,7 +12,7 @@ using Point = Vector<double>;
 
 class Draw {
  public:
-  Draw(Random& random, Law law, Rounding rounding);
+  Draw(Random& generator, Law kind, Rounding rounding);
 
   Random& random;
   const Law law;

@@ -20,7 +20,7 @@ std::vector<Choice> choice_table(const std::vector<double>& weights) {
     share += weights[i] / sum;
     if (has_weight(weights[i])) {
       --after;
-      const auto rounded = static_cast<std::uint64_t>(std::ldexp(std::min(share, 1.0), 32) + 0.5);
+      const auto rounded = static_cast<std::uint64_t>(std::llround(std::ldexp(std::min(share, 1.0), 32)));
       end = after == 0 ? all : std::clamp(rounded, end + 1, all - after);
     }
     table[i].last = static_cast<std::uint32_t>(std::max<std::uint64_t>(end, 1) - 1);

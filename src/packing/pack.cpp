@@ -13,6 +13,7 @@
 #include "kinds/textures.h"
 #include "packing/cl_layout.h"
 #include "packing/light_textures.h"
+#include "packing/outline.h"
 #include "packing/pack_camera.h"
 #include "packing/pack_images.h"
 #include "packing/pack_instances.h"

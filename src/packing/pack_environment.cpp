@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "kinds/light_reach.h"
 #include "kinds/sphere_mean.h"
 
 namespace strahl {

@@ -15,14 +15,14 @@
 namespace strahl {
 namespace {
 
-constexpr std::array<std::pair<const char*, Precision>, 4> kPrecisions{{
+constexpr std::array<std::pair<const char*, Precision>, 4> precisions{{
     {"fast", Precision::fast},
     {"stable", Precision::stable},
     {"robust", Precision::robust},
     {"double", Precision::fp64},
 }};
 
-constexpr std::array<std::pair<const char*, Aov>, 10> kAovs{{
+constexpr std::array<std::pair<const char*, Aov>, 10> aovs{{
     {"depth", Aov::depth},
     {"normal", Aov::normal},
     {"position", Aov::position},
@@ -58,18 +58,18 @@ const char* name_of(const Table& table, Value value) {
 
 }  // namespace
 
-Precision precision_from_name(const std::string& name) { return by_name(kPrecisions, "precision", name); }
+Precision precision_from_name(const std::string& name) { return by_name(precisions, "precision", name); }
 
-const char* precision_name(Precision precision) { return name_of(kPrecisions, precision); }
+const char* precision_name(Precision precision) { return name_of(precisions, precision); }
 
-Aov aov_from_name(const std::string& name) { return by_name(kAovs, "AOV", name); }
+Aov aov_from_name(const std::string& name) { return by_name(aovs, "AOV", name); }
 
 Aov first_sample_aov(const std::string& name) {
-  static_assert(is_of_first_sample(kAovs[first_sample_aovs - 1].second) &&
-                !is_of_first_sample(kAovs[first_sample_aovs].second));
-  return by_name(std::span(kAovs).first<first_sample_aovs>(), "AOV", name);
+  static_assert(is_of_first_sample(aovs[first_sample_aovs - 1].second) &&
+                !is_of_first_sample(aovs[first_sample_aovs].second));
+  return by_name(std::span(aovs).first<first_sample_aovs>(), "AOV", name);
 }
 
-const char* aov_name(Aov aov) { return name_of(kAovs, aov); }
+const char* aov_name(Aov aov) { return name_of(aovs, aov); }
 
 }  // namespace strahl

@@ -15,7 +15,7 @@
 namespace strahl_test {
 namespace fs = std::filesystem;
 
-const char* const kGlowingSphere = R"(<scene version="3.0.0">
+const char* const glowing_sphere = R"(<scene version="3.0.0">
   <integrator type="emission"/>
   <sensor type="perspective">
     <float name="fov" value="40"/>

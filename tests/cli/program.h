@@ -47,6 +47,6 @@ class Folder {
 [[nodiscard]] bool contains(const std::string& text, const std::string& part);
 
 /// A sphere of radius 1 around the origin that emits (4, 2, 1), seen from +z; 32 x 24 pixels, `emission`.
-extern const char* const kGlowingSphere;
+extern const char* const glowing_sphere;
 
 }  // namespace strahl_test

@@ -47,7 +47,7 @@ TEST_CASE("the width that was measured best is used from then on") {
   const Folder folder;
   const std::map<std::string, std::string> cache{{"STRAHL_CACHE_DIR", folder.path("cache")}};
   const auto program = [&](std::vector<std::string> more) {
-    folder.file("scene.xml", kGlowingSphere);
+    folder.file("scene.xml", glowing_sphere);
     std::vector<std::string> arguments{"explain", "scene.xml", "--json", "-d", "pocl", "--precision", "stable"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     return json::parse(folder.run(arguments, cache).out)["program"];

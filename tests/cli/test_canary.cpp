@@ -27,7 +27,7 @@ std::string kernels_with_contraction(const Folder& folder) {
 
 TEST_CASE("a precision that the device cannot keep is refused by name, and replaced by default") {
   const Folder folder;
-  const std::string scene = folder.file("scene.xml", kGlowingSphere);
+  const std::string scene = folder.file("scene.xml", glowing_sphere);
   const std::map<std::string, std::string> changed{{"STRAHL_KERNEL_DIR", kernels_with_contraction(folder)}};
   const std::vector<std::string> render{"render", scene, "-d", "pocl", "-o", folder.path("out.pfm"), "--stats", "-"};
   const auto with = [&](std::vector<std::string> more) {

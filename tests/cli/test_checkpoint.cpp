@@ -187,7 +187,7 @@ TEST_CASE("what does not fit is refused, and named") {
 
 TEST_CASE("usage of what keeps a render") {
   const Folder folder;
-  folder.file("s.xml", kGlowingSphere);
+  folder.file("s.xml", glowing_sphere);
   refuse(folder, {"s.xml", "--samples", "0:4"}, 2, {"--checkpoint"});
   refuse(folder, {"s.xml", "--samples", "4:4", "--checkpoint", "c"}, 2, {"--samples takes A:B"});
   refuse(folder, {"s.xml", "--samples", "0:4x", "--checkpoint", "c"}, 2, {"--samples takes A:B"});

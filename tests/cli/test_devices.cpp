@@ -34,7 +34,7 @@ TEST_CASE("no device at all: exit code 4 and what to install") {
 
 TEST_CASE("a render without a device is exit code 4 and leaves no file") {
   const Folder folder;
-  folder.file("scene.xml", kGlowingSphere);
+  folder.file("scene.xml", glowing_sphere);
   CHECK(folder.run({"scene.xml"}, no_platform(folder)).code == 4);
   CHECK(folder.files() == std::vector<std::string>{"scene.xml", "vendors"});
 }

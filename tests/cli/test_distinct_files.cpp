@@ -12,7 +12,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const char* const kOtherPixel = "Pf\n1 1\n-1.0\n";
+const char* const other_pixel = "Pf\n1 1\n-1.0\n";
 
 /// Runs in the folder without a device; the folder then holds what it held before.
 Outcome unchanged(const Folder& folder, std::vector<std::string> arguments) {
@@ -37,7 +37,7 @@ void check_refused(const Folder& folder, const std::vector<std::string>& argumen
 
 TEST_CASE("two outputs of a render are two files") {
   const Folder folder;
-  folder.file("scene.xml", kGlowingSphere);
+  folder.file("scene.xml", glowing_sphere);
   fs::create_directory(folder.path("sub"));
   fs::create_symlink("x.png", folder.path("link.png"));  // Leads to nothing yet.
   fs::create_directory_symlink("sub", folder.path("linked"));
@@ -76,7 +76,7 @@ TEST_CASE("two outputs of a render are two files") {
 
 TEST_CASE("a hard link is the file that it links to") {
   const Folder folder;
-  folder.file("scene.xml", kGlowingSphere);
+  folder.file("scene.xml", glowing_sphere);
   fs::create_hard_link(folder.path("scene.xml"), folder.path("stats.json"));
   check_refused(folder, {"scene.xml", "-o", "x.png", "--stats", "stats.json"}, "over the scene");
 }
@@ -101,9 +101,9 @@ TEST_CASE("no file of the scene is written over") {
 
 TEST_CASE("intersect, stress, compare, bench and tradeoff keep their files apart") {
   const Folder folder;
-  folder.file("scene.xml", kGlowingSphere);
+  folder.file("scene.xml", glowing_sphere);
   folder.file("rays.npy", "none");
-  folder.file("a.pfm", std::string(kOtherPixel) + std::string(4, '\0'));
+  folder.file("a.pfm", std::string(other_pixel) + std::string(4, '\0'));
   folder.file("before.json", "{}");
   check_refused(folder, {"intersect", "scene.xml", "--rays", "rays.npy", "-o", "rays.npy"}, "over --rays");
   check_refused(folder, {"intersect", "scene.xml", "--rays", "rays.npy", "-o", "h.npy", "--stats", "./h.npy"},
@@ -122,7 +122,7 @@ TEST_CASE("intersect, stress, compare, bench and tradeoff keep their files apart
 
 TEST_CASE("hits go to a .npy file") {
   const Folder folder;
-  folder.file("scene.xml", kGlowingSphere);
+  folder.file("scene.xml", glowing_sphere);
   folder.file("rays.npy", "none");
   for (const char* name : {"h.png", "h.exr", "h", "h.npy.json"})
     check_refused(folder, {"intersect", "scene.xml", "--rays", "rays.npy", "-o", name},
@@ -133,7 +133,7 @@ TEST_CASE("hits go to a .npy file") {
 
 TEST_CASE("standard output may not be the picture's file") {
   const Folder folder;
-  folder.file("scene.xml", kGlowingSphere);
+  folder.file("scene.xml", glowing_sphere);
   const std::string line = "cd " + folder.path("") + " && " + STRAHL_PROGRAM +
                            " scene.xml -o x.png --stats - -d no-such-device >x.png 2>said; test $? -eq 2";
   CHECK(std::system(line.c_str()) == 0);

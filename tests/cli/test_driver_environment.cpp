@@ -15,13 +15,13 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const char* const kPocl = "Portable Computing Language";
+const char* const pocl = "Portable Computing Language";
 
 /// PoCL as `strahl devices --json` has it.
 Json pocl_of(const Outcome& outcome) {
   const Json all = Json::parse(outcome.out);
   for (const Json& platform : all.at("platforms"))
-    if (platform.at("name") == kPocl) return platform;
+    if (platform.at("name") == pocl) return platform;
   return nullptr;
 }
 
@@ -88,7 +88,7 @@ TEST_CASE("a relative XDG_CACHE_HOME is ignored") {
 
 TEST_CASE("a driver that cannot be loaded is named, with the linker's reason") {
   const Folder folder;
-  folder.file("scene.xml", kGlowingSphere);
+  folder.file("scene.xml", glowing_sphere);
   fs::create_directory(folder.path("vendors"));
   folder.file("vendors/none.icd", "libno-such-driver.so.7\n");
   const Outcome outcome = folder.run({"scene.xml"}, {{"OCL_ICD_VENDORS", folder.path("vendors")}});
@@ -100,7 +100,7 @@ TEST_CASE("a driver that cannot be loaded is named, with the linker's reason") {
 #ifndef __SANITIZE_ADDRESS__  // Whose shadow is larger than the limit.
 TEST_CASE("too little memory for a driver is out of memory, not a missing driver") {
   const Folder folder;
-  folder.file("scene.xml", kGlowingSphere);
+  folder.file("scene.xml", glowing_sphere);
   const std::string line = "cd " + folder.path("") + " && ulimit -v 150000 && " + STRAHL_PROGRAM +
                            " scene.xml -o x.png 2>said; test $? -eq 1";
   CHECK(std::system(line.c_str()) == 0);

@@ -12,7 +12,7 @@ using Json = nlohmann::json;
 namespace {
 
 Json explain(const Folder& folder, const std::vector<std::string>& more) {
-  std::vector<std::string> arguments{"explain", folder.file("scene.xml", kGlowingSphere), "--json", "--lanes", "8"};
+  std::vector<std::string> arguments{"explain", folder.file("scene.xml", glowing_sphere), "--json", "--lanes", "8"};
   arguments.insert(arguments.end(), more.begin(), more.end());
   const Outcome outcome = folder.run(arguments);
   INFO(outcome.err);
@@ -70,7 +70,7 @@ TEST_CASE("the program's name follows what is in it, and nothing else") {
 
 TEST_CASE("the text has a line for each effect") {
   const Folder folder;
-  folder.file("scene.xml", kGlowingSphere);
+  folder.file("scene.xml", glowing_sphere);
   const Outcome text = folder.run({"explain", "scene.xml", "--lanes", "8"});
   REQUIRE(text.code == 0);
   CHECK(contains(text.out, "\non   shapes/sphere"));
@@ -80,7 +80,7 @@ TEST_CASE("the text has a line for each effect") {
 
 TEST_CASE("without any device one lane is assumed, and said") {
   const Folder folder;
-  folder.file("scene.xml", kGlowingSphere);
+  folder.file("scene.xml", glowing_sphere);
   std::filesystem::create_directory(folder.path("vendors"));
   const std::map<std::string, std::string> none{{"OCL_ICD_VENDORS", folder.path("vendors/")}};
   const Outcome text = folder.run({"explain", "scene.xml"}, none);

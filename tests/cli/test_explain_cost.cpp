@@ -22,7 +22,7 @@ auto kept_programs(const std::string& cache) {
 
 TEST_CASE("what an effect adds to the program and to a frame") {
   const Folder folder;
-  folder.file("scene.xml", kGlowingSphere);
+  folder.file("scene.xml", glowing_sphere);
   const std::string cache = folder.path("cache");
   std::filesystem::create_directory(cache);
   const Outcome outcome = folder.run({"explain", "scene.xml", "--cost", "effects", "--rounds", "1", "--json", "-d",
@@ -70,7 +70,7 @@ TEST_CASE("what an effect adds to the program and to a frame") {
 
 TEST_CASE("without --cost nothing is measured") {
   const Folder folder;
-  folder.file("scene.xml", kGlowingSphere);
+  folder.file("scene.xml", glowing_sphere);
   const Outcome outcome = folder.run({"explain", "scene.xml", "--json", "--lanes", "8"});
   REQUIRE(outcome.code == 0);
   CHECK_FALSE(Json::parse(outcome.out).contains("cost"));

@@ -15,7 +15,7 @@ namespace {
 /// A render of hours that is sent `signal` after its first launches began. What tells that they did: the program's text
 /// is written just before, and a launch takes at most 0.25 s.
 Outcome interrupted_render(const Folder& folder, int signal) {
-  folder.file("scene.xml", kGlowingSphere);
+  folder.file("scene.xml", glowing_sphere);
   const std::string started = folder.path("kernel.cl");
   return folder.run({"scene.xml", "-o", "out.exr", "--width", "256", "--spp", "2000000", "--sampler", "independent",
                      "--dump-kernel", started},

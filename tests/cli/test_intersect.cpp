@@ -14,12 +14,12 @@ using strahl::Matrix;
 
 namespace {
 
-constexpr double kInf = std::numeric_limits<double>::infinity();
+constexpr double inf = std::numeric_limits<double>::infinity();
 
 /// Traces rows of 8 or 11 against the unit sphere around the origin.
 Matrix trace(const Folder& folder, std::size_t columns, std::vector<double> rays,
              const std::vector<std::string>& more = {}) {
-  folder.file("scene.xml", kGlowingSphere);
+  folder.file("scene.xml", glowing_sphere);
   const std::size_t rows = rays.size() / columns;
   strahl::write_npy(Matrix{rows, columns, std::move(rays)}, folder.path("rays.npy"));
   std::vector<std::string> arguments{"intersect", "scene.xml", "--rays", "rays.npy", "-o", "hits.npy", "-q"};
@@ -38,19 +38,19 @@ std::vector<double> row(const Matrix& matrix, std::size_t index) {
   return {first, first + static_cast<std::ptrdiff_t>(matrix.columns)};
 }
 
-const std::vector<double> kMiss{kInf, -1, -1, -1, 0, 0, 0, 0, 0};
+const std::vector<double> miss{inf, -1, -1, -1, 0, 0, 0, 0, 0};
 
 }  // namespace
 
 TEST_CASE("hits and misses; t counts in units of the direction, both ends included") {
   const Folder folder;
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  const Matrix hits = trace(folder, 8, {0, 0, 5, 0, 0, -1, 0,   kInf,  // The near side.
-                                        0, 0, 5, 0, 0, -2, 0,   2,     // t = 2 counts.
-                                        0, 0, 5, 0, 0, -1, 4.5, kInf,  // Past the near side: the far one.
-                                        0, 0, 5, 0, 0, 1,  0,   kInf,  // Away.
-                                        0, 0, 5, 0, 0, -1, 0,   3.5,   // Too short.
-                                        0, 0, 5, 0, 0, -1, nan, kInf});
+  const Matrix hits = trace(folder, 8, {0, 0, 5, 0, 0, -1, 0,   inf,  // The near side.
+                                        0, 0, 5, 0, 0, -2, 0,   2,    // t = 2 counts.
+                                        0, 0, 5, 0, 0, -1, 4.5, inf,  // Past the near side: the far one.
+                                        0, 0, 5, 0, 0, 1,  0,   inf,  // Away.
+                                        0, 0, 5, 0, 0, -1, 0,   3.5,  // Too short.
+                                        0, 0, 5, 0, 0, -1, nan, inf});
   CHECK(hits.data[0] == 4);
   CHECK(hits.data[1] == -1);
   CHECK(hits.data[2] == 0);
@@ -59,28 +59,28 @@ TEST_CASE("hits and misses; t counts in units of the direction, both ends includ
   CHECK(row(hits, 1)[0] == 2);
   CHECK(row(hits, 2)[0] == 6);
   CHECK(row(hits, 2)[8] == -1);
-  for (const std::size_t miss : {3U, 4U, 5U}) CHECK(row(hits, miss) == kMiss);
+  for (const std::size_t missed : {3U, 4U, 5U}) CHECK(row(hits, missed) == miss);
 }
 
 TEST_CASE("the primitive just left is not hit where the ray leaves it") {
   const Folder folder;
-  const Matrix hits = trace(folder, 11, {0, 0, 1, 0, 0, 1,  0, kInf, -1, 0, 0,    // Outwards.
-                                         0, 0, 1, 0, 0, -1, 0, kInf, -1, 0, 0});  // Through: the other root.
-  CHECK(row(hits, 0) == kMiss);
+  const Matrix hits = trace(folder, 11, {0, 0, 1, 0, 0, 1,  0, inf, -1, 0, 0,    // Outwards.
+                                         0, 0, 1, 0, 0, -1, 0, inf, -1, 0, 0});  // Through: the other root.
+  CHECK(row(hits, 0) == miss);
   CHECK(row(hits, 1)[0] == 2);
 }
 
 TEST_CASE("--any-hit tells whether, not where") {
   const Folder folder;
-  const Matrix hits = trace(folder, 8, {0, 0, 5, 0, 0, -1, 0, kInf, 0, 0, 5, 0, 0, 1, 0, kInf}, {"--any-hit"});
+  const Matrix hits = trace(folder, 8, {0, 0, 5, 0, 0, -1, 0, inf, 0, 0, 5, 0, 0, 1, 0, inf}, {"--any-hit"});
   CHECK(row(hits, 0) == std::vector<double>{0, -1, -1, -1, 0, 0, 0, 0, 0});
-  CHECK(row(hits, 1) == kMiss);
+  CHECK(row(hits, 1) == miss);
 }
 
 TEST_CASE("--coherent, --lanes and --repeat do not change the hits; --repeat is listed") {
   const Folder folder;
   std::vector<double> rays;
-  for (int i = 0; i < 100; ++i) rays.insert(rays.end(), {0.013 * i, 0.002 * i, 5, 0.001 * i, 0, -1, 0, kInf});
+  for (int i = 0; i < 100; ++i) rays.insert(rays.end(), {0.013 * i, 0.002 * i, 5, 0.001 * i, 0, -1, 0, inf});
   const Matrix first = trace(folder, 8, rays);
   for (const std::vector<std::string>& how : std::vector<std::vector<std::string>>{
            {"--coherent"}, {"--lanes", "1"}, {"--lanes", "16"}, {"--repeat", "5", "--stats", "stats.json"}})
@@ -99,9 +99,9 @@ TEST_CASE("no rays give no hits") {
 
 TEST_CASE("a shape that does not exist is unusable input") {
   const Folder folder;
-  folder.file("scene.xml", kGlowingSphere);
+  folder.file("scene.xml", glowing_sphere);
   for (const std::vector<double>& left : std::vector<std::vector<double>>{{-1, 1, 0}, {-1, 0, 1}, {0, 0, 0}}) {
-    Matrix rays{1, 11, {0, 0, 5, 0, 0, -1, 0, kInf}};
+    Matrix rays{1, 11, {0, 0, 5, 0, 0, -1, 0, inf}};
     rays.data.insert(rays.data.end(), left.begin(), left.end());
     strahl::write_npy(rays, folder.path("rays.npy"));
     CHECK(folder.run({"intersect", "scene.xml", "--rays", "rays.npy", "-o", "hits.npy"}).code == 3);
@@ -110,6 +110,6 @@ TEST_CASE("a shape that does not exist is unusable input") {
 
 TEST_CASE("double precision, where the device has it") {
   const Folder folder;
-  const Matrix hits = trace(folder, 8, {0.1, 0.2, 5, 0, 0, -1, 0, kInf}, {"--precision", "double"});
+  const Matrix hits = trace(folder, 8, {0.1, 0.2, 5, 0, 0, -1, 0, inf}, {"--precision", "double"});
   CHECK(hits.data[0] == Approx(5 - std::sqrt(1 - 0.05)).epsilon(1e-15));
 }

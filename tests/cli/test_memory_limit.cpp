@@ -18,7 +18,7 @@ std::uint64_t device_bytes(const Folder& folder) {
 
 TEST_CASE("a film that does not fit goes in bands, and the picture is the same") {
   const Folder folder;
-  folder.file("s.xml", kGlowingSphere);
+  folder.file("s.xml", glowing_sphere);
   const std::vector<std::string> options = {"s.xml",     "-q",    "-d",      "pocl",       "--spp", "16",
                                             "--sampler", "sobol", "--stats", "stats.json", "-o"};
   const auto render = [&](const std::string& name, const std::vector<std::string>& more) {
@@ -39,7 +39,7 @@ TEST_CASE("a film that does not fit goes in bands, and the picture is the same")
 
 TEST_CASE("what cannot fit is refused with what it takes") {
   const Folder folder;
-  folder.file("s.xml", kGlowingSphere);
+  folder.file("s.xml", glowing_sphere);
   const auto refused = [&](const std::string& scene, const std::string& limit, int code) {
     const Outcome outcome = folder.run({scene, "-q", "-d", "pocl", "--memory-limit", limit, "-o", "x.pfm"});
     CHECK(outcome.code == code);

@@ -12,7 +12,7 @@ using namespace strahl_test;
 namespace {
 
 Outcome render_to(const Folder& folder, const std::vector<std::string>& more) {
-  std::vector<std::string> arguments{folder.file("scene.xml", kGlowingSphere), "-d", "no-such-device"};
+  std::vector<std::string> arguments{folder.file("scene.xml", glowing_sphere), "-d", "no-such-device"};
   arguments.insert(arguments.end(), more.begin(), more.end());
   return folder.run(arguments);
 }

@@ -11,7 +11,7 @@ using namespace strahl_test;
 namespace {
 
 Outcome intersect(const Folder& folder, const std::string& rays) {
-  folder.file("scene.xml", kGlowingSphere);
+  folder.file("scene.xml", glowing_sphere);
   return folder.run({"intersect", "scene.xml", "--rays", rays, "-o", "hits.npy", "-d", "no-such-device"});
 }
 

@@ -14,7 +14,7 @@ namespace {
 
 /// Runs `strahl scene.xml MORE`; must succeed.
 Outcome render(const Folder& folder, const std::vector<std::string>& more) {
-  folder.file("scene.xml", kGlowingSphere);
+  folder.file("scene.xml", glowing_sphere);
   std::vector<std::string> arguments{"scene.xml"};
   arguments.insert(arguments.end(), more.begin(), more.end());
   Outcome outcome = folder.run(arguments);

@@ -13,7 +13,7 @@ using Json = nlohmann::json;
 namespace {
 
 Json stats(const Folder& folder, const std::vector<std::string>& more) {
-  std::vector<std::string> arguments{"render", folder.file("scene.xml", kGlowingSphere), "-q", "--stats", "stats.json"};
+  std::vector<std::string> arguments{"render", folder.file("scene.xml", glowing_sphere), "-q", "--stats", "stats.json"};
   arguments.insert(arguments.end(), more.begin(), more.end());
   const Outcome outcome = folder.run(arguments);
   INFO(outcome.err);
@@ -83,7 +83,7 @@ TEST_CASE("detail counts what rays visit: all that is listed; of a tree less, an
 
 TEST_CASE("- is standard output, with nothing else on it") {
   const Folder folder;
-  folder.file("scene.xml", kGlowingSphere);
+  folder.file("scene.xml", glowing_sphere);
   const Outcome outcome = folder.run({"scene.xml", "--stats", "-"});
   REQUIRE(outcome.code == 0);
   CHECK(Json::parse(outcome.out).contains("seconds"));

@@ -10,7 +10,7 @@ using namespace strahl_test;
 
 TEST_CASE("a sheet, a table and JSON") {
   const Folder folder;
-  folder.file("scene.xml", kGlowingSphere);
+  folder.file("scene.xml", glowing_sphere);
   const Outcome outcome = folder.run({"stress", "scene.xml", "--width", "24", "--spp", "1", "--json", "out.json"});
   INFO(outcome.err);
   REQUIRE(outcome.code == 0);
@@ -28,7 +28,7 @@ TEST_CASE("a sheet, a table and JSON") {
 
 TEST_CASE("JSON in the table's place; a sheet that cannot be written costs no time") {
   const Folder folder;
-  folder.file("scene.xml", kGlowingSphere);
+  folder.file("scene.xml", glowing_sphere);
   const Outcome outcome =
       folder.run({"stress", "scene.xml", "--width", "8", "--spp", "1", "-q", "--json", "-", "-o", "sheet.png"});
   INFO(outcome.err);

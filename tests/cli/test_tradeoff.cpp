@@ -23,7 +23,7 @@ std::vector<std::string> command(const std::vector<std::string>& more = {}) {
 
 TEST_CASE("a report, a table, JSON; the second run takes everything over") {
   const Folder folder;
-  folder.file("scene.xml", kGlowingSphere);
+  folder.file("scene.xml", glowing_sphere);
   const Outcome first = folder.run(command());
   INFO(first.err);
   REQUIRE(first.code == 0);
@@ -58,7 +58,7 @@ TEST_CASE("a report, a table, JSON; the second run takes everything over") {
 
 TEST_CASE("what is refused") {
   const Folder folder;
-  folder.file("scene.xml", kGlowingSphere);
+  folder.file("scene.xml", glowing_sphere);
   const auto code = [&](const std::vector<std::string>& more, const std::string& word) {
     std::vector<std::string> words{"tradeoff", "scene.xml"};
     words.insert(words.end(), more.begin(), more.end());
@@ -82,7 +82,7 @@ TEST_CASE("what is refused") {
 
 TEST_CASE("Ctrl-C: what was measured stays measured") {
   const Folder folder;
-  folder.file("scene.xml", kGlowingSphere);
+  folder.file("scene.xml", glowing_sphere);
   // Hours, in its second point.
   const auto with = [](const std::string& spp) {
     return std::vector<std::string>{"tradeoff",     "scene.xml",       "-o", "study",     "--precision",

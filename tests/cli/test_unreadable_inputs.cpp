@@ -63,7 +63,7 @@ TEST_CASE("why a scene cannot be read") {
 TEST_CASE("a file without permission") {
   if (geteuid() == 0) return;  // Root may read anything.
   const Folder folder;
-  folder.file("scene.xml", kGlowingSphere);
+  folder.file("scene.xml", glowing_sphere);
   chmod(folder.path("scene.xml").c_str(), 0);
   const Outcome outcome = folder.run({"scene.xml"});
   CHECK(outcome.code == 3);
@@ -83,7 +83,7 @@ TEST_CASE("why a scene's file, a picture and rays cannot be read") {
   const Outcome picture = run_a_minute(folder, {"compare", "endless.png", "endless.png"});
   CHECK(picture.code == 3);
   CHECK(contains(picture.err, "it is a device"));
-  folder.file("glow.xml", kGlowingSphere);
+  folder.file("glow.xml", glowing_sphere);
   const Outcome rays = run_a_minute(folder, {"intersect", "glow.xml", "--rays", "endless.npy", "-o", "h.npy"});
   CHECK(rays.code == 3);
   CHECK(contains(rays.err, "it is a device"));
@@ -101,9 +101,9 @@ TEST_CASE("a scene larger than any is refused before it is read") {
 
 TEST_CASE("a pipe is a scene's file as any other") {
   const Folder folder;
-  folder.file("scene.xml", kGlowingSphere);
+  folder.file("scene.xml", glowing_sphere);
   mkfifo(folder.path("pipe.xml").c_str(), 0600);
-  std::thread writer([&] { folder.file("pipe.xml", kGlowingSphere); });
+  std::thread writer([&] { folder.file("pipe.xml", glowing_sphere); });
   const Outcome outcome = folder.run({"explain", "pipe.xml", "--lanes", "1"});
   writer.join();
   INFO(outcome.err);

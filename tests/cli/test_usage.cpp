@@ -57,7 +57,7 @@ TEST_CASE("the version is printed") {
 
 TEST_CASE("what cannot be parsed is exit code 2, with the remedy") {
   const Folder folder;
-  const std::string scene = folder.file("scene.xml", kGlowingSphere);
+  const std::string scene = folder.file("scene.xml", glowing_sphere);
   struct Wrong {
     std::vector<std::string> arguments;
     const char* says;

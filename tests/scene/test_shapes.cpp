@@ -159,6 +159,35 @@ TEST_CASE("a mesh without normals is shaded smoothly, unless it says otherwise")
   CHECK(std::get<Mesh>(bare.shapes.at(0).geometry).normals.empty());
 }
 
+/// Two triangles with normals in the file that point to +z: the second one's winding says -z.
+TEST_CASE("a mesh that shines does so where the vertex normals of its file point, mirrored or not") {
+  const SceneFolder folder;
+  folder.write("turned.ply",
+               "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+               "property float nx\nproperty float ny\nproperty float nz\n"
+               "element face 2\nproperty list uchar int vertex_indices\nend_header\n"
+               "0 0 0 0 0 1\n1 0 0 0 0 1\n1 1 0 0 0 1\n0 1 0 0 0 1\n3 0 1 2\n3 0 3 2\n");
+  const std::string file = "<shape type=\"ply\"><string name=\"filename\" value=\"turned.ply\"/>";
+  const std::string mirrored = "<transform name=\"to_world\"><scale x=\"-1\"/></transform>";
+  const std::string flat = "<boolean name=\"face_normals\" value=\"true\"/>", end = "<emitter type=\"area\"/></shape>";
+  const Scene scene = load_scene(folder.write("scene.xml", around(file + end + file + mirrored + end + file + flat +
+                                                                  end + file + "</shape>")))
+                          .scene;
+  const auto facing = [&](std::size_t i) {
+    std::vector<double> all;
+    const Mesh& mesh = std::get<Mesh>(scene.shapes.at(i).geometry);
+    for (const auto& [a, b, c] : mesh.triangles) {
+      const auto at = [&](int vertex) { return mesh.positions.at(static_cast<std::size_t>(vertex)); };
+      all.push_back(cross(at(b) - at(a), at(c) - at(a)).z);
+    }
+    return all;
+  };
+  CHECK(facing(0) == std::vector<double>{1, 1});
+  CHECK(facing(1) == std::vector<double>{1, 1});
+  CHECK(facing(2) == std::vector<double>{1, -1});
+  CHECK(facing(3) == std::vector<double>{1, -1});
+}
+
 TEST_CASE("meshes") {
   const SceneFolder folder;
   folder.write("m/square.obj", std::string("mtllib a.mtl\nusemtl red\n") + square_obj);

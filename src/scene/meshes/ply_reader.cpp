@@ -134,8 +134,11 @@ class PlyReader {
       return true;
     };
     assign(0, {"x"}), assign(1, {"y"}), assign(2, {"z"});
-    has_normals_ = assign(3, {"nx"}) & assign(4, {"ny"}) & assign(5, {"nz"});
-    has_uvs_ = assign(6, {"u", "s", "texture_u", "texture_s"}) & assign(7, {"v", "t", "texture_v", "texture_t"});
+    const bool has_nx = assign(3, {"nx"}), has_ny = assign(4, {"ny"}), has_nz = assign(5, {"nz"});
+    has_normals_ = has_nx && has_ny && has_nz;
+    const bool has_u = assign(6, {"u", "s", "texture_u", "texture_s"});
+    const bool has_v = assign(7, {"v", "t", "texture_v", "texture_t"});
+    has_uvs_ = has_u && has_v;
 
     std::vector<bool> is_taken;
     for (std::size_t k = 0; k < slots.size(); ++k)

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 namespace strahl {
 
@@ -11,16 +12,21 @@ namespace {
 /// Between two vectors, 0 to pi; with all its digits near both ends.
 double angle_between(const Vec3& a, const Vec3& b) { return std::atan2(length(cross(a, b)), dot(a, b)); }
 
+/// Twice the triangle's area along its normal.
+Vec3 across(const Mesh& mesh, const std::array<int, 3>& triangle) {
+  const auto position = [&](int vertex) { return mesh.positions[static_cast<std::size_t>(vertex)]; };
+  return cross(position(triangle[1]) - position(triangle[0]), position(triangle[2]) - position(triangle[0]));
+}
+
 }  // namespace
 
 void make_vertex_normals(Mesh& mesh) {
   mesh.normals.assign(mesh.positions.size(), Vec3{});
   const auto position = [&](int vertex) { return mesh.positions[static_cast<std::size_t>(vertex)]; };
   for (const std::array<int, 3>& triangle : mesh.triangles) {
-    const Vec3 across =
-        cross(position(triangle[1]) - position(triangle[0]), position(triangle[2]) - position(triangle[0]));
-    if (across == Vec3{}) continue;
-    const Vec3 normal = normalized(across);
+    const Vec3 along = across(mesh, triangle);
+    if (along == Vec3{}) continue;
+    const Vec3 normal = normalized(along);
     for (std::size_t i = 0; i < 3; ++i) {
       const Vec3 corner = position(triangle.at(i));
       const double angle =
@@ -30,6 +36,14 @@ void make_vertex_normals(Mesh& mesh) {
     }
   }
   for (Vec3& normal : mesh.normals) normal = normal == Vec3{} ? Vec3{1, 0, 0} : normalized(normal);
+}
+
+void turn_to_vertex_normals(Mesh& mesh) {
+  for (std::array<int, 3>& triangle : mesh.triangles) {
+    Vec3 sum;
+    for (const int vertex : triangle) sum = sum + mesh.normals[static_cast<std::size_t>(vertex)];
+    if (dot(across(mesh, triangle), sum) < 0) std::swap(triangle[1], triangle[2]);
+  }
 }
 
 }  // namespace strahl

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Normals for meshes whose files have none.
+// Normals for meshes whose files have none, and triangles that go by those that files have.
 #pragma once
 
 #include "scene/model/scene.h"
@@ -10,5 +10,8 @@ namespace strahl {
 /// vector (G. Thürmer, C. Wüthrich, "Computing Vertex Normals from Polygonal Facets", Journal of Graphics Tools 3(1),
 /// 1998). Where the sum is zero, the x axis, as Mitsuba has it. Replaces what `normals` holds.
 void make_vertex_normals(Mesh& mesh);
+
+/// Turns triangles whose normal points away from those of their vertices, which the mesh has, by swapping two corners.
+void turn_to_vertex_normals(Mesh& mesh);
 
 }  // namespace strahl

@@ -38,7 +38,7 @@ std::optional<Rgb> read_rawconstant(Properties& properties, ColorUse use) {
   return value ? std::optional(Rgb{value->x, value->y, value->z}) : std::nullopt;
 }
 
-std::optional<Rgb> of_lists(Properties& properties, SpectrumCurve curve, ColorUse use) {
+std::optional<Rgb> of_lists(Properties& properties, const SpectrumCurve& curve, ColorUse use) {
   if (is_curve(curve)) return color_of_curve(curve, use);
   properties.diagnostics().error(properties.where(), fmt::format("{} needs as many finite values as wavelengths, which "
                                                                  "ascend",
