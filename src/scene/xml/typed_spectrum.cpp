@@ -55,14 +55,14 @@ std::optional<Rgb> read_regular(Properties& properties, ColorUse use) {
   for (std::size_t i = 0; i < count; ++i)
     curve.wavelengths.push_back(
         count == 1 ? from : from + (to - from) * static_cast<double>(i) / static_cast<double>(count - 1));
-  return of_lists(properties, std::move(curve), use);
+  return of_lists(properties, curve, use);
 }
 
 std::optional<Rgb> read_irregular(Properties& properties, ColorUse use) {
   SpectrumCurve curve;
   curve.wavelengths = properties.numbers("wavelengths").value_or(std::vector<double>{});
   curve.values = properties.numbers("values").value_or(std::vector<double>{});
-  return of_lists(properties, std::move(curve), use);
+  return of_lists(properties, curve, use);
 }
 
 std::optional<Rgb> read_blackbody(Properties& properties, ColorUse use) {
