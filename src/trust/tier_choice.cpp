@@ -52,7 +52,7 @@ std::optional<TierVerdict> read(Precision precision, const std::vector<unsigned 
 TierVerdict tier_verdict(const Device& device, Precision precision) {
   const std::string name = fmt::format("canary-{}", precision_name(precision)), key = verdict_key(device, precision);
   if (const auto known = read(precision, read_cached_binary(name, key))) return *known;
-  const TierVerdict tier = run_canary(device, precision).tier;
+  TierVerdict tier = run_canary(device, precision).tier;
   write_cached_binary(name, key, written(tier));
   return tier;
 }
