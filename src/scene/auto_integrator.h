@@ -10,7 +10,7 @@ namespace strahl {
 /// depends on the scene alone: its shapes, materials and the integrator's max_depth.
 void choose_integrator(Scene& scene);
 
-/// Makes volpath what it is without media and masks: path.
+/// Makes volpath what it is without media, masks and panes of thin glass: path.
 void simplify_integrator(Scene& scene);
 
 }  // namespace strahl

@@ -115,9 +115,12 @@ TEST_CASE("integrators that contain each other are an error") {
                     [](const std::string& line) { return contains(line, "contains itself"); }));
 }
 
-TEST_CASE("volpath is path where the scene has no medium") {
+TEST_CASE("volpath is path where the scene has nothing that light passes straight") {
   CHECK(problems(around("<integrator type=\"volpath\"/>")).empty());
   CHECK(load_body("<integrator type=\"volpath\"/>").scene.integrator.name == "path");
+  const std::string pane =
+      "<integrator type=\"volpath\"/><shape type=\"rectangle\"><bsdf type=\"thindielectric\"/></shape>";
+  CHECK(load_body(pane).scene.integrator.name == "volpath");
   const std::string filled = "<shape type=\"sphere\"><medium type=\"homogeneous\" name=\"interior\"/></shape>";
   for (const std::string integrator :
        {"", "<integrator type=\"volpathmis\"/>", "<integrator type=\"volpath_simple\"/>"})
