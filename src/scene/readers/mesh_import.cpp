@@ -9,6 +9,12 @@
 
 namespace strahl {
 
+bool emits(const Shape& shape, const Mesh* mesh) {
+  return shape.radiance || shape.exitance ||
+         (mesh != nullptr &&
+          std::ranges::any_of(mesh->parts, [](const MeshPart& part) { return part.radiance.has_value(); }));
+}
+
 void add_mesh_materials(MeshFile& file, bool has_material, const Shape& shape, Scene& scene, ImageFiles& images,
                         Diagnostics& diagnostics) {
   Mesh& mesh = file.mesh;

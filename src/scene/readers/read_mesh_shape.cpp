@@ -3,7 +3,6 @@
 // materials that it names.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <limits>
 
 #include "scene/meshes/creased_normals.h"
@@ -37,11 +36,6 @@ void to_world(Mesh& mesh, const Transform& world_from_object) {
   }
 }
 
-bool shines(const Shape& shape, const Mesh& mesh) {
-  return shape.radiance || shape.exitance ||
-         std::ranges::any_of(mesh.parts, [](const MeshPart& part) { return part.radiance.has_value(); });
-}
-
 }  // namespace
 
 Geometry read_geometry(ShapeInput& input, const Mesh&) {
@@ -71,7 +65,7 @@ Geometry read_geometry(ShapeInput& input, const Mesh&) {
       make_creased_normals(file.mesh, *smooth_angle);
     else if (file.mesh.normals.empty() && !face_normals && !file.face_normals)
       make_vertex_normals(file.mesh);
-    else if (!file.mesh.normals.empty() && shines(input.shape, file.mesh))
+    else if (!file.mesh.normals.empty() && emits(input.shape, &file.mesh))
       turn_to_vertex_normals(file.mesh);  // As in Mitsuba, light goes where the vertex normals point.
     return std::move(file.mesh);
   } catch (const EmptyMeshError&) {

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "scene/model/framing.h"
+#include "scene/readers/mesh_import.h"
 #include "scene/readers/read_material.h"
 #include "scene/readers/readers.h"
 #include "scene/readers/shape_reader.h"
@@ -42,13 +43,9 @@ void read_one_shape(const XmlElement& element, SceneBuilder& builder) {
 }
 
 bool has_light(const Scene& scene) {
-  const auto emits = [](const Shape& shape) {
-    const auto* mesh = std::get_if<Mesh>(&shape.geometry);
-    return shape.radiance || shape.exitance ||
-           (mesh != nullptr && std::any_of(mesh->parts.begin(), mesh->parts.end(),
-                                           [](const auto& part) { return part.radiance.has_value(); }));
-  };
-  return !scene.lights.empty() || std::any_of(scene.shapes.begin(), scene.shapes.end(), emits);
+  return !scene.lights.empty() || std::ranges::any_of(scene.shapes, [](const Shape& shape) {
+    return emits(shape, std::get_if<Mesh>(&shape.geometry));
+  });
 }
 
 void report_lost_lights(const XmlElement& root, SceneBuilder& builder) {
