@@ -42,8 +42,7 @@ std::vector<std::int32_t> volume_row(PackedScene<Real>& packed, PackedImages<Rea
 
 /// Whether light passes, as it came, surfaces that do not stand apart.
 bool has_veils(const Scene& scene, const Features& features) {
-  const auto is_pane = [](const Material& material) { return std::holds_alternative<ThinDielectric>(material.bsdf); };
-  if (features.flag("PANE") && std::any_of(scene.materials.begin(), scene.materials.end(), is_pane)) return true;
+  if (features.flag("PANE") && has_panes(scene)) return true;
   if (!features.flag("MASK")) return false;
   const auto is_veil = [&](const Shape& shape) { return !is_unseen(shape, scene) && is_masked(shape, scene); };
   return std::any_of(scene.shapes.begin(), scene.shapes.end(), is_veil) ||

@@ -59,12 +59,6 @@ bool has_masks(const Scene& scene) {
   return has;
 }
 
-/// What goes straight through them is no event to volpath.
-bool has_panes(const Scene& scene) {
-  return std::ranges::any_of(
-      scene.materials, [](const Material& material) { return std::holds_alternative<ThinDielectric>(material.bsdf); });
-}
-
 IntegratorChoice integrator_for(const Scene& scene) {
   if (has_media(scene)) return {"volpath", "media lie between surfaces"};
   if (scene.integrator.max_depth == 0 || scene.integrator.max_depth == 1)

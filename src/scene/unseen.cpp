@@ -40,4 +40,9 @@ bool is_masked(const Shape& shape, const Scene& scene) {
                      [&](const MeshPart& part) { return is_masked(scene, part.material); });
 }
 
+bool has_panes(const Scene& scene) {
+  return std::ranges::any_of(
+      scene.materials, [](const Material& material) { return std::holds_alternative<ThinDielectric>(material.bsdf); });
+}
+
 }  // namespace strahl

@@ -13,4 +13,7 @@ namespace strahl {
 /// Whether a share of the light may pass the shape as it came.
 [[nodiscard]] bool is_masked(const Shape& shape, const Scene& scene);
 
+/// Whether there is a material of thin glass. What goes straight through it is no event to volpath.
+[[nodiscard]] bool has_panes(const Scene& scene);
+
 }  // namespace strahl
