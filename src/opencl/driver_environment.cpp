@@ -3,6 +3,7 @@
 #include "opencl/driver_environment.h"
 
 #include <fmt/format.h>
+#include <sched.h>
 #include <stdlib.h>  // NOLINT(modernize-deprecated-headers): setenv is POSIX
 #include <sys/stat.h>
 #include <unistd.h>
@@ -46,8 +47,25 @@ std::string temporary_pocl_cache() {
   return is_own && unusable_folder(folder).empty() ? folder : std::string();
 }
 
+/// PoCL 3.1 numbers threads and processors alike.
+bool may_run_on_all_processors() {
+#ifdef __linux__
+  cpu_set_t allowed;
+  return sched_getaffinity(0, sizeof allowed, &allowed) == 0 && CPU_COUNT(&allowed) == sysconf(_SC_NPROCESSORS_CONF);
+#else
+  return false;
+#endif
+}
+
+/// A launch wakes all threads at once, and Linux then lets two of them share a processor for some 10 ms while another
+/// is idle. That is a sixth of a picture of four samples (docs/devices.md).
+void keep_pocl_threads_apart() {
+  if (set_variable("POCL_MAX_PTHREAD_COUNT") == nullptr && may_run_on_all_processors()) setenv("POCL_AFFINITY", "1", 0);
+}
+
 std::string prepare() {
   ignore_relative_cache_home();
+  keep_pocl_threads_apart();
   if (const char* cache = set_variable("POCL_CACHE_DIR")) {
     const std::string why = unusable_folder(cache);
     return why.empty() ? why : fmt::format("its cache \"{}\" (POCL_CACHE_DIR) cannot be written: {}", cache, why);

@@ -12,8 +12,9 @@ namespace {
 constexpr int sums_a_pixel = layout::FILM_SUBSUMS;
 
 /// A pass of several samples is not ended part-way. The share of the time left that it may take: it would have to take
-/// four times as long as the one before it says to miss the deadline.
-constexpr double share_of_time = 0.25;
+/// 2.5 times as long as the one before it says to miss the deadline. Smaller shares make more passes of few samples,
+/// which take longer a sample (docs/decisions/0026-path-pool.md).
+constexpr double share_of_time = 0.4;
 
 /// Ratio of the interval's upper end to the wanted error at which a picture is done: a picture of few pixels must not
 /// be done by luck.

@@ -1,12 +1,20 @@
 // SPDX-License-Identifier: MIT
 // Finding and opening real devices: PoCL and rusticl, which may not be missing.
+#include <sched.h>
+#include <unistd.h>
+
 #include <catch2/catch.hpp>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <set>
 
 #include "errors.h"
 #include "opencl/device.h"
 #include "support/devices.h"
 
 using namespace strahl;
+namespace fs = std::filesystem;
 
 namespace {
 
@@ -91,6 +99,31 @@ TEST_CASE("PoCL launches what a program's binary holds, unless the user wants ot
   setenv("POCL_WORK_GROUP_SPECIALIZATION", "1", 1);
   opened("pocl");
   CHECK(setting() == "1");
+}
+
+TEST_CASE("PoCL's threads have a processor each, where nothing says otherwise") {
+  test::require_pocl_and_rusticl();
+  const DeviceInfo device = opened("pocl");
+  cpu_set_t allowed;
+  REQUIRE(sched_getaffinity(0, sizeof allowed, &allowed) == 0);
+  if (std::getenv("POCL_MAX_PTHREAD_COUNT") != nullptr || CPU_COUNT(&allowed) != sysconf(_SC_NPROCESSORS_CONF)) {
+    WARN("the environment limits PoCL's threads, or this process has a part of the processors");
+    return;
+  }
+  REQUIRE(std::getenv("POCL_AFFINITY") != nullptr);
+  if (std::string(std::getenv("POCL_AFFINITY")) != "1") {
+    WARN("POCL_AFFINITY leaves the threads free");
+    return;
+  }
+  std::set<std::string> processors;  // Of threads that have one only.
+  for (const auto& thread : fs::directory_iterator("/proc/self/task")) {
+    std::ifstream status(thread.path() / "status");
+    const std::string label = "Cpus_allowed_list:\t";
+    for (std::string line; std::getline(status, line);)
+      if (line.rfind(label, 0) == 0 && line.find_first_of(",-", label.size()) == std::string::npos)
+        processors.insert(line.substr(label.size()));
+  }
+  CHECK(processors.size() == device.compute_units);
 }
 
 TEST_CASE("An unknown selector is answered with what there is") {

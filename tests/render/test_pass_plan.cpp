@@ -20,16 +20,16 @@ TEST_CASE("a number of samples is one pass") {
   CHECK(plan.ending() == Ending::samples);
 }
 
-TEST_CASE("with a deadline, a pass takes a quarter of the time that is left") {
+TEST_CASE("with a deadline, a pass takes two fifths of the time that is left") {
   RenderGoal goal;
   goal.deadline = Clock::now();
   PassPlan plan(goal, 100000);
   CHECK(plan.next(0, 10)->count == 1);  // Nothing is known yet.
-  CHECK(plan.next(0.1, 10)->count == 25);
-  CHECK(plan.next(0.001, 0.1)->count == 25);
-  CHECK(plan.next(0.1, 0.7)->count == 1);  // Single ones may end part-way.
+  CHECK(plan.next(0.1, 10)->count == 40);
+  CHECK(plan.next(0.001, 0.1)->count == 40);
+  CHECK(plan.next(0.1, 0.4)->count == 1);  // Single ones may end part-way.
   CHECK(plan.next(0.1, 0.01)->count == 1);
-  CHECK(plan.next(0.001, 10)->first == 53);
+  CHECK(plan.next(0.001, 10)->first == 83);
   CHECK_FALSE(plan.next(0.001, 0));
   CHECK(plan.ending() == Ending::deadline);
 }
