@@ -18,14 +18,10 @@ double quantile(double degrees_of_freedom) {
   return z + (z * z * z + z) / 4 * per + (5 * std::pow(z, 5) + 16 * z * z * z + 3 * z) / 96 * per * per;
 }
 
-bool is_told(const FilmSums& film, std::size_t at) {
-  return std::min(film.samples[at], film.sums.count) >= layout::FILM_SUBSUMS;
-}
+bool is_told(const FilmShape& film, int samples) { return std::min(samples, film.sums.count) >= layout::FILM_SUBSUMS; }
 
 bool is_told(const FilmSums& film) {
-  for (std::size_t at = 0; at < film.samples.size(); ++at)
-    if (!is_told(film, at)) return false;
-  return true;
+  return std::all_of(film.samples.begin(), film.samples.end(), [&](int samples) { return is_told(film, samples); });
 }
 
 std::unique_ptr<ErrorLaw> law_of(const FilmSums& film) {
@@ -52,7 +48,7 @@ ErrorSums::ErrorSums(const FilmSums& film)
 
 ErrorSums::~ErrorSums() = default;
 
-void ErrorSums::add(const FilmSums& rows) {
+void ErrorSums::add(const FilmRows& rows) {
   if (is_told_) law_->add(rows);
 }
 
@@ -65,25 +61,25 @@ std::optional<ErrorEstimate> ErrorSums::tell() const {
                        picture.relative / values_};
 }
 
-void ErrorSums::put_standard_error(const FilmSums& rows, std::size_t first, Image& image) const {
+void ErrorSums::put_standard_error(const FilmRows& rows, std::size_t first, Image& image) const {
   float* out = image.data.data() + first * layout::FILM_CHANNELS;
   for (std::size_t at = 0; at < rows.samples.size(); ++at) {
     Colour squared;
     squared.fill(std::numeric_limits<double>::quiet_NaN());
-    if (is_told(rows, at)) squared = law_->pixel_error(rows, at).squared;
+    if (is_told(rows, rows.samples[at])) squared = law_->pixel_error(rows, at).squared;
     for (const double value : squared) *out++ = static_cast<float>(std::sqrt(value));
   }
 }
 
 std::optional<ErrorEstimate> estimate_error(const FilmSums& film) {
   ErrorSums sums(film);
-  sums.add(film);
+  sums.add(film.rows());
   return sums.tell();
 }
 
 Image standard_error(const FilmSums& film) {
   Image image = film.black();
-  ErrorSums(film).put_standard_error(film, 0, image);
+  ErrorSums(film).put_standard_error(film.rows(), 0, image);
   return image;
 }
 

@@ -17,6 +17,7 @@
 
 namespace strahl {
 
+struct FilmRows;
 struct FilmSums;
 class ErrorLaw;
 
@@ -34,12 +35,12 @@ class ErrorSums {
   explicit ErrorSums(const FilmSums& film);
   ~ErrorSums();
   /// The next rows.
-  void add(const FilmSums& rows);
+  void add(const FilmRows& rows);
   /// Of all rows; none where a pixel has fewer samples than there are sub-sums.
   [[nodiscard]] std::optional<ErrorEstimate> tell() const;
   /// Standard error of each channel of these rows into the pixels from `first` on; NaN where a pixel has too few
   /// samples.
-  void put_standard_error(const FilmSums& rows, std::size_t first, Image& image) const;
+  void put_standard_error(const FilmRows& rows, std::size_t first, Image& image) const;
 
  private:
   std::unique_ptr<ErrorLaw> law_;

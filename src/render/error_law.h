@@ -10,6 +10,7 @@
 
 namespace strahl {
 
+struct FilmRows;
 struct FilmSums;
 
 using Colour = std::array<double, layout::FILM_CHANNELS>;
@@ -39,9 +40,9 @@ class ErrorLaw {
   ErrorLaw& operator=(const ErrorLaw&) = delete;
   virtual ~ErrorLaw() = default;
   /// The next rows.
-  virtual void add(const FilmSums& rows) = 0;
+  virtual void add(const FilmRows& rows) = 0;
   /// at: index within the rows.
-  [[nodiscard]] virtual PixelError pixel_error(const FilmSums& rows, std::size_t at) const = 0;
+  [[nodiscard]] virtual PixelError pixel_error(const FilmRows& rows, std::size_t at) const = 0;
   [[nodiscard]] virtual PictureError tell() const = 0;
 };
 

@@ -22,7 +22,7 @@ struct Replicated {
   PixelError error;
 };
 
-Replicated replicated_at(const FilmSums& film, const std::vector<double>& sizes, std::size_t at) {
+Replicated replicated_at(const FilmRows& film, const std::vector<double>& sizes, std::size_t at) {
   Replicated pixel;
   double samples = 0;
   for (const double size : sizes) samples += size;
@@ -47,9 +47,10 @@ Replicated replicated_at(const FilmSums& film, const std::vector<double>& sizes,
 /// Paths of a pixel on average, in each replicate.
 std::vector<double> replicate_sizes(const FilmSums& film) {
   std::vector<double> sizes(replicates, 0.0);
+  const FilmRows rows = film.rows();
   const auto pixels = static_cast<double>(film.samples.size());
   for (std::size_t at = 0; at < film.samples.size(); ++at)
-    for (std::size_t k = 0; k < replicates; ++k) sizes[k] += film.sub_sum_samples(at, static_cast<int>(k)) / pixels;
+    for (std::size_t k = 0; k < replicates; ++k) sizes[k] += rows.sub_sum_samples(at, static_cast<int>(k)) / pixels;
   return sizes;
 }
 
@@ -57,7 +58,7 @@ class LawOfReplicates final : public ErrorLaw {
  public:
   explicit LawOfReplicates(const FilmSums& film) : sizes_(replicate_sizes(film)) {}
 
-  void add(const FilmSums& rows) override {
+  void add(const FilmRows& rows) override {
     for (std::size_t at = 0; at < rows.samples.size(); ++at) {
       const Replicated pixel = replicated_at(rows, sizes_, at);
       picture_.add(pixel.error);
@@ -67,7 +68,7 @@ class LawOfReplicates final : public ErrorLaw {
             products_[i][j] += pixel.deviation[i][c] * pixel.deviation[j][c];
     }
   }
-  PixelError pixel_error(const FilmSums& rows, std::size_t at) const override {
+  PixelError pixel_error(const FilmRows& rows, std::size_t at) const override {
     return replicated_at(rows, sizes_, at).error;
   }
   PictureError tell() const override {

@@ -32,7 +32,7 @@ struct Differences {
   std::array<Colour, sequences> half{};  ///< w_1, w_2.
 };
 
-PixelError told_by_sequences(const FilmSums& film, std::size_t at, Differences& differences) {
+PixelError told_by_sequences(const FilmRows& film, std::size_t at, Differences& differences) {
   const double samples = film.samples[at];
   std::array<double, layout::FILM_SUBSUMS> count{};
   for (int k = 0; k < layout::FILM_SUBSUMS; ++k) count[k] = film.sub_sum_samples(at, k);
@@ -121,7 +121,7 @@ class LawOfSequences final : public ErrorLaw {
  public:
   LawOfSequences(int width, int height) : products_(width, height), row_(static_cast<std::size_t>(width)) {}
 
-  void add(const FilmSums& rows) override {
+  void add(const FilmRows& rows) override {
     std::size_t at = 0;
     for (int y = 0; y < rows.height; ++y, ++y_) {
       for (int x = 0; x < rows.width; ++x, ++at) {
@@ -133,7 +133,7 @@ class LawOfSequences final : public ErrorLaw {
       row_.resize(above_.size());
     }
   }
-  PixelError pixel_error(const FilmSums& rows, std::size_t at) const override {
+  PixelError pixel_error(const FilmRows& rows, std::size_t at) const override {
     Differences unused;
     return told_by_sequences(rows, at, unused);
   }

@@ -16,7 +16,7 @@ struct Turns {
   PixelError error;
 };
 
-Turns turns_of(const FilmSums& film, std::size_t at) {
+Turns turns_of(const FilmRows& film, std::size_t at) {
   const int samples = film.samples[at];
   Turns pixel;
   for (int k = 0; k < turns; ++k) {
@@ -56,7 +56,7 @@ double difference_variance(const Turns& pixel, double samples) {
 
 class LawOfTurns final : public ErrorLaw {
  public:
-  void add(const FilmSums& rows) override {
+  void add(const FilmRows& rows) override {
     for (std::size_t at = 0; at < rows.samples.size(); ++at) {
       const Turns pixel = turns_of(rows, at);
       const double variance = difference_variance(pixel, rows.samples[at]);
@@ -65,7 +65,7 @@ class LawOfTurns final : public ErrorLaw {
       squares_ += variance * variance;
     }
   }
-  PixelError pixel_error(const FilmSums& rows, std::size_t at) const override { return turns_of(rows, at).error; }
+  PixelError pixel_error(const FilmRows& rows, std::size_t at) const override { return turns_of(rows, at).error; }
   PictureError tell() const override {
     PictureError picture = picture_;
     picture.freedom = satterthwaite(picture.variance, squares_);

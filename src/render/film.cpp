@@ -14,15 +14,6 @@ FilmSums::FilmSums(const FilmShape& shape, bool holds_words) : FilmShape(shape) 
   samples.resize(pixels, 0);
 }
 
-std::size_t words_per_sum(FilmKind kind) {
-  if (kind == FilmKind::splats) return layout::SPLAT_WORDS;
-  return layout::FILM_SUM_WORDS;
-}
-
-std::size_t FilmShape::words_per_pixel() const {
-  return static_cast<std::size_t>(sums.count + (has_squares ? 1 : 0)) * layout::FILM_CHANNELS * words_per_sum(kind);
-}
-
 void FilmSums::add_samples(const Launch& launch) {
   for (int y = launch.row_first; y < launch.row_first + launch.rows; ++y) {
     int* row = &samples[static_cast<std::size_t>(y) * static_cast<std::size_t>(width)];
@@ -40,14 +31,13 @@ void FilmSums::add_words(int row, const std::vector<std::int64_t>& band) {
     film_add(sum + i, film_bins(band[i], band[i + 1]));
 }
 
-double FilmSums::sub_sum(std::size_t pixel, int sub, int channel) const {
-  const auto sum = static_cast<std::size_t>(sub * layout::FILM_CHANNELS + channel);
-  const std::int64_t* at = &words[pixel * words_per_pixel() + sum * words_per_sum(kind)];
-  return unit * (kind == FilmKind::splats ? value_of_splats(at) : value_of(film_bins(at[0], at[1])));
-}
-
-int FilmSums::sub_sum_samples(std::size_t pixel, int sub) const {
-  return sub_sum_size(sums, sub, first_sample + samples[pixel]) - sub_sum_size(sums, sub, first_sample);
+FilmRows FilmSums::rows(int row, int count, std::span<const std::int64_t> their_words) const {
+  FilmRows some{*this, their_words, {}};
+  some.height = count;
+  const auto columns = static_cast<std::size_t>(width);
+  some.samples =
+      std::span(samples).subspan(static_cast<std::size_t>(row) * columns, static_cast<std::size_t>(count) * columns);
+  return some;
 }
 
 std::vector<Launch> FilmSums::missing(int row, int rows, int end) const {
@@ -77,46 +67,6 @@ Image FilmSums::black() const {
   return image;
 }
 
-void FilmSums::put_mean(std::span<const std::int64_t> part, std::size_t first, double paths, Image& image) const {
-  const std::size_t pixels = part.size() / words_per_pixel();
-  const std::size_t per_sum = words_per_sum(kind);
-  const std::int64_t* pixel = part.data();
-  float* out = &image.data[first * layout::FILM_CHANNELS];
-  for (std::size_t at = first; at < first + pixels; ++at, pixel += words_per_pixel()) {
-    const double count = kind == FilmKind::splats ? paths : samples[at];
-    for (std::size_t channel = 0; channel < layout::FILM_CHANNELS; ++channel, ++out)
-      if (count > 0) *out = static_cast<float>(total(pixel + channel * per_sum) / count * unit);
-  }
-}
-
-void FilmSums::put_squares(std::span<const std::int64_t> part, std::size_t first, Image& image) const {
-  constexpr std::size_t channels = layout::FILM_CHANNELS, per_sum = layout::FILM_SUM_WORDS;
-  const std::int64_t* sum = part.data() + static_cast<std::size_t>(sums.count) * channels * per_sum;
-  float* out = &image.data[first * channels];
-  for (std::size_t at = first; at < first + part.size() / words_per_pixel(); ++at, sum += words_per_pixel())
-    for (std::size_t channel = 0; channel < channels; ++channel, ++out) {
-      const std::int64_t* bins = sum + channel * per_sum;
-      if (samples[at] > 0) *out = static_cast<float>(value_of(film_bins(bins[0], bins[1])) / samples[at] * unit * unit);
-    }
-}
-
-/// Added up as the film adds, so that it does not matter which sub-sum a sample is in.
-double FilmSums::total(const std::int64_t* sum) const {
-  const std::size_t stride = layout::FILM_CHANNELS * words_per_sum(kind);
-  if (kind == FilmKind::splats) {
-    std::int64_t all[layout::SPLAT_WORDS] = {};
-    for (int sub = 0; sub < sums.count; ++sub, sum += stride)
-      for (int k = 0; k < layout::SPLAT_WORDS; ++k) all[k] += sum[k];
-    return value_of_splats(all);
-  }
-  std::int64_t all[layout::FILM_SUM_WORDS] = {sum[0], sum[1]};
-  for (int sub = 1; sub < sums.count; ++sub) {
-    sum += stride;
-    film_add(all, film_bins(sum[0], sum[1]));
-  }
-  return value_of(film_bins(all[0], all[1]));
-}
-
 double FilmSums::paths_a_pixel() const {
   if (kind != FilmKind::splats) return 0;
   return std::accumulate(samples.begin(), samples.end(), 0.0) / static_cast<double>(samples.size());
@@ -124,13 +74,13 @@ double FilmSums::paths_a_pixel() const {
 
 Image FilmSums::mean() const {
   Image image = black();
-  put_mean(words, 0, paths_a_pixel(), image);
+  rows().put_mean(0, paths_a_pixel(), image);
   return image;
 }
 
 Image FilmSums::mean_of_squares() const {
   Image image = black();
-  put_squares(words, 0, image);
+  rows().put_squares(0, image);
   return image;
 }
 

@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <array>
+#include <future>
 #include <limits>
+#include <utility>
 
 #include "errors.h"
 #include "render/aov.h"
@@ -18,7 +20,7 @@ namespace {
 constexpr double least_launch_seconds = 0.0005;
 
 /// A part of the film that stays in a processor's cache.
-constexpr std::size_t part_bytes = std::size_t{1} << 20;
+constexpr std::size_t part_bytes = std::size_t{2} << 20;
 
 }  // namespace
 
@@ -97,9 +99,9 @@ bool FilmRun::report() {
 void FilmRun::clear(int rows, bool aovs_too) {
   const Stopwatch start;
   const std::size_t pixels = static_cast<std::size_t>(width_) * static_cast<std::size_t>(rows);
+  clear_film(state_.device, state_.film, film_bytes(pixels));
   checked(state_.device.info().text(), [&] {
     const cl::CommandQueue& queue = state_.device.queue();
-    queue.enqueueFillBuffer(state_.film, cl_long{0}, 0, film_bytes(pixels));
     if (aovs_too && state_.has_aov()) {  // Pixels without a sample (interrupted) count as missed.
       queue.enqueueFillBuffer(state_.aov_reals, cl_uint{0}, 0, state_.aov_real_bytes(pixels));
       queue.enqueueFillBuffer(state_.aov_ints, cl_int{-1}, 0, state_.aov_int_bytes(pixels));
@@ -196,24 +198,22 @@ void FilmRun::end_band() {
   result_.stats.seconds.readback += start.seconds();
 }
 
-void FilmRun::each_part(const std::function<void(const FilmSums& rows, std::size_t first)>& use) {
-  if (!is_one_band()) return use(film_, 0);
+void FilmRun::each_part(const std::function<void(std::shared_ptr<const FilmPart>)>& use) {
   const auto width = static_cast<std::size_t>(width_);
   const auto most = static_cast<int>(std::clamp<std::size_t>(part_bytes / film_bytes(width), 1, height_));
-  FilmShape shape = film_;
-  shape.height = most;
-  FilmSums rows(shape);
+  const std::size_t per_row = width * film_.words_per_pixel();
   for (int row = 0; row < height_; row += most) {
-    rows.height = std::min(most, height_ - row);
-    const std::size_t first = static_cast<std::size_t>(row) * width,
-                      count = static_cast<std::size_t>(rows.height) * width;
-    const auto* samples = film_.samples.data() + first;
-    rows.samples.assign(samples, samples + count);
-    rows.words.resize(count * film_.words_per_pixel());
     const Stopwatch start;
-    read_buffer(state_.device, state_.film, rows.words.data(), film_bytes(count), film_bytes(first));
+    const int rows = std::min(most, height_ - row);
+    const std::size_t first = static_cast<std::size_t>(row) * per_row, count = static_cast<std::size_t>(rows) * per_row;
+    auto part = std::make_shared<FilmPart>();
+    if (is_one_band()) part->on_device = std::make_unique<MappedWords>(state_.device, state_.film, first, count);
+    part->rows = film_.rows(
+        row, rows,
+        part->on_device ? part->on_device->words() : std::span(std::as_const(film_.words)).subspan(first, count));
+    part->first = static_cast<std::size_t>(row) * width;
     result_.stats.seconds.readback += start.seconds();
-    use(rows, first);
+    use(std::move(part));
   }
 }
 
@@ -231,16 +231,26 @@ void FilmRun::finish() {
   result_.color = film_.black();
   if (film_.has_squares) squares_ = film_.black();
   const double paths = film_.paths_a_pixel();
-  each_part([&](const FilmSums& rows, std::size_t first) {
+  // The error of a part is told while the mean of the next is taken.
+  std::future<void> telling;
+  const auto wait = [&] {
+    const Stopwatch waiting;
+    if (telling.valid()) telling.get();
+    seconds.error += waiting.seconds();
+  };
+  each_part([&](std::shared_ptr<const FilmPart> part) {
     const Stopwatch taking;
-    film_.put_mean(rows.words, first, paths, result_.color);
-    if (film_.has_squares) film_.put_squares(rows.words, first, squares_);
+    part->rows.put_mean(part->first, paths, result_.color);
+    if (film_.has_squares) part->rows.put_squares(part->first, squares_);
     seconds.readback += taking.seconds();
-    const Stopwatch estimating;
-    if (has_error) error->add(rows);
-    if (has_map) error->put_standard_error(rows, first, result_.standard_error);
-    seconds.error += estimating.seconds();
+    wait();
+    if (!error) return;
+    telling = std::async(std::launch::async, [&error, part = std::move(part), has_error, has_map, this] {
+      if (has_error) error->add(part->rows);
+      if (has_map) error->put_standard_error(part->rows, part->first, result_.standard_error);
+    });
   });
+  wait();
   if (has_error) result_.error = error->tell();
 }
 
@@ -267,9 +277,9 @@ RenderResult FilmRun::run() {
   while (carry_on) {
     if (passes_.wants_error()) {
       ErrorSums error(film_);
-      each_part([&](const FilmSums& rows, std::size_t) {
+      each_part([&](const std::shared_ptr<const FilmPart>& part) {
         const Stopwatch estimating;
-        error.add(rows);
+        error.add(part->rows);
         result_.stats.seconds.error += estimating.seconds();
       });
       passes_.estimated(error.tell());

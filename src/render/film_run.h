@@ -4,7 +4,9 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 
+#include "render/device_film.h"
 #include "render/film_state.h"
 #include "render/renderer_state.h"
 #include "stopwatch.h"
@@ -67,8 +69,14 @@ class FilmRun {
   /// What the device has of a band that is not fetched yet.
   [[nodiscard]] std::vector<std::int64_t> band_words() const;
   void read_aovs(int row, int rows);
-  /// The film's rows from the top down, `first` being the number of their first pixel.
-  void each_part(const std::function<void(const FilmSums& rows, std::size_t first)>& use);
+  /// Rows of the film, and where they begin.
+  struct FilmPart {
+    std::unique_ptr<const MappedWords> on_device;  ///< Their words; none: they are in film_.
+    FilmRows rows;
+    std::size_t first = 0;  ///< The number of their first pixel.
+  };
+  /// From the top down.
+  void each_part(const std::function<void(std::shared_ptr<const FilmPart>)>& use);
   void finish();
   void measure_finish();
 

@@ -4,7 +4,8 @@ if(STRAHL_FUZZ)
   # The readers and what they need, not all of libstrahl: sanitizers and coverage make the compiler slow.
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/scene/*.cpp ${PROJECT_SOURCE_DIR}/src/image/*.cpp
        ${PROJECT_SOURCE_DIR}/src/kinds/*.cpp ${PROJECT_SOURCE_DIR}/src/settings/*.cpp)
-  foreach(name errors.cpp did_you_mean.cpp checkpoint/checkpoint_file.cpp opencl/cl_code.cpp render/film.cpp)
+  foreach(name errors.cpp did_you_mean.cpp checkpoint/checkpoint_file.cpp opencl/cl_code.cpp render/film.cpp
+               render/film_rows.cpp)
     list(APPEND sources ${PROJECT_SOURCE_DIR}/src/${name})
   endforeach()
   # In a few large files, because headers take most of the compiler's time; these two by themselves as in libstrahl.

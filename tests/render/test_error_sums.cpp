@@ -31,15 +31,11 @@ FilmSums noisy_film(FilmKind kind, SubSums sums) {
   return film;
 }
 
-FilmSums rows_of(const FilmSums& film, int row, int rows) {
-  FilmShape shape = film;
-  shape.height = rows;
-  FilmSums part(shape);
-  const std::size_t first = static_cast<std::size_t>(row) * width;
-  std::copy_n(film.samples.begin() + static_cast<std::ptrdiff_t>(first), part.samples.size(), part.samples.begin());
-  std::copy_n(film.words.begin() + static_cast<std::ptrdiff_t>(first * film.words_per_pixel()), part.words.size(),
-              part.words.begin());
-  return part;
+FilmRows rows_of(const FilmSums& film, int row, int rows) {
+  const std::size_t per_row = width * film.words_per_pixel();
+  const std::span<const std::int64_t> words = film.words;
+  return film.rows(row, rows,
+                   words.subspan(static_cast<std::size_t>(row) * per_row, static_cast<std::size_t>(rows) * per_row));
 }
 
 void hold(const FilmSums& film) {
@@ -51,11 +47,11 @@ void hold(const FilmSums& film) {
     ErrorSums sums(film);
     Image map = film.black(), mean = film.black();
     for (int row = 0; row < height; row += most) {
-      const FilmSums part = rows_of(film, row, std::min(most, height - row));
+      const FilmRows part = rows_of(film, row, std::min(most, height - row));
       const auto first = static_cast<std::size_t>(row) * width;
       sums.add(part);
       sums.put_standard_error(part, first, map);
-      film.put_mean(part.words, first, film.paths_a_pixel(), mean);
+      part.put_mean(first, film.paths_a_pixel(), mean);
     }
     const std::optional<ErrorEstimate> told = sums.tell();
     REQUIRE(told);

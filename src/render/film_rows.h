@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+// Rows of a film as they are looked at, wherever their words lie: the means of their pixels, and what they say of the
+// error.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "image/image.h"
+#include "render/sub_sums.h"
+
+namespace strahl {
+
+/// How samples reach the film.
+enum class FilmKind {
+  pixels,  ///< Each into its own pixel: sums of cl/film/film_sum.h.
+  splats   ///< Light paths, each into any pixels: sums of cl/film/splat.h. The samples of a pixel are its paths.
+};
+
+/// Words of a channel's sum.
+[[nodiscard]] std::size_t words_per_sum(FilmKind kind);
+
+/// What films have to agree in to be of one picture.
+struct FilmShape {
+  FilmKind kind = FilmKind::pixels;
+  int width = 0;
+  int height = 0;
+  SubSums sums;          ///< Which sample is in which.
+  int first_sample = 0;  ///< The number of each pixel's first sample; others only in a part (RenderGoal).
+  double unit = 1;       ///< Radiance that corresponds to 1 in the kernels.
+  /// One sum more behind a pixel's sub-sums (cl/film/moments.h). Not of splats.
+  bool has_squares = false;
+
+  [[nodiscard]] std::size_t words_per_pixel() const;
+};
+
+/// `height` rows. Shapes of words and samples as in FilmSums.
+struct FilmRows : FilmShape {
+  std::span<const std::int64_t> words;
+  std::span<const int> samples;
+
+  /// The sum of the samples of a pixel in one sub-sum, in radiance. pixel: index along these rows.
+  [[nodiscard]] double sub_sum(std::size_t pixel, int sub, int channel) const;
+  /// The number of those samples.
+  [[nodiscard]] int sub_sum_samples(std::size_t pixel, int sub) const;
+  /// The mean over all samples, which does not depend on their sub-sums, into the image from its pixel `first` on. A
+  /// pixel without samples stays black. paths: FilmSums::paths_a_pixel(), which looks at all pixels.
+  void put_mean(std::size_t first, double paths, Image& image) const;
+  /// The same of the squares, where the film has them.
+  void put_squares(std::size_t first, Image& image) const;
+
+ private:
+  /// All sub-sums of a channel together, `sum` being the first one's words.
+  [[nodiscard]] double total(const std::int64_t* sum) const;
+};
+
+}  // namespace strahl
