@@ -54,14 +54,18 @@
 /// unused: a program holds only some of the callers. Tests compile this text on the host, where inlining all of it
 /// would take minutes. So does Mesa: it inlines everything at last, but before that takes time by the square of the
 /// program's variables, whose number grows with every copy (docs/decisions/0021-loop-limit.md).
+///
+/// INLINE_FN: functions that change a struct that they were given by value. Mesa 22.3 hands over the caller's own, so
+/// that such a function, called as one, changes what the caller has (the same decision; tests/lint/changed_structs).
 #ifdef __cplusplus
-#define FN static inline __attribute__((unused))
+#define INLINE_FN static inline __attribute__((unused))
 #else
-#define FN static inline __attribute__((always_inline, unused))
+#define INLINE_FN static inline __attribute__((always_inline, unused))
 #endif
 #if HAS_LOOP_LIMIT
-#undef FN
 #define FN static __attribute__((unused))
+#else
+#define FN INLINE_FN
 #endif
 
 /// As FN, for large functions that are seldom called: a program holds one copy, and callers pay for the call.

@@ -23,7 +23,7 @@ typedef struct {
   real enter, leave;
 } BoxSpan;
 
-FN BoxSpan span_clip(BoxSpan span, real near, real far, real o, real inv, real slack) {
+INLINE_FN BoxSpan span_clip(BoxSpan span, real near, real far, real o, real inv, real slack) {
   real enter = real_fma(near - o, inv, -slack), leave = real_fma(far - o, inv, slack);
   if (span.enter < enter) span.enter = enter;
   if (leave < span.leave) span.leave = leave;

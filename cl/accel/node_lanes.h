@@ -4,8 +4,8 @@
 
 /// The part of t within LANES children, from the one on whose planes begin at `planes`. x, y, z: numbers of the planes
 /// that the ray meets first.
-FN Interval_w within_children_w(Interval_w t, GLOBAL const real* planes, int x, int y, int z, real3 o, real3 inv,
-                                real3 slack) {
+INLINE_FN Interval_w within_children_w(Interval_w t, GLOBAL const real* planes, int x, int y, int z, real3 o, real3 inv,
+                                       real3 slack) {
   t = clip_slab_w(t, load_w(planes + x * TREE_WIDTH), load_w(planes + (x ^ 1) * TREE_WIDTH), o.x, inv.x, slack.x);
   t = clip_slab_w(t, load_w(planes + y * TREE_WIDTH), load_w(planes + (y ^ 1) * TREE_WIDTH), o.y, inv.y, slack.y);
   return clip_slab_w(t, load_w(planes + z * TREE_WIDTH), load_w(planes + (z ^ 1) * TREE_WIDTH), o.z, inv.z, slack.z);

@@ -5,7 +5,7 @@
 // meets. One width; no guard.
 
 /// One axis of LANES boxes, for all rays at once: the entry of the earliest ray and the exit of the latest.
-FN Interval_w clip_bounds_w(Interval_w t, realw near, realw far, Bounds_w b) {
+INLINE_FN Interval_w clip_bounds_w(Interval_w t, realw near, realw far, Bounds_w b) {
   realw lo = splat_w(b.inv_lo), hi = splat_w(b.inv_hi), slack = splat_w(b.slack);
   near = near - splat_w(b.o_near);
   far = far - splat_w(b.o_far);
@@ -44,7 +44,7 @@ FN Interval_w bounds_within_children_w(const Packet_w* p, GLOBAL const real* nod
 }
 
 /// clip_slab of one box for every ray, of the planes that it meets first and last.
-FN Interval_w clip_planes_w(Interval_w t, realw near, realw far, realw o, realw inv, realw slack) {
+INLINE_FN Interval_w clip_planes_w(Interval_w t, realw near, realw far, realw o, realw inv, realw slack) {
   t.enter = max_w(fma_w(near - o, inv, -slack), t.enter);
   t.leave = min_w(fma_w(far - o, inv, slack), t.leave);
   return t;
@@ -57,14 +57,14 @@ FN Interval_w clip_each_w(Interval_w t, real lo, real hi, realw o, realw inv, re
 }
 
 /// The part of `t` within a box. planes: lo_x, hi_x, lo_y, hi_y, lo_z, hi_z of it, `stride` apart.
-FN Interval_w within_box_each_w(const Packet_w* p, GLOBAL const real* planes, int stride, Interval_w t) {
+INLINE_FN Interval_w within_box_each_w(const Packet_w* p, GLOBAL const real* planes, int stride, Interval_w t) {
   t = clip_each_w(t, planes[0], planes[stride], p->o.x, p->inv.x, p->slack.x, p->back_x);
   t = clip_each_w(t, planes[2 * stride], planes[3 * stride], p->o.y, p->inv.y, p->slack.y, p->back_y);
   return clip_each_w(t, planes[4 * stride], planes[5 * stride], p->o.z, p->inv.z, p->slack.z, p->back_z);
 }
 
 /// The same of the rays that can hit something, which are alike.
-FN Interval_w within_box_alike_w(const Packet_w* p, GLOBAL const real* planes, int stride, Interval_w t) {
+INLINE_FN Interval_w within_box_alike_w(const Packet_w* p, GLOBAL const real* planes, int stride, Interval_w t) {
   int x = p->near_x, y = p->near_y, z = p->near_z;
   t = clip_planes_w(t, splat_w(planes[x * stride]), splat_w(planes[(x ^ 1) * stride]), p->o.x, p->inv.x, p->slack.x);
   t = clip_planes_w(t, splat_w(planes[y * stride]), splat_w(planes[(y ^ 1) * stride]), p->o.y, p->inv.y, p->slack.y);

@@ -10,7 +10,7 @@ typedef struct {
 } Interval_w;
 
 /// One axis: near and far are the planes that the ray meets first and last.
-FN Interval_w clip_slab_w(Interval_w t, realw near, realw far, real o, real inv, real slack) {
+INLINE_FN Interval_w clip_slab_w(Interval_w t, realw near, realw far, real o, real inv, real slack) {
   t.enter = max_w(fma_w(near - splat_w(o), splat_w(inv), splat_w(-slack)), t.enter);
   t.leave = min_w(fma_w(far - splat_w(o), splat_w(inv), splat_w(slack)), t.leave);
   return t;

@@ -102,8 +102,8 @@ FN intw mesh_corners_w(const Scene* scene, const SurfaceHits_w* hits, const Surf
 
 /// Takes the surfaces of a kind, in the world, in the lanes of `plain`. normal, facing: as the shape has them. bound:
 /// as in hits/departure.h, of surfaces that rays leave from their position.
-FN void take_surfaces_w(const Scene* scene, const SurfaceHits_w* hits, maskw plain, real3w position, real3w normal,
-                        realw facing, realw bound, Surfaces_w* s) {
+INLINE_FN void take_surfaces_w(const Scene* scene, const SurfaceHits_w* hits, maskw plain, real3w position,
+                               real3w normal, realw facing, realw bound, Surfaces_w* s) {
   maskw is_flipped = nonzero_w(part_entry_w(scene, s, PART_FLIP));
   normal = sel3_w(is_flipped, negate3_w(normal), normal);
   s->t = sel_w(plain, hits->world_t, s->t);

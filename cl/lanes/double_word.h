@@ -45,14 +45,14 @@ FN dw_w two_prod_w(realw a, realw b) {
   return p;
 }
 
-FN dw_w dw_negate_w(dw_w x) {
+INLINE_FN dw_w dw_negate_w(dw_w x) {
   x.hi = -x.hi;
   x.lo = -x.lo;
   return x;
 }
 
 /// m ? x : y.
-FN dw_w dw_sel_w(maskw m, dw_w x, dw_w y) {
+INLINE_FN dw_w dw_sel_w(maskw m, dw_w x, dw_w y) {
   x.hi = sel_w(m, x.hi, y.hi);
   x.lo = sel_w(m, x.lo, y.lo);
   return x;
@@ -107,7 +107,7 @@ FN sum3_w sum3_begin_w(realw a, realw b, realw c, realw d) {
 }
 
 /// s + a b.
-FN sum3_w sum3_add_w(sum3_w s, realw a, realw b) {
+INLINE_FN sum3_w sum3_add_w(sum3_w s, realw a, realw b) {
   dw_w p = two_prod_w(a, b);
   dw_w high = two_sum_w(s.hi, p.hi), low = two_sum_w(s.mid, p.lo), mid = two_sum_w(low.hi, high.lo);
   s.hi = high.hi;

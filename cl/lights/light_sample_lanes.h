@@ -54,7 +54,7 @@ FN LightSample_w no_light_w(void) {
 }
 
 /// m ? a : b.
-FN LightSample_w sel_light_w(maskw m, LightSample_w a, LightSample_w b) {
+INLINE_FN LightSample_w sel_light_w(maskw m, LightSample_w a, LightSample_w b) {
   a.towards = sel3_w(m, a.towards, b.towards);
   a.t_max = sel_w(m, a.t_max, b.t_max);
   a.radiance = sel3_w(m, a.radiance, b.radiance);

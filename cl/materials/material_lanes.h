@@ -111,7 +111,7 @@ FN realw below_number_w(const Bsdf_w* b, int lobes, realw number) {
 
 /// What the material below a coat has drawn, as it leaves the coat; or the coat's own mirror, by number. Without spread
 /// lobes both, since they mirror to the same place.
-FN BsdfSample_w leave_coat_w(const Bsdf_w* b, int lobes, realw number, BsdfSample_w s) {
+INLINE_FN BsdfSample_w leave_coat_w(const Bsdf_w* b, int lobes, realw number, BsdfSample_w s) {
   realw zero = splat_w(R(0.0)), one = splat_w(R(1.0)), eta = b->coat.eta;
   int are_both = (lobes & (LOBE_DIFFUSE | LOBE_GLOSSY)) == 0, has_mirror = (lobes & LOBE_REFLECT) != 0;
   real3w mirrored = vec3_w(-b->coat.wo.x, -b->coat.wo.y, b->coat.wo.z);

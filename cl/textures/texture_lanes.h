@@ -76,7 +76,7 @@ FN Real2_w texture_slopes_w(const Scene* scene, const Surfaces_w* s, maskw which
 }
 
 /// Those textures in the lanes of `which`, and `value` in the others.
-FN real3w textures_at_w(const Scene* scene, maskw which, intw textures, TexturePlace_w at, real3w value) {
+INLINE_FN real3w textures_at_w(const Scene* scene, maskw which, intw textures, TexturePlace_w at, real3w value) {
   for (uint lanes = bits_w(which); lanes != 0u;) {
     int texture;
     maskw is_one = next_alike_w(textures, which, &lanes, &texture);

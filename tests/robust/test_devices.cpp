@@ -162,8 +162,9 @@ int differing(const std::vector<Hit>& a, const std::vector<Hit>& b) {
   return count;
 }
 
-/// generic: one program holds everything; else what the scene calls for.
-void hold(const std::string& selector, const std::vector<int>& widths, const Traced& traced, bool generic) {
+/// generic: one program holds everything; else what the scene calls for. turns: as RenderSettings::loop_turns.
+void hold(const std::string& selector, const std::vector<int>& widths, const Traced& traced, bool generic,
+          std::optional<std::uint64_t> turns = std::nullopt) {
   const Device device = Device::open(selector);
   const std::vector<Hit> expected = trace_on_host(traced.scene, traced.rays, 1);
   std::set<int> shapes;
@@ -176,6 +177,7 @@ void hold(const std::string& selector, const std::vector<int>& widths, const Tra
     settings.precision = Precision::robust;
     settings.lanes = lanes;
     settings.generic = generic;
+    settings.loop_turns = turns;
     CHECK(differing(Intersector(device, traced.scene, settings).trace(traced.rays), expected) == 0);
   }
 }
@@ -206,6 +208,12 @@ TEST_CASE("rusticl has the host's bits for robust spheres") {
   Traced spheres;
   add(spheres, 20, oracle::sphere_case, [](const auto& shape) { return geometry(shape); });
   hold("llvmpipe", {1}, spheres, false);
+}
+
+// Programs as users have them there: functions stay functions (cl/portable.h, INLINE_FN).
+TEST_CASE("rusticl has the host's bits where it ends loops") {
+  require_pocl_and_rusticl();
+  hold("llvmpipe", {1}, everything(40), false, 65534);
 }
 
 TEST_CASE("every other device has the host's bits in the robust tier") {

@@ -40,13 +40,13 @@ FN ExactNumber exact_number(real x) {
   return n;
 }
 
-FN ExactNumber exact_negated(ExactNumber n) {
+INLINE_FN ExactNumber exact_negated(ExactNumber n) {
   n.negative ^= 1u;
   return n;
 }
 
 /// n x, of at most 72 bits.
-FN ExactNumber exact_times(ExactNumber n, real x) {
+INLINE_FN ExactNumber exact_times(ExactNumber n, real x) {
   ExactNumber by = exact_number(x);
   ulong low = (ulong)n.d0 * by.d0, middle = (ulong)n.d1 * by.d0 + (low >> 32);
   n.d2 = n.d2 * by.d0 + (uint)(middle >> 32);

@@ -45,7 +45,7 @@ FN ExactNumber exact_midpoint(int order) {
   return n;
 }
 
-FN void factor_add(PRIVATE ExactFactor* factor, ExactNumber n) { factor->of[factor->count++] = n; }
+INLINE_FN void factor_add(PRIVATE ExactFactor* factor, ExactNumber n) { factor->of[factor->count++] = n; }
 
 /// s p x q along axis i.
 FN void factor_add_cross(PRIVATE ExactFactor* factor, ExactNumber s, real3 p, real3 q, int i) {

@@ -18,8 +18,8 @@ FN void begin_at_short_edges_w(PRIVATE real3w* a, PRIVATE real3w* b, PRIVATE rea
 /// known. t = n.(a - o) / (n.d), n = e x f = (b - a) x (c - a). With w the roundoff of what is wide and E = |e| |f|,
 /// norms being sums of absolute values, n.(a - o) is within 8 w E |a - o| and n.d within 14 w E (|d_i| < 2); so t is
 /// within 20 w E (|a - o| + |t|) / |n.d| where 64 w E < |n.d|. What underflow does to double words is less than 2^-140.
-FN void polygon_range_w(const ExactRays_w* ray, real3w a, real3w b, real3w c, PRIVATE realw* least,
-                        PRIVATE realw* most) {
+INLINE_FN void polygon_range_w(const ExactRays_w* ray, real3w a, real3w b, real3w c, PRIVATE realw* least,
+                               PRIVATE realw* most) {
   begin_at_short_edges_w(&a, &b, &c);
   wide3_w e = wide_difference3_w(b, a), f = wide_difference3_w(c, a), n;
   n.x = wide_determinant_w(e.y, e.z, f.y, f.z);
