@@ -15,20 +15,21 @@
 typedef double wide_w;
 FN wide_w wide_of_w(realw x) { return (double)x; }
 FN realw narrow_w(wide_w x) { return (real)x; }
-INLINE_FN wide_w wide_root_w(wide_w x) { return wide_sqrt(x); }
+FN wide_w wide_root_w(wide_w x) { return wide_sqrt(x); }
 #elif ON_HOST
 typedef double wide_w __attribute__((vector_size(LANES * sizeof(double))));
 FN wide_w wide_of_w(realw x) { return __builtin_convertvector(x, wide_w); }
 FN realw narrow_w(wide_w x) { return __builtin_convertvector(x, realw); }
-INLINE_FN wide_w wide_root_w(wide_w x) {
-  for (int i = 0; i < LANES; ++i) x[i] = wide_sqrt(x[i]);
-  return x;
+FN wide_w wide_root_w(wide_w x) {
+  wide_w root = x;
+  for (int i = 0; i < LANES; ++i) root[i] = wide_sqrt(x[i]);
+  return root;
 }
 #else
 typedef LANE_VECTOR(double) wide_w;
 FN wide_w wide_of_w(realw x) { return LANE_VECTOR(convert_double)(x); }
 FN realw narrow_w(wide_w x) { return LANE_VECTOR(convert_float)(x); }
-INLINE_FN wide_w wide_root_w(wide_w x) { return sqrt(x); }
+FN wide_w wide_root_w(wide_w x) { return sqrt(x); }
 #endif
 
 FN wide_w wide_add_w(wide_w x, wide_w y) { return x + y; }
@@ -57,7 +58,7 @@ FN wide_w wide_of_w(realw x) {
 }
 FN wide_w wide_negate_w(wide_w x) { return dw_negate_w(x); }
 FN realw narrow_w(wide_w x) { return x.hi; }
-INLINE_FN wide_w wide_root_w(wide_w x) { return dw_sqrt_w(x); }
+FN wide_w wide_root_w(wide_w x) { return dw_sqrt_w(x); }
 FN wide_w wide_add_w(wide_w x, wide_w y) { return dw_add_w(x, y); }
 FN wide_w wide_subtract_w(wide_w x, wide_w y) { return dw_add_w(x, dw_negate_w(y)); }
 FN wide_w wide_multiply_w(wide_w x, wide_w y) { return dw_mul_w(x, y); }

@@ -3,8 +3,6 @@
 
 #include <algorithm>
 
-#include "errors.h"
-
 namespace strahl {
 namespace {
 

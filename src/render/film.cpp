@@ -31,12 +31,12 @@ void FilmSums::add_words(int row, const std::vector<std::int64_t>& band) {
     film_add(sum + i, film_bins(band[i], band[i + 1]));
 }
 
-FilmRows FilmSums::rows(int row, int count, std::span<const std::int64_t> their_words) const {
-  FilmRows some{*this, their_words, {}};
-  some.height = count;
+FilmRows FilmSums::rows(int row, int count) const {
   const auto columns = static_cast<std::size_t>(width);
-  some.samples =
-      std::span(samples).subspan(static_cast<std::size_t>(row) * columns, static_cast<std::size_t>(count) * columns);
+  const std::size_t first = static_cast<std::size_t>(row) * columns, pixels = static_cast<std::size_t>(count) * columns;
+  FilmRows some{*this, {}, std::span(samples).subspan(first, pixels)};
+  some.height = count;
+  if (!words.empty()) some.words = std::span(words).subspan(first * words_per_pixel(), pixels * words_per_pixel());
   return some;
 }
 

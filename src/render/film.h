@@ -4,7 +4,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "image/image.h"
@@ -28,9 +27,9 @@ struct FilmSums : FilmShape {
   void add_samples(const Launch& launch);
   /// Adds another film's words of rows [row, row + its height), for the samples that are counted already.
   void add_words(int row, const std::vector<std::int64_t>& band);
-  [[nodiscard]] FilmRows rows() const { return rows(0, height, words); }
-  /// count rows from `row` on, whose words are those.
-  [[nodiscard]] FilmRows rows(int row, int count, std::span<const std::int64_t> their_words) const;
+  [[nodiscard]] FilmRows rows() const { return rows(0, height); }
+  /// count rows from `row` on; without words where the film holds none.
+  [[nodiscard]] FilmRows rows(int row, int count) const;
   /// Of splats: what a pixel's sums are divided by, the mean over all pixels. Of other films 0.
   [[nodiscard]] double paths_a_pixel() const;
   [[nodiscard]] Image black() const;

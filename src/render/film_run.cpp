@@ -201,17 +201,17 @@ void FilmRun::end_band() {
 void FilmRun::each_part(const std::function<void(std::shared_ptr<const FilmPart>)>& use) {
   const auto width = static_cast<std::size_t>(width_);
   const auto most = static_cast<int>(std::clamp<std::size_t>(part_bytes / film_bytes(width), 1, height_));
-  const std::size_t per_row = width * film_.words_per_pixel();
+  const std::size_t per_pixel = film_.words_per_pixel();
   for (int row = 0; row < height_; row += most) {
     const Stopwatch start;
-    const int rows = std::min(most, height_ - row);
-    const std::size_t first = static_cast<std::size_t>(row) * per_row, count = static_cast<std::size_t>(rows) * per_row;
     auto part = std::make_shared<FilmPart>();
-    if (is_one_band()) part->on_device = std::make_unique<MappedWords>(state_.device, state_.film, first, count);
-    part->rows = film_.rows(
-        row, rows,
-        part->on_device ? part->on_device->words() : std::span(std::as_const(film_.words)).subspan(first, count));
     part->first = static_cast<std::size_t>(row) * width;
+    part->rows = film_.rows(row, std::min(most, height_ - row));
+    if (is_one_band()) {
+      part->on_device = std::make_unique<MappedWords>(state_.device, state_.film, part->first * per_pixel,
+                                                      part->rows.samples.size() * per_pixel);
+      part->rows.words = part->on_device->words();
+    }
     result_.stats.seconds.readback += start.seconds();
     use(std::move(part));
   }

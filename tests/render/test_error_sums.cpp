@@ -31,13 +31,6 @@ FilmSums noisy_film(FilmKind kind, SubSums sums) {
   return film;
 }
 
-FilmRows rows_of(const FilmSums& film, int row, int rows) {
-  const std::size_t per_row = width * film.words_per_pixel();
-  const std::span<const std::int64_t> words = film.words;
-  return film.rows(row, rows,
-                   words.subspan(static_cast<std::size_t>(row) * per_row, static_cast<std::size_t>(rows) * per_row));
-}
-
 void hold(const FilmSums& film) {
   const std::optional<ErrorEstimate> whole = estimate_error(film);
   REQUIRE(whole);
@@ -47,7 +40,7 @@ void hold(const FilmSums& film) {
     ErrorSums sums(film);
     Image map = film.black(), mean = film.black();
     for (int row = 0; row < height; row += most) {
-      const FilmRows part = rows_of(film, row, std::min(most, height - row));
+      const FilmRows part = film.rows(row, std::min(most, height - row));
       const auto first = static_cast<std::size_t>(row) * width;
       sums.add(part);
       sums.put_standard_error(part, first, map);
