@@ -95,7 +95,7 @@ FilmState FilmRun::state_now() {
   state.unusual = {run.saturated_samples, run.invalid_samples, run.weak_branches, run.lost_interfaces};
   state.aov_reals = aov_reals_;
   state.aov_ints = aov_ints_;
-  state.frame = state_.frame();
+  state.frame = state_.frame;
   std::vector<std::int64_t>& words = state.film.words;
   if (is_one_band()) {  // The only copy, of tens of bytes a pixel and sum.
     words.resize(film_.samples.size() * film_.words_per_pixel());

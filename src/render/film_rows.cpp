@@ -1,10 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "render/film_rows.h"
 
+#include <algorithm>
+#include <array>
+
 #include "packing/cl_layout.h"
 #include "render/film_sum.h"
 
 namespace strahl {
+namespace {
+
+constexpr std::size_t channels = layout::FILM_CHANNELS;
+
+}  // namespace
 
 std::size_t words_per_sum(FilmKind kind) {
   if (kind == FilmKind::splats) return layout::SPLAT_WORDS;
@@ -26,18 +34,19 @@ int FilmRows::sub_sum_samples(std::size_t pixel, int sub) const {
 }
 
 void FilmRows::put_mean(std::size_t first, double paths, Image& image) const {
-  const std::size_t per_sum = words_per_sum(kind);
   const std::int64_t* pixel = words.data();
-  float* out = &image.data[first * layout::FILM_CHANNELS];
-  for (std::size_t at = 0; at < samples.size(); ++at, pixel += words_per_pixel()) {
+  float* out = &image.data[first * channels];
+  for (std::size_t at = 0; at < samples.size(); ++at, pixel += words_per_pixel(), out += channels) {
     const double count = kind == FilmKind::splats ? paths : samples[at];
-    for (std::size_t channel = 0; channel < layout::FILM_CHANNELS; ++channel, ++out)
-      if (count > 0) *out = static_cast<float>(total(pixel + channel * per_sum) / count * unit);
+    if (!(count > 0)) continue;
+    const Totals total = kind == FilmKind::splats ? splats_of(pixel) : samples_of(pixel);
+    for (std::size_t channel = 0; channel < total.size(); ++channel)
+      out[channel] = static_cast<float>(total[channel] / count * unit);
   }
 }
 
 void FilmRows::put_squares(std::size_t first, Image& image) const {
-  constexpr std::size_t channels = layout::FILM_CHANNELS, per_sum = layout::FILM_SUM_WORDS;
+  constexpr std::size_t per_sum = layout::FILM_SUM_WORDS;
   const std::int64_t* sum = words.data() + static_cast<std::size_t>(sums.count) * channels * per_sum;
   float* out = &image.data[first * channels];
   for (std::size_t at = 0; at < samples.size(); ++at, sum += words_per_pixel())
@@ -47,21 +56,46 @@ void FilmRows::put_squares(std::size_t first, Image& image) const {
     }
 }
 
+FilmRows::Totals FilmRows::splats_of(const std::int64_t* pixel) const {
+  constexpr std::size_t row = channels * layout::SPLAT_WORDS;
+  std::array<std::int64_t, row> all{};
+  for (int sub = 0; sub < sums.count; ++sub, pixel += row)
+    for (std::size_t k = 0; k < row; ++k) all[k] += pixel[k];
+  Totals totals;
+  for (std::size_t channel = 0; channel < totals.size(); ++channel)
+    totals[channel] = value_of_splats(&all[channel * layout::SPLAT_WORDS]);
+  return totals;
+}
+
 /// Added up as the film adds, so that it does not matter which sub-sum a sample is in.
-double FilmRows::total(const std::int64_t* sum) const {
-  const std::size_t stride = layout::FILM_CHANNELS * words_per_sum(kind);
-  if (kind == FilmKind::splats) {
-    std::int64_t all[layout::SPLAT_WORDS] = {};
-    for (int sub = 0; sub < sums.count; ++sub, sum += stride)
-      for (int k = 0; k < layout::SPLAT_WORDS; ++k) all[k] += sum[k];
-    return value_of_splats(all);
-  }
-  std::int64_t all[layout::FILM_SUM_WORDS] = {sum[0], sum[1]};
+FilmRows::Totals FilmRows::samples_of(const std::int64_t* pixel) const {
+  constexpr std::size_t row = channels * layout::FILM_SUM_WORDS;
+  constexpr std::int64_t top = 3;  // The bits of a word that are not pieces.
+  std::array<std::int64_t, row> all;
+  std::copy_n(pixel, row, all.begin());
+  std::int64_t unlike = 0;
+  const std::int64_t* more = pixel;
   for (int sub = 1; sub < sums.count; ++sub) {
-    sum += stride;
-    film_add(all, film_bins(sum[0], sum[1]));
+    more += row;
+    for (std::size_t k = 0; k < row; ++k) {
+      unlike |= (more[k] ^ pixel[k]) & top;
+      all[k] += more[k] & ~top;
+    }
   }
-  return value_of(film_bins(all[0], all[1]));
+  if (unlike != 0) {  // Seldom: some of the sums begin in another bin.
+    std::copy_n(pixel, row, all.begin());
+    more = pixel;
+    for (int sub = 1; sub < sums.count; ++sub) {
+      more += row;
+      for (std::size_t k = 0; k < row; k += layout::FILM_SUM_WORDS) film_add(&all[k], film_bins(more[k], more[k + 1]));
+    }
+  }
+  Totals totals;
+  for (std::size_t channel = 0; channel < totals.size(); ++channel) {
+    const std::size_t k = channel * layout::FILM_SUM_WORDS;
+    totals[channel] = value_of(film_bins(all[k], all[k + 1]));
+  }
+  return totals;
 }
 
 }  // namespace strahl

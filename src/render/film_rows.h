@@ -3,11 +3,13 @@
 // error.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 
 #include "image/image.h"
+#include "packing/cl_layout.h"
 #include "render/sub_sums.h"
 
 namespace strahl {
@@ -51,8 +53,10 @@ struct FilmRows : FilmShape {
   void put_squares(std::size_t first, Image& image) const;
 
  private:
-  /// All sub-sums of a channel together, `sum` being the first one's words.
-  [[nodiscard]] double total(const std::int64_t* sum) const;
+  using Totals = std::array<double, layout::FILM_CHANNELS>;
+  /// All sub-sums of a pixel together, whose words begin at `pixel`: of light paths, and of samples.
+  [[nodiscard]] Totals splats_of(const std::int64_t* pixel) const;
+  [[nodiscard]] Totals samples_of(const std::int64_t* pixel) const;
 };
 
 }  // namespace strahl

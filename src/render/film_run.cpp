@@ -309,9 +309,9 @@ RenderResult FilmRun::run() {
   if (result_.error) run.error = ErrorBudget{*result_.error, 0, 0, std::nullopt};
   const Stopwatch convert;
   if (state_.settings.aovs.contains(Aov::numeric_error))
-    replace_t_by_its_error(living_device().device, state_.scene, state_.frame(), living_device().settings, aov_reals_,
+    replace_t_by_its_error(living_device().device, state_.scene, state_.frame, living_device().settings, aov_reals_,
                            aov_ints_);
-  const FirstSampleValues values{width_, height_, aov_reals_, aov_ints_, state_.frame()};
+  const FirstSampleValues values{width_, height_, aov_reals_, aov_ints_, state_.frame};
   result_.aov = aov_image(values, state_.settings.aovs.plain());
   result_.named_aov = aov_image(values, {result_.color, squares_}, state_.settings.aovs.named());
   run.seconds.readback += convert.seconds();

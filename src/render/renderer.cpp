@@ -51,7 +51,7 @@ void Renderer::State::prepare() {
 
   const Stopwatch upload_start;
   buffers = upload_scene(device, scene, features, settings.precision,
-                         {width.lanes, frame(), width.tree, traversal.acceleration});
+                         {width.lanes, frame, width.tree, traversal.acceleration});
   if (row_bytes() > memory_left())
     throw NoDeviceError(
         fmt::format("a row of the picture takes {} KiB beside the scene's {} KiB, and {} has {} KiB: choose a device "

@@ -48,6 +48,8 @@ struct Renderer::State {
   RenderSettings settings;
   Features features;
   ProgramSource source;
+  /// Found once: it looks at every shape. The textbook's renderer keeps world coordinates, with all their rounding.
+  UploadFrame frame;
   ResolvedSampling sampling{};
   Window window;
   SceneBuffers buffers;
@@ -55,15 +57,15 @@ struct Renderer::State {
   RunStats stats;  ///< What construction took; render() starts from it.
 
   State(const Device& d, std::shared_ptr<const Scene> s, const RenderSettings& r)
-      : device(d), shared_scene(std::move(s)), scene(*shared_scene), settings(r) {}
+      : device(d),
+        shared_scene(std::move(s)),
+        scene(*shared_scene),
+        settings(r),
+        frame(r.precision == Precision::fast ? UploadFrame{} : camera_frame(scene)) {}
 
-  /// The textbook's renderer keeps world coordinates, with all their rounding.
-  [[nodiscard]] UploadFrame frame() const {
-    return settings.precision == Precision::fast ? UploadFrame{} : camera_frame(scene);
-  }
   /// Radiance is the same in every frame, unless the picture is a length.
   [[nodiscard]] double radiance_unit() const {
-    return kinds::integrator(scene.integrator.name).is_length ? 1 / frame().scale : 1;
+    return kinds::integrator(scene.integrator.name).is_length ? 1 / frame.scale : 1;
   }
   [[nodiscard]] bool has_aov() const { return features.flag("AOV"); }
   [[nodiscard]] bool has_squares() const { return features.flag("MOMENT"); }
