@@ -2,7 +2,7 @@
 // Overlapping glass with priorities: the index of refraction on the far side is that of the medium that is really
 // there. Only dielectrics have a rank, so the parameters are those of the dielectric. One width; no guard.
 
-enum { TRACKED_ETA_w = 6, TRACKED_INSIDE_w = 7 };
+enum { TRACKED_ETA_w = 6, TRACKED_INSIDE_w = 7, TRACKED_INDICES_w = 2 };  // The last is their parameter.
 
 /// Writes the indices of the two media into b, in the lanes of `which` that are at an interface of two such shapes.
 FN Crossing_w crossing_of_w(const Scene* scene, const Interfaces_w* within, const Surfaces_w* s, maskw which,
@@ -15,3 +15,14 @@ FN Crossing_w crossing_of_w(const Scene* scene, const Interfaces_w* within, cons
   b->p[eta] = sel_w(c.which & c.is_amid, c.ior / c.other, b->p[eta]);
   return c;
 }
+
+#if !HAS_MEDIA
+/// The paths of `which` go on along d through holes of masked glass: lists are kept.
+SELDOM_FN void pass_holes_w(const Scene* scene, Paths_w* path, const Surfaces_w* s, const MaterialRows_w* at,
+                            maskw which, real3w d) {
+  if (!any_w(which)) return;
+  realw ior = parameter_at_w(scene, s, which, at->rows, TRACKED_INDICES_w).y;
+  Crossing_w c = crossing_at_w(scene, &path->within, s, which, ior);
+  cross_interface_w(scene, &c, which & goes_through_w(&c, s, d), &path->within);
+}
+#endif

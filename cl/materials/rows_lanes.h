@@ -81,12 +81,12 @@ FN MaterialRows_w rows_at_w(const Scene* scene, const Surfaces_w* s, maskw which
   if (HAS_COAT) coat_none_w(&m.coat);
   maskw at = which;
   do {
+    if (HAS_TWOSIDED) turn_rows_w(scene, out, &m);
     if (HAS_MASK) {
       int opacity = (int)MATERIAL_OPACITY - (int)MATERIAL_SLOTS;
       realw share = luminance_w(parameter_at_w(scene, s, at, m.rows, opacity));
       m.opacity = sel_w(at, m.opacity * share, m.opacity);
     }
-    if (HAS_TWOSIDED) turn_rows_w(scene, out, &m);
     at = HAS_BLEND || HAS_RELIEF || HAS_COAT ? enter_rows_w(scene, s, at, out, &m, &number) : none_w();
   } while ((HAS_BLEND || HAS_RELIEF || HAS_COAT) && any_w(at));
   return m;

@@ -95,6 +95,19 @@ void write_error_map(const std::string& path, const Image& standard_error,
   static_cast<void>(write_image(map, path, PngOptions{}));
 }
 
+namespace {
+
+/// The file is there only meanwhile.
+double seconds_to_write(const Image& image, const std::filesystem::path& path, const PngOptions& png) {
+  const Stopwatch start;
+  static_cast<void>(write_image(image, path.string(), png));
+  const double seconds = start.seconds();
+  std::filesystem::remove(path);
+  return seconds;
+}
+
+}  // namespace
+
 double expected_write_seconds(const std::string& path, const PngOptions& png, double pixels, std::size_t channels) {
   Image sample;
   sample.width = 256;
@@ -108,15 +121,16 @@ double expected_write_seconds(const std::string& path, const PngOptions& png, do
     sample.data.push_back(static_cast<float>(bits >> 8) * 0x1p-24F);
   }
   const std::filesystem::path target(path);
-  const std::filesystem::path temporary =
-      std::filesystem::temp_directory_path() / fmt::format("strahl-{}{}",
-                                                           std::chrono::steady_clock::now().time_since_epoch().count(),
-                                                           target.extension().string());
-  const Stopwatch start;
-  static_cast<void>(write_image(sample, temporary.string(), png));
-  const double seconds = start.seconds();
-  std::filesystem::remove(temporary);
-  return seconds * std::max(1.0, pixels / (sample.width * sample.height));
+  const std::string name = fmt::format("strahl-{}{}", std::chrono::steady_clock::now().time_since_epoch().count(),
+                                       target.extension().string());
+  std::error_code fault;
+  const std::filesystem::path temporary = std::filesystem::temp_directory_path(fault);
+  const double larger = std::max(1.0, pixels / (sample.width * sample.height));
+  try {
+    if (!fault) return larger * seconds_to_write(sample, temporary / name, png);
+  } catch (const Error&) {  // Full or read-only, which does not matter to the picture's own folder.
+  }
+  return larger * seconds_to_write(sample, target.parent_path() / name, png);
 }
 
 }  // namespace strahl::cli

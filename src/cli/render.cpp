@@ -77,40 +77,31 @@ void print_pixel(const Image& color) {
   print(fmt::format("{} {} {}\n", channel(0), channel(1), channel(2)));
 }
 
-/// Renders again with the instrumented program and takes only its counts, so that counting costs the timed one nothing.
-/// Rays that go through the scene together cannot say what each of them visits, so that each goes by itself.
+/// Renders the same samples again with the instrumented program and takes only its counts, so that counting costs the
+/// timed one nothing: where time or error ended the run, as many in all pixels as it had in one. Rays that go through
+/// the scene together cannot say what each of them visits, so that each goes by itself.
 nlohmann::ordered_json count(const Device& device, const Scene& scene, RenderSettings settings, const RenderOptions& o,
                              const InterruptGuard& guard, RunStats& stats) {
+  RenderGoal goal;
+  goal.spp = o.goal.time || o.goal.max_error ? std::optional(stats.most_spp) : o.overrides.spp;
+  if (o.keep.samples) goal.samples = sample_range(*o.keep.samples);
   settings.count_rays = true;
   settings.paths_in_lanes = false;
   settings.acceleration = stats.tree.nodes > 0 ? Acceleration::tree : Acceleration::list;
   Renderer renderer(device, scene, settings);
   ProgressBar bar("count", !o.scene.quiet && !o.scene.no_progress);
-  const RenderResult counted = renderer.render([&](const Progress& progress) {
-    bar.show(progress);
-    return !guard.interrupted();
-  });
+  const RenderResult counted = renderer.render(
+      [&](const Progress& progress) {
+        bar.show(progress);
+        return !guard.interrupted();
+      },
+      goal);
   if (!counted.complete) return nullptr;
   stats.shadow_rays = counted.stats.shadow_rays;
   stats.bounce_rays = counted.stats.bounce_rays;
   stats.nodes_visited = counted.stats.nodes_visited;
   stats.primitives_tested = counted.stats.primitives_tested;
   return {{"program", counted.stats.program}, {"kernel", counted.stats.seconds.kernel}};
-}
-
-/// A picture that is not what the scene says: said even with -q.
-void warn_of_samples(const RunStats& stats) {
-  if (stats.saturated_samples > 0)
-    say(fmt::format("strahl: warning: {} sample channels were beyond the largest float; they count as 3.4e38",
-                    stats.saturated_samples));
-  if (stats.lost_interfaces > 0)
-    say(fmt::format(
-        "strahl: warning: {} times a ray was within more than 8 shapes of glass that have a priority; what it "
-        "entered then was taken for air on the way out",
-        stats.lost_interfaces));
-  if (stats.invalid_samples > 0)
-    say(fmt::format("strahl: warning: {} sample channels were not a number; they count as black",
-                    stats.invalid_samples));
 }
 
 void say_summary(const RenderOptions& options, const std::string& picture, const RenderResult& result,

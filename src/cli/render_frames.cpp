@@ -12,6 +12,7 @@
 #include "cli/output_file.h"
 #include "cli/progress_bar.h"
 #include "cli/render_files.h"
+#include "cli/summary.h"
 #include "cli/watchdog.h"
 #include "render/median.h"
 
@@ -44,7 +45,8 @@ ExitCode render_frames(Renderer& renderer, const RenderOptions& options, const P
   const double time = duration_seconds(*options.goal.time);
   std::vector<FrameStats> frames;
   std::vector<double> seconds;
-  int late = 0;
+  int late = 0, black = 0;
+  RunStats all;
   ProgressBar bar("frames", !options.scene.quiet && !options.scene.no_progress);
   for (int frame = 0; frame < *options.goal.frames && !guard.interrupted(); ++frame) {
     RenderGoal goal;
@@ -64,6 +66,10 @@ ExitCode render_frames(Renderer& renderer, const RenderOptions& options, const P
     watchdog.reset();
     seconds.push_back(std::chrono::duration<double>(Clock::now() - start).count());
     if (seconds.back() > late_seconds(time)) ++late;
+    if (result.stats.least_spp == 0) ++black;
+    all.saturated_samples += result.stats.saturated_samples;
+    all.invalid_samples += result.stats.invalid_samples;
+    all.lost_interfaces += result.stats.lost_interfaces;
     // A job of a million frames should not take more and more memory for what nobody asks.
     if (!options.stats.empty())
       frames.push_back({seconds.back(), result.stats.least_spp, result.stats.most_spp,
@@ -75,6 +81,7 @@ ExitCode render_frames(Renderer& renderer, const RenderOptions& options, const P
     bar.show(static_cast<double>(frame + 1) / *options.goal.frames, one.path);
   }
   if (seconds.empty()) return guard.exit_code();
+  warn_of_samples(all);
   const int count = static_cast<int>(seconds.size());
   if (!options.stats.empty())
     write_text(
@@ -85,7 +92,10 @@ ExitCode render_frames(Renderer& renderer, const RenderOptions& options, const P
                     *options.goal.time, 1e3 * median(seconds), 1e3 * *std::max_element(seconds.begin(), seconds.end()),
                     frame_path(files.path, 1)));
   if (guard.interrupted()) return guard.exit_code();
-  return late * 20 > count ? ExitCode::target_missed : ExitCode::ok;
+  if (black > 0)
+    say(fmt::format("strahl: --time {}: in {} of {} frames some pixels have no sample and are black",
+                    *options.goal.time, black, count));
+  return late * 20 > count || black > 0 ? ExitCode::target_missed : ExitCode::ok;
 }
 
 }  // namespace strahl::cli

@@ -15,6 +15,8 @@ void check_goal(const RenderOptions& options) {
   if ((goal.time || goal.max_error) && options.kernel.passes)
     throw UsageError("--passes splits a number of samples that is known; with --time or --max-error it is not");
   if (goal.frames && options.overrides.pixel) throw UsageError("--frames writes pictures, --pixel prints one value");
+  if (goal.frames && !options.error_map.empty()) throw UsageError("--frames writes pictures, --error-map tells of one");
+  if (goal.frames && options.stats_detail) throw UsageError("--frames counts no rays, as --stats-detail asks for");
   if (goal.time) static_cast<void>(duration_seconds(*goal.time));
   check_keeping(options);
 }

@@ -7,6 +7,8 @@
 #include <array>
 #include <utility>
 
+#include "cli/console.h"
+
 namespace strahl::cli {
 
 std::string why_no_error(const RunStats& stats) {
@@ -24,6 +26,10 @@ std::string rounding_text(const std::optional<double>& rounding) {
   return *rounding < 1e-6 ? "< 1e-6" : fmt::format("{:.2g}", *rounding);
 }
 
+/// Of this run, and with those that it went on from.
+double new_samples(const RunStats& stats) { return std::max(1.0, static_cast<double>(stats.camera_rays)); }
+double all_samples(const RunStats& stats) { return new_samples(stats) + static_cast<double>(stats.resumed_samples); }
+
 std::string error_line(const RunStats& stats, int png_bits) {
   if (!stats.error) return "  error    not measured: " + why_no_error(stats);
   const ErrorBudget& error = *stats.error;
@@ -34,7 +40,7 @@ std::string error_line(const RunStats& stats, int png_bits) {
   // Independent samples need four times as many; scrambled sequences at the most.
   if (error.noise.rmse > 0)
     text += fmt::format("\n           half the noise: {:.2f} s at the most",
-                        stats.seconds.total + 3 * stats.seconds.kernel);
+                        stats.seconds.total + 3 * stats.seconds.kernel * all_samples(stats) / new_samples(stats));
   return text;
 }
 
@@ -47,7 +53,7 @@ std::string interrupted_text(const RunStats& stats, const Billed& billed) {
   if (billed.complete) return {};
   const double samples = static_cast<double>(billed.width) * billed.height * stats.spp;
   return fmt::format(" · interrupted after {:.0f} % of the samples",
-                     100 * static_cast<double>(stats.camera_rays) / samples);
+                     100 * static_cast<double>(stats.camera_rays + stats.resumed_samples) / samples);
 }
 
 }  // namespace
@@ -103,6 +109,20 @@ std::string kernel_summary(const RunStats& stats) {
       stats.device, stats.program, stats.program_from_cache ? "from the cache" : "built", stats.precision, stats.lanes,
       stats.lanes == 1 ? "" : "s", fmt::join(stats.features, " "), stats.launches(), stats.longest_launch(),
       static_cast<double>(stats.device_bytes) / (1 << 20), static_cast<double>(stats.host_bytes) / (1 << 20));
+}
+
+void warn_of_samples(const RunStats& stats) {
+  if (stats.saturated_samples > 0)
+    say(fmt::format("strahl: warning: {} sample channels were beyond the largest float; they count as 3.4e38",
+                    stats.saturated_samples));
+  if (stats.lost_interfaces > 0)
+    say(fmt::format(
+        "strahl: warning: {} times a ray was within more than 8 shapes of glass that have a priority; what it "
+        "entered then was taken for air on the way out",
+        stats.lost_interfaces));
+  if (stats.invalid_samples > 0)
+    say(fmt::format("strahl: warning: {} sample channels were not a number; they count as black",
+                    stats.invalid_samples));
 }
 
 }  // namespace strahl::cli

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <stdexcept>
 
 #include "kinds/rough_boundary.h"
@@ -335,10 +336,26 @@ MaterialFacts material_facts(const Material& material) {
   return facts;
 }
 
+std::vector<int> materials_inside(const Scene& scene, const Material& material, bool with_backs) {
+  std::vector<int> found;
+  std::set<int> seen;
+  const auto add = [&](int index) {
+    const bool is_there = index >= 0 && static_cast<std::size_t>(index) < scene.materials.size();
+    if (is_there && seen.insert(index).second) found.push_back(index);
+  };
+  const auto add_inside = [&](const Material& outer) {
+    if (with_backs) add(outer.back);
+    for (const int nested : material_facts(outer).nested) add(nested);
+  };
+  add_inside(material);
+  for (std::size_t i = 0; i < found.size(); ++i) add_inside(scene.materials[static_cast<std::size_t>(found[i])]);
+  return found;
+}
+
 int lobes_of(const Scene& scene, const Material& material) {
-  const MaterialFacts facts = material_facts(material);
-  int all = facts.lobes;
-  for (const int nested : facts.nested) all |= lobes_of(scene, scene.materials.at(static_cast<std::size_t>(nested)));
+  int all = material_facts(material).lobes;
+  for (const int inside : materials_inside(scene, material))
+    all |= material_facts(scene.materials[static_cast<std::size_t>(inside)]).lobes;
   return all;
 }
 

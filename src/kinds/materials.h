@@ -3,9 +3,11 @@
 // them. Features, packing, validation and warnings use them.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "scene/model/scene.h"
@@ -43,6 +45,23 @@ struct MaterialFacts {
 };
 
 [[nodiscard]] MaterialFacts material_facts(const Material& material);
+
+/// So many are within each other at the most: readers and programs walk from one to the next.
+inline constexpr int deepest_material = 256;
+
+/// Indices of the materials inside it, and inside those, each once, however often it is referred to. with_backs: what
+/// their other sides show, too. Indices that are none of the scene's are left out.
+[[nodiscard]] std::vector<int> materials_inside(const Scene& scene, const Material& material, bool with_backs = false);
+
+/// Whether a material of the scene, or one inside it, is a Bsdf.
+template <typename Bsdf>
+[[nodiscard]] bool is_or_holds(const Scene& scene, int index) {
+  const Material& material = scene.materials.at(static_cast<std::size_t>(index));
+  if (std::holds_alternative<Bsdf>(material.bsdf)) return true;
+  return std::ranges::any_of(materials_inside(scene, material), [&](int inside) {
+    return std::holds_alternative<Bsdf>(scene.materials[static_cast<std::size_t>(inside)].bsdf);
+  });
+}
 
 /// Lobes of the material, or of those inside it.
 [[nodiscard]] int lobes_of(const Scene& scene, const Material& material);

@@ -185,7 +185,7 @@ class Packing {
     const auto rank = ranks_.find(&shape);
     if (rank == ranks_.end()) return -1;
     const bool is_boundary = features_.flag("MEDIA") && shape.media && is_masked(shape, scene_);
-    return is_boundary || transmits(scene_, material) ? rank->second : -1;
+    return is_boundary || material_facts(material).is_boundary ? rank->second : -1;
   }
 
   void parts() {

@@ -89,7 +89,10 @@ void shape_causes(const Scene& scene, const RenderSettings& settings, Causes& ca
   const bool reads_materials = reflects || settings.aovs.contains(Aov::albedo);
   // Normals interpolated over a mesh reach the picture through lighting, the normals picture and its AOV.
   const bool shading = integrator.reads_shading || settings.aovs.contains(Aov::normal);
+  std::map<int, bool> used;  // Whether it reads texture coordinates, of each material that has been looked at.
   std::function<bool(int, const SourceLocation&)> use_material = [&](int index, const SourceLocation& where) {
+    const auto [known, is_new] = used.try_emplace(index, false);
+    if (!is_new) return known->second;
     const Material& material = material_at(scene, index);
     const MaterialFacts facts = material_facts(material);
     const SourceLocation& place = material.where.line > 0 ? material.where : where;
@@ -123,7 +126,7 @@ void shape_causes(const Scene& scene, const RenderSettings& settings, Causes& ca
       call_for_attribute(causes, texture);
       reads_uv = true;
     }
-    return reads_uv;
+    return used[index] = reads_uv;
   };
   // Only the first cause of each is told: of a million spheres one is looked at.
   std::set<std::tuple<std::size_t, int, bool, bool, int>> seen;

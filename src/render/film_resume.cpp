@@ -40,6 +40,7 @@ bool FilmRun::go_on_from(const FilmState& state) {
   run.weak_branches = state.unusual.weak_branches;
   run.lost_interfaces = state.unusual.lost_interfaces;
   samples_before_ = std::accumulate(has.begin(), has.end(), 0.0);
+  run.resumed_samples = static_cast<std::uint64_t>(samples_before_);
   passes_.go_on_from(state.position);
   has_first_samples_ = film_.first_sample + *least == 0;
   if (is_one_band()) {

@@ -47,6 +47,7 @@ struct RunStats {
   std::uint64_t more_runs = 0;  ///< Launches beyond: a render of days would keep millions of numbers.
   double longest_of_more = 0;
   std::uint64_t camera_rays = 0;
+  std::uint64_t resumed_samples = 0;         ///< Of all pixels, that the run went on from; not among the camera rays.
   std::optional<std::uint64_t> shadow_rays;  ///< Only the instrumented program counts these.
   std::optional<std::uint64_t> bounce_rays;
   std::optional<std::uint64_t> nodes_visited;  ///< By all rays together, as `primitives_tested`.

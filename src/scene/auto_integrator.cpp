@@ -15,15 +15,17 @@ namespace strahl {
 
 namespace {
 
-bool is_black(const Material& material) {
+/// On both sides.
+bool is_black(const Scene& scene, int index) {
+  const Material& material = scene.materials.at(static_cast<std::size_t>(index));
   const auto* diffuse = std::get_if<Diffuse>(&material.bsdf);
-  return diffuse != nullptr && diffuse->reflectance.texture < 0 && diffuse->reflectance.color == Rgb{0, 0, 0};
+  if (diffuse == nullptr || diffuse->reflectance.texture >= 0 || diffuse->reflectance.color != Rgb{0, 0, 0})
+    return false;
+  return material.back < 0 || is_black(scene, material.back);
 }
 
 bool reflects(const Shape& shape, const Scene& scene) {
-  const auto is_reflecting = [&](int material) {
-    return !is_black(scene.materials.at(static_cast<std::size_t>(material)));
-  };
+  const auto is_reflecting = [&](int material) { return !is_black(scene, material); };
   const auto* mesh = std::get_if<Mesh>(&shape.geometry);
   if (mesh == nullptr || mesh->parts.empty()) return is_reflecting(shape.material);
   return std::any_of(mesh->parts.begin(), mesh->parts.end(),
@@ -67,10 +69,12 @@ IntegratorChoice integrator_for(const Scene& scene) {
   for_each_shape(scene, [&](const Shape& shape) {
     if (reflecting.size() < 2 && reflects(shape, scene)) reflecting.push_back(&shape);
   });
-  if (reflecting.empty()) return {"emission", "no surface reflects light"};
+  const bool is_open = has_masks(scene);
+  if (reflecting.empty() && !is_open) return {"emission", "no surface reflects light"};
   if (has_beams_alone(scene))
     return {"ptracer", "all light leaves its places in one direction each, so that only paths from there find it"};
   if (scene.integrator.max_depth == 2) return {"direct", "max_depth lets light be reflected once"};
+  if (is_open) return {"path", "light goes on through masks"};
   if (reflecting.size() == 1 && scene.groups.empty()) {
     const Shape& shape = *reflecting.front();
     const Material& material = scene.materials.at(static_cast<std::size_t>(shape.material));

@@ -10,18 +10,20 @@
 namespace strahl {
 namespace {
 
+/// From both sides.
 bool passes_all(const Scene& scene, int index) {
-  const std::optional<MaterialSlot> opacity =
-      material_facts(scene.materials.at(static_cast<std::size_t>(index))).opacity;
-  return opacity && opacity->texture < 0 && opacity->reals == std::array<double, 3>{};
+  const Material& material = scene.materials.at(static_cast<std::size_t>(index));
+  const std::optional<MaterialSlot> opacity = material_facts(material).opacity;
+  if (!opacity || opacity->texture >= 0 || opacity->reals != std::array<double, 3>{}) return false;
+  return material.back < 0 || passes_all(scene, material.back);
 }
 
 bool is_masked(const Scene& scene, int index) {
   const Material& material = scene.materials.at(static_cast<std::size_t>(index));
-  const MaterialFacts facts = material_facts(material);
-  if (material.back >= 0 && is_masked(scene, material.back)) return true;
-  return facts.opacity.has_value() ||
-         std::any_of(facts.nested.begin(), facts.nested.end(), [&](int nested) { return is_masked(scene, nested); });
+  if (material_facts(material).opacity) return true;
+  return std::ranges::any_of(materials_inside(scene, material, true), [&](int inside) {
+    return material_facts(scene.materials[static_cast<std::size_t>(inside)]).opacity.has_value();
+  });
 }
 
 }  // namespace

@@ -109,21 +109,25 @@ void check_shape(const Shape& shape, const Scene& scene, Checker& check, std::ve
 }
 
 /// Textures that a material reads, inside it and from behind too.
-void add_textures(const Scene& scene, int index, std::set<int>& textures) {
-  if (!is_index(index, scene.materials.size())) return;
+std::set<int> textures_of(const Scene& scene, int index) {
+  std::set<int> textures;
+  if (!is_index(index, scene.materials.size())) return textures;
+  const auto add = [&](const Material& material) {
+    const MaterialFacts facts = material_facts(material);
+    for (const MaterialSlot& slot : facts.slots) textures.insert(slot.texture);
+    if (facts.opacity) textures.insert(facts.opacity->texture);
+  };
   const Material& material = scene.materials[static_cast<std::size_t>(index)];
-  const MaterialFacts facts = material_facts(material);
-  for (const MaterialSlot& slot : facts.slots) textures.insert(slot.texture);
-  if (facts.opacity) textures.insert(facts.opacity->texture);
-  if (material.back >= 0 && material.back < index) add_textures(scene, material.back, textures);
-  for (const int nested : facts.nested)
-    if (nested < index) add_textures(scene, nested, textures);
+  add(material);
+  for (const int inside : materials_inside(scene, material, true))
+    add(scene.materials[static_cast<std::size_t>(inside)]);
+  return textures;
 }
 
 /// Attributes that a shape must have. Known of its material are those that were asked for before.
 void check_attributes(const Shape& shape, const Scene& scene, std::map<int, std::set<int>>& known, Checker& check) {
   const auto [found, is_new] = known.try_emplace(shape.material);
-  if (is_new) add_textures(scene, shape.material, found->second);
+  if (is_new) found->second = textures_of(scene, shape.material);
   std::set<int> textures = found->second;
   if (shape.radiance || shape.exitance) textures.insert(shape.radiance_texture);
   for (const int index : textures) {
@@ -185,14 +189,18 @@ void check_material(const Material& material, const Scene& scene, Checker& check
 
 void check_nested(const Scene& scene, Checker& check) {
   bool are_before = true;
+  std::vector<int> depths(scene.materials.size() + 1, 1);
   for (std::size_t i = 0; i < scene.materials.size(); ++i) {
     check.at(scene.materials[i].where);
     for (const int nested : material_facts(scene.materials[i]).nested) {
       are_before = are_before && is_index(nested, i);
       check.require(is_index(nested, i), "materials inside another must stand before it; {} does not", nested);
+      if (is_index(nested, i)) depths[i] = std::max(depths[i], depths[static_cast<std::size_t>(nested)] + 1);
     }
+    if (depths[i] != deepest_material + 1) continue;  // One of a chain is named.
+    check.require(false, "materials are nested deeper than {}", deepest_material);
   }
-  if (!are_before) return;
+  if (!are_before || *std::max_element(depths.begin(), depths.end()) > deepest_material) return;
   for (const Material& material : scene.materials) {
     check.at(material.where);
     check.require(!material_facts(material).is_coat || !transmits(scene, material),

@@ -27,7 +27,8 @@ struct MeshFile {
   bool face_normals = false;           ///< The file says to shade it flat (serialized).
   std::size_t skipped_faces = 0;
   std::vector<Diagnostic> warnings;           ///< Skipped faces (counted, with the first one's place), ...
-  std::vector<Diagnostic> material_warnings;  ///< Of MTL files and what they lack: for who uses `materials`.
+  std::vector<Diagnostic> material_warnings;  ///< Of MTL files and what they lack, errors too: for who uses
+                                              ///< `materials`.
 };
 
 /// A readable mesh whose faces all have no area, or that has none; the last problem says so.

@@ -58,7 +58,11 @@ std::vector<std::string> MtlLibraryFinder::read(const std::string& obj_path, con
     if (!file) {
       missing.push_back(with_plain_blanks(words[i]));
     } else if (done_.insert(*file).second) {
-      read_mtl(*file, library);
+      try {
+        read_mtl(*file, library);
+      } catch (const SceneError& fault) {  // Of no matter to shapes that have a material of their own.
+        library.diagnostics.insert(library.diagnostics.end(), fault.diagnostics().begin(), fault.diagnostics().end());
+      }
     }
     i += std::max<std::size_t>(n, 1);
   }

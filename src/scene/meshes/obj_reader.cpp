@@ -237,8 +237,6 @@ class ObjReader {
           fmt::format("materials that no library defines: {}; they become the default diffuse; the first is {}",
                       unknown_materials_.count, in_quotes(first_unknown_material_))));
     all.insert(all.end(), library_.diagnostics.begin(), library_.diagnostics.end());
-    if (std::ranges::any_of(all, [](const Diagnostic& d) { return d.severity == Severity::error; }))
-      throw SceneError(std::move(all));
     return all;
   }
 

@@ -17,6 +17,7 @@ constexpr std::array<std::string_view, 4> column_names{"x", "y", "z", "radius"};
 /// Passes over an element that comes before the vertices.
 template <class Data>
 void skip(Data& data, const PlyElement& element) {
+  if (element.properties.empty()) return;  // Whatever its number.
   for (std::uint64_t i = 0; i < element.count; ++i) {
     data.begin_element();
     for (const PlyProperty& property : element.properties) {

@@ -141,7 +141,12 @@ class Import {
       return -1;
     }
     Bitmap bitmap;
-    bitmap.texels = images_.read(from.file, from.where, diagnostics_);
+    // Mitsuba reads no MTL, so that a map of one refuses no scene.
+    Diagnostics told(false);
+    bitmap.texels = images_.read(from.file, from.where, told);
+    for (const std::string& file : told.files()) diagnostics_.opened(file);
+    for (const Diagnostic& one : told.in_file_order())
+      diagnostics_.warning(one.where, bitmap.texels ? one.message : fmt::format("{}; {}", one.message, otherwise));
     if (!bitmap.texels) return -1;
     bitmap.curve = curve;
     bitmap.scale = scale;

@@ -2,26 +2,12 @@
 // <bsdf type="coating"> of Mitsuba 0.x: a smooth layer of glass over the bsdf inside it.
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "kinds/materials.h"
 #include "scene/readers/read_material.h"
 #include "scene/readers/read_parts.h"
 #include "scene/readers/read_texture.h"
 
 namespace strahl {
-
-namespace {
-
-template <typename Bsdf>
-bool has_inside(const Scene& scene, int index) {
-  const Material& material = scene.materials.at(static_cast<std::size_t>(index));
-  if (std::holds_alternative<Bsdf>(material.bsdf)) return true;
-  const std::vector<int> nested = material_facts(material).nested;
-  return std::any_of(nested.begin(), nested.end(), [&](int each) { return has_inside<Bsdf>(scene, each); });
-}
-
-}  // namespace
 
 Material read_coating(Properties& properties, SceneBuilder& builder) {
   Coat coat;
@@ -42,9 +28,9 @@ Material read_coating(Properties& properties, SceneBuilder& builder) {
                                 "a coating over what lets light through is not supported yet; it is left out");
     return nested;
   }
-  if (has_inside<Relief>(builder.scene, coat.nested))
+  if (is_or_holds<Relief>(builder.scene, coat.nested))
     builder.diagnostics.unknown(inside.front()->where, "the normals that are bent here bend the coating as well");
-  if (has_inside<Coat>(builder.scene, coat.nested))
+  if (is_or_holds<Coat>(builder.scene, coat.nested))
     builder.diagnostics.unknown(inside.front()->where, "of a coating on a coating the inner one alone counts");
   Material material;
   material.bsdf = coat;

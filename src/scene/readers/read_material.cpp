@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "kinds/materials.h"
 #include "scene/readers/plugin_table.h"
 
 namespace strahl {
@@ -51,6 +52,10 @@ Material material_of(const XmlElement& bsdf, SceneBuilder& builder) {
   if (known != builder.materials.end()) return known->second;
   if (!builder.materials_being_read.insert(&bsdf).second) {
     builder.diagnostics.error(bsdf.where, fmt::format("bsdf \"{}\" contains itself", bsdf.text("id")));
+    return {};
+  }
+  if (builder.materials_being_read.size() > std::size_t{deepest_material}) {
+    builder.diagnostics.error(bsdf.where, fmt::format("bsdfs are nested deeper than {}", deepest_material));
     return {};
   }
   Properties properties(bsdf, builder.ids, builder.diagnostics);

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "scene/readers/foreign_plugins.h"
 #include "scene/readers/read_volume.h"
 
@@ -18,23 +20,32 @@ double share_in(Properties& properties, const char* name, double low, double hig
   return otherwise;
 }
 
-/// Adds what `element` is, with a share, to `phases`.
-void read_phase(const XmlElement& element, double share, int depth, SceneBuilder& builder,
+/// Of a medium, whose draws walk along them; blends are within each other no deeper.
+constexpr std::size_t most_phases = 256;
+
+/// Adds what `element` is, with a share, to `phases`. within: the blends that hold it, outermost first. False after an
+/// error, which ends the walk: references make a small file a large tree.
+bool read_phase(const XmlElement& element, double share, std::vector<const XmlElement*>& within, SceneBuilder& builder,
                 std::vector<PhaseFunction>& phases) {
+  const auto fail = [&](const std::string& what) {
+    builder.diagnostics.error(element.where, what);
+    return false;
+  };
+  if (std::find(within.begin(), within.end(), &element) != within.end()) return fail("a blendphase contains itself");
+  if (phases.size() == most_phases || within.size() == most_phases)
+    return fail(fmt::format("a medium has more than {} phase functions", most_phases));
   Properties properties(element, builder.ids, builder.diagnostics);
   const std::string_view type = properties.type();
   const std::vector<const XmlElement*> inside = properties.objects("phase");
-  constexpr int deepest = 32;
   if (type == "blendphase") {
     const double weight = share_in(properties, "weight", 0, 1, 0.5);
-    if (inside.size() != 2 || depth == deepest) {
-      builder.diagnostics.error(element.where, "a blendphase has two <phase> inside it");
-      return;
-    }
+    if (inside.size() != 2) return fail("a blendphase has two <phase> inside it");
     properties.report_unknown();
-    read_phase(*inside[0], share * (1 - weight), depth + 1, builder, phases);
-    read_phase(*inside[1], share * weight, depth + 1, builder, phases);
-    return;
+    within.push_back(&element);
+    const bool is_whole = read_phase(*inside[0], share * (1 - weight), within, builder, phases) &&
+                          read_phase(*inside[1], share * weight, within, builder, phases);
+    within.pop_back();
+    return is_whole;
   }
   PhaseFunction phase;
   phase.share = share;
@@ -52,6 +63,7 @@ void read_phase(const XmlElement& element, double share, int depth, SceneBuilder
   }
   properties.report_unknown();
   phases.push_back(phase);
+  return true;
 }
 
 /// sigma_t and albedo of what Mitsuba 0.x says by what is scattered and absorbed.
@@ -88,7 +100,8 @@ Medium read_common(Properties& properties, SceneBuilder& builder, bool is_hetero
     builder.diagnostics.error(phases[i]->where, "a medium has one <phase>; a blendphase holds two");
   if (!phases.empty()) {
     medium.phases.clear();
-    read_phase(*phases.front(), 1, 0, builder, medium.phases);
+    std::vector<const XmlElement*> within;
+    read_phase(*phases.front(), 1, within, builder, medium.phases);
   }
   properties.accept({"sample_emitters", "has_spectral_extinction", "method", "step_size"});
   return medium;

@@ -2,8 +2,6 @@
 // <bsdf type="normalmap"> and <bsdf type="bumpmap">: the bsdf inside them, whose normals a texture bends.
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "kinds/materials.h"
 #include "scene/readers/read_material.h"
 #include "scene/readers/read_texture.h"
@@ -11,13 +9,6 @@
 namespace strahl {
 
 namespace {
-
-bool has_relief(const Scene& scene, int index) {
-  const Material& material = scene.materials.at(static_cast<std::size_t>(index));
-  if (std::holds_alternative<Relief>(material.bsdf)) return true;
-  const std::vector<int> nested = material_facts(material).nested;
-  return std::any_of(nested.begin(), nested.end(), [&](int each) { return has_relief(scene, each); });
-}
 
 Material relief_of(Properties& properties, SceneBuilder& builder, Relief relief) {
   const std::vector<const XmlElement*> inside = properties.objects("bsdf");
@@ -28,7 +19,7 @@ Material relief_of(Properties& properties, SceneBuilder& builder, Relief relief)
   relief.flip_invalid_normals = properties.boolean("flip_invalid_normals").value_or(true);
   relief.use_shadowing_function = properties.boolean("use_shadowing_function").value_or(true);
   relief.nested = material_index(*inside.front(), builder);
-  if (has_relief(builder.scene, relief.nested))
+  if (is_or_holds<Relief>(builder.scene, relief.nested))
     builder.diagnostics.unknown(inside.front()->where,
                                 "normals are bent twice here; shallow light fades by the inner map alone");
   Material material;

@@ -15,6 +15,7 @@
 #include "did_you_mean.h"
 #include "scene/xml/xml_file.h"
 #include "scene/xml/xml_upgrade.h"
+#include "scene/xml/xml_vocabulary.h"
 
 namespace strahl {
 
@@ -97,6 +98,7 @@ class Expander {
       XmlElement& child = *std::exchange(given, given->next_sibling);
       child.next_sibling = nullptr;
       if (!substitute_attributes(child)) continue;  // Reported; what lacks its value is left out.
+      check_expanded(child, diagnostics_);
       if (child.tag == "default") {
         add_default(child);
       } else if (child.tag == "include") {
@@ -144,7 +146,23 @@ class Expander {
       return nullptr;
     }
     XmlElement* root = read(search_path_.find(*name, *element.where.file), element.where);
-    return root != nullptr && root->tag == "scene" ? root->first_child : root;
+    if (root == nullptr || root->tag == "scene") return root != nullptr ? root->first_child : nullptr;
+    take_place(*root, element);
+    return root;
+  }
+
+  /// The root of a file that holds one object becomes a part of the scene: its version has been obeyed, and it has the
+  /// name that the <include> gives it.
+  void take_place(XmlElement& root, const XmlElement& include) {
+    const std::optional<std::string_view> name = include.attribute("name");
+    const std::span<XmlAttribute> all = pool_.row<XmlAttribute>(root.attributes.size() + 1);
+    std::size_t count = 0;
+    for (const XmlAttribute& attribute : root.attributes) {
+      const std::string_view key = attribute.name;
+      if (key != "version" && !(name && key == "name")) all[count++] = attribute;
+    }
+    if (name) all[count++] = {"name", name->data()};
+    root.attributes = all.first(count);
   }
 
   [[nodiscard]] bool substitute_attributes(XmlElement& element) {

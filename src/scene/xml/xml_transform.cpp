@@ -82,16 +82,15 @@ std::optional<Transform> read_rotate(const XmlElement& element, Diagnostics& dia
 std::optional<Transform> read_lookat(const XmlElement& element, Diagnostics& diagnostics) {
   const auto origin = listed(element, element.text("origin"), false, diagnostics);
   const auto target = listed(element, element.text("target"), false, diagnostics);
-  const bool has_up = element.attribute("up").has_value();
-  auto up = has_up ? listed(element, element.text("up"), false, diagnostics) : Vec3{};
+  auto up = element.text("up").empty() ? Vec3{} : listed(element, element.text("up"), false, diagnostics);
   if (!origin || !target || !up) return std::nullopt;
   if (*origin == *target) {
     diagnostics.error(element.where, "degenerate lookat: origin and target are the same point");
     return std::nullopt;
   }
-  if (!has_up) up = orthonormal_basis(normalized(*target - *origin))[0];
+  if (*up == Vec3{}) up = orthonormal_basis(normalized(*target - *origin))[0];
   const std::optional<Transform> view = look_at(*origin, *target, *up);
-  if (!view) diagnostics.error(element.where, "degenerate lookat: up is zero or parallel to the view direction");
+  if (!view) diagnostics.error(element.where, "degenerate lookat: up is parallel to the view direction");
   return view;
 }
 
@@ -134,7 +133,8 @@ std::optional<Vec3> read_components(const XmlElement& element, double missing, D
   const std::optional<std::string_view> given[] = {element.attribute("x"), element.attribute("y"),
                                                    element.attribute("z")};
   const bool any = given[0] || given[1] || given[2];
-  if (any == value.has_value()) {
+  const bool may_lack_all = element.tag == "translate" || element.tag == "scale";  // Which then change nothing.
+  if (any == value.has_value() && (any || !may_lack_all)) {
     diagnostics.error(element.where, fmt::format("<{}> needs either value or x, y, z", element.tag));
     return std::nullopt;
   }

@@ -70,6 +70,18 @@ void fill_box(XmlElement& element, XmlPool& pool) {
   add_parameter(element, pool, "boolean", "use_grid_bbox", "true");
 }
 
+/// 0.x takes diffuseReflectance, too, where there is no reflectance.
+void call_reflectance(XmlElement& element) {
+  const std::string_view type = element.text("type");
+  if (element.tag != "bsdf" || (type != "diffuse" && type != "roughdiffuse")) return;
+  for (const XmlElement* child = element.first_child; child != nullptr; child = child->next_sibling)
+    if (child->text("name") == "reflectance") return;
+  for (XmlElement* child = element.first_child; child != nullptr; child = child->next_sibling)
+    for (XmlAttribute& attribute : child->attributes)
+      if (attribute.name == std::string_view("name") && attribute.value == std::string_view("diffuse_reflectance"))
+        attribute.value = "reflectance";
+}
+
 void rename(XmlElement& element, bool parameters, XmlPool& pool, Diagnostics& diagnostics) {
   if (element.tag == "lookAt") element.tag = "lookat";
   if (parameters && element.tag != "default") {
@@ -85,6 +97,7 @@ void rename(XmlElement& element, bool parameters, XmlPool& pool, Diagnostics& di
   if (!parameters) return;
   drop_repeated(element, diagnostics);
   name_copper(element, pool);
+  call_reflectance(element);
   turn_sky(element, pool);
   fill_box(element, pool);
 }

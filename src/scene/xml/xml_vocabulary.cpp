@@ -121,6 +121,13 @@ bool check_vocabulary(XmlElement& root, Diagnostics& diagnostics) {
   return false;
 }
 
+void check_expanded(const XmlElement& element, Diagnostics& diagnostics) {
+  static const std::vector<Tag> tags{
+      {"default", {"name", "value"}, {}}, {"include", {"filename"}, {"name"}}, {"path", {"value"}, {}}};
+  for (const Tag& tag : tags)
+    if (tag.name == element.tag) check_attributes(element, tag, diagnostics);
+}
+
 bool is_object_tag(std::string_view tag) {
   const Tag* known = find_tag(tag);
   return known != nullptr && !known->required.empty() && known->required.front() == "type";

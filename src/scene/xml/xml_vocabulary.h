@@ -13,6 +13,9 @@ namespace strahl {
 /// cannot be used, so that readers meet only well-formed ones. False where the root is no <scene>.
 [[nodiscard]] bool check_vocabulary(XmlElement& root, Diagnostics& diagnostics);
 
+/// Reports unknown attributes of <default>, <include> and <path>, which give way to what they say before that.
+void check_expanded(const XmlElement& element, Diagnostics& diagnostics);
+
 /// True for elements that stand for a plugin or a set of properties ("shape"), false for values ("float").
 [[nodiscard]] bool is_object_tag(std::string_view tag);
 
