@@ -22,7 +22,7 @@ FN real3w adjoint_share_w(const Scene* scene, const Paths_w* path, const Surface
   *opacity = at.opacity;
   Bsdf_w b = bsdf_at_w(scene, s, &at, on);
   if (HAS_PRIORITY) {
-    Crossing_w crossing = crossing_of_w(scene, &path->within, s, which, &b);
+    Crossing_w crossing = crossing_of_w(scene, &path->within, s, &at, which, &b);
     which = which & ~(crossing.which & ~crossing.is_real);
   }
   real3w reflected = bsdf_eval_w(&b, in, &density);

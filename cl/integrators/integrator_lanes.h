@@ -64,11 +64,7 @@ FN void surface_scatter_w(const Scene* scene, Paths_w* path, const Surfaces_w* s
     else
 #endif
       open = passes_masks_w(scene, path, &at, on);
-#if HAS_MEDIA
-    if (HAS_PRIORITY) pass_ranked_w(scene, path, s, open, d);
-#else
     if (HAS_PRIORITY) pass_holes_w(scene, path, s, &at, open, d);
-#endif
     passed = passed | open;
     on = on & ~open;
   }
@@ -90,7 +86,7 @@ FN void surface_scatter_w(const Scene* scene, Paths_w* path, const Surfaces_w* s
     if (HAS_PANE) b.reflects = reflects;
     Crossing_w crossing;
     if (HAS_PRIORITY) {
-      crossing = crossing_of_w(scene, &path->within, s, on & at_surface, &b);
+      crossing = crossing_of_w(scene, &path->within, s, &at, on & at_surface, &b);
       maskw unreal = crossing.which & ~crossing.is_real;
       cross_interface_w(scene, &crossing, unreal, &path->within);
       // Shadow rays end at it, so what emits behind it is found by the path alone.

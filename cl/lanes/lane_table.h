@@ -513,6 +513,7 @@
 #define gtr1_draw_w LANED(gtr1_draw_w)
 #define gtr1_normals_w LANED(gtr1_normals_w)
 #define halvings_w LANED(halvings_w)
+#define has_indices_w LANED(has_indices_w)
 #define heterogeneous_transmittance_w LANED(heterogeneous_transmittance_w)
 #define heterogeneous_travel_w LANED(heterogeneous_travel_w)
 #define hg_density_w LANED(hg_density_w)

@@ -7,7 +7,7 @@
 FN real3w albedo_at_w(const Scene* scene, const Surfaces_w* s, maskw which, const MaterialRows_w* at) {
   realw zero = splat_w(R(0.0)), one = splat_w(R(1.0));
   real3w color = parameter_at_w(scene, s, which, at->rows, 0);
-  maskw is_metal = which & nonzero_w(gather_int_w(scene->index + MATERIAL_METAL, at->rows));
+  maskw is_metal = which & has_indices_w(scene, at->rows, INDICES_OF_METAL);
   if (any_w(is_metal)) {
     real3w eta = parameter_at_w(scene, s, is_metal, at->rows, 1), k = parameter_at_w(scene, s, is_metal, at->rows, 2);
     real3w less = vec3_w(eta.x - one, eta.y - one, eta.z - one), more = vec3_w(eta.x + one, eta.y + one, eta.z + one);

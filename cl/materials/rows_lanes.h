@@ -19,6 +19,11 @@ FN intw material_rows_w(const Scene* scene, intw materials) {
   return materials * (int)MATERIAL_INTS + splat_int_w(scene->index[HEADER_MATERIALS]);
 }
 
+/// Lanes whose rows have indices of that kind.
+FN maskw has_indices_w(const Scene* scene, intw rows, int kind) {
+  return ~nonzero_w(gather_int_w(scene->index + MATERIAL_INDICES, rows) - splat_int_w(kind));
+}
+
 FN void turn_rows_w(const Scene* scene, real3w out, MaterialRows_w* m) {
   intw back = gather_int_w(scene->index + MATERIAL_BACK, m->rows);
   maskw is_behind = ~lt_int_w(back, splat_int_w(0)) & lt_w(dot3_w(out, m->normal), splat_w(R(0.0)));

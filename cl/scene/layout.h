@@ -106,8 +106,10 @@ enum {
 // MATERIAL_ALONG: 1: its frame has x where u grows. MATERIAL_OPACITY: a slot, defined only in programs with MASK.
 // MATERIAL_FIRST, MATERIAL_SECOND: rows that a blend draws from, its weight in the first slot; of a relief
 // (materials/relief_lanes.h) the row inside it, and -1; of a coat (materials/coat_lanes.h) that and -2; else both -1.
-// MATERIAL_METAL: 1: its second and third slot are eta and k.
+// MATERIAL_INDICES: INDICES_OF_METAL: its second and third slot are eta and k; INDICES_OF_GLASS: its third slot holds
+// the ratio of the indices inside and outside, and the two.
 enum { MATERIAL_MOST_SLOTS = 13 };
+enum { INDICES_OF_METAL = 1, INDICES_OF_GLASS = 2 };
 enum {
   MATERIAL_KIND,
   MATERIAL_BACK,
@@ -115,7 +117,7 @@ enum {
   MATERIAL_OPACITY,
   MATERIAL_FIRST,
   MATERIAL_SECOND,
-  MATERIAL_METAL,
+  MATERIAL_INDICES,
   MATERIAL_SLOTS,
   MATERIAL_INTS = MATERIAL_SLOTS + MATERIAL_MOST_SLOTS
 };

@@ -99,7 +99,7 @@ class Packing {
       const PackedMaterial packed = packed_material(row, scene_, features_, numbers_);
       packed_.index.insert(packed_.index.end(), {packed.kind, packed.back, packed.has_along ? 1 : 0,
                                                  features_.flag("MASK") ? slot_of(packed.opacity) : 0, packed.first,
-                                                 packed.second, packed.is_metal ? 1 : 0});
+                                                 packed.second, packed.indices});
       if (packed.slots.size() > layout::MATERIAL_MOST_SLOTS)
         throw std::logic_error("a material has more parameters than MATERIAL_MOST_SLOTS");
       for (const MaterialSlot& slot : packed.slots) packed_.index.push_back(slot_of(slot));

@@ -18,7 +18,8 @@ PackedMaterial packed_material(std::size_t row, const Scene& scene, const Featur
   if (facts.is_coat) packed.second = -2;
   if (facts.is_twosided) packed.back = material.back < 0 ? static_cast<int>(row) : material.back;
   packed.has_along = facts.has_along;
-  packed.is_metal = facts.is_metal;
+  if (facts.is_metal) packed.indices = layout::INDICES_OF_METAL;
+  if (facts.is_boundary) packed.indices = layout::INDICES_OF_GLASS;
   packed.opacity = facts.opacity.value_or(packed.opacity);
   packed.slots = facts.slots;
   if (packed.slots.size() > layout::MATERIAL_MOST_SLOTS)

@@ -13,7 +13,8 @@ namespace strahl {
 struct PackedMaterial {
   int kind = -1;  ///< Among the program's; -1: it does not know it, and nothing is reflected.
   int back = -1;  ///< Its MATERIAL_BACK.
-  bool has_along = false, is_metal = false;
+  bool has_along = false;
+  int indices = 0;              ///< layout::INDICES_...
   int first = -1, second = -1;  ///< Its MATERIAL_FIRST and MATERIAL_SECOND.
   MaterialSlot opacity{"opacity", {1, 1, 1}};
   std::vector<MaterialSlot> slots;  ///< Of a texture that the program does not know, its mean.

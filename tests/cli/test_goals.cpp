@@ -25,6 +25,8 @@ TEST_CASE("times that are none") {
     CHECK(outcome.code == 2);
   }
   CHECK(folder.run({"render", room, "--frames", "2"}).code == 2);
+  CHECK(folder.run({"render", room, "--frames", "2", "--time", "1s", "--error-map", "e.exr"}).code == 2);
+  CHECK(folder.run({"render", room, "--frames", "2", "--time", "1s", "--stats", "-", "--stats-detail"}).code == 2);
   CHECK(folder.run({"render", room, "--time", "1s", "--passes", "3"}).code == 2);
   CHECK(folder.run({"render", room, "--max-error", "0"}).code == 2);
   CHECK(folder.run({"render", room, "--max-error", "0.1", "--no-error"}).code == 2);
@@ -77,6 +79,23 @@ TEST_CASE("less time than the start takes") {
   CHECK(outcome.code == 6);
   CHECK(contains(outcome.err, "at least "));
   CHECK(strahl::read_image(folder.path("a.exr")).width == 32);
+}
+
+TEST_CASE("what writing takes is measured where there is no folder for temporary files, too") {
+  const Folder folder;
+  const Outcome outcome = folder.run({"render", room, "--width", "16", "--spp", "4", "--time", "60s", "-o", "a.exr"},
+                                     {{"TMPDIR", folder.path("nowhere")}});
+  INFO(outcome.err);
+  CHECK(outcome.code == 0);
+  CHECK(folder.files() == std::vector<std::string>{"a.exr"});
+}
+
+TEST_CASE("frames without a sample in some pixels are told") {
+  const Folder folder;
+  const Outcome outcome = folder.run({"render", room, "--frames", "1", "--time", "0.01ms", "-o", "f.exr"});
+  INFO(outcome.err);
+  CHECK(outcome.code == 6);
+  CHECK(contains(outcome.err, "in 1 of 1 frames some pixels have no sample"));
 }
 
 TEST_CASE("frames against the clock") {

@@ -75,6 +75,11 @@ TEST_CASE("detail counts what rays visit: all that is listed; of a tree less, an
   const Json tree = stats(folder, {"--stats-detail", "--lanes", "8", "--accel", "tree"});
   CHECK(tree.at("visits").at("primitives") <= tree.at("rays").at("camera"));
   CHECK(stats(folder, {}).at("visits").at("nodes").is_null());
+  // As many samples as the run had.
+  const Json part = stats(folder, {"--stats-detail", "--lanes", "8", "--accel", "list", "--spp", "8", "--samples",
+                                   "2:4", "--checkpoint", "part"});
+  CHECK(part.at("rays").at("camera") == 2 * 32 * 24);
+  CHECK(part.at("visits").at("primitives") == part.at("rays").at("camera"));
   // Also where the picture's rays go together.
   const Json together = stats(folder, {"--stats-detail", "--paths", "lanes", "--lanes", "8", "--accel", "list"});
   CHECK(together.at("path_lanes") == 8);

@@ -51,6 +51,11 @@ TEST_CASE("what is not known is not said") {
   run.camera_rays = 8000;
   const std::string text = bill(run, {"", 10, 100, false, 0, {}});
   CHECK(text.find("10×100 · 16 spp · 0:0 device · interrupted after 50 % of the samples\n") == 0);
+  run.resumed_samples = 4000;
+  CHECK(bill(run, {"", 10, 100, false, 0, {}}).find("interrupted after 75 % of the samples\n") != std::string::npos);
+  RunStats last = stats();
+  last.camera_rays = last.resumed_samples = 1000;
+  CHECK(bill(last, {"", 10, 100, true, 0, {}}).find("half the noise: 64.00 s") != std::string::npos);
   CHECK(text.find("error    not measured") != std::string::npos);
   CHECK(text.find("clipped") == std::string::npos);
 }

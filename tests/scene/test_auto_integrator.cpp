@@ -69,3 +69,18 @@ TEST_CASE("max_depth counts, and a name is obeyed") {
   CHECK(chosen("<integrator type=\"direct\"/>" + shape_of("cylinder")).name == "direct");
   CHECK(chosen("<integrator type=\"direct\"/>" + shape_of("cylinder")).why.empty());
 }
+
+TEST_CASE("light goes on through masks, and a back may reflect where the front is black") {
+  const std::string null = shape_of("cube", "<bsdf type=\"null\"/>");
+  CHECK(chosen(shape_of("rectangle") + null).name == "path");
+  CHECK(chosen(null).name == "path");
+  CHECK(chosen("<integrator type=\"auto\"><integer name=\"max_depth\" value=\"2\"/></integrator>" + null).name ==
+        "direct");
+  const std::string mask = "<bsdf type=\"mask\"><float name=\"opacity\" value=\"0.5\"/><bsdf type=\"diffuse\"/></bsdf>";
+  CHECK(chosen(shape_of("sphere", mask)).name == "path");
+  const std::string sides =
+      "<bsdf type=\"twosided\"><bsdf type=\"diffuse\"><rgb name=\"reflectance\" value=\"0\"/></bsdf>"
+      "<bsdf type=\"diffuse\"/></bsdf>";
+  CHECK(chosen(shape_of("rectangle", sides)).name == "direct");
+  CHECK(chosen(shape_of("rectangle", sides) + shape_of("rectangle")).name == "path");
+}

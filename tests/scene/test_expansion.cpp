@@ -124,3 +124,43 @@ TEST_CASE("versions") {
   CHECK(problems("<scene version=\"x\"><sensor type=\"perspective\"/></scene>").at(0).rfind("1:1: error: version", 0) ==
         0);
 }
+
+TEST_CASE("a file of one object has a version, and the name that its <include> gives it") {
+  const SceneFolder folder;
+  folder.write("red.xml",
+               "<bsdf version=\"3.0.0\" type=\"diffuse\"><include filename=\"board.xml\" "
+               "name=\"reflectance\"/></bsdf>");
+  folder.write("board.xml", "<texture version=\"3.0.0\" type=\"checkerboard\" name=\"other\"/>");
+  const std::string main =
+      folder.write("scene.xml", around("<shape type=\"sphere\"><include filename=\"red.xml\"/></shape>"));
+  const LoadedScene loaded = load_scene(main, {{}, true});
+  CHECK(loaded.warnings.empty());
+  const Material& material = loaded.scene.materials.at(static_cast<std::size_t>(loaded.scene.shapes.at(0).material));
+  CHECK(std::get<Diffuse>(material.bsdf).reflectance.texture == 0);
+}
+
+TEST_CASE("what <default>, <include> and <path> do not know they say") {
+  const SceneFolder folder;
+  folder.write("ball.xml", "<shape type=\"sphere\"/>");
+  const std::string main = folder.write(
+      "scene.xml", around("<default name=\"a\" value=\"1\" vlaue=\"2\"/><include filename=\"ball.xml\" nmae=\"x\"/>"));
+  const std::vector<std::string> found = shortened(load_scene(main).warnings);
+  REQUIRE(found.size() == 2);
+  CHECK(found[0] == "2:1: warning: unknown attribute \"vlaue\" of <default> (did you mean \"value\"?); it is ignored");
+  CHECK(found[1] == "2:40: warning: unknown attribute \"nmae\" of <include> (did you mean \"name\"?); it is ignored");
+}
+
+TEST_CASE("0.x has diffuseReflectance where it has no reflectance") {
+  const auto red = [](const std::string& inside, const std::string& type) {
+    const LoadedScene loaded =
+        load_text("<scene version=\"0.6.0\"><sensor type=\"perspective\"/><shape type=\"sphere\"><bsdf type=\"" + type +
+                  "\">" + inside + "</bsdf></shape></scene>");
+    const auto& bsdf = loaded.scene.materials.back().bsdf;
+    if (const auto* rough = std::get_if<RoughDiffuse>(&bsdf)) return rough->reflectance.color.r;
+    return std::get<Diffuse>(bsdf).reflectance.color.r;
+  };
+  const std::string given = "<rgb name=\"diffuseReflectance\" value=\"0.25 0 0\"/>";
+  CHECK(red(given, "diffuse") == 0.25);
+  CHECK(red(given, "roughdiffuse") == 0.25);
+  CHECK(red(given + "<rgb name=\"reflectance\" value=\"0.75 0 0\"/>", "diffuse") == 0.75);
+}

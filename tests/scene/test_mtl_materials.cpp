@@ -113,3 +113,26 @@ TEST_CASE("d, Tr and map_d are masks") {
   CHECK(bitmap(material.opacity->texture).curve.kind == TexelCurve::Kind::linear);
   CHECK(bitmap(std::get<Diffuse>(material.bsdf).reflectance.texture).curve.kind == TexelCurve::Kind::srgb);
 }
+
+TEST_CASE("a map that is no picture is left out, as one that is missing") {
+  const SceneFolder folder;
+  folder.write("wood.tif", "II*");
+  folder.write("a.mtl", "newmtl a\nKd 0.25 0.5 0.75\nmap_Kd wood.tif\n");
+  const LoadedScene loaded =
+      load_scene(folder.write("a.obj", "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\n"));
+  REQUIRE(loaded.warnings.size() == 1);
+  CHECK(loaded.warnings[0].message.find("wood.tif") != std::string::npos);
+  CHECK(std::get<Diffuse>(loaded.scene.materials.back().bsdf).reflectance.texture == -1);
+}
+
+TEST_CASE("errors of an MTL count where the shape has no material of its own") {
+  const SceneFolder folder;
+  folder.write("a.mtl", "newmtl a\nKd nan nan nan\n");
+  folder.write("a.obj", "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\n");
+  const auto shape = [&](const std::string& inside) {
+    return folder.write(
+        "scene.xml", around("<shape type=\"obj\"><string name=\"filename\" value=\"a.obj\"/>" + inside + "</shape>"));
+  };
+  CHECK(load_scene(shape("<bsdf type=\"diffuse\"/>")).warnings.empty());
+  CHECK_THROWS_AS(load_scene(shape("")), SceneError);
+}

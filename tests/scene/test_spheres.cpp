@@ -75,10 +75,11 @@ TEST_CASE("to_world places and scales all of them") {
 TEST_CASE("binary, other elements and properties, any order") {
   const float values[] = {0.5F, 9, 1, 2, 3};
   const std::string bytes(reinterpret_cast<const char*>(values), sizeof values);
-  const Scene scene = load(ply(
-      "element note 1\nproperty list uchar uchar text\nelement vertex 1\nproperty float radius\nproperty float mass\n"
-      "property float x\nproperty float y\nproperty float z\n",
-      std::string("\2ab") + bytes, "binary_little_endian"));
+  const Scene scene =
+      load(ply("element nothing 9000000000000000000\nelement note 1\nproperty list uchar uchar text\n"
+               "element vertex 1\nproperty float radius\nproperty float mass\n"
+               "property float x\nproperty float y\nproperty float z\n",
+               std::string("\2ab") + bytes, "binary_little_endian"));
   CHECK(spheres_of(scene).at(0).center == Vec3{1, 2, 3});
   CHECK(spheres_of(scene).at(0).radius == 0.5);
 }

@@ -64,6 +64,13 @@ TEST_CASE("as Mitsuba: lookat") {
       1e-6);
 }
 
+TEST_CASE("as Mitsuba: no up, and steps that change nothing") {
+  const Transform any = to_world("<lookat origin=\"0,0,0\" target=\"0.3,1,0.2\"/>");
+  for (const char* up : {"0 0 0", ""})
+    CHECK(to_world("<lookat origin=\"0,0,0\" target=\"0.3,1,0.2\" up=\"" + std::string(up) + "\"/>").m == any.m);
+  CHECK(to_world("<translate/><scale/>").m == Transform{}.m);
+}
+
 TEST_CASE("an axis that is no unit vector: what Mitsuba would do with it is said") {
   const auto said = [](const std::string& rotate) {
     return problems("<scene version=\"3.0.0\"><sensor type=\"orthographic\"><transform name=\"to_world\">" + rotate +
