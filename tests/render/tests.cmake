@@ -33,7 +33,7 @@ set_tests_properties(render_test_metamorphic_all_scales PROPERTIES LABELS slow T
 # 10,000 rays x 10,000 mirrors for every room and tier: about half an hour.
 add_test(NAME render_test_mirror_box_long COMMAND render_tests "-#" "[#test_mirror_box]")
 set_tests_properties(render_test_mirror_box_long PROPERTIES LABELS slow TIMEOUT 7200 ENVIRONMENT STRAHL_MIRRORS=10000)
-strahl_test(render/test_every_scene.cpp LABEL slow TIMEOUT 3600)
+strahl_test(render/test_every_scene.cpp LABEL slow TIMEOUT 10800)
 
 file(GLOB_RECURSE every_scene CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/scenes/*.xml)
 add_test(NAME render_test_oclgrind_every_scene COMMAND ${CMAKE_CURRENT_LIST_DIR}/test_oclgrind $<TARGET_FILE:strahl-bin>
