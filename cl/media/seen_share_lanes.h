@@ -62,10 +62,11 @@ FN real3w seen_share_w(const Scene* scene, const Paths_w* path, const Surfaces_w
     s.scatters = none_w();
     real3w out = negate3_w(scale3_w(one / length3_w(d), d));
     realw number = splat_w(R(0.5));
-#if HAS_PANE || HAS_MASK
     // Which part of a blend is met decides whether it is a pane, and how open it is.
-    if (HAS_BLEND) number = random_between_w(stream_numbers_w(&way.path.sample, hit, &way.path.draws).x);
-#endif
+    int has_open_parts = HAS_PANE;
+    if (HAS_MASK) has_open_parts = 1;
+    if (has_open_parts && HAS_BLEND)
+      number = random_between_w(stream_numbers_w(&way.path.sample, hit, &way.path.draws).x);
     MaterialRows_w at = rows_at_w(scene, &s, hit, out, number);
     realw open = one - at.opacity;
     real3w lets = vec3_w(open, open, open);

@@ -20,11 +20,12 @@ bool is_light(const Rgb& c) {
 }
 
 struct TextureRow {
-  bool of_light;
+  bool is_unbounded;
 
   void require_colour(const Rgb& colour, const char* what, TextureFacts& facts) const {
-    if (of_light && !is_light(colour)) facts.faults.push_back(std::string(what) + " must be finite and not negative");
-    if (!of_light && !is_reflectance(colour)) facts.faults.push_back(std::string(what) + " must lie in [0, 1]");
+    if (is_unbounded && !is_light(colour))
+      facts.faults.push_back(std::string(what) + " must be finite and not negative");
+    if (!is_unbounded && !is_reflectance(colour)) facts.faults.push_back(std::string(what) + " must lie in [0, 1]");
   }
   TextureFacts operator()(const Checkerboard& board) const {
     const Rgb &a = board.color0, &b = board.color1;
@@ -54,7 +55,7 @@ struct TextureRow {
     return facts;
   }
   TextureFacts operator()(const AttributeTexture& attribute) const {
-    const double most = of_light ? static_cast<double>(std::numeric_limits<float>::max()) : 1;
+    const double most = is_unbounded ? static_cast<double>(std::numeric_limits<float>::max()) : 1;
     const double half = attribute.scale / 2;
     TextureFacts facts{.entry = "mesh_attribute",
                        .reals = {attribute.scale, most},
@@ -72,7 +73,7 @@ struct TextureRow {
 
 }  // namespace
 
-TextureFacts texture(const Texture& texture) { return std::visit(TextureRow{texture.is_light}, texture.pattern); }
+TextureFacts texture(const Texture& texture) { return std::visit(TextureRow{texture.is_unbounded}, texture.pattern); }
 
 Rgb mean_of(const Texels& texels, const TexelCurve& curve) {
   const TexelDecoder decoded(texels, curve);

@@ -33,14 +33,16 @@ bool reflects(const Shape& shape, const Scene& scene) {
 }
 
 /// Of the sides that reflect.
-bool is_convex(const Shape& shape, const Material& material) {
+bool is_convex(const Shape& shape, const Material& material, const Scene& scene) {
   const Geometry& g = shape.geometry;
   if (std::holds_alternative<Plane>(g) || std::holds_alternative<Rectangle>(g) || std::holds_alternative<Triangle>(g) ||
       std::holds_alternative<Disk>(g))
     return true;
   const bool is_closed =
       std::holds_alternative<Sphere>(g) || std::holds_alternative<Box>(g) || std::holds_alternative<Cube>(g);
-  return is_closed && !shape.flip_normals && !material.twosided;
+  if (!is_closed || shape.flip_normals || material.twosided) return false;
+  return std::ranges::none_of(materials_inside(scene, material),
+                              [&](int inside) { return scene.materials[static_cast<std::size_t>(inside)].twosided; });
 }
 
 struct IntegratorChoice {
@@ -78,7 +80,8 @@ IntegratorChoice integrator_for(const Scene& scene) {
   if (reflecting.size() == 1 && scene.groups.empty()) {
     const Shape& shape = *reflecting.front();
     const Material& material = scene.materials.at(static_cast<std::size_t>(shape.material));
-    if (is_convex(shape, material) && (lobes_of(scene, material) & (lobes::LOBE_DELTA | lobes::LOBE_TRANSMIT)) == 0)
+    if (is_convex(shape, material, scene) &&
+        (lobes_of(scene, material) & (lobes::LOBE_DELTA | lobes::LOBE_TRANSMIT)) == 0)
       return {"direct", "the only surface that reflects is convex, so light is reflected once at most"};
   }
   return {"path", "light may be reflected more than once"};

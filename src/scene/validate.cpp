@@ -181,8 +181,8 @@ void check_material(const Material& material, const Scene& scene, Checker& check
     check.require(slot.texture == -1 || is_index(slot.texture, scene.textures.size()),
                   "texture {} does not exist; there are {}", slot.texture, scene.textures.size());
     check.require(!slot.is_share || !is_index(slot.texture, scene.textures.size()) ||
-                      !scene.textures[static_cast<std::size_t>(slot.texture)].is_light,
-                  "texture {} is a light's and no {}", slot.texture, slot.name);
+                      !scene.textures[static_cast<std::size_t>(slot.texture)].is_unbounded,
+                  "texture {} is no share of light, as {} is", slot.texture, slot.name);
   }
   for (const std::string& fault : facts.faults) check.require(false, "{}", fault);
 }

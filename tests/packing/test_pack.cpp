@@ -220,7 +220,7 @@ TEST_CASE("Lights with textures: their rows, texture coordinates of their places
   Scene scene;
   scene.integrator.name = "path";
   Texture board{"", Checkerboard{{6, 6, 6}, {2, 2, 2}}, {}};
-  board.is_light = true;
+  board.is_unbounded = true;
   scene.textures = {Texture{"", Checkerboard{}, {}}, board};
   Mesh mesh;
   mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};

@@ -83,4 +83,7 @@ TEST_CASE("light goes on through masks, and a back may reflect where the front i
       "<bsdf type=\"diffuse\"/></bsdf>";
   CHECK(chosen(shape_of("rectangle", sides)).name == "direct");
   CHECK(chosen(shape_of("rectangle", sides) + shape_of("rectangle")).name == "path");
+  // A body whose inside reflects, within a blend.
+  const std::string side = "<bsdf type=\"twosided\"><bsdf type=\"diffuse\"/></bsdf>";
+  CHECK(chosen(shape_of("cube", "<bsdf type=\"blendbsdf\">" + side + side + "</bsdf>")).name == "path");
 }

@@ -164,3 +164,21 @@ TEST_CASE("0.x has diffuseReflectance where it has no reflectance") {
   CHECK(red(given, "roughdiffuse") == 0.25);
   CHECK(red(given + "<rgb name=\"reflectance\" value=\"0.75 0 0\"/>", "diffuse") == 0.75);
 }
+
+TEST_CASE("0.x: a boundary of media without a bsdf is nothing else") {
+  const auto opacity = [](const std::string& version, const std::string& inside) {
+    const LoadedScene loaded =
+        load_text("<scene version=\"" + version + "\"><sensor type=\"perspective\"/>" +
+                  "<medium type=\"homogeneous\" id=\"fog\"/><shape type=\"sphere\">" + inside + "</shape></scene>");
+    const auto material = static_cast<std::size_t>(loaded.scene.shapes.at(0).material);
+    const std::optional<Reflectance>& share = loaded.scene.materials.at(material).opacity;
+    return share ? share->color.r : 1;
+  };
+  const std::string medium = "<medium type=\"homogeneous\" name=\"interior\"/>", bsdf = "<bsdf type=\"diffuse\"/>";
+  CHECK(opacity("0.6.0", medium) == 0);
+  CHECK(opacity("0.6.0", "<ref name=\"exterior\" id=\"fog\"/>") == 0);
+  CHECK(opacity("0.6.0", medium + bsdf) == 1);
+  CHECK(opacity("0.6.0", medium + "<emitter type=\"area\"/>") == 1);
+  CHECK(opacity("0.6.0", "") == 1);
+  CHECK(opacity("3.0.0", medium) == 1);
+}

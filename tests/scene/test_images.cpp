@@ -114,7 +114,7 @@ TEST_CASE("lights have textures that may exceed 1, beside those of materials") {
   const Shape& shape = loaded.scene.shapes.at(0);
   const auto texture = [&](int i) { return textures.at(static_cast<std::size_t>(i)); };
   CHECK(shape.radiance == Rgb{1, 1, 1});
-  CHECK(texture(shape.radiance_texture).is_light);
+  CHECK(texture(shape.radiance_texture).is_unbounded);
   CHECK(TexelDecoder(*std::get<Bitmap>(texture(shape.radiance_texture).pattern).texels, {})(2)[1] == 8);
   const auto projector = std::get<ProjectorLight>(loaded.scene.lights.at(0).emitter);
   CHECK(projector.texture == shape.radiance_texture);

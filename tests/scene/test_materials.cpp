@@ -281,3 +281,33 @@ TEST_CASE("a mask has an opacity, nothing is a mask, and two sides may differ") 
   REQUIRE(front->back >= 0);
   CHECK(std::holds_alternative<Conductor>(sides.materials[static_cast<std::size_t>(front->back)].bsdf));
 }
+
+TEST_CASE("a mask around two sides is on both") {
+  const Scene scene = load_body(
+                          "<bsdf type=\"mask\"><float name=\"opacity\" value=\"0.25\"/><bsdf type=\"twosided\">"
+                          "<bsdf type=\"plastic\"/><bsdf type=\"diffuse\"/></bsdf></bsdf>")
+                          .scene;
+  const Material& front = scene.materials.back();
+  CHECK(front.opacity->color.r == 0.25);
+  REQUIRE(front.back >= 0);
+  const Material& back = scene.materials.at(static_cast<std::size_t>(front.back));
+  CHECK(std::holds_alternative<Diffuse>(back.bsdf));
+  REQUIRE(back.opacity);
+  CHECK(back.opacity->color.r == 0.25);
+}
+
+TEST_CASE("textures of what is no share of light are not cut at 1, and numbers are means of colours") {
+  const std::string values = "<float name=\"color0\" value=\"2\"/><float name=\"color1\" value=\"4\"/></texture>";
+  const LoadedScene loaded = load_body(
+      "<bsdf type=\"roughconductor\"><float name=\"eta\" value=\"0.2\"/>"
+      "<texture type=\"checkerboard\" name=\"k\">" +
+      values + "<rgb name=\"alpha\" value=\"0.1, 0.1, 0.7\"/></bsdf>");
+  CHECK(loaded.warnings.empty());
+  const auto& metal = std::get<RoughConductor>(loaded.scene.materials.back().bsdf);
+  const auto& board =
+      std::get<Checkerboard>(loaded.scene.textures.at(static_cast<std::size_t>(metal.index.k.texture)).pattern);
+  CHECK(board.color0 == Rgb{2, 2, 2});
+  CHECK(board.color1 == Rgb{4, 4, 4});
+  CHECK(metal.microfacets.alpha_u.color.r == Approx(0.3));
+  CHECK(metal.microfacets.alpha_v.color.b == Approx(0.3));
+}

@@ -221,3 +221,17 @@ TEST_CASE("meshes") {
   CHECK(bare.warnings.empty());
   CHECK(bare.scene.camera.world_from_camera.vector({0, 0, 1}) == Vec3{0, 0, -1});
 }
+
+TEST_CASE("an elliptic disk has the texture coordinates of a disk") {
+  const LoadedScene loaded =
+      load_body("<shape type=\"disk\"><transform name=\"to_world\"><scale x=\"3\"/></transform></shape>");
+  const auto& mesh = std::get<Mesh>(loaded.scene.shapes.at(0).geometry);
+  REQUIRE(mesh.uvs.size() == mesh.positions.size());
+  for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+    const Vec3& p = mesh.positions[i];
+    CHECK(mesh.uvs[i].x == Approx(std::hypot(p.x / 3, p.y)).margin(1e-12));
+    if (mesh.uvs[i].x == 0) continue;
+    CHECK(std::cos(2 * std::acos(-1) * mesh.uvs[i].y) == Approx(p.x / 3 / mesh.uvs[i].x).margin(1e-12));
+    CHECK(std::sin(2 * std::acos(-1) * mesh.uvs[i].y) == Approx(p.y / mesh.uvs[i].x).margin(1e-12));
+  }
+}

@@ -178,7 +178,7 @@ struct Texture {
   std::string id;
   std::variant<Checkerboard, Bitmap, AttributeTexture> pattern;
   SourceLocation where;
-  bool is_light = false;  ///< Of a light: its colours are not held to [0, 1].
+  bool is_unbounded = false;  ///< Of a light, or of values that are no shares: its colours are not held to [0, 1].
 };
 
 // ---- lights (emitters that are not shapes) --------------------------------------------------------------------

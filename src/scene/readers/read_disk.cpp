@@ -14,15 +14,23 @@ namespace {
 
 constexpr int corners_of_ellipse = 256;
 
-/// Triangles around the centre. Their corners lie as far outside the ellipse as the polygon's area asks for.
+/// Triangles around the centre. Their corners lie as far outside the ellipse as the polygon's area asks for. As on a
+/// disk u is the distance from the centre, and v the angle; each triangle has a centre of its own, whose v is its
+/// middle.
 Mesh ellipse(const Transform& t) {
   constexpr double step = 2 * std::numbers::pi / corners_of_ellipse;
   const double radius = std::sqrt(step / std::sin(step));
   Mesh mesh;
-  mesh.positions.push_back(t.translation());
-  for (int i = 0; i < corners_of_ellipse; ++i)
-    mesh.positions.push_back(t.point({radius * std::cos(i * step), radius * std::sin(i * step), 0}));
-  for (int i = 0; i < corners_of_ellipse; ++i) mesh.triangles.push_back({0, 1 + i, 1 + (i + 1) % corners_of_ellipse});
+  const auto put = [&](double r, double turn) {
+    const double angle = turn * step;
+    mesh.positions.push_back(t.point({r * std::cos(angle), r * std::sin(angle), 0}));
+    mesh.uvs.push_back({r, turn / corners_of_ellipse});
+  };
+  for (int i = 0; i <= corners_of_ellipse; ++i) put(radius, i);
+  for (int i = 0; i < corners_of_ellipse; ++i) {
+    put(0, i + 0.5);
+    mesh.triangles.push_back({corners_of_ellipse + 1 + i, i, i + 1});
+  }
   return mesh;
 }
 

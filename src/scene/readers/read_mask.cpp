@@ -22,6 +22,22 @@ Material of_its_own_row(const Material& mask, SceneBuilder& builder) {
   return material;
 }
 
+/// The material behind the mask of that opacity.
+Material masked(Material material, Reflectance opacity, SceneBuilder& builder) {
+  // The mask is on both sides, whichever is seen.
+  if (material.back >= 0) {
+    const Material back = masked(builder.scene.materials[static_cast<std::size_t>(material.back)], opacity, builder);
+    builder.scene.materials.push_back(back);
+    material.back = static_cast<int>(builder.scene.materials.size()) - 1;
+  }
+  if (material.opacity && material.opacity->texture < 0 && opacity.texture < 0)
+    opacity.color = kinds::times(opacity.color, material.opacity->color);
+  else if (material.opacity)
+    material = of_its_own_row(material, builder);
+  material.opacity = opacity;
+  return material;
+}
+
 }  // namespace
 
 Material read_mask(Properties& properties, SceneBuilder& builder) {
@@ -30,14 +46,8 @@ Material read_mask(Properties& properties, SceneBuilder& builder) {
     builder.diagnostics.error(properties.where(), fmt::format("{} needs one <bsdf> inside", properties.title()));
     return {};
   }
-  Material material = material_of(*inside.front(), builder);
-  Reflectance opacity = read_share(properties, builder, "opacity", 0.5);
-  if (material.opacity && material.opacity->texture < 0 && opacity.texture < 0)
-    opacity.color = kinds::times(opacity.color, material.opacity->color);
-  else if (material.opacity)
-    material = of_its_own_row(material, builder);
-  material.opacity = opacity;
-  return material;
+  const Material material = material_of(*inside.front(), builder);
+  return masked(material, read_share(properties, builder, "opacity", 0.5), builder);
 }
 
 Material read_null(Properties& /*properties*/, SceneBuilder& /*builder*/) {

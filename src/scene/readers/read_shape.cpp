@@ -82,15 +82,26 @@ bool has_glass(const Shape& shape, const Scene& scene) {
                      [&](const MeshPart& part) { return is_glass(part.material); });
 }
 
-/// Of what emits and has no bsdf, as in Mitsuba: it reflects nothing.
-int black_material(SceneBuilder& builder) {
-  if (!builder.black_material) {
-    Material black;
-    black.bsdf = Diffuse{{{0, 0, 0}}};
-    builder.scene.materials.push_back(black);
-    builder.black_material = static_cast<int>(builder.scene.materials.size()) - 1;
+Material black() {
+  Material material;
+  material.bsdf = Diffuse{{{0, 0, 0}}};
+  return material;
+}
+
+/// As bsdf null.
+Material open() {
+  Material material = black();
+  material.opacity = Reflectance{{0, 0, 0}};
+  return material;
+}
+
+/// `known`: its index, once it is among the scene's.
+int index_of(const Material& material, std::optional<int>& known, SceneBuilder& builder) {
+  if (!known) {
+    builder.scene.materials.push_back(material);
+    known = static_cast<int>(builder.scene.materials.size()) - 1;
   }
-  return *builder.black_material;
+  return *known;
 }
 
 }  // namespace
@@ -113,8 +124,12 @@ void read_shape(const XmlElement& element, SceneBuilder& builder, std::vector<Sh
   const XmlElement* emitter = only_one(properties.objects("emitter"), properties);
   if (bsdf != nullptr) shape.material = material_index(*bsdf, builder);
   if (emitter != nullptr) read_area_emitter(*emitter, shape, builder);
-  if (bsdf == nullptr && (shape.radiance || shape.exitance)) shape.material = black_material(builder);
   shape.media = read_boundary(properties, builder);
+  const bool is_open = properties.boolean("is_open_without_bsdf").value_or(false) && shape.media;  // Of 0.x.
+  if (bsdf == nullptr && (shape.radiance || shape.exitance))
+    shape.material = index_of(black(), builder.black_material, builder);  // As in Mitsuba it reflects nothing.
+  else if (bsdf == nullptr && is_open)
+    shape.material = index_of(open(), builder.open_material, builder);
   const Transform to_world = properties.transform("to_world").value_or(Transform{});
   ShapeInput input{properties, to_world, shape, bsdf != nullptr, builder};
   shape.geometry = (*reader)(input);

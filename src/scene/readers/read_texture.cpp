@@ -42,17 +42,20 @@ double mean_of(const Rgb& c) { return (c.r + c.g + c.b) / 3; }
 
 int texture_index(const XmlElement& element, TextureReader reader, SceneBuilder& builder, TextureUse what) {
   if (what == TextureUse::number && element.text("type") != "checkerboard") what = TextureUse::colour;
-  const bool is_light = what == TextureUse::light;
+  const bool is_unbounded = what == TextureUse::light || what == TextureUse::value;
   const auto known = builder.texture_indices.find({&element, what});
   if (known != builder.texture_indices.end()) return known->second;
   Properties properties(element, builder.ids, builder.diagnostics);
-  Texture texture = reader(properties, builder, is_light ? ColorUse::emission : ColorUse::reflectance);
+  const ColorUse use = what == TextureUse::light   ? ColorUse::emission
+                       : what == TextureUse::value ? ColorUse::value
+                                                   : ColorUse::reflectance;
+  Texture texture = reader(properties, builder, use);
   if (what == TextureUse::number) {
     auto& board = std::get<Checkerboard>(texture.pattern);
     board.color0 = grey(mean_of(std::exchange(board.color1, grey(mean_of(board.color0)))));
   }
-  if (!is_light) clamp_to_one(texture, element, builder);
-  texture.is_light = is_light;
+  if (!is_unbounded) clamp_to_one(texture, element, builder);
+  texture.is_unbounded = is_unbounded;
   properties.report_unknown();
   texture.id = properties.id();
   texture.where = element.where;
@@ -101,7 +104,7 @@ Reflectance read_share(Properties& properties, SceneBuilder& builder, const std:
 Varying read_nested_texture(const XmlElement& element, SceneBuilder& builder) {
   const std::string_view type = element.text("type");
   if (const TextureReader* reader = find_plugin(texture_readers(), type))
-    return {{0.5, 0.5, 0.5}, texture_index(element, *reader, builder, TextureUse::colour)};
+    return {{0.5, 0.5, 0.5}, texture_index(element, *reader, builder, TextureUse::value)};
   builder.diagnostics.unknown(element.where, not_available("texture", type, types_of(texture_readers())) +
                                                  "; the constant 0.5 takes its place");
   return {{0.5, 0.5, 0.5}};
@@ -115,14 +118,16 @@ Emission read_emission(Properties& properties, SceneBuilder& builder, const std:
 }
 
 Varying read_varying(Properties& properties, SceneBuilder& builder, const std::string& name, const Rgb& absent) {
-  if (const int texture = texture_of(properties, builder, name); texture >= 0) return {absent, texture};
+  if (const int texture = texture_of(properties, builder, name, TextureUse::value); texture >= 0)
+    return {absent, texture};
   return {properties.color(name, ColorUse::value, absent).value_or(absent)};
 }
 
 Varying read_number(Properties& properties, SceneBuilder& builder, const std::string& name, const Rgb& absent) {
   if (const int texture = texture_of(properties, builder, name, TextureUse::number); texture >= 0)
     return {absent, texture};
-  return read_varying(properties, builder, name, absent);
+  const Rgb given = properties.color(name, ColorUse::value, absent).value_or(absent);
+  return {given == grey(given.r) ? given : grey(mean_of(given))};
 }
 
 }  // namespace strahl

@@ -20,7 +20,12 @@
 namespace strahl {
 
 /// What a texture gives.
-enum class TextureUse { colour, light, number };
+enum class TextureUse {
+  colour,  ///< Shares of light.
+  light,
+  number,  ///< One in [0, 1].
+  value    ///< What is no share: an index of refraction, a height.
+};
 
 struct SceneBuilder {
   Scene scene;
@@ -35,7 +40,7 @@ struct SceneBuilder {
   std::map<const XmlElement*, int> material_indices{};
   std::set<const XmlElement*> materials_being_read{};
   std::set<const XmlElement*> integrators_being_read{};                       ///< Those around others.
-  std::optional<int> black_material{};                                        ///< read_shape.cpp, once it is needed.
+  std::optional<int> black_material{}, open_material{};                       ///< read_shape.cpp, once they are needed.
   std::map<std::pair<const XmlElement*, TextureUse>, int> texture_indices{};  ///< read_texture.cpp.
   std::map<const XmlElement*, std::optional<int>> group_indices{};  ///< read_group.cpp; none: nothing is left of it.
   std::map<const XmlElement*, int> medium_indices{};                ///< read_medium.cpp; -1: left out.

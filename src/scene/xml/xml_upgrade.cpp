@@ -70,6 +70,14 @@ void fill_box(XmlElement& element, XmlPool& pool) {
   add_parameter(element, pool, "boolean", "use_grid_bbox", "true");
 }
 
+/// In 0.x a boundary of media without a bsdf is a mere boundary, in Mitsuba 3 it is diffuse.
+void open_boundary(XmlElement& element, XmlPool& pool) {
+  if (element.tag != "shape") return;
+  for (const XmlElement* child = element.first_child; child != nullptr; child = child->next_sibling)
+    if (child->text("name") == "interior" || child->text("name") == "exterior")
+      return add_parameter(element, pool, "boolean", "is_open_without_bsdf", "true");
+}
+
 /// 0.x takes diffuseReflectance, too, where there is no reflectance.
 void call_reflectance(XmlElement& element) {
   const std::string_view type = element.text("type");
@@ -98,6 +106,7 @@ void rename(XmlElement& element, bool parameters, XmlPool& pool, Diagnostics& di
   drop_repeated(element, diagnostics);
   name_copper(element, pool);
   call_reflectance(element);
+  open_boundary(element, pool);
   turn_sky(element, pool);
   fill_box(element, pool);
 }
