@@ -188,8 +188,8 @@ void check_material(const Material& material, const Scene& scene, Checker& check
 }
 
 void check_nested(const Scene& scene, Checker& check) {
-  bool are_before = true;
-  std::vector<int> depths(scene.materials.size() + 1, 1);
+  bool are_before = true, are_deep = false;
+  std::vector<int> depths(scene.materials.size(), 1);
   for (std::size_t i = 0; i < scene.materials.size(); ++i) {
     check.at(scene.materials[i].where);
     for (const int nested : material_facts(scene.materials[i]).nested) {
@@ -197,10 +197,11 @@ void check_nested(const Scene& scene, Checker& check) {
       check.require(is_index(nested, i), "materials inside another must stand before it; {} does not", nested);
       if (is_index(nested, i)) depths[i] = std::max(depths[i], depths[static_cast<std::size_t>(nested)] + 1);
     }
-    if (depths[i] != deepest_material + 1) continue;  // One of a chain is named.
-    check.require(false, "materials are nested deeper than {}", deepest_material);
+    // One of a chain is named.
+    check.require(depths[i] != deepest_material + 1, "materials are nested deeper than {}", deepest_material);
+    are_deep = are_deep || depths[i] > deepest_material;
   }
-  if (!are_before || *std::max_element(depths.begin(), depths.end()) > deepest_material) return;
+  if (!are_before || are_deep) return;
   for (const Material& material : scene.materials) {
     check.at(material.where);
     check.require(!material_facts(material).is_coat || !transmits(scene, material),

@@ -13,10 +13,9 @@ namespace {
 /// What is inside a mask that is a mask itself: of a blend all of one, since each row of materials has one opacity, and
 /// those of rows within each other multiply.
 Material of_its_own_row(const Material& mask, SceneBuilder& builder) {
-  builder.scene.materials.push_back(mask);
   Blend all;
   all.weight = Reflectance{{0, 0, 0}};
-  all.first = all.second = static_cast<int>(builder.scene.materials.size()) - 1;
+  all.first = all.second = add_material(mask, builder);
   Material material;
   material.bsdf = all;
   return material;
@@ -27,8 +26,7 @@ Material masked(Material material, Reflectance opacity, SceneBuilder& builder) {
   // The mask is on both sides, whichever is seen.
   if (material.back >= 0) {
     const Material back = masked(builder.scene.materials[static_cast<std::size_t>(material.back)], opacity, builder);
-    builder.scene.materials.push_back(back);
-    material.back = static_cast<int>(builder.scene.materials.size()) - 1;
+    material.back = add_material(back, builder);
   }
   if (material.opacity && material.opacity->texture < 0 && opacity.texture < 0)
     opacity.color = kinds::times(opacity.color, material.opacity->color);
@@ -50,11 +48,13 @@ Material read_mask(Properties& properties, SceneBuilder& builder) {
   return masked(material, read_share(properties, builder, "opacity", 0.5), builder);
 }
 
-Material read_null(Properties& /*properties*/, SceneBuilder& /*builder*/) {
+Material null_material() {
   Material material;
   material.bsdf = Diffuse{{{0, 0, 0}}};
   material.opacity = Reflectance{{0, 0, 0}};
   return material;
 }
+
+Material read_null(Properties& /*properties*/, SceneBuilder& /*builder*/) { return null_material(); }
 
 }  // namespace strahl

@@ -69,11 +69,15 @@ Material material_of(const XmlElement& bsdf, SceneBuilder& builder) {
   return material;
 }
 
+int add_material(const Material& material, SceneBuilder& builder) {
+  builder.scene.materials.push_back(material);
+  return static_cast<int>(builder.scene.materials.size()) - 1;
+}
+
 int material_index(const XmlElement& bsdf, SceneBuilder& builder) {
   const auto known = builder.material_indices.find(&bsdf);
   if (known != builder.material_indices.end()) return known->second;
-  builder.scene.materials.push_back(material_of(bsdf, builder));
-  const int index = static_cast<int>(builder.scene.materials.size()) - 1;
+  const int index = add_material(material_of(bsdf, builder), builder);
   builder.material_indices.emplace(&bsdf, index);
   return index;
 }

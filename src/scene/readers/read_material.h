@@ -29,6 +29,12 @@ Material read_coating(Properties& properties, SceneBuilder& builder);
 /// The material that a <bsdf> describes; each element is read once. An unknown type is replaced with a warning.
 [[nodiscard]] Material material_of(const XmlElement& bsdf, SceneBuilder& builder);
 
+/// What a bsdf of type null is: it reflects nothing, and no ray meets it.
+[[nodiscard]] Material null_material();
+
+/// Appends it to builder.scene.materials, and returns its index.
+int add_material(const Material& material, SceneBuilder& builder);
+
 /// Its index in builder.scene.materials, appended at first use.
 [[nodiscard]] int material_index(const XmlElement& bsdf, SceneBuilder& builder);
 

@@ -88,19 +88,9 @@ Material black() {
   return material;
 }
 
-/// As bsdf null.
-Material open() {
-  Material material = black();
-  material.opacity = Reflectance{{0, 0, 0}};
-  return material;
-}
-
 /// `known`: its index, once it is among the scene's.
 int index_of(const Material& material, std::optional<int>& known, SceneBuilder& builder) {
-  if (!known) {
-    builder.scene.materials.push_back(material);
-    known = static_cast<int>(builder.scene.materials.size()) - 1;
-  }
+  if (!known) known = add_material(material, builder);
   return *known;
 }
 
@@ -129,7 +119,7 @@ void read_shape(const XmlElement& element, SceneBuilder& builder, std::vector<Sh
   if (bsdf == nullptr && (shape.radiance || shape.exitance))
     shape.material = index_of(black(), builder.black_material, builder);  // As in Mitsuba it reflects nothing.
   else if (bsdf == nullptr && is_open)
-    shape.material = index_of(open(), builder.open_material, builder);
+    shape.material = index_of(null_material(), builder.open_material, builder);
   const Transform to_world = properties.transform("to_world").value_or(Transform{});
   ShapeInput input{properties, to_world, shape, bsdf != nullptr, builder};
   shape.geometry = (*reader)(input);

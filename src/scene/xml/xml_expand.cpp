@@ -98,7 +98,6 @@ class Expander {
       XmlElement& child = *std::exchange(given, given->next_sibling);
       child.next_sibling = nullptr;
       if (!substitute_attributes(child)) continue;  // Reported; what lacks its value is left out.
-      check_expanded(child, diagnostics_);
       if (child.tag == "default") {
         add_default(child);
       } else if (child.tag == "include") {
@@ -114,6 +113,7 @@ class Expander {
   }
 
   void add_default(const XmlElement& element) {
+    check_expanded(element, diagnostics_);
     const std::optional<std::string_view> name = element.attribute("name");
     const std::optional<std::string_view> value = element.attribute("value");
     if (!name || !value || name->empty()) {
@@ -125,6 +125,7 @@ class Expander {
   }
 
   void add_folder(const XmlElement& element) {
+    check_expanded(element, diagnostics_);
     const std::optional<std::string_view> folder = element.attribute("value");
     if (!folder) return diagnostics_.error(element.where, "<path> needs the attribute value");
     const std::string path = search_path_.find(*folder, *element.where.file);
@@ -135,6 +136,7 @@ class Expander {
 
   /// The first of those that take the place of an <include>; null where none do.
   [[nodiscard]] XmlElement* include(const XmlElement& element) {
+    check_expanded(element, diagnostics_);
     const std::optional<std::string_view> name = element.attribute("filename");
     if (!name) {
       diagnostics_.error(element.where, "<include> needs the attribute filename");
@@ -146,7 +148,8 @@ class Expander {
       return nullptr;
     }
     XmlElement* root = read(search_path_.find(*name, *element.where.file), element.where);
-    if (root == nullptr || root->tag == "scene") return root != nullptr ? root->first_child : nullptr;
+    if (root == nullptr) return nullptr;
+    if (root->tag == "scene") return root->first_child;
     take_place(*root, element);
     return root;
   }
