@@ -53,14 +53,20 @@ inline constexpr int deepest_material = 256;
 /// their other sides show, too. Indices that are none of the scene's are left out.
 [[nodiscard]] std::vector<int> materials_inside(const Scene& scene, const Material& material, bool with_backs = false);
 
+/// Whether one of materials_inside() is so.
+template <typename IsSo>
+[[nodiscard]] bool any_inside(const Scene& scene, const Material& material, const IsSo& is_so,
+                              bool with_backs = false) {
+  return std::ranges::any_of(materials_inside(scene, material, with_backs),
+                             [&](int inside) { return is_so(scene.materials[static_cast<std::size_t>(inside)]); });
+}
+
 /// Whether a material of the scene, or one inside it, is a Bsdf.
 template <typename Bsdf>
 [[nodiscard]] bool is_or_holds(const Scene& scene, int index) {
   const Material& material = scene.materials.at(static_cast<std::size_t>(index));
-  if (std::holds_alternative<Bsdf>(material.bsdf)) return true;
-  return std::ranges::any_of(materials_inside(scene, material), [&](int inside) {
-    return std::holds_alternative<Bsdf>(scene.materials[static_cast<std::size_t>(inside)].bsdf);
-  });
+  const auto is_one = [](const Material& each) { return std::holds_alternative<Bsdf>(each.bsdf); };
+  return is_one(material) || any_inside(scene, material, is_one);
 }
 
 /// Lobes of the material, or of those inside it.

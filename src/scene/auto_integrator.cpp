@@ -41,8 +41,7 @@ bool is_convex(const Shape& shape, const Material& material, const Scene& scene)
   const bool is_closed =
       std::holds_alternative<Sphere>(g) || std::holds_alternative<Box>(g) || std::holds_alternative<Cube>(g);
   if (!is_closed || shape.flip_normals || material.twosided) return false;
-  return std::ranges::none_of(materials_inside(scene, material),
-                              [&](int inside) { return scene.materials[static_cast<std::size_t>(inside)].twosided; });
+  return !any_inside(scene, material, [](const Material& inside) { return inside.twosided; });
 }
 
 struct IntegratorChoice {

@@ -20,10 +20,8 @@ bool passes_all(const Scene& scene, int index) {
 
 bool is_masked(const Scene& scene, int index) {
   const Material& material = scene.materials.at(static_cast<std::size_t>(index));
-  if (material_facts(material).opacity) return true;
-  return std::ranges::any_of(materials_inside(scene, material, true), [&](int inside) {
-    return material_facts(scene.materials[static_cast<std::size_t>(inside)]).opacity.has_value();
-  });
+  const auto is_mask = [](const Material& each) { return each.opacity.has_value(); };
+  return is_mask(material) || any_inside(scene, material, is_mask, true);
 }
 
 }  // namespace
