@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What image_io.h promises, one function a format; image_io.cpp alone calls these.
+// What image_io.h promises, one function a format; image_io.cpp and texels_read.cpp alone call these.
 #pragma once
 
 #include <cstddef>
@@ -15,9 +15,14 @@ WriteReport write_png(const Image& image, const std::string& path, const PngOpti
 WriteReport write_exr(const Image& image, const std::string& path);
 WriteReport write_pfm(const Image& image, const std::string& path);
 
-[[nodiscard]] Image read_png(const std::string& path);
-[[nodiscard]] Image read_exr(const std::string& path);
-[[nodiscard]] Image read_pfm(const std::string& path);
+/// Of a file's bytes; the path is for messages.
+[[nodiscard]] Image read_png(const std::string& path, const std::string& bytes);
+[[nodiscard]] Image read_pfm(const std::string& path, const std::string& bytes);
+/// The display window, with the numbers that the file has.
+[[nodiscard]] Image read_exr(const std::string& path, const std::string& bytes);
+/// The data window, as Mitsuba 3 takes it for textures; colours of Rec. 709, also from X, Y and Z and from other
+/// primaries.
+[[nodiscard]] Image read_exr_texture(const std::string& path, const std::string& bytes);
 
 /// The most values that a file may claim.
 struct ClaimLimit {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // OpenEXR reader: one part, scan lines or tiles, any compression; half and unsigned channels become floats.
-// The picture is the display window; where the data window does not reach, it is 0.
+// A picture is the display window; where the data window does not reach, it is 0. A texture is the data window.
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
@@ -17,12 +17,14 @@
 
 #include "errors.h"
 #include "image/codecs.h"
+#include "image/exr_colours.h"
 #include "image/exr_header.h"
 #include "image/exr_metadata.h"
-#include "image/file_bytes.h"
 
 namespace strahl {
 namespace {
+
+enum class ExrUse { picture, texture };
 
 constexpr int rows_at_once = 256;  // The most that a block of scan lines has (DWAB).
 
@@ -96,11 +98,11 @@ ClaimLimit display_claim(const Imath::Box2i& window, std::size_t channels) {
   return {std::max(std::size_t{1} << 24, 4 * static_cast<std::size_t>(pixels) * channels), 256};
 }
 
-Image decode(Imf::MultiPartInputFile& file, const std::string& path, std::size_t file_bytes) {
+Image decode(Imf::MultiPartInputFile& file, const std::string& path, std::size_t file_bytes, ExrUse use) {
   check_readable(file, path);
   const Imf::Header& header = file.header(0);
   const Imath::Box2i window = header.dataWindow();
-  const Imath::Box2i display = header.displayWindow();
+  const Imath::Box2i display = use == ExrUse::texture ? window : header.displayWindow();
   const std::vector<std::string> channels = channel_order(header.channels());
   const auto check = [&](const Imath::Box2i& box, const ClaimLimit& claim) {
     check_picture_size(path, length(box.min.x, box.max.x), length(box.min.y, box.max.y), channels.size(), file_bytes,
@@ -133,6 +135,7 @@ Image decode(Imf::MultiPartInputFile& file, const std::string& path, std::size_t
     stored.data.resize(stored.index(0, end, 0));
     part.readPixels(window.min.y + y, window.min.y + end - 1);
   }
+  if (use == ExrUse::texture) convert_to_rec_709(stored, header);
   if (window == display) return stored;
 
   Image image = blank(display);
@@ -148,20 +151,23 @@ Image decode(Imf::MultiPartInputFile& file, const std::string& path, std::size_t
   return image;
 }
 
-}  // namespace
-
-Image read_exr(const std::string& path) {
-  const std::string bytes = read_file(path);
+Image read(const std::string& path, const std::string& bytes, ExrUse use) {
   try {
     require_attributes_fit(bytes);
     InputStream stream(bytes, path);
     Imf::MultiPartInputFile file(stream);
-    return decode(file, path, bytes.size());
+    return decode(file, path, bytes.size(), use);
   } catch (const Error&) {
     throw;
   } catch (const std::exception& e) {
     throw InputError(fmt::format("\"{}\": not a readable OpenEXR file: {}", path, e.what()));
   }
 }
+
+}  // namespace
+
+Image read_exr(const std::string& path, const std::string& bytes) { return read(path, bytes, ExrUse::picture); }
+
+Image read_exr_texture(const std::string& path, const std::string& bytes) { return read(path, bytes, ExrUse::texture); }
 
 }  // namespace strahl

@@ -13,6 +13,7 @@
 
 #include "errors.h"
 #include "image/codecs.h"
+#include "image/file_bytes.h"
 
 namespace strahl {
 namespace {
@@ -60,15 +61,17 @@ WriteReport write_image(const Image& image, const std::string& path, const PngOp
 }
 
 Image read_image(const std::string& path) {
-  switch (image_format(path)) {
+  const ImageFormat format = image_format(path);
+  const std::string bytes = read_file(path);
+  switch (format) {
     case ImageFormat::png:
-      return read_png(path);
+      return read_png(path, bytes);
     case ImageFormat::exr:
-      return read_exr(path);
+      return read_exr(path, bytes);
     case ImageFormat::pfm:
       break;
   }
-  return read_pfm(path);
+  return read_pfm(path, bytes);
 }
 
 void check_picture_size(const std::string& path, std::int64_t width, std::int64_t height, std::size_t channels,

@@ -14,7 +14,6 @@
 #include "image/byte_order.h"
 #include "image/codecs.h"
 #include "image/colour_channels.h"
-#include "image/file_bytes.h"
 
 namespace strahl {
 namespace {
@@ -62,8 +61,7 @@ WriteReport write_pfm(const Image& image, const std::string& path) {
   return report;
 }
 
-Image read_pfm(const std::string& path) {
-  const std::string bytes = read_file(path);
+Image read_pfm(const std::string& path, const std::string& bytes) {
   std::string_view rest = bytes;
   const std::string_view magic = take_token(rest);
   if (magic != "PF" && magic != "Pf") {

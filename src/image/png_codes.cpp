@@ -6,7 +6,6 @@
 #include <cstring>
 
 #include "errors.h"
-#include "image/file_bytes.h"
 #include "image/png_errors.h"
 
 namespace strahl {
@@ -61,8 +60,8 @@ PngCodes decode(const Reader& reader, const std::string& bytes, const PngCheck& 
 
 }  // namespace
 
-PngCodes read_png_codes(const std::string& path, const PngCheck& check, const PngVisit& visit) {
-  const std::string bytes = read_file(path);
+PngCodes read_png_codes(const std::string& path, const std::string& bytes, const PngCheck& check,
+                        const PngVisit& visit) {
   if (bytes.size() < 8 || png_sig_cmp(reinterpret_cast<png_const_bytep>(bytes.data()), 0, 8) != 0) {
     throw InputError(fmt::format("\"{}\": not a PNG file", path));
   }

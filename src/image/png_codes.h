@@ -29,6 +29,7 @@ using PngCheck = std::function<void(int width, int height, std::size_t channels,
 using PngVisit = std::function<void(png_structp png, png_infop info)>;
 
 /// Throws InputError.
-[[nodiscard]] PngCodes read_png_codes(const std::string& path, const PngCheck& check, const PngVisit& visit = {});
+[[nodiscard]] PngCodes read_png_codes(const std::string& path, const std::string& bytes, const PngCheck& check,
+                                      const PngVisit& visit = {});
 
 }  // namespace strahl

@@ -55,13 +55,13 @@ std::vector<float> linear_light(png_structp png, png_infop info) {
 
 }  // namespace
 
-Image read_png(const std::string& path) {
+Image read_png(const std::string& path, const std::string& bytes) {
   const auto check = [&](int width, int height, std::size_t channels, std::size_t file_bytes) {
     check_picture_size(path, width, height, channels, file_bytes);
   };
   Image image;
   std::vector<float> linear;
-  const PngCodes codes = read_png_codes(path, check, [&](png_structp png, png_infop info) {
+  const PngCodes codes = read_png_codes(path, bytes, check, [&](png_structp png, png_infop info) {
     linear = linear_light(png, info);
     image.metadata = metadata_of(png, info);
   });

@@ -4,6 +4,7 @@
 #include <turbojpeg.h>
 
 #include <memory>
+#include <string_view>
 #include <vector>
 
 #include "errors.h"
@@ -14,8 +15,10 @@ namespace strahl {
 Texels read_jpeg_texels(const std::string& path, const std::string& bytes) {
   const std::unique_ptr<void, int (*)(tjhandle)> jpeg(tjInitDecompress(), tjDestroy);
   if (!jpeg) throw std::bad_alloc();
+  const auto reason = [&] { return std::string_view(tjGetErrorStr2(jpeg.get())); };
   const auto fail = [&] {
-    throw InputError(fmt::format("\"{}\": damaged JPEG file: {}", path, tjGetErrorStr2(jpeg.get())));
+    throw InputError(
+        fmt::format("\"{}\": JPEG file damaged or of a rare kind ({}); save it anew, or as PNG", path, reason()));
   };
   const auto* data = reinterpret_cast<const unsigned char*>(bytes.data());
   const auto size = static_cast<unsigned long>(bytes.size());
@@ -28,9 +31,10 @@ Texels read_jpeg_texels(const std::string& path, const std::string& bytes) {
   const int channels = is_grey ? 1 : 3;
   std::vector<std::uint8_t> codes(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) *
                                   static_cast<std::size_t>(channels));
-  // A warning is damage too: a part of the picture would be grey.
+  // A warning is damage too: a part of the picture would be grey. Some cameras leave bytes behind its end.
   if (tjDecompress2(jpeg.get(), data, size, codes.data(), width, 0, height, is_grey ? TJPF_GRAY : TJPF_RGB,
-                    TJFLAG_ACCURATEDCT) != 0)
+                    TJFLAG_ACCURATEDCT) != 0 &&
+      !(reason().find("extraneous bytes before marker 0xd9") != std::string_view::npos))
     fail();
   return texels_of_bytes(width, height, channels, codes.data());
 }

@@ -16,9 +16,9 @@
 namespace strahl {
 namespace {
 
-Texels read_png_texels(const std::string& path) {
+Texels read_png_texels(const std::string& path, const std::string& bytes) {
   const PngCodes png = read_png_codes(
-      path, [&](int width, int height, std::size_t, std::size_t) { check_texel_count(path, width, height); });
+      path, bytes, [&](int width, int height, std::size_t, std::size_t) { check_texel_count(path, width, height); });
   const std::size_t count = static_cast<std::size_t>(png.width) * static_cast<std::size_t>(png.height);
   const std::size_t colours = png.channels <= 2 ? 1 : 3;  // Without alpha.
   std::vector<std::uint16_t> wide;
@@ -73,10 +73,10 @@ Texels read_by_first_bytes(const std::string& path) {
   using namespace std::string_view_literals;
   const std::string bytes = read_file(path);
   const auto begins = [&](std::string_view start) { return std::string_view(bytes).starts_with(start); };
-  if (begins("\x89PNG\r\n\x1a\n"sv)) return read_png_texels(path);
+  if (begins("\x89PNG\r\n\x1a\n"sv)) return read_png_texels(path, bytes);
   if (begins("\xff\xd8\xff"sv)) return read_jpeg_texels(path, bytes);
-  if (begins("\x76\x2f\x31\x01"sv)) return texels_of_image(read_exr(path), path);
-  if (begins("PF"sv) || begins("Pf"sv)) return texels_of_image(read_pfm(path), path);
+  if (begins("\x76\x2f\x31\x01"sv)) return texels_of_image(read_exr_texture(path, bytes), path);
+  if (begins("PF"sv) || begins("Pf"sv)) return texels_of_image(read_pfm(path, bytes), path);
   if (begins("#?"sv) || begins("BM"sv) || is_stb_image(bytes)) return read_stb_texels(path, bytes);
   throw InputError(fmt::format(
       "\"{}\" is not an image that can be read: PNG, JPEG, OpenEXR, Radiance HDR, TGA, BMP and PFM are", path));

@@ -41,6 +41,18 @@ std::string tga_file() {
 std::string hdr_file() {
   return "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 2\n" + std::string("\x80\x40\x20\x81\xff\x01\x00\x90", 8);
 }
+/// 8 x 2 with runs: each row is a grey ramp of literals in red, runs in green and blue, exponent 129.
+std::string packed_hdr_file() {
+  std::string row = std::string("\x02\x02\x00\x08", 4) + std::string("\x08\x10\x20\x30\x40\x50\x60\x70\x80", 9);
+  for (int run = 0; run < 2; ++run) row += std::string("\x88\x40", 2);
+  row += std::string("\x88\x81", 2);
+  return "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 2 +X 8\n" + row + row;
+}
+/// 2 x 2 of grey 9 in runs.
+std::string packed_tga_file() {
+  return std::string("\0\0\x0b\0\0\0\0\0\0\0\0\0", 12) + le16(2) + le16(2) + std::string("\x08\x20", 2) +
+         std::string("\x83\x09", 2);
+}
 std::string jpeg_file(const std::vector<unsigned char>& grey, int width, int height) {
   tjhandle jpeg = tjInitCompress();
   unsigned char* bytes = nullptr;
@@ -199,7 +211,12 @@ TEST_CASE("damaged files are read or refused") {
   const Read read;
   write_image(Image{8, 8, {"R", "G", "B"}, std::vector<float>(192, 0.5F), {}}, read.folder / "a.png");
   std::vector<unsigned char> grey(64, 90);
-  const std::vector<std::string> files = {bmp_file(), tga_file(), hdr_file(), jpeg_file(grey, 8, 8),
+  const std::vector<std::string> files = {bmp_file(),
+                                          tga_file(),
+                                          hdr_file(),
+                                          packed_hdr_file(),
+                                          packed_tga_file(),
+                                          jpeg_file(grey, 8, 8),
                                           bytes_of(read.folder / "a.png")};
   std::mt19937 engine(9);
   int refused = 0;
@@ -218,6 +235,60 @@ TEST_CASE("damaged files are read or refused") {
       }
     }
   CHECK(refused > 300);
+}
+
+TEST_CASE("a file that was cut off is refused wherever it was cut") {
+  const Read read;
+  write_image(Image{8, 8, {"R", "G", "B"}, std::vector<float>(192, 0.5F), {}}, read.folder / "a.png");
+  write_image(Image{8, 8, {"R", "G", "B"}, std::vector<float>(192, 0.5F), {}}, read.folder / "a.exr");
+  const std::string bmp = bmp_file();
+  const std::size_t padding = 2;  // Behind the last row, which some programs leave out.
+  for (const std::string& whole : {bmp.substr(0, bmp.size() - padding), tga_file(), packed_tga_file(), hdr_file(),
+                                   packed_hdr_file(), jpeg_file(std::vector<unsigned char>(64, 90), 8, 8),
+                                   bytes_of(read.folder / "a.png"), bytes_of(read.folder / "a.exr")}) {
+    CHECK(read("whole", whole).count() > 0);
+    for (std::size_t bytes = 0; bytes < whole.size(); ++bytes) {
+      CAPTURE(bytes, whole.size(), whole.substr(0, 4));
+      CHECK_THROWS_AS(read("cut", whole.substr(0, bytes)), InputError);
+    }
+  }
+}
+
+TEST_CASE("a wide TGA that was cut off within a row is refused") {
+  const int size = 128;
+  const std::string whole = std::string("\0\0\x03\0\0\0\0\0\0\0\0\0", 12) + le16(size) + le16(size) +
+                            std::string("\x08\x20", 2) + std::string(size * size, '\x07');
+  CHECK(value(Read()("a.tga", whole), 5)[0] == Approx(7 / 255.0));
+  for (const std::size_t missing : {1U, 127U, 128U, 129U, 5000U})
+    CHECK_THROWS_WITH(Read()("a.tga", whole.substr(0, whole.size() - missing)), Contains("is it cut off?"));
+}
+
+TEST_CASE("runs of Radiance HDR") {
+  const Texels texels = Read()("a.hdr", packed_hdr_file());
+  REQUIRE(texels.width == 8);
+  REQUIRE(texels.height == 2);
+  for (std::size_t n = 0; n < texels.count(); ++n) {
+    CHECK(value(texels, n)[0] == 2.0 * static_cast<double>(16 * (n % 8 + 1)) / 256);
+    CHECK(value(texels, n)[1] == 2.0 * 64 / 256);
+  }
+}
+
+TEST_CASE("a BMP with its rows from the top") {
+  std::string bmp = bmp_file();
+  bmp.replace(22, 4, le32(-2));
+  const Texels texels = Read()("a.bmp", bmp);
+  REQUIRE(texels.height == 2);
+  // What is the lower row of the other.
+  CHECK(value(texels, 0) == Value{0, 0, 1});
+  CHECK(value(texels, 2) == Value{1, 0, 0});
+  bmp.replace(30, 4, le32(1));
+  CHECK_THROWS_WITH(Read()("a.bmp", bmp), Contains("save it without compression"));
+}
+
+TEST_CASE("a JPEG with bytes before its end") {
+  std::string jpeg = jpeg_file(std::vector<unsigned char>(64, 90), 8, 8);
+  jpeg.insert(jpeg.size() - 2, "\x11\x22\x33");
+  CHECK(Read()("a.jpg", jpeg).count() == 64);
 }
 
 TEST_CASE("half the size has the same mean, whatever the size") {

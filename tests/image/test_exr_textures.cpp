@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+// OpenEXR files as textures: the data window is the image, and colours become those of Rec. 709, as in Mitsuba 3.
+#include <ImfChannelList.h>
+#include <ImfFrameBuffer.h>
+#include <ImfHeader.h>
+#include <ImfOutputFile.h>
+#include <ImfStandardAttributes.h>
+
+#include <array>
+#include <catch2/catch.hpp>
+#include <optional>
+
+#include "image/temporary_folder.h"
+#include "image/texels.h"
+
+using namespace strahl;
+using namespace strahl::test;
+
+namespace {
+
+using Value = std::array<double, 3>;
+
+/// One pixel at (3, 5) of a larger display window.
+Value read_back(const std::array<const char*, 3>& names, std::array<float, 3> values,
+                const std::optional<Imf::Chromaticities>& primaries = {}) {
+  const TemporaryFolder folder;
+  const std::string path = folder / "a.exr";
+  const Imath::Box2i data({3, 5}, {3, 5});
+  Imf::Header header(Imath::Box2i({0, 0}, {9, 9}), data);
+  if (primaries) Imf::addChromaticities(header, *primaries);
+  Imf::FrameBuffer pixels;
+  for (std::size_t c = 0; c < 3; ++c) {
+    header.channels().insert(names.at(c), Imf::Channel(Imf::FLOAT));
+    pixels.insert(names.at(c), Imf::Slice::Make(Imf::FLOAT, &values.at(c), data));
+  }
+  {
+    Imf::OutputFile file(path.c_str(), header);
+    file.setFrameBuffer(pixels);
+    file.writePixels(1);
+  }
+  const Texels texels = read_texels(path);
+  REQUIRE(texels.width == 1);
+  REQUIRE(texels.height == 1);
+  return TexelDecoder(texels, {})(0);
+}
+
+void require_close(const Value& found, const Value& expected) {
+  for (std::size_t c = 0; c < 3; ++c) {
+    CAPTURE(c, found[c]);
+    CHECK(found[c] == Approx(expected[c]).margin(1e-4));
+  }
+}
+
+}  // namespace
+
+TEST_CASE("the data window of an OpenEXR texture is the image") {
+  require_close(read_back({"R", "G", "B"}, {0.5F, 0.25F, 2}), {0.5, 0.25, 2});
+}
+
+TEST_CASE("X, Y and Z are colours") {
+  // White and red of Rec. 709: the columns of its matrix (ITU-R BT.709; D65 is 0.3127, 0.3290).
+  require_close(read_back({"X", "Y", "Z"}, {0.95046F, 1, 1.08906F}), {1, 1, 1});
+  require_close(read_back({"X", "Y", "Z"}, {0.41239F, 0.21264F, 0.01933F}), {1, 0, 0});
+}
+
+TEST_CASE("other primaries are converted, those of Rec. 709 kept to the bit") {
+  CHECK(read_back({"R", "G", "B"}, {0.3F, 0.7F, 0.1F}, Imf::Chromaticities()) ==
+        Value{static_cast<double>(0.3F), static_cast<double>(0.7F), static_cast<double>(0.1F)});
+  // Rec. 2020 (ITU-R BT.2087 gives the matrix to Rec. 709): inside the smaller gamut.
+  const Imf::Chromaticities wide({0.708F, 0.292F}, {0.170F, 0.797F}, {0.131F, 0.046F}, {0.3127F, 0.3290F});
+  require_close(read_back({"R", "G", "B"}, {0.5F, 0.4F, 0.3F}, wide),
+                {1.6605 * 0.5 - 0.5876 * 0.4 - 0.0728 * 0.3, -0.1246 * 0.5 + 1.1329 * 0.4 - 0.0083 * 0.3,
+                 -0.0182 * 0.5 - 0.1006 * 0.4 + 1.1187 * 0.3});
+}
