@@ -82,5 +82,38 @@ TEST_CASE("nor does a shape that is far off and as large darken what is near") {
   }
 }
 
+/// Beyond 500 from the camera a point of this ground is interpolated over corners, nearer it is found along its ray: a
+/// row of the picture has the border.
+Scene border_scene() {
+  Scene scene;
+  scene.materials = {Material{}};
+  scene.integrator.name = "path";
+  scene.integrator.max_depth = 2;
+  add(scene, Rectangle{{-1000, 0, 1000}, {2000, 0, 0}, {0, 0, -2000}});
+  scene.shapes.push_back(emitting(Rectangle{{-10, 20, 50}, {20, 0, 0}, {0, 0, 20}}, {1, 1, 1}));
+  scene.camera = perspective_camera({0, 5, 0}, {0, 5, 1}, {0, 1, 0}, 40);
+  scene.film.width = 512;
+  scene.film.height = 512;
+  scene.film.crop = Window{0, 256, 32, 384};
+  scene.sampler.sample_count = 4;
+  return scene;
+}
+
+TEST_CASE("how a large ground is traversed does not change a bit of a picture") {
+  require_pocl_and_rusticl();
+  for (const Precision precision : {Precision::robust, Precision::fp64}) {
+    RenderSettings settings;
+    settings.precision = precision;
+    CAPTURE(precision_name(precision));
+    const Image first = render("pocl", border_scene(), settings).color;
+    CHECK(lit_pixels(first) > 32 * 100);
+    settings.lanes = 1;
+    CHECK((render("pocl", border_scene(), settings).color.data == first.data));
+    settings.lanes = 8;
+    CHECK((render("pocl", border_scene(), settings).color.data == first.data));
+    CHECK((render("pocl", border_scene(), all_aovs(precision)).color.data == first.data));
+  }
+}
+
 }  // namespace
 }  // namespace strahl::test

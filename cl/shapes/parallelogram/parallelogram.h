@@ -11,6 +11,7 @@
 FN void parallelogram_surface(const Ray* ray, GLOBAL const real* prim, int stride, GLOBAL const real* frame, real t,
                               Surface* s) {
   (void)frame;
+  (void)t;
   real3 a = corner_load(prim, stride, 0), b = corner_load(prim, stride, 1), d = corner_load(prim, stride, 3);
   real3 edge_u = sub3(b, a), edge_v = sub3(d, a);
   barycentrics(ray, a, b, d, &s->u, &s->v);
@@ -19,7 +20,7 @@ FN void parallelogram_surface(const Ray* ray, GLOBAL const real* prim, int strid
   s->facing = dot3(s->normal, ray->d);
   if (HAS_TANGENT) s->along = edge_u;
   if (HAS_RELIEF) take_edge_gradients(edge_u, edge_v, s);
-  take_near_point(ray, a, edge_u, edge_v, t, s);
+  take_near_point(ray, a, edge_u, edge_v, s);
   s->outline = OUTLINE_PARALLELOGRAM;
 }
 

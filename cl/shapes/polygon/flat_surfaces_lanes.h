@@ -39,12 +39,12 @@ FN NearPoint_w near_point_w(const SurfaceHits_w* hits, real3w a, real3w e, real3
   real3w d = abs3_w(hits->d);
   near.p = a;
   near.off = bound;
-  near.which = lt_w(splat_w(R(32.0)) * fma_w(hits->t, max3_w(d), max3_w(abs3_w(hits->o))), size);
-  if (!any_w(near.which)) return near;
   real3w way = sub3_w(a, hits->o);
+  realw t = dot3_w(normal, way) / facing;
+  near.which = lt_w(splat_w(R(32.0)) * fma_w(abs_w(t), max3_w(d), max3_w(abs3_w(hits->o))), size);
+  if (!any_w(near.which)) return near;
   real3w sizes = vec3_w(abs_w(e.y * f.z) + abs_w(e.z * f.y), abs_w(e.z * f.x) + abs_w(e.x * f.z),
                         abs_w(e.x * f.y) + abs_w(e.y * f.x));
-  realw t = dot3_w(normal, way) / facing;
   near.p = fma3_w(t, hits->d, hits->o);
   realw rounded = fma_w(abs_w(t), dot3_w(sizes, d), dot3_w(sizes, abs3_w(way))) / across;
   near.off = splat_w(real_roundoff()) * fma_w(splat_w(R(16.0)), rounded, splat_w(R(2.0)) * max3_w(abs3_w(near.p)));

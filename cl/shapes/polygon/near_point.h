@@ -18,13 +18,15 @@ FN real3 products_size(real3 e, real3 f) {
               real_abs(e.x * f.y) + real_abs(e.y * f.x));
 }
 
-/// For a polygon with the corner a and the edges e and f there, hit at t. s: position, normal and facing are set
-/// already.
-FN void take_near_point(const Ray* ray, real3 a, real3 e, real3 f, real t, Surface* s) {
+/// For a polygon that is hit, with the corner a and the edges e and f there. s: position, normal and facing are set
+/// already. What the traversal found as t is not asked: it may be approximate, and differ from one traversal to
+/// another.
+FN void take_near_point(const Ray* ray, real3 a, real3 e, real3 f, Surface* s) {
   real size_e = max3(abs3(e)), size_f = max3(abs3(f)), size = size_e > size_f ? size_e : size_f;
-  if (!(R(32.0) * real_fma(t, max3(abs3(ray->d)), max3(abs3(ray->o))) < size)) return;
-  real3 way = sub3(a, ray->o), sizes = products_size(e, f);
+  real3 way = sub3(a, ray->o);
   real near_t = dot3(s->normal, way) / s->facing;
+  if (!(R(32.0) * real_fma(real_abs(near_t), max3(abs3(ray->d)), max3(abs3(ray->o))) < size)) return;
+  real3 sizes = products_size(e, f);
   real3 p = fma3(near_t, ray->d, ray->o);
   real3 n = vec3(e.y * f.z - e.z * f.y, e.z * f.x - e.x * f.z, e.x * f.y - e.y * f.x);
   real across = real_abs(dot3(s->normal, n));

@@ -11,6 +11,7 @@
 FN void triangle_surface(const Ray* ray, GLOBAL const real* prim, int stride, GLOBAL const real* frame, real t,
                          Surface* s) {
   (void)frame;
+  (void)t;
   real3 p0 = corner_load(prim, stride, 0), p1 = corner_load(prim, stride, 1), p2 = corner_load(prim, stride, 2);
   real3 e1 = sub3(p1, p0), e2 = sub3(p2, p0);
   barycentrics(ray, p0, p1, p2, &s->u, &s->v);
@@ -20,7 +21,7 @@ FN void triangle_surface(const Ray* ray, GLOBAL const real* prim, int stride, GL
   s->facing = dot3(s->normal, ray->d);
   if (HAS_TANGENT) s->along = e1;
   if (HAS_RELIEF) take_edge_gradients(e1, e2, s);
-  take_near_point(ray, p0, e1, e2, t, s);
+  take_near_point(ray, p0, e1, e2, s);
   s->outline = OUTLINE_TRIANGLE;
 }
 
