@@ -29,7 +29,11 @@ std::string did_you_mean(std::string_view word, const std::vector<std::string>& 
   if (word.size() > longest_word) return {};
   int best_distance = std::max(1, static_cast<int>((word.size() + 2) / 3)) + 1;
   std::string best;
+  const auto difference = [&](const std::string& other) {
+    return static_cast<int>(std::max(word.size(), other.size()) - std::min(word.size(), other.size()));
+  };
   for (const std::string& candidate : candidates) {
+    if (difference(candidate) >= best_distance) continue;  // So is the distance.
     const int distance = edit_distance(word, candidate);
     if (distance >= best_distance || distance >= static_cast<int>(candidate.size())) continue;
     best_distance = distance;

@@ -47,6 +47,15 @@ TEST_CASE("undefined and unused names") {
             "0:0: warning: -D max_depth=3: the scene does not use $max_depth; it has no effect, --max-depth 3 has"});
 }
 
+TEST_CASE("a backslash keeps a dollar") {
+  const std::string balls =
+      "<default name=\"r\" value=\"2\"/><shape type=\"sphere\" id=\"$r\\$r$r\"/><shape type=\"sphere\" id=\"\\$\"/>";
+  const LoadedScene loaded = load_body(balls);
+  CHECK(loaded.warnings.empty());
+  CHECK(loaded.scene.shapes.at(0).id == "2$r2");
+  CHECK(loaded.scene.shapes.at(1).id == "$");
+}
+
 TEST_CASE("a chain of defaults cannot grow without bound") {
   std::string body = "<default name=\"x0\" value=\"aaaaaaaaaaaaaaaa\"/>";
   for (int i = 1; i < 60; ++i) {
@@ -88,6 +97,25 @@ TEST_CASE("include cycles and missing includes end in errors at the <include>") 
     CHECK(found[1].rfind("a.xml:2:1: error:", 0) == 0);
     CHECK(found[1].find("includes itself") != std::string::npos);
   }
+}
+
+TEST_CASE("files that include each other without an end") {
+  const SceneFolder folder;
+  const auto name = [](int i) { return "f" + std::to_string(i) + ".xml"; };
+  const int count = 100;
+  for (int i = 0; i < count; ++i)
+    folder.write(name(i), "<scene version=\"3.0.0\"><include filename=\"" + name(i + 1) + "\"/></scene>");
+  folder.write(name(count), "<scene version=\"3.0.0\"/>");
+  CHECK_THROWS_WITH(load_scene(folder.path(name(0))), Catch::Contains("files include each other in turn"));
+  CHECK_NOTHROW(load_scene(folder.path(name(count - 60))));
+}
+
+TEST_CASE("a name is given twice") {
+  const std::vector<std::string> found =
+      problems(around("<shape type=\"sphere\"><float name=\"radius\" value=\"1\"/><point name=\"center\" x=\"0\" "
+                      "y=\"0\" z=\"0\"/><float name=\"radius\" value=\"2\"/></shape>"));
+  REQUIRE(found.size() == 1);
+  CHECK(found[0].find("\"radius\" of <shape type=\"sphere\"> is given twice") != std::string::npos);
 }
 
 TEST_CASE("names of Mitsuba 0.x") {

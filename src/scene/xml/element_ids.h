@@ -24,8 +24,10 @@ class ElementIds {
   void collect(const XmlElement& element, std::vector<const XmlElement*>& aliases, Diagnostics& diagnostics);
   void add(std::string_view id, const XmlElement& named, const XmlPlace& where, Diagnostics& diagnostics);
   [[nodiscard]] std::vector<std::string> names() const;
+  [[nodiscard]] std::string suggestion(std::string_view id) const;
 
   std::map<std::string_view, const XmlElement*> elements_;
+  mutable std::map<std::string_view, std::string> suggestions_;  ///< For ids that nothing has.
 };
 
 }  // namespace strahl

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <string_view>
 
 #include "did_you_mean.h"
 #include "scene/xml/color_value.h"
@@ -31,11 +33,11 @@ Properties::Properties(const XmlElement& element, const ElementIds& ids, Diagnos
 }
 
 void Properties::report_duplicates() {
-  for (auto entry = entries_.begin(); entry != entries_.end(); ++entry) {
-    const auto same = [&](const Entry& other) { return other.name == entry->name; };
-    if (entry->name.empty() || std::none_of(entries_.begin(), entry, same)) continue;
-    entry->used = true;
-    diagnostics_.error(entry->given->where, fmt::format("\"{}\" of {} is given twice", entry->name, title()));
+  std::set<std::string_view> names;
+  for (Entry& entry : entries_) {
+    if (entry.name.empty() || names.insert(entry.name).second) continue;
+    entry.used = true;
+    diagnostics_.error(entry.given->where, fmt::format("\"{}\" of {} is given twice", entry.name, title()));
   }
 }
 

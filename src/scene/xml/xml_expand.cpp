@@ -23,6 +23,7 @@ namespace {
 
 constexpr std::size_t longest_value = std::size_t{1} << 16;
 constexpr int most_includes = 1000;
+constexpr std::size_t deepest_include = 64;  ///< Files within files: trees of elements are walked recursively.
 
 bool is_name_char(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 
@@ -65,6 +66,10 @@ class Expander {
     const std::string canonical = canonical_path(path);
     if (std::find(open_.begin(), open_.end(), canonical) != open_.end()) {
       diagnostics_.error(referrer, fmt::format("\"{}\" includes itself; break the cycle", path));
+      return nullptr;
+    }
+    if (open_.size() > deepest_include) {
+      diagnostics_.error(referrer, fmt::format("more than {} files include each other in turn", deepest_include));
       return nullptr;
     }
     XmlElement* root = read_xml_file(path, referrer, pool_, diagnostics_);
@@ -180,6 +185,11 @@ class Expander {
     std::string result;
     bool ok = true;
     for (std::size_t i = 0; i < text.size();) {
+      if (text.substr(i, 2) == "\\$") {
+        result += '$';
+        i += 2;
+        continue;
+      }
       if (text[i] != '$') {
         result += text[i++];
         continue;
