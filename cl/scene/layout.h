@@ -65,7 +65,7 @@ enum { NODE_PLANES = 6 };
 
 // A placed group: the box around it, as a node has its planes; p in the group's frame = TO_GROUP (p - PIVOT) + OFFSET,
 // with TO_WORLD the inverse; what mapping rounds, in units of the roundoff and of the world's length
-// (docs/decisions/0009-instances.md); lengths in the group's frame per length in the world, on the average.
+// (docs/decisions/0009-instances.md); lengths in the group's frame per length in the world, at the least.
 enum {
   INSTANCE_BOX = 0,
   INSTANCE_PIVOT = 6,

@@ -2,7 +2,7 @@
 // How wide a pixel is on a surface, for the filters of textures: its width at the camera's axis, grown with the whole
 // way from the camera, over the cosine at the surface. The same in every direction of the surface, so too wide across
 // the slant; curved mirrors are taken for flat ones. On instances it is counted in the group's lengths, as rates of u
-// and v are.
+// and v are, by the direction that an instance stretches most.
 #ifndef STRAHL_TEXTURES_FOOTPRINT_H
 #define STRAHL_TEXTURES_FOOTPRINT_H
 

@@ -7,6 +7,7 @@
 #include <span>
 
 #include "kinds/extent.h"
+#include "scene/model/transforms.h"
 
 namespace strahl {
 namespace {
@@ -124,7 +125,7 @@ InstanceReals<Real> instance_reals(const Transform& frame_from_group, const Boun
   put(reals, layout::INSTANCE_OFFSET, offset);
   put_linear(reals, layout::INSTANCE_TO_WORLD, to_frame);
   reals[layout::INSTANCE_ERROR] = static_cast<Real>(error);
-  reals[layout::INSTANCE_SHRINK] = static_cast<Real>(std::cbrt(std::fabs(to_group.determinant())));
+  reals[layout::INSTANCE_SHRINK] = static_cast<Real>(1 / largest_stretch(to_frame));
   return reals;
 }
 

@@ -7,9 +7,9 @@
 
 namespace strahl {
 
-/// Change of u and v per unit of length of the frame: the largest of a flat shape or a quadric's own parameters away
-/// from where they are singular (the equator of a sphere, the rim of a disk), the mean over a mesh that has uvs. For
-/// the filters of textures, which need a size, not the exact map.
+/// Change of u and v per unit of length of the frame where it is least: at the equator of a sphere, the rim of a disk,
+/// the triangle of a mesh that is stretched least. So the filters of textures, which take one size for the whole shape,
+/// never blur more than they should; where they filter too little, samples do.
 [[nodiscard]] Vec2 uv_rates(const Geometry& geometry, const UploadFrame& frame);
 
 }  // namespace strahl

@@ -68,6 +68,9 @@ TEST_CASE("to_world places and scales all of them") {
   const Scene scene = load(two, "<transform name=\"to_world\"><scale value=\"2\"/><translate x=\"1\"/></transform>");
   CHECK(spheres_of(scene).at(1).center == Vec3{-7, 10, 12});
   CHECK(spheres_of(scene).at(1).radius == 4);
+  CHECK(scene.shapes[1].flip_normals);
+  // Mirrored ones face the other way, as a sphere does.
+  CHECK_FALSE(load(two, "<transform name=\"to_world\"><scale x=\"-1\"/></transform>").shapes[1].flip_normals);
   CHECK_THAT(fault(two, "<transform name=\"to_world\"><scale x=\"2\"/></transform>"),
              Catch::Contains("scaled uniformly only"));
 }

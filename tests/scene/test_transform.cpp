@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "scene/model/transforms.h"
 #include "scene/scene_text.h"
 
 using namespace strahl;
@@ -99,4 +100,24 @@ TEST_CASE("matrices of 9 and 16 values") {
   const Transform expected{{{{1, 2, 3, 0}, {0, 1, 4, 0}, {5, 6, 0, 0}}}};
   CHECK(to_world("<matrix value=\"1 2 3 0 1 4 5 6 0\"/>").m == expected.m);
   CHECK(to_world("<matrix value=\"1 2 3 7 0 1 4 8 5 6 0 9 0 0 0 1\"/>").translation() == Vec3{7, 8, 9});
+}
+
+TEST_CASE("the largest stretch of a map") {
+  const Transform turn = rotation({1, -2, 0.5}, 37);
+  const auto scaled = [&](double x, double y, double z) {
+    Transform map = turn;
+    for (auto& row : map.m) {
+      row[0] *= x;
+      row[1] *= y;
+      row[2] *= z;
+    }
+    return map;
+  };
+  CHECK(largest_stretch(scaled(1, 1, 1)) == Approx(1).epsilon(1e-7));
+  CHECK(largest_stretch(scaled(3e-20, 3e-20, 3e-20)) == Approx(3e-20).epsilon(1e-7));
+  CHECK(largest_stretch(scaled(50, -50, 1)) == Approx(50).epsilon(1e-7));
+  CHECK(largest_stretch(scaled(1, 1e-3, 2)) == Approx(2).epsilon(1e-7));
+  CHECK(largest_stretch(scaled(7e30, 1, 1)) == Approx(7e30).epsilon(1e-7));
+  // A shear of 1: the golden ratio.
+  CHECK(largest_stretch(Transform{{{{1, 1, 0, 4}, {0, 1, 0, 5}, {0, 0, 1, 6}}}}) == Approx((1 + std::sqrt(5.0)) / 2));
 }

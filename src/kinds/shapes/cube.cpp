@@ -2,6 +2,7 @@
 // Parallelepiped: six parallelograms.
 #include <algorithm>
 #include <array>
+#include <limits>
 
 #include "kinds/rates_of_edges.h"
 #include "kinds/shapes.h"
@@ -38,8 +39,6 @@ Vec3 corner_of(const Cube& cube, unsigned bits) {
     if ((bits >> axis & 1U) != 0) p = p + cube.edge.at(axis);
   return p;
 }
-
-Vec2 larger(const Vec2& a, const Vec2& b) { return {std::max(a.x, b.x), std::max(a.y, b.y)}; }
 
 }  // namespace
 
@@ -83,12 +82,14 @@ void emit(AreaItems& items, const Cube& cube, int) {
 
 int first_of_area(const Cube&, int) { return 0; }
 
+/// Each edge is one of u on some face and one of v on another.
 Vec2 uv_rates(const Cube& c) {
-  Vec2 rates;
-  for (unsigned i = 0; i < 3; ++i)
-    rates = larger(rates, rates_of_edges(c.edge.at((i + 1) % 3), c.edge.at((i + 2) % 3)));
-  const double largest = std::max(rates.x, rates.y);
-  return {largest, largest};
+  double least = std::numeric_limits<double>::infinity();
+  for (unsigned i = 0; i < 3; ++i) {
+    const Vec2 rates = rates_of_edges(c.edge.at((i + 1) % 3), c.edge.at((i + 2) % 3));
+    least = std::min({least, rates.x, rates.y});
+  }
+  return {least, least};
 }
 
 void move(Cube& c, const MapVec3& point, const MapVec3& vector) {

@@ -2,8 +2,8 @@
 // Triangle meshes.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
-#include "kinds/rates_of_edges.h"
 #include "kinds/shapes.h"
 
 namespace strahl::kinds {
@@ -79,22 +79,40 @@ void emit(AreaItems& items, const Mesh& mesh, int part) {
 
 int first_of_area(const Mesh& mesh, int) { return mesh.parts.empty() ? 0 : -1; }
 
+namespace {
+
+/// Of the lengths that are not 0, infinity where there are none. Triangles with one coordinate at all corners are often
+/// those that nobody mapped.
+struct LeastRate {
+  double value = std::numeric_limits<double>::infinity();
+
+  void add(double rate) {
+    if (rate > 0) value = std::min(value, rate);
+  }
+  [[nodiscard]] double or_none() const { return std::isfinite(value) ? value : 0; }
+};
+
+}  // namespace
+
+/// The lengths of the gradients of u and v over each triangle.
 Vec2 uv_rates(const Mesh& mesh) {
-  double u = 0, v = 0, count = 0;
-  for (const auto& [a, b, c] : mesh.triangles) {
-    const auto at = [](int i) { return static_cast<std::size_t>(i); };
-    const Vec2 edges =
-        rates_of_edges(mesh.positions[at(b)] - mesh.positions[at(a)], mesh.positions[at(c)] - mesh.positions[at(a)]);
+  LeastRate u, v;
+  for (const auto& triangle : mesh.triangles) {
+    const auto at = [&](std::size_t k) { return static_cast<std::size_t>(triangle.at(k)); };
+    const Vec3 to_b = mesh.positions[at(1)] - mesh.positions[at(0)];
+    const Vec3 to_c = mesh.positions[at(2)] - mesh.positions[at(0)];
+    const double area = length(cross(to_b, to_c));
+    if (!(area > 0)) continue;
     Vec2 along_b{1, 0}, along_c{0, 1};
     if (!mesh.uvs.empty()) {
-      along_b = {mesh.uvs[at(b)].x - mesh.uvs[at(a)].x, mesh.uvs[at(b)].y - mesh.uvs[at(a)].y};
-      along_c = {mesh.uvs[at(c)].x - mesh.uvs[at(a)].x, mesh.uvs[at(c)].y - mesh.uvs[at(a)].y};
+      const Vec2 a = mesh.uvs[at(0)], b = mesh.uvs[at(1)], c = mesh.uvs[at(2)];
+      along_b = {b.x - a.x, b.y - a.y};
+      along_c = {c.x - a.x, c.y - a.y};
     }
-    u += std::hypot(along_b.x * edges.x, along_c.x * edges.y);
-    v += std::hypot(along_b.y * edges.x, along_c.y * edges.y);
-    ++count;
+    u.add(length(along_b.x * to_c - along_c.x * to_b) / area);
+    v.add(length(along_b.y * to_c - along_c.y * to_b) / area);
   }
-  return count > 0 ? Vec2{u / count, v / count} : Vec2{};
+  return {u.or_none(), v.or_none()};
 }
 
 void move(Mesh& mesh, const MapVec3& point, const MapVec3&) {

@@ -2,7 +2,6 @@
 // Spheres that differ only in position and size, one primitive each. One that emits is a part (packing/shape_parts.h).
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "kinds/shapes.h"
 
@@ -42,13 +41,11 @@ void emit(AreaItems& items, const SphereCloud& cloud, int part) {
 
 int first_of_area(const SphereCloud&, int part) { return part; }
 
-/// The mean over the spheres, as for the triangles of a mesh.
+/// Those of the largest sphere.
 Vec2 uv_rates(const SphereCloud& cloud) {
-  const double turn = 2 * std::numbers::pi;
-  double sum = 0;
-  for (const auto& [center, radius] : cloud.spheres) sum += 1 / (turn * radius);
-  const double u = sum / static_cast<double>(cloud.spheres.size());
-  return {u, 2 * u};
+  double radius = 0;
+  for (const SphereCloud::Ball& ball : cloud.spheres) radius = std::max(radius, ball.radius);
+  return uv_rates(Sphere{{}, radius, cloud.frame});
 }
 
 void move(SphereCloud& cloud, const MapVec3& point, const MapVec3&) {

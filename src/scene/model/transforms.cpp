@@ -55,6 +55,23 @@ std::optional<Transform> look_at(const Vec3& origin, const Vec3& target, const V
                      {left.z, upward.z, forward.z, origin.z}}}};
 }
 
+/// The largest eigenvalue of a symmetric matrix by the trigonometric form of its cubic (Smith, "Eigenvalues of a
+/// symmetric 3 x 3 matrix", CACM 4(4), 1961).
+double largest_stretch(const Transform& transform) {
+  const Vec3 x = transform.column(0), y = transform.column(1), z = transform.column(2);
+  const double unit = std::max({length(x), length(y), length(z)});
+  if (!(unit > 0) || !std::isfinite(unit)) return unit;
+  const auto product = [&](const Vec3& a, const Vec3& b) { return dot((1 / unit) * a, (1 / unit) * b); };
+  const double mean = (product(x, x) + product(y, y) + product(z, z)) / 3;
+  const double xx = product(x, x) - mean, yy = product(y, y) - mean, zz = product(z, z) - mean;
+  const double xy = product(x, y), xz = product(x, z), yz = product(y, z);
+  const double spread = std::sqrt((xx * xx + yy * yy + zz * zz + 2 * (xy * xy + xz * xz + yz * yz)) / 6);
+  if (!(spread > 0)) return unit * std::sqrt(mean);
+  const double determinant = xx * (yy * zz - yz * yz) - xy * (xy * zz - yz * xz) + xz * (xy * yz - yy * xz);
+  const double cosine = std::clamp(determinant / (2 * spread * spread * spread), -1.0, 1.0);
+  return unit * std::sqrt(mean + 2 * spread * std::cos(std::acos(cosine) / 3));
+}
+
 std::string singular_because(const Transform& transform) {
   const Vec3 x = transform.column(0), y = transform.column(1), z = transform.column(2);
   const double lengths[] = {length(x), length(y), length(z)};

@@ -20,6 +20,9 @@ namespace strahl {
 /// direction is zero or parallel to `up`.
 [[nodiscard]] std::optional<Transform> look_at(const Vec3& origin, const Vec3& target, const Vec3& up);
 
+/// The largest factor by which the linear part lengthens a vector: its largest singular value.
+[[nodiscard]] double largest_stretch(const Transform& transform);
+
 /// Why the linear part has no inverse in double; empty where it has one. It has none where |det| of its unit columns is
 /// within rounding of 0, where the shortest column is within rounding of 0 beside the longest, or where the longest is
 /// no normal number of double.

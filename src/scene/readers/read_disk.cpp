@@ -29,7 +29,6 @@ Mesh ellipse(const Transform& t) {
   for (int i = 0; i <= corners_of_ellipse; ++i) put(radius, i);
   for (int i = 0; i < corners_of_ellipse; ++i) {
     put(0, i + 0.5);
-    // The centre last: uv_rates() takes both edges of the first corner for perpendicular, as these nearly are.
     mesh.triangles.push_back({i, i + 1, corners_of_ellipse + 1 + i});
   }
   return mesh;

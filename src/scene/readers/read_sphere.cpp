@@ -4,7 +4,7 @@
 
 namespace strahl {
 
-std::optional<Sphere> placed_sphere(Sphere sphere, const ShapeInput& input) {
+std::optional<Sphere> placed_sphere(Sphere sphere, ShapeInput& input) {
   sphere.center = input.world_from_object.point(sphere.center);
   const Vec3 x = input.world_from_object.column(0), y = input.world_from_object.column(1),
              z = input.world_from_object.column(2);
@@ -17,7 +17,10 @@ std::optional<Sphere> placed_sphere(Sphere sphere, const ShapeInput& input) {
   sphere.radius *= length(x);
   const Vec3 frame_x = normalized(x);
   const Vec3 normal = normalized(cross(frame_x, y));
-  const double handedness = input.world_from_object.determinant() < 0 ? -1 : 1;
+  const bool is_mirrored = input.world_from_object.determinant() < 0;
+  // As Mitsuba has it, for spheres alone.
+  if (is_mirrored) input.shape.flip_normals = !input.shape.flip_normals;
+  const double handedness = is_mirrored ? -1 : 1;
   sphere.frame = {frame_x, cross(normal, frame_x), handedness * normal};
   return sphere;
 }
@@ -26,8 +29,6 @@ Geometry read_geometry(ShapeInput& input, const Sphere&) {
   Sphere sphere;
   sphere.center = input.properties.vector("center").value_or(Vec3{});
   sphere.radius = input.properties.positive("radius").value_or(1.0);
-  // As Mitsuba has it, for spheres alone.
-  if (input.world_from_object.determinant() < 0) input.shape.flip_normals = !input.shape.flip_normals;
   return placed_sphere(sphere, input).value_or(sphere);
 }
 

@@ -40,7 +40,7 @@ void read_instance(const XmlElement& element, SceneBuilder& builder);
 [[nodiscard]] std::optional<std::string> data_path(ShapeInput& input, std::string_view extension);
 
 /// In the world frame; none where it would not be round there, which is reported.
-[[nodiscard]] std::optional<Sphere> placed_sphere(Sphere object, const ShapeInput& input);
+[[nodiscard]] std::optional<Sphere> placed_sphere(Sphere object, ShapeInput& input);
 
 // ---- what a transform may do to shapes that have a radius ------------------------------------------------------
 
