@@ -52,10 +52,26 @@ FN void splat_pixel(const Scene* scene, int column, int row, int sum, int number
     film->done[DONE_SPLATS] = (uint)number;
   }
   ulong pixel = (ulong)row * (ulong)film->columns + (ulong)column;
-  GLOBAL long* words = film->words + (pixel * (ulong)film->sums + (ulong)sum) * ((int)FILM_CHANNELS * (int)SPLAT_WORDS);
+  GLOBAL long* words = film->words + pixel * (ulong)film->pixel_words + sum * ((int)FILM_CHANNELS * (int)SPLAT_WORDS);
   splat_channel(scene, words, light.x);
   splat_channel(scene, words + SPLAT_WORDS, light.y);
   splat_channel(scene, words + 2 * SPLAT_WORDS, light.z);
+}
+
+/// The light of a pixel's own camera path, which no other work-item adds to. Its sums are apart: it is a mean over the
+/// pixel's samples, what light paths bring is one over those of the whole picture. number: as above.
+FN void add_own_light(const Scene* scene, int column, int row, int sum, int number, real3 light) {
+  PRIVATE const SplatFilm* film = scene->splats;
+  if (HAS_LOOP_LIMIT) {
+    if ((uint)number <= film->done[DONE_SPLATS] || !loops_were_whole()) return;
+    film->done[DONE_SPLATS] = (uint)number;
+  }
+  ulong pixel = (ulong)row * (ulong)film->columns + (ulong)column;
+  int before = film->sums * ((int)FILM_CHANNELS * (int)SPLAT_WORDS) + sum * ((int)FILM_CHANNELS * (int)FILM_SUM_WORDS);
+  GLOBAL long* words = film->words + pixel * (ulong)film->pixel_words + before;
+  film_add_sample(scene, words, light.x);
+  film_add_sample(scene, words + FILM_SUM_WORDS, light.y);
+  film_add_sample(scene, words + 2 * FILM_SUM_WORDS, light.z);
 }
 
 /// The filter's density at an offset from a pixel's middle.

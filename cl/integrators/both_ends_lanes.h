@@ -98,7 +98,7 @@ ONCE_FN void follow_both_ends_w(const Scene* scene, Paths_w* path, LightVertices
   intw sums = int_of_uint_w(begun->numbers & ((uint)film->sums - 1u));
   for (uint lanes = bits_w(is_lit); lanes != 0u; lanes &= lanes - 1u) {
     int i = first_bit(lanes);
-    splat_pixel(scene, get_int_w(&columns, i), get_int_w(&rows, i), get_int_w(&sums, i), LAST_SPLAT_w,
-                get3_w(&path->radiance, i));
+    add_own_light(scene, get_int_w(&columns, i), get_int_w(&rows, i), get_int_w(&sums, i), LAST_SPLAT_w,
+                  get3_w(&path->radiance, i));
   }
 }

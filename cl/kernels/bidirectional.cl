@@ -37,6 +37,7 @@ KERNEL LANE_HINT_OF(SCENE_LANES) void render(GLOBAL const real* geometry, GLOBAL
   (void)aov_reals;
   (void)aov_ints;
   SplatFilm splats = splat_film_of(film, index, x_first, y_first, film_first, film_columns);
+  splats.pixel_words += splats.sums * ((int)FILM_CHANNELS * (int)FILM_SUM_WORDS);
   splats.done = done_of_paths(counters, film_first, film_columns, row, column);
   Scene scene = scene_of(geometry, shading, index, counters);
   scene.splats = &splats;

@@ -15,6 +15,7 @@ FN SplatFilm splat_film_of(GLOBAL long* film, GLOBAL const int* index, int x_fir
   splats.columns = film_columns;
   splats.rows = index[HEADER_FILM_ROWS];
   splats.sums = index[HEADER_SUMS];
+  splats.pixel_words = splats.sums * ((int)FILM_CHANNELS * (int)SPLAT_WORDS);
   return splats;
 }
 

@@ -81,7 +81,8 @@ enum {
 typedef struct {
   GLOBAL long* words;
   int x, y, columns, rows;  ///< Its place in the picture, its pixels.
-  int sums;                 ///< Of a pixel.
+  int sums;                 ///< Of a pixel's light paths.
+  int pixel_words;          ///< Those, and the sums of film/film_sum.h of its own camera paths, if there are any.
   GLOBAL uint* done;        ///< With HAS_LOOP_LIMIT: how far the work-item has come, as COUNTERS describes it.
 } SplatFilm;
 #endif

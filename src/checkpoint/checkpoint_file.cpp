@@ -61,7 +61,8 @@ std::string json_of(const Checkpoint& checkpoint) {
         {"turn_bits", film.sums.turn_bits},
         {"first_sample", film.first_sample},
         {"unit", film.unit},
-        {"squares", film.has_squares}}},
+        {"squares", film.has_squares},
+        {"own", film.has_own}}},
       {"has_aovs", !state.aov_reals.empty()},
       {"position", {{"done", state.position.done}, {"check_at", state.position.check_at}}},
       {"unusual",
@@ -224,6 +225,8 @@ Head head_of(const Json& json) {
   shape.first_sample = head.header.first_sample = number(film.at("first_sample"), 0, max_spp);
   shape.unit = film.at("unit").get<double>();
   shape.has_squares = film.value("squares", false);
+  shape.has_own = film.value("own", false);
+  if (shape.has_own && shape.kind != FilmKind::splats) throw std::out_of_range("it has camera paths beside samples");
   if (shape.has_squares && shape.kind == FilmKind::splats) throw std::out_of_range("it has second moments of splats");
   head.has_aovs = json.at("has_aovs").get<bool>();
   const auto has = [&](const NamedAov& named) {

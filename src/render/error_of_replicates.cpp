@@ -28,14 +28,18 @@ Replicated replicated_at(const FilmRows& film, const std::vector<double>& sizes,
   for (const double size : sizes) samples += size;
   for (int c = 0; c < layout::FILM_CHANNELS; ++c) {
     const auto channel = static_cast<std::size_t>(c);
-    std::array<double, replicates> sum{};
+    std::array<double, replicates> mean{};
     for (std::size_t k = 0; k < replicates; ++k) {
-      sum[k] = film.sub_sum(at, static_cast<int>(k), c);
-      pixel.error.mean[channel] += sum[k] / samples;
+      const auto sub = static_cast<int>(k);
+      const double sum = film.sub_sum(at, sub, c), own = film.own_sum(at, sub, c);
+      pixel.error.mean[channel] += sum / samples;
+      mean[k] = sum / sizes[k];
+      if (film.samples[at] > 0) pixel.error.mean[channel] += own / film.samples[at];
+      if (const int own_samples = film.sub_sum_samples(at, sub); own_samples > 0) mean[k] += own / own_samples;
     }
     double spread = 0;
     for (std::size_t k = 0; k < replicates; ++k) {
-      const double deviation = std::sqrt(sizes[k]) * (sum[k] / sizes[k] - pixel.error.mean[channel]);
+      const double deviation = std::sqrt(sizes[k]) * (mean[k] - pixel.error.mean[channel]);
       pixel.deviation[k][channel] = deviation;
       spread += deviation * deviation;
     }

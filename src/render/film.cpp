@@ -23,12 +23,13 @@ void FilmSums::add_samples(const Launch& launch) {
 
 void FilmSums::add_words(int row, const std::vector<std::int64_t>& band) {
   std::int64_t* sum = &words[static_cast<std::size_t>(row) * static_cast<std::size_t>(width) * words_per_pixel()];
-  if (kind == FilmKind::splats) {
-    for (std::size_t i = 0; i < band.size(); ++i) sum[i] += band[i];
-    return;
+  // Those of the pixels of splats first, then those of the film's own kind.
+  const std::size_t splats = kind == FilmKind::splats ? words_of_sums() : 0;
+  for (std::size_t pixel = 0; pixel < band.size(); pixel += words_per_pixel()) {
+    const std::size_t own = pixel + splats, end = pixel + words_per_pixel();
+    for (std::size_t i = pixel; i < own; ++i) sum[i] += band[i];
+    for (std::size_t i = own; i < end; i += layout::FILM_SUM_WORDS) film_add(sum + i, film_bins(band[i], band[i + 1]));
   }
-  for (std::size_t i = 0; i < band.size(); i += layout::FILM_SUM_WORDS)
-    film_add(sum + i, film_bins(band[i], band[i + 1]));
 }
 
 FilmRows FilmSums::rows(int row, int count) const {

@@ -14,7 +14,8 @@ namespace {
 bool are_alike(const FilmSums& a, const FilmSums& b) {
   return a.kind == b.kind && a.width == b.width && a.height == b.height && a.sums.count == b.sums.count &&
          a.sums.sequences == b.sums.sequences && a.sums.turn_bits == b.sums.turn_bits &&
-         a.first_sample == b.first_sample && a.unit == b.unit && a.has_squares == b.has_squares;
+         a.first_sample == b.first_sample && a.unit == b.unit && a.has_squares == b.has_squares &&
+         a.has_own == b.has_own;
 }
 
 }  // namespace

@@ -20,13 +20,25 @@ std::size_t words_per_sum(FilmKind kind) {
 }
 
 std::size_t FilmShape::words_per_pixel() const {
-  return static_cast<std::size_t>(sums.count + (has_squares ? 1 : 0)) * layout::FILM_CHANNELS * words_per_sum(kind);
+  const std::size_t more = (has_own ? static_cast<std::size_t>(sums.count) : 0) + (has_squares ? 1 : 0);
+  return words_of_sums() + more * channels * layout::FILM_SUM_WORDS;
+}
+
+std::size_t FilmShape::words_of_sums() const {
+  return static_cast<std::size_t>(sums.count) * channels * words_per_sum(kind);
 }
 
 double FilmRows::sub_sum(std::size_t pixel, int sub, int channel) const {
   const auto sum = static_cast<std::size_t>(sub * layout::FILM_CHANNELS + channel);
   const std::int64_t* at = &words[pixel * words_per_pixel() + sum * words_per_sum(kind)];
   return unit * (kind == FilmKind::splats ? value_of_splats(at) : value_of(film_bins(at[0], at[1])));
+}
+
+double FilmRows::own_sum(std::size_t pixel, int sub, int channel) const {
+  if (!has_own) return 0;
+  const auto sum = static_cast<std::size_t>(sub * layout::FILM_CHANNELS + channel);
+  const std::int64_t* at = &words[pixel * words_per_pixel() + words_of_sums() + sum * layout::FILM_SUM_WORDS];
+  return unit * value_of(film_bins(at[0], at[1]));
 }
 
 int FilmRows::sub_sum_samples(std::size_t pixel, int sub) const {
@@ -36,18 +48,25 @@ int FilmRows::sub_sum_samples(std::size_t pixel, int sub) const {
 void FilmRows::put_mean(std::size_t first, double paths, Image& image) const {
   const std::int64_t* pixel = words.data();
   float* out = &image.data[first * channels];
-  for (std::size_t at = 0; at < samples.size(); ++at, pixel += words_per_pixel(), out += channels) {
-    const double count = kind == FilmKind::splats ? paths : samples[at];
+  const bool has_splats = kind == FilmKind::splats;
+  const std::size_t step = words_per_pixel();
+  for (std::size_t at = 0; at < samples.size(); ++at, pixel += step, out += channels) {
+    const double count = has_splats ? paths : samples[at];
     if (!(count > 0)) continue;
-    const Totals total = kind == FilmKind::splats ? splats_of(pixel) : samples_of(pixel);
-    for (std::size_t channel = 0; channel < total.size(); ++channel)
-      out[channel] = static_cast<float>(total[channel] / count * unit);
+    Totals mean = has_splats ? splats_of(pixel) : samples_of(pixel);
+    for (double& value : mean) value /= count;
+    if (has_own && samples[at] > 0) {
+      const Totals total = samples_of(pixel + words_of_sums());
+      for (std::size_t channel = 0; channel < channels; ++channel) mean[channel] += total[channel] / samples[at];
+    }
+    for (std::size_t channel = 0; channel < channels; ++channel)
+      out[channel] = static_cast<float>(mean[channel] * unit);
   }
 }
 
 void FilmRows::put_squares(std::size_t first, Image& image) const {
   constexpr std::size_t per_sum = layout::FILM_SUM_WORDS;
-  const std::int64_t* sum = words.data() + static_cast<std::size_t>(sums.count) * channels * per_sum;
+  const std::int64_t* sum = words.data() + words_of_sums();
   float* out = &image.data[first * channels];
   for (std::size_t at = 0; at < samples.size(); ++at, sum += words_per_pixel())
     for (std::size_t channel = 0; channel < channels; ++channel, ++out) {
@@ -56,11 +75,11 @@ void FilmRows::put_squares(std::size_t first, Image& image) const {
     }
 }
 
-FilmRows::Totals FilmRows::splats_of(const std::int64_t* pixel) const {
+FilmRows::Totals FilmRows::splats_of(const std::int64_t* first) const {
   constexpr std::size_t row = channels * layout::SPLAT_WORDS;
   std::array<std::int64_t, row> all{};
-  for (int sub = 0; sub < sums.count; ++sub, pixel += row)
-    for (std::size_t k = 0; k < row; ++k) all[k] += pixel[k];
+  for (int sub = 0; sub < sums.count; ++sub, first += row)
+    for (std::size_t k = 0; k < row; ++k) all[k] += first[k];
   Totals totals;
   for (std::size_t channel = 0; channel < totals.size(); ++channel)
     totals[channel] = value_of_splats(&all[channel * layout::SPLAT_WORDS]);

@@ -33,8 +33,12 @@ struct FilmShape {
   double unit = 1;       ///< Radiance that corresponds to 1 in the kernels.
   /// One sum more behind a pixel's sub-sums (cl/film/moments.h). Not of splats.
   bool has_squares = false;
+  /// Of splats: as many sums of FilmKind::pixels behind them, of the light that each pixel's own camera paths bring.
+  bool has_own = false;
 
   [[nodiscard]] std::size_t words_per_pixel() const;
+  /// Of a pixel's sub-sums, behind which the other sums are.
+  [[nodiscard]] std::size_t words_of_sums() const;
 };
 
 /// `height` rows. Shapes of words and samples as in FilmSums.
@@ -42,8 +46,11 @@ struct FilmRows : FilmShape {
   std::span<const std::int64_t> words;
   std::span<const int> samples;
 
-  /// The sum of the samples of a pixel in one sub-sum, in radiance. pixel: index along these rows.
+  /// The sum of the samples of a pixel in one sub-sum, in radiance; of splats without its own. pixel: index along these
+  /// rows.
   [[nodiscard]] double sub_sum(std::size_t pixel, int sub, int channel) const;
+  /// The same of its own camera paths; 0 where has_own is not set.
+  [[nodiscard]] double own_sum(std::size_t pixel, int sub, int channel) const;
   /// The number of those samples.
   [[nodiscard]] int sub_sum_samples(std::size_t pixel, int sub) const;
   /// The mean over all samples, which does not depend on their sub-sums, into the image from its pixel `first` on. A
@@ -54,8 +61,8 @@ struct FilmRows : FilmShape {
 
  private:
   using Totals = std::array<double, layout::FILM_CHANNELS>;
-  /// All sub-sums of a pixel together, whose words begin at `pixel`: of light paths, and of samples.
-  [[nodiscard]] Totals splats_of(const std::int64_t* pixel) const;
+  /// All sub-sums together, whose words begin at `first`: of light paths, and of samples.
+  [[nodiscard]] Totals splats_of(const std::int64_t* first) const;
   [[nodiscard]] Totals samples_of(const std::int64_t* pixel) const;
 };
 

@@ -26,7 +26,8 @@ constexpr std::size_t part_bytes = std::size_t{2} << 20;
 
 /// Memory takes most of the time of a picture of few samples, so the host keeps no copy of what the device has.
 FilmSums FilmRun::black_film() const {
-  FilmShape shape{state_.film_kind(), width_, height_, sums_, 0, state_.radiance_unit(), state_.has_squares()};
+  FilmShape shape{state_.film_kind(),   width_, height_, sums_, 0, state_.radiance_unit(), state_.has_squares(),
+                  state_.has_own_sums()};
   if (goal_.samples) shape.first_sample = goal_.samples->first;
   return FilmSums(shape, !is_one_band());
 }

@@ -81,10 +81,13 @@ struct Renderer::State {
   [[nodiscard]] FilmKind film_kind() const {
     return kinds::integrator(scene.integrator.name).from_lights ? FilmKind::splats : FilmKind::pixels;
   }
+  [[nodiscard]] bool has_own_sums() const { return kinds::integrator(scene.integrator.name).from_camera; }
   /// At the most: a film of one sum takes a part of the buffer.
   [[nodiscard]] std::size_t film_bytes_per_pixel() const {
-    const std::size_t sums = film_kind() == FilmKind::splats && !settings.estimate_error ? 1 : layout::FILM_SUBSUMS;
-    return sizeof(std::int64_t) * (sums + (has_squares() ? 1 : 0)) * layout::FILM_CHANNELS * words_per_sum(film_kind());
+    const int sums = film_kind() == FilmKind::splats && !settings.estimate_error ? 1 : layout::FILM_SUBSUMS;
+    FilmShape pixel{film_kind(), 1, 1, {}, 0, 1, has_squares(), has_own_sums()};
+    pixel.sums.count = sums;
+    return sizeof(std::int64_t) * pixel.words_per_pixel();
   }
 
   /// Behind the counters: how far each pixel has come.

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "image/metrics.h"
+#include "kinds/integrators.h"
 #include "render/renderer.h"
 #include "study/contact_sheet.h"
 #include "study/transformed.h"
@@ -30,10 +31,12 @@ Stress calm(const Stress& stress) {
   return reference;
 }
 
-/// What depends on no emitter is not divided.
-bool shows_light(const Scene& scene) {
+/// What the picture is divided by: a distance grows with the scene, light with the emitters, and what depends on
+/// neither stays.
+double unit_of(const Scene& scene, const Stress& stress) {
   const std::string& name = scene.integrator.name;
-  return name != "depth" && name != "normals" && name != "ao";
+  if (kinds::integrator(name).is_length) return stress.scale;
+  return name == "normals" || name == "ao" ? 1 : stress.light;
 }
 
 Image picture(const Device& device, const Scene& scene, Precision precision) {
@@ -78,8 +81,8 @@ StressStudy study_stress(const Device& device, const Scene& scene, const StressP
     std::vector<StressCell>& row = study.cells.emplace_back();
     for (const Stress& stress : all_stresses()) {
       Image image = picture(device, stressed(scene, stress), tier);
-      if (stress.light != 1 && shows_light(scene))
-        for (float& value : image.data) value = static_cast<float>(value / stress.light);
+      const double unit = unit_of(scene, stress);
+      for (float& value : image.data) value = static_cast<float>(value / unit);
       const double rmse = compare_images(image, references.at(calm(stress).text()), Metric::rmse);
       row.push_back({std::move(image), rmse});
       if (progress) progress(++done, total);

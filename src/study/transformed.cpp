@@ -21,6 +21,8 @@ void set_column(Transform& transform, std::size_t column, const Vec3& v) {
   transform.m[2][column] = v.z;
 }
 
+Rgb times(const Rgb& c, double factor) { return {factor * c.r, factor * c.g, factor * c.b}; }
+
 void mirror_orientation(Shape& shape) {
   const auto mirror = [](auto& geometry) { return kinds::mirror(geometry, flipped); };
   if (std::visit(mirror, shape.geometry) == kinds::Mirrored::flipped) shape.flip_normals = !shape.flip_normals;
@@ -31,12 +33,14 @@ void mirror_orientation(Shape& shape) {
 Scene with_places(Scene scene, const MapVec3& place, const MapVec3& vector) {
   for (Shape& shape : scene.shapes)
     std::visit([&](auto& geometry) { kinds::move(geometry, place, vector); }, shape.geometry);
-  for (Instance& instance : scene.instances) {
-    Transform& world = instance.world_from_group;
+  const auto move = [&](Transform& world) {
     for (const int column : {0, 1, 2})
       set_column(world, static_cast<std::size_t>(column), vector(world.column(column)));
     set_column(world, 3, place(world.translation()));
-  }
+  };
+  for (Instance& instance : scene.instances) move(instance.world_from_group);
+  for (Medium& medium : scene.media)
+    for (Volume* volume : {&medium.sigma_t, &medium.albedo, &medium.emission}) move(volume->world_from_cube);
   for (Light& light : scene.lights) kinds::move(light, place);
   set_column(scene.camera.world_from_camera, 3, place(scene.camera.world_from_camera.translation()));
   return scene;
@@ -57,6 +61,11 @@ Scene scaled(Scene scene, double factor) {
   camera.focus_distance *= factor;
   camera.near_clip *= factor;
   camera.far_clip *= factor;
+  scene.integrator.max_distance *= factor;
+  for (Medium& medium : scene.media) medium.sigma_t.value = times(medium.sigma_t.value, 1 / factor);
+  for (Material& material : scene.materials)
+    if (auto* relief = std::get_if<Relief>(&material.bsdf); relief != nullptr && relief->kind == Relief::Kind::heights)
+      relief->scale *= factor;
   return scene;
 }
 
@@ -66,7 +75,7 @@ Scene translated(Scene scene, const Vec3& by) {
 }
 
 Scene brightened(Scene scene, double factor) {
-  const auto brighten = [factor](Rgb& c) { c = {factor * c.r, factor * c.g, factor * c.b}; };
+  const auto brighten = [factor](Rgb& c) { c = times(c, factor); };
   const auto brighten_shapes = [&](std::vector<Shape>& shapes) {
     for (Shape& shape : shapes) {
       if (shape.radiance) brighten(*shape.radiance);
@@ -78,6 +87,7 @@ Scene brightened(Scene scene, double factor) {
   };
   brighten_shapes(scene.shapes);
   for (Light& light : scene.lights) brighten(kinds::light_colour(light));
+  for (Medium& medium : scene.media) brighten(medium.emission.value);
   return scene;
 }
 

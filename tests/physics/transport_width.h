@@ -282,7 +282,7 @@ inline std::vector<Triad> LANED(radiance_along)(const TierBuffers& buffers, cons
 inline std::vector<std::int64_t> LANED(splats_of)(const TierBuffers& buffers, std::uint32_t samples) {
   uint counters[COUNTERS] = {};
   std::vector<std::int64_t> words(FILM_SUBSUMS * FILM_CHANNELS * SPLAT_WORDS, 0);
-  const SplatFilm film{words.data(), 0, 0, 1, 1, FILM_SUBSUMS, nullptr};
+  const SplatFilm film{words.data(), 0, 0, 1, 1, FILM_SUBSUMS, FILM_SUBSUMS * FILM_CHANNELS * SPLAT_WORDS, nullptr};
   Scene scene = scene_of(buffers);
   scene.counters = counters;
   scene.splats = &film;

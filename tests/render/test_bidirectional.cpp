@@ -2,6 +2,7 @@
 // Paths from both ends (integrator bdpt) make the pictures that paths from the camera make, and those that paths from
 // the lights make: so the weights of all techniques sum to 1. The same bits however they are followed; what they cannot
 // do is refused.
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cstdlib>
 
@@ -153,6 +154,43 @@ TEST_CASE("the same bits by any lanes, launches and programs, from both ends") {
       CHECK(expected.error->rmse == found.error->rmse);
     }
   }
+}
+
+/// The mean over the pixels that have so many samples.
+double mean_of(const FilmState& state, const Image& picture, int samples) {
+  double sum = 0, count = 0;
+  for (std::size_t at = 0; at < state.film.samples.size(); ++at) {
+    if (state.film.samples[at] != samples) continue;
+    sum += static_cast<double>(picture.data[3 * at]);
+    ++count;
+  }
+  return sum / count;
+}
+
+TEST_CASE("a picture under way is as bright where a pixel has more samples") {
+  require_pocl_and_rusticl();
+  Scene scene = stage({Rectangle{{-50, -50, 0}, {100, 0, 0}, {0, 100, 0}}}, diffuse({0.8, 0.8, 0.8}));
+  add(scene, ConstantLight{{1, 1, 1}});
+  scene.integrator.name = "bdpt";
+  scene.film.width = scene.film.height = 256;
+  scene.sampler.kind = SamplerKind::sobol;
+  scene.sampler.sample_count = 1024;
+  FilmState state;
+  FilmKeeper keeper;
+  int least = 0, most = 0;
+  keeper.is_due = [&] { return least == 0 || least == most; };
+  keeper.keep = [&](FilmState now) {
+    state = std::move(now);
+    const auto [low, high] = std::minmax_element(state.film.samples.begin(), state.film.samples.end());
+    least = *low;
+    most = *high;
+  };
+  const auto goes_on = [&](const Progress&) { return least == 0 || least == most; };
+  static_cast<void>(Renderer(Device::open("pocl"), scene, {}).render(goes_on, {}, &keeper));
+  REQUIRE(least < most);
+  REQUIRE(least > 0);
+  const Image picture = state.film.mean();
+  CHECK(mean_of(state, picture, most) == Approx(mean_of(state, picture, least)).epsilon(0.03));
 }
 
 TEST_CASE("on a device that ends loops, from both ends, too") {

@@ -9,6 +9,7 @@
 #include "packing/cl_layout.h"
 #include "render/error_estimate.h"
 #include "render/film.h"
+#include "render/film_sum.h"
 
 namespace strahl::test {
 namespace {
@@ -16,15 +17,16 @@ namespace {
 constexpr int width = 13, height = 17, samples = 64;
 
 /// Words as kernels could have written them, of an even picture with noise.
-FilmSums noisy_film(FilmKind kind, SubSums sums) {
-  FilmSums film({kind, width, height, sums, 0, 2});
+FilmSums noisy_film(FilmKind kind, SubSums sums, bool has_own = false) {
+  FilmSums film({kind, width, height, sums, 0, 2, false, has_own});
   std::mt19937_64 random(5);
   const auto per_sum = words_per_sum(kind);
   for (std::size_t i = 0; i < film.words.size(); ++i) {
     const auto number = static_cast<std::int64_t>(random() % (1U << 28U)) + (1 << 28);
-    if (kind == FilmKind::pixels)
+    const std::size_t in_pixel = i % film.words_per_pixel();
+    if (in_pixel >= (kind == FilmKind::pixels ? 0 : film.words_of_sums()))
       film.words[i] = number << 2U | 1;  // Both words have two bits of the usual top, 5.
-    else if (i % per_sum == per_sum / 2)
+    else if (in_pixel % per_sum == per_sum / 2)
       film.words[i] = number;
   }
   std::fill(film.samples.begin(), film.samples.end(), samples);
@@ -60,9 +62,27 @@ void hold(const FilmSums& film) {
 TEST_CASE("two sequences, in parts") { hold(noisy_film(FilmKind::pixels, {layout::FILM_SUBSUMS, 2, 4})); }
 TEST_CASE("four sequences, in parts") { hold(noisy_film(FilmKind::pixels, {layout::FILM_SUBSUMS, 4, 0})); }
 TEST_CASE("replicates of splats, in parts") {
-  FilmSums film = noisy_film(FilmKind::splats, {layout::FILM_SUBSUMS, 4, 0});
-  for (std::size_t at = 0; at < film.samples.size(); ++at) film.samples[at] += static_cast<int>(at % 5);
-  hold(film);
+  for (const bool has_own : {false, true}) {
+    FilmSums film = noisy_film(FilmKind::splats, {layout::FILM_SUBSUMS, 4, 0}, has_own);
+    for (std::size_t at = 0; at < film.samples.size(); ++at) film.samples[at] += static_cast<int>(at % 5);
+    hold(film);
+  }
+}
+
+TEST_CASE("a pixel's own light is a mean over its own samples") {
+  FilmSums film({FilmKind::splats, 2, 1, {layout::FILM_SUBSUMS, 4, 0}, 0, 1, false, true});
+  film.samples = {8, 4};
+  const FilmBins one{FILM_USUAL_TOP, 1 << 20, 0};  // Bins begin at 2^-20.
+  for (std::size_t at = 0; at < 2; ++at)
+    for (int sub = 0; sub < layout::FILM_SUBSUMS; ++sub)
+      for (int sample = 0; sample < film.samples[at] / layout::FILM_SUBSUMS; ++sample)
+        film_add(&film.words[at * film.words_per_pixel() + film.words_of_sums() +
+                             static_cast<std::size_t>(sub * layout::FILM_CHANNELS * layout::FILM_SUM_WORDS)],
+                 one);
+  CHECK(film.mean().data == std::vector<float>{1, 0, 0, 1, 0, 0});
+  const std::optional<ErrorEstimate> told = estimate_error(film);
+  REQUIRE(told);
+  CHECK(told->rmse == 0);
 }
 
 TEST_CASE("one pixel with too few samples, and nothing is told") {

@@ -53,5 +53,24 @@ TEST_CASE("every stress, every tier") {
   CHECK(sheet.height > 4 * 30);
 }
 
+/// A scene whose numbers have lengths in them shows the same picture in any unit and place.
+void hold_in_double(const std::string& what, const Scene& scene) {
+  const Device device = Device::open("pocl", {true});
+  const StressStudy study = study_stress(device, scene, {});
+  for (std::size_t k = 0; k < all_stresses().size(); ++k) {
+    CAPTURE(what, all_stresses()[k].text());
+    CHECK(study.cells.back().at(k).rmse < 0.02);
+  }
+}
+
+TEST_CASE("media, heights and distances have units, too") {
+  require_pocl_and_rusticl();
+  hold_in_double("fog", small_scene(scene_folder / "media/fog.xml", 16, 12, 1));
+  hold_in_double("a candle", small_scene(scene_folder / "media/candle.xml", 16, 12, 1));
+  Scene depth = small_scene(scene_folder / "lecture/lit.xml", 16, 12, 1);
+  depth.integrator.name = "depth";
+  hold_in_double("depth", depth);
+}
+
 }  // namespace
 }  // namespace strahl::test
