@@ -28,6 +28,13 @@ void mirror_orientation(Shape& shape) {
   if (std::visit(mirror, shape.geometry) == kinds::Mirrored::flipped) shape.flip_normals = !shape.flip_normals;
 }
 
+/// Far off the ends of the axis are rounded, and the axis turns with them.
+void turn_reference(Cylinder& cylinder) {
+  if (cylinder.p0 == cylinder.p1) return;
+  const Vec3 axis = normalized(cylinder.p1 - cylinder.p0);
+  cylinder.reference = normalized(cylinder.reference - dot(cylinder.reference, axis) * axis);
+}
+
 }  // namespace
 
 Scene with_places(Scene scene, const MapVec3& place, const MapVec3& vector) {
@@ -70,8 +77,11 @@ Scene scaled(Scene scene, double factor) {
 }
 
 Scene translated(Scene scene, const Vec3& by) {
-  return with_places(
+  scene = with_places(
       std::move(scene), [&](const Vec3& p) { return p + by; }, [](const Vec3& v) { return v; });
+  for (Shape& shape : scene.shapes)
+    if (auto* cylinder = std::get_if<Cylinder>(&shape.geometry)) turn_reference(*cylinder);
+  return scene;
 }
 
 Scene brightened(Scene scene, double factor) {
