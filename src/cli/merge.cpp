@@ -109,7 +109,7 @@ Command add_merge(CLI::App& app, const Invocation& invocation) {
   app.add_option("--error-map", options->error_map, "Standard error of each pixel, as of `render`")->type_name("FILE");
   require_between(app.add_option("--exposure", options->png.exposure, "PNG: brighter by so many stops"), -64, 64)
       ->type_name("STOPS");
-  app.add_option("--png-bits", options->png.bits, "PNG: 8 or 16 bits a channel")
+  require_whole(app.add_option("--png-bits", options->png.bits, "PNG: 8 or 16 bits a channel"))
       ->type_name("N")
       ->check(CLI::IsMember({8, 16}))
       ->capture_default_str();

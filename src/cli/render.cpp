@@ -288,7 +288,7 @@ void add_output_options(CLI::App& app, RenderOptions& options) {
   require_between(app.add_option("--exposure", options.png.exposure, "PNG: brighter by so many stops"), -64, 64)
       ->type_name("STOPS")
       ->group(group);
-  app.add_option("--png-bits", options.png.bits, "PNG: 8 or 16 bits a channel")
+  require_whole(app.add_option("--png-bits", options.png.bits, "PNG: 8 or 16 bits a channel"))
       ->type_name("N")
       ->check(CLI::IsMember({8, 16}))
       ->capture_default_str()
