@@ -3,12 +3,14 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/distinct_files.h"
+#include "cli/number_options.h"
 #include "cli/output_file.h"
 #include "cli/progress_bar.h"
 #include "cli/scene_options.h"
@@ -50,7 +52,9 @@ struct BenchOptions {
 Scene scene_of(const std::string& name) {
   if (name.find_first_of("./") == std::string::npos) return generated_scene(name);
   Scene scene = load_scene(name).scene;
-  if (scene.lights.empty()) {  // Shadow rays need one: over the camera's right shoulder.
+  const auto is_point = [](const Light& light) { return std::holds_alternative<PointLight>(light.emitter); };
+  // Shadow rays go to a point: where no light is one, over the camera's right shoulder.
+  if (std::none_of(scene.lights.begin(), scene.lights.end(), is_point)) {
     const Transform& camera = scene.camera.world_from_camera;
     scene.lights.push_back({"", PointLight{camera.point({-1, 1, 0})}, {}});
   }
@@ -192,7 +196,8 @@ ExitCode bench(const BenchOptions& options) {
                           [&bar](int done, int total) { bar.show(static_cast<double>(done) / total, "measuring"); });
   }
   if (options.json != "-") print(table(result, base));
-  if (!options.json.empty()) write_text(options.json, json_of(result).dump(2) + "\n");
+  if (!options.json.empty())
+    write_text(options.json, json_of(result).dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
   return ExitCode::ok;
 }
 
@@ -207,8 +212,8 @@ Command add_bench(CLI::App& app) {
   app.add_option("--json", options->json, "The numbers for programs; - for standard output, in place of the table")
       ->type_name("FILE");
   app.add_option("--compare", options->compare, "An earlier --json: how many times as fast")->type_name("FILE");
-  app.add_option("--pixels", options->pixels,
-                 "The picture's side; default: what the device does in an eighth of a second")
+  require_whole(app.add_option("--pixels", options->pixels,
+                               "The picture's side; default: what the device does in an eighth of a second"))
       ->type_name("N")
       ->check(CLI::Range(16, 8192).description(""));
   app.add_flag("--tune", options->tune,

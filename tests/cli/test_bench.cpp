@@ -78,3 +78,15 @@ TEST_CASE("what cannot be compared is said before anything is measured") {
   CHECK(folder.run({"bench", "--scene", "missing.ply"}).code == 3);
   CHECK(folder.run({"bench", "--json", "nowhere/a.json"}).code == 1);
 }
+
+TEST_CASE("a scene whose lights are no points gets a lamp for its shadow rays; a name that is no UTF-8 is told") {
+  const Folder folder;
+  const std::string room = "r\xfcm.xml";  // ISO 8859-1
+  std::filesystem::copy_file(STRAHL_SOURCE_DIR "/scenes/cornell/cornell-box.xml", folder.path(room));
+  const Outcome outcome = folder.run({"bench", "-d", "pocl", "--scene", room, "--pixels", "32", "--json", "a.json"});
+  INFO(outcome.err);
+  REQUIRE(outcome.code == 0);
+  const json numbers = json::parse(read_text(folder.path("a.json")));
+  CHECK(numbers["rays"]["shadow"] > 100);
+  CHECK(numbers["scene"] == "r\uFFFDm");
+}
