@@ -64,3 +64,28 @@ TEST_CASE("a second signal ends the process, but one that the caller ignores nev
   CHECK(outcome.code == 130);
   CHECK(strahl::read_image(folder.path("out.exr")).width == 256);
 }
+
+TEST_CASE("a frame under way ends as soon as a picture does, and says so") {
+  const Folder folder;
+  folder.file("scene.xml", glowing_sphere);
+  std::chrono::steady_clock::time_point sent;
+  const Outcome outcome = folder.run(
+      {"scene.xml", "--frames", "9", "--time", "60s", "-o", "f.exr", "--stats", "f.json", "--dump-kernel", "kernel.cl"},
+      {}, [&](pid_t child) {
+        using namespace std::chrono_literals;
+        for (int wait = 0; wait < 600 && !std::filesystem::exists(folder.path("kernel.cl")); ++wait)
+          std::this_thread::sleep_for(100ms);
+        std::this_thread::sleep_for(1s);
+        sent = std::chrono::steady_clock::now();
+        kill(child, SIGINT);
+      });
+  CHECK(std::chrono::duration<double>(std::chrono::steady_clock::now() - sent).count() < 5);
+  INFO(outcome.err);
+  CHECK(outcome.code == 130);
+  CHECK(contains(outcome.err, "f.0001.exr: interrupted"));
+  CHECK(folder.files() == std::vector<std::string>{"f.0001.exr", "f.json", "kernel.cl", "scene.xml"});
+  const strahl::Image frame = strahl::read_image(folder.path("f.0001.exr"));
+  CHECK(frame.at(16, 12, 0) == Approx(4));
+  CHECK(frame.metadata.count("incomplete") == 1);
+  CHECK(contains(read_text(folder.path("f.json")), "\"frames\": []"));
+}
