@@ -15,7 +15,7 @@ struct Billed {
   int width = 0, height = 0;
   bool complete = true;
   bool is_open = false;  ///< Time or error were to end it: no number of samples is the whole.
-  int png_bits = 0;  ///< 0 where the file keeps floats.
+  int png_bits = 0;      ///< 0 where the file keeps floats.
   Clipping clipping;
 };
 

@@ -63,8 +63,9 @@ class Renderer {
   /// out once the program is built.
   static void require_samples(const Scene& scene, const RenderSettings& settings, const RenderGoal& goal);
 
-  /// Each call renders the picture from the start. Throws as require_samples, NoDeviceError where the device ends loops before a sample is done (RenderSettings::loop_turns). keeper: gets the
-  /// film now and then, or gives one to go on from; InputError where that is of another picture.
+  /// Each call renders the picture from the start. Throws as require_samples, NoDeviceError where the device ends loops
+  /// before a sample is done (RenderSettings::loop_turns). keeper: gets the film now and then, or gives one to go on
+  /// from; InputError where that is of another picture.
   [[nodiscard]] RenderResult render(const ProgressCallback& progress = {}, const RenderGoal& goal = {},
                                     const FilmKeeper* keeper = nullptr);
 
