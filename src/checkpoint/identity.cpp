@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <map>
 
 #include "errors.h"
 #include "opencl/program.h"
@@ -43,6 +44,15 @@ std::string hash_of_kernels() {
 std::string sorted_list(std::vector<std::string> values) {
   std::sort(values.begin(), values.end());
   return values.empty() ? "none" : fmt::format("{}", fmt::join(values, ", "));
+}
+
+/// Of several values of a name the last holds, as in the scene.
+std::string define_list(const std::vector<std::string>& defines) {
+  std::map<std::string, std::string> last;
+  for (const std::string& define : defines) last[define.substr(0, define.find('='))] = define;
+  std::vector<std::string> effective;
+  for (const auto& [name, define] : last) effective.push_back(define);
+  return sorted_list(std::move(effective));
 }
 
 std::string aov_list(const RenderSettings& settings) {
@@ -85,7 +95,7 @@ PictureIdentity identity_of(const Device& device, const Renderer& renderer, cons
   for (std::size_t i = 0; i < scene.files.size(); ++i)
     add(fmt::format("the hash of file {}", i + 1), hash_of_file(scene.files[i]),
         fmt::format(" ({})", fs::path(scene.files[i]).filename().string()));
-  add("-D", sorted_list(defines));
+  add("-D", define_list(defines));
   add("the integrator", scene.integrator.name);
   add("the greatest depth", fmt::format("{}", scene.integrator.max_depth));
   add("the sampler", sampler_name(sampling.kind));

@@ -76,6 +76,22 @@ void refuse_empty_values(CLI::App& command) {
     if (option->get_items_expected_min() > 0) option->check(fault, "");
 }
 
+/// Of an option whose value may be left out, CLI11 takes whatever word comes next for it, the scene too. Here the next
+/// word is the value where it is one of those that the option knows; otherwise the option's default is.
+void bind_optional_values(std::vector<std::string>& arguments, CLI::App& command) {
+  for (std::size_t i = 1; i < arguments.size() && arguments[i] != "--"; ++i) {
+    if (!arguments[i].starts_with("--")) continue;
+    CLI::Option* option = command.get_option_no_throw(arguments[i]);
+    if (option == nullptr || option->get_items_expected_min() != 0 || option->get_items_expected_max() != 1) continue;
+    std::string value = option->get_default_str();
+    if (i + 1 < arguments.size() && (*option->get_validator(0))(arguments[i + 1]).empty()) {
+      value = arguments[i + 1];
+      arguments.erase(arguments.begin() + static_cast<std::ptrdiff_t>(i) + 1);
+    }
+    arguments[i] += "=" + value;
+  }
+}
+
 }  // namespace
 
 ExitCode run(std::vector<std::string> arguments, const Invocation& invocation) {
@@ -90,7 +106,7 @@ ExitCode run(std::vector<std::string> arguments, const Invocation& invocation) {
   app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
 
   std::vector<std::string> names;
-  std::vector<std::pair<const CLI::App*, Command>> commands;
+  std::vector<std::pair<CLI::App*, Command>> commands;
   const auto add = [&](const char* name, const char* description, const auto& declare) {
     CLI::App* sub = app.add_subcommand(name, description);
     commands.emplace_back(sub, declare(*sub));
@@ -113,6 +129,8 @@ ExitCode run(std::vector<std::string> arguments, const Invocation& invocation) {
 
   if (arguments.empty()) throw UsageError("nothing to do: name a scene or a command; `strahl --help` shows which");
   insert_default_command(arguments, names);
+  for (const auto& [command, run_it] : commands)
+    if (command->get_name() == arguments.front()) bind_optional_values(arguments, *command);
   try {
     std::reverse(arguments.begin(), arguments.end());  // CLI11 takes them from the back.
     app.parse(arguments);

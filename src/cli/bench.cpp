@@ -3,12 +3,14 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/distinct_files.h"
+#include "cli/number_options.h"
 #include "cli/output_file.h"
 #include "cli/progress_bar.h"
 #include "cli/scene_options.h"
@@ -50,7 +52,9 @@ struct BenchOptions {
 Scene scene_of(const std::string& name) {
   if (name.find_first_of("./") == std::string::npos) return generated_scene(name);
   Scene scene = load_scene(name).scene;
-  if (scene.lights.empty()) {  // Shadow rays need one: over the camera's right shoulder.
+  const auto is_point = [](const Light& light) { return std::holds_alternative<PointLight>(light.emitter); };
+  // Shadow rays go to a point: where no light is one, over the camera's right shoulder.
+  if (std::none_of(scene.lights.begin(), scene.lights.end(), is_point)) {
     const Transform& camera = scene.camera.world_from_camera;
     scene.lights.push_back({"", PointLight{camera.point({-1, 1, 0})}, {}});
   }
@@ -66,7 +70,8 @@ Json json_of(const DeviceBench& bench) {
           {"mrays", bench.mrays},
           {"bandwidth", {{"read", bench.bandwidth.read}, {"copy", bench.bandwidth.copy}}},
           {"tree_seconds", bench.tree_seconds},
-          {"program_seconds", bench.program_seconds}};
+          {"program_seconds", bench.program_seconds},
+          {"program_from_cache", bench.program_from_cache}};
 }
 
 /// An earlier --json, or nothing.
@@ -90,6 +95,13 @@ class Base {
   }
   [[nodiscard]] bool is_there() const { return !path_.empty(); }
   [[nodiscard]] const std::string& device() const { return device_; }
+
+  /// As ratio, of two programs that were both built or both loaded from the cache.
+  [[nodiscard]] std::string program_ratio(const std::string& tier, double value, bool from_cache) const {
+    const auto at = Json::json_pointer("/program_from_cache/" + tier);
+    if (path_.empty() || !json_.contains(at) || json_.at(at) != from_cache) return {};
+    return ratio("/program_seconds/" + tier, value, false);
+  }
 
   /// "x1.25": times as fast; empty where the base has no such number.
   [[nodiscard]] std::string ratio(const std::string& pointer, double value, bool larger_is_better) const {
@@ -134,9 +146,14 @@ std::string table(const DeviceBench& bench, const Base& base) {
   cells.clear();
   for (const std::string& tier : bench.tiers) {
     const double value = bench.program_seconds.at(tier);
-    cells.emplace_back(fmt::format("{:.2f}", value), base.ratio("/program_seconds/" + tier, value, false));
+    cells.emplace_back(fmt::format("{:.2f}", value),
+                       base.program_ratio(tier, value, bench.program_from_cache.at(tier)));
   }
   text += row("program, s", cells, compared);
+  cells.clear();
+  for (const std::string& tier : bench.tiers)
+    cells.emplace_back(bench.program_from_cache.at(tier) ? "loaded" : "built", "");
+  text += row("", cells, compared);
   text += row("tree, s",
               {{fmt::format("{:.3f}", bench.tree_seconds), base.ratio("/tree_seconds", bench.tree_seconds, false)}},
               compared);
@@ -159,7 +176,7 @@ std::string tuned_table(const Device& device, const std::vector<TunedTier>& tier
       text += fmt::format(" {:>3}: {:.2f}{}", width, mrays, width == tier.best ? "*" : " ");
     text += "\n";
   }
-  return text + "* remembered for this device and driver; strahl devices --clear-cache forgets\n";
+  return text + "* the fastest\n";
 }
 
 ExitCode tune_device(const BenchOptions& options) {
@@ -171,8 +188,9 @@ ExitCode tune_device(const BenchOptions& options) {
     tiers = tune(device, scene, options.pixels,
                  [&bar](int done, int total) { bar.show(static_cast<double>(done) / total, "measuring"); });
   }
-  for (const TunedTier& tier : tiers) remember_width(device, tier.precision, tier.best);
   print(tuned_table(device, tiers));
+  for (const TunedTier& tier : tiers) remember_width(device, tier.precision, tier.best);
+  print("remembered for this device and driver; strahl devices --clear-cache forgets\n");
   return ExitCode::ok;
 }
 
@@ -192,7 +210,8 @@ ExitCode bench(const BenchOptions& options) {
                           [&bar](int done, int total) { bar.show(static_cast<double>(done) / total, "measuring"); });
   }
   if (options.json != "-") print(table(result, base));
-  if (!options.json.empty()) write_text(options.json, json_of(result).dump(2) + "\n");
+  if (!options.json.empty())
+    write_text(options.json, json_of(result).dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
   return ExitCode::ok;
 }
 
@@ -207,8 +226,8 @@ Command add_bench(CLI::App& app) {
   app.add_option("--json", options->json, "The numbers for programs; - for standard output, in place of the table")
       ->type_name("FILE");
   app.add_option("--compare", options->compare, "An earlier --json: how many times as fast")->type_name("FILE");
-  app.add_option("--pixels", options->pixels,
-                 "The picture's side; default: what the device does in an eighth of a second")
+  require_whole(app.add_option("--pixels", options->pixels,
+                               "The picture's side; default: what the device does in an eighth of a second"))
       ->type_name("N")
       ->check(CLI::Range(16, 8192).description(""));
   app.add_flag("--tune", options->tune,

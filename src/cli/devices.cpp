@@ -102,7 +102,8 @@ ExitCode devices(const DevicesOptions& options) {
     const std::string directory = program_cache_directory();
     const std::size_t removed = clear_program_cache();
     if (options.json)
-      print(Json{{"removed", removed}, {"directory", directory}}.dump(2) + "\n");
+      print(Json{{"removed", removed}, {"directory", directory}}.dump(2, ' ', false, Json::error_handler_t::replace) +
+            "\n");
     else
       print(fmt::format("removed {} cached program{} from {}\n", removed, removed == 1 ? "" : "s", directory));
     return ExitCode::ok;

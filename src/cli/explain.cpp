@@ -13,6 +13,7 @@
 #include "cli/console.h"
 #include "cli/integrators_text.h"
 #include "cli/kernel_options.h"
+#include "cli/number_options.h"
 #include "cli/progress_bar.h"
 #include "cli/scene_options.h"
 #include "cli/scene_overrides.h"
@@ -241,26 +242,29 @@ Command add_explain(CLI::App& app) {
           ->expected(0, 1)
           ->default_str("both")
           ->check(CLI::IsMember({"both", "effects", "integrators"}).description(""));
-  app.add_option("--rounds", options->rounds, "Builds of every program, and a third of the frames")
+  require_whole(app.add_option("--rounds", options->rounds, "Builds of every program, and a third of the frames"))
       ->needs(cost)
       ->type_name("N")
       ->capture_default_str()
       ->check(CLI::Range(1, 100).description(""));
-  app.add_option("--pilot", options->pilot_seconds, "Seconds of each integrator's pilot, building aside")
+  require_between(
+      app.add_option("--pilot", options->pilot_seconds, "Seconds of each integrator's pilot, building aside"), 0.01,
+      3600)
       ->needs(cost)
       ->type_name("SECONDS")
-      ->capture_default_str()
-      ->check(CLI::Range(0.01, 3600.0).description(""));
+      ->capture_default_str();
   app.add_option("--among", options->among, "Integrators to compare; all of light transport by default")
       ->needs(cost)
       ->type_name("NAME,...")
       ->delimiter(',')
+      ->allow_extra_args(false)
       ->check(CLI::IsMember(kinds::integrator_names()).description(""));
-  app.add_option("--error-share", options->error_share, "The error that integrators are compared at, over the mean")
+  require_between(app.add_option("--error-share", options->error_share,
+                                 "The error that integrators are compared at, over the mean"),
+                  1e-6, 1)
       ->needs(cost)
       ->type_name("SHARE")
-      ->capture_default_str()
-      ->check(CLI::Range(1e-6, 1.0).description(""));
+      ->capture_default_str();
   add_scene_overrides(app, options->overrides);
   add_kernel_options(app, options->kernel);
   add_program_options(app, options->kernel);

@@ -28,7 +28,8 @@ void add_goal_options(CLI::App& app, GoalOptions& options) {
   CLI::Option* dry_run =
       app.add_flag("--dry-run", options.dry_run, "Predict time and error from a short pilot; write no picture")
           ->group(group);
-  app.add_option("--frames", options.frames, "Render so many pictures, seeds one after the other; needs --time")
+  require_whole(
+      app.add_option("--frames", options.frames, "Render so many pictures, seeds one after the other; needs --time"))
       ->type_name("N")
       ->check(CLI::Range(1, 1000000).description(""))
       ->needs(time)

@@ -12,8 +12,12 @@ constexpr std::array signals{SIGINT, SIGTERM, SIGHUP};
 
 extern "C" void remember_signal(int signal) {
   received_signal = signal;
-  // Whichever comes next ends the process.
-  for (const int one : signals) std::signal(one, SIG_DFL);
+  // Whichever comes next ends the process; one that the caller ignores stays ignored.
+  for (const int one : signals) {
+    struct sigaction current {};
+    sigaction(one, nullptr, &current);
+    if (current.sa_handler == remember_signal) std::signal(one, SIG_DFL);
+  }
 }
 
 extern "C" void remember_snapshot(int /*signal*/) { is_snapshot_wanted = 1; }
@@ -29,6 +33,18 @@ void install(int signal, void (*handler)(int), struct sigaction& old) {
 }
 
 }  // namespace
+
+void block_ignored_signals() {
+  sigset_t ignored;
+  sigemptyset(&ignored);
+  for (const int one : signals) {
+    struct sigaction current {};
+    sigaction(one, nullptr, &current);
+    if (current.sa_handler == SIG_IGN) sigaddset(&ignored, one);
+  }
+  // Threads that are begun later inherit it.
+  sigprocmask(SIG_BLOCK, &ignored, nullptr);
+}
 
 InterruptGuard::InterruptGuard() {
   received_signal = 0;

@@ -10,6 +10,11 @@
 
 namespace strahl::cli {
 
+/// Once, before a driver is loaded: of the signals of InterruptGuard those that the caller ignores (nohup) stay without
+/// effect. To ignore them is not enough, for the compiler in a driver (LLVM) has its own handlers for all of them, and
+/// they end the process.
+void block_ignored_signals();
+
 /// While one lives, the first SIGINT, SIGTERM or SIGHUP is only remembered; the next one ends the process, as it would
 /// without this. A signal that the caller ignores (nohup) stays ignored. One at a time.
 class InterruptGuard {

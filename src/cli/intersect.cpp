@@ -12,6 +12,7 @@
 #include "cli/console.h"
 #include "cli/distinct_files.h"
 #include "cli/kernel_options.h"
+#include "cli/number_options.h"
 #include "cli/output_file.h"
 #include "cli/process_clock.h"
 #include "cli/ray_matrix.h"
@@ -114,7 +115,7 @@ Command add_intersect(CLI::App& app, const Invocation& invocation) {
   app.add_flag("--any-hit", options->any_hit, "Only whether something is hit: t is 0 then, ids stay -1");
   app.add_flag("--coherent", options->coherent,
                "A hint that neighbouring rays are alike; the hits do not depend on it");
-  app.add_option("--repeat", options->repeat, "Trace N times; seconds.kernel of --stats is the median")
+  require_whole(app.add_option("--repeat", options->repeat, "Trace N times; seconds.kernel of --stats is the median"))
       ->type_name("N")
       ->check(CLI::Range(1, 1000000).description(""));
   app.add_option("--stats", options->stats, "Time and memory as JSON; - for standard output")->type_name("FILE");

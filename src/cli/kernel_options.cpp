@@ -8,6 +8,7 @@
 #include <charconv>
 #include <limits>
 
+#include "cli/number_options.h"
 #include "errors.h"
 #include "program/disabled.h"
 #include "program/program_text.h"
@@ -38,16 +39,18 @@ void add_kernel_options(CLI::App& app, KernelOptions& options) {
       ->check(CLI::IsMember({"fast", "stable", "robust", "double"}))
       ->default_str("robust")
       ->group(how_computed);
-  app.add_option("--lanes", options.lanes,
-                 "Primitives tested at a time: 1, 8 or 16 (double: 1 or 8); default: what fits the device; the "
-                 "results do not change")
+  require_whole(
+      app.add_option("--lanes", options.lanes,
+                     "Primitives tested at a time: 1, 8 or 16 (double: 1 or 8); default: what fits the device; the "
+                     "results do not change"))
       ->type_name("N")
       ->check(CLI::IsMember({1, 8, 16}))
       ->group(how_computed);
-  app.add_option(
-         "--bvh-width", options.bvh_width,
-         "Children of a tree's node: 16 or 8, tested at a time together with as many primitives, or 4 or 2, one "
-         "after the other (double: up to 8); default: what fits the device; the results do not change")
+  require_whole(
+      app.add_option(
+          "--bvh-width", options.bvh_width,
+          "Children of a tree's node: 16 or 8, tested at a time together with as many primitives, or 4 or 2, one "
+          "after the other (double: up to 8); default: what fits the device; the results do not change"))
       ->type_name("N")
       ->check(CLI::IsMember({2, 4, 8, 16}))
       ->group(how_computed);
@@ -115,8 +118,9 @@ void add_launch_options(CLI::App& app, KernelOptions& options) {
                  "rendered in bands, a scene that does not is refused; the picture does not change")
       ->type_name("BYTES")
       ->group(how_computed);
-  app.add_option("--passes", options.passes,
-                 "Split the samples into N launches; default: by measured time; the picture does not change")
+  require_whole(
+      app.add_option("--passes", options.passes,
+                     "Split the samples into N launches; default: by measured time; the picture does not change"))
       ->type_name("N")
       ->check(CLI::Range(1, std::numeric_limits<int>::max()).description(""))
       ->group(how_computed);

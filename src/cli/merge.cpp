@@ -50,6 +50,16 @@ void require_outputs(const MergeOptions& options) {
   if (!options.error_map.empty()) static_cast<void>(image_format(options.error_map));
 }
 
+/// The layers that a picture that is no .exr has beside it, which only the parts know.
+void require_distinct_layers(const MergeOptions& options, const std::vector<std::string>& layers) {
+  if (image_format(options.output) == ImageFormat::exr) return;
+  std::vector<NamedFile> outputs{{"-o", options.output}, {"--error-map", options.error_map}}, inputs;
+  for (const std::string& layer : layers)
+    outputs.push_back({"the picture of the AOV " + layer, path_beside(options.output, layer)});
+  for (const std::string& part : options.parts) inputs.push_back({"a part", part});
+  require_distinct(outputs, inputs);
+}
+
 RenderResult result_of(const Checkpoint& sum) {
   for (const std::string& aov : sum.header.aovs)
     if (aov == "numeric_error")
@@ -86,6 +96,7 @@ ExitCode merge(const MergeOptions& options, const Invocation& invocation) {
   const bool is_part = is_checkpoint(options.output);
   if (is_part && !options.error_map.empty())
     throw UsageError("--error-map is of a picture; name one with -o (.exr, .png or .pfm)");
+  if (!is_part) require_distinct_layers(options, read_checkpoint_header(options.parts.front()).aovs);
   const Checkpoint sum = merged(options.parts, !is_part);
   if (!is_part) {
     write_picture(options, sum, invocation);
@@ -109,7 +120,7 @@ Command add_merge(CLI::App& app, const Invocation& invocation) {
   app.add_option("--error-map", options->error_map, "Standard error of each pixel, as of `render`")->type_name("FILE");
   require_between(app.add_option("--exposure", options->png.exposure, "PNG: brighter by so many stops"), -64, 64)
       ->type_name("STOPS");
-  app.add_option("--png-bits", options->png.bits, "PNG: 8 or 16 bits a channel")
+  require_whole(app.add_option("--png-bits", options->png.bits, "PNG: 8 or 16 bits a channel"))
       ->type_name("N")
       ->check(CLI::IsMember({8, 16}))
       ->capture_default_str();

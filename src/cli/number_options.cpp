@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <optional>
@@ -37,6 +38,18 @@ CLI::Option* require_positive(CLI::Option* option) {
 CLI::Option* require_between(CLI::Option* option, double least, double most) {
   return require(option, fmt::format("a number from {} to {}", least, most),
                  [least, most](double value) { return value >= least && value <= most; });
+}
+
+CLI::Option* require_whole(CLI::Option* option) {
+  // CLI11 takes a leading 0 for the sign of an octal number, and 0x for one of a hexadecimal.
+  const auto as_decimal = [](std::string& text) {
+    const std::size_t sign = text.starts_with('-') || text.starts_with('+') ? 1 : 0;
+    if (sign == text.size() || text.find_first_not_of("0123456789", sign) != std::string::npos)
+      return fmt::format("must be a whole number, not \"{}\"", text);
+    text.erase(sign, std::min(text.find_first_not_of('0', sign), text.size() - 1) - sign);
+    return std::string();
+  };
+  return option->transform(CLI::Validator(as_decimal, ""));
 }
 
 }  // namespace strahl::cli

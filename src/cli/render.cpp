@@ -109,7 +109,13 @@ void say_summary(const RenderOptions& options, const std::string& picture, const
   if (options.scene.verbose) say(kernel_summary(result.stats));
   if (options.scene.quiet) return;
   const int bits = !picture.empty() && image_format(picture) == ImageFormat::png ? options.png.bits : 0;
-  const Billed billed{picture, result.color.width, result.color.height, result.complete, bits, clipping};
+  const Billed billed{picture,
+                      result.color.width,
+                      result.color.height,
+                      result.complete,
+                      options.goal.time || options.goal.max_error,
+                      bits,
+                      clipping};
   say(options.brief ? brief_bill(result.stats, billed) : bill(result.stats, billed));
 }
 
@@ -219,6 +225,7 @@ ExitCode render(const RenderOptions& options, const Invocation& invocation) {
   const ResolvedSampling sampling = resolve_sampling(scene);
   // A large scene should not be there twice where nothing is counted.
   const Scene counted = options.stats_detail ? scene : Scene{};
+  Renderer::require_samples(scene, settings, goal_of(options, invocation, 0));
   Renderer renderer(device, std::move(scene), settings);
   const std::vector<Device> devices = share(renderer, device, selectors, needs, options.kernel, settings);
   if (!options.dump_kernel.empty()) write_text(options.dump_kernel, renderer.program_text());
@@ -288,7 +295,7 @@ void add_output_options(CLI::App& app, RenderOptions& options) {
   require_between(app.add_option("--exposure", options.png.exposure, "PNG: brighter by so many stops"), -64, 64)
       ->type_name("STOPS")
       ->group(group);
-  app.add_option("--png-bits", options.png.bits, "PNG: 8 or 16 bits a channel")
+  require_whole(app.add_option("--png-bits", options.png.bits, "PNG: 8 or 16 bits a channel"))
       ->type_name("N")
       ->check(CLI::IsMember({8, 16}))
       ->capture_default_str()

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <vector>
@@ -47,6 +48,7 @@ ExitCode render_frames(Renderer& renderer, const RenderOptions& options, const P
   std::vector<double> seconds;
   int late = 0, black = 0;
   RunStats all;
+  std::string interrupted;
   ProgressBar bar("frames", !options.scene.quiet && !options.scene.no_progress);
   for (int frame = 0; frame < *options.goal.frames && !guard.interrupted(); ++frame) {
     RenderGoal goal;
@@ -60,10 +62,19 @@ ExitCode render_frames(Renderer& renderer, const RenderOptions& options, const P
     const RenderResult result = renderer.render(
         [&](const Progress&) {
           if (watchdog) watchdog->fed();
-          return true;
+          return !guard.interrupted();
         },
         goal);
     watchdog.reset();
+    PictureFiles one = files;
+    one.path = frame_path(files.path, frame + 1);
+    std::map<std::string, std::string> metadata{{"Software", "strahl " STRAHL_VERSION}, {"scene", options.scene.path}};
+    if (!result.complete) {  // As any interrupted picture; it is none of the frames that times are told of.
+      metadata["incomplete"] = "interrupted";
+      static_cast<void>(write(one, result, metadata, true));
+      interrupted = one.path;
+      break;
+    }
     seconds.push_back(std::chrono::duration<double>(Clock::now() - start).count());
     if (seconds.back() > late_seconds(time)) ++late;
     if (result.stats.least_spp == 0) ++black;
@@ -74,23 +85,21 @@ ExitCode render_frames(Renderer& renderer, const RenderOptions& options, const P
     if (!options.stats.empty())
       frames.push_back({seconds.back(), result.stats.least_spp, result.stats.most_spp,
                         result.error ? std::optional(result.error->rmse) : std::nullopt});
-    PictureFiles one = files;
-    one.path = frame_path(files.path, frame + 1);
-    static_cast<void>(
-        write(one, result, {{"Software", "strahl " STRAHL_VERSION}, {"scene", options.scene.path}}, true));
+    static_cast<void>(write(one, result, metadata, true));
     bar.show(static_cast<double>(frame + 1) / *options.goal.frames, one.path);
   }
-  if (seconds.empty()) return guard.exit_code();
   warn_of_samples(all);
   const int count = static_cast<int>(seconds.size());
   if (!options.stats.empty())
     write_text(
         options.stats,
         nlohmann::ordered_json{{"time", time}, {"in_time", count - late}, {"frames", json_of(frames)}}.dump(2) + "\n");
-  if (!options.scene.quiet)
+  if (!options.scene.quiet && count > 0)
     say(fmt::format("{} of {} frames within {}: median {:.1f} ms, longest {:.1f} ms · {} …", count - late, count,
                     *options.goal.time, 1e3 * median(seconds), 1e3 * *std::max_element(seconds.begin(), seconds.end()),
                     frame_path(files.path, 1)));
+  if (!options.scene.quiet && !interrupted.empty())
+    say(fmt::format("{}: interrupted, with the samples so far", interrupted));
   if (guard.interrupted()) return guard.exit_code();
   if (black > 0)
     say(fmt::format("strahl: --time {}: in {} of {} frames some pixels have no sample and are black",

@@ -5,6 +5,9 @@
 
 #include <algorithm>
 
+#include "cli/summary.h"
+#include "render/pass_plan.h"
+
 namespace strahl::cli {
 double latest_seconds(double time) { return time + std::max(0.02 * time, 0.02); }
 
@@ -46,13 +49,13 @@ std::optional<std::string> missed_goal(const RenderOptions& options, const Rende
       return fmt::format("--time {}: finished after {:.3f} s; at least {:.2f} s are needed", *options.goal.time,
                          s.total, s.total - s.kernel + 1.1 * sample);
   }
-  if (options.goal.max_error && result.ending != Ending::error) {
-    if (!stats.error) return std::string("--max-error: not known with fewer than 4 samples in a pixel");
-    return fmt::format("--max-error {}: {:.2g} when the {} ended it", *options.goal.max_error, stats.error->noise.rmse,
-                       result.ending == Ending::deadline  ? "time"
-                       : result.ending == Ending::samples ? "number of samples"
-                                                          : "interrupt");
-  }
+  if (!options.goal.max_error) return std::nullopt;
+  // Whatever ended it, between two looks or before the first one: the picture that there is counts.
+  if (!stats.error) return fmt::format("--max-error {}: not known, {}", *options.goal.max_error, why_no_error(stats));
+  if (!is_reached(stats.error->noise, *options.goal.max_error))
+    return fmt::format("--max-error {}: {:.2g} (95 %: up to {:.2g}) when the {} ended it", *options.goal.max_error,
+                       stats.error->noise.rmse, stats.error->noise.rmse_high,
+                       result.ending == Ending::deadline ? "time" : "number of samples");
   return std::nullopt;
 }
 

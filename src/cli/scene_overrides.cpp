@@ -11,6 +11,7 @@
 #include <limits>
 #include <vector>
 
+#include "cli/number_options.h"
 #include "did_you_mean.h"
 #include "kinds/integrators.h"
 #include "program/kernel_source.h"
@@ -87,15 +88,17 @@ void add_scene_overrides(CLI::App& app, SceneOverrides& overrides) {
   app.add_option("--integrator", overrides.integrator, fmt::format("{}", fmt::join(list_entries("integrators"), ", ")))
       ->type_name("NAME")
       ->group(group);
-  app.add_option("--max-depth", overrides.max_depth, "1: emission only, 2: one bounce, ...; -1: no limit")
+  require_whole(
+      app.add_option("--max-depth", overrides.max_depth, "1: emission only, 2: one bounce, ...; -1: no limit"))
       ->type_name("N")
       ->check(CLI::Range(-1, std::numeric_limits<int>::max()).description(""))
       ->group(group);
-  app.add_option("--spp", overrides.spp, "Samples per pixel")
+  require_whole(app.add_option("--spp", overrides.spp, "Samples per pixel"))
       ->type_name("N")
       ->check(CLI::Range(1, max_spp).description(""))
       ->group(group);
-  app.add_option("--seed", overrides.seed, "Another seed gives other noise, the same one the same picture")
+  require_whole(
+      app.add_option("--seed", overrides.seed, "Another seed gives other noise, the same one the same picture"))
       ->type_name("N")
       ->check(CLI::Range(0, std::numeric_limits<int>::max()).description(""))
       ->group(group);
@@ -104,11 +107,11 @@ void add_scene_overrides(CLI::App& app, SceneOverrides& overrides) {
       ->type_name("NAME")
       ->check(CLI::IsMember({"sobol", "independent", "centre"}))
       ->group(group);
-  app.add_option("--width", overrides.width, "Pixels; without --height the aspect ratio stays")
+  require_whole(app.add_option("--width", overrides.width, "Pixels; without --height the aspect ratio stays"))
       ->type_name("N")
       ->check(CLI::Range(1, max_size).description(""))
       ->group(group);
-  app.add_option("--height", overrides.height, "Pixels; without --width the aspect ratio stays")
+  require_whole(app.add_option("--height", overrides.height, "Pixels; without --width the aspect ratio stays"))
       ->type_name("N")
       ->check(CLI::Range(1, max_size).description(""))
       ->group(group);

@@ -9,6 +9,7 @@
 
 #include "cli/commands.h"
 #include "cli/console.h"
+#include "cli/number_options.h"
 #include "cli/output_file.h"
 #include "cli/progress_bar.h"
 #include "cli/scene_options.h"
@@ -92,7 +93,10 @@ Command add_selftest(CLI::App& app) {
   app.add_option("--kind", command->kinds, "Only this kind of primitive: sphere, triangle, ...; repeatable")
       ->type_name("NAME")
       ->allow_extra_args(false);
-  app.add_option("--seed", command->seed, "Of the questions")->type_name("N")->capture_default_str();
+  require_whole(app.add_option("--seed", command->seed, "Of the questions"))
+      ->type_name("N")
+      ->capture_default_str()
+      ->check(CLI::Range(std::int64_t{0}, std::numeric_limits<std::int64_t>::max()).description(""));
   app.add_flag("--no-progress", command->no_progress, "No progress bar");
   std::vector<std::string> faults;
   std::string what = "Try the self test: make the device wrong. ";

@@ -11,6 +11,7 @@
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/distinct_files.h"
+#include "cli/number_options.h"
 #include "cli/output_file.h"
 #include "cli/picture_files.h"
 #include "cli/progress_bar.h"
@@ -72,7 +73,7 @@ std::string json_of(const StressStudy& study, const Scene& scene, const Device& 
                                     {"reference", precision_name(study.reference)},
                                     {"stresses", stresses},
                                     {"tiers", tiers}};
-  return json.dump(2) + "\n";
+  return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
 ExitCode stress(const StressOptions& options, const Invocation& invocation) {
@@ -125,11 +126,11 @@ Command add_stress(CLI::App& app, const Invocation& invocation) {
       ->type_name("FILE");
   app.add_option("--json", options->json, "The table for programs; - for standard output, in its place")
       ->type_name("FILE");
-  app.add_option("--width", options->width, "Of each picture, in pixels")
+  require_whole(app.add_option("--width", options->width, "Of each picture, in pixels"))
       ->type_name("N")
       ->capture_default_str()
       ->check(CLI::Range(1, 1024).description(""));
-  app.add_option("--spp", options->spp, "Samples per pixel")
+  require_whole(app.add_option("--spp", options->spp, "Samples per pixel"))
       ->type_name("N")
       ->capture_default_str()
       ->check(CLI::Range(1, 65536).description(""));

@@ -44,13 +44,16 @@ std::string error_line(const RunStats& stats, int png_bits) {
   return text;
 }
 
-std::string samples_text(const RunStats& stats, bool complete) {
-  return stats.least_spp == stats.most_spp || !complete ? std::to_string(stats.spp)
-                                                        : fmt::format("{} to {}", stats.least_spp, stats.most_spp);
+std::string samples_text(const RunStats& stats, const Billed& billed) {
+  const bool is_told_by_pixels = billed.complete || billed.is_open;
+  return stats.least_spp == stats.most_spp || !is_told_by_pixels
+             ? std::to_string(stats.spp)
+             : fmt::format("{} to {}", stats.least_spp, stats.most_spp);
 }
 
 std::string interrupted_text(const RunStats& stats, const Billed& billed) {
   if (billed.complete) return {};
+  if (billed.is_open) return " · interrupted";
   const double samples = static_cast<double>(billed.width) * billed.height * stats.spp;
   return fmt::format(" · interrupted after {:.0f} % of the samples",
                      100 * static_cast<double>(stats.camera_rays + stats.resumed_samples) / samples);
@@ -84,7 +87,7 @@ std::string time_summary(const PhaseSeconds& s) {
 std::string bill(const RunStats& stats, const Billed& billed) {
   std::string text =
       fmt::format("{}{}×{} · {} spp · {}{}\n  time     {}\n{}", billed.picture.empty() ? "" : billed.picture + " ",
-                  billed.width, billed.height, samples_text(stats, billed.complete), stats.device,
+                  billed.width, billed.height, samples_text(stats, billed), stats.device,
                   interrupted_text(stats, billed), time_summary(stats.seconds), error_line(stats, billed.png_bits));
   if (stats.texture_lod)
     text += "\n  textures filtered to the pixel's width (--texture-lod), a blur that the error does not tell";
@@ -95,7 +98,7 @@ std::string bill(const RunStats& stats, const Billed& billed) {
 
 std::string brief_bill(const RunStats& stats, const Billed& billed) {
   std::string text = fmt::format("{}{:.2f} s · {} spp", billed.picture.empty() ? "" : billed.picture + " · ",
-                                 stats.seconds.total, samples_text(stats, billed.complete));
+                                 stats.seconds.total, samples_text(stats, billed));
   if (stats.error)
     text += fmt::format(" · RMSE {:.2g} ({:.2g} to {:.2g})", stats.error->rmse(), stats.error->rmse_low(),
                         stats.error->rmse_high());

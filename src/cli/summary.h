@@ -14,7 +14,8 @@ struct Billed {
   std::string picture;  ///< Its file; empty where none was written.
   int width = 0, height = 0;
   bool complete = true;
-  int png_bits = 0;  ///< 0 where the file keeps floats.
+  bool is_open = false;  ///< Time or error were to end it: no number of samples is the whole.
+  int png_bits = 0;      ///< 0 where the file keeps floats.
   Clipping clipping;
 };
 

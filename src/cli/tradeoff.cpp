@@ -13,6 +13,7 @@
 #include "cli/console.h"
 #include "cli/distinct_files.h"
 #include "cli/interrupt.h"
+#include "cli/number_options.h"
 #include "cli/progress_bar.h"
 #include "cli/scene_options.h"
 #include "cli/scene_overrides.h"
@@ -197,8 +198,12 @@ ExitCode tradeoff(const TradeoffCommand& command, const Invocation& invocation) 
 }
 
 template <class Values>
-void add_axis(CLI::App& app, const char* name, Values& values, const char* type, const std::string& what) {
-  app.add_option(name, values, what)->type_name(type)->delimiter(',')->allow_extra_args(false)->group("What is varied");
+CLI::Option* add_axis(CLI::App& app, const char* name, Values& values, const char* type, const std::string& what) {
+  return app.add_option(name, values, what)
+      ->type_name(type)
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->group("What is varied");
 }
 
 }  // namespace
@@ -209,27 +214,27 @@ Command add_tradeoff(CLI::App& app, const Invocation& invocation) {
   add_device_option(app, command->device);
   app.add_option("-o,--output", command->folder, "Folder of the study; default: the scene's name with .tradeoff")
       ->type_name("DIR");
-  app.add_option("--width", command->width,
-                 "Of each picture, in pixels; default: the reference's, or the scene's up to 128")
+  require_whole(app.add_option("--width", command->width,
+                               "Of each picture, in pixels; default: the reference's, or the scene's up to 128"))
       ->type_name("N")
       ->check(CLI::Range(16, 65536).description(""));
-  app.add_option("--seeds", command->seeds, "Pictures of each setting: what their spread is measured by")
+  require_whole(app.add_option("--seeds", command->seeds, "Pictures of each setting: what their spread is measured by"))
       ->type_name("N")
       ->capture_default_str()
       ->check(CLI::Range(2, 1000).description(""));
   CLI::Option* reference =
       app.add_option("--reference", command->reference, "Picture to measure against, in place of one rendered here")
           ->type_name("FILE");
-  app.add_option("--reference-spp", command->reference_spp,
-                 "Samples per pixel of the reference; default: 16 times the most")
+  require_whole(app.add_option("--reference-spp", command->reference_spp,
+                               "Samples per pixel of the reference; default: 16 times the most"))
       ->type_name("N")
       ->check(CLI::Range(1, max_spp).description(""))
       ->excludes(reference);
   add_axis(app, "--precision", command->precisions, "LIST", "fast, stable, robust, double; default: all");
   add_axis(app, "--sampler", command->samplers, "LIST", "sobol, independent, centre; default: sobol,independent");
-  add_axis(app, "--spp", command->spps, "LIST", "Samples per pixel; default: 1,4,16,64,256");
-  add_axis(app, "--depth", command->depths, "LIST",
-           "max_depth of path and whitted; default: 2,4,8 and the scene's own");
+  require_whole(add_axis(app, "--spp", command->spps, "LIST", "Samples per pixel; default: 1,4,16,64,256"));
+  require_whole(add_axis(app, "--depth", command->depths, "LIST",
+                         "max_depth of path and whitted; default: 2,4,8 and the scene's own"));
   app.add_flag("--no-generic", command->no_generic, "Leave out the program that holds every effect")
       ->group("What is varied");
   app.add_flag("--no-canary", command->no_canary, "Trust the device's arithmetic without asking it");

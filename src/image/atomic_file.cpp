@@ -123,6 +123,8 @@ void AtomicFile::write(const void* data, std::size_t size) {
     buffer_.append(bytes);
 }
 
+bool AtomicFile::can_seek() const { return ::lseek(descriptor_, 0, SEEK_CUR) >= 0; }
+
 void AtomicFile::seek(std::uint64_t position) {
   flush_buffer();
   if (::lseek(descriptor_, static_cast<off_t>(position), SEEK_SET) < 0) fail(errno);

@@ -23,6 +23,8 @@ class AtomicFile {
 
   void write(const void* data, std::size_t size);
   void write(const std::string& bytes) { write(bytes.data(), bytes.size()); }
+  /// false: a pipe or a terminal, whose bytes must come in their order.
+  [[nodiscard]] bool can_seek() const;
   void seek(std::uint64_t position);
   [[nodiscard]] std::uint64_t tell();
   /// Once, after the last write. Fails if any earlier call failed, even if somebody swallowed that exception.

@@ -31,6 +31,32 @@ class OutputStream : public Imf::OStream {
   AtomicFile& file_;
 };
 
+/// Of a target that cannot seek: the file comes first as a whole, because its table of lines is written last.
+class MemoryStream : public Imf::OStream {
+ public:
+  explicit MemoryStream(const std::string& path) : Imf::OStream(path.c_str()) {}
+  void write(const char bytes[], int size) override {
+    const auto count = static_cast<std::size_t>(size);
+    if (bytes_.size() < position_ + count) bytes_.resize(position_ + count);
+    std::copy_n(bytes, count, bytes_.begin() + static_cast<std::ptrdiff_t>(position_));
+    position_ += count;
+  }
+  std::uint64_t tellp() override { return position_; }
+  void seekp(std::uint64_t position) override { position_ = static_cast<std::size_t>(position); }
+  [[nodiscard]] const std::string& bytes() const { return bytes_; }
+
+ private:
+  std::string bytes_;
+  std::size_t position_ = 0;
+};
+
+/// The file is complete when this returns.
+void write_pixels(const Imf::Header& header, const Imf::FrameBuffer& pixels, int height, Imf::OStream& stream) {
+  Imf::OutputFile output(stream, header);
+  output.setFrameBuffer(pixels);
+  output.writePixels(height);
+}
+
 }  // namespace
 
 WriteReport write_exr(const Image& image, const std::string& path) {
@@ -50,10 +76,14 @@ WriteReport write_exr(const Image& image, const std::string& path) {
       pixels.insert(image.channels[c],
                     Imf::Slice(Imf::FLOAT, first, stride, stride * static_cast<std::size_t>(image.width)));
     }
-    OutputStream stream(file, path);
-    Imf::OutputFile output(stream, header);
-    output.setFrameBuffer(pixels);
-    output.writePixels(image.height);
+    if (file.can_seek()) {
+      OutputStream stream(file, path);
+      write_pixels(header, pixels, image.height, stream);
+    } else {
+      MemoryStream stream(path);
+      write_pixels(header, pixels, image.height, stream);
+      file.write(stream.bytes());
+    }
   } catch (const Error&) {
     throw;
   } catch (const std::exception& e) {

@@ -160,14 +160,14 @@ std::vector<unsigned char> read_cached_binary(const std::string& name, const std
   return binary;
 }
 
-void write_cached_binary(const std::string& name, const std::string& key, const std::vector<unsigned char>& binary) {
-  if (program_cache_directory().empty() || binary.empty()) return;
+bool write_cached_binary(const std::string& name, const std::string& key, const std::vector<unsigned char>& binary) {
+  if (program_cache_directory().empty() || binary.empty()) return false;
   const fs::path file = cached_file(name, key);
   std::error_code failed;
   make_directory(file.parent_path());
   std::string temporary = file.string() + ".XXXXXX";
   const int descriptor = mkstemp(temporary.data());
-  if (descriptor < 0) return;
+  if (descriptor < 0) return false;
   close(descriptor);
 
   std::string payload = key;
@@ -181,8 +181,10 @@ void write_cached_binary(const std::string& name, const std::string& key, const 
   out.write(payload.data(), static_cast<std::streamsize>(payload.size()));
   out.close();
   if (out) fs::rename(temporary, file, failed);
-  if (!out || failed) fs::remove(temporary, failed);
+  const bool is_stored = out && !failed;
+  if (!is_stored) fs::remove(temporary, failed);
   remove_unused(file);
+  return is_stored;
 }
 
 std::string failed_program_path(const std::string& name) {

@@ -28,7 +28,8 @@ namespace strahl {
 /// The binary stored for this key, empty where there is none. `name` begins the file's name.
 [[nodiscard]] std::vector<unsigned char> read_cached_binary(const std::string& name, const std::string& key);
 
-void write_cached_binary(const std::string& name, const std::string& key, const std::vector<unsigned char>& binary);
+/// false: it is not stored, for whatever reason.
+bool write_cached_binary(const std::string& name, const std::string& key, const std::vector<unsigned char>& binary);
 
 /// Where the source of a program that does not build is kept: below the cache, or the directory for temporary files.
 [[nodiscard]] std::string failed_program_path(const std::string& name);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "opencl/tuned_width.h"
 
+#include <fmt/format.h>
+
 #include "opencl/program.h"
 #include "opencl/program_cache.h"
 
@@ -24,7 +26,16 @@ std::optional<int> tuned_width(const Device& device, Precision precision) {
 }
 
 void remember_width(const Device& device, Precision precision, int width) {
-  write_cached_binary(tuned, key_of(device, precision), {static_cast<unsigned char>(width)});
+  if (write_cached_binary(tuned, key_of(device, precision), {static_cast<unsigned char>(width)})) return;
+  const std::string directory = program_cache_directory();
+  const std::string fault = directory.empty() ? program_cache_fault() : "";
+  throw Error(fmt::format(
+      "widths are not remembered: {}",
+      !fault.empty()      ? fault
+      : directory.empty() ? "there is no folder for the program cache; name one with STRAHL_CACHE_DIR"
+                          : fmt::format("the program cache \"{}\" cannot be written to; make room or give permission "
+                                        "there, or name another folder with STRAHL_CACHE_DIR",
+                                        directory)));
 }
 
 Width width_on(const Device& device, RenderSettings settings) {

@@ -12,6 +12,7 @@ namespace strahl {
 
 /// None: nobody has measured.
 [[nodiscard]] std::optional<int> tuned_width(const Device& device, Precision precision);
+/// Throws Error where the cache cannot be written to.
 void remember_width(const Device& device, Precision precision, int width);
 
 /// What the settings say, else what was remembered, else what suits the device.

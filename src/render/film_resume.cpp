@@ -42,25 +42,54 @@ bool FilmRun::go_on_from(const FilmState& state) {
   run.lost_interfaces = state.unusual.lost_interfaces;
   samples_before_ = std::accumulate(has.begin(), has.end(), 0.0);
   run.resumed_samples = static_cast<std::uint64_t>(samples_before_);
-  passes_.go_on_from(state.position);
+  // The pass that was under way may be one of hours; where time or an error ends the render, its rest is no part of it.
+  const int level = goal_.is_open() ? film_.first_sample + *most : state.position.done;
+  passes_.go_on_from({level, state.position.check_at});
   has_first_samples_ = film_.first_sample + *least == 0;
   if (is_one_band()) {
     band_ = {0, height_};
-    begin_band_with(state);
+    // Of several bands the device adds to no sums, and the host adds them up.
+    write_buffer(state_.device, state_.film, state.film.words.data(), film_bytes(has.size()));
+    begin_band();
   }
   run.seconds.readback += start.seconds();
+  return catch_up(film_.first_sample + *least, std::min(level, end_));
+}
 
+/// Brings pixels that are behind up to `level`, those that are furthest behind first, in passes by the clock.
+bool FilmRun::catch_up(int least, int level) {
+  RenderGoal by_the_clock;
+  by_the_clock.deadline = goal_.deadline;
+  PassPlan passes(by_the_clock, level, least);
+  while (const std::optional<Pass> pass = passes.next(sample_seconds_, seconds_left())) {
+    const Stopwatch start;
+    const std::uint64_t before = result_.stats.camera_rays;
+    has_first_samples_ = pass->first == 0;
+    if (!render_missing(pass->first + pass->count)) return false;
+    // As if all pixels had taken part: the next pass may be of more of them.
+    const auto rendered = static_cast<double>(std::max<std::uint64_t>(result_.stats.camera_rays - before, 1));
+    sample_seconds_ = start.seconds() * static_cast<double>(film_.samples.size()) / rendered;
+  }
+  is_cut_ = passes.ending() == Ending::deadline;
+  return !is_cut_;
+}
+
+/// All samples before `end` that pixels have not got; false as render_all_of.
+bool FilmRun::render_missing(int end) {
   bool carry_on = true;
   if (is_shared()) {
-    const std::vector<Launch> missing = film_.missing(0, height_, passes_.position().done);
+    const std::vector<Launch> missing = film_.missing(0, height_, end);
     for (std::size_t i = 0; i < missing.size() && carry_on; ++i) carry_on = render_shared(missing[i]);
     return carry_on;
   }
   for (int row = 0; row < height_ && carry_on; row += band_rows_) {
     band_ = {row, std::min(band_rows_, height_ - row)};
-    const std::vector<Launch> missing = film_.missing(row, band_.count, passes_.position().done);
+    const std::vector<Launch> missing = film_.missing(row, band_.count, end);
     if (missing.empty()) continue;
-    if (!is_one_band()) begin_band_with(state);
+    if (!is_one_band()) {
+      clear(band_.count, false);
+      begin_band();
+    }
     for (std::size_t i = 0; i < missing.size() && carry_on; ++i) carry_on = render_all_of(missing[i]);
     end_band();
   }
@@ -68,17 +97,13 @@ bool FilmRun::go_on_from(const FilmState& state) {
   return carry_on;
 }
 
-/// One band has its sums on the device; of several the device adds to none, and the host adds them up.
-void FilmRun::begin_band_with(const FilmState& state) {
+/// The values of first samples that the band has by now.
+void FilmRun::begin_band() {
+  if (!has_first_samples_ || !state_.has_aov()) return;
   const std::size_t first = static_cast<std::size_t>(band_.first) * static_cast<std::size_t>(width_);
   const std::size_t pixels = static_cast<std::size_t>(band_.count) * static_cast<std::size_t>(width_);
-  if (is_one_band())
-    write_buffer(state_.device, state_.film, state.film.words.data(), film_bytes(pixels));
-  else
-    clear(band_.count, false);
-  if (!has_first_samples_ || !state_.has_aov()) return;
-  write_buffer(state_.device, state_.aov_ints, &state.aov_ints[first * layout::AOV_INTS], state_.aov_int_bytes(pixels));
-  const double* reals = &state.aov_reals[first * layout::AOV_REALS];
+  write_buffer(state_.device, state_.aov_ints, &aov_ints_[first * layout::AOV_INTS], state_.aov_int_bytes(pixels));
+  const double* reals = &aov_reals_[first * layout::AOV_REALS];
   if (state_.settings.precision == Precision::fp64) {
     write_buffer(state_.device, state_.aov_reals, reals, state_.aov_real_bytes(pixels));
   } else {

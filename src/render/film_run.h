@@ -54,9 +54,12 @@ class FilmRun {
   [[nodiscard]] Renderer::State& device_of(std::size_t worker) const;
   [[nodiscard]] Renderer::State& living_device() const;
   [[nodiscard]] std::string all_faults() const;
-  /// Takes over an earlier run's film and renders the pass that was under way to its end; false as render_pass.
+  /// Takes over an earlier run's film and renders the pass that was under way to its end, or where time or an error is
+  /// the goal only what brings all pixels as far as the farthest; false as render_pass.
   bool go_on_from(const FilmState& state);
-  void begin_band_with(const FilmState& state);
+  bool catch_up(int least, int level);
+  bool render_missing(int end);
+  void begin_band();
   [[nodiscard]] FilmState state_now();
   /// Work-items of a launch whose loops the device has ended; `stuck`: those of them that have no sample more.
   struct Unfinished {

@@ -16,11 +16,14 @@ constexpr int sums_a_pixel = layout::FILM_SUBSUMS;
 /// which take longer a sample (docs/decisions/0026-path-pool.md).
 constexpr double share_of_time = 0.4;
 
-/// Ratio of the interval's upper end to the wanted error at which a picture is done: a picture of few pixels must not
-/// be done by luck.
+/// Ratio of the interval's upper end to the wanted error at which a picture is done.
 constexpr double tolerated = 1.1;
 
 }  // namespace
+
+bool is_reached(const ErrorEstimate& error, double wanted) {
+  return error.rmse <= wanted && error.rmse_high <= tolerated * wanted;
+}
 
 PassPlan::PassPlan(const RenderGoal& goal, int end, int first)
     : goal_(goal), end_(end), done_(first), check_at_(2 * sums_a_pixel) {}
@@ -52,7 +55,7 @@ void PassPlan::estimated(const std::optional<ErrorEstimate>& error) {
   const double wanted = *goal_.max_error;
   double factor = 2;
   if (error) {
-    if (error->rmse <= wanted && error->rmse_high <= tolerated * wanted) {
+    if (is_reached(*error, wanted)) {
       ending_ = Ending::error;
       return;
     }

@@ -21,6 +21,10 @@ struct PassPosition {
   int check_at = 0;  ///< Samples at which to look at the error.
 };
 
+/// Whether a picture of this error is done: it is no larger than `wanted`, and the interval's upper end hardly is. A
+/// picture of few pixels must not be done by luck.
+[[nodiscard]] bool is_reached(const ErrorEstimate& error, double wanted);
+
 /// Without a deadline or an error to reach: one pass. With a deadline: each pass takes a quarter of the time
 /// that is left, down to passes of a single sample; only those end part-way, which leaves pixels one sample apart at
 /// the most. With an error: up to where the error so far says that it may be reached.

@@ -17,6 +17,21 @@
 #include "stopwatch.h"
 
 namespace strahl {
+namespace {
+
+int samples_of_film(const Scene& scene, const Window& window, const RenderSettings& settings, const RenderGoal& goal) {
+  const bool has_splats = kinds::integrator(scene.integrator.name).from_lights;
+  const int most = has_splats ? most_light_paths(window, settings.estimate_error) : max_spp;
+  if (!goal.spp && goal.is_open()) return most;
+  const int spp = goal.spp.value_or(resolve_sampling(scene).spp);
+  if (spp >= 1 && spp <= most) return spp;
+  const std::string limit = fmt::format("the film holds 1 to {} samples per pixel", most);
+  if (goal.spp) throw UsageError(fmt::format("--spp {}: {}", spp, limit));
+  throw SceneError({{Severity::error, scene.sampler.where,
+                     fmt::format("sample_count is {}, and {}; state --spp, --time or --max-error", spp, limit)}});
+}
+
+}  // namespace
 
 Renderer::State::Choice Renderer::State::choose_program() {
   sampling = resolve_sampling(scene);
@@ -40,7 +55,6 @@ void Renderer::State::prepare() {
   require_light_paths(scene, settings);
   const Stopwatch start;
   const auto [width, traversal, paths] = choose_program();
-  static_cast<void>(samples_of({}));
   // Paths of one pixel are more alike than those of a span.
   samples_at_once = paths == 1 ? 1 : layout::POOL_PATHS;
   ProgramReport report;
@@ -92,13 +106,7 @@ void Renderer::State::prepare() {
     if (row.on) stats.features.push_back(row.name);
 }
 
-int Renderer::State::samples_of(const RenderGoal& goal) const {
-  const int most = film_kind() == FilmKind::splats ? most_light_paths(window, settings.estimate_error) : max_spp;
-  const int spp = goal.spp.value_or(goal.is_open() ? most : sampling.spp);
-  if (spp < 1 || spp > most)
-    throw UsageError(fmt::format("--spp {}: the film holds 1 to {} samples per pixel", spp, most));
-  return spp;
-}
+int Renderer::State::samples_of(const RenderGoal& goal) const { return samples_of_film(scene, window, settings, goal); }
 
 int Renderer::State::span_columns(const Launch& l) const {
   if (stats.path_lanes == 1 || l.samples < 1) return 1;
@@ -180,6 +188,10 @@ void Renderer::share_with(const Device& device, std::optional<std::uint64_t> loo
   for (const auto phase : {&PhaseSeconds::bvh, &PhaseSeconds::program, &PhaseSeconds::upload})
     state_->stats.seconds.*phase += helper->stats.seconds.*phase;
   state_->helpers.push_back(std::move(helper));
+}
+
+void Renderer::require_samples(const Scene& scene, const RenderSettings& settings, const RenderGoal& goal) {
+  static_cast<void>(samples_of_film(scene, scene.film.window(), settings, goal));
 }
 
 const Scene& Renderer::scene() const { return state_->scene; }

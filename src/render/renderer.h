@@ -59,9 +59,13 @@ class Renderer {
   /// in `fast` and `stable`.
   void share_with(const Device& device, std::optional<std::uint64_t> loop_turns = std::nullopt);
 
-  /// Each call renders the picture from the start. Throws UsageError for more samples than the film holds,
-  /// NoDeviceError where the device ends loops before a sample is done (RenderSettings::loop_turns). keeper: gets the
-  /// film now and then, or gives one to go on from; InputError where that is of another picture.
+  /// Throws UsageError for more samples than the film holds, SceneError where they are the scene's: what render() finds
+  /// out once the program is built.
+  static void require_samples(const Scene& scene, const RenderSettings& settings, const RenderGoal& goal);
+
+  /// Each call renders the picture from the start. Throws as require_samples, NoDeviceError where the device ends loops
+  /// before a sample is done (RenderSettings::loop_turns). keeper: gets the film now and then, or gives one to go on
+  /// from; InputError where that is of another picture.
   [[nodiscard]] RenderResult render(const ProgressCallback& progress = {}, const RenderGoal& goal = {},
                                     const FilmKeeper* keeper = nullptr);
 

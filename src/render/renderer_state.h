@@ -115,7 +115,7 @@ struct Renderer::State {
     return static_cast<int>(std::clamp<std::size_t>(fitting, 1, static_cast<std::size_t>(window.height())));
   }
 
-  /// The most samples a pixel, by the goal, the scene and the film. Throws UsageError.
+  /// The most samples a pixel, by the goal, the scene and the film. Throws as require_samples.
   [[nodiscard]] int samples_of(const RenderGoal& goal) const;
   [[nodiscard]] SubSums sub_sums(const RenderGoal& goal) const;
   /// The choices that determine the program.

@@ -93,8 +93,11 @@ DeviceBench bench_device(const Device& device, const Scene& scene, int side, con
     for (std::size_t i = 0; i < tiers.size(); ++i)
       bench.mrays[kind][bench.tiers[i]] = static_cast<double>(set.rays.size()) / seconds[i] / 1e6;
   }
-  for (std::size_t i = 0; i < bench.tiers.size(); ++i)
-    bench.program_seconds[bench.tiers[i]] = intersectors[i].stats().seconds.program;
+  for (std::size_t i = 0; i < bench.tiers.size(); ++i) {
+    const RunStats& stats = intersectors[i].stats();
+    bench.program_seconds[bench.tiers[i]] = stats.seconds.program;
+    bench.program_from_cache[bench.tiers[i]] = stats.program_from_cache;
+  }
   return bench;
 }
 

@@ -17,7 +17,8 @@ struct DeviceBench {
   std::map<std::string, std::size_t> rays;                     ///< By kind.
   std::vector<std::string> tiers;                              ///< Those of the device, as they were measured.
   std::map<std::string, std::map<std::string, double>> mrays;  ///< By kind, then tier: million rays a second.
-  std::map<std::string, double> program_seconds;               ///< By tier; little where it was cached.
+  std::map<std::string, double> program_seconds;               ///< By tier.
+  std::map<std::string, bool> program_from_cache;              ///< By tier: it was loaded, not built, in that time.
   double tree_seconds = 0;
   Bandwidth bandwidth;
 };

@@ -27,6 +27,7 @@ TEST_CASE("a table, JSON, and both beside an earlier run") {
   CHECK(first["bandwidth"]["read"] > 0);
   CHECK(first["bandwidth"]["copy"] > 0);
   CHECK(first["program_seconds"].size() == 4);
+  CHECK(first["program_from_cache"].size() == 4);
 
   for (auto& [kind, tiers] : first["mrays"].items())
     for (auto& [tier, value] : tiers.items()) value = value.get<double>() / 1000;
@@ -77,4 +78,55 @@ TEST_CASE("what cannot be compared is said before anything is measured") {
   CHECK(folder.run({"bench", "--scene", "teapot"}).code == 2);
   CHECK(folder.run({"bench", "--scene", "missing.ply"}).code == 3);
   CHECK(folder.run({"bench", "--json", "nowhere/a.json"}).code == 1);
+}
+
+TEST_CASE("a scene whose lights are no points gets a lamp for its shadow rays; a name that is no UTF-8 is told") {
+  const Folder folder;
+  const std::string room = "r\xfcm.xml";  // ISO 8859-1
+  std::filesystem::copy_file(STRAHL_SOURCE_DIR "/scenes/cornell/cornell-box.xml", folder.path(room));
+  const Outcome outcome = folder.run({"bench", "-d", "pocl", "--scene", room, "--pixels", "32", "--json", "a.json"});
+  INFO(outcome.err);
+  REQUIRE(outcome.code == 0);
+  const json numbers = json::parse(read_text(folder.path("a.json")));
+  CHECK(numbers["rays"]["shadow"] > 100);
+  CHECK(numbers["scene"] == "r\uFFFDm");
+}
+
+TEST_CASE("programs that were built are told from those that were loaded, and not compared") {
+  const Folder folder;
+  const std::map<std::string, std::string> cache{{"STRAHL_CACHE_DIR", folder.path("cache")}};
+  const auto run = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> arguments{"bench", "-d", "pocl", "--scene", "ten", "--pixels", "16"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Outcome outcome = folder.run(arguments, cache);
+    INFO(outcome.err);
+    REQUIRE(outcome.code == 0);
+    return outcome.out;
+  };
+  const auto line = [](const std::string& text, const std::string& name) {
+    const std::size_t first = text.find("\n" + name);
+    REQUIRE(first != std::string::npos);
+    return text.substr(first, text.find('\n', first + 1) - first);
+  };
+  CHECK(contains(run({"--json", "built.json"}), "built     built     built     built"));
+  CHECK(json::parse(read_text(folder.path("built.json")))["program_from_cache"]["robust"] == false);
+  const std::string against_built = run({"--json", "loaded.json", "--compare", "built.json"});
+  CHECK(contains(against_built, "loaded"));
+  CHECK_FALSE(contains(line(against_built, "program, s"), "x"));
+  CHECK(contains(line(against_built, "primary"), " x"));
+  CHECK(json::parse(read_text(folder.path("loaded.json")))["program_from_cache"]["robust"] == true);
+  CHECK(contains(line(run({"--compare", "loaded.json"}), "program, s"), "x"));
+}
+
+TEST_CASE("a width that cannot be remembered is measured and told, and that it is not remembered") {
+  const Folder folder;
+  folder.file("file", "");  // No folder can be made below it.
+  const Outcome outcome = folder.run({"bench", "--tune", "-d", "pocl", "--scene", "tetra-4", "--pixels", "32"},
+                                     {{"STRAHL_CACHE_DIR", folder.path("file/cache")}});
+  INFO(outcome.out << outcome.err);
+  CHECK(outcome.code == 1);
+  CHECK(contains(outcome.out, "*"));
+  CHECK_FALSE(contains(outcome.out, "remembered"));
+  CHECK(contains(outcome.err, "widths are not remembered"));
+  CHECK(contains(outcome.err, "STRAHL_CACHE_DIR"));
 }

@@ -185,6 +185,21 @@ TEST_CASE("what does not fit is refused, and named") {
   refuse(folder, options("a.xml") + std::vector<std::string>{"--checkpoint", "no/c.ckpt"}, 1, {"does not exist"});
 }
 
+TEST_CASE("of a value that is defined twice the last one is the picture's") {
+  const Folder folder;
+  std::string text = glowing_sphere;
+  text.replace(text.find("4, 2, 1"), 7, "$c, 2, 1");
+  folder.file("s.xml", text);
+  const auto with = [](const std::vector<std::string>& defines, const char* keep) {
+    std::vector<std::string> line{"s.xml", "-d", "pocl", "-q", "-o", "x.exr", keep, "c.ckpt"};
+    for (const std::string& define : defines) line.insert(line.end(), {"-D", define});
+    return line;
+  };
+  succeed(folder, with({"c=1", "c=3"}, "--checkpoint"));
+  refuse(folder, with({"c=3", "c=1"}, "--resume"), 3, {"-D is c=3 there and c=1 here"});
+  succeed(folder, with({"c=3"}, "--resume"));
+}
+
 TEST_CASE("usage of what keeps a render") {
   const Folder folder;
   folder.file("s.xml", glowing_sphere);
@@ -241,4 +256,9 @@ TEST_CASE("parts become the picture of one run; what overlaps or is missing is n
          {"not of one picture", "the seed is 0 there and 3"});
   refuse(folder, {"merge", "a.ckpt", "one.exr", "-o", "x.exr"}, 3, {"one.exr", "is no checkpoint"});
   refuse(folder, {"merge", "a.ckpt", "bc.ckpt", "-o", "a.ckpt"}, 2, {"written over"});
+  const std::vector<std::string> all{"merge", "a.ckpt", "bc.ckpt", "d.ckpt", "-o", "out.png"};
+  refuse(folder, all + std::vector<std::string>{"--error-map", "out.normal.png"}, 2,
+         {"--error-map", "the picture of the AOV normal", "are one file"});
+  fs::copy_file(folder.path("d.ckpt"), folder.path("out.normal.png"));
+  refuse(folder, {"merge", "a.ckpt", "bc.ckpt", "out.normal.png", "-o", "out.png"}, 2, {"written over a part"});
 }

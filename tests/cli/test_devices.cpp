@@ -47,4 +47,9 @@ TEST_CASE("the cache is cleared without a device") {
   CHECK(json.code == 0);
   CHECK(Json::parse(json.out).at("removed") == 0);
   CHECK(contains(folder.run({"devices", "--clear-cache"}, environment).out, "removed 0 cached programs"));
+  environment["STRAHL_CACHE_DIR"] = folder.path("\xe4");  // ISO 8859-1
+  const Outcome other = folder.run({"devices", "--clear-cache", "--json"}, environment);
+  INFO(other.err);
+  CHECK(other.code == 0);
+  CHECK(contains(Json::parse(other.out).at("directory").get<std::string>(), "/\uFFFD"));
 }

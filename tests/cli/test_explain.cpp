@@ -88,3 +88,27 @@ TEST_CASE("without any device one lane is assumed, and said") {
   CHECK(contains(text.out, "1 lane (no OpenCL device"));
   CHECK(folder.run({"explain", "scene.xml", "-d", "pocl"}, none).code == 4);
 }
+
+TEST_CASE("--cost takes the next word only where it is one of its own, and --among one word") {
+  const Folder folder;
+  folder.file("scene.xml", glowing_sphere);
+  // The device, which there is not, is looked for once the line is understood.
+  for (const std::vector<std::string>& line : std::vector<std::vector<std::string>>{
+           {"--cost", "scene.xml", "--json"},
+           {"--cost", "scene.xml"},
+           {"scene.xml", "--cost"},
+           {"--cost", "effects", "scene.xml", "--json"},
+           {"--cost=integrators", "scene.xml", "--json"},
+           {"scene.xml", "--cost", "--json"},
+           {"--cost", "--", "scene.xml"},
+           {"--cost", "--among", "path", "scene.xml", "--json"},
+           {"scene.xml", "--cost", "integrators", "--among", "path,direct", "--among", "bdpt"}}) {
+    std::vector<std::string> arguments{"explain", "-d", "no-such-device"};
+    arguments.insert(arguments.end(), line.begin(), line.end());
+    const Outcome outcome = folder.run(arguments);
+    INFO(outcome.err);
+    CHECK(outcome.code == 4);
+  }
+  CHECK(folder.run({"explain", "--cost", "scene.xml", "other.xml"}).code == 2);
+  CHECK(folder.run({"explain", "scene.xml", "--cost=much"}).code == 2);
+}

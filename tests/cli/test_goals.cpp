@@ -68,6 +68,9 @@ TEST_CASE("an error that is reached, one that is not, and one that nothing tells
   CHECK(missed.code == 6);
   CHECK(contains(missed.err, "--max-error"));
   CHECK(strahl::read_image(folder.path("a.exr")).width == 32);
+  // Ended before the first look at 8 samples.
+  CHECK(run({"--max-error", "10", "--spp", "4"}).code == 0);
+  CHECK(json_of(folder, "a.json").at("ending") == "samples");
   const Outcome unknown = run({"--max-error", "0.5", "--spp", "2"});
   CHECK(unknown.code == 6);
   CHECK(json_of(folder, "a.json").at("error").is_null());
@@ -138,4 +141,54 @@ TEST_CASE("a prediction has intervals and writes no picture") {
     CHECK(predicted.at(what) <= predicted.at(what + "_interval").at("high"));
   }
   CHECK(json_of(folder, "d.json").at("pilot").at("seconds") > 0);
+}
+
+TEST_CASE("an error of samples that are not finite is not reached") {
+  const Folder folder;
+  folder.file("bright.xml", R"(<scene version="3.0.0">
+  <integrator type="path"><integer name="max_depth" value="2"/></integrator>
+  <sensor type="perspective">
+    <transform name="to_world"><lookat origin="0, 0, 5" target="0, 0, 0" up="0, 1, 0"/></transform>
+    <film type="hdrfilm"><integer name="width" value="16"/><integer name="height" value="16"/></film>
+  </sensor>
+  <emitter type="constant"><rgb name="radiance" value="3e38, 1, 1"/></emitter>
+  <shape type="sphere">
+    <bsdf type="diffuse"><rgb name="reflectance" value="0.9, 0.9, 0.9"/></bsdf>
+    <emitter type="area"><rgb name="radiance" value="3e38, 2, 1"/></emitter>
+  </shape>
+</scene>
+)");
+  const Outcome outcome =
+      folder.run({"bright.xml", "--max-error", "1e38", "--time", "60s", "-o", "a.exr", "--stats", "a.json"});
+  INFO(outcome.err);
+  CHECK(outcome.code == 6);
+  CHECK(contains(outcome.err, "--max-error 1e+38: not known, samples were not finite"));
+  CHECK(json_of(folder, "a.json").at("saturated_samples") > 0);
+  CHECK(json_of(folder, "a.json").at("error").is_null());
+}
+
+TEST_CASE("the scene's own number of samples is refused only where it is the goal, and named") {
+  const Folder folder;
+  std::string text = glowing_sphere;
+  const std::string film = "<film type";
+  text.insert(text.find(film),
+              "<sampler type=\"independent\"><integer name=\"sample_count\" value=\"2000000\"/></sampler>");
+  folder.file("many.xml", text);
+  // Of light paths in 320 x 240 pixels a film holds 111848 a pixel.
+  const auto run = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> arguments{"many.xml", "--integrator", "ptracer", "--width", "320", "-o", "a.exr"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return folder.run(arguments);
+  };
+  const Outcome refused = run({});
+  INFO(refused.err);
+  CHECK(refused.code == 3);
+  CHECK(contains(refused.err, "many.xml:6:5: error: "));
+  CHECK(contains(refused.err, "sample_count is 2000000"));
+  const Outcome stated = run({"--spp", "1000000"});
+  CHECK(stated.code == 2);
+  CHECK(contains(stated.err, "--spp 1000000: the film holds 1 to"));
+  CHECK(run({"--spp", "1"}).code == 0);
+  CHECK(run({"--max-error", "1e9", "--spp", "4"}).code == 0);
+  CHECK(contains(run({"--time", "1ms"}).err, "--time 1ms:"));  // Missed, not refused.
 }

@@ -3,7 +3,9 @@
 #include <catch2/catch.hpp>
 #include <chrono>
 #include <csignal>
+#include <filesystem>
 #include <thread>
+#include <vector>
 
 #include "cli/program.h"
 #include "image/image_io.h"
@@ -12,9 +14,9 @@ using namespace strahl_test;
 
 namespace {
 
-/// A render of hours that is sent `signal` after its first launches began. What tells that they did: the program's text
-/// is written just before, and a launch takes at most 0.25 s.
-Outcome interrupted_render(const Folder& folder, int signal) {
+/// A render of hours that is sent the signals after its first launches began. What tells that they did: the program's
+/// text is written just before, and a launch takes at most 0.25 s.
+Outcome interrupted_render(const Folder& folder, const std::vector<int>& signals) {
   folder.file("scene.xml", glowing_sphere);
   const std::string started = folder.path("kernel.cl");
   return folder.run({"scene.xml", "-o", "out.exr", "--width", "256", "--spp", "2000000", "--sampler", "independent",
@@ -24,7 +26,10 @@ Outcome interrupted_render(const Folder& folder, int signal) {
                       for (int wait = 0; wait < 600 && !std::filesystem::exists(started); ++wait)
                         std::this_thread::sleep_for(100ms);
                       std::this_thread::sleep_for(1s);
-                      kill(child, signal);
+                      for (const int signal : signals) {
+                        kill(child, signal);
+                        std::this_thread::sleep_for(10ms);  // Two at once may arrive in any order.
+                      }
                     });
 }
 
@@ -34,14 +39,53 @@ TEST_CASE("an interrupted render leaves a complete picture") {
   const Folder folder;
   const auto [signal, code] =
       GENERATE(std::make_pair(SIGINT, 130), std::make_pair(SIGTERM, 143), std::make_pair(SIGHUP, 129));
-  const Outcome outcome = interrupted_render(folder, signal);
+  const Outcome outcome = interrupted_render(folder, {signal});
   INFO(outcome.err);
   CHECK(outcome.signal == 0);
   CHECK(outcome.code == code);
-  CHECK(contains(outcome.err, "interrupted"));
+  CHECK(contains(outcome.err, "interrupted after "));
   CHECK(folder.files() == std::vector<std::string>{"kernel.cl", "out.exr", "scene.xml"});
   const strahl::Image image = strahl::read_image(folder.path("out.exr"));
   REQUIRE(image.width == 256);
   CHECK(image.at(128, 96, 0) == Approx(4));
   CHECK(image.metadata.count("incomplete") == 1);
+}
+
+TEST_CASE("a second signal ends the process, but one that the caller ignores never does") {
+  const Folder folder;
+  CHECK(interrupted_render(folder, {SIGINT, SIGHUP}).signal == SIGHUP);
+  CHECK_FALSE(std::filesystem::exists(folder.path("out.exr")));
+  std::filesystem::remove(folder.path("kernel.cl"));
+  std::signal(SIGHUP, SIG_IGN);  // As nohup does.
+  const Outcome outcome = interrupted_render(folder, {SIGINT, SIGHUP});
+  std::signal(SIGHUP, SIG_DFL);
+  INFO(outcome.err);
+  CHECK(outcome.signal == 0);
+  CHECK(outcome.code == 130);
+  CHECK(strahl::read_image(folder.path("out.exr")).width == 256);
+}
+
+TEST_CASE("a frame under way ends as soon as a picture does, and says so") {
+  const Folder folder;
+  folder.file("scene.xml", glowing_sphere);
+  std::chrono::steady_clock::time_point sent;
+  const Outcome outcome = folder.run(
+      {"scene.xml", "--frames", "9", "--time", "60s", "-o", "f.exr", "--stats", "f.json", "--dump-kernel", "kernel.cl"},
+      {}, [&](pid_t child) {
+        using namespace std::chrono_literals;
+        for (int wait = 0; wait < 600 && !std::filesystem::exists(folder.path("kernel.cl")); ++wait)
+          std::this_thread::sleep_for(100ms);
+        std::this_thread::sleep_for(1s);
+        sent = std::chrono::steady_clock::now();
+        kill(child, SIGINT);
+      });
+  CHECK(std::chrono::duration<double>(std::chrono::steady_clock::now() - sent).count() < 5);
+  INFO(outcome.err);
+  CHECK(outcome.code == 130);
+  CHECK(contains(outcome.err, "f.0001.exr: interrupted"));
+  CHECK(folder.files() == std::vector<std::string>{"f.0001.exr", "f.json", "kernel.cl", "scene.xml"});
+  const strahl::Image frame = strahl::read_image(folder.path("f.0001.exr"));
+  CHECK(frame.at(16, 12, 0) == Approx(4));
+  CHECK(frame.metadata.count("incomplete") == 1);
+  CHECK(contains(read_text(folder.path("f.json")), "\"frames\": []"));
 }

@@ -50,6 +50,30 @@ TEST_CASE("an option that takes a number takes no NaN, no infinity and nothing o
     CHECK(render_with(folder, right).code == 4);
 }
 
+TEST_CASE("whole numbers are decimal, with zeros in front too, and the intervals of explain hold no NaN") {
+  const Folder folder;
+  // The picture's size is told where --pixel lies outside of it.
+  const Outcome wide = render_with(folder, {"--width", "0512", "--height", "010", "--pixel", "9999,0"});
+  INFO(wide.err);
+  CHECK(contains(wide.err, "512 x 10 pixels"));
+  for (const char* seed : {"008", "-0", "+7", "0", "0000", "2147483647"})
+    CHECK(render_with(folder, {std::string("--seed=") + seed}).code == 4);
+  CHECK(render_with(folder, {"--lanes", "010"}).code == 2);
+  CHECK(render_with(folder, {"--lanes", "08", "--png-bits", "016", "--max-depth=-01"}).code == 4);
+  for (const char* wrong : {"0x10", "1e3", "8.0", "-", " 8", "2147483648", "99999999999999999999"}) {
+    const Outcome outcome = render_with(folder, {std::string("--seed=") + wrong});
+    INFO(outcome.err);
+    CHECK(outcome.code == 2);
+    CHECK(contains(outcome.err, "--seed: "));
+  }
+  const auto explained = [&](const char* option, const char* value) {
+    return folder.run({"explain", "scene.xml", "--cost", option, value, "-d", "no-such-device"});
+  };
+  CHECK(contains(explained("--pilot", "nan").err, "--pilot: must be a number from 0.01 to 3600, not \"nan\""));
+  CHECK(contains(explained("--error-share", "nan").err, "--error-share: must be a number from 1e-06 to 1"));
+  CHECK(explained("--pilot", "0.5").code == 4);
+}
+
 TEST_CASE("a bound that no value can be held against is refused") {
   const Folder folder;
   folder.file("a.pfm", "Pf\n1 1\n-1.0\n" + std::string(4, '\0'));

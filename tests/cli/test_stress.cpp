@@ -26,14 +26,16 @@ TEST_CASE("a sheet, a table and JSON") {
   CHECK(strahl::read_image(folder.path("scene.stress.png")).width > 8 * 24);
 }
 
-TEST_CASE("JSON in the table's place; a sheet that cannot be written costs no time") {
+TEST_CASE("JSON in the table's place, of any name; a sheet that cannot be written costs no time") {
   const Folder folder;
   folder.file("scene.xml", glowing_sphere);
+  const std::string room = "r\xfcm.xml";  // ISO 8859-1
+  folder.file(room, glowing_sphere);
   const Outcome outcome =
-      folder.run({"stress", "scene.xml", "--width", "8", "--spp", "1", "-q", "--json", "-", "-o", "sheet.png"});
+      folder.run({"stress", room, "--width", "8", "--spp", "1", "-q", "--json", "-", "-o", "sheet.png"});
   INFO(outcome.err);
   REQUIRE(outcome.code == 0);
-  CHECK(nlohmann::json::parse(outcome.out)["scene"] == "scene");
+  CHECK(nlohmann::json::parse(outcome.out)["scene"] == "r\uFFFDm");
   CHECK(outcome.err.empty());
   CHECK(folder.run({"stress", "scene.xml", "-o", "nowhere/sheet.png"}).code == 1);
   CHECK(folder.run({"stress", "scene.xml", "-o", "sheet.jpg"}).code == 2);

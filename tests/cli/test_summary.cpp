@@ -33,14 +33,14 @@ RunStats stats() {
 }
 
 TEST_CASE("a line each: what was made, time, error, what is clipped") {
-  CHECK(bill(stats(), {"a.png", 300, 200, true, 8, {0.023, std::nullopt}}) ==
+  CHECK(bill(stats(), {"a.png", 300, 200, true, false, 8, {0.023, std::nullopt}}) ==
         "a.png 300×200 · 16 spp · 0:0 device\n"
         "  time     10.00 s: program 0.90, kernel 9.00, other 0.10\n"
         "  error    RMSE 0.01 (95 %: 0.0091 to 0.011): noise 0.01, 8-bit output 0.001, float rounding not measured (-v "
         "does)\n"
         "           half the noise: 37.00 s at the most\n"
         "  clipped  2.3 % of the pixels are brighter than white, which is no part of the error");
-  CHECK(brief_bill(stats(), {"a.png", 300, 200, true, 8, {}}) ==
+  CHECK(brief_bill(stats(), {"a.png", 300, 200, true, false, 8, {}}) ==
         "a.png · 10.00 s · 16 spp · RMSE 0.01 (0.0091 to 0.011)");
 }
 
@@ -49,13 +49,17 @@ TEST_CASE("what is not known is not said") {
   run.error.reset();
   run.least_spp = 3;
   run.camera_rays = 8000;
-  const std::string text = bill(run, {"", 10, 100, false, 0, {}});
+  const std::string text = bill(run, {"", 10, 100, false, false, 0, {}});
   CHECK(text.find("10×100 · 16 spp · 0:0 device · interrupted after 50 % of the samples\n") == 0);
   run.resumed_samples = 4000;
-  CHECK(bill(run, {"", 10, 100, false, 0, {}}).find("interrupted after 75 % of the samples\n") != std::string::npos);
+  CHECK(bill(run, {"", 10, 100, false, false, 0, {}}).find("interrupted after 75 % of the samples\n") !=
+        std::string::npos);
+  // Of a time or an error no number of samples is the whole.
+  CHECK(bill(run, {"", 10, 100, false, true, 0, {}}).find("10×100 · 3 to 16 spp · 0:0 device · interrupted\n") == 0);
+  CHECK(brief_bill(run, {"", 10, 100, false, true, 0, {}}) == "10.00 s · 3 to 16 spp · interrupted");
   RunStats last = stats();
   last.camera_rays = last.resumed_samples = 1000;
-  CHECK(bill(last, {"", 10, 100, true, 0, {}}).find("half the noise: 64.00 s") != std::string::npos);
+  CHECK(bill(last, {"", 10, 100, true, false, 0, {}}).find("half the noise: 64.00 s") != std::string::npos);
   CHECK(text.find("error    not measured") != std::string::npos);
   CHECK(text.find("clipped") == std::string::npos);
 }

@@ -7,6 +7,9 @@ strahl_test(cli/test_progress.cpp LABEL unit SOURCES ${PROJECT_SOURCE_DIR}/src/c
             ${PROJECT_SOURCE_DIR}/src/cli/progress_bar.cpp ${PROJECT_SOURCE_DIR}/src/cli/console.cpp ${PROJECT_SOURCE_DIR}/src/cli/printable.cpp LIBS fmt::fmt)
 strahl_test(cli/test_summary.cpp LABEL unit SOURCES ${PROJECT_SOURCE_DIR}/src/cli/summary.cpp
             ${PROJECT_SOURCE_DIR}/src/cli/clipping.cpp LIBS fmt::fmt)
+strahl_test(cli/test_render_goal.cpp LABEL unit SOURCES ${PROJECT_SOURCE_DIR}/src/cli/render_goal.cpp
+            ${PROJECT_SOURCE_DIR}/src/cli/goal_options.cpp ${PROJECT_SOURCE_DIR}/src/cli/keep_options.cpp
+            ${PROJECT_SOURCE_DIR}/src/cli/number_options.cpp LIBS fmt::fmt)
 foreach(test driver_environment render scene_aovs goals interrupt checkpoint memory_limit stats intersect canary stress tradeoff bench explain_cost explain_integrators several_devices)
   strahl_test(cli/test_${test}.cpp LABEL device SOURCES cli/program.cpp LIBS nlohmann_json::nlohmann_json fmt::fmt)
 endforeach()

@@ -2,6 +2,7 @@
 // Output files are complete or absent, whatever goes wrong: full disk, missing folder, no permission, an exception.
 #include <sys/resource.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <catch2/catch.hpp>
@@ -234,4 +235,23 @@ TEST_CASE("whole files are read, and unreadable ones say why") {
   CHECK_THROWS_WITH(read_file(folder / "none"), Contains("there is no such file"));
   CHECK_THROWS_WITH(read_file(folder.path()), Contains("it is a folder"));
   CHECK_THROWS_AS(read_file(folder / "none"), InputError);
+}
+
+TEST_CASE("pictures go into a pipe as they go into a file") {
+  const TemporaryFolder folder;
+  for (const std::string extension : {".exr", ".png", ".pfm"}) {
+    INFO(extension);
+    const std::string pipe = folder / ("pipe" + extension), file = folder / ("file" + extension);
+    write_image(noise(), file);
+    REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0);
+    const pid_t reader = ::fork();
+    if (reader == 0) {
+      put_bytes(folder / ("read" + extension), read_file(pipe));
+      ::_exit(0);
+    }
+    CHECK_NOTHROW(write_image(noise(), pipe));
+    REQUIRE(::waitpid(reader, nullptr, 0) == reader);
+    CHECK(read_file(folder / ("read" + extension)) == read_file(file));
+    CHECK(fs::is_fifo(pipe));
+  }
 }

@@ -40,7 +40,7 @@ TEST_CASE("Writers and readers of one cache file never meet a half of it") {
 TEST_CASE("Entries of others, and what is no file, do not count and are replaced") {
   const OwnCache cache;
   const std::vector<unsigned char> binary(1000, 7);
-  write_cached_binary("name", "key", binary);
+  REQUIRE(write_cached_binary("name", "key", binary));
   const fs::path file = cache.files().at(0);
   REQUIRE(read_cached_binary("name", "key") == binary);
   const fs::path elsewhere = cache.directory() / "elsewhere";

@@ -159,6 +159,59 @@ TEST_CASE("what is finished is finished, and goes on to more samples") {
   CHECK_THROWS_AS(resumed(renderer, *last, more), InputError);
 }
 
+/// Of a render of `spp` samples that the callback stops after so many launches.
+FilmState stopped_after(Renderer& renderer, int launches, int spp) {
+  FilmState stopped;
+  FilmKeeper keeper;
+  keeper.keep_last = [&](FilmState state) { stopped = std::move(state); };
+  RenderGoal goal;
+  goal.spp = spp;
+  static_cast<void>(renderer.render([&](const Progress&) { return --launches > 0; }, goal, &keeper));
+  return stopped;
+}
+
+TEST_CASE("a deadline ends it soon, however long the pass was that was under way") {
+  require_pocl_and_rusticl();
+  Scene scene = picture();
+  scene.sampler.kind = SamplerKind::independent;  // Any number of samples is divided alike.
+  RenderSettings settings = settings_of();
+  settings.passes.reset();
+  Renderer renderer(Device::open("pocl"), scene, settings);
+  const FilmState state = stopped_after(renderer, 3, max_spp);
+  REQUIRE(state.position.done == max_spp);
+  REQUIRE(least_of(state) == 0);
+  RenderGoal goal;
+  goal.deadline = later(Clock::now(), 1);
+  const RenderResult result = resumed(renderer, state, goal);
+  CHECK(std::chrono::duration<double>(Clock::now() - *goal.deadline).count() < 0.5);
+  CHECK(result.ending == Ending::deadline);
+  CHECK(result.stats.least_spp > *std::max_element(state.film.samples.begin(), state.film.samples.end()));
+  CHECK(result.stats.most_spp - result.stats.least_spp <= 1);
+  RenderGoal error;
+  error.max_error = 0.06;
+  const RenderResult reached = resumed(renderer, state, error);
+  CHECK(reached.ending == Ending::error);
+  CHECK(reached.stats.most_spp == reached.stats.least_spp);
+  CHECK(reached.stats.spp < 1000);
+}
+
+TEST_CASE("in passes by the clock it goes on to the same picture, in bands too") {
+  require_pocl_and_rusticl();
+  Scene scene = picture();
+  scene.sampler.kind = SamplerKind::independent;
+  Renderer renderer(Device::open("pocl"), scene, settings_of());
+  const RenderResult expected = renderer.render();
+  const std::uint64_t row = 29 * (192 + 160);
+  Renderer banded(Device::open("pocl", {false, renderer.stats().scene_bytes + 5 * row}), scene, settings_of());
+  RenderGoal goal;
+  goal.spp = 32;
+  goal.deadline = later(Clock::now(), 1000);
+  for (const FilmState& state : states_of(banded, {}, 5)) {
+    CHECK(are_one(expected, resumed(banded, state, goal)));
+    CHECK(are_one(expected, resumed(renderer, state, goal)));
+  }
+}
+
 TEST_CASE("no time for a single sample leaves an empty film") {
   require_pocl_and_rusticl();
   Renderer renderer(Device::open("pocl"), picture(), settings_of());
