@@ -32,6 +32,8 @@ FN LightChoice_w choose_light_w(const Scene* scene, const SampleState_w* sample,
 
 /// One over the probability that choose_light returns these lights at `from`.
 FN realw light_rarity_w(const Scene* scene, intw lights, real3w from) {
+  // Then there are no tables.
+  if (lights_drawn_from(scene) == 1) return splat_w(R(1.0));
   switch (scene->index[HEADER_CHOOSER]) {
 #define CHOOSER(name)  \
   case CHOOSER_##name: \

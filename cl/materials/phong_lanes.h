@@ -2,17 +2,22 @@
 // B. Phong's highlight around the mirrored direction over a diffuse base, seen from its front, normalised as by E.
 // Lafortune, Y. Willems, "Using the Modified Phong Reflectance Model for Physically Based Rendering", 1994; as Mitsuba
 // 0.x has it. Parameters: diffuse reflectance r g b, specular reflectance r g b; the exponent; the chance of the
-// highlight.
+// highlight, 0, what multiplies both reflectances.
 
 enum { PHONG_SPECULAR_w = 3, PHONG_EXPONENT_w = 6, PHONG_CHANCE_w = 9 };
 
 FN void phong_load_w(const Scene* scene, const TexturePlace_w* at, int row, maskw which, Bsdf_w* b) {
-  for (int slot = 0; slot < 4; ++slot) {
+  real3w chance = parameter_of_w(scene, at, row, 3);
+  for (int slot = 0; slot < 3; ++slot) {
     real3w value = parameter_of_w(scene, at, row, slot);
     int is_number = 3 * slot == PHONG_EXPONENT_w;
-    if (is_number) value.x = luminance_w(value);
+    if (is_number)
+      value.x = luminance_w(value);
+    else
+      value = scale3_w(chance.z, value);
     put_bsdf_color_w(b, which, 3 * slot, value);
   }
+  put_bsdf_color_w(b, which, PHONG_CHANCE_w, chance);
 }
 
 /// The cosine of wi and the mirrored wo, to the power of the exponent.

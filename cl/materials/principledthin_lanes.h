@@ -39,7 +39,8 @@ typedef struct {
 FN PrincipledThin_w principledthin_of_w(const Bsdf_w* b) {
   PrincipledThin_w p;
   realw zero = splat_w(R(0.0)), one = splat_w(R(1.0)), half_one = splat_w(R(0.5));
-  realw trans = b->p[PRINCIPLEDTHIN_SPEC_TRANS_w], behind = half_one * b->p[PRINCIPLEDTHIN_DIFF_TRANS_w];
+  // A texture of floats may give more than 2.
+  realw trans = b->p[PRINCIPLEDTHIN_SPEC_TRANS_w], behind = min_w(half_one * b->p[PRINCIPLEDTHIN_DIFF_TRANS_w], one);
   realw rough = b->p[PRINCIPLEDTHIN_ROUGHNESS_w], anisotropic = b->p[PRINCIPLEDTHIN_ANISOTROPIC_w];
   p.reflecting = (one - trans) * (one - behind);
   p.transmitting = (one - trans) * behind;

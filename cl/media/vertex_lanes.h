@@ -25,6 +25,8 @@ FN void scatter_before_w(Surfaces_w* s, maskw which, const Flight_w* w) {
 /// Lets the paths go on to the surfaces s that their rays meet, or scatter in a medium before them.
 FN void media_travel_w(const Scene* scene, Paths_w* path, Surfaces_w* s) {
   s->scatters = none_w();
+  // No path has a first way then, as in Mitsuba.
+  if (scene->index[HEADER_MAX_DEPTH] == 0) return;
   if (media_table(scene)[MEDIA_BOUNDARIES] == 0 && !any_w(path->alive & is_within_w(path->medium))) return;
   FirstSamples none = no_first_samples_w();
   Way_w way = way_of_w(path, s);

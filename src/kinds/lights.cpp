@@ -301,9 +301,11 @@ const LightFacts& light(const Light& light) {
   return of_kind(light, [](auto row, const auto&) -> const LightFacts& { return decltype(row)::facts; });
 }
 
-bool is_drawn(const LightFacts& light, const IntegratorFacts& integrator) {
-  if (light.is_delta) return integrator.lamps == Lamps::drawn;
-  return !(light.is_even && integrator.finds_emission());
+bool is_drawn(const Light& light, const IntegratorFacts& integrator) {
+  if (!(light.sampling_weight > 0)) return false;
+  const LightFacts& facts = kinds::light(light);
+  if (facts.is_delta) return integrator.lamps == Lamps::drawn;
+  return !(facts.is_even && integrator.finds_emission());
 }
 
 std::vector<double> light_reals(const Light& light, const UploadFrame& frame) {

@@ -29,9 +29,10 @@ struct LightFacts {
 
 [[nodiscard]] const LightFacts& light(const Light& light);
 
-/// Whether directions to it are drawn. To one that is even they are not, where materials draw directions: they do so
-/// about in proportion to what they reflect of it (docs/decisions/0028-many-lights.md).
-[[nodiscard]] bool is_drawn(const LightFacts& light, const IntegratorFacts& integrator);
+/// Whether directions to it are drawn. To one of sampling_weight 0 they are not, nor, where materials draw directions,
+/// to one that is even: materials do so about in proportion to what they reflect of it
+/// (docs/decisions/0028-many-lights.md).
+[[nodiscard]] bool is_drawn(const Light& light, const IntegratorFacts& integrator);
 
 /// Its parameters, as its file in cl/lights says, in the frame's units.
 [[nodiscard]] std::vector<double> light_reals(const Light& light, const UploadFrame& frame);

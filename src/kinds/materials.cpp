@@ -31,6 +31,13 @@ MaterialSlot value_slot(const char* name, const Varying& value) {
   return made;
 }
 
+/// A share of rays, which is no colour.
+MaterialSlot share_slot(const char* name, const Reflectance& share) {
+  MaterialSlot made = slot(name, share);
+  made.is_colour = false;
+  return made;
+}
+
 MaterialFacts facts(const char* kind, std::vector<MaterialSlot> slots, std::vector<std::string> faults = {}) {
   return {.kind = kind,
           .lobes = lobes_of_kind(kind),
@@ -123,12 +130,14 @@ struct Parts {
   double chance;
 };
 
-/// Together at most all that is received, as in Mitsuba 0.x: else both are scaled down.
+/// Together at most what is received. Beside a texture packing scales, which knows how bright that is.
 Parts parts_of(Reflectance diffuse, Reflectance specular) {
   Rgb &d = diffuse.color, &s = specular.color;
-  const double most = std::max({d.r + s.r, d.g + s.g, d.b + s.b, 1.0});
-  d = {d.r / most, d.g / most, d.b / most};
-  s = {s.r / most, s.g / most, s.b / most};
+  if (diffuse.texture < 0 && specular.texture < 0) {
+    const double scale = scale_of_parts({d.r + s.r, d.g + s.g, d.b + s.b});
+    d = {scale * d.r, scale * d.g, scale * d.b};
+    s = {scale * s.r, scale * s.g, scale * s.b};
+  }
   const double both = mean(specular) + mean(diffuse);
   return {diffuse, specular, both > 0 ? mean(specular) / both : 0.5};
 }
@@ -138,7 +147,8 @@ MaterialFacts phong_facts(const Phong& phong) {
   MaterialFacts found = facts("phong", {slot("diffuse_reflectance", parts.diffuse),
                                         slot("specular_reflectance", parts.specular),
                                         value_slot("exponent", phong.exponent),
-                                        {"chance", {parts.chance, 0, 0}, -1, false}});
+                                        {"chance", {parts.chance, 0, 1}, -1, false}});
+  found.scale_slot = 3;
   if (!is_at_least(0, phong.exponent.color)) found.faults.emplace_back("exponent must be finite and not negative");
   return found;
 }
@@ -148,7 +158,8 @@ MaterialFacts ward_facts(const Ward& ward) {
   MaterialFacts found =
       facts("ward", {slot("diffuse_reflectance", parts.diffuse), slot("specular_reflectance", parts.specular)});
   add_microfacets({MicrofacetKind::beckmann, ward.alpha_u, ward.alpha_v, false}, found);
-  found.slots.push_back({"variant", {parts.chance, static_cast<double>(ward.variant), 0}, -1, false});
+  found.slots.push_back({"variant", {parts.chance, static_cast<double>(ward.variant), 1}, -1, false});
+  found.scale_slot = 5;
   return found;
 }
 
@@ -282,7 +293,7 @@ struct Facts {
   MaterialFacts operator()(const Blend& blend) const {
     MaterialFacts facts;
     facts.kind = "blendbsdf";
-    facts.slots = {slot("weight", blend.weight)};
+    facts.slots = {share_slot("weight", blend.weight)};
     facts.flags = {"BLEND"};
     facts.nested = {blend.first, blend.second};
     return facts;
@@ -329,9 +340,14 @@ struct Facts {
 
 }  // namespace
 
+double scale_of_parts(const Rgb& together) {
+  const double most = std::max({together.r, together.g, together.b});
+  return most > 1 ? 0.99 / most : 1;
+}
+
 MaterialFacts material_facts(const Material& material) {
   MaterialFacts facts = std::visit(Facts{}, material.bsdf);
-  if (material.opacity) facts.opacity = slot("opacity", *material.opacity);
+  if (material.opacity) facts.opacity = share_slot("opacity", *material.opacity);
   facts.is_twosided = material.twosided && !facts.has_lobe(lobes::LOBE_TRANSMIT);
   return facts;
 }

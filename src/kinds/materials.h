@@ -24,6 +24,7 @@ struct MaterialSlot {
   std::array<double, 3> reals;  ///< What the kernels read where there is no texture.
   int texture = -1;             ///< Index into Scene::textures; -1: none.
   bool is_share = true;         ///< A share of the light: within [0, 1]. Faults of the others are in MaterialFacts.
+  bool is_colour = true;        ///< Of a share: false of an opacity and of a blend's weight.
   bool has_length = false;      ///< The last real is a length of the scene.
 };
 
@@ -38,11 +39,16 @@ struct MaterialFacts {
   bool is_boundary = false;             ///< Of two media: shapes of it may have a priority.
   bool is_coat = false;                 ///< The one inside it lies below it.
   bool is_metal = false;                ///< Its second and third slot are eta and k.
+  int scale_slot = -1;                  ///< Its last real multiplies slots 0 and 1, which may be textures; -1: none.
   bool has_along = false;               ///< It scatters differently along u and across; calls for TANGENT.
   std::vector<int> nested;              ///< Indices of the materials inside it: of a blend two, else one.
 
   [[nodiscard]] bool has_lobe(int lobe) const { return (lobes & lobe) == lobe; }
 };
+
+/// What both parts of a material are multiplied by, which at their brightest reflect that much together: as in Mitsuba
+/// 0.x, 1 where that is at most 1, else so that 0.99 is left.
+[[nodiscard]] double scale_of_parts(const Rgb& together);
 
 [[nodiscard]] MaterialFacts material_facts(const Material& material);
 

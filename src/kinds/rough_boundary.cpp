@@ -122,10 +122,20 @@ RoughBoundary rough_boundary(MicrofacetKind kind, double alpha, double eta) {
 }
 
 double smooth_inner_reflectance(double eta) {
+  constexpr double largest_eta_of_fit = 3;
   // W. Egan, T. Hilgeman, "Spectral Reflectance of Particulate Materials", Applied Optics 12(8), 1973; E. d'Eon,
   // G. Irving, "A Quantized-Diffusion Model for Rendering Translucent Materials", SIGGRAPH 2011.
+  const auto fit = [](double from_within) {
+    return 0.0636 / from_within + from_within * (from_within * -1.4399 + 0.7099) + 0.6681;
+  };
   const double from_within = 1 / eta;
-  if (from_within < 1) return 0.0636 * eta + from_within * (from_within * -1.4399 + 0.7099) + 0.6681;
+  // The fit is above 1 from 3.85 on. What is let out is in proportion to 1 / eta^2, but for what of diffuse light from
+  // outside is let in, which varies slowly.
+  if (eta > largest_eta_of_fit) {
+    const double share = largest_eta_of_fit / eta;
+    return std::min(1 - (1 - fit(1 / largest_eta_of_fit)) * share * share, largest_inner_reflectance);
+  }
+  if (from_within < 1) return fit(from_within);
   return ((((-1.36881 * eta + 4.98554) * eta - 7.80989) * eta + 6.75335) * eta - 3.4793) * eta + 0.919317;
 }
 

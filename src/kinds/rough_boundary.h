@@ -19,7 +19,11 @@ struct RoughBoundary {
 /// eta: index of refraction inside over outside. Of equal arguments it is computed once.
 [[nodiscard]] RoughBoundary rough_boundary(MicrofacetKind kind, double alpha, double eta);
 
-/// The same of a smooth boundary, `inner` alone, as Mitsuba approximates it.
+/// Below 1 in single precision too: materials divide by what is left of it.
+inline constexpr double largest_inner_reflectance = 1 - 0x1p-20;
+
+/// The same of a smooth boundary, `inner` alone, as Mitsuba approximates it up to an eta of 3. Beyond, where that goes
+/// on to 1 and above, it nears 1 as physics has it, up to largest_inner_reflectance.
 [[nodiscard]] double smooth_inner_reflectance(double eta);
 
 }  // namespace strahl::kinds

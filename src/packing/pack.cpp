@@ -109,7 +109,7 @@ class Packing {
 
   /// What is no colour is not filtered: it has the rows behind.
   int texture_row(const MaterialSlot& slot) const {
-    const bool is_filtered = slot.is_share || !features_.flag("TEXTURE_LOD");
+    const bool is_filtered = (slot.is_share && slot.is_colour) || !features_.flag("TEXTURE_LOD");
     return slot.texture + (is_filtered ? 0 : checked_offset(scene_.textures.size()));
   }
 

@@ -38,15 +38,20 @@ class LightTable {
   /// Those that are taken, those that are drawn, and those that rays only find.
   std::vector<int> run(const std::vector<const Shape*>& shapes, const std::vector<std::int32_t>& first_ids) {
     header(layout::HEADER_BACKGROUND) = header(layout::HEADER_SUN) = -1;
-    put_lights(true, false);
+    const kinds::IntegratorFacts& integrator = kinds::integrator(scene_.integrator.name);
+    const auto is_taken = [&](const Light& light) {
+      return kinds::light(light).is_delta && integrator.lamps == kinds::Lamps::taken;
+    };
+    const auto is_drawn = [&](const Light& light) { return kinds::is_drawn(light, integrator) && !is_taken(light); };
+    put_lights(is_taken);
     const int taken = count();
-    put_lights(true, true);
-    put_lights(false, true);
+    put_lights([&](const Light& light) { return is_drawn(light) && kinds::light(light).is_delta; });
+    put_lights([&](const Light& light) { return is_drawn(light) && !kinds::light(light).is_delta; });
     area_lights(shapes, first_ids);
     header(layout::HEADER_LIGHTS_TAKEN) = taken;
     header(layout::HEADER_LIGHT_COUNT) = count();
     pack_chooser(packed_, scene_, features_, frame_, std::span(reaches_).subspan(static_cast<std::size_t>(taken)));
-    put_lights(false, false);
+    put_lights([&](const Light& light) { return !is_drawn(light) && kinds::light(light).is_background; });
     const int rows_at = packed_.put_index(rows_);
     header(layout::HEADER_LIGHTS) = rows_at;
     return std::move(light_of_part_);
@@ -57,12 +62,10 @@ class LightTable {
   [[nodiscard]] bool begins_paths() const { return kinds::integrator(scene_.integrator.name).from_lights; }
   [[nodiscard]] int count() const { return static_cast<int>(rows_.size()) / layout::LIGHT_INTS; }
 
-  void put_lights(bool is_delta, bool is_drawn) {
-    const kinds::IntegratorFacts& integrator = kinds::integrator(scene_.integrator.name);
-    for (const Light& light : scene_.lights) {
-      const kinds::LightFacts& facts = kinds::light(light);
-      if (facts.is_delta == is_delta && kinds::is_drawn(facts, integrator) == is_drawn) put_light(light);
-    }
+  template <typename IsMeant>
+  void put_lights(const IsMeant& is_meant) {
+    for (const Light& light : scene_.lights)
+      if (is_meant(light)) put_light(light);
   }
 
   /// Not where the program has no use for it.
@@ -103,14 +106,15 @@ class LightTable {
     if (radiance.r > 0 || radiance.g > 0 || radiance.b > 0) header(layout::HEADER_GLOWS) = 1;
   }
 
-  /// One for each part that emits and has an area that can be drawn from; light_of_part_ for each part of the scene.
+  /// One for each part that emits, may be drawn and has an area that can be drawn from; light_of_part_ for each part of
+  /// the scene.
   void area_lights(const std::vector<const Shape*>& shapes, const std::vector<std::int32_t>& first_ids) {
     for (std::size_t i = 0; i < shapes.size(); ++i) {
       const Shape& shape = *shapes[i];
       const bool glows = features_.flag("EMISSION") && features_.has("shapes", shape_kind(shape));
       const bool is_beam = shape.exitance.has_value();
       const int kind = numbers_("lights", is_beam ? "directionalarea" : "area");
-      const bool is_drawn = kind >= 0 && features_.has("areas", area_kind(shape.geometry));
+      const bool is_drawn = kind >= 0 && shape.sampling_weight > 0 && features_.has("areas", area_kind(shape.geometry));
       for (int part = 0; part < part_count(shape); ++part) {
         light_of_part_.push_back(-1);
         const MeshPart look = look_of_part(shape, part);

@@ -8,6 +8,26 @@
 
 namespace strahl {
 
+namespace {
+
+/// The greatest values of a slot. is_bound: of a bitmap, whose texels are then not read, at most these.
+Rgb brightest(const MaterialSlot& slot, const Scene& scene, bool is_bound) {
+  if (slot.texture < 0) return {slot.reals[0], slot.reals[1], slot.reals[2]};
+  const Texture& texture = scene.textures[static_cast<std::size_t>(slot.texture)];
+  const auto* bitmap = std::get_if<Bitmap>(&texture.pattern);
+  return is_bound && bitmap != nullptr ? bitmap->scale : kinds::brightest(texture);
+}
+
+double scale_of_slots(const std::vector<MaterialSlot>& slots, const Scene& scene) {
+  const auto scale = [&](bool is_bound) {
+    const Rgb a = brightest(slots[0], scene, is_bound), b = brightest(slots[1], scene, is_bound);
+    return scale_of_parts({a.r + b.r, a.g + b.g, a.b + b.b});
+  };
+  return scale(true) == 1 ? 1 : scale(false);
+}
+
+}  // namespace
+
 PackedMaterial packed_material(std::size_t row, const Scene& scene, const Features& features, EntryNumbers& numbers) {
   const Material& material = scene.materials[row];
   const MaterialFacts facts = material_facts(material);
@@ -24,6 +44,8 @@ PackedMaterial packed_material(std::size_t row, const Scene& scene, const Featur
   packed.slots = facts.slots;
   if (packed.slots.size() > layout::MATERIAL_MOST_SLOTS)
     throw std::logic_error("a material has more parameters than MATERIAL_MOST_SLOTS");
+  if (facts.scale_slot >= 0 && (packed.slots[0].texture >= 0 || packed.slots[1].texture >= 0))
+    packed.slots[static_cast<std::size_t>(facts.scale_slot)].reals[2] = scale_of_slots(packed.slots, scene);
   const auto replace_texture = [&](MaterialSlot& slot) {
     if (slot.texture < 0) return;
     const Texture& texture = scene.textures[static_cast<std::size_t>(slot.texture)];

@@ -200,10 +200,11 @@ void media_causes(const Scene& scene, Causes& causes) {
       call_for(causes, "phases/" + phase_entry(phase.kind), "a phase function of that type", medium.where);
 }
 
-/// Does a sample draw more than its place in the pixel?
+/// Does a sample draw more than its place in the pixel? Of a blend a material is drawn, of a mask whether light passes.
 bool draws(const kinds::IntegratorFacts& integrator, const Causes& causes) {
   return integrator.follows == kinds::Follows::paths || integrator.asks_openness ||
-         (integrator.is_lit() && (causes.contains("EMISSION") || causes.background));
+         (integrator.is_lit() &&
+          (causes.contains("EMISSION") || causes.background || causes.contains("BLEND") || causes.contains("MASK")));
 }
 
 /// Lights outside shapes, and what chooses among lights where any is drawn.
@@ -227,10 +228,11 @@ void light_causes(const Scene& scene, Causes& causes) {
     causes.background = causes.background || (facts.is_background && causes.contains(effect));
     if (facts.is_sun && causes.contains(effect)) call_for(causes, "SUN", "an emitter of type sun", light.where);
     if (causes.contains(effect)) use_light_texture(scene, kinds::light_texture(light), causes);
-    if (kinds::is_drawn(facts, integrator)) note(effect);
+    if (kinds::is_drawn(light, integrator)) note(effect);
   }
   if (!integrator.is_lit() || drawn == nullptr) return;
   const DrawnLights lights = drawn_lights(scene, [&](const std::string& name) { return causes.contains(name); });
+  if (lights.count == 0) return;
   causes.light_chooser = integrator.from_lights && lights.count > 1 ? "power" : light_chooser(lights);
   if (lights.count > 1 && causes.light_choice) causes.light_chooser = *causes.light_choice;
   call_for(causes, "choosers/" + causes.light_chooser,

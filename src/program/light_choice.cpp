@@ -29,14 +29,14 @@ std::size_t lights_of(const Shape& shape) {
 DrawnLights drawn_lights(const Scene& scene, const std::function<bool(const std::string&)>& is_used) {
   DrawnLights lights;
   for (const Shape& shape : scene.shapes)
-    if (is_used(shape.exitance ? "lights/directionalarea" : "lights/area") &&
+    if (shape.sampling_weight > 0 && is_used(shape.exitance ? "lights/directionalarea" : "lights/area") &&
         is_used("areas/" + area_kind(shape.geometry)))
       lights.near += lights_of(shape);
   lights.count = lights.near;
   const kinds::IntegratorFacts& integrator = kinds::integrator(scene.integrator.name);
   for (const Light& light : scene.lights) {
     const kinds::LightFacts& facts = kinds::light(light);
-    if (!kinds::is_drawn(facts, integrator) || !is_used(std::string("lights/") + facts.entry)) continue;
+    if (!kinds::is_drawn(light, integrator) || !is_used(std::string("lights/") + facts.entry)) continue;
     ++lights.count;
     if (!facts.is_far) ++lights.near;
   }

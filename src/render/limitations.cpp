@@ -13,6 +13,7 @@
 #include "kinds/lights.h"
 #include "kinds/materials.h"
 #include "kinds/shapes.h"
+#include "kinds/textures.h"
 #include "packing/pack_areas.h"
 #include "scene/beams.h"
 
@@ -41,6 +42,11 @@ bool emits_light(const Light& light, bool must_be_seen) {
   return must_be_seen ? kinds::light_glows(light) : kinds::gives_light(light);
 }
 
+/// Of what it absorbs.
+bool emits_light(const Medium& medium) {
+  return is_light(kinds::times(medium.emission.largest(), medium.sigma_t.largest()));
+}
+
 /// Why the picture will be empty; none where it will not.
 std::optional<std::string> emptiness(const Scene& scene) {
   if (scene.shapes.empty() && scene.instances.empty())
@@ -50,6 +56,8 @@ std::optional<std::string> emptiness(const Scene& scene) {
   if (has_beams_alone(scene) && integrator.is_lit()) return std::nullopt;
   const bool must_be_seen = !integrator.is_lit();
   const auto shape_emits = [](const Shape& shape) { return emits_light(shape); };
+  const auto medium_emits = [](const Medium& medium) { return emits_light(medium); };
+  if (integrator.goes_through && std::any_of(scene.media.begin(), scene.media.end(), medium_emits)) return std::nullopt;
   const auto light_emits = [&](const Light& light) { return emits_light(light, must_be_seen); };
   if (std::any_of(scene.shapes.begin(), scene.shapes.end(), shape_emits) ||
       std::any_of(scene.lights.begin(), scene.lights.end(), light_emits) || scene.lost_emitters > 0)
@@ -70,6 +78,13 @@ std::vector<Diagnostic> limitations(const Scene& scene) {
   const auto warn = [&](const SourceLocation& where, std::string message) {
     warnings.push_back({Severity::warning, where, std::move(message)});
   };
+  if (kinds::integrator(scene.integrator.name).lamps == kinds::Lamps::drawn)
+    for (const Light& light : scene.lights)
+      if (kinds::light(light).is_delta && light.sampling_weight == 0 && kinds::gives_light(light))
+        warn(light.where,
+             fmt::format("this emitter's light is left out: its sampling_weight is 0, so that integrator {} "
+                         "never draws it, and no ray hits it; give it a weight above 0",
+                         scene.integrator.name));
   if (kinds::integrator(scene.integrator.name).from_lights && !kinds::integrator(scene.integrator.name).from_camera)
     for (const Material& material : scene.materials)
       if (material_facts(material).has_lobe(lobes::LOBE_DELTA))

@@ -64,8 +64,8 @@ bool has_masks(const Scene& scene) {
 
 IntegratorChoice integrator_for(const Scene& scene) {
   if (has_media(scene)) return {"volpath", "media lie between surfaces"};
-  if (scene.integrator.max_depth == 0 || scene.integrator.max_depth == 1)
-    return {"emission", "max_depth leaves nothing but emission"};
+  if (scene.integrator.max_depth == 0) return {"direct", "max_depth leaves no light"};
+  if (scene.integrator.max_depth == 1) return {"emission", "max_depth leaves nothing but emission"};
   std::vector<const Shape*> reflecting;
   for_each_shape(scene, [&](const Shape& shape) {
     if (reflecting.size() < 2 && reflects(shape, scene)) reflecting.push_back(&shape);

@@ -256,6 +256,13 @@ void check_film(const Film& film, Checker& check) {
                 "the filter's radius must not be negative");
   check.require(std::isfinite(film.filter.stddev) && film.filter.stddev > 0,
                 "the filter's stddev must be greater than 0");
+  check.require(film.filter.radius <= Filter::largest_radius,
+                "the filter's radius is {} pixels; at most {} are possible", film.filter.radius,
+                Filter::largest_radius);
+  check.require(film.filter.kind != FilterKind::gaussian || film.filter.radius > 0 ||
+                    film.filter.stddev <= Filter::largest_radius / 4,
+                "the filter's stddev is {} pixels; at most {} are possible", film.filter.stddev,
+                Filter::largest_radius / 4);
 }
 
 }  // namespace

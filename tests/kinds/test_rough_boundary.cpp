@@ -43,3 +43,17 @@ TEST_CASE("rougher boundaries let more through where light is shallow, less wher
     CHECK(fine.inner == Approx(0.58).margin(0.01));
   }
 }
+
+TEST_CASE("a smooth boundary reflects less than all of the diffuse light from within, whatever its index") {
+  double before = 0;
+  for (const double eta : {1.05, 1.5, 2.0, 2.9, 3.0, 3.01, 3.5, 3.84, 3.85, 3.9, 4.0, 5.0, 100.0, 1e4, 1e6}) {
+    INFO(eta);
+    const double inner = kinds::smooth_inner_reflectance(eta);
+    CHECK(inner >= before);
+    CHECK(static_cast<float>(inner) < 1);
+    before = inner;
+  }
+  // Mitsuba's up to 3; from there on what let-out light in proportion to 1 / eta^2 leaves.
+  CHECK(kinds::smooth_inner_reflectance(3) == Approx(0.93554).margin(1e-5));
+  CHECK(kinds::smooth_inner_reflectance(6) == Approx(1 - (1 - 0.93554) / 4).margin(1e-5));
+}

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 strahl_test(packing/test_memory_estimate.cpp LABEL unit)
 strahl_test(packing/test_pack.cpp LABEL unit)
+strahl_test(packing/test_pack_materials.cpp LABEL unit)
 strahl_test(packing/test_pack_shapes.cpp LABEL unit)
 strahl_test(packing/test_pack_camera.cpp LABEL unit)
 strahl_test(packing/test_pack_instances.cpp LABEL unit)

@@ -135,4 +135,18 @@ TEST_CASE("finite and of the values told for them, from grazing light to the lea
       }
 }
 
+TEST_CASE("principledthin takes a diff_trans above 2, which a texture may give, for 2") {
+  const auto kind =
+      static_cast<int>(std::find_if(bsdf_entries().begin(), bsdf_entries().end(),
+                                    [](const BsdfEntry& entry) { return entry.name == "principledthin"; }) -
+                       bsdf_entries().begin());
+  const std::vector<double> most = parameters(thin(0.5, 0.2, 2)), more = parameters(thin(0.5, 0.2, 3));
+  for (const BsdfTier& tier : bsdf_tiers())
+    for (const Triad& wi : {Triad{0, 0.6, 0.8}, Triad{0, 0.6, -0.8}}) {
+      INFO(tier.name);
+      CHECK(tier.eval(kind, more, {0, 0, 1}, {wi}).front().value ==
+            tier.eval(kind, most, {0, 0, 1}, {wi}).front().value);
+    }
+}
+
 }  // namespace

@@ -48,5 +48,19 @@ TEST_CASE("a sky that is the same from everywhere is none of them, where materia
   CHECK(choosers(scene_of(1, 0, true, "bdpt")) == Names{"power"});
 }
 
+TEST_CASE("lights of sampling_weight 0 are none of them") {
+  using Names = std::set<std::string>;
+  Scene scene = scene_of(2, 0, false, "path");
+  scene.lights[0].sampling_weight = 0;
+  CHECK(choosers(scene) == Names{"uniform"});
+  scene.lights[1].sampling_weight = 0;
+  CHECK(choosers(scene).empty());
+  Scene shape = scene_of(1, 0, false, "path");
+  shape.shapes[0].radiance = Rgb{1, 1, 1};
+  CHECK(choosers(shape) == Names{"each"});
+  shape.shapes[0].sampling_weight = 0;
+  CHECK(choosers(shape) == Names{"uniform"});
+}
+
 }  // namespace
 }  // namespace strahl::test

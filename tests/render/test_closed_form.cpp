@@ -215,5 +215,67 @@ TEST_CASE("max_depth counts as Mitsuba does, and hide_emitters hides what emits"
   CHECK(value(2, true) > 0);
 }
 
+/// The mean of the only pixels' red.
+double mean_red(const Scene& scene) {
+  RenderSettings settings;  // Of no more effects than the scene calls for.
+  const Image image = render("pocl", scene, settings).color;
+  double sum = 0;
+  for (std::size_t i = 0; i < image.data.size(); i += 3) sum += static_cast<double>(image.data[i]);
+  return sum / (static_cast<double>(image.data.size()) / 3);
+}
+
+TEST_CASE("blends and masks draw numbers with the sampler centre too") {
+  require_pocl_and_rusticl();
+  Scene blend = stage({floor_plane()}, diffuse({1, 1, 1}));
+  blend.materials.push_back(diffuse({0, 0, 0}));
+  Material both;
+  both.bsdf = Blend{{{0.3, 0.3, 0.3}}, 0, 1};
+  blend.materials.push_back(both);
+  blend.shapes[0].material = 2;
+  Scene mask = stage({floor_plane()}, diffuse({1, 1, 1}));
+  mask.materials[0].opacity = Reflectance{{0.7, 0.7, 0.7}};
+  for (Scene scene : {blend, mask})
+    for (const char* integrator : {"direct", "whitted", "path"}) {
+      INFO(integrator);
+      scene.integrator.name = integrator;
+      scene.lights = {light(DirectionalLight{{0, 0, -1}, {std::numbers::pi, 1, 1}})};
+      scene.sampler.sample_count = 64;
+      CHECK(mean_red(scene) == Approx(0.7).margin(0.01));
+    }
+}
+
+TEST_CASE("phong and ward are scaled by what their textures reflect at most") {
+  require_pocl_and_rusticl();
+  const auto picture = [](const auto& bsdf, const std::vector<Texture>& textures) {
+    Material material;
+    material.bsdf = bsdf;
+    Scene scene = stage({floor_plane()}, material);
+    scene.textures = textures;
+    scene.lights = {light(DirectionalLight{{0, 0.6, -0.8}, {std::numbers::pi, 1, 1}})};
+    return mean_red(scene);
+  };
+  const auto texture = [](double value) {
+    Texture made;
+    Bitmap bitmap;
+    bitmap.texels = std::make_shared<const Texels>(texels_of_floats(1, 1, 1, {static_cast<float>(value)}));
+    made.pattern = bitmap;
+    return made;
+  };
+  const auto check = [&](auto bsdf) {
+    for (const auto& [d, s] : {std::pair{0.75, 0.75}, std::pair{0.5, 0.375}}) {
+      INFO(d << " and " << s);
+      bsdf.diffuse_reflectance = {{d, d, d}};
+      bsdf.specular_reflectance = {{s, s, s}};
+      const double wanted = picture(bsdf, {});
+      bsdf.diffuse_reflectance = {{0.1, 0.1, 0.1}, 0};
+      CHECK(picture(bsdf, {texture(d)}) == Approx(wanted).epsilon(1e-5));
+      bsdf.specular_reflectance = {{0.1, 0.1, 0.1}, 1};
+      CHECK(picture(bsdf, {texture(d), texture(s)}) == Approx(wanted).epsilon(1e-5));
+    }
+  };
+  check(Phong{});
+  check(Ward{});
+}
+
 }  // namespace
 }  // namespace strahl::test

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A picture that will be empty is told before it is rendered; one that will not is not.
+#include <algorithm>
 #include <catch2/catch.hpp>
 
 #include "render/limitations.h"
@@ -52,6 +53,35 @@ TEST_CASE("whatever emits ends the warning") {
     mesh.shapes.front().geometry = glowing;
     CHECK(emptiness(mesh).empty());
   }
+}
+
+TEST_CASE("a medium that emits ends the warning where the integrator goes through media") {
+  Scene scene = scene_of("volpath");
+  scene.media.emplace_back();
+  CHECK_FALSE(emptiness(scene).empty());
+  scene.media.back().emission = Rgb{0, 1, 0};
+  CHECK(emptiness(scene).empty());
+  scene.integrator.name = "path";
+  CHECK_FALSE(emptiness(scene).empty());
+  scene.integrator.name = "volpath";
+  scene.media.back().sigma_t = Rgb{1, 0, 1};  // Where nothing is absorbed nothing is emitted.
+  CHECK_FALSE(emptiness(scene).empty());
+}
+
+TEST_CASE("a lamp that no ray hits and that is never drawn is named") {
+  const auto is_named = [](const char* integrator, double weight) {
+    Scene scene = scene_of(integrator);
+    scene.lights.push_back({"", PointLight{}, {}, weight});
+    const std::vector<Diagnostic> all = limitations(scene);
+    return std::any_of(all.begin(), all.end(), [](const Diagnostic& one) {
+      return one.message.find("its sampling_weight is 0") != std::string::npos;
+    });
+  };
+  for (const char* integrator : {"path", "volpath", "ptracer", "bdpt"}) {
+    CHECK(is_named(integrator, 0));
+    CHECK_FALSE(is_named(integrator, 0.5));
+  }
+  for (const char* integrator : {"direct", "whitted"}) CHECK_FALSE(is_named(integrator, 0));
 }
 
 TEST_CASE("beams are named where the integrator cannot find them") {

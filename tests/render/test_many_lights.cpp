@@ -5,7 +5,7 @@
 #include <cmath>
 #include <random>
 
-#include "render/stage.h"
+#include "render/filled.h"
 
 namespace strahl::test {
 namespace {
@@ -80,6 +80,78 @@ TEST_CASE("every way to choose among lamps has the same mean, and less noise the
     if (std::string(choice) == "each") CHECK(squares < least);
     least = std::min(least, squares);
   }
+}
+
+/// docs/scene-format.md: found by rays that hit it alone.
+TEST_CASE("lights of sampling_weight 0 are drawn by nothing") {
+  require_pocl_and_rusticl();
+  const auto mean = [](const Scene& scene, const char* choice) {
+    RenderSettings settings;
+    settings.precision = Precision::stable;
+    if (choice != nullptr) settings.light_choice = choice;
+    return static_cast<double>(mean_of(render("pocl", scene, settings).color).g);
+  };
+  Scene lamp = stage({floor_plane()}, diffuse({1, 1, 1}));
+  lamp.integrator.name = "path";
+  lamp.integrator.max_depth = 2;
+  lamp.sampler.kind = SamplerKind::independent;
+  lamp.sampler.sample_count = 64;
+  const auto at = [](double x, double weight) {
+    Light made = light(PointLight{{x, 0, 1}, {1, 1, 1}});
+    made.sampling_weight = weight;
+    return made;
+  };
+  lamp.lights = {at(0, 0)};
+  CHECK(mean(lamp, nullptr) == 0);
+  lamp.lights = {at(1, 1)};
+  const double one = mean(lamp, nullptr);
+  for (const char* choice : {"uniform", "power", "tree", "each"}) {
+    INFO(choice);
+    lamp.lights = {at(0, 0), at(1, 1)};
+    CHECK(mean(lamp, choice) == Approx(one).epsilon(1e-6));
+    lamp.lights = {at(0, 0), at(0.5, 0)};
+    CHECK(mean(lamp, choice) == 0);
+  }
+  lamp.integrator.name = "direct";
+  lamp.lights = {at(1, 0)};
+  CHECK(mean(lamp, nullptr) == Approx(one).epsilon(1e-3));  // Takes all.
+  // A panel over all of the floor is found by every ray that the floor sends up.
+  Scene panel = lamp;
+  panel.lights.clear();
+  panel.integrator.name = "path";
+  panel.shapes.emplace_back();
+  panel.shapes.back().geometry = Rectangle{{-1e3, -1e3, 5}, {0, 2e3, 0}, {2e3, 0, 0}};
+  panel.shapes.back().radiance = Rgb{1, 1, 1};
+  panel.integrator.hide_emitters = true;
+  for (const double weight : {0.0, 1.0}) {
+    INFO(weight);
+    panel.shapes.back().sampling_weight = weight;
+    CHECK(mean(panel, nullptr) == Approx(1).epsilon(0.02));
+  }
+}
+
+TEST_CASE("an emitting part without area changes nothing") {
+  require_pocl_and_rusticl();
+  Scene scene = stage({floor_plane()}, diffuse({1, 1, 1}));
+  Mesh mesh;
+  mesh.positions = {{-1, -1, 1}, {-1, 1, 1}, {1, 1, 1}, {1, -1, 1}};
+  mesh.triangles = {{0, 1, 2}, {0, 2, 3}, {0, 0, 1}};
+  mesh.parts = {{0, Rgb{1, 1, 1}}, {0, Rgb{9, 9, 9}}};
+  mesh.part_of_triangle = {0, 0, 1};
+  scene.shapes.emplace_back().geometry = mesh;
+  scene.integrator.name = "path";
+  scene.integrator.max_depth = 2;
+  scene.sampler.kind = SamplerKind::independent;
+  scene.sampler.sample_count = 16;
+  RenderSettings settings;
+  settings.light_choice = "power";  // Of which there are no tables where one light is left.
+  const Image with = render("pocl", scene, settings).color;
+  auto& plain = std::get<Mesh>(scene.shapes.back().geometry);
+  plain.triangles.pop_back();
+  plain.part_of_triangle.clear();
+  plain.parts.clear();
+  scene.shapes.back().radiance = Rgb{1, 1, 1};
+  CHECK(with.data == render("pocl", scene, settings).color.data);
 }
 
 }  // namespace

@@ -110,5 +110,16 @@ TEST_CASE("a path that scatters within glass of a priority crosses no surface th
   CHECK(mean_of(drawn(scene, 256)).r == Approx(1).margin(6e-3));
 }
 
+TEST_CASE("at max_depth 0 a medium that emits is black, as all else is") {
+  require_pocl_and_rusticl();
+  Medium glowing = medium({1, 1, 1}, {0, 0, 0});
+  glowing.emission = Rgb{1, 1, 1};
+  Scene scene = filled(slab(1), glowing);
+  scene.integrator.max_depth = 0;
+  CHECK(mean_of(color(scene, Precision::robust)).g == 0);
+  scene.integrator.max_depth = 1;
+  CHECK(mean_of(color(scene, Precision::robust)).g == Approx(1).epsilon(1e-5));
+}
+
 }  // namespace
 }  // namespace strahl::test

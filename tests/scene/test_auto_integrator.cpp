@@ -62,6 +62,7 @@ TEST_CASE("max_depth counts, and a name is obeyed") {
     return chosen("<integrator type=\"auto\"><integer name=\"max_depth\" value=\"" + depth + "\"/></integrator>" +
                   shape_of("cylinder"));
   };
+  CHECK(with_depth("0").name == "direct");  // Emission would show lights.
   CHECK(with_depth("1").name == "emission");
   CHECK(with_depth("2").name == "direct");
   CHECK(with_depth("3").name == "path");

@@ -91,7 +91,8 @@ TEST_CASE("in 0.x a metal without a name is copper") {
 
 TEST_CASE("integrators around others take the one inside; unknown ones become path") {
   const auto integrator = [](const std::string& text) { return load_body(text).scene.integrator; };
-  for (const char* type : {"aov", "moment", "stokes"}) {
+  for (const char* type : {"aov", "moment", "stokes", "multichannel", "irrcache", "motion", "mine"}) {
+    INFO(type);
     const IntegratorSettings inside = integrator(
         "<integrator type=\"" + std::string(type) +
         "\"><integrator type=\"whitted\"><integer name=\"max_depth\" value=\"3\"/></integrator></integrator>");
@@ -104,6 +105,37 @@ TEST_CASE("integrators around others take the one inside; unknown ones become pa
   REQUIRE(stokes.size() == 1);
   CHECK(contains(stokes[0], "integrator \"stokes\" is not supported yet; \"path\" takes its place"));
   CHECK_FALSE(contains(stokes[0], "did you mean"));
+  const std::vector<std::string> cache =
+      problems(around("<integrator type=\"irrcache\"><integrator type=\"direct\"/></integrator>"));
+  REQUIRE(cache.size() == 1);
+  CHECK(contains(cache[0], "integrator \"irrcache\" is not supported yet; the one inside it renders"));
+}
+
+TEST_CASE("a chain of integrators is read to a depth of 256") {
+  const auto chain = [](int length) {
+    std::string text = "<integrator type=\"stokes\"><ref id=\"i0\"/></integrator>";
+    // Definitions within something that renders nothing.
+    text += "<shape type=\"sphere\" id=\"definitions\">";
+    for (int i = 0; i < length; ++i)
+      text += "<integrator type=\"stokes\" id=\"i" + std::to_string(i) + "\"><ref id=\"i" + std::to_string(i + 1) +
+              "\"/></integrator>\n";
+    return problems(around(text + "<integrator type=\"direct\" id=\"i" + std::to_string(length) + "\"/></shape>"));
+  };
+  const auto is_too_deep = [](const std::vector<std::string>& lines) {
+    return std::any_of(lines.begin(), lines.end(),
+                       [](const std::string& line) { return contains(line, "nested deeper than 256"); });
+  };
+  CHECK_FALSE(is_too_deep(chain(255)));
+  CHECK(is_too_deep(chain(256)));
+  CHECK(is_too_deep(chain(2000)));
+}
+
+TEST_CASE("an area emitter that no shape refers to is told") {
+  const std::string lamp = "<emitter type=\"area\" id=\"lamp\"/>";
+  const std::vector<std::string> alone = problems(around(lamp + "<shape type=\"sphere\"/><emitter type=\"point\"/>"));
+  REQUIRE(alone.size() == 1);
+  CHECK(contains(alone[0], "2:1: warning: no <shape> refers to the area emitter \"lamp\"; it is left out"));
+  CHECK(problems(around(lamp + "<shape type=\"sphere\"><ref id=\"lamp\"/></shape>")).empty());
 }
 
 TEST_CASE("integrators that contain each other are an error") {
@@ -122,8 +154,8 @@ TEST_CASE("volpath is path where the scene has nothing that light passes straigh
       "<integrator type=\"volpath\"/><shape type=\"rectangle\"><bsdf type=\"thindielectric\"/></shape>";
   CHECK(load_body(pane).scene.integrator.name == "volpath");
   const std::string filled = "<shape type=\"sphere\"><medium type=\"homogeneous\" name=\"interior\"/></shape>";
-  for (const std::string integrator :
-       {"", "<integrator type=\"volpathmis\"/>", "<integrator type=\"volpath_simple\"/>"})
+  for (const std::string integrator : {"", "<integrator type=\"volpathmis\"/>", "<integrator type=\"prbvolpath\"/>",
+                                       "<integrator type=\"volpath_simple\"/>"})
     CHECK(load_body(integrator + filled).scene.integrator.name == "volpath");
 }
 

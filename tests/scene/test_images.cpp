@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "image/image_io.h"
+#include "kinds/textures.h"
 #include "scene/scene_text.h"
 
 using namespace strahl;
@@ -226,4 +227,34 @@ TEST_CASE("faults of images name the line") {
              Contains("did you mean \"mirror\""));
 }
 
+TEST_CASE("textures of floats are cut at 1 where a share is meant, and nowhere else") {
+  const ImageFolder folder;
+  const auto board = [](const char* name) {
+    return std::string("<texture type=\"checkerboard\" name=\"") + name +
+           "\"><float name=\"color0\" value=\"2\"/><float name=\"color1\" value=\"3\"/></texture>";
+  };
+  const auto bitmap = [](const char* name) {
+    return std::string("<texture type=\"bitmap\" name=\"") + name +
+           "\"><string name=\"filename\" value=\"bright.exr\"/></texture>";
+  };
+  const auto brightest = [](const LoadedScene& loaded) {
+    return kinds::brightest(loaded.scene.textures.at(0)).g + kinds::brightest(loaded.scene.textures.at(0)).r;
+  };
+  const std::string thin = "<bsdf type=\"principledthin\">", rough = "<bsdf type=\"roughconductor\">";
+  for (const std::string& what : {thin + bitmap("eta"), thin + bitmap("diff_trans"), rough + bitmap("alpha")}) {
+    INFO(what);
+    const LoadedScene loaded = folder.load(what + "</bsdf>");
+    CHECK(loaded.warnings.empty());
+    CHECK(brightest(loaded) > 8);
+  }
+  for (const std::string& what : {thin + board("eta"), rough + board("alpha")}) {
+    INFO(what);
+    const LoadedScene loaded = folder.load(what + "</bsdf>");
+    CHECK(loaded.warnings.empty());
+    CHECK(std::get<Checkerboard>(loaded.scene.textures.at(0).pattern).color0 == Rgb{3, 3, 3});
+  }
+  const LoadedScene roughness = folder.load(thin + bitmap("roughness") + "</bsdf>");
+  REQUIRE(roughness.warnings.size() == 1);
+  CHECK(brightest(roughness) <= 2);
+}
 }  // namespace

@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "image/image_io.h"
+#include "kinds/textures.h"
 #include "scene/scene_text.h"
 
 using namespace strahl;
@@ -135,4 +136,24 @@ TEST_CASE("errors of an MTL count where the shape has no material of its own") {
   };
   CHECK(load_scene(shape("<bsdf type=\"diffuse\"/>")).warnings.empty());
   CHECK_THROWS_AS(load_scene(shape("")), SceneError);
+}
+
+TEST_CASE("map_Kd and map_d of floats are cut at 1, a bump map is not") {
+  const SceneFolder folder;
+  write_image(Image{2, 2, {"R", "G", "B"}, std::vector<float>(12, 2), {}}, folder.path("bright.exr"));
+  const auto load = [&](const std::string& lines) {
+    folder.write("a.mtl", "newmtl a\n" + lines);
+    return load_scene(folder.write("a.obj", "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\n"));
+  };
+  for (const char* lines : {"Kd 1 1 1\nmap_Kd bright.exr\n", "Kd 1 1 1\nmap_d bright.exr\n"}) {
+    INFO(lines);
+    const LoadedScene cut = load(lines);
+    REQUIRE(cut.warnings.size() == 1);
+    CHECK_THAT(cut.warnings[0].message, Catch::Contains("4 of the 4 texels") && Catch::Contains("brighter than 1"));
+    CHECK(kinds::brightest(cut.scene.textures.at(0)) == Rgb{1, 1, 1});
+    CHECK(std::get<Bitmap>(cut.scene.textures[0].pattern).mean == Rgb{1, 1, 1});
+  }
+  const LoadedScene heights = load("Kd 1 1 1\nbump bright.exr\n");
+  CHECK(heights.warnings.empty());
+  CHECK(kinds::brightest(heights.scene.textures.at(0)) == Rgb{2, 2, 2});
 }

@@ -121,4 +121,64 @@ TEST_CASE("daylight has the parameters of Mitsuba 3 and of 0.x") {
   CHECK(night.scene.lights.size() == 1);
 }
 
+/// Mitsuba: local_sun_dir = to_world.inverse() * sun_direction; to_world turns the sky around a sun that stays.
+TEST_CASE("sun_direction is of the world, a sun of a time is turned with the sky") {
+  const std::string turn = "<transform name=\"to_world\"><rotate x=\"1\" angle=\"60\"/></transform>";
+  const auto lights = [](const std::string& body) {
+    return load_body("<emitter type=\"sunsky\">" + body + "</emitter>").scene.lights;
+  };
+  const auto sun = [](const std::vector<Light>& all) { return std::get<SunLight>(all.at(0).emitter).direction; };
+  const std::string given = "<vector name=\"sun_direction\" value=\"0, -0.6, 0.8\"/>";
+  const std::vector<Light> turned = lights(given + turn), straight = lights(given);
+  CHECK(degrees_between(sun(turned), {0, -0.6, 0.8}) < 1e-9);
+  CHECK(degrees_between(sun(straight), {0, -0.6, 0.8}) < 1e-9);
+  CHECK(degrees_between(std::get<EnvironmentLight>(turned.at(1).emitter).axes[1], {0, -std::sqrt(0.75), 0.5}) < 1e-9);
+  // In the turned sky it stands higher, and so it is brighter.
+  CHECK(std::get<SunLight>(turned[0].emitter).radiance.b > std::get<SunLight>(straight[0].emitter).radiance.b);
+  const std::string at_three = "<float name=\"hour\" value=\"15\"/>";
+  CHECK(degrees_between(sun(lights(at_three)), sun(lights(at_three + turn))) > 30);
+  // Below the world's horizon, above the turned sky's; and the other way round.
+  CHECK(lights("<vector name=\"sun_direction\" value=\"0, -1, -0.1\"/>" + turn).size() == 2);
+  CHECK(lights("<vector name=\"sun_direction\" value=\"0, 1, 0.1\"/>" + turn).size() == 1);
+  const std::vector<Light> old =
+      load_text(
+          "<scene version=\"0.6.0\"><emitter type=\"sun\"><vector name=\"sunDirection\" x=\"0\" y=\"1\" "
+          "z=\"0.5\"/><transform name=\"toWorld\"><rotate x=\"1\" angle=\"30\"/></transform></emitter>"
+          "<sensor type=\"perspective\"/></scene>")
+          .scene.lights;
+  CHECK(degrees_between(sun(old), {0, 1, 0.5}) < 1e-9);
+}
+
+TEST_CASE("below a turbidity of 2 the sky is that of 2, and the sun that of the turbidity") {
+  const auto load = [](const std::string& type, const std::string& turbidity) {
+    return load_text("<scene version=\"0.6.0\"><emitter type=\"" + type + "\"><float name=\"turbidity\" value=\"" +
+                     turbidity + "\"/></emitter><sensor type=\"perspective\"/></scene>");
+  };
+  const auto texels = [&](const std::string& turbidity) {
+    return std::get<EnvironmentLight>(load("sky", turbidity).scene.lights.at(0).emitter).texels->reals;
+  };
+  for (const char* low : {"1", "1.5", "1.7"}) CHECK(texels(low) == texels("2"));
+  const LoadedScene low = load("sky", "1.5");
+  REQUIRE(low.warnings.size() == 1);
+  CHECK_THAT(low.warnings[0].message, Catch::Contains("a turbidity of 2 on") && Catch::Contains("in place of 1.5"));
+  CHECK(load("sky", "2").warnings.empty());
+  const auto sun = [&](const std::string& turbidity) {
+    const LoadedScene loaded = load("sun", turbidity);
+    CHECK(loaded.warnings.empty());
+    return std::get<SunLight>(loaded.scene.lights.at(0).emitter).radiance.g;
+  };
+  CHECK(sun("1.5") > sun("2"));
+}
+
+TEST_CASE("what a sky would drop is told") {
+  const std::string sky = "<emitter type=\"sunsky\"><vector name=\"sun_direction\" value=\"0, 0, 1\"/>";
+  const std::vector<std::string> twice = problems(around(sky + "<float name=\"hour\" value=\"9\"/></emitter>"));
+  REQUIRE(twice.size() == 1);
+  CHECK_THAT(twice[0], Catch::Contains("warning: \"hour\" has no effect beside \"sun_direction\""));
+  const std::vector<std::string> dark = problems(around(sky + "<float name=\"sun_scale\" value=\"-1\"/></emitter>"));
+  REQUIRE(dark.size() == 1);
+  CHECK_THAT(dark[0], Catch::Contains("error: \"sun_scale\" must not be negative"));
+  CHECK(problems(around(sky + "<float name=\"sun_scale\" value=\"0\"/></emitter>")).empty());
+}
+
 }  // namespace

@@ -111,6 +111,8 @@ TEST_CASE("faults of everything else") {
   check_changed("near_clip", [](Scene& s) { s.camera.far_clip = 0; });
   check_changed("crop", [](Scene& s) { s.film.crop = Window{5, 0, 5, 9}; });
   check_changed("stddev", [](Scene& s) { s.film.filter.stddev = 0; });
+  check_changed("stddev is 1000000000 pixels; at most 256", [](Scene& s) { s.film.filter.stddev = 1e9; });
+  check_changed("radius is 1000000000 pixels; at most 1024", [](Scene& s) { s.film.filter.radius = 1e9; });
   check_changed("sample_count", [](Scene& s) { s.sampler.sample_count = 0; });
   check_changed("max_depth", [](Scene& s) { s.integrator.max_depth = -2; });
   check_changed("no name", [](Scene& s) { s.integrator.name.clear(); });

@@ -286,6 +286,7 @@ enum class FilterKind { box, tent, gaussian };
 
 /// Pixel reconstruction filter; samples are drawn from it.
 struct Filter {
+  static constexpr double largest_radius = 1024;  ///< What paths from lights add to a pixel loops over its width.
   FilterKind kind = FilterKind::gaussian;
   double radius = 0;  ///< Pixels. 0: the kind's own (box 0.5, tent 1, gaussian 4 stddev).
   double stddev = 0.5;

@@ -7,6 +7,7 @@
 
 #include "image/file_bytes.h"
 #include "kinds/textures.h"
+#include "scene/readers/read_texture.h"
 #include "scene/xml/color_value.h"
 
 namespace strahl {
@@ -81,7 +82,7 @@ class Import {
   Reflectance base_reflectance() {
     Reflectance base{
         clamped_reflectance(from_.reflectance, shape_.where, fmt::format("Kd of {}", from_.name), diagnostics_)};
-    if (from_.reflectance_map) base.texture = added_texture(*from_.reflectance_map, base.color, {}, "Kd stands");
+    if (from_.reflectance_map) base.texture = added_texture(*from_.reflectance_map, base.color, {}, true, "Kd stands");
     return base;
   }
 
@@ -104,7 +105,8 @@ class Import {
     if (from_.opacity < 1 || from_.opacity_map) {
       Reflectance opacity{{from_.opacity, from_.opacity, from_.opacity}};
       if (from_.opacity_map)
-        opacity.texture = added_texture(*from_.opacity_map, opacity.color, {TexelCurve::Kind::linear}, "d stands");
+        opacity.texture =
+            added_texture(*from_.opacity_map, opacity.color, {TexelCurve::Kind::linear}, true, "d stands");
       material.opacity = opacity;
     }
     return add(material);
@@ -120,7 +122,7 @@ class Import {
     relief.scale = map->multiplier;
     if (has_heights) relief.map.color = {0, 0, 0};
     relief.map.texture =
-        added_texture(*map, {1, 1, 1}, {TexelCurve::Kind::linear}, "the surface stays as smooth as it is");
+        added_texture(*map, {1, 1, 1}, {TexelCurve::Kind::linear}, false, "the surface stays as smooth as it is");
     if (relief.map.texture < 0) return material;
     relief.nested = add(material);
     Material bent = named(relief);
@@ -133,8 +135,9 @@ class Import {
     return static_cast<int>(scene_.materials.size()) - 1;
   }
 
-  /// Its index; -1 where the file cannot be read.
-  int added_texture(const MeshTexture& from, const Rgb& scale, const TexelCurve& curve, const char* otherwise) {
+  /// Its index; -1 where the file cannot be read. is_share: of light, at most 1.
+  int added_texture(const MeshTexture& from, const Rgb& scale, const TexelCurve& curve, bool is_share,
+                    const char* otherwise) {
     const std::string obstacle = unreadable_because(from.file);
     if (!obstacle.empty()) {
       diagnostics_.warning(from.where, fmt::format("cannot read \"{}\": {}; {}", from.file, obstacle, otherwise));
@@ -154,6 +157,7 @@ class Import {
     // v counts from the bottom in the file and from the top in the mesh.
     bitmap.to_uv = {from.scale.x, 0, from.offset.x, 0, from.scale.y, 1 - from.scale.y - from.offset.y};
     bitmap.mean = kinds::mean_of(*bitmap.texels, bitmap.curve);
+    if (is_share) clamp_to_one(bitmap, from.where, diagnostics_);
     scene_.textures.push_back({"", bitmap, from.where});
     return static_cast<int>(scene_.textures.size()) - 1;
   }

@@ -14,16 +14,14 @@ namespace strahl {
 
 namespace {
 
-/// Those that compute something beside the picture of the integrator inside them.
-bool is_around_another(std::string_view type) {
-  return type == "aov" || type == "moment" || type == "stokes" || type == "adaptive";
-}
+/// So many are within each other at the most.
+constexpr std::size_t deepest_integrator = 256;
 
 /// What takes the place of those that strahl does not have.
 std::string substitute_of(Properties& properties) {
   const std::string_view type = properties.type();
   // Ways to draw the same picture.
-  if (type == "volpathmis" || type == "volpath_simple") return "volpath";
+  if (type == "volpathmis" || type == "volpath_simple" || type == "prbvolpath") return "volpath";
   properties.diagnostics().unknown(
       properties.where(),
       fmt::format("{}; \"path\" takes its place", not_available("integrator", type, kinds::integrator_names())));
@@ -54,17 +52,23 @@ IntegratorSettings read_integrator(const XmlElement& element, SceneBuilder& buil
   Properties properties(element, builder.ids, builder.diagnostics);
   // Mitsuba's name and its alias.
   const std::string_view type = properties.type() == "particle" ? "ptracer" : properties.type();
-  if (is_around_another(type) && !builder.integrators_being_read.insert(&element).second) {
+  const bool is_known = type == "auto" || std::find(known.begin(), known.end(), type) != known.end();
+  // Reading goes on to the one inside, which may be a <ref> to any.
+  if (!is_known && !builder.integrators_being_read.insert(&element).second) {
     builder.diagnostics.error(element.where, fmt::format("{} contains itself", properties.title()));
+    return {};
+  }
+  if (builder.integrators_being_read.size() > deepest_integrator) {
+    builder.diagnostics.error(element.where, fmt::format("integrators are nested deeper than {}", deepest_integrator));
     return {};
   }
   if (type == "aov") return read_aov(properties, builder);
   if (type == "moment") return read_moment(properties, builder);
-  if (is_around_another(type)) {
+  if (!is_known) {
     const std::vector<const XmlElement*> inside = properties.objects("integrator");
     if (!inside.empty()) {
       builder.diagnostics.unknown(
-          element.where, fmt::format("integrator \"{}\" is not supported yet; the one inside it renders", type));
+          element.where, fmt::format("{}; the one inside it renders", not_available("integrator", type, known)));
       return read_integrator(*inside.front(), builder);
     }
   }
@@ -80,7 +84,6 @@ IntegratorSettings read_integrator(const XmlElement& element, SceneBuilder& buil
   properties.accept({"shading_samples", "emitter_samples", "bsdf_samples", "samples_per_pass", "block_size"});
   // Of 0.x: which techniques it takes. strahl takes all, and the picture is the same but for its noise.
   if (type == "bdpt") properties.accept({"light_image", "sample_direct"});
-  const bool is_known = type == "auto" || std::find(known.begin(), known.end(), type) != known.end();
   integrator.name = is_known ? std::string(type) : substitute_of(properties);
   properties.report_unknown();
   return integrator;

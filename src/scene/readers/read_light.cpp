@@ -113,10 +113,14 @@ std::optional<Emitter> read_envmap(Properties& properties, SceneBuilder& builder
   return light.texels ? std::optional<Emitter>(light) : std::nullopt;
 }
 
-/// Read with the shapes that refer to it.
-std::optional<Emitter> read_area(Properties& properties, SceneBuilder&) {
+/// Has been read with the shapes that refer to it.
+std::optional<Emitter> read_area(Properties& properties, SceneBuilder& builder) {
   if (properties.id().empty())
     properties.diagnostics().unknown(properties.where(), "an area emitter belongs inside a <shape>; it is left out");
+  else if (!builder.emitters_of_shapes.contains(&properties.element()))
+    properties.diagnostics().unknown(
+        properties.where(),
+        fmt::format("no <shape> refers to the area emitter \"{}\"; it is left out", properties.id()));
   return std::nullopt;
 }
 

@@ -26,6 +26,10 @@ MicrofacetKind read_kind(Properties& properties) {
   return MicrofacetKind::beckmann;
 }
 
+Varying read_alpha(Properties& properties, SceneBuilder& builder, const char* name) {
+  return read_number(properties, builder, name, {0.1, 0.1, 0.1}, TextureUse::quantity);
+}
+
 }  // namespace
 
 Microfacets read_microfacets(Properties& properties, SceneBuilder& builder) {
@@ -34,15 +38,15 @@ Microfacets read_microfacets(Properties& properties, SceneBuilder& builder) {
   microfacets.sample_visible = properties.boolean("sample_visible").value_or(true);
   const bool has_u = properties.has("alpha_u"), has_v = properties.has("alpha_v");
   if (!has_u && !has_v) {
-    microfacets.alpha_u = microfacets.alpha_v = read_number(properties, builder, "alpha", {0.1, 0.1, 0.1});
+    microfacets.alpha_u = microfacets.alpha_v = read_alpha(properties, builder, "alpha");
     return microfacets;
   }
   if (properties.has("alpha") || !has_u || !has_v)
     properties.diagnostics().error(properties.where(has_u ? "alpha_u" : "alpha_v"),
                                    "either alpha or both of alpha_u and alpha_v can be given");
   properties.accept({"alpha"});
-  microfacets.alpha_u = read_number(properties, builder, "alpha_u", {0.1, 0.1, 0.1});
-  microfacets.alpha_v = read_number(properties, builder, "alpha_v", {0.1, 0.1, 0.1});
+  microfacets.alpha_u = read_alpha(properties, builder, "alpha_u");
+  microfacets.alpha_v = read_alpha(properties, builder, "alpha_v");
   return microfacets;
 }
 

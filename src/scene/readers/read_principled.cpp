@@ -29,8 +29,9 @@ double read_eta(Properties& properties, bool transmits) {
 
 using Values = std::vector<std::pair<const char*, Varying*>>;
 
-void read_values(Properties& properties, SceneBuilder& builder, const Values& values) {
-  for (const auto& [name, value] : values) *value = read_number(properties, builder, name, value->color);
+void read_values(Properties& properties, SceneBuilder& builder, const Values& values,
+                 TextureUse use = TextureUse::number) {
+  for (const auto& [name, value] : values) *value = read_number(properties, builder, name, value->color, use);
 }
 
 void read_rates(Properties& properties, const std::vector<std::pair<const char*, double*>>& rates) {
@@ -74,9 +75,8 @@ Material read_principledthin(Properties& properties, SceneBuilder& builder) {
                {"spec_tint", &bsdf.spec_tint},
                {"sheen", &bsdf.sheen},
                {"sheen_tint", &bsdf.sheen_tint},
-               {"flatness", &bsdf.flatness},
-               {"diff_trans", &bsdf.diff_trans},
-               {"eta", &bsdf.eta}});
+               {"flatness", &bsdf.flatness}});
+  read_values(properties, builder, {{"diff_trans", &bsdf.diff_trans}, {"eta", &bsdf.eta}}, TextureUse::quantity);
   read_rates(properties, {{"specular_reflectance_sampling_rate", &bsdf.specular_reflectance_sampling_rate},
                           {"specular_transmittance_sampling_rate", &bsdf.specular_transmittance_sampling_rate},
                           {"diffuse_reflectance_sampling_rate", &bsdf.diffuse_reflectance_sampling_rate},

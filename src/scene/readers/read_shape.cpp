@@ -102,7 +102,9 @@ void read_shape(const XmlElement& element, SceneBuilder& builder, std::vector<Sh
   if (reader == nullptr) {
     builder.diagnostics.unknown(
         element.where, fmt::format("{}; it is left out", not_available("shape", properties.type(), shape_types())));
-    if (!properties.objects("emitter").empty()) builder.lost_emitters.emplace_back("area");
+    const std::vector<const XmlElement*> emitters = properties.objects("emitter");
+    if (!emitters.empty()) builder.lost_emitters.emplace_back("area");
+    builder.emitters_of_shapes.insert(emitters.begin(), emitters.end());
     return;
   }
   Shape shape;
@@ -113,6 +115,7 @@ void read_shape(const XmlElement& element, SceneBuilder& builder, std::vector<Sh
   const XmlElement* bsdf = only_one(properties.objects("bsdf"), properties);
   const XmlElement* emitter = only_one(properties.objects("emitter"), properties);
   if (bsdf != nullptr) shape.material = material_index(*bsdf, builder);
+  if (emitter != nullptr) builder.emitters_of_shapes.insert(emitter);
   if (emitter != nullptr) read_area_emitter(*emitter, shape, builder);
   shape.media = read_boundary(properties, builder);
   const bool is_open = properties.boolean("is_open_without_bsdf").value_or(false) && shape.media;  // Of 0.x.

@@ -44,26 +44,44 @@ DayAndPlace read_day(Properties& properties) {
   return when;
 }
 
+/// As in Mitsuba, which refuses both at once, the direction alone counts.
+void warn_of_day_beside_direction(Properties& properties) {
+  for (const char* name : {"year", "month", "day", "hour", "minute", "second", "latitude", "longitude", "timezone"})
+    if (properties.has(name))
+      properties.diagnostics().warning(
+          properties.where(name),
+          fmt::format("\"{}\" has no effect beside \"sun_direction\", which says where the sun stands; give one of the "
+                      "two",
+                      name));
+}
+
+/// Of a direction in the world, which to_world does not turn.
+Vec3 in_model(const Vec3& direction, const std::array<Vec3, 3>& axes) {
+  return normalized({dot(direction, axes[0]), dot(direction, axes[1]), dot(direction, axes[2])});
+}
+
 Daylight read_daylight(Properties& properties, bool is_y_up) {
   Daylight light;
   light.turbidity = properties.number("turbidity").value_or(light.turbidity);
   if (!(light.turbidity >= 1 && light.turbidity <= 10))
     properties.diagnostics().error(properties.where("turbidity"), "turbidity must lie between 1 and 10");
   light.turbidity = std::clamp(light.turbidity, 1.0, 10.0);
-  const DayAndPlace when = read_day(properties);
-  light.sun = direction_of_sun(when);
-  if (const std::optional<Vec3> given = properties.vector("sun_direction")) {
-    if (*given == Vec3{}) properties.diagnostics().error(properties.where("sun_direction"), "the direction is zero");
-    // Mitsuba 3 counts x to the south and y to the west.
-    else
-      light.sun = normalized(is_y_up ? *given : Vec3{-given->y, given->z, given->x});
-  }
-  if (light.sun.y <= 0)
-    properties.diagnostics().warning(properties.where(), "the sun is below the horizon: there is no light of the day");
   const Transform to_world = properties.transform("to_world").value_or(Transform{});
   const std::array<Vec3, 3> columns{normalized(to_world.column(0)), normalized(to_world.column(1)),
                                     normalized(to_world.column(2))};
+  // Mitsuba 3 counts x to the south and y to the west.
   light.axes = is_y_up ? columns : std::array<Vec3, 3>{-columns[1], columns[2], columns[0]};
+  const DayAndPlace when = read_day(properties);
+  light.sun = direction_of_sun(when);
+  if (const std::optional<Vec3> given = properties.vector("sun_direction")) {
+    if (*given == Vec3{})
+      properties.diagnostics().error(properties.where("sun_direction"), "the direction is zero");
+    else
+      light.sun = in_model(*given, light.axes);
+    warn_of_day_beside_direction(properties);
+  }
+  if (light.sun.y <= 0)
+    properties.diagnostics().warning(properties.where(), "the sun is below the horizon: there is no light of the day");
   // Without a counterpart: light that the ground throws back, how the sky is stretched and stored, limb darkening.
   properties.accept({"albedo", "stretch", "resolution", "extend", "complex_sun", "sky_scale", "sun_scale", "scale"});
   return light;
@@ -71,9 +89,16 @@ Daylight read_daylight(Properties& properties, bool is_y_up) {
 
 Rgb multiplied(double factor, const Rgb& c) { return {factor * c.r, factor * c.g, factor * c.b}; }
 
-Emitter sky_of(const Daylight& light, double scale) {
+/// The model's coefficients pass through 0 below its least turbidity, where its sky is no longer one.
+Emitter sky_of(Properties& properties, const Daylight& light, double scale) {
+  if (light.turbidity < Sky::least_turbidity)
+    properties.diagnostics().warning(
+        properties.where("turbidity"),
+        fmt::format("the model of the sky holds from a turbidity of {} on, which is taken for the sky in place of {}; "
+                    "the sun's light is that of the turbidity given",
+                    Sky::least_turbidity, light.turbidity));
   EnvironmentLight sky;
-  sky.texels = Sky(light.turbidity, light.sun).image(sky_width);
+  sky.texels = Sky(std::max(light.turbidity, Sky::least_turbidity), light.sun).image(sky_width);
   sky.curve = {TexelCurve::Kind::linear, 1};
   sky.scale = {scale, scale, scale};
   sky.axes = light.axes;
@@ -101,7 +126,7 @@ Emitter sun_of(Properties& properties, const Daylight& light, double scale) {
 
 std::optional<Emitter> read_sky(Properties& properties, SceneBuilder&) {
   const Daylight light = read_daylight(properties, true);
-  return sky_of(light, properties.number("scale").value_or(1));
+  return sky_of(properties, light, properties.number("scale").value_or(1));
 }
 
 std::optional<Emitter> read_sun(Properties& properties, SceneBuilder&) {
@@ -113,12 +138,14 @@ std::optional<Emitter> read_sunsky(Properties& properties, SceneBuilder& builder
   // Written by the upgrade from 0.x.
   const Daylight light = read_daylight(properties, properties.boolean("is_y_up").value_or(false));
   const double scale = properties.number("scale").value_or(1);
-  const double sun = scale * properties.number("sun_scale").value_or(1);
+  const double sun_scale = properties.number("sun_scale").value_or(1), sun = scale * sun_scale;
+  if (!(sun_scale >= 0))
+    properties.diagnostics().error(properties.where("sun_scale"), "\"sun_scale\" must not be negative");
   if (sun > 0 && light.sun.y > 0)
     builder.scene.lights.push_back(
         {properties.id(), sun_of(properties, light, sun), properties.where(), read_sampling_weight(properties)});
   properties.accept({"sun_aperture", "sun_radius_scale"});
-  return sky_of(light, scale * properties.number("sky_scale").value_or(1));
+  return sky_of(properties, light, scale * properties.number("sky_scale").value_or(1));
 }
 
 }  // namespace strahl

@@ -22,39 +22,26 @@ const PluginTable<TextureReader>& texture_readers() {
   return table;
 }
 
-/// A share of the light is at most 1, which files of floats may exceed.
-void clamp_to_one(Texture& texture, const XmlElement& element, SceneBuilder& builder) {
-  auto* bitmap = std::get_if<Bitmap>(&texture.pattern);
-  if (bitmap == nullptr || !bitmap->texels) return;
-  Clamped clamped = clamped_to_one(*bitmap->texels);
-  if (clamped.changed == 0) return;
-  builder.diagnostics.warning(
-      element.where,
-      fmt::format(
-          "{} of the {} texels of \"{}\" are brighter than 1, which is all that a surface can reflect; they are "
-          "taken for 1",
-          clamped.changed, clamped.texels.count(), clamped.texels.file));
-  bitmap->texels = std::make_shared<const Texels>(std::move(clamped.texels));
-  bitmap->mean = kinds::mean_of(*bitmap->texels, bitmap->curve);
-}
-
 double mean_of(const Rgb& c) { return (c.r + c.g + c.b) / 3; }
 
 int texture_index(const XmlElement& element, TextureReader reader, SceneBuilder& builder, TextureUse what) {
-  if (what == TextureUse::number && element.text("type") != "checkerboard") what = TextureUse::colour;
-  const bool is_unbounded = what == TextureUse::light || what == TextureUse::value;
+  const bool is_one_number = what == TextureUse::number || what == TextureUse::quantity;
+  const bool swaps_colours = is_one_number && element.text("type") == "checkerboard";
+  if (is_one_number && !swaps_colours) what = what == TextureUse::number ? TextureUse::colour : TextureUse::value;
+  const bool is_unbounded = what != TextureUse::colour && what != TextureUse::number;
   const auto known = builder.texture_indices.find({&element, what});
   if (known != builder.texture_indices.end()) return known->second;
   Properties properties(element, builder.ids, builder.diagnostics);
-  const ColorUse use = what == TextureUse::light   ? ColorUse::emission
-                       : what == TextureUse::value ? ColorUse::value
-                                                   : ColorUse::reflectance;
+  const ColorUse use = what == TextureUse::light ? ColorUse::emission
+                       : is_unbounded            ? ColorUse::value
+                                                 : ColorUse::reflectance;
   Texture texture = reader(properties, builder, use);
-  if (what == TextureUse::number) {
+  if (swaps_colours) {
     auto& board = std::get<Checkerboard>(texture.pattern);
     board.color0 = grey(mean_of(std::exchange(board.color1, grey(mean_of(board.color0)))));
   }
-  if (!is_unbounded) clamp_to_one(texture, element, builder);
+  auto* bitmap = std::get_if<Bitmap>(&texture.pattern);
+  if (!is_unbounded && bitmap != nullptr) clamp_to_one(*bitmap, element.where, builder.diagnostics);
   texture.is_unbounded = is_unbounded;
   properties.report_unknown();
   texture.id = properties.id();
@@ -78,6 +65,19 @@ int texture_of(Properties& properties, SceneBuilder& builder, const std::string&
 }
 
 }  // namespace
+
+void clamp_to_one(Bitmap& bitmap, const SourceLocation& where, Diagnostics& diagnostics) {
+  if (!bitmap.texels) return;
+  Clamped clamped = clamped_to_one(*bitmap.texels);
+  if (clamped.changed == 0) return;
+  diagnostics.warning(
+      where, fmt::format(
+                 "{} of the {} texels of \"{}\" are brighter than 1, which is all that a surface can reflect; they are "
+                 "taken for 1",
+                 clamped.changed, clamped.texels.count(), clamped.texels.file));
+  bitmap.texels = std::make_shared<const Texels>(std::move(clamped.texels));
+  bitmap.mean = kinds::mean_of(*bitmap.texels, bitmap.curve);
+}
 
 std::array<double, 6> read_uv_map(Properties& properties) {
   if (const auto t = properties.transform("to_uv"))
@@ -123,9 +123,9 @@ Varying read_varying(Properties& properties, SceneBuilder& builder, const std::s
   return {properties.color(name, ColorUse::value, absent).value_or(absent)};
 }
 
-Varying read_number(Properties& properties, SceneBuilder& builder, const std::string& name, const Rgb& absent) {
-  if (const int texture = texture_of(properties, builder, name, TextureUse::number); texture >= 0)
-    return {absent, texture};
+Varying read_number(Properties& properties, SceneBuilder& builder, const std::string& name, const Rgb& absent,
+                    TextureUse use) {
+  if (const int texture = texture_of(properties, builder, name, use); texture >= 0) return {absent, texture};
   const Rgb given = properties.color(name, ColorUse::value, absent).value_or(absent);
   return {given == grey(given.r) ? given : grey(mean_of(given))};
 }

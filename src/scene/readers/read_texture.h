@@ -17,6 +17,9 @@ using TextureReader = Texture (*)(Properties&, SceneBuilder&, ColorUse use);
 #include "../../../cl/textures/textures.def"
 #undef TEXTURE
 
+/// A share of the light is at most 1, which images of floats may exceed: a warning says how many texels are cut.
+void clamp_to_one(Bitmap& bitmap, const SourceLocation& where, Diagnostics& diagnostics);
+
 /// to_uv, or what uscale, vscale, uvscale, uoffset and voffset of Mitsuba 0.x make of it.
 [[nodiscard]] std::array<double, 6> read_uv_map(Properties& properties);
 
@@ -51,8 +54,8 @@ struct Emission {
 [[nodiscard]] Varying read_varying(Properties& properties, SceneBuilder& builder, const std::string& name,
                                    const Rgb& absent);
 
-/// The same of one number.
+/// The same of one number. use: `number` or `quantity`, whether those of a texture lie in [0, 1].
 [[nodiscard]] Varying read_number(Properties& properties, SceneBuilder& builder, const std::string& name,
-                                  const Rgb& absent);
+                                  const Rgb& absent, TextureUse use);
 
 }  // namespace strahl

@@ -23,10 +23,14 @@ struct DayAndPlace {
 /// Towards the sun, unit: east, up, south. Appendix A.6 of the paper, good to some tenths of a degree.
 [[nodiscard]] Vec3 direction_of_sun(const DayAndPlace& when);
 
-/// The haze of the air, from 1 (none at all) on; the model is made for 2 to 10.
+/// The haze of the air is its turbidity, of which 1 is none at all.
 class Sky {
  public:
-  /// sun: towards it, unit, y up.
+  /// The model is made for 2 to 10. Below, the value of its distribution at the zenith, by which it divides, passes
+  /// through 0, at 1.65.
+  static constexpr double least_turbidity = 2;
+
+  /// turbidity: least_turbidity or more. sun: towards it, unit, y up.
   Sky(double turbidity, const Vec3& sun);
 
   /// Of a direction, unit, y up; black below the horizon, and with the sun below it.

@@ -21,6 +21,7 @@ class Properties {
  public:
   Properties(const XmlElement& element, const ElementIds& ids, Diagnostics& diagnostics);
 
+  [[nodiscard]] const XmlElement& element() const { return element_; }
   [[nodiscard]] std::string_view type() const { return element_.text("type"); }
   [[nodiscard]] std::string id() const { return std::string(element_.text("id")); }
   /// `<shape type="sphere">`, for messages.

@@ -23,8 +23,9 @@ namespace strahl {
 enum class TextureUse {
   colour,  ///< Shares of light.
   light,
-  number,  ///< One in [0, 1].
-  value    ///< What is no share: an index of refraction, a height.
+  number,    ///< One in [0, 1].
+  quantity,  ///< One of any size: a roughness, an index of refraction.
+  value      ///< What is no share: a height, the coefficients of a medium.
 };
 
 struct SceneBuilder {
@@ -40,6 +41,7 @@ struct SceneBuilder {
   std::map<const XmlElement*, int> material_indices{};
   std::set<const XmlElement*> materials_being_read{};
   std::set<const XmlElement*> integrators_being_read{};                       ///< Those around others.
+  std::set<const XmlElement*> emitters_of_shapes{};                           ///< Those that shapes hold or refer to.
   std::optional<int> black_material{}, open_material{};                       ///< read_shape.cpp, once they are needed.
   std::map<std::pair<const XmlElement*, TextureUse>, int> texture_indices{};  ///< read_texture.cpp.
   std::map<const XmlElement*, std::optional<int>> group_indices{};  ///< read_group.cpp; none: nothing is left of it.
