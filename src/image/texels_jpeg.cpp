@@ -31,12 +31,14 @@ Texels read_jpeg_texels(const std::string& path, const std::string& bytes) {
   const int channels = is_grey ? 1 : 3;
   std::vector<std::uint8_t> codes(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) *
                                   static_cast<std::size_t>(channels));
-  // A warning is damage too: a part of the picture would be grey. Some cameras leave bytes behind its end.
-  if (tjDecompress2(jpeg.get(), data, size, codes.data(), width, 0, height, is_grey ? TJPF_GRAY : TJPF_RGB,
-                    TJFLAG_ACCURATEDCT) != 0 &&
-      !(reason().find("extraneous bytes before marker 0xd9") != std::string_view::npos))
-    fail();
-  return texels_of_bytes(width, height, channels, codes.data());
+  const int fault = tjDecompress2(jpeg.get(), data, size, codes.data(), width, 0, height,
+                                  is_grey ? TJPF_GRAY : TJPF_RGB, TJFLAG_ACCURATEDCT);
+  // A warning is damage too: a part of the picture would be grey. But some cameras leave bytes before the end.
+  const bool has_rest = fault != 0 && reason().find("extraneous bytes before marker 0xd9") != std::string_view::npos;
+  if (fault != 0 && !has_rest) fail();
+  Texels texels = texels_of_bytes(width, height, channels, codes.data());
+  if (has_rest) texels.doubt = reason();
+  return texels;
 }
 
 }  // namespace strahl

@@ -54,7 +54,8 @@ struct FilmRows : FilmShape {
   /// The number of those samples.
   [[nodiscard]] int sub_sum_samples(std::size_t pixel, int sub) const;
   /// The mean over all samples, which does not depend on their sub-sums, into the image from its pixel `first` on. A
-  /// pixel without samples stays black. paths: FilmSums::paths_a_pixel(), which looks at all pixels.
+  /// pixel without samples stays black, or has what light paths brought. paths: FilmSums::paths_a_pixel(), which looks
+  /// at all pixels.
   void put_mean(std::size_t first, double paths, Image& image) const;
   /// The same of the squares, where the film has them.
   void put_squares(std::size_t first, Image& image) const;

@@ -69,7 +69,7 @@ void require_light_paths(const Scene& scene, const RenderSettings& settings) {
 }
 
 int most_light_paths(const Window& window, bool has_error_sums) {
-  const std::int64_t pixels = std::int64_t{window.width()} * window.height();
+  const std::int64_t pixels = std::max<std::int64_t>(1, std::int64_t{window.width()} * window.height());
   const std::int64_t sums = has_error_sums ? layout::FILM_SUBSUMS : 1;
   return static_cast<int>(std::clamp<std::int64_t>((std::int64_t{1} << 31) / pixels * sums, 1, max_spp));
 }

@@ -68,6 +68,22 @@ std::optional<std::string> emptiness(const Scene& scene) {
       must_be_seen ? " that is seen" : "", scene.integrator.name);
 }
 
+/// Emitters of sampling_weight 0 that no ray from the camera finds either.
+std::vector<SourceLocation> undrawn_and_unhit(const Scene& scene) {
+  const kinds::IntegratorFacts& integrator = kinds::integrator(scene.integrator.name);
+  const bool finds_emitters = !integrator.from_lights || integrator.from_camera;
+  std::vector<SourceLocation> lost;
+  if (integrator.lamps != kinds::Lamps::drawn) return lost;
+  for (const Light& light : scene.lights)
+    if (light.sampling_weight == 0 && kinds::gives_light(light) && (kinds::light(light).is_delta || !finds_emitters))
+      lost.push_back(light.where);
+  for (const Shape& shape : scene.shapes)
+    if (shape.sampling_weight == 0 && integrator.from_lights &&
+        (shape.exitance || (emits_light(shape) && !finds_emitters)))
+      lost.push_back(shape.radiance_where);
+  return lost;
+}
+
 }  // namespace
 
 std::vector<Diagnostic> limitations(const Scene& scene) {
@@ -78,13 +94,10 @@ std::vector<Diagnostic> limitations(const Scene& scene) {
   const auto warn = [&](const SourceLocation& where, std::string message) {
     warnings.push_back({Severity::warning, where, std::move(message)});
   };
-  if (kinds::integrator(scene.integrator.name).lamps == kinds::Lamps::drawn)
-    for (const Light& light : scene.lights)
-      if (kinds::light(light).is_delta && light.sampling_weight == 0 && kinds::gives_light(light))
-        warn(light.where,
-             fmt::format("this emitter's light is left out: its sampling_weight is 0, so that integrator {} "
-                         "never draws it, and no ray hits it; give it a weight above 0",
-                         scene.integrator.name));
+  for (const SourceLocation& lost : undrawn_and_unhit(scene))
+    warn(lost, fmt::format("this emitter's light is left out: its sampling_weight is 0, so that integrator {} never "
+                           "draws it, and no ray hits it; give it a weight above 0",
+                           scene.integrator.name));
   if (kinds::integrator(scene.integrator.name).from_lights && !kinds::integrator(scene.integrator.name).from_camera)
     for (const Material& material : scene.materials)
       if (material_facts(material).has_lobe(lobes::LOBE_DELTA))

@@ -287,8 +287,10 @@ TEST_CASE("a BMP with its rows from the top") {
 
 TEST_CASE("a JPEG with bytes before its end") {
   std::string jpeg = jpeg_file(std::vector<unsigned char>(64, 90), 8, 8);
-  jpeg.insert(jpeg.size() - 2, "\x11\x22\x33");
-  CHECK(Read()("a.jpg", jpeg).count() == 64);
+  jpeg.insert(jpeg.size() - 2, 40, '\x11');
+  const Texels texels = Read()("a.jpg", jpeg);
+  CHECK(texels.count() == 64);
+  CHECK_THAT(texels.doubt, Contains("extraneous bytes"));
 }
 
 TEST_CASE("half the size has the same mean, whatever the size") {

@@ -97,10 +97,13 @@ std::vector<std::int64_t> splats_of(const TransportTier& tier, const Scene& scen
 void hold_splats(const char* what, const TransportTier& tier, const Scene& scene, const Triad& expected) {
   INFO(what);
   const std::vector<std::int64_t> words = splats_of(tier, scene);
+  constexpr std::size_t sums = layout::FILM_SUBSUMS * layout::FILM_CHANNELS;
   for (std::size_t k = 0; k < 3; ++k) {
     double sum = 0;
-    for (std::size_t sub = 0; sub < layout::FILM_SUBSUMS; ++sub)
-      sum += value_of_splats(&words[(sub * layout::FILM_CHANNELS + k) * layout::SPLAT_WORDS]);
+    for (std::size_t at = k; at < sums; at += layout::FILM_CHANNELS) {
+      const std::int64_t* own = &words[sums * layout::SPLAT_WORDS + at * layout::FILM_SUM_WORDS];
+      sum += value_of_splats(&words[at * layout::SPLAT_WORDS]) + value_of(film_bins(own[0], own[1]));
+    }
     // The largest standard error of the three is 0.008.
     CHECK(sum / light_paths == Approx(expected[k]).margin(0.03));
   }

@@ -278,11 +278,12 @@ inline std::vector<Triad> LANED(radiance_along)(const TierBuffers& buffers, cons
   return found;
 }
 
-/// As kernels/light_tracing.cl and kernels/bidirectional.cl follow them, except that all paths begin and end together.
+/// As kernels/light_tracing.cl and kernels/bidirectional.cl follow them, except that all paths begin and end together:
+/// the film of a pixel, its splats' sums and those of its own camera paths.
 inline std::vector<std::int64_t> LANED(splats_of)(const TierBuffers& buffers, std::uint32_t samples) {
   uint counters[COUNTERS] = {};
-  std::vector<std::int64_t> words(FILM_SUBSUMS * FILM_CHANNELS * SPLAT_WORDS, 0);
-  const SplatFilm film{words.data(), 0, 0, 1, 1, FILM_SUBSUMS, FILM_SUBSUMS * FILM_CHANNELS * SPLAT_WORDS, nullptr};
+  std::vector<std::int64_t> words(FILM_SUBSUMS * FILM_CHANNELS * (SPLAT_WORDS + FILM_SUM_WORDS), 0);
+  const SplatFilm film{words.data(), 0, 0, 1, 1, FILM_SUBSUMS, static_cast<int>(words.size()), nullptr};
   Scene scene = scene_of(buffers);
   scene.counters = counters;
   scene.splats = &film;

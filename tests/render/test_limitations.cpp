@@ -82,6 +82,21 @@ TEST_CASE("a lamp that no ray hits and that is never drawn is named") {
     CHECK_FALSE(is_named(integrator, 0.5));
   }
   for (const char* integrator : {"direct", "whitted"}) CHECK_FALSE(is_named(integrator, 0));
+  // Of shapes: rays find an area emitter, but not a beam; light paths alone find neither.
+  const auto names_shape = [](const char* integrator, bool is_beam) {
+    Scene scene = scene_of(integrator);
+    Shape& shape = scene.shapes.front();
+    (is_beam ? shape.exitance : shape.radiance) = Rgb{1, 1, 1};
+    shape.sampling_weight = 0;
+    for (const Diagnostic& one : limitations(scene))
+      if (one.message.find("its sampling_weight is 0") != std::string::npos) return true;
+    return false;
+  };
+  CHECK(names_shape("ptracer", false));
+  CHECK(names_shape("ptracer", true));
+  CHECK(names_shape("bdpt", true));
+  CHECK_FALSE(names_shape("bdpt", false));
+  CHECK_FALSE(names_shape("path", false));
 }
 
 TEST_CASE("beams are named where the integrator cannot find them") {

@@ -27,6 +27,9 @@ std::shared_ptr<const Data> read_once(std::map<std::string, std::shared_ptr<cons
                           fmt::format("{} of the {} texels of \"{}\" are negative, infinite or no number; they are "
                                       "taken for 0, infinite ones for the largest",
                                       texels.repaired, texels.count(), path));
+    if (!texels.doubt.empty())
+      diagnostics.warning(where,
+                          fmt::format("\"{}\" may be damaged: {}; look at it, and save it anew", path, texels.doubt));
     files.emplace(path, data);
     return data;
   } catch (const InputError& fault) {
