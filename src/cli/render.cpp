@@ -123,23 +123,37 @@ void say_summary(const RenderOptions& options, const std::string& picture, const
 constexpr double checkpoint_rate = 1e8;
 
 /// What the process may take to end once its picture is done, with a deadline writing it too; 0 where nobody asks.
-double end_seconds(const RenderOptions& options, const PictureFiles& files, const Window& window, const AovList& aovs,
-                   const std::vector<Device>& devices) {
+double end_seconds(const RenderOptions& options, const PictureFiles& files, const Renderer& renderer,
+                   const AovList& aovs, const std::vector<Device>& devices) {
   if (!options.goal.time) return options.goal.dry_run ? expected_exit_seconds(devices) : 0;
+  const Window window = renderer.scene().film.window();
   const double pixels = static_cast<double>(window.width()) * window.height();
   // The film, and three pictures of floats.
   double seconds = expected_exit_seconds(devices, pixels * (96 + 36));
   if (!files.path.empty()) seconds += expected_write_seconds(files.path, files.png, pixels, 3 * (1 + aovs.size()));
   if (!options.error_map.empty()) seconds += expected_write_seconds(options.error_map, {}, pixels, 3);
-  if (!options.keep.target().empty()) seconds += 0.02 + pixels * 196 / checkpoint_rate;
+  if (!options.keep.target().empty()) {
+    const double kept = pixels * (static_cast<double>(renderer.film_bytes_per_pixel()) + sizeof(int));
+    seconds += 0.02 + kept / checkpoint_rate;
+  }
   return seconds;
+}
+
+/// Why float rounding was not measured, though it was asked for.
+std::string why_unmeasured(const RenderOptions& options, const Device& device, const RenderSettings& settings) {
+  if (settings.precision == Precision::fp64) return "double is what others are measured against";
+  if (!device.info().fp64) return "the device has no double";
+  if (options.goal.time) return "--time leaves no time for it";
+  return options.scene.verbose ? "the scene is too large to be there twice" : "-v does";
 }
 
 /// A twentieth of the run at the most, unless -v asks for details: it may have to build a second program. With a
 /// deadline there is no time for it.
 void add_rounding(const RenderOptions& options, const Invocation& invocation, const Device& device, const Scene& scene,
                   const RenderSettings& settings, RunStats& stats) {
-  if (!stats.error || options.goal.time) return;
+  if (!stats.error) return;
+  stats.error->unmeasured = why_unmeasured(options, device, settings);
+  if (options.goal.time) return;
   const Stopwatch start;
   std::optional<double> most;
   if (!options.scene.verbose) most = rounding_share * invocation.seconds();
@@ -221,7 +235,6 @@ ExitCode render(const RenderOptions& options, const Invocation& invocation) {
   const Device device = Device::open(selectors.front(), needs);
   const double device_seconds = invocation.seconds() - opening;
   const Canary canary = ask_canary(device, options.kernel, settings);
-  const Window window = scene.film.window();
   const ResolvedSampling sampling = resolve_sampling(scene);
   // A large scene should not be there twice where nothing is counted.
   const Scene counted = options.stats_detail ? scene : Scene{};
@@ -235,7 +248,7 @@ ExitCode render(const RenderOptions& options, const Invocation& invocation) {
     bar.reset();
     return render_frames(renderer, options, files, sampling.seed, guard);
   }
-  const double end = end_seconds(options, files, window, settings.aovs, devices);
+  const double end = end_seconds(options, files, renderer, settings.aovs, devices);
   if (options.goal.dry_run) return dry_run(renderer, options, invocation, {canary.seconds, end, sampling.spp});
   const RenderGoal goal = goal_of(options, invocation, end);
   PictureKeeper keeper(options.keep, files, checkpoint_header(options, invocation, device, renderer, settings, goal),

@@ -21,8 +21,9 @@ namespace {
 /// Phases that took less than this share of the time are billed together.
 constexpr double small_phase = 0.01;
 
-std::string rounding_text(const std::optional<double>& rounding) {
-  if (!rounding) return "not measured (-v does)";
+std::string rounding_text(const ErrorBudget& error) {
+  const std::optional<double>& rounding = error.rounding;
+  if (!rounding) return fmt::format("not measured ({})", error.unmeasured);
   return *rounding < 1e-6 ? "< 1e-6" : fmt::format("{:.2g}", *rounding);
 }
 
@@ -36,7 +37,7 @@ std::string error_line(const RunStats& stats, int png_bits) {
   std::string text = fmt::format("  error    RMSE {:.2g} (95 %: {:.2g} to {:.2g}): noise {:.2g}", error.rmse(),
                                  error.rmse_low(), error.rmse_high(), error.noise.rmse);
   if (png_bits > 0) text += fmt::format(", {}-bit output {:.2g}", png_bits, error.output);
-  text += ", float rounding " + rounding_text(error.rounding);
+  text += ", float rounding " + rounding_text(error);
   // Independent samples need four times as many; scrambled sequences at the most.
   if (error.noise.rmse > 0)
     text += fmt::format("\n           half the noise: {:.2f} s at the most",

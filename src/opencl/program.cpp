@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <bit>
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
@@ -95,6 +97,12 @@ std::string driver_key(const Device& device) {
 std::string program_hash(const ProgramSource& source) {
   // The zero keeps "ab" + "c" apart from "a" + "bc".
   return fmt::format("{:016x}", fnv1a(source.options, fnv1a(std::string_view("\0", 1), fnv1a(source.text))));
+}
+
+std::size_t group_size(const Device& device, const cl::Kernel& kernel, std::size_t wanted) {
+  const std::size_t most = checked(device.info().text(),
+                                   [&] { return kernel.getWorkGroupInfo<CL_KERNEL_WORK_GROUP_SIZE>(device.device()); });
+  return std::bit_floor(std::clamp<std::size_t>(most, 1, wanted));
 }
 
 bool is_program_cached(const Device& device, const ProgramSource& source) {

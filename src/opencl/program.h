@@ -41,6 +41,9 @@ struct ProgramReport {
 [[nodiscard]] cl::Program program_on(const Device& device, const ProgramSource& source, ProgramReport* report = nullptr,
                                      bool is_cached = true);
 
+/// Work-items of a group: `wanted`, a power of two, or as many as the kernel may have there, down to a power of two.
+[[nodiscard]] std::size_t group_size(const Device& device, const cl::Kernel& kernel, std::size_t wanted);
+
 /// Whether the cache holds a binary of this program, so that nothing has to be compiled for it.
 [[nodiscard]] bool is_program_cached(const Device& device, const ProgramSource& source);
 

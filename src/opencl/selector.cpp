@@ -29,6 +29,17 @@ std::optional<int> index_in(const std::string& text) {
   return value;
 }
 
+/// A number alone is an index where a platform has it, and a part of a name otherwise.
+DeviceSelector decided(DeviceSelector selector, const std::vector<PlatformInfo>& platforms) {
+  if (!selector.platform || selector.name.empty()) return selector;
+  const auto has_index = [&](const PlatformInfo& platform) { return platform.index == selector.platform; };
+  if (std::any_of(platforms.begin(), platforms.end(), has_index))
+    selector.name.clear();
+  else
+    selector.platform.reset();
+  return selector;
+}
+
 bool name_matches(const DeviceSelector& selector, const PlatformInfo& platform) {
   return !selector.name.empty() && contains(platform.name, selector.name);
 }
@@ -57,6 +68,7 @@ DeviceSelector parse_selector(const std::string& text) {
     if (colon == std::string::npos || device) {
       selector.platform = platform;
       selector.device = device;
+      if (colon == std::string::npos) selector.name = text;
       return selector;
     }
   }
@@ -74,7 +86,8 @@ DeviceSelector parse_selector(const std::string& text) {
   return selector;
 }
 
-std::vector<std::size_t> platforms_to_ask(const DeviceSelector& selector, const std::vector<PlatformInfo>& platforms) {
+std::vector<std::size_t> platforms_to_ask(const DeviceSelector& given, const std::vector<PlatformInfo>& platforms) {
+  const DeviceSelector selector = decided(given, platforms);
   std::vector<std::size_t> asked;
   std::vector<std::size_t> all;
   for (std::size_t i = 0; i < platforms.size(); ++i) {
@@ -85,7 +98,8 @@ std::vector<std::size_t> platforms_to_ask(const DeviceSelector& selector, const 
   return asked.empty() && !only_platforms ? all : asked;
 }
 
-std::vector<DeviceInfo> matching_devices(const DeviceSelector& selector, const std::vector<PlatformInfo>& platforms) {
+std::vector<DeviceInfo> matching_devices(const DeviceSelector& given, const std::vector<PlatformInfo>& platforms) {
+  const DeviceSelector selector = decided(given, platforms);
   const std::vector<std::size_t> asked = platforms_to_ask(selector, platforms);
   std::vector<DeviceInfo> found;
   for (const std::size_t i : asked) {

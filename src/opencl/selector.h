@@ -10,7 +10,8 @@
 
 namespace strahl {
 
-/// A selector, taken apart. At most one of platform, type and name is set; none: any device.
+/// A selector, taken apart. At most one of platform, type and name is set, but for a number alone, which is a part of a
+/// name ("4090") where no platform has that index; none: any device.
 struct DeviceSelector {
   std::optional<int> platform;  ///< "0", "0:1"
   std::optional<int> device;    ///< "0:1"

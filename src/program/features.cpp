@@ -318,6 +318,13 @@ int Features::entry_index(const std::string& list, const std::string& entry) con
   throw std::logic_error(list + " has no entry " + entry);
 }
 
+Features no_features(bool ends_loops) {
+  Features features;
+  for (const std::string& list : list_folders()) features.entries[list];
+  for (const auto& [flag, why] : list_features()) features.flags.emplace_back(flag, ends_loops && flag == "LOOP_LIMIT");
+  return features;
+}
+
 Features features_of(const Scene& scene, const RenderSettings& settings) {
   const Causes causes = causes_of(scene, settings);
   Features features;

@@ -31,6 +31,10 @@ struct Features {
   [[nodiscard]] int entry_index(const std::string& list, const std::string& entry) const;
 };
 
+/// Those of a program that asks a device, and shows nothing of a scene. ends_loops: in the form that programs have for
+/// a device that does (docs/decisions/0021-loop-limit.md).
+[[nodiscard]] Features no_features(bool ends_loops);
+
 /// Pure. settings.generic: everything on; settings.disabled: off all the same. Throws UsageError for what cannot be.
 [[nodiscard]] Features features_of(const Scene& scene, const RenderSettings& settings);
 

@@ -32,7 +32,7 @@ struct ShapeRange {
 namespace {
 
 /// Rays, or hits to be described, a work-group.
-constexpr std::size_t group_size = 64;
+constexpr std::size_t rays_at_once = 64;
 
 /// Rays a launch: keeps buffers and launches small for any number of rays.
 constexpr std::size_t chunk_rays = std::size_t{1} << 18;
@@ -172,9 +172,9 @@ void Intersector::State::run(cl::Kernel& kernel, const std::vector<cl::Buffer>& 
     for (const cl::Buffer& buffer : {buffers.geometry, buffers.shading, buffers.index}) kernel.setArg(arg++, buffer);
     for (const cl::Buffer& buffer : arguments) kernel.setArg(arg++, buffer);
     kernel.setArg(arg++, static_cast<cl_ulong>(count));
-    const std::size_t items = group_size / rays_an_item;
-    device.queue().enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange(blocks_of(count, group_size) * items),
-                                        cl::NDRange(items));
+    const std::size_t items = rays_at_once / rays_an_item;
+    device.queue().enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange(blocks_of(count, rays_at_once) * items),
+                                        cl::NDRange(group_size(device, kernel, items)));
     return device.queue().finish();
   });
 }

@@ -9,6 +9,7 @@
 
 #include "errors.h"
 #include "opencl/cl_code.h"
+#include "opencl/program.h"
 
 namespace strahl {
 namespace {
@@ -34,10 +35,11 @@ LaunchShape::LaunchShape(const Device& device, const cl::Kernel& kernel, int lan
   const std::size_t items = static_cast<std::size_t>(group_.x) * static_cast<std::size_t>(group_.y);
   if (is_asked_ && (group_.x < 1 || group_.y < 1 || items > most))
     throw UsageError(fmt::format("--work-group {}x{}: {} allows 1 to {} work-items", group_.x, group_.y, name, most));
+  if (!is_asked_ && items > most) group_ = {static_cast<int>(group_size(device, kernel, items)), 1};
   if (device.info().type != "GPU") return;
   items_at_once_ = static_cast<int>(
       std::min<std::uint64_t>(std::uint64_t{device.info().compute_units} * most, std::numeric_limits<int>::max()));
-  if (!is_asked_ && most >= items) group_ = square;
+  if (!is_asked_ && most >= static_cast<std::size_t>(square.x) * square.y) group_ = square;
 }
 
 WorkGroup LaunchShape::group(int columns, int rows) const {

@@ -196,6 +196,8 @@ void Renderer::require_samples(const Scene& scene, const RenderSettings& setting
 
 const Scene& Renderer::scene() const { return state_->scene; }
 
+std::size_t Renderer::film_bytes_per_pixel() const { return state_->film_bytes_per_pixel(); }
+
 const RunStats& Renderer::stats() const { return state_->stats; }
 
 std::string Renderer::division_text(const RenderGoal& goal) const {

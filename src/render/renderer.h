@@ -75,6 +75,9 @@ class Renderer {
   /// How the samples are divided among a pixel's sums: "4 sums in turns of 8". Films that differ in it do not add up.
   [[nodiscard]] std::string division_text(const RenderGoal& goal) const;
 
+  /// What the film takes at the most, on the device as in a checkpoint.
+  [[nodiscard]] std::size_t film_bytes_per_pixel() const;
+
   /// The exact program: text with includes expanded, options in its first comment line.
   [[nodiscard]] std::string program_text() const;
 

@@ -18,16 +18,14 @@
 namespace strahl::selftest {
 namespace {
 
-constexpr std::size_t group_size = 64;
+constexpr std::size_t largest_group = 64;
 
 /// Reals of geometry a launch (a question larger than that has a launch of its own), so that buffers stay small.
 constexpr std::size_t launch_reals = std::size_t{1} << 22;
 
-Features only(const std::string& kind) {
-  Features features;
-  for (const std::string& list : list_folders()) features.entries[list];
+Features only(const std::string& kind, bool ends_loops) {
+  Features features = no_features(ends_loops);
   features.entries["shapes"].insert(kind);
-  for (const auto& [flag, why] : list_features()) features.flags.emplace_back(flag, false);
   return features;
 }
 
@@ -100,6 +98,7 @@ struct Probe::State {
   std::size_t lanes;
   std::size_t planes;
   cl::Kernel kernel;
+  std::size_t group;
   Buffer blocks{device}, ids{device}, first{device}, rays{device}, left{device}, t{device}, primitive{device};
   double nanoseconds = 0, tests = 0;
 
@@ -127,10 +126,10 @@ void Probe::State::launch(const Packed<Real>& packed, std::vector<Answer>& answe
     cl_uint arg = 0;
     for (const cl::Buffer* buffer : arguments) kernel.setArg(arg++, *buffer);
     kernel.setArg(arg, static_cast<cl_int>(count));
-    const std::size_t padded = (count + group_size - 1) / group_size * group_size;
+    const std::size_t padded = (count + group - 1) / group * group;
     cl::Event event;
     const Stopwatch watch;
-    device.queue().enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange(padded), cl::NDRange(group_size), nullptr,
+    device.queue().enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange(padded), cl::NDRange(group), nullptr,
                                         &event);
     event.wait();
     const auto measured =
@@ -182,12 +181,13 @@ Answer Probe::State::alone(const Question& question, std::size_t begin, std::siz
 
 Probe::Probe(const Device& device, const std::string& kind, Precision precision, const ProbeOptions& options) {
   const int lanes = options.lanes.value_or(default_lanes(device.info().native_vector_width, precision));
-  ProgramSource source = program_source("kernels/probe.cl", only(kind), precision, lanes);
+  ProgramSource source = program_source("kernels/probe.cl", only(kind, options.ends_loops), precision, lanes);
   if (options.change) options.change(source);
   const cl::Program program = program_on(device, source);
   const cl::Kernel kernel = checked(device.info().text(), [&] { return cl::Kernel(program, "probe"); });
   state_ = std::unique_ptr<State>(new State{device, kind, precision, static_cast<std::size_t>(lanes),
-                                            static_cast<std::size_t>(planes_of(kind)), kernel});
+                                            static_cast<std::size_t>(planes_of(kind)), kernel,
+                                            group_size(device, kernel, largest_group)});
 }
 Probe::~Probe() = default;
 Probe::Probe(Probe&&) noexcept = default;

@@ -25,6 +25,7 @@ struct ProbeOptions {
   std::optional<int> lanes;  ///< None: what the device renders with.
   /// Changes the program before it is built (`--inject`); none: as it is.
   std::function<void(ProgramSource&)> change;
+  bool ends_loops = false;  ///< The device does, and pictures there have the programs' form for that.
 };
 
 class Probe {

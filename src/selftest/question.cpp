@@ -9,7 +9,8 @@ Judgement judge(const Question& question, double t, int primitive) {
   Judgement judgement;
   judgement.is_nan = std::isnan(t);
   const bool is_hit = std::isfinite(t);
-  const bool is_other = is_hit && question.primitive >= 0 && primitive != question.primitive;
+  // Of several at the same t any will do, but one there must be.
+  const bool is_other = is_hit && (question.primitive >= 0 ? primitive != question.primitive : primitive < 0);
   switch (question.expected) {
     case Expected::miss:
       judgement.is_wrong = is_hit;

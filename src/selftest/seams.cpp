@@ -17,6 +17,13 @@ std::vector<ClosedSurface> surfaces_of(const std::string& kind) {
   return surfaces;
 }
 
+namespace {
+
+/// A device that is asked may answer anything.
+bool is_primitive(int answer, std::size_t count) { return answer >= 0 && static_cast<std::size_t>(answer) < count; }
+
+}  // namespace
+
 void ask_seams(Probe& probe, const std::string& kind, const ClosedSurface& surface, std::size_t rays,
                std::uint64_t seed, Seams& seams) {
   Question whole;
@@ -38,7 +45,7 @@ void ask_seams(Probe& probe, const std::string& kind, const ClosedSurface& surfa
     const std::vector<Answer> answers = probe.ask(questions);
     std::vector<Question> without;
     for (std::size_t i = 0; i < questions.size(); ++i) {
-      if (!std::isfinite(answers[i].t)) {
+      if (!std::isfinite(answers[i].t) || !is_primitive(answers[i].primitive, whole.planes.size() / planes)) {
         if (seams.wrong() == 0) seams.first_wrong = text_of(questions[i], answers[i]);
         ++seams.leaks;
         continue;

@@ -103,7 +103,9 @@ class Selftest {
     for (TierResult& tier : result_.tiers) {
       if (tier.canary.tier.verdict == Verdict::refused) continue;
       const Precision precision = tier.tier.precision;
-      all.push_back({tier, Probe(device_, kind, precision, {{}, change()}), {precision, kind, {}, {}, {}, {}, 0}});
+      all.push_back({tier,
+                     Probe(device_, kind, precision, {{}, change(), tier.tier.loop_turns.has_value()}),
+                     {precision, kind, {}, {}, {}, {}, 0}});
     }
     ask_catalogue(all, kind);
     const std::vector<ClosedSurface> surfaces = surfaces_of(kind);

@@ -7,7 +7,8 @@ namespace strahl {
 
 ResolvedSampling resolve_sampling(const Scene& scene) {
   const SamplerSettings& stated = scene.sampler;
-  const bool noiseless = kinds::integrator(scene.integrator.name).is_noiseless;
+  // "auto" shows what path shows, edges included.
+  const bool noiseless = kinds::integrator(scene.integrator.name).is_noiseless && scene.integrator.why.empty();
   // A stated sampler or more than one sample asks for antialiasing; otherwise one ray through each pixel's middle.
   const bool one_ray = noiseless && stated.sample_count.value_or(1) == 1;
   ResolvedSampling sampling{};

@@ -12,9 +12,9 @@
 namespace strahl {
 namespace {
 
-constexpr std::size_t group_size = 64;
+constexpr std::size_t largest_group = 64;
 constexpr std::size_t reals_per_item = 256;
-constexpr std::size_t group_reals = group_size * reals_per_item;
+constexpr std::size_t group_reals = largest_group * reals_per_item;
 constexpr int rounds = 5;
 
 /// Seconds of the fastest round, after one that does not count.
@@ -38,7 +38,7 @@ Bandwidth measure_bandwidth(const Device& device) {
       device, program_source("kernels/bandwidth.cl", features_of(Scene{}, RenderSettings{}), Precision::stable, lanes));
   const std::uint64_t most = std::min<std::uint64_t>(std::uint64_t{1} << 28, device.info().max_allocation / 4);
   const std::size_t groups = std::max<std::size_t>(1, most / sizeof(float) / group_reals);
-  const std::size_t reals = groups * group_reals, bytes = reals * sizeof(float), items = groups * group_size;
+  const std::size_t reals = groups * group_reals, bytes = reals * sizeof(float), items = groups * largest_group;
   const cl::Buffer in = allocate(device, bytes, "the bandwidth test"),
                    other = allocate(device, bytes, "the bandwidth test"),
                    out = allocate(device, items * sizeof(float), "the bandwidth test");
@@ -49,8 +49,9 @@ Bandwidth measure_bandwidth(const Device& device) {
     kernel.setArg(0, in);
     kernel.setArg(1, out);
     kernel.setArg(2, static_cast<cl_int>(reals_per_item) / lanes);
+    const std::size_t group = group_size(device, kernel, largest_group);
     const double read = fastest([&] {
-      device.queue().enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange(items), cl::NDRange(group_size));
+      device.queue().enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange(items), cl::NDRange(group));
       device.queue().finish();
     });
     const double copy = fastest([&] {

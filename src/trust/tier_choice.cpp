@@ -22,7 +22,7 @@ constexpr std::array defaults{Precision::robust, Precision::stable, Precision::f
 std::string verdict_key(const Device& device, Precision precision) {
   std::uint64_t sources = fnv1a("");
   for (const auto& [path, text] : kernel_files()) sources = fnv1a(text, sources);
-  return fmt::format("canary 3 of {}\n{}\nfp64 {}\nkernels {:016x}", precision_name(precision), driver_key(device),
+  return fmt::format("canary 4 of {}\n{}\nfp64 {}\nkernels {:016x}", precision_name(precision), driver_key(device),
                      device.info().fp64, sources);
 }
 

@@ -60,6 +60,16 @@ TEST_CASE("The fastest GPU comes first, then CPUs") {
   CHECK(meant("CPU") == "0:0 3:0 1:0");
 }
 
+TEST_CASE("A number that is no platform's index is a part of a name") {
+  std::vector<PlatformInfo> platforms = machine();
+  platforms[1].devices.push_back(device(1, 3, "GeForce RTX 4090", "GPU", 128, 2500));
+  platforms[3].devices.push_back(device(3, 1, "Arc A1", "GPU", 32, 2000));
+  CHECK(meant("4090", platforms) == "1:3");
+  CHECK(meant("4091", platforms).empty());
+  CHECK(meant("1", platforms) == "1:3 1:2 1:1 1:0");  // And not the Arc.
+  CHECK(meant("4090:0", platforms).empty());
+}
+
 TEST_CASE("Indices") {
   CHECK(meant("0") == "0:0");
   CHECK(meant("1") == "1:2 1:1 1:0");

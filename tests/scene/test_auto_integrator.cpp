@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "scene/scene_text.h"
+#include "settings/sampling.h"
 
 using namespace strahl;
 using namespace strahl::test;
@@ -28,6 +29,15 @@ TEST_CASE("without a surface that reflects it is emission") {
       "<bsdf type=\"diffuse\"><texture type=\"checkerboard\" name=\"reflectance\"><rgb name=\"color0\" value=\"0\"/>"
       "<rgb name=\"color1\" value=\"0\"/></texture></bsdf>";
   CHECK(chosen(shape_of("rectangle", board)).name == "direct");
+}
+
+TEST_CASE("emission that auto takes has the edges of path, one that is named a ray a pixel") {
+  const auto sampling = [](const std::string& body) { return resolve_sampling(load_body(body + lamp).scene); };
+  const ResolvedSampling chosen_one = sampling(""), named = sampling("<integrator type=\"emission\"/>");
+  CHECK(chosen_one.kind == SamplerKind::sobol);
+  CHECK(chosen_one.spp == sampling("<integrator type=\"path\"/>").spp);
+  CHECK(named.kind == SamplerKind::centre);
+  CHECK(named.spp == 1);
 }
 
 TEST_CASE("with one convex surface that reflects it is direct") {

@@ -54,6 +54,7 @@ constexpr Expectation expectations[] = {
     {"nofma-denormals", "plane", "degraded", 0, "holds for products above 2^-79, lengths above 2^-39"},
     {"nan-compare", "sphere", "refused", 0, "NaN"},
     {"strict-edges", "triangle", "refused", 7, "closed surfaces"},
+    {"wrong-primitive", "triangle", "refused", 7, "closed surfaces"},
     {"forget-left", "sphere", "refused", 7, "leaving it"},
 };
 
