@@ -71,6 +71,18 @@ struct TextureRow {
   }
 };
 
+/// One without its row does not compile.
+struct BrightestRow {
+  Rgb operator()(const Checkerboard& board) const {
+    const Rgb &a = board.color0, &b = board.color1;
+    return {std::max(a.r, b.r), std::max(a.g, b.g), std::max(a.b, b.b)};
+  }
+  Rgb operator()(const Bitmap& bitmap) const { return times(bitmap.scale, brightest_of(*bitmap.texels, bitmap.curve)); }
+  Rgb operator()(const AttributeTexture& attribute) const {
+    return {attribute.scale, attribute.scale, attribute.scale};
+  }
+};
+
 }  // namespace
 
 TextureFacts texture(const Texture& texture) { return std::visit(TextureRow{texture.is_unbounded}, texture.pattern); }
@@ -96,13 +108,6 @@ Rgb brightest_of(const Texels& texels, const TexelCurve& curve) {
   return most;
 }
 
-Rgb brightest(const Texture& texture) {
-  if (const auto* bitmap = std::get_if<Bitmap>(&texture.pattern))
-    return times(bitmap->scale, brightest_of(*bitmap->texels, bitmap->curve));
-  if (const auto* attribute = std::get_if<AttributeTexture>(&texture.pattern))
-    return {attribute->scale, attribute->scale, attribute->scale};
-  const auto& [a, b, to_uv] = std::get<Checkerboard>(texture.pattern);
-  return {std::max(a.r, b.r), std::max(a.g, b.g), std::max(a.b, b.b)};
-}
+Rgb brightest(const Texture& texture) { return std::visit(BrightestRow{}, texture.pattern); }
 
 }  // namespace strahl::kinds

@@ -45,8 +45,10 @@ struct FilmKeeper;
 
 class Renderer {
  public:
-  /// Validates, packs, builds the program and uploads. Throws SceneError, DeviceError, KernelBuildError, or
-  /// NoDeviceError where the device's memory cannot hold the scene and one row of the film.
+  /// Validates, packs, builds the program and uploads. Throws SceneError, DeviceError, KernelBuildError; UsageError for
+  /// settings that cannot be (a needed effect in `disabled`, a work group that the device has not, what light paths do
+  /// not know); NoDeviceError where the device's memory cannot hold the scene and one row of the film, or
+  /// Aov::numeric_error is asked of a device without fp64.
   Renderer(const Device& device, Scene scene, const RenderSettings& settings = {});
   ~Renderer();
   Renderer(Renderer&&) noexcept;

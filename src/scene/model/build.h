@@ -25,7 +25,7 @@ int add(Scene& scene, Group group);
 int add_instance(Scene& scene, int group, const Transform& world_from_group);
 /// Indices of materials are what add(scene, geometry, material) takes; 0 is the scene's own grey.
 int add(Scene& scene, const decltype(Material::bsdf)& material, bool twosided = false);
-/// A PointLight, a DirectionalLight or a ConstantLight.
+/// Any emitter outside shapes: each alternative of Light::emitter.
 int add(Scene& scene, const decltype(Light::emitter)& emitter);
 
 }  // namespace strahl
