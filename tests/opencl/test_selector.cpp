@@ -107,7 +107,8 @@ TEST_CASE("Only the platform asked for is opened") {
   CHECK(asked("1") == Positions{1});
   CHECK(asked("1:0") == Positions{1});
   CHECK(asked("clover") == Positions{2});
-  CHECK(asked("7").empty());
+  CHECK(asked("7") == asked(""));  // It may be a part of a name.
+  CHECK(asked("7:0").empty());
   CHECK(asked("intel") == Positions{3});
   CHECK(asked("llvmpipe") == Positions{0, 1, 2, 3});
   CHECK(asked("gpu") == Positions{0, 1, 2, 3});
