@@ -64,7 +64,7 @@ TEST_CASE("one sum or four") {
   }
   RenderSettings one_sum;
   one_sum.estimate_error = false;
-  CHECK_THROWS_AS(render("pocl", small_scene(lit, 1, 1, max_spp + 1), one_sum), UsageError);
+  CHECK_THROWS_AS(render("pocl", small_scene(lit, 1, 1, max_spp + 1), one_sum), SceneError);
 }
 
 TEST_CASE("paths, however they are split") {
