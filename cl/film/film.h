@@ -105,4 +105,11 @@ FN void film_add_sample(const Scene* scene, GLOBAL long* sum, real value) {
   sum[1] = low + (long)(rest * R(0x1p+40)) * 4;
 }
 
+/// The same of three channels, whose sums stand side by side.
+FN void film_add_color(const Scene* scene, GLOBAL long* sum, real3 value) {
+  film_add_sample(scene, sum, value.x);
+  film_add_sample(scene, sum + FILM_SUM_WORDS, value.y);
+  film_add_sample(scene, sum + 2 * FILM_SUM_WORDS, value.z);
+}
+
 #endif

@@ -28,9 +28,7 @@ FN SubSums sub_sums_of(const Scene* scene) {
 /// One sample.
 FN void add_sample(const Scene* scene, GLOBAL long* pixel_sums, SubSums sums, int sample, real3 light) {
   GLOBAL long* sum = pixel_sums + sub_sum_of(sums, sample) * (FILM_CHANNELS * FILM_SUM_WORDS);
-  film_add_sample(scene, sum, light.x);
-  film_add_sample(scene, sum + FILM_SUM_WORDS, light.y);
-  film_add_sample(scene, sum + 2 * FILM_SUM_WORDS, light.z);
+  film_add_color(scene, sum, light);
   if (HAS_MOMENT) add_squares(scene, pixel_sums + sums.count * (FILM_CHANNELS * FILM_SUM_WORDS), light, 1);
 }
 

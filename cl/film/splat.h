@@ -43,35 +43,38 @@ FN void splat_channel(const Scene* scene, GLOBAL long* words, real given) {
   if (low != 0 && bin > 0) add_to_word(words + bin - 1, number.is_negative ? -low : low);
 }
 
-/// To one sum of a pixel of the film. number: of the path's splats, counted from 1 on whether or not each is made: a
-/// path that the device has cut short is followed again, and each of its splats is made once.
-FN void splat_pixel(const Scene* scene, int column, int row, int sum, int number, real3 light) {
+/// Whether a path's splat of that number is to be made, and no other of that number is from then on. They are counted
+/// from 1 on whether or not each is made: a path that the device has cut short is followed again, and each of its
+/// splats is made once.
+FN int is_splat_due(const Scene* scene, int number) {
   PRIVATE const SplatFilm* film = scene->splats;
-  if (HAS_LOOP_LIMIT) {
-    if ((uint)number <= film->done[DONE_SPLATS] || !loops_were_whole()) return;
-    film->done[DONE_SPLATS] = (uint)number;
-  }
+  if (!HAS_LOOP_LIMIT) return 1;
+  if ((uint)number <= film->done[DONE_SPLATS] || !loops_were_whole()) return 0;
+  film->done[DONE_SPLATS] = (uint)number;
+  return 1;
+}
+
+FN GLOBAL long* splat_sums(PRIVATE const SplatFilm* film, int column, int row) {
   ulong pixel = (ulong)row * (ulong)film->columns + (ulong)column;
-  GLOBAL long* words = film->words + pixel * (ulong)film->pixel_words + sum * ((int)FILM_CHANNELS * (int)SPLAT_WORDS);
+  return film->words + pixel * (ulong)film->pixel_words;
+}
+
+/// To one sum of a pixel of the film. number: as of is_splat_due.
+FN void splat_pixel(const Scene* scene, int column, int row, int sum, int number, real3 light) {
+  if (!is_splat_due(scene, number)) return;
+  GLOBAL long* words = splat_sums(scene->splats, column, row) + sum * ((int)FILM_CHANNELS * (int)SPLAT_WORDS);
   splat_channel(scene, words, light.x);
   splat_channel(scene, words + SPLAT_WORDS, light.y);
   splat_channel(scene, words + 2 * SPLAT_WORDS, light.z);
 }
 
 /// The light of a pixel's own camera path, which no other work-item adds to. Its sums are apart: it is a mean over the
-/// pixel's samples, what light paths bring is one over those of the whole picture. number: as above.
+/// pixel's samples, what light paths bring is one over those of the whole picture. number: as of is_splat_due.
 FN void add_own_light(const Scene* scene, int column, int row, int sum, int number, real3 light) {
   PRIVATE const SplatFilm* film = scene->splats;
-  if (HAS_LOOP_LIMIT) {
-    if ((uint)number <= film->done[DONE_SPLATS] || !loops_were_whole()) return;
-    film->done[DONE_SPLATS] = (uint)number;
-  }
-  ulong pixel = (ulong)row * (ulong)film->columns + (ulong)column;
+  if (!is_splat_due(scene, number)) return;
   int before = film->sums * ((int)FILM_CHANNELS * (int)SPLAT_WORDS) + sum * ((int)FILM_CHANNELS * (int)FILM_SUM_WORDS);
-  GLOBAL long* words = film->words + pixel * (ulong)film->pixel_words + before;
-  film_add_sample(scene, words, light.x);
-  film_add_sample(scene, words + FILM_SUM_WORDS, light.y);
-  film_add_sample(scene, words + 2 * FILM_SUM_WORDS, light.z);
+  film_add_color(scene, splat_sums(film, column, row) + before, light);
 }
 
 /// The filter's density at an offset from a pixel's middle.

@@ -10,14 +10,17 @@ volatile std::sig_atomic_t is_snapshot_wanted = 0;
 
 constexpr std::array signals{SIGINT, SIGTERM, SIGHUP};
 
+auto handler_of(int signal) {
+  struct sigaction current {};
+  sigaction(signal, nullptr, &current);
+  return current.sa_handler;
+}
+
 extern "C" void remember_signal(int signal) {
   received_signal = signal;
   // Whichever comes next ends the process; one that the caller ignores stays ignored.
-  for (const int one : signals) {
-    struct sigaction current {};
-    sigaction(one, nullptr, &current);
-    if (current.sa_handler == remember_signal) std::signal(one, SIG_DFL);
-  }
+  for (const int one : signals)
+    if (handler_of(one) == remember_signal) std::signal(one, SIG_DFL);
 }
 
 extern "C" void remember_snapshot(int /*signal*/) { is_snapshot_wanted = 1; }
@@ -37,11 +40,8 @@ void install(int signal, void (*handler)(int), struct sigaction& old) {
 void block_ignored_signals() {
   sigset_t ignored;
   sigemptyset(&ignored);
-  for (const int one : signals) {
-    struct sigaction current {};
-    sigaction(one, nullptr, &current);
-    if (current.sa_handler == SIG_IGN) sigaddset(&ignored, one);
-  }
+  for (const int one : signals)
+    if (handler_of(one) == SIG_IGN) sigaddset(&ignored, one);
   // Threads that are begun later inherit it.
   sigprocmask(SIG_BLOCK, &ignored, nullptr);
 }

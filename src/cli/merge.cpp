@@ -40,11 +40,18 @@ struct MergeOptions {
 
 bool is_checkpoint(const std::string& path) { return std::filesystem::path(path).extension() == ".ckpt"; }
 
-void require_outputs(const MergeOptions& options) {
-  if (!is_checkpoint(options.output)) static_cast<void>(image_format(options.output));
+/// layers: of a picture that has them beside it.
+void require_distinct_files(const MergeOptions& options, const std::vector<std::string>& layers) {
   std::vector<NamedFile> outputs{{"-o", options.output}, {"--error-map", options.error_map}}, inputs;
+  for (const std::string& layer : layers)
+    outputs.push_back({"the picture of the AOV " + layer, path_beside(options.output, layer)});
   for (const std::string& part : options.parts) inputs.push_back({"a part", part});
   require_distinct(outputs, inputs);
+}
+
+void require_outputs(const MergeOptions& options) {
+  if (!is_checkpoint(options.output)) static_cast<void>(image_format(options.output));
+  require_distinct_files(options, {});
   for (const std::string& path : {options.output, options.error_map})
     if (!path.empty()) require_writable(path);
   if (!options.error_map.empty()) static_cast<void>(image_format(options.error_map));
@@ -52,12 +59,7 @@ void require_outputs(const MergeOptions& options) {
 
 /// The layers that a picture that is no .exr has beside it, which only the parts know.
 void require_distinct_layers(const MergeOptions& options, const std::vector<std::string>& layers) {
-  if (image_format(options.output) == ImageFormat::exr) return;
-  std::vector<NamedFile> outputs{{"-o", options.output}, {"--error-map", options.error_map}}, inputs;
-  for (const std::string& layer : layers)
-    outputs.push_back({"the picture of the AOV " + layer, path_beside(options.output, layer)});
-  for (const std::string& part : options.parts) inputs.push_back({"a part", part});
-  require_distinct(outputs, inputs);
+  if (image_format(options.output) != ImageFormat::exr) require_distinct_files(options, layers);
 }
 
 RenderResult result_of(const Checkpoint& sum) {

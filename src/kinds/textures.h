@@ -28,6 +28,7 @@ struct TextureFacts {
 /// The greatest values of a texture; of what meshes have, its scale.
 [[nodiscard]] Rgb brightest(const Texture& texture);
 
+[[nodiscard]] inline Rgb times(double factor, const Rgb& c) { return {factor * c.r, factor * c.g, factor * c.b}; }
 [[nodiscard]] inline Rgb times(const Rgb& a, const Rgb& b) { return {a.r * b.r, a.g * b.g, a.b * b.b}; }
 
 }  // namespace strahl::kinds

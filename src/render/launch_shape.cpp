@@ -4,12 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 #include <cstdint>
 #include <limits>
 
 #include "errors.h"
 #include "opencl/cl_code.h"
-#include "opencl/program.h"
 
 namespace strahl {
 namespace {
@@ -35,7 +35,7 @@ LaunchShape::LaunchShape(const Device& device, const cl::Kernel& kernel, int lan
   const std::size_t items = static_cast<std::size_t>(group_.x) * static_cast<std::size_t>(group_.y);
   if (is_asked_ && (group_.x < 1 || group_.y < 1 || items > most))
     throw UsageError(fmt::format("--work-group {}x{}: {} allows 1 to {} work-items", group_.x, group_.y, name, most));
-  if (!is_asked_ && items > most) group_ = {static_cast<int>(group_size(device, kernel, items)), 1};
+  if (!is_asked_ && items > most) group_ = {static_cast<int>(std::bit_floor(most)), 1};
   if (device.info().type != "GPU") return;
   items_at_once_ = static_cast<int>(
       std::min<std::uint64_t>(std::uint64_t{device.info().compute_units} * most, std::numeric_limits<int>::max()));

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "kinds/lights.h"
+#include "kinds/textures.h"
 
 namespace strahl {
 namespace {
@@ -20,8 +21,6 @@ void set_column(Transform& transform, std::size_t column, const Vec3& v) {
   transform.m[1][column] = v.y;
   transform.m[2][column] = v.z;
 }
-
-Rgb times(const Rgb& c, double factor) { return {factor * c.r, factor * c.g, factor * c.b}; }
 
 void mirror_orientation(Shape& shape) {
   const auto mirror = [](auto& geometry) { return kinds::mirror(geometry, flipped); };
@@ -69,7 +68,7 @@ Scene scaled(Scene scene, double factor) {
   camera.near_clip *= factor;
   camera.far_clip *= factor;
   scene.integrator.max_distance *= factor;
-  for (Medium& medium : scene.media) medium.sigma_t.value = times(medium.sigma_t.value, 1 / factor);
+  for (Medium& medium : scene.media) medium.sigma_t.value = kinds::times(1 / factor, medium.sigma_t.value);
   for (Material& material : scene.materials)
     if (auto* relief = std::get_if<Relief>(&material.bsdf); relief != nullptr && relief->kind == Relief::Kind::heights)
       relief->scale *= factor;
@@ -85,7 +84,7 @@ Scene translated(Scene scene, const Vec3& by) {
 }
 
 Scene brightened(Scene scene, double factor) {
-  const auto brighten = [factor](Rgb& c) { c = times(c, factor); };
+  const auto brighten = [factor](Rgb& c) { c = kinds::times(factor, c); };
   const auto brighten_shapes = [&](std::vector<Shape>& shapes) {
     for (Shape& shape : shapes) {
       if (shape.radiance) brighten(*shape.radiance);

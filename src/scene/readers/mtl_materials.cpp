@@ -14,8 +14,6 @@ namespace strahl {
 namespace {
 
 double brightest(const Rgb& c) { return std::max({c.r, c.g, c.b}); }
-Rgb times(double factor, const Rgb& c) { return {factor * c.r, factor * c.g, factor * c.b}; }
-
 class Import {
  public:
   Import(const MeshMaterial& from, const Shape& shape, Scene& scene, ImageFiles& images, Diagnostics& diagnostics)
@@ -42,7 +40,7 @@ class Import {
     Dielectric glass;
     glass.int_ior = from_.index;
     const double most = brightest(from_.filter);
-    if (most > 0) glass.transmittance.color = times(1 / most, from_.filter);
+    if (most > 0) glass.transmittance.color = kinds::times(1 / most, from_.filter);
     Material material = named(glass);
     material.twosided = false;
     return add(in_relief(material));
@@ -65,12 +63,12 @@ class Import {
     if (rest <= 0) return opaque(named(Conductor{{specular}}));
     const double share = brightest(specular) / both;
     Reflectance own = base;
-    own.color = times(1 / (1 - share), base.color);
+    own.color = kinds::times(1 / (1 - share), base.color);
     if (own.texture >= 0) std::get<Bitmap>(scene_.textures.back().pattern).scale = own.color;
     Blend blend;
     blend.weight.color = {share, share, share};
     blend.first = add(twosided(named(Diffuse{own})));
-    blend.second = add(twosided(named(Conductor{{times(1 / share, specular)}})));
+    blend.second = add(twosided(named(Conductor{{kinds::times(1 / share, specular)}})));
     return opaque(named(blend));
   }
 
