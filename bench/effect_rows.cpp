@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "json_text.h"
 #include "program/disabled.h"
 #include "program/features.h"
 #include "scene/loader.h"
@@ -90,7 +91,7 @@ std::string json(const std::vector<EffectRow>& rows, const Device& device) {
                    {"needed", row.cost.needed},
                    {"frame_needed", row.cost.frame_needed}});
   const Json whole{{"device", device.info().text()}, {"strahl", STRAHL_VERSION}, {"effects", all}};
-  return whole.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json_text(whole);
 }
 
 std::string markdown(const std::vector<EffectRow>& rows, const Device& device) {

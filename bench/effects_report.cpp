@@ -7,6 +7,7 @@
 
 #include "bench/effects.h"
 #include "bench/race.h"
+#include "json_text.h"
 
 namespace strahl::bench {
 namespace {
@@ -56,7 +57,7 @@ std::string json(const Effects& effects) {
                  {"generic_program_bytes", effects.generic.bytes},
                  {"ten_spheres", spheres},
                  {"scenes", scenes}};
-  return all.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json_text(all);
 }
 
 std::string markdown(const Effects& effects) {

@@ -13,7 +13,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 bool differ(double a, double b) {
   if (a == infinity || b == infinity) return a != b;
-  return std::abs(a - b) > 0x1p-10 * std::max(a, b);
+  return !(std::abs(a - b) <= 0x1p-10 * std::max(a, b));  // NaN differs.
 }
 
 }  // namespace

@@ -5,6 +5,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "json_text.h"
+
 namespace strahl::bench {
 
 std::string markdown(const Run& run, const std::vector<Timing>& timings) {
@@ -43,7 +45,7 @@ std::string json(const Run& run, const std::vector<Timing>& timings) {
                               {"most", timing.most},
                               {"ratio", timing.ratio},
                               {"hits", timing.hits}});
-  return all.dump(2) + "\n";
+  return json_text(all);
 }
 
 }  // namespace strahl::bench

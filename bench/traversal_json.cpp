@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "bench/traversal.h"
+#include "json_text.h"
 
 namespace strahl::bench {
 
@@ -31,15 +32,13 @@ std::string json(const Traversal& traversal) {
                      {"program", tree.program},
                      {"seconds", tree.seconds},
                      {"sah_cost", tree.sah_cost}});
-  return Json{{"device", traversal.device},
-              {"machine", traversal.machine},
-              {"strahl", traversal.version},
-              {"threads", traversal.threads},
-              {"rounds", traversal.rounds},
-              {"races", races},
-              {"trees", trees}}
-             .dump(1) +
-         "\n";
+  return json_text(Json{{"device", traversal.device},
+                        {"machine", traversal.machine},
+                        {"strahl", traversal.version},
+                        {"threads", traversal.threads},
+                        {"rounds", traversal.rounds},
+                        {"races", races},
+                        {"trees", trees}});
 }
 
 Traversal traversal_of_json(const std::string& text) try {

@@ -74,7 +74,7 @@ class Strahl:
         with open(stats, encoding="utf-8") as file:
             told = json.load(file)
         self.paths, self.total = told["rays"]["camera"], told["seconds"]["total"]
-        return told["seconds"]["kernel"] + told["seconds"]["readback"]
+        return sum(told["seconds"][part] for part in ("kernel", "readback", "error"))
 
     def close(self):
         pass

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Path tracers on many kinds of scenes: strahl in turns with Mitsuba 3, equal samples, depth and threads.
 
-Each scene (scenes.py) answers four questions, all without compilation:
+Each scene (scenes.py) answers four questions, all without compilation and the start of the process (strahl's seconds
+are those of the kernels, of the way back and of the told error):
   paths         paths a second beside Mitsuba's, equal samples, neither telling its error
   4 samples     paths a second of pictures of 4 samples beside those of --spp
   --time        the same of pictures that end by --time, given the time that --spp samples took

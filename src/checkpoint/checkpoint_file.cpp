@@ -14,6 +14,7 @@
 #include "checkpoint/checkpoint.h"
 #include "image/atomic_file.h"
 #include "image/file_bytes.h"
+#include "json_text.h"
 #include "packing/cl_layout.h"
 #include "settings/sampling.h"
 #include "settings/settings.h"
@@ -73,7 +74,7 @@ std::string json_of(const Checkpoint& checkpoint) {
       {"frame", {frame.origin.x, frame.origin.y, frame.origin.z, frame.scale}},
   };
   // Names of files need not be UTF-8.
-  return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json_text(json);
 }
 
 /// CRC-32 by zlib: of all before it, however it is divided.

@@ -15,6 +15,7 @@
 #include "cli/progress_bar.h"
 #include "cli/scene_options.h"
 #include "image/file_bytes.h"
+#include "json_text.h"
 #include "opencl/tuned_width.h"
 #include "scene/loader.h"
 #include "study/generated/scenes.h"
@@ -210,8 +211,7 @@ ExitCode bench(const BenchOptions& options) {
                           [&bar](int done, int total) { bar.show(static_cast<double>(done) / total, "measuring"); });
   }
   if (options.json != "-") print(table(result, base));
-  if (!options.json.empty())
-    write_text(options.json, json_of(result).dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+  if (!options.json.empty()) write_text(options.json, json_text(json_of(result)));
   return ExitCode::ok;
 }
 

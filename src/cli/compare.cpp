@@ -15,6 +15,7 @@
 #include "cli/number_options.h"
 #include "cli/picture_files.h"
 #include "image/metrics.h"
+#include "json_text.h"
 
 namespace strahl::cli {
 namespace {
@@ -94,7 +95,7 @@ ExitCode compare(const CompareOptions& options) {
   if (!options.heatmap.empty()) {
     static_cast<void>(write_image(metric_heatmap(a, b, request.map, request.pixels_per_degree), options.heatmap));
   }
-  print(options.json ? json.dump(2) + "\n" : text);
+  print(options.json ? json_text(json) : text);
   return failed ? ExitCode::check_failed : ExitCode::ok;
 }
 

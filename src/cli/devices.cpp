@@ -9,6 +9,7 @@
 
 #include "cli/commands.h"
 #include "cli/console.h"
+#include "json_text.h"
 #include "opencl/device.h"
 #include "opencl/program.h"
 
@@ -61,6 +62,7 @@ Json json_of(const DeviceInfo& device) {
           {"clock_mhz", device.clock_mhz},
           {"global_memory", device.global_memory},
           {"max_allocation", device.max_allocation},
+          {"shares_host_memory", device.shares_host_memory},
           {"max_work_group", device.max_work_group},
           {"native_vector_width", device.native_vector_width},
           {"available", device.available}};
@@ -79,7 +81,7 @@ std::string json_of(const std::vector<PlatformInfo>& platforms, const std::strin
                     {"devices", devices}});
   }
   const Json json = {{"platforms", list}, {"default", default_index.empty() ? Json(nullptr) : Json(default_index)}};
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json_text(json);
 }
 
 std::string text_of(const PlatformInfo& platform, const std::string& default_index) {
@@ -102,8 +104,7 @@ ExitCode devices(const DevicesOptions& options) {
     const std::string directory = program_cache_directory();
     const std::size_t removed = clear_program_cache();
     if (options.json)
-      print(Json{{"removed", removed}, {"directory", directory}}.dump(2, ' ', false, Json::error_handler_t::replace) +
-            "\n");
+      print(json_text(Json{{"removed", removed}, {"directory", directory}}));
     else
       print(fmt::format("removed {} cached program{} from {}\n", removed, removed == 1 ? "" : "s", directory));
     return ExitCode::ok;

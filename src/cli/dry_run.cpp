@@ -5,6 +5,7 @@
 
 #include "cli/console.h"
 #include "cli/output_file.h"
+#include "json_text.h"
 #include "render/pilot.h"
 #include "render/rounding_pilot.h"
 #include "settings/sampling.h"
@@ -84,7 +85,7 @@ ExitCode dry_run(Renderer& renderer, const RenderOptions& options, const Invocat
   const std::optional<ErrorTrend> law = law_of(pilot);
   const Prediction prediction = predict(law, costs, goal);
   print(prediction_text(prediction));
-  if (!options.stats.empty()) write_text(options.stats, json_of(prediction, pilot, law).dump(2) + "\n");
+  if (!options.stats.empty()) write_text(options.stats, json_text(json_of(prediction, pilot, law)));
   return ExitCode::ok;
 }
 

@@ -17,6 +17,7 @@
 #include "cli/progress_bar.h"
 #include "cli/scene_options.h"
 #include "cli/scene_overrides.h"
+#include "json_text.h"
 #include "kinds/integrators.h"
 #include "opencl/device.h"
 #include "opencl/program.h"
@@ -183,7 +184,7 @@ std::string json_of(const Explained& all) {
     json["advice"].push_back(
         {{"integrator", advice.integrator}, {"finds", advice.why}, {"where", text_or_null(advice.where.text())}});
   if (all.integrators) json["integrators"] = integrators_json(*all.integrators);
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json_text(json);
 }
 
 IntegratorCosts integrators_of(const ExplainOptions& options, const Scene& scene, const RenderSettings& settings) {

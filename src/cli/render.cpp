@@ -25,6 +25,7 @@
 #include "cli/shared_devices.h"
 #include "cli/summary.h"
 #include "cli/watchdog.h"
+#include "json_text.h"
 #include "kinds/integrators.h"
 #include "render/limitations.h"
 #include "render/renderer.h"
@@ -287,7 +288,7 @@ ExitCode render(const RenderOptions& options, const Invocation& invocation) {
       detail = count(living(devices, result.stats), counted, settings, options, guard, result.stats);
     auto json = nlohmann::ordered_json::parse(result.stats.json());
     if (options.stats_detail) json["detail"] = detail;
-    write_text(options.stats, json.dump(2) + "\n");
+    write_text(options.stats, json_text(json));
   }
   if (not_kept) return ExitCode::failure;
   if (guard.interrupted()) {

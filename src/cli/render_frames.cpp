@@ -15,6 +15,7 @@
 #include "cli/render_files.h"
 #include "cli/summary.h"
 #include "cli/watchdog.h"
+#include "json_text.h"
 #include "render/median.h"
 
 namespace strahl::cli {
@@ -91,9 +92,8 @@ ExitCode render_frames(Renderer& renderer, const RenderOptions& options, const P
   warn_of_samples(all);
   const int count = static_cast<int>(seconds.size());
   if (!options.stats.empty())
-    write_text(
-        options.stats,
-        nlohmann::ordered_json{{"time", time}, {"in_time", count - late}, {"frames", json_of(frames)}}.dump(2) + "\n");
+    write_text(options.stats, json_text(nlohmann::ordered_json{
+                                  {"time", time}, {"in_time", count - late}, {"frames", json_of(frames)}}));
   if (!options.scene.quiet && count > 0)
     say(fmt::format("{} of {} frames within {}: median {:.1f} ms, longest {:.1f} ms · {} …", count - late, count,
                     *options.goal.time, 1e3 * median(seconds), 1e3 * *std::max_element(seconds.begin(), seconds.end()),

@@ -17,6 +17,7 @@
 #include "cli/progress_bar.h"
 #include "cli/scene_options.h"
 #include "cli/scene_overrides.h"
+#include "json_text.h"
 #include "render/limitations.h"
 #include "settings/sampling.h"
 
@@ -73,7 +74,7 @@ std::string json_of(const StressStudy& study, const Scene& scene, const Device& 
                                     {"reference", precision_name(study.reference)},
                                     {"stresses", stresses},
                                     {"tiers", tiers}};
-  return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+  return json_text(json);
 }
 
 ExitCode stress(const StressOptions& options, const Invocation& invocation) {

@@ -29,6 +29,7 @@ struct DeviceInfo {
   unsigned clock_mhz = 0;
   std::uint64_t global_memory = 0;   ///< bytes; of an open device no more than DeviceNeeds::most_memory
   std::uint64_t max_allocation = 0;  ///< bytes
+  bool shares_host_memory = false;   ///< As processors do, and GPUs that are a part of one.
   bool is_memory_limited = false;    ///< DeviceNeeds::most_memory is less than it has.
   std::size_t max_work_group = 0;
   unsigned native_vector_width = 0;  ///< CL_DEVICE_NATIVE_VECTOR_WIDTH_FLOAT
@@ -64,9 +65,10 @@ class Device {
  public:
   /// selector: "" (fastest GPU, else CPU), "0", "0:1", "cpu", "gpu", or part of a platform's or device's name,
   /// case-insensitive; "pocl" and "intel" name platforms only. A platform's name goes before a device's; of several
-  /// devices the best is taken: GPU before CPU, then compute units times clock. Opens only the platform asked for.
-  /// For PoCL, sets POCL_WORK_GROUP_SPECIALIZATION=0 unless the environment has it, so that cached programs are whole.
-  /// Throws NoDeviceError: what is missing, what to install, which devices would do.
+  /// devices the best is taken: GPU before CPU, a GPU with memory of its own before one that is a part of the
+  /// processor, then compute units times clock. Opens only the platform asked for. For PoCL, sets
+  /// POCL_WORK_GROUP_SPECIALIZATION=0 unless the environment has it, so that cached programs are whole. Throws
+  /// NoDeviceError: what is missing, what to install, which devices would do.
   static Device open(const std::string& selector, const DeviceNeeds& needs = {});
 
   [[nodiscard]] const DeviceInfo& info() const { return info_; }

@@ -34,6 +34,13 @@ bool speaks_opencl_1_2(const std::string& version) {
   return major > 1 || (major == 1 && minor >= 2);
 }
 
+/// The question is deprecated since OpenCL 2.0; of a driver that has no answer the device counts as a card.
+bool shares_host_memory(const cl::Device& device) {
+  cl_bool shares = CL_FALSE;
+  return clGetDeviceInfo(device(), CL_DEVICE_HOST_UNIFIED_MEMORY, sizeof shares, &shares, nullptr) == CL_SUCCESS &&
+         shares == CL_TRUE;
+}
+
 DeviceInfo describe(const cl::Device& device, const PlatformInfo& platform, int index) {
   DeviceInfo info;
   info.platform_index = platform.index;
@@ -51,6 +58,7 @@ DeviceInfo describe(const cl::Device& device, const PlatformInfo& platform, int 
   info.compute_units = device.getInfo<CL_DEVICE_MAX_COMPUTE_UNITS>();
   info.clock_mhz = device.getInfo<CL_DEVICE_MAX_CLOCK_FREQUENCY>();
   info.global_memory = device.getInfo<CL_DEVICE_GLOBAL_MEM_SIZE>();
+  info.shares_host_memory = shares_host_memory(device);
   info.max_allocation = device.getInfo<CL_DEVICE_MAX_MEM_ALLOC_SIZE>();
   info.max_work_group = device.getInfo<CL_DEVICE_MAX_WORK_GROUP_SIZE>();
   info.native_vector_width = device.getInfo<CL_DEVICE_NATIVE_VECTOR_WIDTH_FLOAT>();

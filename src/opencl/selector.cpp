@@ -55,7 +55,10 @@ auto rank(const DeviceInfo& device) {
   const int type = device.type == "GPU" ? 0 : device.type == "CPU" ? 1 : 2;
   // Drivers that do not know the clock say 0 (llvmpipe): still a device, only the slowest of its type.
   const auto speed = -static_cast<long long>(device.compute_units) * static_cast<long long>(device.clock_mhz);
-  return std::make_tuple(!device.available, type, speed, device.platform_index, device.device_index);
+  // Vendors count their units differently: between one that is a part of the processor and a card they decide nothing.
+  const bool is_part_of_processor = type == 0 && device.shares_host_memory;
+  return std::make_tuple(!device.available, type, is_part_of_processor, speed, device.platform_index,
+                         device.device_index);
 }
 
 }  // namespace

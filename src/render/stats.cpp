@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "json_text.h"
+
 namespace strahl {
 namespace {
 
@@ -120,7 +122,7 @@ std::string RunStats::json() const {
   json["saturated_samples"] = saturated_samples;
   json["invalid_samples"] = invalid_samples;
   // A device may name itself in any encoding; JSON is UTF-8. Non-finite numbers become null.
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json_text(json);
 }
 
 }  // namespace strahl

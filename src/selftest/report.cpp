@@ -8,6 +8,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "json_text.h"
+
 namespace strahl::selftest {
 namespace {
 
@@ -115,7 +117,7 @@ std::string json_of(const SelftestResult& result) {
                   {"tiers", tiers},
                   {"lines", lines},
                   {"seconds", result.seconds}};
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json_text(json);
 }
 
 }  // namespace strahl::selftest

@@ -58,6 +58,9 @@ TEST_CASE("The fastest GPU comes first, then CPUs") {
   CHECK(meant("") == "1:2 1:1 0:0 3:0 1:0");
   CHECK(meant("gpu") == "1:2 1:1");
   CHECK(meant("CPU") == "0:0 3:0 1:0");
+  std::vector<PlatformInfo> platforms = machine();
+  platforms[1].devices[2].shares_host_memory = true;
+  CHECK(meant("", platforms) == "1:1 1:2 0:0 3:0 1:0");
 }
 
 TEST_CASE("A number that is no platform's index is a part of a name") {

@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "json_text.h"
 #include "kinds/integrators.h"
 #include "opencl/program.h"
 #include "opencl/program_cache.h"
@@ -52,7 +53,7 @@ std::string StudyIdentity::hash() const { return fmt::format("{:016x}", fnv1a(js
 std::string StudyIdentity::json() const {
   nlohmann::ordered_json json;
   for (const auto& [name, value] : parts) json[name] = value;
-  return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+  return json_text(json);
 }
 
 std::string StudyIdentity::difference_from(const std::string& other) const {

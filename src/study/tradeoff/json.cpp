@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "errors.h"
+#include "json_text.h"
 #include "settings/sampler_name.h"
 
 namespace strahl {
@@ -121,7 +122,7 @@ Json json_of(const TradeoffReference& reference) {
 }
 
 /// A device may name itself in any encoding; JSON is UTF-8.
-std::string text_of(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; }
+std::string text_of(const Json& json) { return json_text(json); }
 
 std::string cell(const Json& value) {
   if (value.is_null()) return "";
