@@ -103,10 +103,7 @@ Scene bench_scene(const std::string& name) {
         {{Severity::error, scene.instances.front().where,
           "the programs that strahl is compared with are given shapes, not instances; choose a scene without"}});
   scene.film.width = scene.film.height = 1024;
-  if (scene.lights.empty()) {  // Over the camera's right shoulder.
-    const Transform& camera = scene.camera.world_from_camera;
-    scene.lights.push_back({"", PointLight{camera.point({-1, 1, 0})}, {}});
-  }
+  add_missing_point_light(scene);
   return scene;
 }
 

@@ -53,12 +53,7 @@ struct BenchOptions {
 Scene scene_of(const std::string& name) {
   if (name.find_first_of("./") == std::string::npos) return generated_scene(name);
   Scene scene = load_scene(name).scene;
-  const auto is_point = [](const Light& light) { return std::holds_alternative<PointLight>(light.emitter); };
-  // Shadow rays go to a point: where no light is one, over the camera's right shoulder.
-  if (std::none_of(scene.lights.begin(), scene.lights.end(), is_point)) {
-    const Transform& camera = scene.camera.world_from_camera;
-    scene.lights.push_back({"", PointLight{camera.point({-1, 1, 0})}, {}});
-  }
+  add_missing_point_light(scene);
   return scene;
 }
 

@@ -13,6 +13,8 @@
 namespace strahl {
 namespace {
 
+bool is_point(const Light& light) { return std::holds_alternative<PointLight>(light.emitter); }
+
 struct Pixel {
   int x = 0, y = 0;
 };
@@ -87,9 +89,14 @@ RaySet primary_rays(const Scene& scene) {
   return set;
 }
 
+void add_missing_point_light(Scene& scene) {
+  if (std::any_of(scene.lights.begin(), scene.lights.end(), is_point)) return;
+  const Transform& camera = scene.camera.world_from_camera;
+  scene.lights.push_back({"", PointLight{camera.point({-1, 1, 0})}, {}});
+}
+
 RaySet shadow_rays(const Scene& scene, const RaySet& primary, const std::vector<Hit>& hits) {
-  const auto lamp = std::find_if(scene.lights.begin(), scene.lights.end(),
-                                 [](const Light& light) { return std::holds_alternative<PointLight>(light.emitter); });
+  const auto lamp = std::find_if(scene.lights.begin(), scene.lights.end(), is_point);
   if (lamp == scene.lights.end()) throw InputError("shadow rays need a point light, and the scene has none");
   const Vec3 to = std::get<PointLight>(lamp->emitter).position;
   return leaving(RayKind::shadow, primary, hits, 1,

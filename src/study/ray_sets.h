@@ -28,6 +28,9 @@ struct RaySet {
 /// are neighbours.
 [[nodiscard]] RaySet primary_rays(const Scene& scene);
 
+/// Shadow rays go to a point: where no light of the scene is one, adds one over the camera's right shoulder.
+void add_missing_point_light(Scene& scene);
+
 /// From where `primary` hit to the scene's first point light; one ray a hit. `hits` belongs to `primary`.
 [[nodiscard]] RaySet shadow_rays(const Scene& scene, const RaySet& primary, const std::vector<Hit>& hits);
 

@@ -5,8 +5,11 @@
 
 #include "bench/race.h"
 #include "bench/strahl_contender.h"
+#include "bench/traversal.h"
 #include "bench/traversal_report.h"
+#include "image/temporary_folder.h"
 #include "study/generated/scenes.h"
+#include "study/ray_sets.h"
 #include "support/devices.h"
 
 namespace strahl::test {
@@ -107,6 +110,16 @@ TEST_CASE("strahl races against itself") {
     CHECK(race.entries[0].hits > 0);
     CHECK(race.entries[0].hits <= race.rays);
   }
+}
+
+TEST_CASE("a scene whose lights are no points gets a lamp for its shadow rays") {
+  const TemporaryFolder folder;
+  put_bytes(folder / "sky.xml", R"(<scene version="3.0.0"><sensor type="perspective"><transform name="to_world">
+    <lookat origin="0, 0, 5" target="0, 0, 0" up="0, 1, 0"/></transform></sensor>
+    <emitter type="constant"/><shape type="sphere"/></scene>)");
+  const Scene scene = bench_scene(folder / "sky.xml");
+  CHECK(scene.lights.size() == 2);
+  CHECK_NOTHROW(shadow_rays(scene, {}, {}));
 }
 
 }  // namespace
