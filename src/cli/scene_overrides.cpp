@@ -11,6 +11,7 @@
 #include <limits>
 #include <vector>
 
+#include "cli/console.h"
 #include "cli/number_options.h"
 #include "did_you_mean.h"
 #include "kinds/integrators.h"
@@ -152,6 +153,11 @@ void apply(const SceneOverrides& overrides, Scene& scene) {
         fmt::format("--pixel: integrator {} begins its paths on lights, and of those of one pixel hardly "
                     "any ends there; take integrator path, or --crop for a part of the picture",
                     scene.integrator.name));
+}
+
+void show_whole_picture(Film& film) {
+  if (film.crop) say("strahl: warning: the scene's crop window is not taken: the study is of the whole picture");
+  film.crop.reset();
 }
 
 }  // namespace strahl::cli

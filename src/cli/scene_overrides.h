@@ -29,4 +29,8 @@ void add_scene_overrides(CLI::App& app, SceneOverrides& overrides);
 /// Throws UsageError for an unknown integrator and for a crop window outside the picture.
 void apply(const SceneOverrides& overrides, Scene& scene);
 
+/// For studies at a size of their own: without the scene's crop window, whose pixels would be others there; warns of
+/// it.
+void show_whole_picture(Film& film);
+
 }  // namespace strahl::cli

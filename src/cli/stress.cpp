@@ -82,6 +82,7 @@ ExitCode stress(const StressOptions& options, const Invocation& invocation) {
   if (!options.json.empty() && options.json != "-") require_writable(options.json);
   double load_seconds = 0;
   Scene scene = load(options.scene, load_seconds);
+  show_whole_picture(scene.film);
   SceneOverrides overrides;
   overrides.width = options.width;
   overrides.spp = options.spp;

@@ -98,8 +98,7 @@ Tiers tiers_of(const Device& device, const TradeoffCommand& command) {
 
 /// The whole picture, as wide as was asked for, as the reference is, or as is quick.
 void resize(const TradeoffCommand& command, Scene& scene) {
-  if (scene.film.crop) say("strahl: warning: the scene's crop window is not taken: the study is of the whole picture");
-  scene.film.crop.reset();
+  show_whole_picture(scene.film);
   SceneOverrides overrides;
   overrides.width = command.width.value_or(std::min(scene.film.width, default_width));
   if (!command.reference.empty() && !command.width) {

@@ -40,3 +40,25 @@ TEST_CASE("JSON in the table's place, of any name; a sheet that cannot be writte
   CHECK(folder.run({"stress", "scene.xml", "-o", "nowhere/sheet.png"}).code == 1);
   CHECK(folder.run({"stress", "scene.xml", "-o", "sheet.jpg"}).code == 2);
 }
+
+TEST_CASE("the whole picture, whatever crop window the scene has") {
+  const Folder folder;
+  std::string cropped = glowing_sphere;
+  const std::string film_end = "</film>";
+  cropped.insert(cropped.find(film_end),
+                 "<integer name=\"crop_offset_x\" value=\"20\"/><integer name=\"crop_offset_y\" value=\"4\"/>"
+                 "<integer name=\"crop_width\" value=\"12\"/><integer name=\"crop_height\" value=\"8\"/>");
+  folder.file("whole.xml", glowing_sphere);
+  folder.file("cropped.xml", cropped);
+  const auto sheet_of = [&](const std::string& scene) {
+    const Outcome outcome = folder.run({"stress", scene, "--width", "16", "--spp", "1", "-q", "-o", "sheet.exr"});
+    INFO(outcome.err);
+    REQUIRE(outcome.code == 0);
+    CHECK(contains(outcome.err, "crop window is not taken") == (scene == "cropped.xml"));
+    return strahl::read_image(folder.path("sheet.exr"));
+  };
+  // Of a width at which the window would lie outside.
+  const strahl::Image whole = sheet_of("whole.xml"), cropped_sheet = sheet_of("cropped.xml");
+  CHECK(cropped_sheet.width == whole.width);
+  CHECK(cropped_sheet.data == whole.data);
+}
