@@ -3,6 +3,7 @@
 #include "study/tradeoff/tradeoff.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
@@ -19,6 +20,7 @@
 #include "cli/scene_overrides.h"
 #include "cli/tradeoff_table.h"
 #include "image/image_io.h"
+#include "kinds/integrators.h"
 #include "render/limitations.h"
 #include "settings/sampler_name.h"
 #include "settings/sampling.h"
@@ -205,6 +207,13 @@ CLI::Option* add_axis(CLI::App& app, const char* name, Values& values, const cha
       ->group("What is varied");
 }
 
+std::vector<std::string> names_with_depth() {
+  std::vector<std::string> names;
+  for (const std::string& name : kinds::integrator_names())
+    if (kinds::integrator(name).has_depth()) names.push_back(name);
+  return names;
+}
+
 }  // namespace
 
 Command add_tradeoff(CLI::App& app, const Invocation& invocation) {
@@ -233,7 +242,8 @@ Command add_tradeoff(CLI::App& app, const Invocation& invocation) {
   add_axis(app, "--sampler", command->samplers, "LIST", "sobol, independent, centre; default: sobol,independent");
   require_whole(add_axis(app, "--spp", command->spps, "LIST", "Samples per pixel; default: 1,4,16,64,256"));
   require_whole(add_axis(app, "--depth", command->depths, "LIST",
-                         "max_depth of path and whitted; default: 2,4,8 and the scene's own"));
+                         fmt::format("max_depth of {}; default: 2,4,8 below the scene's own, and that",
+                                     fmt::join(names_with_depth(), ", "))));
   app.add_flag("--no-generic", command->no_generic, "Leave out the program that holds every effect")
       ->group("What is varied");
   app.add_flag("--no-canary", command->no_canary, "Trust the device's arithmetic without asking it");

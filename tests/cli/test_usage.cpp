@@ -31,6 +31,11 @@ TEST_CASE("every command has help with examples") {
   }
 }
 
+TEST_CASE("tradeoff's help names every integrator whose depth can be varied") {
+  const Folder folder;
+  CHECK(contains(folder.run({"tradeoff", "--help"}).out, "max_depth of whitted, path, volpath, ptracer, bdpt;"));
+}
+
 TEST_CASE("render's help names every option that the documentation has") {
   const Folder folder;
   const std::string help = folder.run({"render", "--help"}).out;
