@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // `strahl explain`: which effects a scene calls for, where, which program that makes, and what each effect costs.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -204,7 +205,18 @@ EffectCosts costs_of(const ExplainOptions& options, const Scene& scene, const Re
   return measure_effects(device, scene, settings, rounds, [&](double share) { bar.show(share, "building"); });
 }
 
+/// What light does not decide has no error to be compared at.
+void require_light_transport(const std::vector<std::string>& among) {
+  const std::vector<std::string> known = light_transport_names();
+  for (const std::string& name : among)
+    if (std::find(known.begin(), known.end(), name) == known.end())
+      throw UsageError(
+          fmt::format("--among: integrator {} does not follow light, so there is nothing to compare; {} do", name,
+                      fmt::join(known, ", ")));
+}
+
 ExitCode explain(const ExplainOptions& options) {
+  require_light_transport(options.among);
   const auto is_asked = [&](const char* of) {
     return options.cost && (*options.cost == of || *options.cost == "both");
   };
@@ -254,7 +266,7 @@ Command add_explain(CLI::App& app) {
       ->needs(cost)
       ->type_name("SECONDS")
       ->capture_default_str();
-  app.add_option("--among", options->among, "Integrators to compare; all of light transport by default")
+  app.add_option("--among", options->among, "Integrators to compare, of light transport; all of them by default")
       ->needs(cost)
       ->type_name("NAME,...")
       ->delimiter(',')

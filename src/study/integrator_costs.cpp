@@ -101,20 +101,45 @@ void set_prediction(const Pilot& pilot, bool is_independent, double rmse, double
   cost.spp = found.spp;
 }
 
-/// That the scene's paths could be followed by, each program once.
+std::string simplified(Scene scene, const std::string& name) {
+  scene.integrator.name = name;
+  simplify_integrator(scene);
+  return scene.integrator.name;
+}
+
+/// That the scene's paths could be followed by, each program once, unless it is asked for by name.
 std::vector<std::string> names_for(const Scene& scene, const std::set<std::string>& names) {
   std::vector<std::string> found;
-  for (const std::string& name : kinds::integrator_names()) {
-    if (!kinds::integrator(name).is_lit() || (!names.empty() && !names.contains(name))) continue;
-    Scene simple = scene;
-    simple.integrator.name = name;
-    simplify_integrator(simple);
-    if (simple.integrator.name == name) found.push_back(name);
+  for (const std::string& name : light_transport_names())
+    if (names.empty() ? simplified(scene, name) == name : names.contains(name)) found.push_back(name);
+  return found;
+}
+
+/// seconds: of the pilot.
+Piloted measured(const Device& device, Scene scene, const RenderSettings& settings, double seconds,
+                 const std::string& name) {
+  Piloted found;
+  if (const std::string same = simplified(scene, name); same != name) {
+    found.cost.refused = "without media, masks and panes of thin glass it is " + same + ": name that one";
+  } else {
+    scene.integrator.name = name;
+    const std::vector<std::string> misses = integrator_misses(scene);
+    leave_out_empty_media(scene);
+    found = piloted(device, scene, settings, seconds);
+    found.cost.misses = misses;
   }
+  found.cost.integrator = name;
   return found;
 }
 
 }  // namespace
+
+std::vector<std::string> light_transport_names() {
+  std::vector<std::string> found;
+  for (const std::string& name : kinds::integrator_names())
+    if (kinds::integrator(name).is_lit()) found.push_back(name);
+  return found;
+}
 
 IntegratorCosts measure_integrators(const Device& device, const Scene& scene, const RenderSettings& settings,
                                     double pilot_seconds, double share, const StudyProgress& progress,
@@ -131,20 +156,22 @@ IntegratorCosts measure_integrators(const Device& device, const Scene& scene, co
   costs.share = share;
   std::vector<Piloted> all;
   double own = 0, brightest = 0;
+  const std::string own_name = simplified(scene, scene.integrator.name);
   const std::vector<std::string> asked = names_for(scene, names);
+  const bool is_own_alone = kinds::integrator(own_name).is_lit() && std::ranges::find(asked, own_name) == asked.end();
+  const auto pilots = static_cast<double>(asked.size() + (is_own_alone ? 1 : 0));
   for (const std::string& name : asked) {
-    if (progress) progress(static_cast<double>(all.size()) / static_cast<double>(asked.size()));
-    Scene one = small;
-    one.integrator.name = name;
-    const std::vector<std::string> misses = integrator_misses(one);
-    leave_out_empty_media(one);
-    all.push_back(piloted(device, one, plain, pilot_seconds));
+    if (progress) progress(static_cast<double>(all.size()) / pilots);
+    all.push_back(measured(device, small, plain, pilot_seconds, name));
     IntegratorCost& cost = all.back().cost;
-    cost.integrator = name;
-    cost.misses = misses;
     cost.sample_seconds *= factor;
-    if (name == scene.integrator.name) own = cost.mean;
+    if (name == own_name) own = cost.mean;
     brightest = std::max(brightest, cost.mean);
+  }
+  // The error is that of the scene's picture, whichever integrators are compared.
+  if (is_own_alone) {
+    if (progress) progress(static_cast<double>(all.size()) / pilots);
+    own = measured(device, small, plain, pilot_seconds, own_name).cost.mean;
   }
   const bool is_independent = resolve_sampling(scene).kind == SamplerKind::independent;
   costs.rmse = share * (own > 0 ? own : brightest);

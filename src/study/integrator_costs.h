@@ -31,12 +31,15 @@ struct IntegratorCosts {
   int width = 0, height = 0;  ///< Of the pilots' pictures.
   double pilot_seconds = 0;   ///< That each may take.
   double share = 0;           ///< The error is this share of the mean ...
-  double rmse = 0;            ///< ... of the picture of the scene's own integrator, or of the brightest where that is
-                              ///< black; 0: all of them are.
+  double rmse = 0;            ///< ... of the picture of the scene's own integrator, asked for or not; of the brightest
+                              ///< where that is black, refused or no light transport; 0: all of them are black.
   std::vector<IntegratorCost> integrators;
 };
 
-/// Of every integrator of light transport, in the order of cl/integrators/integrators.def, or of those named. The
+/// In the order of cl/integrators/integrators.def.
+[[nodiscard]] std::vector<std::string> light_transport_names();
+
+/// Of every integrator of light transport, in their order, or of those named: these must be light transport. The
 /// errors of pixels do not depend on the resolution, but for details that are lost at the pilots' at most 128 pixels.
 /// What is rare may not be seen at all in a pilot; `misses` tells of it.
 [[nodiscard]] IntegratorCosts measure_integrators(const Device& device, const Scene& scene,

@@ -91,6 +91,42 @@ TEST_CASE("a box under a large lamp is had sooner from the camera; what is refus
         std::string::npos);
 }
 
+TEST_CASE("the error is the scene's own, whichever integrators are compared") {
+  const Folder folder;
+  // Half of the light of path, which is the scene's, comes from the floor's second bounce and is not whitted's.
+  folder.file("scene.xml", before + R"(<shape type="sphere"><boolean name="flip_normals" value="true"/>
+    <float name="radius" value="9"/><bsdf type="diffuse"><rgb name="reflectance" value="0.9"/></bsdf></shape>
+    <emitter type="point"><point name="position" x="0" y="3" z="0"/></emitter></scene>)");
+  const auto all = [&](const std::string& among) {
+    const Outcome outcome = folder.run({"explain", "scene.xml", "--cost", "integrators", "--among", among, "--pilot",
+                                        "0.3", "--json", "-d", "pocl", "--lanes", "1", "--precision", "stable"});
+    INFO(outcome.err);
+    REQUIRE(outcome.code == 0);
+    return Json::parse(outcome.out).at("integrators");
+  };
+  const Json both = all("path,whitted"), without = all("whitted");
+  REQUIRE(without.at("integrators").size() == 1);
+  const double whitted = without.at("integrators").at(0).at("mean");
+  CHECK(whitted < 0.8 * both.at("integrators").at(1).at("mean").get<double>());
+  CHECK(without.at("rmse").get<double>() == Approx(both.at("rmse").get<double>()).epsilon(0.1));
+}
+
+TEST_CASE("what cannot be compared is said") {
+  const Folder folder;
+  folder.file("scene.xml", box);
+  for (const std::string name : {"depth", "normals", "ao", "emission"}) {
+    const Outcome outcome = folder.run({"explain", "scene.xml", "--cost", "integrators", "--among", name});
+    CHECK(outcome.code == 2);
+    CHECK(contains(outcome.err, "integrator " + name + " does not follow light"));
+    CHECK(outcome.out.empty());
+  }
+  // Without media volpath is path.
+  const Outcome same = folder.run({"explain", "scene.xml", "--cost", "integrators", "--among", "volpath", "--pilot",
+                                   "0.1", "-d", "pocl", "--lanes", "1", "--precision", "stable"});
+  CHECK(same.code == 0);
+  CHECK(contains(same.out, "volpath   refused: without media, masks and panes of thin glass it is path"));
+}
+
 TEST_CASE("options of the pilots mean nothing without --cost") {
   const Folder folder;
   folder.file("scene.xml", box);
