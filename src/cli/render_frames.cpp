@@ -16,7 +16,9 @@
 #include "cli/summary.h"
 #include "cli/watchdog.h"
 #include "json_text.h"
+#include "render/film_state.h"
 #include "render/median.h"
+#include "render/pass_plan.h"
 
 namespace strahl::cli {
 namespace {
@@ -40,6 +42,34 @@ nlohmann::ordered_json json_of(const std::vector<FrameStats>& frames) {
   return all;
 }
 
+/// Frames held against --max-error, each as a picture by itself (render_goal.h).
+class ErrorGoal {
+ public:
+  explicit ErrorGoal(std::optional<double> max_error) : max_error_(max_error) {}
+
+  void add(const RenderResult& frame) {
+    if (!max_error_) return;
+    ++count_;
+    if (!frame.error) ++unknown_;
+    if (!frame.error || is_reached(*frame.error, *max_error_)) return;
+    ++above_;
+    worst_ = std::max(worst_, frame.error->rmse);
+  }
+  /// Why it is not reached.
+  [[nodiscard]] std::optional<std::string> missed() const {
+    if (above_ + unknown_ == 0) return std::nullopt;
+    std::string text = fmt::format("--max-error {}: missed in {} of {} frames", *max_error_, above_ + unknown_, count_);
+    if (above_ > 0) text += fmt::format("; the largest error is {:.2g}", worst_);
+    if (unknown_ > 0) text += fmt::format("; in {} it is not known", unknown_);
+    return text;
+  }
+
+ private:
+  std::optional<double> max_error_;
+  int count_ = 0, above_ = 0, unknown_ = 0;
+  double worst_ = 0;
+};
+
 }  // namespace
 
 ExitCode render_frames(Renderer& renderer, const RenderOptions& options, const PictureFiles& files,
@@ -48,6 +78,7 @@ ExitCode render_frames(Renderer& renderer, const RenderOptions& options, const P
   std::vector<FrameStats> frames;
   std::vector<double> seconds;
   int late = 0, black = 0;
+  ErrorGoal error_goal(options.goal.max_error);
   RunStats all;
   std::string interrupted;
   ProgressBar bar("frames", !options.scene.quiet && !options.scene.no_progress);
@@ -79,6 +110,7 @@ ExitCode render_frames(Renderer& renderer, const RenderOptions& options, const P
     seconds.push_back(std::chrono::duration<double>(Clock::now() - start).count());
     if (seconds.back() > late_seconds(time)) ++late;
     if (result.stats.least_spp == 0) ++black;
+    error_goal.add(result);
     all.saturated_samples += result.stats.saturated_samples;
     all.invalid_samples += result.stats.invalid_samples;
     all.lost_interfaces += result.stats.lost_interfaces;
@@ -104,7 +136,9 @@ ExitCode render_frames(Renderer& renderer, const RenderOptions& options, const P
   if (black > 0)
     say(fmt::format("strahl: --time {}: in {} of {} frames some pixels have no sample and are black",
                     *options.goal.time, black, count));
-  return late * 20 > count || black > 0 ? ExitCode::target_missed : ExitCode::ok;
+  const std::optional<std::string> missed = error_goal.missed();
+  if (missed) say("strahl: " + *missed);
+  return late * 20 > count || black > 0 || missed ? ExitCode::target_missed : ExitCode::ok;
 }
 
 }  // namespace strahl::cli

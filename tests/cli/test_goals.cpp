@@ -101,6 +101,24 @@ TEST_CASE("frames without a sample in some pixels are told") {
   CHECK(contains(outcome.err, "in 1 of 1 frames some pixels have no sample"));
 }
 
+TEST_CASE("frames are held against an error, each by itself") {
+  const Folder folder;
+  const auto frames = [&](const std::string& error, const std::string& spp) {
+    return folder.run({"render", room, "--width", "16", "--frames", "2", "--time", "5s", "--spp", spp, "--max-error",
+                       error, "-q", "-o", "f.exr"});
+  };
+  const Outcome missed = frames("1e-6", "16");
+  CHECK(missed.code == 6);
+  CHECK(contains(missed.err, "strahl: --max-error 1e-06: missed in 2 of 2 frames; the largest error is 0."));
+  CHECK(folder.files() == std::vector<std::string>{"f.0001.exr", "f.0002.exr"});
+  const Outcome unknown = frames("10", "2");
+  CHECK(unknown.code == 6);
+  CHECK(contains(unknown.err, "missed in 2 of 2 frames; in 2 it is not known"));
+  const Outcome reached = frames("10", "16");
+  INFO(reached.err);
+  CHECK(reached.code == 0);
+}
+
 TEST_CASE("frames against the clock") {
   const Folder folder;
   const Outcome outcome = folder.run({"render", room, "--width", "16", "--frames", "3", "--time", "2s", "--spp", "4",
