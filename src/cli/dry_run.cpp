@@ -6,7 +6,6 @@
 #include "cli/console.h"
 #include "cli/output_file.h"
 #include "json_text.h"
-#include "render/pilot.h"
 #include "render/rounding_pilot.h"
 #include "settings/sampling.h"
 #include "stopwatch.h"
@@ -37,7 +36,8 @@ void set_start(const Renderer& renderer, const Preparation& preparation, double 
 }
 
 std::optional<ErrorTrend> law_of(const Pilot& pilot) {
-  if (pilot.looks.empty()) return std::nullopt;
+  // Samples that are not finite come in the render as well, which tells no error then.
+  if (pilot.looks.empty() || pilot.not_finite > 0) return std::nullopt;
   return error_trend(pilot.looks, pilot.common_spread);
 }
 
@@ -84,7 +84,7 @@ ExitCode dry_run(Renderer& renderer, const RenderOptions& options, const Invocat
   set_pilot(pilot, preparation, goal, costs);
   const std::optional<ErrorTrend> law = law_of(pilot);
   const Prediction prediction = predict(law, costs, goal);
-  print(prediction_text(prediction));
+  print(prediction_text(prediction, pilot));
   if (!options.stats.empty()) write_text(options.stats, json_text(json_of(prediction, pilot, law)));
   return ExitCode::ok;
 }

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "cli/render_goal.h"
-#include "render/prediction.h"
+#include "render/pilot.h"
 
 namespace strahl::cli {
 
@@ -21,7 +21,7 @@ struct Preparation {
 /// Seconds that a pilot may take whose render takes so many: a tenth, or a second where that is more.
 [[nodiscard]] double pilot_seconds(double render_seconds);
 
-/// Three lines: seconds, samples, RMSE, each with its interval, and how far to trust them.
-[[nodiscard]] std::string prediction_text(const Prediction& prediction);
+/// Three lines: seconds, samples, RMSE, each with its interval, or why there is none, and how far to trust them.
+[[nodiscard]] std::string prediction_text(const Prediction& prediction, const Pilot& pilot);
 
 }  // namespace strahl::cli

@@ -16,17 +16,23 @@ std::string range_text(const Range& range, const char* format) {
   return low == high ? low : low + " to " + high;
 }
 
+std::string why_unpredicted(const Prediction& prediction, const Pilot& pilot) {
+  if (pilot.not_finite > 0) return "samples of the pilot were not finite";
+  if (prediction.spp.middle < 4) return "a pixel has fewer than 4 samples";
+  return "the pilot had no time for 4 samples of a pixel";
+}
+
 }  // namespace
 
 double pilot_seconds(double render_seconds) { return std::max(1.0, 0.1 * render_seconds); }
 
-std::string prediction_text(const Prediction& prediction) {
+std::string prediction_text(const Prediction& prediction, const Pilot& pilot) {
   std::string text = fmt::format("time     {} s, likely {:.2f} s\nsamples  {} a pixel, likely {:.0f}\n",
                                  range_text(prediction.seconds, "{:.2f}"), prediction.seconds.middle,
                                  range_text(prediction.spp, "{:.0f}"), prediction.spp.middle);
   text += prediction.rmse ? fmt::format("error    RMSE {}, likely {:.2g}\n", range_text(*prediction.rmse, "{:.2g}"),
                                         prediction.rmse->middle)
-                          : "error    not known with fewer than 4 samples\n";
+                          : fmt::format("error    not known: {}\n", why_unpredicted(prediction, pilot));
   return text + fmt::format("Each interval is to hold in {:.0f} of 100 runs on a machine as busy as now.\n",
                             100 * prediction_confidence);
 }

@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 #include <numeric>
+#include <optional>
 
 #include "kinds/integrators.h"
 #include "stopwatch.h"
@@ -31,14 +32,6 @@ struct Timed {
   RenderResult result;
   double seconds = 0;  ///< Without what comes after the last sample.
 };
-
-Timed timed_render(Renderer& renderer, const RenderGoal& goal, const ProgressCallback& goes_on = {}) {
-  const Stopwatch watch;
-  Timed timed{renderer.render(goes_on, goal), 0};
-  const PhaseSeconds& seconds = timed.result.stats.seconds;
-  timed.seconds = watch.seconds() - seconds.readback - seconds.error;
-  return timed;
-}
 
 Look look_of(int spp, const ErrorEstimate& error) {
   const double mse = error.rmse * error.rmse;
@@ -99,8 +92,7 @@ class PilotRun {
     const double most = most_seconds_(pilot_);
     RenderGoal goal;
     goal.spp = spp_;
-    const Timed first =
-        timed_render(renderer_, goal, [&](const Progress&) { return watch_.seconds() < probe_share * most; });
+    const Timed first = timed_render(goal, [&](const Progress&) { return watch_.seconds() < probe_share * most; });
     rows_ = first.result.color.height;
     const double pixels = static_cast<double>(first.result.color.width) * rows_;
     sample_seconds_ = first.seconds * pixels / std::max(1.0, static_cast<double>(first.result.stats.camera_rays));
@@ -111,6 +103,7 @@ class PilotRun {
       whole_picture();
       if (pilot_.passes.empty()) add_whole_of(1);
     } else if (strips()) {
+      of_strips_ = pilot_;
       pilot_.looks.clear();
       pilot_.passes.clear();
       pilot_.share = 1;
@@ -122,7 +115,10 @@ class PilotRun {
   }
 
  private:
-  [[nodiscard]] double left() const { return most_seconds_(pilot_) - watch_.seconds(); }
+  /// What strips have told holds until there is a look at the whole picture.
+  [[nodiscard]] double left() const {
+    return most_seconds_(of_strips_ && pilot_.passes.empty() ? *of_strips_ : pilot_) - watch_.seconds();
+  }
 
   /// At least two looks at the whole picture: one look does not show how the error falls.
   [[nodiscard]] bool whole_is_quick() const { return sample_seconds_ * std::min(most_spp_, growth * spp_) < left(); }
@@ -153,7 +149,16 @@ class PilotRun {
     RenderGoal goal;
     goal.spp = spp;
     goal.seed = static_cast<std::uint32_t>(spp);  // Looks that share no samples differ by chance independently.
-    add_whole(timed_render(renderer_, goal), spp);
+    add_whole(timed_render(goal), spp);
+  }
+
+  Timed timed_render(const RenderGoal& goal, const ProgressCallback& goes_on = {}) {
+    const Stopwatch watch;
+    Timed timed{renderer_.render(goes_on, goal), 0};
+    const RunStats& stats = timed.result.stats;
+    timed.seconds = watch.seconds() - stats.seconds.readback - stats.seconds.error;
+    pilot_.not_finite += stats.saturated_samples + stats.invalid_samples;
+    return timed;
   }
 
   Timed render_strip(int strip, int rows, int spp) {
@@ -161,7 +166,7 @@ class PilotRun {
     goal.spp = spp;
     goal.seed = static_cast<std::uint32_t>(spp);
     goal.rows = Rows{strip * rows, rows};
-    return timed_render(renderer_, goal);
+    return timed_render(goal);
   }
 
   /// Renders each strip with few samples, and one of four with more, until the time is over. true: the render takes so
@@ -237,6 +242,7 @@ class PilotRun {
   const std::function<double(const Pilot&)>& most_seconds_;
   Stopwatch watch_;
   Pilot pilot_;
+  std::optional<Pilot> of_strips_;
   int spp_ = first_spp;
   int rows_ = 1;
   bool is_whole_only_ = false;  ///< Light paths end anywhere: some rows alone have another error.

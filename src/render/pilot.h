@@ -2,6 +2,7 @@
 // A pilot render before the render begins: it measures the time of samples and how the error falls with their number.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 
 #include "render/prediction.h"
@@ -17,6 +18,7 @@ struct Pilot {
   double look_seconds = 0;       ///< To read the film of the whole picture and estimate its error.
   double seconds = 0;            ///< That the pilot took.
   double share = 1;              ///< Of the picture's rows that it looked at.
+  std::uint64_t not_finite = 0;  ///< Samples that were saturated or not a number: then errors are not known.
   double mean = 0;               ///< Of the values of the latest look, all channels alike.
 };
 

@@ -183,6 +183,12 @@ TEST_CASE("an error of samples that are not finite is not reached") {
   CHECK(contains(outcome.err, "--max-error 1e+38: not known, samples were not finite"));
   CHECK(json_of(folder, "a.json").at("saturated_samples") > 0);
   CHECK(json_of(folder, "a.json").at("error").is_null());
+  // A prediction says the same, and that few samples are another reason.
+  const Outcome predicted = folder.run({"bright.xml", "--spp", "64", "--dry-run"});
+  CHECK(predicted.code == 0);
+  CHECK(contains(predicted.out, "error    not known: samples of the pilot were not finite"));
+  CHECK(contains(folder.run({"render", room, "--width", "16", "--spp", "2", "--dry-run"}).out,
+                 "error    not known: a pixel has fewer than 4 samples"));
 }
 
 TEST_CASE("the scene's own number of samples is refused only where it is the goal, and named") {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "render/pictures.h"
+#include "render/pilot.h"
 
 namespace strahl::test {
 namespace {
@@ -121,6 +122,16 @@ TEST_CASE("fewer samples than sums tell nothing") {
   RenderGoal goal;
   goal.spp = 3;
   CHECK_FALSE(Renderer(Device::open("pocl"), cornell()).render({}, goal).error);
+}
+
+TEST_CASE("a pilot that has time for the whole picture only by what its strips tell looks at that") {
+  require_pocl_and_rusticl();
+  Renderer renderer(Device::open("pocl"), cornell());
+  const Pilot pilot = run_pilot(renderer, 1024, [](const Pilot& so_far) { return so_far.passes.empty() ? 0.0 : 3.0; });
+  REQUIRE_FALSE(pilot.passes.empty());
+  CHECK(pilot.passes.front().samples >= 8);
+  CHECK(pilot.share == 1);
+  CHECK(pilot.mean > 0);
 }
 
 }  // namespace
