@@ -99,6 +99,8 @@ void PictureKeeper::write(const Checkpoint& checkpoint, Due due) {
     files.path = path_beside(picture_.path, "snapshot");
     std::map<std::string, std::string> metadata = header_.metadata;
     metadata["incomplete"] = "snapshot";
+    // As of a finished picture: the samples that are asked for, or where their number is open, the most that there are.
+    if (checkpoint.header.spp == 0) metadata["spp"] = std::to_string(checkpoint.header.most);
     static_cast<void>(cli::write(files, picture_of(checkpoint), metadata, true));
   });
   if (!snapshot_fault_.empty()) say(fmt::format("strahl: warning: {}; the render goes on", snapshot_fault_));

@@ -191,7 +191,7 @@ Clipping write_outputs(const RenderOptions& options, const PictureFiles& files, 
   return clipping;
 }
 
-/// Without a checkpoint nobody asks what it would be of.
+/// Of snapshots too. Without a checkpoint nobody asks what it would be of.
 CheckpointHeader checkpoint_header(const RenderOptions& options, const Invocation& invocation, const Device& device,
                                    const Renderer& renderer, const RenderSettings& settings, const RenderGoal& goal) {
   CheckpointHeader header;
@@ -200,9 +200,9 @@ CheckpointHeader checkpoint_header(const RenderOptions& options, const Invocatio
   header.named_aovs = settings.aovs.named();
   header.is_length = kinds::integrator(renderer.scene().integrator.name).is_length;
   if (goal.samples) header.first_sample = goal.samples->first;
-  if (options.keep.target().empty()) return header;
-  header.identity = identity_of(device, renderer, settings, options.scene.defines, goal);
   if (!goal.is_open()) header.spp = goal.spp.value_or(renderer.stats().spp);
+  if (!options.keep.target().empty())
+    header.identity = identity_of(device, renderer, settings, options.scene.defines, goal);
   return header;
 }
 

@@ -146,6 +146,18 @@ TEST_CASE("a snapshot on demand and by the clock") {
   CHECK_FALSE(fs::exists(folder.path("out.png")));
 }
 
+TEST_CASE("a snapshot of a picture whose samples nobody knows beforehand states those that it has") {
+  const Folder folder;
+  folder.file("scene.xml", glowing_sphere);  // Whose own number of samples is 1.
+  const Outcome outcome = folder.run({"scene.xml", "-o", "out.exr", "--time", "60s", "--snapshot-every", "500ms", "-q"},
+                                     {}, [&](pid_t child) {
+                                       wait_for(folder.path("out.snapshot.exr"));
+                                       kill(child, SIGKILL);
+                                     });
+  CHECK(outcome.signal == SIGKILL);
+  CHECK(std::stoi(strahl::read_image(folder.path("out.snapshot.exr")).metadata.at("spp")) > 8);
+}
+
 TEST_CASE("what does not fit is refused, and named") {
   const Folder folder;
   const std::string text = read_text(cornell);
