@@ -79,7 +79,7 @@ int main(int argc, char** argv) {
   const double main_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   strahl::keep_freed_memory();
   strahl::cli::reserve_standard_streams();
-  strahl::cli::block_ignored_signals();
+  strahl::cli::set_up_signals();
   const std::vector<std::string> arguments(argv + (argc > 0 ? 1 : 0), argv + argc);
   std::string command_line = "strahl";
   for (const std::string& argument : arguments) command_line += " " + quoted(argument);

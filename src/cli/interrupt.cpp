@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Ctrl-C, SIGTERM, SIGHUP and SIGUSR1 while a picture is rendered (POSIX).
+// Signals (POSIX).
 #include "cli/interrupt.h"
+
+#include <ctime>
 
 namespace strahl::cli {
 namespace {
 
 volatile std::sig_atomic_t received_signal = 0;
-volatile std::sig_atomic_t is_snapshot_wanted = 0;
 
 constexpr std::array signals{SIGINT, SIGTERM, SIGHUP};
 
@@ -23,11 +24,11 @@ extern "C" void remember_signal(int signal) {
     if (handler_of(one) == remember_signal) std::signal(one, SIG_DFL);
 }
 
-extern "C" void remember_snapshot(int /*signal*/) { is_snapshot_wanted = 1; }
+extern "C" void do_nothing(int /*signal*/) {}
 
-void install(int signal, void (*handler)(int), struct sigaction& old) {
-  sigaction(signal, nullptr, &old);
-  if (old.sa_handler == SIG_IGN) return;
+void install(int signal, void (*handler)(int), struct sigaction* old = nullptr) {
+  sigaction(signal, nullptr, old);
+  if (handler_of(signal) == SIG_IGN) return;
   struct sigaction action {};
   action.sa_handler = handler;
   action.sa_flags = SA_RESTART;
@@ -37,30 +38,43 @@ void install(int signal, void (*handler)(int), struct sigaction& old) {
 
 }  // namespace
 
-void block_ignored_signals() {
-  sigset_t ignored;
-  sigemptyset(&ignored);
+void set_up_signals() {
+  sigset_t blocked;
+  sigemptyset(&blocked);
   for (const int one : signals)
-    if (handler_of(one) == SIG_IGN) sigaddset(&ignored, one);
+    if (handler_of(one) == SIG_IGN) sigaddset(&blocked, one);
+  sigaddset(&blocked, SIGXFSZ);
+  // It stays pending until it is asked for: a handler would be replaced by LLVM's, which forgets it.
+  sigaddset(&blocked, SIGUSR1);
   // Threads that are begun later inherit it.
-  sigprocmask(SIG_BLOCK, &ignored, nullptr);
+  sigprocmask(SIG_BLOCK, &blocked, nullptr);
+  // LLVM leaves SIGPIPE alone. A handler, unlike SIG_IGN, is not inherited by the programs that a driver starts.
+  install(SIGPIPE, do_nothing);
+}
+
+bool wants_snapshot() {
+  sigset_t pending;
+  sigemptyset(&pending);
+  sigpending(&pending);
+  return sigismember(&pending, SIGUSR1) == 1;
+}
+
+void snapshot_is_taken() {
+  sigset_t snapshot;
+  sigemptyset(&snapshot);
+  sigaddset(&snapshot, SIGUSR1);
+  const timespec at_once{};
+  sigtimedwait(&snapshot, nullptr, &at_once);
 }
 
 InterruptGuard::InterruptGuard() {
   received_signal = 0;
-  is_snapshot_wanted = 0;
-  for (std::size_t i = 0; i < signals.size(); ++i) install(signals[i], remember_signal, old_[i]);
-  install(SIGUSR1, remember_snapshot, old_snapshot_);
+  for (std::size_t i = 0; i < signals.size(); ++i) install(signals[i], remember_signal, &old_[i]);
 }
 
 InterruptGuard::~InterruptGuard() {
   for (std::size_t i = 0; i < signals.size(); ++i) sigaction(signals[i], &old_[i], nullptr);
-  sigaction(SIGUSR1, &old_snapshot_, nullptr);
 }
-
-bool InterruptGuard::wants_snapshot() const { return is_snapshot_wanted != 0; }
-
-void InterruptGuard::snapshot_is_taken() { is_snapshot_wanted = 0; }
 
 bool InterruptGuard::interrupted() const { return received_signal != 0; }
 

@@ -10,6 +10,7 @@
 #include "checkpoint/picture.h"
 #include "cli/console.h"
 #include "cli/goal_options.h"
+#include "cli/interrupt.h"
 
 namespace strahl::cli {
 namespace {
@@ -27,11 +28,10 @@ std::string fault_of(const Action& action) {
 
 }  // namespace
 
-PictureKeeper::PictureKeeper(KeepOptions options, PictureFiles picture, CheckpointHeader header, InterruptGuard& guard)
+PictureKeeper::PictureKeeper(KeepOptions options, PictureFiles picture, CheckpointHeader header)
     : options_(std::move(options)),
       picture_(std::move(picture)),
       header_(std::move(header)),
-      guard_(guard),
       every_(options_.every_seconds()),
       snapshot_every_(options_.snapshot_every ? duration_seconds(*options_.snapshot_every, "--snapshot-every")
                                               : std::numeric_limits<double>::infinity()) {
@@ -66,7 +66,7 @@ bool PictureKeeper::is_writing() const {
 
 PictureKeeper::Due PictureKeeper::due() const {
   Due due{!options_.target().empty() && since_checkpoint_.seconds() >= every_,
-          !picture_.path.empty() && (since_snapshot_.seconds() >= snapshot_every_ || guard_.wants_snapshot())};
+          !picture_.path.empty() && (since_snapshot_.seconds() >= snapshot_every_ || wants_snapshot())};
   if ((due.checkpoint || due.snapshot) && is_writing()) due = {false, false};
   return due;
 }
@@ -80,7 +80,7 @@ void PictureKeeper::keep(FilmState state) {
   const Due now = due();
   if (now.checkpoint) since_checkpoint_ = {};
   if (now.snapshot) since_snapshot_ = {};
-  if (now.snapshot) guard_.snapshot_is_taken();
+  if (now.snapshot) snapshot_is_taken();
   writing_ = std::async(std::launch::async, [this, now, checkpoint = Checkpoint{header_, std::move(state)}]() mutable {
     checkpoint.told_of_film();
     write(checkpoint, now);

@@ -9,7 +9,6 @@
 #include <string>
 
 #include "checkpoint/checkpoint.h"
-#include "cli/interrupt.h"
 #include "cli/keep_options.h"
 #include "cli/picture_files.h"
 #include "stopwatch.h"
@@ -20,7 +19,7 @@ class PictureKeeper {
  public:
   /// picture: where a snapshot goes beside; without a path none is written. Reads what is to be resumed and compares it
   /// with `header`; throws InputError where it does not fit.
-  PictureKeeper(KeepOptions options, PictureFiles picture, CheckpointHeader header, InterruptGuard& guard);
+  PictureKeeper(KeepOptions options, PictureFiles picture, CheckpointHeader header);
 
   /// For Renderer::render; as long as this lives.
   [[nodiscard]] const FilmKeeper& film_keeper() const { return film_keeper_; }
@@ -42,7 +41,6 @@ class PictureKeeper {
   KeepOptions options_;
   PictureFiles picture_;
   CheckpointHeader header_;
-  InterruptGuard& guard_;
   double every_, snapshot_every_;  ///< Seconds.
   std::optional<Checkpoint> resumed_;
   std::optional<FilmState> last_;

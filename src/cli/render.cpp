@@ -244,16 +244,16 @@ ExitCode render(const RenderOptions& options, const Invocation& invocation) {
   const std::vector<Device> devices = share(renderer, device, selectors, needs, options.kernel, settings);
   if (!options.dump_kernel.empty()) write_text(options.dump_kernel, renderer.program_text());
 
-  InterruptGuard guard;
+  const auto end = [&] { return end_seconds(options, files, renderer, settings.aovs, devices); };
+  // Without a guard: a dry run has nothing to lose, so a signal ends it at once.
+  if (options.goal.dry_run) return dry_run(renderer, options, invocation, {canary.seconds, end(), sampling.spp});
+  const InterruptGuard guard;
   if (options.goal.frames) {
     bar.reset();
     return render_frames(renderer, options, files, sampling.seed, guard);
   }
-  const double end = end_seconds(options, files, renderer, settings.aovs, devices);
-  if (options.goal.dry_run) return dry_run(renderer, options, invocation, {canary.seconds, end, sampling.spp});
-  const RenderGoal goal = goal_of(options, invocation, end);
-  PictureKeeper keeper(options.keep, files, checkpoint_header(options, invocation, device, renderer, settings, goal),
-                       guard);
+  const RenderGoal goal = goal_of(options, invocation, end());
+  PictureKeeper keeper(options.keep, files, checkpoint_header(options, invocation, device, renderer, settings, goal));
   std::optional<Watchdog> watchdog(std::in_place,
                                    options.keep.watchdog ? duration_seconds(*options.keep.watchdog, "--watchdog") : 0,
                                    options.keep.target());

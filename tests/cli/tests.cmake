@@ -10,7 +10,7 @@ strahl_test(cli/test_summary.cpp LABEL unit SOURCES ${PROJECT_SOURCE_DIR}/src/cl
 strahl_test(cli/test_render_goal.cpp LABEL unit SOURCES ${PROJECT_SOURCE_DIR}/src/cli/render_goal.cpp
             ${PROJECT_SOURCE_DIR}/src/cli/goal_options.cpp ${PROJECT_SOURCE_DIR}/src/cli/keep_options.cpp
             ${PROJECT_SOURCE_DIR}/src/cli/number_options.cpp LIBS fmt::fmt)
-foreach(test driver_environment render scene_aovs goals interrupt checkpoint memory_limit stats intersect canary stress tradeoff bench explain_cost explain_integrators several_devices)
+foreach(test driver_environment render scene_aovs goals interrupt signals checkpoint memory_limit stats intersect canary stress tradeoff bench explain_cost explain_integrators several_devices)
   strahl_test(cli/test_${test}.cpp LABEL device SOURCES cli/program.cpp LIBS nlohmann_json::nlohmann_json fmt::fmt)
 endforeach()
 strahl_runs_program(cli_tests)
