@@ -141,28 +141,31 @@ double end_seconds(const RenderOptions& options, const PictureFiles& files, cons
 }
 
 /// Why float rounding was not measured, though it was asked for.
-std::string why_unmeasured(const RenderOptions& options, const Device& device, const RenderSettings& settings) {
+std::string why_unmeasured(const RenderOptions& options, const Device& device, const RenderSettings& settings,
+                           const InterruptGuard& guard) {
   if (settings.precision == Precision::fp64) return "double is what others are measured against";
   if (!device.info().fp64) return "the device has no double";
   if (options.goal.time) return "--time leaves no time for it";
+  if (guard.interrupted()) return "interrupted";
   return options.scene.verbose ? "the scene is too large to be there twice" : "-v does";
 }
 
 /// A twentieth of the run at the most, unless -v asks for details: it may have to build a second program. With a
 /// deadline there is no time for it.
 void add_rounding(const RenderOptions& options, const Invocation& invocation, const Device& device, const Scene& scene,
-                  const RenderSettings& settings, RunStats& stats) {
+                  const RenderSettings& settings, const InterruptGuard& guard, RunStats& stats) {
   if (!stats.error) return;
-  stats.error->unmeasured = why_unmeasured(options, device, settings);
-  if (options.goal.time) return;
+  stats.error->unmeasured = why_unmeasured(options, device, settings, guard);
+  if (options.goal.time || guard.interrupted()) return;
   const Stopwatch start;
   std::optional<double> most;
   if (!options.scene.verbose) most = rounding_share * invocation.seconds();
   try {
-    stats.error->rounding = rounding_rmse(device, scene, settings, stats, most);
+    stats.error->rounding = rounding_rmse(device, scene, settings, stats, most, [&] { return !guard.interrupted(); });
   } catch (const std::exception& fault) {  // The picture is written by now, and is what it is.
     say(fmt::format("strahl: warning: float rounding is not measured: {}", fault.what()));
   }
+  stats.error->unmeasured = why_unmeasured(options, device, settings, guard);
   stats.seconds.error += start.seconds();
 }
 
@@ -273,8 +276,7 @@ ExitCode render(const RenderOptions& options, const Invocation& invocation) {
   result.stats.seconds.device = device_seconds;
   result.stats.seconds.load = load_seconds;
   const Clipping clipping = write_outputs(options, files, invocation, result);
-  if (result.complete)
-    add_rounding(options, invocation, living(devices, result.stats), renderer.scene(), settings, result.stats);
+  add_rounding(options, invocation, living(devices, result.stats), renderer.scene(), settings, guard, result.stats);
   bar.reset();
   result.stats.seconds.exit = expected_exit_seconds(devices);
   result.stats.seconds.total = invocation.seconds() + result.stats.seconds.exit;
@@ -291,7 +293,8 @@ ExitCode render(const RenderOptions& options, const Invocation& invocation) {
     write_text(options.stats, json_text(json));
   }
   if (not_kept) return ExitCode::failure;
-  if (guard.interrupted()) {
+  // A complete picture is what was asked for: a signal that came later has ended what is measured beside it alone.
+  if (!result.complete) {
     if (!options.keep.target().empty() && !options.scene.quiet)
       say(fmt::format("strahl: the samples so far are in {}; --resume goes on from there", options.keep.target()));
     return guard.exit_code();

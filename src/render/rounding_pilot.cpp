@@ -94,7 +94,8 @@ int rounding_pilot_side(const RunStats& run, bool is_built, std::optional<double
 }
 
 std::optional<double> rounding_rmse(const Device& device, const Scene& scene, const RenderSettings& settings,
-                                    const RunStats& run, std::optional<double> most_seconds) {
+                                    const RunStats& run, std::optional<double> most_seconds,
+                                    const std::function<bool()>& goes_on) {
   if (!device.info().fp64 || settings.precision == Precision::fp64 || run.scene_bytes > most_bytes) return std::nullopt;
   // To ask the cache takes a program's text, which is more than a short run may spend.
   if (rounding_pilot_side(run, true, most_seconds) == 0) return std::nullopt;
@@ -111,12 +112,17 @@ std::optional<double> rounding_rmse(const Device& device, const Scene& scene, co
       rounding_pilot_side(run, most_seconds && Renderer::is_program_cached(device, scene, exact), most_seconds);
   if (side == 0) return std::nullopt;
   const Scene pilot = small(scene, side);
-  const auto goes_on = [&](const Progress&) { return !most_seconds || watch.seconds() < *most_seconds; };
-  Renderer rounding(device, pilot, tier), reference(device, pilot, exact);
+  const auto is_time_left = [&] {
+    return (!most_seconds || watch.seconds() < *most_seconds) && (!goes_on || goes_on());
+  };
+  const auto between_launches = [&](const Progress&) { return is_time_left(); };
+  Renderer rounding(device, pilot, tier);
+  if (!is_time_left()) return std::nullopt;
+  Renderer reference(device, pilot, exact);
   PilotDifferences differences;
   for (std::size_t seed = 0; seed < most_seeds; ++seed) {
-    const std::optional<Image> rounded = picture(rounding, seed, goes_on);
-    const std::optional<Image> right = rounded ? picture(reference, seed, goes_on) : std::nullopt;
+    const std::optional<Image> rounded = picture(rounding, seed, between_launches);
+    const std::optional<Image> right = rounded ? picture(reference, seed, between_launches) : std::nullopt;
     if (!right) break;
     differences.add(*rounded, *right);
   }

@@ -3,6 +3,7 @@
 // samples: in the tier and in double precision.
 #pragma once
 
+#include <functional>
 #include <optional>
 
 #include "opencl/device.h"
@@ -22,9 +23,10 @@ inline constexpr double rounding_share = 0.05;
 /// RMSE over linear RGB that rounding adds to a picture of run.spp samples a pixel. Differences that are the same for
 /// all seeds count fully; those that average out over samples count as they would with run.spp samples. None where the
 /// device has no double precision, the tier is double already, the scene is too large to be uploaded once more, or the
-/// pilot would take, or takes, longer than most_seconds.
+/// pilot would take, or takes, longer than most_seconds, or once goes_on, asked between launches, says no.
 [[nodiscard]] std::optional<double> rounding_rmse(const Device& device, const Scene& scene,
                                                   const RenderSettings& settings, const RunStats& run,
-                                                  std::optional<double> most_seconds);
+                                                  std::optional<double> most_seconds,
+                                                  const std::function<bool()>& goes_on = {});
 
 }  // namespace strahl

@@ -16,21 +16,22 @@ namespace {
 
 /// A render of hours that is sent the signals after its first launches began. What tells that they did: the program's
 /// text is written just before, and a launch takes at most 0.25 s.
-Outcome interrupted_render(const Folder& folder, const std::vector<int>& signals) {
+Outcome interrupted_render(const Folder& folder, const std::vector<int>& signals,
+                           const std::vector<std::string>& more = {}) {
   folder.file("scene.xml", glowing_sphere);
   const std::string started = folder.path("kernel.cl");
-  return folder.run({"scene.xml", "-o", "out.exr", "--width", "256", "--spp", "2000000", "--sampler", "independent",
-                     "--dump-kernel", started},
-                    {}, [&](pid_t child) {
-                      using namespace std::chrono_literals;
-                      for (int wait = 0; wait < 600 && !std::filesystem::exists(started); ++wait)
-                        std::this_thread::sleep_for(100ms);
-                      std::this_thread::sleep_for(1s);
-                      for (const int signal : signals) {
-                        kill(child, signal);
-                        std::this_thread::sleep_for(10ms);  // Two at once may arrive in any order.
-                      }
-                    });
+  std::vector<std::string> options{"scene.xml", "-o",        "out.exr",     "--width",       "256",  "--spp",
+                                   "2000000",   "--sampler", "independent", "--dump-kernel", started};
+  options.insert(options.end(), more.begin(), more.end());
+  return folder.run(options, {}, [&](pid_t child) {
+    using namespace std::chrono_literals;
+    for (int wait = 0; wait < 600 && !std::filesystem::exists(started); ++wait) std::this_thread::sleep_for(100ms);
+    std::this_thread::sleep_for(1s);
+    for (const int signal : signals) {
+      kill(child, signal);
+      std::this_thread::sleep_for(10ms);  // Two at once may arrive in any order.
+    }
+  });
 }
 
 }  // namespace
@@ -88,4 +89,33 @@ TEST_CASE("a frame under way ends as soon as a picture does, and says so") {
   CHECK(frame.at(16, 12, 0) == Approx(4));
   CHECK(frame.metadata.count("incomplete") == 1);
   CHECK(contains(read_text(folder.path("f.json")), "\"frames\": []"));
+}
+
+TEST_CASE("a signal ends what is measured beside a complete picture, which stays one") {
+  const Folder folder;
+  folder.file("scene.xml", glowing_sphere);
+  // With nothing cached, building the program in double precision takes long.
+  const Outcome outcome =
+      folder.run({"scene.xml", "-v", "--spp", "4", "--sampler", "independent", "--width", "64", "-d", "pocl", "-o",
+                  "out.exr", "--checkpoint", "c.ckpt"},
+                 {{"STRAHL_CACHE_DIR", folder.path("cache")}, {"POCL_CACHE_DIR", folder.path("p")}}, [&](pid_t child) {
+                   using namespace std::chrono_literals;
+                   for (int wait = 0; wait < 6000 && !std::filesystem::exists(folder.path("out.exr")); ++wait)
+                     std::this_thread::sleep_for(10ms);
+                   kill(child, SIGINT);
+                 });
+  INFO(outcome.err);
+  CHECK(outcome.signal == 0);
+  CHECK(outcome.code == 0);
+  CHECK(contains(outcome.err, "float rounding not measured (interrupted)"));
+  CHECK_FALSE(contains(outcome.err, "--resume"));
+  CHECK(strahl::read_image(folder.path("out.exr")).metadata.count("incomplete") == 0);
+}
+
+TEST_CASE("an interrupted picture with -v says that rounding is not measured for that") {
+  const Folder folder;
+  const Outcome outcome = interrupted_render(folder, {SIGINT}, {"-v"});
+  INFO(outcome.err);
+  CHECK(outcome.code == 130);
+  CHECK(contains(outcome.err, "float rounding not measured (interrupted)"));
 }
