@@ -25,7 +25,7 @@ class PictureKeeper {
   [[nodiscard]] const FilmKeeper& film_keeper() const { return film_keeper_; }
   /// Samples of a pixel that were there before, the least; 0 where nothing was resumed.
   [[nodiscard]] int resumed_samples() const { return resumed_ ? resumed_->header.least : 0; }
-  /// After the render: the last checkpoint. What could not be written, or none.
+  /// Once the film is done: the last checkpoint. What could not be written, or none.
   [[nodiscard]] std::optional<std::string> finish();
 
  private:

@@ -260,16 +260,19 @@ ExitCode render(const RenderOptions& options, const Invocation& invocation) {
   std::optional<Watchdog> watchdog(std::in_place,
                                    options.keep.watchdog ? duration_seconds(*options.keep.watchdog, "--watchdog") : 0,
                                    options.keep.target());
+  FilmKeeper film_keeper = keeper.film_keeper();
+  std::optional<std::string> not_kept;  // The picture is written all the same.
+  film_keeper.is_done = [&] {
+    watchdog.reset();
+    not_kept = keeper.finish();
+  };
   RenderResult result = renderer.render(
       [&](const Progress& progress) {
         watchdog->fed();
         bar->show(progress);
         return !guard.interrupted();
       },
-      goal, &keeper.film_keeper());
-  watchdog.reset();
-  // The picture is written all the same.
-  const std::optional<std::string> not_kept = keeper.finish();
+      goal, &film_keeper);
   if (not_kept) say("strahl: error: " + *not_kept);
   canary.note_in(result.stats);
   result.stats.seconds.start = invocation.main_seconds;

@@ -91,13 +91,14 @@ ExitCode render_frames(Renderer& renderer, const RenderOptions& options, const P
     goal.deadline = later(start, time);
     std::optional<Watchdog> watchdog;
     if (options.keep.watchdog) watchdog.emplace(duration_seconds(*options.keep.watchdog, "--watchdog"), "");
+    FilmKeeper film_keeper;
+    film_keeper.is_done = [&] { watchdog.reset(); };
     const RenderResult result = renderer.render(
         [&](const Progress&) {
           if (watchdog) watchdog->fed();
           return !guard.interrupted();
         },
-        goal);
-    watchdog.reset();
+        goal, &film_keeper);
     PictureFiles one = files;
     one.path = frame_path(files.path, frame + 1);
     std::map<std::string, std::string> metadata{{"Software", "strahl " STRAHL_VERSION}, {"scene", options.scene.path}};

@@ -9,9 +9,9 @@
 
 namespace strahl::cli {
 
-/// While one lives, fed() must come at least every `seconds`; else what happened is said, and the process ends with
-/// exit code 1 at once, with its files as they are. kept: where the samples so far are; empty: nowhere. 0 s: does
-/// nothing.
+/// Of launches alone: it is to end before programs are built. While one lives, fed() must come at least every
+/// `seconds`; else what happened is said, and the process ends with exit code 1 at once, with its files as they are.
+/// kept: where the samples so far are; empty: nowhere. 0 s: does nothing.
 class Watchdog {
  public:
   Watchdog(double seconds, std::string kept);

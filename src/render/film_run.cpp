@@ -307,6 +307,7 @@ RenderResult FilmRun::run() {
 
   run.ending = ending_name(result_.ending);
   if (keeper_ != nullptr && keeper_->keep_last) keeper_->keep_last(state_now());
+  if (keeper_ != nullptr && keeper_->is_done) keeper_->is_done();
   if (result_.error) run.error = ErrorBudget{*result_.error, 0, 0, std::nullopt};
   const Stopwatch convert;
   if (state_.settings.aovs.contains(Aov::numeric_error))

@@ -36,6 +36,7 @@ struct FilmKeeper {
   std::function<void(FilmState)> keep;       ///< Then, with what there is. The render waits for it.
   std::function<FilmState()> spare;          ///< Whose memory the next film to be kept takes; none: new memory.
   std::function<void(FilmState)> keep_last;  ///< At the end, whatever ended the render.
+  std::function<void()> is_done;             ///< Then: no launch fills the film any more, and it has been read.
 };
 
 }  // namespace strahl
