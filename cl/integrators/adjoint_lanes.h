@@ -32,19 +32,36 @@ FN real3w adjoint_share_w(const Scene* scene, const Paths_w* path, const Surface
   return sel3_w(is_sound, scale3_w(share, reflected), black_w());
 }
 
+/// Lanes whose material scatters otherwise where the light comes the other way. A relief bends the normal by where
+/// light goes to, and fades by where it comes from.
+FN maskw is_one_way_w(const Bsdf_w* b) {
+  maskw found = none_w();
+  if (HAS_RELIEF) found = b->relief.which;
+#define MATERIAL(name, reals, lobes) \
+  if (((lobes)&LOBE_ONE_WAY) != 0) found = found | is_material_w(b, MATERIAL_##name);
+#include "materials/materials.def"
+#undef MATERIAL
+  return found;
+}
+
 /// way: drawn as if light went to where the path comes from.
 FN void make_adjoint_w(const Scene* scene, const Paths_w* path, const Bsdf_w* b, const Surfaces_w* s, maskw which,
                        BsdfSample_w* way) {
   realw zero = splat_w(R(0.0)), one = splat_w(R(1.0)), share = normals_share_w(s, b->frame.z, b->out, way->wi);
   if (HAS_TRANSMISSION) share = share * (way->eta * way->eta);
   real3w weight = scale3_w(share, way->weight);
-  if (HAS_RELIEF) {
-    // A relief bends the normal by where light goes to, and fades by where it comes from.
-    maskw is_bent = which & b->relief.which & ~is_lobe_w(way, LOBE_DELTA) & lt_w(zero, way->density);
-    if (any_w(is_bent)) {
+  if (HAS_RELIEF && HAS_DELTA_LOBES) {
+    realw there = relief_share_w(&b->relief, way->wi, dot3_w(way->wi, b->frame.z));
+    realw back = relief_share_w(&b->relief, b->out, dot3_w(b->out, b->frame.z));
+    maskw is_faded = is_lobe_w(way, LOBE_DELTA) & lt_w(zero, there);
+    weight = sel3_w(is_faded, scale3_w(back / sel_w(is_faded, there, one), weight), weight);
+  }
+  if (HAS_RELIEF || HAS_ONE_WAY_LOBES) {
+    maskw is_one_way = which & is_one_way_w(b) & ~is_lobe_w(way, LOBE_DELTA) & lt_w(zero, way->density);
+    if (any_w(is_one_way)) {
       realw opacity;
-      real3w exact = adjoint_share_w(scene, path, s, is_bent, b->out, way->wi, &opacity);
-      weight = sel3_w(is_bent, scale3_w(one / sel_w(is_bent, way->density, one), exact), weight);
+      real3w exact = adjoint_share_w(scene, path, s, is_one_way, b->out, way->wi, &opacity);
+      weight = sel3_w(is_one_way, scale3_w(one / sel_w(is_one_way, way->density, one), exact), weight);
     }
   }
   way->weight = weight;

@@ -30,6 +30,17 @@ enum {
 #include "integrators/last_rays_lanes.h"
 #include "integrators/branches_lanes.h"
 
+/// Which part of a blend the paths of `which` meet. Where light goes through surfaces that count for nothing, several
+/// of them have one depth, and each its own number.
+FN uintw blend_number_w(const Scene* scene, Paths_w* path, maskw which, int next) {
+#if HAS_MEDIA
+  if ((next & STEP_THROUGH) != 0) return stream_numbers_w(&path->sample, which, &path->draws).x;
+#endif
+  (void)which;
+  (void)next;
+  return vertex_number_w(scene, &path->sample, path->depth, USE_BLEND);
+}
+
 /// As surface_step, without the waiting branches going on.
 FN void surface_scatter_w(const Scene* scene, Paths_w* path, const Surfaces_w* s, Branches_w* branches) {
   int next = 0;
@@ -50,13 +61,16 @@ FN void surface_scatter_w(const Scene* scene, Paths_w* path, const Surfaces_w* s
   real3w d = real3_at_w(path->rays.planes + RAY_PLANE_D), way = d;
   realw t_max = path->rays.planes[RAY_PLANE_T_MAX] - s->t;
   maskw at_surface = on & at_surfaces_w(s);
-  maskw passed = passes_on_w(scene, path, s, at_surface);
+  // For openness alone materials and lights do not matter.
+  int is_lit = (next & ~STEP_OPENNESS) != 0;
+  maskw passed = none_w();
+  if (is_lit) passed = passes_on_w(scene, path, s, at_surface);
   on = on & ~passed;
   real3w wo = unit3_w(negate3_w(d));
   realw number = splat_w(R(0.0));
-  if (HAS_BLEND) number = random_between_w(vertex_number_w(scene, &path->sample, path->depth, USE_BLEND));
+  if (HAS_BLEND) number = random_between_w(blend_number_w(scene, path, at_surface & on, next));
   MaterialRows_w at = rows_at_w(scene, s, on, wo, number);
-  if (HAS_MASK) {
+  if (HAS_MASK && is_lit) {
     maskw open = none_w();
 #if HAS_MEDIA
     if ((next & STEP_THROUGH) != 0)
@@ -80,7 +94,7 @@ FN void surface_scatter_w(const Scene* scene, Paths_w* path, const Surfaces_w* s
 #if HAS_MEDIA
   if ((next & STEP_THROUGH) != 0) on = on & lt_int_w(path->depth, splat_int_w(scene->index[HEADER_MAX_DEPTH] - 1));
 #endif
-  if (HAS_STRICT_NORMALS) on = on_one_side_w(scene, s, on, wo);
+  if (HAS_STRICT_NORMALS && is_lit) on = on_one_side_w(scene, s, on, wo);
   if (any_w(on)) {
     Bsdf_w b = bsdf_at_w(scene, s, &at, wo);
     if (HAS_PANE) b.reflects = reflects;
@@ -113,7 +127,7 @@ FN void surface_scatter_w(const Scene* scene, Paths_w* path, const Surfaces_w* s
   media_enter_w(scene, path, s, on, way);
 #endif
   if (!any_w(path->alive)) return;
-  rays_leaving_w(s, path->alive, way, t_max, &path->rays);
+  rays_passing_w(s, path->alive, passed, way, t_max, &path->rays);
   if ((STEPS_w & STEP_SCATTER) != 0) path->alive = path->alive & finds_more_w(scene, path);
 }
 

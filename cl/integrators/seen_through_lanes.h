@@ -29,7 +29,7 @@ FN realw passed_share_w(const Scene* scene, Paths_w* ahead, int stops_at_masks) 
     }
     share = sel_w(met & ~passed, zero, share);
     if (!any_w(passed)) return share;
-    rays_leaving_w(&s, passed, d, ahead->rays.planes[RAY_PLANE_T_MAX] - s.t, &ahead->rays);
+    rays_passing_w(&s, passed, passed, d, ahead->rays.planes[RAY_PLANE_T_MAX] - s.t, &ahead->rays);
     ahead->alive = passed;
   }
 }

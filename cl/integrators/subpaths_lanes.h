@@ -111,7 +111,7 @@ SELDOM_FN void leave_vertex_w(const Scene* scene, Paths_w* path, const Vertex_w*
     path->depth = sel_int_w(on, path->depth + splat_int_w(1), path->depth);
   }
   path->alive = on | v->passed;
-  if (any_w(path->alive)) rays_leaving_w(&v->s, path->alive, way, t_max, &path->rays);
+  if (any_w(path->alive)) rays_passing_w(&v->s, path->alive, v->passed, way, t_max, &path->rays);
 }
 
 SELDOM_FN void free_lanes_w(const Scene* scene, Rays_w* rays, maskw which, maskw* is_free) {

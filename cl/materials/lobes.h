@@ -9,7 +9,8 @@ enum {
   LOBE_TRANSMIT = 2,  ///< Goes through.
   LOBE_DIFFUSE = 4,
   LOBE_GLOSSY = 8,
-  LOBE_DELTA = 16,  ///< A single direction: no drawn light lies in it.
+  LOBE_DELTA = 16,    ///< A single direction: no drawn light lies in it.
+  LOBE_ONE_WAY = 32,  ///< Of a material's set: it scatters otherwise where the light comes the other way.
 
   LOBE_SIDES = LOBE_REFLECT | LOBE_TRANSMIT,
   LOBE_SPREADS = LOBE_DIFFUSE | LOBE_GLOSSY | LOBE_DELTA,

@@ -21,7 +21,7 @@ FN void clip_axis_w(realw o, realw d, real low, real high, PRIVATE realw* near, 
   realw a = (splat_w(low) - o) * inverse, b = (splat_w(high) - o) * inverse;
   maskw is_within = le_w(splat_w(low), o) & le_w(o, splat_w(high));
   a = sel_w(stays, sel_w(is_within, zero, most), a);
-  b = sel_w(stays, sel_w(is_within, most, zero), b);
+  b = sel_w(stays, most, b);
   *near = max_w(*near, min_w(a, b));
   *far = min_w(*far, max_w(a, b));
 }

@@ -79,7 +79,7 @@ FN real3w seen_share_w(const Scene* scene, const Paths_w* path, const Surfaces_w
     if (!any_w(ahead)) break;
     if (HAS_PRIORITY) pass_ranked_w(scene, &way.path, &s, ahead, d);
     media_enter_w(scene, &way.path, &s, none_w(), d);
-    rays_leaving_w(&s, ahead, d, last - s.t, &way.path.rays);
+    rays_passing_w(&s, ahead, ahead, d, last - s.t, &way.path.rays);
     way.path.rays.aim = aim;
   }
   return share;

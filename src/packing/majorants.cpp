@@ -82,7 +82,9 @@ Majorants majorants_of(const Volume& sigma_t, const UploadFrame& frame) {
     middle[i] = (axis.first + 0.5 * axis.count) * axis.cell / size[i];
     result.size[i] = axis.count;
     const Vec3 edge = cube.column(number);
-    result.cell = std::max(result.cell, frame.scale * std::sqrt(dot(edge, edge)) / cells[i]);
+    // Of few texels the cell is longer than all there is of the medium.
+    const double share = std::min(1 / cells[i], component(local.max, number) - component(local.min, number));
+    result.cell = std::max(result.cell, frame.scale * std::sqrt(dot(edge, edge)) * share);
   }
   result.reals = box_frame(cube, frame, {cells[0], cells[1], cells[2]}, {middle[0], middle[1], middle[2]});
   for (const Vec3& end : {world.min, world.max}) {

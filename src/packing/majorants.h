@@ -15,7 +15,7 @@ struct Majorants {
   std::vector<double> reals;  ///< cl/media/media_layout.h, MAJORANT_REAL_COUNT.
   std::vector<float> most;    ///< Per unit of length of the frame, rounded up; x first, then y, then z.
   std::array<std::int32_t, 3> size{};
-  double cell = 0;  ///< The longest side of a cell, in the frame.
+  double cell = 0;  ///< The longest way along a side of a cell, in the frame.
 };
 
 /// sigma_t: a grid.

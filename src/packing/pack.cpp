@@ -125,7 +125,9 @@ class Packing {
     for (const Texture& texture : scene_.textures) {
       const kinds::TextureFacts facts = kinds::texture(texture);
       const int kind = numbers_("textures", facts.entry);
-      const int parts = resolve_sampling(scene_).kind == SamplerKind::centre ? 1 : 8;
+      int parts = resolve_sampling(scene_).kind == SamplerKind::centre ? 1 : 8;
+      // How wide a pixel is there, a path from a light cannot know.
+      if (kinds::integrator(scene_.integrator.name).from_lights) parts = std::numeric_limits<int>::max();
       rows.insert(rows.end(), {kind, packed_.put_shading(facts.reals), 0, parts, 0, 1});
       const std::span last = std::span(rows).last(layout::TEXTURE_INTS);
       if (kind >= 0 && !facts.attribute.empty()) last[layout::TEXTURE_IMAGE] = attribute_number(facts.attribute);

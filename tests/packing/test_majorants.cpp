@@ -109,5 +109,12 @@ TEST_CASE("a thin turned box has no more cells than others") {
   }
 }
 
+TEST_CASE("no way within a cell is longer than the box") {
+  Volume volume = Rgb{1, 1, 1};
+  volume.grid = std::make_shared<const VolumeGrid>(grid_of_floats(1, 1, 1, 1, {1}));
+  volume.world_from_cube = Transform{{{{3, 0, 0, 0}, {0, 5, 0, 0}, {0, 0, 2, 0}}}};
+  CHECK(majorants_of(volume, UploadFrame{{0, 0, 0}, 0.5}).cell == Approx(2.5));
+}
+
 }  // namespace
 }  // namespace strahl::test

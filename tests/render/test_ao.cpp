@@ -59,5 +59,23 @@ TEST_CASE("nothing is open where nothing is hit, and both sides of a surface are
   for (std::size_t i = 0; i < image.data.size(); ++i) CHECK((image.data[i] == 0 || image.data[i] == 1));
 }
 
+TEST_CASE("materials and lamps do not matter, whatever else the program holds") {
+  require_pocl_and_rusticl();
+  Material half = diffuse({0.5, 0.5, 0.5});
+  half.opacity = Reflectance{{0.5, 0.5, 0.5}};
+  Scene scene = stage({floor_plane(), Disk{{0, 0, 1}, {1, 0, 0}, {0, 1, 0}}}, half);
+  scene.shapes.back().radiance = Rgb{1, 1, 1};
+  scene.integrator.name = "ao";
+  scene.integrator.hide_emitters = scene.integrator.strict_normals = true;
+  scene.sampler.sample_count = 4;
+  RenderSettings plain, generic, albedo;
+  generic.generic = true;
+  albedo.aovs = {Aov::albedo};
+  const Image expected = render("pocl", scene, plain).color;
+  CHECK(lit_pixels(expected) > 100);
+  CHECK(same_bits(expected, render("pocl", scene, generic).color));
+  CHECK(same_bits(expected, render("pocl", scene, albedo).color));
+}
+
 }  // namespace
 }  // namespace strahl::test

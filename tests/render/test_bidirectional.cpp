@@ -10,6 +10,7 @@
 #include "kinds/lights.h"
 #include "kinds/materials.h"
 #include "render/alike.h"
+#include "render/film_state.h"
 #include "render/stage.h"
 #include "scene/model/build.h"
 

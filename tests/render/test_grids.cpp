@@ -173,5 +173,17 @@ TEST_CASE("paths through grids are the same one by one and in lanes") {
   check_in_lanes(scene);
 }
 
+TEST_CASE("rays along an axis of the grid end at its box, too") {
+  require_pocl_and_rusticl();
+  const Medium smoke = varying(grid(1, 1, 1, 1, {1}), {1, 1, 1}, {0, 0, 0});
+  Scene scene = filled(Sphere{{0, 0, 0}, 3}, smoke);
+  scene.film.width = scene.film.height = 16;  // The box is over the middle 8 x 8 of them.
+  scene.film.filter = {FilterKind::box, 0.5, 0.5};
+  const Image image = drawn(scene, 1024);
+  CHECK(mean_of(image).r == Approx(1 - (1 - std::exp(-2)) / 4).epsilon(0.003));
+  CHECK(image.at(2, 8, 0) == 1);
+  CHECK(image.at(8, 2, 0) == 1);
+}
+
 }  // namespace
 }  // namespace strahl::test

@@ -101,6 +101,61 @@ TEST_CASE("glass scales radiance and not flux; shading normals and reliefs count
   hold_like_path("mask", masks, 512);
 }
 
+TEST_CASE("what scatters otherwise from the other side does so as the camera would see it") {
+  require_pocl_and_rusticl();
+  Scene sheet = under_lamp(diffuse({0.5, 0.5, 0.5}));
+  PrincipledThin thin;
+  thin.base_color = {{0.9, 0.9, 0.9}};
+  thin.roughness = {{0.9, 0.9, 0.9}};
+  thin.spec_trans = {{1, 1, 1}};
+  thin.eta = {{2, 2, 2}};
+  sheet.shapes[1].geometry = Rectangle{{-2, -2, 0.8}, {4, 0, 0}, {0, 4, 0}};
+  sheet.shapes[1].material = add(sheet, thin);
+  sheet.shapes[2].geometry = Rectangle{{4, -0.5, 1.2}, {-0.25, 0, 0.95}, {0, 1, 0}};
+  sheet.shapes[2].radiance = Rgb{20, 20, 20};
+  hold_like_path("a sheet under a low lamp", sheet, 512, 0.02);
+
+  // A mirror whose normal is bent by 40 degrees throws the light of the lamp straight above it at a wall.
+  Scene mirror = under_lamp(diffuse({0.5, 0.5, 0.5}));
+  Relief relief;
+  relief.map = {{0.821, 0.5, 0.883}};
+  relief.nested = add(mirror, Conductor{});
+  mirror.shapes[0].material = add(mirror, relief);
+  mirror.shapes[1].geometry = Rectangle{{3, 3, 0}, {0, -6, 0}, {0, 0, 3}};
+  mirror.shapes[1].material = 0;
+  mirror.camera = perspective_camera({2, 0, 0.55}, {3, 0, 0.55}, {0, 0, 1}, 40);
+  mirror.integrator.max_depth = 3;
+  mirror.integrator.hide_emitters = true;
+  hold_like_path("a bent mirror", mirror, 512, 0.02);
+}
+
+// The way from the light is long and the light low: as wide as that, squares would be grey.
+TEST_CASE("squares of a checkerboard are as sharp as paths from the camera show them") {
+  require_pocl_and_rusticl();
+  Scene scene =
+      stage({Rectangle{{-2, -2, 0}, {4, 0, 0}, {0, 4, 0}}, Rectangle{{-10, -10, -0.5}, {20, 0, 0}, {0, 20, 0}}},
+            diffuse({0.5, 0.5, 0.5}));
+  scene.textures = {{"", Checkerboard{{0.8, 0.8, 0.8}, {0, 0, 0}, {6, 0, 0, 0, 6, 0}}, {}}};  // 4 x 4 pixels each.
+  Material board;
+  board.bsdf = Diffuse{{{1, 1, 1}, 0}};
+  scene.shapes[0].material = static_cast<int>(scene.materials.size());
+  scene.materials.push_back(board);
+  scene.camera = perspective_camera({0, 0, 4}, {0, 0, 0}, {0, 1, 0}, 2 * std::atan(0.5) * 180 / std::numbers::pi);
+  add(scene, DirectionalLight{{1, 0.3, -0.1}, {3, 3, 3}});
+  scene.film.filter = {FilterKind::box, 0.5, 0.5};
+  scene.sampler.kind = SamplerKind::independent;
+  scene.sampler.sample_count = 1024;
+  for (const char* integrator : {"ptracer", "bdpt"}) {
+    INFO(integrator);
+    scene.integrator.name = integrator;
+    RenderSettings settings;
+    settings.generic = true;
+    const Image image = render("pocl", scene, settings).color;
+    CHECK(lit_pixels(image) < stage_size * stage_size / 2 + 24);
+    CHECK(lit_pixels(image) > stage_size * stage_size / 8);
+  }
+}
+
 // Were both drawn by one number, the floor would be white only where the pane is open, or only where it is not.
 TEST_CASE("a blend behind a blend of masks: each draws by a number of its own") {
   require_pocl_and_rusticl();

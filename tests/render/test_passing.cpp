@@ -111,5 +111,22 @@ TEST_CASE("each side of a twosided material has its own opacity") {
   }
 }
 
+// Were one number to decide at both walls of the ball, half of the rays would go through both.
+TEST_CASE("blends one behind the other on a ray: each draws by a number of its own") {
+  require_pocl_and_rusticl();
+  Scene scene = stage({});
+  Material null = diffuse({0, 0, 0}), half;
+  null.opacity = Reflectance{{0, 0, 0}};
+  scene.materials = {diffuse({0, 0, 0}, true), null};
+  half.bsdf = Blend{{{0.5, 0.5, 0.5}}, 0, 1};
+  add_shape(scene, ball({0, 0, 0}, 3.5), half);
+  scene.lights = {light(ConstantLight{{1, 1, 1}})};
+  scene.film.width = scene.film.height = 16;
+  for (const char* integrator : {"path", "volpath"}) {
+    INFO(integrator);
+    CHECK(mean_in(scene, 1024, integrator) == Approx(0.25).margin(0.005));
+  }
+}
+
 }  // namespace
 }  // namespace strahl::test
