@@ -39,7 +39,8 @@ int FilmRun::end_of_samples() const {
   const auto [first, count] = *goal_.samples;
   if (goal_.is_open()) throw UsageError("a part of the samples has a known number of them, not a time or an error");
   if (first < 0 || count < 1 || count > spp - first)
-    throw UsageError(fmt::format("samples {}:{} are not among the {} of a pixel", first, first + count, spp));
+    throw UsageError(
+        fmt::format("samples {}:{} are not among the {} of a pixel", first, std::int64_t{first} + count, spp));
   return first + count;
 }
 

@@ -12,8 +12,8 @@
 namespace strahl {
 
 /// The canary's verdict, kept beside the compiled programs per device, driver, strahl version and kernel sources. Where
-/// it is not known yet the canary is compiled and run, which takes a second or so. Throws DeviceError and
-/// KernelBuildError.
+/// it is not known yet the canary is compiled and run, which takes a second, with some drivers ten. Throws DeviceError
+/// and KernelBuildError.
 [[nodiscard]] TierVerdict tier_verdict(const Device& device, Precision precision);
 
 struct TierChoice {

@@ -107,6 +107,10 @@ TEST_CASE("goals that cannot be reached are refused") {
     goal.rows = rows;
     refused(renderer, goal);
   }
+  goal.rows.reset();
+  goal.samples = SampleRange{1, most};
+  CHECK_THROWS_WITH(renderer.render({}, goal), Contains("samples 1:2147483648 are not among"));
+  goal.samples.reset();
   goal.rows = Rows{1, 7};
   CHECK(renderer.render({}, goal).color.height == 7);
 }
