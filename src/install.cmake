@@ -32,6 +32,8 @@ target_sources(
          src/settings/settings.h
          src/render/stats.h
          src/packing/tree_stats.h
+         src/trust/tier_choice.h
+         src/trust/tier_verdict.h
          src/scene/model/aovs.h
          src/scene/model/build.h
          src/scene/loader.h

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // All of the library: scenes from files or built in C++ (Scene, Camera, Shape, Sphere, Plane, Box, Triangle ...),
-// pictures of them (Renderer, Image), and rays into them (Intersector, Ray, Hit). docs/example shows it at work.
+// pictures of them (Renderer, Image), and rays into them (Intersector, Ray, Hit). choose_tier() tells which precision a
+// device can be trusted with, and which settings it needs. docs/example shows it at work.
 #pragma once
 
 #include "errors.h"
@@ -14,3 +15,4 @@
 #include "scene/meshes/mesh_file.h"
 #include "scene/model/build.h"
 #include "scene/validate.h"
+#include "trust/tier_choice.h"

@@ -4,6 +4,7 @@
 
 #include <exception>
 #include <iostream>
+#include <optional>
 
 using namespace strahl;
 
@@ -27,7 +28,12 @@ Scene marbles() {
 int main() {
   try {
     const Device device = Device::open("");  // the fastest GPU, else the CPU
-    Renderer renderer(device, marbles());
+    // Not every device computes as it should: which precision it can be trusted with, and whether it ends long loops.
+    const TierVerdict tier = choose_tier(device, std::nullopt).tier;
+    RenderSettings settings;
+    settings.precision = tier.precision;
+    settings.loop_turns = tier.loop_turns;
+    Renderer renderer(device, marbles(), settings);
     write_image(renderer.render().color, "marbles.png");
   } catch (const std::exception& error) {
     std::cerr << error.what() << '\n';

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <map>
 
+#include "checkpoint/host_sources.h"
 #include "errors.h"
 #include "opencl/program.h"
 #include "opencl/program_cache.h"
@@ -84,6 +85,7 @@ PictureIdentity identity_of(const Device& device, const Renderer& renderer, cons
   };
   add("the version of strahl", STRAHL_VERSION);
   add("the hash of its kernels", hash_of_kernels());
+  add("the hash of its host's sources", host_sources_hash());
   add("--precision", precision_name(settings.precision));
   if (settings.precision == Precision::fast || settings.precision == Precision::stable) {
     add("the program, whose compiler may decide bits of this precision", renderer.stats().program);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <utility>
 
 #include "errors.h"
 
@@ -13,9 +14,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Empty: all may be read.
+/// Empty: all may be read. Of a thread: readers read in the one that loads the scene.
 fs::path& root() {
-  static fs::path path;
+  static thread_local fs::path path;
   return path;
 }
 
@@ -26,10 +27,10 @@ ConfinedReads::ConfinedReads(const std::string& folder) {
   const fs::path there = fs::canonical(folder, fault);
   if (fault || !fs::is_directory(there))
     throw UsageError(fmt::format("--root \"{}\": there is no such folder", folder));
-  root() = there;
+  before_ = std::exchange(root(), there);
 }
 
-ConfinedReads::~ConfinedReads() { root().clear(); }
+ConfinedReads::~ConfinedReads() { root() = std::move(before_); }
 
 std::string outside_because(const std::string& path) {
   if (root().empty()) return {};

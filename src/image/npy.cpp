@@ -28,6 +28,7 @@ bool fills(std::size_t rows, std::size_t columns, std::size_t item, std::size_t 
 template <class T>
 void widen(const char* bytes, std::endian order, bool fortran_order, Matrix& matrix) {
   double* out = matrix.data.data();
+  if (matrix.data.empty()) return;  // A header may state any number of rows that have no columns.
   if (!fortran_order) {
     for (std::size_t i = 0; i < matrix.data.size(); ++i) out[i] = load<T>(bytes + i * sizeof(T), order);
     return;

@@ -48,7 +48,8 @@ struct PlatformInfo {
   std::string note;     ///< What is other than its driver has it by default; mostly empty.
 };
 
-/// Every platform, the broken and empty ones too, with the reason. Never throws for a platform's fault.
+/// Every platform, the broken and empty ones too, with the reason. Never throws for a platform's fault. Changes the
+/// environment as Device::open does.
 [[nodiscard]] std::vector<PlatformInfo> list_platforms();
 
 class ProgramShelf;
@@ -61,14 +62,23 @@ struct DeviceNeeds {
 };
 
 /// An open device: one context, one in-order queue with profiling.
+///
+/// Before the first of Device::open and list_platforms starts the drivers, it changes this process's environment
+/// (opencl/driver_environment.cpp), so no other thread may read or write it then:
+///  - POCL_WORK_GROUP_SPECIALIZATION becomes 0 where it is not set, so that cached programs are whole (Device::open,
+///    where it opens PoCL).
+///  - POCL_AFFINITY becomes 1 where it is not set, so that each of PoCL's threads keeps to a processor; not where
+///    POCL_MAX_PTHREAD_COUNT is set or the process may not run on all processors.
+///  - POCL_CACHE_DIR names a folder among the temporary files where PoCL could not write its default cache. One that is
+///    set stays, but an empty one is removed: PoCL 3.1 ends the process for it.
+///  - A relative XDG_CACHE_HOME is removed, as the XDG Base Directory Specification has it ignored.
 class Device {
  public:
   /// selector: "" (fastest GPU, else CPU), "0", "0:1", "cpu", "gpu", or part of a platform's or device's name,
   /// case-insensitive; "pocl" and "intel" name platforms only. A platform's name goes before a device's; of several
   /// devices the best is taken: GPU before CPU, a GPU with memory of its own before one that is a part of the
-  /// processor, then compute units times clock. Opens only the platform asked for. For PoCL, sets
-  /// POCL_WORK_GROUP_SPECIALIZATION=0 unless the environment has it, so that cached programs are whole. Throws
-  /// NoDeviceError: what is missing, what to install, which devices would do.
+  /// processor, then compute units times clock. Opens only the platform asked for. Throws NoDeviceError: what is
+  /// missing, what to install, which devices would do.
   static Device open(const std::string& selector, const DeviceNeeds& needs = {});
 
   [[nodiscard]] const DeviceInfo& info() const { return info_; }

@@ -11,7 +11,7 @@ namespace strahl {
 ///  - A relative XDG_CACHE_HOME is removed from the environment: the XDG Base Directory Specification has it ignored,
 ///    and drivers do not.
 ///  - POCL_CACHE_DIR, unless it names something, gets a folder of this user's among the temporary files where PoCL
-///    could not make its cache.
+///    could not make its cache. An empty one is removed, for PoCL 3.1 ends the process for it.
 ///  - POCL_AFFINITY becomes 1, so that each of PoCL's threads has a processor of its own, unless the environment says
 ///    how many threads there are (POCL_MAX_PTHREAD_COUNT) or where they run, or this process may not run everywhere.
 /// Returns what is to be said about PoCL's cache: empty where it is as PoCL has it by default.

@@ -240,6 +240,7 @@ void light_causes(const Scene& scene, Causes& causes) {
 }
 
 Causes causes_of(const Scene& scene, const RenderSettings& settings) {
+  require_chooser(settings.light_choice);
   Causes causes{disabled_effects(settings.disabled), {}, settings.light_choice};
   shape_causes(scene, settings, causes);
   if (!scene.instances.empty()) call_for(causes, "INSTANCES", "an instance of a group", scene.instances.front().where);

@@ -1,11 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "program/light_choice.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 
+#include "did_you_mean.h"
+#include "errors.h"
 #include "kinds/entries.h"
 #include "kinds/integrators.h"
 #include "kinds/lights.h"
+#include "program/kernel_source.h"
 
 namespace strahl {
 namespace {
@@ -41,6 +47,14 @@ DrawnLights drawn_lights(const Scene& scene, const std::function<bool(const std:
     if (!facts.is_far) ++lights.near;
   }
   return lights;
+}
+
+void require_chooser(const std::optional<std::string>& name) {
+  if (!name) return;
+  const std::vector<std::string> known = list_entries("choosers");
+  if (std::find(known.begin(), known.end(), *name) == known.end())
+    throw UsageError(fmt::format("there is no light choice \"{}\"{}; there are: {}", *name, did_you_mean(*name, known),
+                                 fmt::join(known, ", ")));
 }
 
 std::string light_chooser(const DrawnLights& lights) {

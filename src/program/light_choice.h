@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "scene/model/scene.h"
@@ -17,6 +18,9 @@ struct DrawnLights {
 /// Lights that are drawn from, as far as their kinds tell (one without an area counts too). is_used: whether the
 /// program holds an effect, as FeatureReport names it.
 [[nodiscard]] DrawnLights drawn_lights(const Scene& scene, const std::function<bool(const std::string&)>& is_used);
+
+/// Throws UsageError for a name that is no chooser; none is the lights' own choice.
+void require_chooser(const std::optional<std::string>& name);
 
 /// "uniform" for a single light, "power" where all come from afar, "each" for few, else "tree"
 /// (docs/decisions/0028-many-lights.md).

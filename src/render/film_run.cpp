@@ -39,7 +39,8 @@ int FilmRun::end_of_samples() const {
   const auto [first, count] = *goal_.samples;
   if (goal_.is_open()) throw UsageError("a part of the samples has a known number of them, not a time or an error");
   if (first < 0 || count < 1 || count > spp - first)
-    throw UsageError(fmt::format("samples {}:{} are not among the {} of a pixel", first, first + count, spp));
+    throw UsageError(
+        fmt::format("samples {}:{} are not among the {} of a pixel", first, std::int64_t{first} + count, spp));
   return first + count;
 }
 
@@ -232,7 +233,9 @@ void FilmRun::finish() {
   result_.color = film_.black();
   if (film_.has_squares) squares_ = film_.black();
   const double paths = film_.paths_a_pixel();
-  // The error of a part is told while the mean of the next is taken.
+  // The error of a part is told while the mean of the next is taken; where no thread can be begun, after it: a picture
+  // is not lost for want of one.
+  constexpr auto beside_if_possible = std::launch::async | std::launch::deferred;
   std::future<void> telling;
   const auto wait = [&] {
     const Stopwatch waiting;
@@ -246,10 +249,12 @@ void FilmRun::finish() {
     seconds.readback += taking.seconds();
     wait();
     if (!error) return;
-    telling = std::async(std::launch::async, [&error, part = std::move(part), has_error, has_map, this] {
+    // Copied: libstdc++ has moved from a temporary by the time that it finds no thread.
+    const auto tell = [&error, part = std::move(part), has_error, has_map, this] {
       if (has_error) error->add(part->rows);
       if (has_map) error->put_standard_error(part->rows, part->first, result_.standard_error);
-    });
+    };
+    telling = std::async(beside_if_possible, tell);
   });
   wait();
   if (has_error) result_.error = error->tell();
@@ -320,11 +325,25 @@ RenderResult FilmRun::run() {
   return std::move(result_);
 }
 
+namespace {
+
+void require_reachable(const RenderGoal& goal, const RenderSettings& settings) {
+  if (!goal.max_error) return;
+  if (!(*goal.max_error > 0))
+    throw UsageError(fmt::format("an error to reach is greater than 0, and max_error is {}", *goal.max_error));
+  if (!settings.estimate_error)
+    throw UsageError("without estimate_error no error is told, so that max_error could never be reached: set it");
+}
+
+}  // namespace
+
 RenderResult Renderer::render(const ProgressCallback& progress, const RenderGoal& goal, const FilmKeeper* keeper) {
+  require_reachable(goal, state_->settings);
   if (!goal.rows) return FilmRun(*state_, goal, progress, keeper).run();
   if (!state_->helpers.empty()) throw UsageError("some rows of a picture are rendered by one device");
   if (state_->film_kind() == FilmKind::splats) throw UsageError("light paths end in any row of the picture");
-  if (goal.rows->first < 0 || goal.rows->count < 1 || goal.rows->first + goal.rows->count > state_->window.height())
+  const auto [first, count] = *goal.rows;
+  if (first < 0 || count < 1 || count > state_->window.height() - first)
     throw UsageError("rows outside of the picture");
   const RowsOnly only(state_->window, *goal.rows);
   return FilmRun(*state_, goal, progress, keeper).run();

@@ -35,10 +35,11 @@ struct RenderGoal {
   std::optional<int> spp;
   /// The time by which render() must have returned. Pixels then differ by one sample at the most.
   std::optional<Clock::time_point> deadline;
-  /// RMSE over linear RGB, all pixels and channels, as the film's sub-sums tell it (error_estimate.h).
+  /// RMSE over linear RGB, all pixels and channels, as the film's sub-sums tell it (error_estimate.h): a number > 0,
+  /// and not without RenderSettings::estimate_error, for no sum would tell it.
   std::optional<double> max_error;
   std::optional<std::uint32_t> seed;  ///< None: the scene's.
-  std::optional<Rows> rows;           ///< A picture of these rows alone; none: of all rows.
+  std::optional<Rows> rows;           ///< A picture of these rows alone, which it has; none: of all rows.
   /// Only these of the samples: a part that adds up with others to the picture of `spp` samples. Not with an open goal.
   std::optional<SampleRange> samples;
 

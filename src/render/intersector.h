@@ -35,7 +35,8 @@ struct Hit {
 
 class Intersector {
  public:
-  /// Compiles nothing yet. Throws as Renderer does, except KernelBuildError.
+  /// Compiles nothing yet. As Renderer's, settings.precision and settings.loop_turns are those of choose_tier()
+  /// (trust/tier_choice.h), else rays may miss what they hit. Throws as Renderer does, except KernelBuildError.
   Intersector(const Device& device, const Scene& scene, const RenderSettings& settings = {});
   ~Intersector();
   Intersector(Intersector&&) noexcept;

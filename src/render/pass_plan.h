@@ -25,9 +25,9 @@ struct PassPosition {
 /// picture of few pixels must not be done by luck.
 [[nodiscard]] bool is_reached(const ErrorEstimate& error, double wanted);
 
-/// Without a deadline or an error to reach: one pass. With a deadline: each pass takes a quarter of the time
-/// that is left, down to passes of a single sample; only those end part-way, which leaves pixels one sample apart at
-/// the most. With an error: up to where the error so far says that it may be reached.
+/// Without a deadline or an error to reach: one pass. With a deadline: each pass takes two fifths of the time that is
+/// left, down to passes of a single sample; only those end part-way, which leaves pixels one sample apart at the most.
+/// With an error: up to where the error so far says that it may be reached.
 class PassPlan {
  public:
   /// end: samples at which the render ends in any case; first: those that are not to be rendered.

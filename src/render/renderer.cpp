@@ -48,7 +48,6 @@ Renderer::State::Choice Renderer::State::choose_program() {
 }
 
 void Renderer::State::prepare() {
-  if (std::vector<Diagnostic> problems = validate(scene); !problems.empty()) throw SceneError(problems);
   if (settings.aovs.contains(Aov::numeric_error) && !device.info().fp64)
     throw NoDeviceError(fmt::format("the AOV numeric_error holds every hit against double precision, which {} has not",
                                     device.info().text()));
@@ -161,12 +160,16 @@ void Renderer::State::warm_up() {
 
 namespace {
 
-std::shared_ptr<const Scene> shared(Scene scene) { return std::make_shared<const Scene>(std::move(scene)); }
+/// What a renderer shows of the scene, which is looked at only where it is valid.
+std::shared_ptr<const Scene> shared(Scene scene, const RenderSettings& settings) {
+  if (std::vector<Diagnostic> problems = validate(scene); !problems.empty()) throw SceneError(problems);
+  return std::make_shared<const Scene>(shown_scene(std::move(scene), settings));
+}
 
 }  // namespace
 
 Renderer::Renderer(const Device& device, Scene scene, const RenderSettings& settings)
-    : state_(std::make_unique<State>(device, shared(shown_scene(std::move(scene), settings)), settings)) {
+    : state_(std::make_unique<State>(device, shared(std::move(scene), settings), settings)) {
   state_->prepare();
 }
 Renderer::~Renderer() = default;
@@ -191,6 +194,7 @@ void Renderer::share_with(const Device& device, std::optional<std::uint64_t> loo
 }
 
 void Renderer::require_samples(const Scene& scene, const RenderSettings& settings, const RenderGoal& goal) {
+  if (std::vector<Diagnostic> problems = validate_picture(scene); !problems.empty()) throw SceneError(problems);
   static_cast<void>(samples_of_film(scene, scene.film.window(), settings, goal));
 }
 
@@ -208,7 +212,7 @@ std::string Renderer::division_text(const RenderGoal& goal) const {
 std::string Renderer::program_text() const { return completed_for(state_->device, state_->source).text; }
 
 bool Renderer::is_program_cached(const Device& device, const Scene& scene, const RenderSettings& settings) {
-  State state(device, shared(shown_scene(scene, settings)), settings);
+  State state(device, shared(scene, settings), settings);
   static_cast<void>(state.choose_program());
   return strahl::is_program_cached(device, state.source);
 }

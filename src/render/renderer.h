@@ -45,10 +45,12 @@ struct FilmKeeper;
 
 class Renderer {
  public:
-  /// Validates, packs, builds the program and uploads. Throws SceneError, DeviceError, KernelBuildError; UsageError for
-  /// settings that cannot be (a needed effect in `disabled`, a work group that the device has not, what light paths do
-  /// not know); NoDeviceError where the device's memory cannot hold the scene and one row of the film, or
-  /// Aov::numeric_error is asked of a device without fp64.
+  /// Validates, packs, builds the program and uploads. The device is trusted with settings.precision and
+  /// settings.loop_turns: ask choose_tier() (trust/tier_choice.h) for both, else a device whose arithmetic is wrong or
+  /// that ends loops makes wrong pictures without a word. Throws SceneError, DeviceError, KernelBuildError; UsageError
+  /// for settings that cannot be (a needed effect in `disabled`, an unknown `light_choice`, a work group that the
+  /// device has not, what light paths do not know); NoDeviceError where the device's memory cannot hold the scene and
+  /// one row of the film, or Aov::numeric_error is asked of a device without fp64.
   Renderer(const Device& device, Scene scene, const RenderSettings& settings = {});
   ~Renderer();
   Renderer(Renderer&&) noexcept;
@@ -57,17 +59,18 @@ class Renderer {
   /// Another device, which takes a share of every picture from now on, as large as its measured speed. A device of
   /// several that fails is dropped for good: the others do its part (RunStats::shares), and the picture has the same
   /// bits; Error where none is left.
-  /// loop_turns: its RenderSettings::loop_turns. Throws as the constructor, and UsageError where devices decide bits:
-  /// in `fast` and `stable`.
+  /// loop_turns: its RenderSettings::loop_turns, of its own tier_verdict(). Throws as the constructor, and UsageError
+  /// where devices decide bits: in `fast` and `stable`.
   void share_with(const Device& device, std::optional<std::uint64_t> loop_turns = std::nullopt);
 
-  /// Throws UsageError for more samples than the film holds, SceneError where they are the scene's: what render() finds
-  /// out once the program is built.
+  /// Throws UsageError for more samples than the film holds, SceneError where they are the scene's, and where camera,
+  /// film, sampler or integrator cannot be: what is otherwise found out once the program is built.
   static void require_samples(const Scene& scene, const RenderSettings& settings, const RenderGoal& goal);
 
-  /// Each call renders the picture from the start. Throws as require_samples, NoDeviceError where the device ends loops
-  /// before a sample is done (RenderSettings::loop_turns). keeper: gets the film now and then, or gives one to go on
-  /// from; InputError where that is of another picture.
+  /// Each call renders the picture from the start. Throws as require_samples, UsageError for a goal that cannot be
+  /// reached (RenderGoal), NoDeviceError where the device ends loops before a sample is done
+  /// (RenderSettings::loop_turns). keeper: gets the film now and then, or gives one to go on from; InputError where
+  /// that is of another picture.
   [[nodiscard]] RenderResult render(const ProgressCallback& progress = {}, const RenderGoal& goal = {},
                                     const FilmKeeper* keeper = nullptr);
 
@@ -83,7 +86,8 @@ class Renderer {
   /// The exact program: text with includes expanded, options in its first comment line.
   [[nodiscard]] std::string program_text() const;
 
-  /// Whether a renderer of this scene would find its program in the cache; else building one may take seconds.
+  /// Whether a renderer of this scene would find its program in the cache; else building one may take seconds. Throws
+  /// SceneError and UsageError as the constructor.
   [[nodiscard]] static bool is_program_cached(const Device& device, const Scene& scene, const RenderSettings& settings);
 
   /// What compiling the program took, the driver's part at the first launch included; none where it was cached.

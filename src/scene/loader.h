@@ -18,7 +18,9 @@ struct LoadOptions {
   std::map<std::string, std::string> defines;  ///< -D name=value; overrides <default>.
   bool strict = false;                         ///< Unknown plugins and parameters are errors.
   LoadProgress progress = {};
-  std::string root = {};  ///< Files outside of this folder are not read; empty: all may be.
+  /// Files outside of this folder are not read; empty: all may be. Of this load alone: those of other threads keep to
+  /// roots of their own.
+  std::string root = {};
 };
 
 struct LoadedScene {
@@ -26,7 +28,7 @@ struct LoadedScene {
   std::vector<Diagnostic> warnings;
 };
 
-/// Throws SceneError with every problem found (never just the first).
+/// Throws SceneError with every problem found (never just the first), UsageError where `root` is no folder.
 [[nodiscard]] LoadedScene load_scene(const std::string& path, const LoadOptions& options = {});
 
 }  // namespace strahl

@@ -3,6 +3,7 @@
 #include "scene/validate.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +12,9 @@
 #include <set>
 #include <utility>
 
+#include "did_you_mean.h"
 #include "kinds/entries.h"
+#include "kinds/integrators.h"
 #include "kinds/lights.h"
 #include "kinds/materials.h"
 #include "kinds/reflectance.h"
@@ -83,6 +86,10 @@ void check_medium_index(int medium, const Scene& scene, Checker& check) {
                 scene.media.size());
 }
 
+void check_sampling_weight(double weight, Checker& check) {
+  check.require(std::isfinite(weight) && weight >= 0, "sampling_weight must be finite and at least 0, not {}", weight);
+}
+
 void check_shape(const Shape& shape, const Scene& scene, Checker& check, std::vector<Diagnostic>& found) {
   check.at(shape.where);
   check.require(is_index(shape.material, scene.materials.size()), "material {} does not exist; there are {}",
@@ -91,6 +98,7 @@ void check_shape(const Shape& shape, const Scene& scene, Checker& check, std::ve
     check_medium_index(shape.media->inside, scene, check);
     check_medium_index(shape.media->outside, scene, check);
   }
+  check_sampling_weight(shape.sampling_weight, check);
   for (const std::string& fault : geometry_faults(shape.geometry))
     found.push_back({Severity::error, shape.where, fault});
   if (const Mesh* mesh = std::get_if<Mesh>(&shape.geometry)) {
@@ -168,6 +176,16 @@ void check_instance(const Instance& instance, const Scene& scene, Checker& check
                 "the instance's transform must be finite and not singular");
 }
 
+/// Readers of a scene walk from a material to its back, and on to the back of that.
+bool backs_end(const Material& material, const Scene& scene) {
+  int back = material.back;
+  for (int walked = 0; is_index(back, scene.materials.size()); ++walked) {
+    if (walked == deepest_material) return false;
+    back = scene.materials[static_cast<std::size_t>(back)].back;
+  }
+  return true;
+}
+
 void check_material(const Material& material, const Scene& scene, Checker& check) {
   check.at(material.where);
   const MaterialFacts facts = material_facts(material);
@@ -175,6 +193,9 @@ void check_material(const Material& material, const Scene& scene, Checker& check
   if (facts.opacity) slots.push_back(*facts.opacity);
   check.require(material.back == -1 || is_index(material.back, scene.materials.size()),
                 "material {} of its back does not exist; there are {}", material.back, scene.materials.size());
+  check.require(backs_end(material, scene),
+                "the backs of backs must come to an end within {} materials; -1 is what looks alike from both sides",
+                deepest_material);
   for (const MaterialSlot& slot : slots) {
     const auto& [r, g, b] = slot.reals;
     check.require(!slot.is_share || is_reflectance({r, g, b}), "{} must lie in [0, 1]", slot.name);
@@ -225,6 +246,7 @@ void check_light(const Light& light, const Scene& scene, Checker& check) {
       !is_index(texture, scene.textures.size()) ||
           !std::holds_alternative<AttributeTexture>(scene.textures[static_cast<std::size_t>(texture)].pattern),
       "a light without a mesh has no mesh_attribute");
+  check_sampling_weight(light.sampling_weight, check);
   for (const std::string& fault : kinds::light_faults(light)) check.require(false, "{}", fault);
 }
 
@@ -265,7 +287,30 @@ void check_film(const Film& film, Checker& check) {
                 Filter::largest_radius / 4);
 }
 
+void check_integrator_name(const std::string& name, Checker& check) {
+  const std::vector<std::string>& known = kinds::integrator_names();
+  check.require(!name.empty(), "the integrator has no name");
+  check.require(name.empty() || std::find(known.begin(), known.end(), name) != known.end(),
+                "there is no integrator \"{}\"{}; there are: {}", name, did_you_mean(name, known),
+                fmt::join(known, ", "));
+}
+
 }  // namespace
+
+std::vector<Diagnostic> validate_picture(const Scene& scene) {
+  std::vector<Diagnostic> found;
+  Checker check(found);
+  check_camera(scene.camera, check);
+  check_film(scene.film, check);
+  check.at(scene.sampler.where);
+  check.require(scene.sampler.sample_count.value_or(1) >= 1, "sample_count must be at least 1");
+  check.at(scene.integrator.where);
+  check_integrator_name(scene.integrator.name, check);
+  check.require(scene.integrator.max_depth >= -1, "max_depth must be -1 (no limit) or more");
+  check.require(scene.integrator.max_distance > 0, "max_distance must be greater than 0");
+  check.require(scene.integrator.rr_depth >= 1, "rr_depth must be at least 1");
+  return found;
+}
 
 std::vector<Diagnostic> validate(const Scene& scene) {
   std::vector<Diagnostic> found;
@@ -294,16 +339,10 @@ std::vector<Diagnostic> validate(const Scene& scene) {
     check.require(suns <= 1 || !is_sun, "a scene has one sun at most");
   }
   for (const Medium& medium : scene.media) check_medium(medium, check);
-  check_camera(scene.camera, check);
+  check.at(scene.camera.where);
   check_medium_index(scene.camera.medium, scene, check);
-  check_film(scene.film, check);
-  check.at(scene.sampler.where);
-  check.require(scene.sampler.sample_count.value_or(1) >= 1, "sample_count must be at least 1");
-  check.at(scene.integrator.where);
-  check.require(!scene.integrator.name.empty(), "the integrator has no name");
-  check.require(scene.integrator.max_depth >= -1, "max_depth must be -1 (no limit) or more");
-  check.require(scene.integrator.max_distance > 0, "max_distance must be greater than 0");
-  check.require(scene.integrator.rr_depth >= 1, "rr_depth must be at least 1");
+  const std::vector<Diagnostic> of_picture = validate_picture(scene);
+  found.insert(found.end(), of_picture.begin(), of_picture.end());
   return found;
 }
 

@@ -12,4 +12,7 @@ namespace strahl {
 /// material and mesh indices valid, sizes within [1, 65536], ...). Empty: the scene can be rendered.
 [[nodiscard]] std::vector<Diagnostic> validate(const Scene& scene);
 
+/// The part of it that looks at no shape, material, texture, light or medium: camera, film, sampler, integrator.
+[[nodiscard]] std::vector<Diagnostic> validate_picture(const Scene& scene);
+
 }  // namespace strahl

@@ -34,7 +34,7 @@ struct WorkGroup {
 };
 
 struct RenderSettings {
-  Precision precision = Precision::robust;
+  Precision precision = Precision::robust;  ///< Taken as it is; choose_tier() tells whether the device keeps it.
   AovList aovs;
   bool generic = false;  ///< Every entry and flag in the program; the same picture, slower.
   /// Effects to leave out, as FeatureReport names them, though the scene calls for them (program/disabled.h).
@@ -58,8 +58,10 @@ struct RenderSettings {
   std::optional<WorkGroup> work_group;  ///< None: by the device.
   bool error_map = false;               ///< The estimate of each pixel too.
   std::optional<int> passes;            ///< Split the samples into this many launches; none: by measured time.
-  /// The device ends the loops of a work-item after so many turns in sum (TierVerdict::loop_turns); none: it does not.
-  /// Where it does, the program tells of every work-item whether that came to pass, which is then asked again.
+  /// The device ends the loops of a work-item after so many turns in sum; none: it does not. Where it does, the program
+  /// tells of every work-item whether that came to pass, which is then asked again. Nobody asks the device on the
+  /// caller's behalf: it is TierVerdict::loop_turns of choose_tier() (trust/tier_choice.h), and without it pictures and
+  /// hits of Mesa's llvmpipe are wrong without a word.
   std::optional<std::uint64_t> loop_turns;
 };
 

@@ -197,10 +197,6 @@ CanaryReport run_as(const Device& device, Precision precision, const CanaryOptio
 
 }  // namespace
 
-const char* verdict_name(Verdict verdict) {
-  return verdict == holds ? "holds" : verdict == degraded ? "degraded" : "refused";
-}
-
 CanaryReport run_canary(const Device& device, Precision precision, const CanaryOptions& options) {
   if (precision != Precision::fp64) return run_as<float>(device, precision, options);
   if (!device.info().fp64) return {{precision, refused, "the device has no double precision", {}}, {}};

@@ -3,7 +3,6 @@
 // operation that is not what IEEE 754 says makes a tier of precision degraded or refused.
 #pragma once
 
-#include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
@@ -12,16 +11,9 @@
 #include "opencl/device.h"
 #include "opencl/program.h"
 #include "settings/settings.h"
+#include "trust/tier_verdict.h"
 
 namespace strahl {
-
-enum class Verdict {
-  holds,
-  degraded,  ///< Usable; what it promises holds with a limit that is named.
-  refused,   ///< What it promises does not hold.
-};
-
-[[nodiscard]] const char* verdict_name(Verdict verdict);
 
 /// One property of arithmetic, as measured.
 struct CanaryFinding {
@@ -30,15 +22,6 @@ struct CanaryFinding {
   int wrong = 0;
   Verdict verdict = Verdict::holds;  ///< What it makes of the tier; holds for properties that are only recorded.
   std::string detail;                ///< A wrong case, or what was recorded.
-};
-
-/// What a tier of precision may promise on a device.
-struct TierVerdict {
-  Precision precision = Precision::stable;
-  Verdict verdict = Verdict::holds;
-  std::string why;  ///< Empty where it holds.
-  /// Turns in sum over all loops of a work-item after which the device ends them; none: more than the canary asks for.
-  std::optional<std::uint64_t> loop_turns;
 };
 
 struct CanaryReport {

@@ -12,6 +12,7 @@
 
 #include "opencl/program_cache.h"
 #include "program/kernel_files.h"
+#include "trust/canary.h"
 
 namespace strahl {
 namespace {

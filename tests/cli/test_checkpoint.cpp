@@ -3,6 +3,7 @@
 // damaged files; pictures come out with the bits of one run, or one message says why not.
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <chrono>
 #include <csignal>
@@ -10,6 +11,7 @@
 #include <random>
 #include <thread>
 
+#include "checkpoint/checkpoint.h"
 #include "cli/program.h"
 #include "cli/same_picture.h"
 #include "image/image_io.h"
@@ -196,6 +198,16 @@ TEST_CASE("what does not fit is refused, and named") {
   refuse(folder, resumed({"--precision", "stable"}), 3, {"--precision is robust there and stable here"});
   refuse(folder, resumed({"--aov", "depth"}), 3, {"--aov is none there and depth here"});
   refuse(folder, resumed({"--samples", "4:8", "--checkpoint", "d.ckpt"}), 3, {"begin at 0 and not at 4"});
+  // The version may be the same, and what it shows of a scene another.
+  strahl::Checkpoint other = strahl::read_checkpoint(folder.path("c.ckpt"));
+  const auto sources = std::find_if(other.header.identity.parts.begin(), other.header.identity.parts.end(),
+                                    [](const auto& part) { return part.name == "the hash of its host's sources"; });
+  REQUIRE(sources != other.header.identity.parts.end());
+  CHECK(sources->value.size() == 16);
+  sources->value = "0123456789abcdef";
+  strahl::write_checkpoint(folder.path("other.ckpt"), other);
+  refuse(folder, options("a.xml") + std::vector<std::string>{"--resume", "other.ckpt"}, 3,
+         {"the hash of its host's sources is 0123456789abcdef there and"});
   folder.file("b.xml", text + "<!-- another -->\n");
   refuse(folder, resumed({}, "b.xml"), 3, {"the hash of file 1 (b.xml) is"});
   // The same scene elsewhere is the same scene.

@@ -102,6 +102,16 @@ TEST_CASE("no rows at all") {
   CHECK(matrix.data.empty());
 }
 
+TEST_CASE("rows without columns take no time, however many the header states") {
+  const TemporaryFolder folder;
+  for (const bool is_fortran : {false, true}) {
+    put_bytes(folder / "a.npy", npy(1, dictionary("<f8", is_fortran, "(1000000000000000000, 0)"), ""));
+    const Matrix matrix = read_npy(folder / "a.npy");
+    CHECK(matrix.columns == 0);
+    CHECK(matrix.data.empty());
+  }
+}
+
 TEST_CASE("what is no matrix of floats is refused with the remedy") {
   const TemporaryFolder folder;
   const std::string path = folder / "a.npy";

@@ -84,6 +84,12 @@ class House(unittest.TestCase):
         self.red("docs/a.md", "see /ho" + "me/someone/x\n", "absolute path")
         self.quiet("docs/a.md", "see ../shared/data and /etc/OpenCL/vendors\n")
 
+    def test_presets(self):
+        configured = '"configurePresets": [{"name": "base", "hidden": true}, {"name": "fuzz"}]'
+        self.red("CMakePresets.json", "{" + configured + "}", "buildPresets lacks fuzz")
+        built = '"buildPresets": [{"name": "fuzz", "configurePreset": "fuzz"}]'
+        self.quiet("CMakePresets.json", "{" + configured + ", " + built + "}")
+
     def test_format(self):
         style = (HERE / "../../.clang-format").read_text()
         code, output = run("format", {".clang-format": style, "src/a.cpp": "int  a ;\n"})

@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <limits>
 
+#include "scene/model/build.h"
 #include "scene/one_problem.h"
 
 using namespace strahl;
@@ -116,6 +117,23 @@ TEST_CASE("faults of everything else") {
   check_changed("sample_count", [](Scene& s) { s.sampler.sample_count = 0; });
   check_changed("max_depth", [](Scene& s) { s.integrator.max_depth = -2; });
   check_changed("no name", [](Scene& s) { s.integrator.name.clear(); });
+  check_changed("no integrator \"pth\" (did you mean \"path\"?)", [](Scene& s) { s.integrator.name = "pth"; });
+  check_changed("group 0 does not exist", [](Scene& s) { add_instance(s, 0, Transform{}); });
+  for (const double weight : {-1.0, nan_value, 1e300 * 1e300}) {
+    check_changed("sampling_weight", [&](Scene& s) { s.shapes[0].sampling_weight = weight; });
+    check_changed("sampling_weight", [&](Scene& s) {
+      s.lights.push_back({"", PointLight{}, {}});
+      s.lights[0].sampling_weight = weight;
+    });
+  }
+  // Of two that are each other's backs both are named.
+  check_changed("backs of backs", [](Scene& s) { s.materials[0].back = 0; });
+  Scene circle = scene_with(Sphere{});
+  circle.materials.resize(2);
+  circle.materials[0].back = 1;
+  CHECK(validate(circle).empty());
+  circle.materials[1].back = 0;
+  CHECK(validate(circle).size() == 2);
   Scene wide = scene_with(Sphere{});
   wide.film.width = 65537;
   check_one_problem(wide, "65536");

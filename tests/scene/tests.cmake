@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 foreach(test aovs vec transform elements images sky mtl_materials shapes spheres instances faults materials unknowns auto_integrator empty_media integrator_advice census_kinds census_files foreign_scenes other_names spectra expansion volumes
-             validate scenes shared_scenes)
+             validate roots scenes shared_scenes)
   strahl_test(scene/test_${test}.cpp LABEL unit)
 endforeach()
 strahl_test(scene/test_fuzz.cpp LABEL fuzz)

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+// Scenes, settings and goals made in C++ that cannot be rendered: each is refused as what it is, before anything is
+// computed from it.
+#include <catch2/catch.hpp>
+#include <limits>
+
+#include "render/intersector.h"
+#include "render/pictures.h"
+#include "scene/model/build.h"
+
+namespace strahl::test {
+namespace {
+
+using Catch::Matchers::Contains;
+
+Device pocl() {
+  require_pocl_and_rusticl();
+  return Device::open("pocl");
+}
+
+Scene lit_sphere() {
+  Scene scene;
+  scene.film.width = scene.film.height = 8;
+  add(scene, Sphere{{0, 0, 5}, 1});
+  add(scene, PointLight{});
+  return scene;
+}
+
+template <class Change>
+Scene changed(const Change& change) {
+  Scene scene = lit_sphere();
+  change(scene);
+  return scene;
+}
+
+}  // namespace
+
+TEST_CASE("a scene that is not valid is a SceneError, whatever would read it first") {
+  const Device device = pocl();
+  const auto refused = [&](const std::string& words, const Scene& scene) {
+    INFO(words);
+    CHECK_THROWS_AS(Renderer(device, scene), SceneError);
+    CHECK_THROWS_WITH(Renderer(device, scene), Contains(words));
+    CHECK_THROWS_AS(Renderer::is_program_cached(device, scene, {}), SceneError);
+    CHECK_THROWS_AS(Intersector(device, scene), SceneError);
+  };
+  refused("no integrator", changed([](Scene& s) { s.integrator.name = "unknown"; }));
+  refused("group 3", changed([](Scene& s) { add_instance(s, 3, Transform{}); }));
+  refused("material 7", changed([](Scene& s) {
+            s.integrator.name = "volpath";
+            s.shapes[0].material = 7;
+          }));
+  refused("backs", changed([](Scene& s) {
+            s.integrator.name = "volpath";
+            s.materials[0].opacity = Reflectance{{0, 0, 0}};
+            s.materials[0].back = 0;
+          }));
+  refused("sampling_weight", changed([](Scene& s) { s.lights[0].sampling_weight = -1; }));
+  refused("sampling_weight",
+          changed([](Scene& s) { s.shapes[0].sampling_weight = std::numeric_limits<double>::quiet_NaN(); }));
+}
+
+TEST_CASE("samples of a picture that cannot be are refused as the picture is") {
+  const auto of = [](const Scene& scene) { Renderer::require_samples(scene, {}, {}); };
+  CHECK_NOTHROW(of(lit_sphere()));
+  CHECK_THROWS_AS(of(changed([](Scene& s) { s.integrator.name = "unknown"; })), SceneError);
+  CHECK_THROWS_AS(of(changed([](Scene& s) { s.film.width = 0; })), SceneError);
+}
+
+TEST_CASE("a light choice that is none is named, with those that there are") {
+  const Device device = pocl();
+  RenderSettings settings;
+  settings.light_choice = "echa";
+  for (const int lights : {1, 2}) {
+    const Scene scene = changed([&](Scene& s) {
+      s.integrator.name = "path";
+      s.lights.resize(static_cast<std::size_t>(lights), s.lights[0]);
+    });
+    CHECK_THROWS_AS(Renderer(device, scene, settings), UsageError);
+    CHECK_THROWS_WITH(Renderer(device, scene, settings), Contains("did you mean \"each\"?") && Contains("uniform"));
+    CHECK_THROWS_AS(Renderer::is_program_cached(device, scene, settings), UsageError);
+  }
+}
+
+TEST_CASE("goals that cannot be reached are refused") {
+  const Device device = pocl();
+  Renderer renderer(device, lit_sphere());
+  const auto refused = [](Renderer& by, const RenderGoal& goal) { CHECK_THROWS_AS(by.render({}, goal), UsageError); };
+  RenderGoal goal;
+  for (const double error : {std::numeric_limits<double>::quiet_NaN(), -0.1, 0.0}) {
+    INFO(error);
+    goal.max_error = error;
+    refused(renderer, goal);
+  }
+  RenderSettings untold;
+  untold.estimate_error = false;
+  Renderer without(device, lit_sphere(), untold);
+  goal.max_error = 0.5;
+  goal.spp = 64;  // Else this test would take minutes where it fails.
+  refused(without, goal);
+  CHECK(renderer.render({}, goal).complete);
+
+  goal = {};
+  constexpr int most = std::numeric_limits<int>::max();
+  for (const Rows rows : {Rows{1, most}, Rows{-1, 2}, Rows{most, most}, Rows{8, 1}, Rows{0, 0}}) {
+    INFO(rows.first << " " << rows.count);
+    goal.rows = rows;
+    refused(renderer, goal);
+  }
+  goal.rows.reset();
+  goal.samples = SampleRange{1, most};
+  CHECK_THROWS_WITH(renderer.render({}, goal), Contains("samples 1:2147483648 are not among"));
+  goal.samples.reset();
+  goal.rows = Rows{1, 7};
+  CHECK(renderer.render({}, goal).color.height == 7);
+}
+
+}  // namespace strahl::test
