@@ -45,15 +45,17 @@ Geometry read_geometry(ShapeInput& input, const Mesh&) {
   const std::optional<double> smooth_angle = max_smooth_angle(properties);
   const bool flip_v = properties.boolean("flip_tex_coords").value_or(properties.type() == "obj");
   const int index = properties.type() == "serialized" ? shape_index(properties) : 0;
+  const MeshNormals normals = face_normals || smooth_angle ? MeshNormals::unused : MeshNormals::used;
   const std::optional<std::string> path = data_path(input, properties.type());
   if (!path) return Mesh{};
   diagnostics.opened(*path);
   try {
     const MeshProgress progress = progress_of(*path, input.builder.mesh_progress);
-    MeshFile file =
-        properties.type() == "serialized" ? read_serialized(*path, index, progress) : read_mesh(*path, progress);
+    MeshFile file = properties.type() == "serialized" ? read_serialized(*path, index, progress, normals)
+                                                      : read_mesh(*path, progress, normals);
     for (const std::string& library : file.libraries) diagnostics.opened(library);
     diagnostics.append(file.warnings);
+    for (AttributeFault& fault : file.attribute_faults) input.builder.attribute_faults.push_back(std::move(fault));
     if (!input.has_material) diagnostics.append(file.material_warnings);
     if (file.mesh.triangles.empty())
       diagnostics.error(properties.where("filename"), fmt::format("\"{}\" has no triangles", *path));
