@@ -18,13 +18,13 @@ bool emits(const Shape& shape, const Mesh* mesh) {
 void add_mesh_materials(MeshFile& file, bool has_material, const Shape& shape, Scene& scene, ImageFiles& images,
                         Diagnostics& diagnostics) {
   Mesh& mesh = file.mesh;
-  if (file.materials.empty() || mesh.part_of_triangle.empty() || (has_material && (shape.radiance || shape.exitance))) {
+  if (file.materials.empty() || mesh.part_of_triangle.empty() || has_material) {
     mesh.part_of_triangle.clear();
     return;
   }
   for (const MeshMaterial& from : file.materials) {
     MeshPart part;
-    part.material = has_material ? shape.material : added_material(from, shape, scene, images, diagnostics);
+    part.material = added_material(from, shape, scene, images, diagnostics);
     part.radiance = shape.radiance || shape.exitance ? shape.radiance : from.radiance;
     part.radiance_texture = shape.radiance_texture;
     mesh.parts.push_back(part);

@@ -15,8 +15,9 @@ namespace strahl {
 /// mesh: what is or will be the shape's geometry; null: that is none.
 [[nodiscard]] bool emits(const Shape& shape, const Mesh* mesh);
 
-/// Fills file.mesh.parts from file.materials and appends what is used to scene.materials. A <bsdf> (has_material) and
-/// an <emitter> of the shape win over the file's. An image that cannot be read is warned of.
+/// Fills file.mesh.parts from file.materials and appends what is used to scene.materials. A <bsdf>
+/// (has_material) of the shape wins over all of that, its light too, and an <emitter> over all its light. An image that
+/// cannot be read is warned of.
 void add_mesh_materials(MeshFile& file, bool has_material, const Shape& shape, Scene& scene, ImageFiles& images,
                         Diagnostics& diagnostics);
 

@@ -36,6 +36,15 @@ void to_world(Mesh& mesh, const Transform& world_from_object) {
   }
 }
 
+/// In a shapegroup nothing shines.
+void drop_light_of_file(const ShapeInput& input, Mesh& mesh) {
+  if (!input.builder.is_in_group || emits(input.shape, nullptr) || !emits(input.shape, &mesh)) return;
+  for (MeshPart& part : mesh.parts) part.radiance.reset();
+  input.builder.diagnostics.warning(input.properties.where(),
+                                    "the light of the file's materials (Ke) is left out, as nothing in a shapegroup "
+                                    "shines; place the shape outside to have it");
+}
+
 }  // namespace
 
 Geometry read_geometry(ShapeInput& input, const Mesh&) {
@@ -60,6 +69,7 @@ Geometry read_geometry(ShapeInput& input, const Mesh&) {
     if (file.mesh.triangles.empty())
       diagnostics.error(properties.where("filename"), fmt::format("\"{}\" has no triangles", *path));
     add_mesh_materials(file, input.has_material, input.shape, input.builder.scene, input.builder.images, diagnostics);
+    drop_light_of_file(input, file.mesh);
     if (face_normals) file.mesh.normals.clear();
     if (flip_v) flip_tex_coords(file.mesh);
     to_world(file.mesh, input.world_from_object);
