@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // <default>, $name, -D, <include>, <alias>, and the names of Mitsuba 0.x.
 #include <catch2/catch.hpp>
+#include <chrono>
 #include <filesystem>
 
 #include "scene/scene_text.h"
@@ -76,6 +77,17 @@ TEST_CASE("what all texts together grow by has a limit") {
   CHECK_THAT(found[0],
              Catch::Contains("error: the values of $names make the scene longer by more than 67108864 bytes"));
   CHECK(problems(around("<default name=\"x\" value=\"a\"/><shape type=\"sphere\" id=\"$x\"/>")).empty());
+}
+
+TEST_CASE("a parameter that is repeated very often is read in no time") {
+  std::string many;
+  for (int i = 0; i < 200000; ++i) many += "<float name=\"p" + std::to_string(i) + "\" value=\"1\"/>";
+  const auto begin = std::chrono::steady_clock::now();
+  const std::vector<std::string> found =
+      problems("<scene version=\"0.6.0\"><emitter type=\"piont\">" + many + "</emitter></scene>");
+  CHECK(!found.empty());
+  // A quadratic one takes minutes.
+  CHECK(std::chrono::steady_clock::now() - begin < std::chrono::seconds(20));
 }
 
 TEST_CASE("files are looked for in the current folder last, within --root") {
