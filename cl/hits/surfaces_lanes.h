@@ -102,13 +102,13 @@ FN void rays_leaving_w(const Surfaces_w* s, maskw which, real3w d, realw t_max, 
   rays->is_outward = sel_int_w(is_outward, splat_int_w(1), splat_int_w(0));
 }
 
-/// As rays_leaving_w, of rays that go straight on behind the surfaces `passed`. Two that lie on one another are met once
-/// each: by rounding, a ray that has come from one to the other at once could meet both in turns without an end, so it
-/// goes on from a little farther.
+/// As rays_leaving_w, of rays that go straight on behind the surfaces `passed`. Two that lie on one another are met
+/// once each: by rounding, a ray that has come from one to the other at once could meet both in turns without an end,
+/// so it goes on from a little farther.
 FN void rays_passing_w(const Surfaces_w* s, maskw which, maskw passed, real3w d, realw t_max, Rays_w* rays) {
   rays_leaving_w(s, which, d, t_max, rays);
-  realw off = splat_w(REAL_BITS == 64 ? R(0x1p-50) : R(0x1p-21)) *
-              largest_of_w(s->position.x, s->position.y, s->position.z);
+  realw off =
+      splat_w(REAL_BITS == 64 ? R(0x1p-50) : R(0x1p-21)) * largest_of_w(s->position.x, s->position.y, s->position.z);
   maskw is_at_once = passed & le_w(s->t, off);
   if (!any_w(is_at_once)) return;
   for (int k = 0; k < 3; ++k) {

@@ -20,9 +20,13 @@ WriteReport write_pfm(const Image& image, const std::string& path);
 [[nodiscard]] Image read_pfm(const std::string& path, const std::string& bytes);
 /// The display window, with the numbers that the file has.
 [[nodiscard]] Image read_exr(const std::string& path, const std::string& bytes);
+struct ExrTexture {
+  Image image;
+  int parts = 1;  ///< Of the file; the image is the first.
+};
 /// The data window, as Mitsuba 3 takes it for textures; colours of Rec. 709, also from X, Y and Z and from other
-/// primaries.
-[[nodiscard]] Image read_exr_texture(const std::string& path, const std::string& bytes);
+/// primaries. Names of channels in lower case are those in upper case.
+[[nodiscard]] ExrTexture read_exr_texture(const std::string& path, const std::string& bytes);
 
 /// The most values that a file may claim.
 struct ClaimLimit {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // OpenEXR reader: one part, scan lines or tiles, any compression; half and unsigned channels become floats.
-// A picture is the display window; where the data window does not reach, it is 0. A texture is the data window.
+// A picture is the display window; where the data window does not reach, it is 0. A texture is the data window, of
+// several parts the first one's.
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
@@ -12,6 +13,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cstring>
 #include <tuple>
 
@@ -49,13 +51,21 @@ class InputStream : public Imf::IStream {
   std::uint64_t position_ = 0;
 };
 
+/// "l.R" of "l.r": channels of colours are also written in lower case.
+std::string in_capitals(const std::string& name) {
+  const std::size_t base = name.rfind('.') + 1;
+  static const std::string letters = "rgbaxyz";
+  if (name.size() != base + 1 || letters.find(name[base]) == std::string::npos) return name;
+  return name.substr(0, base) + static_cast<char>(std::toupper(static_cast<unsigned char>(name[base])));
+}
+
 /// OpenEXR lists channels by alphabet; a picture has R G B A, layer by layer.
 std::vector<std::string> channel_order(const Imf::ChannelList& channels) {
   std::vector<std::string> names;
   for (auto it = channels.begin(); it != channels.end(); ++it) names.emplace_back(it.name());
   const auto key = [](const std::string& name) {
     const std::size_t base = name.rfind('.') + 1;
-    const std::string channel = name.substr(base);
+    const std::string channel = in_capitals(name).substr(base);
     static const std::string order[] = {"R", "G", "B"};
     const auto rank = channel == "A" ? 4 : std::find(std::begin(order), std::end(order), channel) - std::begin(order);
     return std::tuple(name.substr(0, base), rank, channel);
@@ -76,10 +86,11 @@ std::map<std::string, std::string> metadata_of(const Imf::Header& header) {
   return metadata;
 }
 
-void check_readable(const Imf::MultiPartInputFile& file, const std::string& path) {
+void check_readable(const Imf::MultiPartInputFile& file, const std::string& path, ExrUse use) {
   const Imf::Header& header = file.header(0);
   const auto reject = [&path](const std::string& why) { throw InputError(fmt::format("\"{}\": {}", path, why)); };
-  if (file.parts() != 1) reject(fmt::format("an OpenEXR file of {} parts; extract one into a file", file.parts()));
+  if (file.parts() != 1 && use == ExrUse::picture)
+    reject(fmt::format("an OpenEXR file of {} parts; extract one into a file", file.parts()));
   if (header.hasType() && Imf::isDeepData(header.type())) reject("deep OpenEXR files are not read; flatten it first");
   for (auto it = header.channels().begin(); it != header.channels().end(); ++it) {
     if (it.channel().xSampling != 1 || it.channel().ySampling != 1) {
@@ -99,7 +110,7 @@ ClaimLimit display_claim(const Imath::Box2i& window, std::size_t channels) {
 }
 
 Image decode(Imf::MultiPartInputFile& file, const std::string& path, std::size_t file_bytes, ExrUse use) {
-  check_readable(file, path);
+  check_readable(file, path, use);
   const Imf::Header& header = file.header(0);
   const Imath::Box2i window = header.dataWindow();
   const Imath::Box2i display = use == ExrUse::texture ? window : header.displayWindow();
@@ -135,7 +146,12 @@ Image decode(Imf::MultiPartInputFile& file, const std::string& path, std::size_t
     stored.data.resize(stored.index(0, end, 0));
     part.readPixels(window.min.y + y, window.min.y + end - 1);
   }
-  if (use == ExrUse::texture) convert_to_rec_709(stored, header);
+  if (use == ExrUse::texture) {
+    for (std::string& channel : stored.channels)
+      if (std::ranges::find(stored.channels, in_capitals(channel)) == stored.channels.end())
+        channel = in_capitals(channel);
+    convert_to_rec_709(stored, header);
+  }
   if (window == display) return stored;
 
   Image image = blank(display);
@@ -151,12 +167,12 @@ Image decode(Imf::MultiPartInputFile& file, const std::string& path, std::size_t
   return image;
 }
 
-Image read(const std::string& path, const std::string& bytes, ExrUse use) {
+ExrTexture read(const std::string& path, const std::string& bytes, ExrUse use) {
   try {
     require_attributes_fit(bytes);
     InputStream stream(bytes, path);
     Imf::MultiPartInputFile file(stream);
-    return decode(file, path, bytes.size(), use);
+    return {decode(file, path, bytes.size(), use), file.parts()};
   } catch (const Error&) {
     throw;
   } catch (const std::exception& e) {
@@ -166,8 +182,10 @@ Image read(const std::string& path, const std::string& bytes, ExrUse use) {
 
 }  // namespace
 
-Image read_exr(const std::string& path, const std::string& bytes) { return read(path, bytes, ExrUse::picture); }
+Image read_exr(const std::string& path, const std::string& bytes) { return read(path, bytes, ExrUse::picture).image; }
 
-Image read_exr_texture(const std::string& path, const std::string& bytes) { return read(path, bytes, ExrUse::texture); }
+ExrTexture read_exr_texture(const std::string& path, const std::string& bytes) {
+  return read(path, bytes, ExrUse::texture);
+}
 
 }  // namespace strahl

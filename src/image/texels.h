@@ -30,6 +30,7 @@ struct Texels {
   std::vector<std::int32_t> words;  ///< Empty of `real`.
   std::vector<float> reals;         ///< Of `real`: 1 or 3 a texel.
   std::string doubt;                ///< What the file's decoder warned of, though there is a picture; else empty.
+  std::string left_out;             ///< What of the file the image has not; else empty.
   std::size_t repaired = 0;         ///< Texels that were negative or no number (now 0) or infinite (now the largest).
 
   [[nodiscard]] std::size_t count() const { return static_cast<std::size_t>(width) * static_cast<std::size_t>(height); }

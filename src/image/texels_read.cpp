@@ -69,13 +69,20 @@ Texels texels_of_image(Image image, const std::string& path) {
   return repaired_texels(image.width, image.height, static_cast<int>(colours.size()), std::move(image.data));
 }
 
+Texels read_exr_texels(const std::string& path, const std::string& bytes) {
+  ExrTexture texture = read_exr_texture(path, bytes);
+  Texels texels = texels_of_image(std::move(texture.image), path);
+  if (texture.parts > 1) texels.left_out = fmt::format("it has {} parts, of which the first is read", texture.parts);
+  return texels;
+}
+
 Texels read_by_first_bytes(const std::string& path) {
   using namespace std::string_view_literals;
   const std::string bytes = read_file(path);
   const auto begins = [&](std::string_view start) { return std::string_view(bytes).starts_with(start); };
   if (begins("\x89PNG\r\n\x1a\n"sv)) return read_png_texels(path, bytes);
   if (begins("\xff\xd8\xff"sv)) return read_jpeg_texels(path, bytes);
-  if (begins("\x76\x2f\x31\x01"sv)) return texels_of_image(read_exr_texture(path, bytes), path);
+  if (begins("\x76\x2f\x31\x01"sv)) return read_exr_texels(path, bytes);
   if (begins("PF"sv) || begins("Pf"sv)) return texels_of_image(read_pfm(path, bytes), path);
   if (begins("#?"sv) || begins("BM"sv) || is_stb_image(bytes)) return read_stb_texels(path, bytes);
   throw InputError(fmt::format(

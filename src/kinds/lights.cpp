@@ -151,7 +151,8 @@ struct Row<ProjectorLight> {
   }
   static void check(const ProjectorLight& light, Faults& faults) {
     faults.require(is_finite(light.position), "the position must be finite");
-    faults.require(is_orthonormal(light.axes), "to_world of a projector must be a rotation; it may move and scale");
+    faults.require(is_orthonormal(light.axes),
+                   "to_world of a projector must keep right angles; it may turn, move, mirror and scale");
     require_light(faults, light.irradiance, "irradiance");
     const auto is_width = [](double x) { return std::isfinite(x) && x > 0; };
     faults.require(is_width(light.tan_x) && is_width(light.tan_y),

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <limits>
 #include <optional>
+#include <set>
 #include <variant>
 
 #include "kinds/entries.h"
@@ -68,6 +69,38 @@ std::optional<std::string> emptiness(const Scene& scene) {
       must_be_seen ? " that is seen" : "", scene.integrator.name);
 }
 
+/// Emitters of sampling_weight 0 whose light whitted shows to the camera alone: it draws places on emitters and no
+/// directions.
+std::vector<SourceLocation> undrawn_and_seen(const Scene& scene) {
+  std::vector<SourceLocation> seen;
+  if (kinds::integrator(scene.integrator.name).follows != kinds::Follows::mirrors) return seen;
+  for (const Light& light : scene.lights)
+    if (light.sampling_weight == 0 && kinds::light_glows(light)) seen.push_back(light.where);
+  for (const Shape& shape : scene.shapes)
+    if (shape.sampling_weight == 0 && emits_light(shape) && !area_kind(shape.geometry).empty())
+      seen.push_back(shape.radiance_where);
+  return seen;
+}
+
+/// Those of the scene's shapes, behind others too, that reflect and transmit nothing but along single directions.
+std::set<int> mirrors_of(const Scene& scene) {
+  std::set<int> on_shapes;
+  const auto add = [&](int material) {
+    for (; material >= 0 && on_shapes.insert(material).second;)
+      material = scene.materials[static_cast<std::size_t>(material)].back;
+  };
+  for_each_shape(scene, [&](const Shape& shape) {
+    const auto* mesh = std::get_if<Mesh>(&shape.geometry);
+    if (mesh == nullptr || mesh->parts.empty()) return add(shape.material);
+    for (const MeshPart& part : mesh->parts) add(part.material);
+  });
+  std::erase_if(on_shapes, [&](int material) {
+    const int lobes = lobes_of(scene, scene.materials[static_cast<std::size_t>(material)]);
+    return (lobes & lobes::LOBE_DELTA) == 0 || (lobes & (lobes::LOBE_DIFFUSE | lobes::LOBE_GLOSSY)) != 0;
+  });
+  return on_shapes;
+}
+
 /// Emitters of sampling_weight 0 that no ray from the camera finds either.
 std::vector<SourceLocation> undrawn_and_unhit(const Scene& scene) {
   const kinds::IntegratorFacts& integrator = kinds::integrator(scene.integrator.name);
@@ -118,10 +151,15 @@ std::vector<Diagnostic> limitations(const Scene& scene) {
   const bool is_direct = follows == kinds::Follows::one_way, is_whitted = follows == kinds::Follows::mirrors;
   if (!(is_direct || is_whitted) || (scene.integrator.max_depth >= 0 && scene.integrator.max_depth < 2))
     return warnings;
-  for (const Material& material : scene.materials)
-    if (material_facts(material).has_lobe(lobes::LOBE_DELTA) && is_direct)
-      warn(material.where,
+  // Of two surfaces on a path no mirror shows the other.
+  if (is_direct && scene.integrator.max_depth != 2)
+    for (const int material : mirrors_of(scene))
+      warn(scene.materials[static_cast<std::size_t>(material)].where,
            "this material shows emitters alone: integrator direct does not follow mirrors and glass, whitted does");
+  for (const SourceLocation& seen : undrawn_and_seen(scene))
+    warn(seen,
+         "this emitter is seen but does not light the scene: its sampling_weight is 0, so that integrator whitted "
+         "never draws it; give it a weight above 0, or take direct or path, which find it");
   for (const Shape& shape : scene.shapes)
     if (emits(shape) && is_whitted && area_kind(shape.geometry).empty())
       warn(shape.radiance_where.line > 0 ? shape.radiance_where : shape.where,

@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "kinds/lights.h"
 #include "kinds/materials.h"
 #include "scene/beams.h"
 #include "scene/unseen.h"
@@ -44,6 +45,13 @@ bool is_convex(const Shape& shape, const Material& material, const Scene& scene)
   return !any_inside(scene, material, [](const Material& inside) { return inside.twosided; });
 }
 
+/// They shine under direct, which takes all lamps, and not under path, which draws them.
+bool has_undrawn_lamps(const Scene& scene) {
+  return std::ranges::any_of(scene.lights, [](const Light& light) {
+    return light.sampling_weight == 0 && kinds::light(light).is_delta && kinds::gives_light(light);
+  });
+}
+
 struct IntegratorChoice {
   const char* name;
   const char* why;
@@ -74,6 +82,8 @@ IntegratorChoice integrator_for(const Scene& scene) {
   if (reflecting.empty() && !is_open) return {"emission", "no surface reflects light"};
   if (has_beams_alone(scene))
     return {"ptracer", "all light leaves its places in one direction each, so that only paths from there find it"};
+  if (has_undrawn_lamps(scene))
+    return {"path", "a lamp has a sampling_weight of 0, and direct would take it all the same"};
   if (scene.integrator.max_depth == 2) return {"direct", "max_depth lets light be reflected once"};
   if (is_open) return {"path", "light goes on through masks"};
   if (reflecting.size() == 1 && scene.groups.empty()) {

@@ -95,6 +95,7 @@ std::vector<std::string> integrator_misses(const Scene& scene) {
              is_whitted = facts.follows == kinds::Follows::mirrors;
   if (is_direct || is_whitted) {
     Scene whole = scene;
+    for (Light& light : whole.lights) light.sampling_weight = 1;  // Of 0 it is a reason for path that misses nothing.
     choose_integrator(whole);
     if (kinds::integrator(whole.integrator.name).follows == kinds::Follows::paths)
       misses.emplace_back(is_direct ? "light that surfaces reflect more than once"

@@ -56,7 +56,8 @@ Scene scene_of_mesh(const std::string& path, const LoadOptions& options, Diagnos
   shape.where = {path};
   if (file.mesh.triangles.empty()) diagnostics.error({path}, "has no triangles");
   ImageFiles images;
-  add_mesh_materials(file, false, shape, scene, images, diagnostics);
+  add_mesh_materials(file, {}, shape, scene, images, diagnostics);
+  file.mesh.attributes.clear();  // No texture shows them.
   if (lower_case_extension(path) == ".obj") flip_tex_coords(file.mesh);
   shape.geometry = std::move(file.mesh);
   scene.shapes.push_back(std::move(shape));

@@ -3,13 +3,18 @@
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
+#include <ImfMultiPartOutputFile.h>
 #include <ImfOutputFile.h>
+#include <ImfOutputPart.h>
+#include <ImfPartType.h>
 #include <ImfStandardAttributes.h>
 
 #include <array>
 #include <catch2/catch.hpp>
 #include <optional>
+#include <vector>
 
+#include "image/image_io.h"
 #include "image/temporary_folder.h"
 #include "image/texels.h"
 
@@ -55,6 +60,42 @@ void require_close(const Value& found, const Value& expected) {
 
 TEST_CASE("the data window of an OpenEXR texture is the image") {
   require_close(read_back({"R", "G", "B"}, {0.5F, 0.25F, 2}), {0.5, 0.25, 2});
+}
+
+TEST_CASE("names of channels in lower case are the same channels, as in Mitsuba") {
+  require_close(read_back({"r", "g", "b"}, {0.5F, 0.25F, 2}), {0.5, 0.25, 2});
+  require_close(read_back({"l.r", "l.g", "l.b"}, {0.5F, 0.25F, 2}), {0.5, 0.25, 2});
+  require_close(read_back({"x", "y", "z"}, {0.41239F, 0.21264F, 0.01933F}), {1, 0, 0});
+  require_close(read_back({"y", "a", "depth"}, {0.5F, 1, 7}), {0.5, 0.5, 0.5});
+}
+
+TEST_CASE("of several parts the first is the image, which is told") {
+  const TemporaryFolder folder;
+  const std::string path = folder / "a.exr";
+  std::array<float, 2> values{0.25F, 0.75F};
+  std::vector<Imf::Header> headers;
+  for (const char* name : {"first", "second"}) {
+    Imf::Header header(1, 1);
+    header.setName(name);
+    header.setType(Imf::SCANLINEIMAGE);
+    header.channels().insert("Y", Imf::Channel(Imf::FLOAT));
+    headers.push_back(header);
+  }
+  {
+    Imf::MultiPartOutputFile file(path.c_str(), headers.data(), 2);
+    for (int k = 0; k < 2; ++k) {
+      Imf::FrameBuffer pixels;
+      pixels.insert("Y",
+                    Imf::Slice::Make(Imf::FLOAT, &values.at(static_cast<std::size_t>(k)), headers[0].dataWindow()));
+      Imf::OutputPart part(file, k);
+      part.setFrameBuffer(pixels);
+      part.writePixels(1);
+    }
+  }
+  const Texels texels = read_texels(path);
+  CHECK(TexelDecoder(texels, {})(0)[0] == 0.25);
+  CHECK(texels.left_out == "it has 2 parts, of which the first is read");
+  CHECK_THROWS_WITH(read_image(path), Catch::Contains("2 parts; extract one"));
 }
 
 TEST_CASE("X, Y and Z are colours") {

@@ -210,6 +210,11 @@ TEST_CASE("max_depth counts as Mitsuba does, and hide_emitters hides what emits"
     CHECK(value(depth, false) == Approx(2 + reflected).epsilon(1e-6));
     CHECK(value(depth, true) == 0);
   }
+  scene.integrator.name = "emission";
+  CHECK(value(0, false) == 0);
+  CHECK(value(1, false) == 2);
+  CHECK(value(-1, false) == 2);
+  scene.integrator.name = "direct";
   scene.shapes.push_back(stage({Plane{{0, 0, -3}, {0, 0, 1}, {1, 0, 0}, {0, 1, 0}}}).shapes[0]);
   scene.lights[0] = light(PointLight{{0, 0, -1}, {1, 1, 1}});
   CHECK(value(2, true) > 0);

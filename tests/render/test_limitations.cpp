@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A picture that will be empty is told before it is rendered; one that will not is not.
 #include <algorithm>
+#include <array>
 #include <catch2/catch.hpp>
 
 #include "render/limitations.h"
@@ -97,6 +98,80 @@ TEST_CASE("a lamp that no ray hits and that is never drawn is named") {
   CHECK(names_shape("bdpt", true));
   CHECK_FALSE(names_shape("bdpt", false));
   CHECK_FALSE(names_shape("path", false));
+}
+
+TEST_CASE("an emitter that whitted never draws is seen and does not light") {
+  const auto warning = [](const char* integrator, double weight, const auto& put) {
+    Scene scene = scene_of(integrator);
+    put(scene, weight);
+    for (const Diagnostic& one : limitations(scene))
+      if (one.message.find("its sampling_weight is 0") != std::string::npos) return one.message;
+    return std::string();
+  };
+  const auto area = [](Scene& scene, double weight) {
+    scene.shapes.front().radiance = Rgb{1, 1, 1};
+    scene.shapes.front().sampling_weight = weight;
+  };
+  const auto sky = [](Scene& scene, double weight) { scene.lights.push_back({"", ConstantLight{}, {}, weight}); };
+  const auto black = [](Scene& scene, double weight) {
+    scene.lights.push_back({"", ConstantLight{{0, 0, 0}}, {}, weight});
+  };
+  const auto lost = [&](const char* integrator, double weight) {
+    return std::array{warning(integrator, weight, area), warning(integrator, weight, sky)};
+  };
+  for (const std::string& said : lost("whitted", 0)) CHECK_THAT(said, Catch::Contains("is seen but does not light"));
+  for (const std::string& said : lost("whitted", 0.5)) CHECK(said.empty());
+  for (const std::string& said : lost("direct", 0)) CHECK(said.empty());
+  for (const std::string& said : lost("path", 0)) CHECK(said.empty());
+  CHECK(warning("whitted", 0, black).empty());
+}
+
+TEST_CASE("direct names materials of shapes that it shows as nothing but emitters' images, and whitted as the way") {
+  Material mirror, plastic, glass, blend;
+  mirror.bsdf = Conductor{};
+  plastic.bsdf = Plastic{};
+  glass.bsdf = Dielectric{};
+  const auto named = [](Scene scene, int max_depth, const char* integrator) {
+    scene.integrator.name = integrator;
+    scene.integrator.max_depth = max_depth;
+    std::vector<int> lines;
+    for (const Diagnostic& one : limitations(scene))
+      if (one.message.find("this material shows emitters alone") != std::string::npos) lines.push_back(one.where.line);
+    return lines;
+  };
+  Scene scene = scene_of("direct");
+  scene.lights.push_back({"", PointLight{}, {}});
+  scene.materials = {Material{}, mirror, plastic, glass, mirror};
+  Blend half;
+  half.first = 1;
+  half.second = 0;
+  blend.bsdf = half;
+  scene.materials.push_back(blend);
+  half.second = 3;
+  blend.bsdf = half;
+  scene.materials.push_back(blend);
+  for (std::size_t i = 0; i < scene.materials.size(); ++i) scene.materials[i].where.line = static_cast<int>(i);
+  CHECK(named(scene, -1, "direct").empty());
+  for (const int material : {0, 1, 2, 5, 6}) {
+    scene.shapes.emplace_back().geometry = Sphere{};
+    scene.shapes.back().material = material;
+  }
+  Mesh mesh;
+  mesh.parts.push_back({3, {}});
+  scene.shapes.emplace_back().geometry = mesh;
+  CHECK(named(scene, -1, "direct") == std::vector<int>{1, 3, 6});
+  CHECK(named(scene, 3, "direct") == std::vector<int>{1, 3, 6});
+  CHECK(named(scene, 2, "direct").empty());
+  CHECK(named(scene, -1, "whitted").empty());
+  // In a group, and behind another surface.
+  Scene placed = scene_of("direct");
+  placed.materials = {Material{}, mirror};
+  placed.materials[0].back = 1;
+  placed.materials[1].where.line = 1;
+  CHECK(named(placed, -1, "direct") == std::vector<int>{1});
+  placed.materials[0].back = -1;
+  placed.groups.emplace_back().shapes.emplace_back().material = 1;
+  CHECK(named(placed, -1, "direct") == std::vector<int>{1});
 }
 
 TEST_CASE("beams are named where the integrator cannot find them") {

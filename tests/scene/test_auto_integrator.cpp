@@ -67,6 +67,23 @@ TEST_CASE("where all light is in beams it is ptracer, but for media") {
   CHECK(lit_by(beam + shape_of("cube", "<medium type=\"homogeneous\" name=\"interior\"/>")) == "volpath");
 }
 
+TEST_CASE("a lamp that is never drawn has no light by path, so it is not direct, which takes all") {
+  const auto lit_by = [](const std::string& weight, const std::string& depth) {
+    return load_body("<integrator type=\"auto\"><integer name=\"max_depth\" value=\"" + depth +
+                     "\"/></integrator><emitter type=\"point\"><float name=\"sampling_weight\" value=\"" + weight +
+                     "\"/></emitter>" + lamp + shape_of("rectangle"))
+        .scene.integrator.name;
+  };
+  for (const char* depth : {"-1", "2"}) {
+    CHECK(lit_by("0", depth) == "path");
+    CHECK(lit_by("0.5", depth) == "direct");
+  }
+  const std::string unseen = "<float name=\"sampling_weight\" value=\"0\"/>";
+  CHECK(
+      load_body("<emitter type=\"constant\">" + unseen + "</emitter>" + shape_of("rectangle")).scene.integrator.name ==
+      "direct");
+}
+
 TEST_CASE("max_depth counts, and a name is obeyed") {
   const auto with_depth = [](const std::string& depth) {
     return chosen("<integrator type=\"auto\"><integer name=\"max_depth\" value=\"" + depth + "\"/></integrator>" +

@@ -200,6 +200,46 @@ TEST_CASE("a spot has a cone") {
           0);
 }
 
+TEST_CASE("to_world of a spot and a projector may scale, as in Mitsuba") {
+  const auto light = [](const std::string& type, const std::string& steps) {
+    return load_body("<emitter type=\"" + type + "\"><transform name=\"to_world\">" + steps + "</transform></emitter>");
+  };
+  const auto emitter = [&](const std::string& type, const std::string& steps) {
+    const LoadedScene loaded = light(type, steps);
+    CHECK(shortened(loaded.warnings).empty());
+    return loaded.scene.lights.at(0).emitter;
+  };
+  for (const char* same : {"<scale value=\"3\"/><rotate x=\"1\" angle=\"50\"/>", "<scale x=\"-1\"/>"}) {
+    CHECK(std::get<SpotLight>(emitter("spot", same)).cutoff_degrees == 20);
+    CHECK(std::get<SpotLight>(emitter("spot", same)).intensity == Rgb{1, 1, 1});
+  }
+  const std::string shear = "<matrix value=\"1 0 0 0 1 0.5 0 0 1\"/>";
+  for (const std::string& distorting : {std::string("<scale x=\"2\"/>"), std::string("<scale z=\"2\"/>"), shear}) {
+    INFO(distorting);
+    const LoadedScene loaded = light("spot", distorting);
+    REQUIRE(loaded.warnings.size() == 1);
+    CHECK_THAT(loaded.warnings[0].message, Catch::Contains("the cone stays round"));
+  }
+  // Mitsuba 3.9.1: the middle is 1, 2, 1 and 2 times as bright, and the picture 1, 1, 2 and 1/2 times as wide.
+  const auto plain = std::get<ProjectorLight>(emitter("projector", "<scale x=\"-1\"/>"));
+  const auto large = std::get<ProjectorLight>(emitter("projector", "<scale value=\"2\"/>"));
+  const auto wide = std::get<ProjectorLight>(emitter("projector", "<scale x=\"2\"/>"));
+  const auto narrow = std::get<ProjectorLight>(emitter("projector", "<scale z=\"2\"/><rotate y=\"1\" angle=\"9\"/>"));
+  CHECK(plain.irradiance == Rgb{1, 1, 1});
+  CHECK(large.irradiance == Rgb{2, 2, 2});
+  CHECK(large.tan_x == Approx(plain.tan_x).epsilon(1e-14));
+  CHECK(wide.irradiance == Rgb{1, 1, 1});
+  CHECK(wide.tan_x == Approx(2 * plain.tan_x).epsilon(1e-14));
+  CHECK(wide.tan_y == Approx(plain.tan_y).epsilon(1e-14));
+  CHECK(narrow.irradiance.g == Approx(2).epsilon(1e-14));
+  CHECK(narrow.tan_x == Approx(plain.tan_x / 2).epsilon(1e-14));
+  CHECK(narrow.tan_y == Approx(plain.tan_y / 2).epsilon(1e-14));
+  CHECK_THAT(
+      problems(around("<emitter type=\"projector\"><transform name=\"to_world\">" + shear + "</transform></emitter>"))
+          .at(0),
+      Catch::Contains("must keep right angles"));
+}
+
 TEST_CASE("a scene without sensor is framed along -z") {
   const Scene scene = load_text(
                           "<scene version=\"3.0.0\"><shape type=\"box\"><point name=\"min\" value=\"1 2 3\"/><point "

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // <default>, $name, -D, <include>, <alias>, and the names of Mitsuba 0.x.
 #include <catch2/catch.hpp>
+#include <chrono>
+#include <filesystem>
 
 #include "scene/scene_text.h"
 #include "scene/xml/xml_upgrade.h"
@@ -65,6 +67,63 @@ TEST_CASE("a chain of defaults cannot grow without bound") {
   const std::vector<std::string> found = problems(around(body));
   REQUIRE(!found.empty());
   CHECK(found[0].find("longer than 65536 bytes") != std::string::npos);
+}
+
+TEST_CASE("what all texts together grow by has a limit") {
+  std::string body = "<default name=\"x\" value=\"" + std::string(60000, 'a') + "\"/>";
+  for (int i = 0; i < 2000; ++i) body += "<default name=\"y" + std::to_string(i) + "\" value=\"$x\"/>\n";
+  const std::vector<std::string> found = problems(around(body));
+  REQUIRE(found.size() == 1);
+  CHECK_THAT(found[0],
+             Catch::Contains("error: the values of $names make the scene longer by more than 67108864 bytes"));
+  CHECK(problems(around("<default name=\"x\" value=\"a\"/><shape type=\"sphere\" id=\"$x\"/>")).empty());
+}
+
+TEST_CASE("a parameter that is repeated very often is read in no time") {
+  std::string many;
+  for (int i = 0; i < 200000; ++i) many += "<float name=\"p" + std::to_string(i) + "\" value=\"1\"/>";
+  const auto begin = std::chrono::steady_clock::now();
+  const std::vector<std::string> found =
+      problems("<scene version=\"0.6.0\"><emitter type=\"piont\">" + many + "</emitter></scene>");
+  CHECK(!found.empty());
+  // A quadratic one takes minutes.
+  CHECK(std::chrono::steady_clock::now() - begin < std::chrono::seconds(20));
+}
+
+TEST_CASE("files are looked for in the current folder last, within --root") {
+  const SceneFolder folder;
+  const std::filesystem::path before = std::filesystem::current_path();
+  const auto load = [&](const std::string& file, const std::string& root) {
+    std::filesystem::current_path(folder.path("here"));
+    LoadOptions options;
+    options.root = root;
+    std::vector<std::string> found;
+    try {
+      found = shortened(load_scene(folder.path("there/scene.xml"), options).warnings);
+      const Scene scene = load_scene(folder.path("there/scene.xml"), options).scene;
+      CHECK(primitive_count(scene.shapes.at(0)) == (file == "b.obj" ? 2 : 1));
+    } catch (const SceneError& error) {
+      found = shortened(error.diagnostics());
+    }
+    std::filesystem::current_path(before);
+    return found;
+  };
+  const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+  folder.write("here/models/a.obj", triangle);
+  folder.write("here/b.obj", triangle);
+  folder.write("there/b.obj", triangle + "f 1 3 2\n");
+  const auto scene = [&](const std::string& file) {
+    folder.write("there/scene.xml",
+                 around("<shape type=\"obj\"><string name=\"filename\" value=\"" + file + "\"/></shape>"));
+  };
+  scene("models/a.obj");
+  CHECK(load("models/a.obj", "").empty());
+  CHECK(load("models/a.obj", folder.path("")).empty());
+  CHECK_THAT(load("models/a.obj", folder.path("there")).at(0), Catch::Contains("it lies outside of --root"));
+  scene("b.obj");
+  CHECK(load("b.obj", "").empty());
+  scene("c.obj");
+  CHECK_THAT(load("c.obj", "").at(0), Catch::Contains(folder.path("there/c.obj")));
 }
 
 TEST_CASE("includes share names and count paths from their own folder") {

@@ -67,6 +67,8 @@ TEST_CASE("what integrators leave out by what they are is missed, where there is
   for (const char* finds : {"path", "ptracer", "bdpt"}) CHECK(misses(finds, sky + floor_shape + floor_shape).empty());
   for (const char* once : {"direct", "whitted"}) {
     CHECK(misses(once, sky + floor_shape).empty());
+    const std::string undrawn = "<emitter type=\"point\"><float name=\"sampling_weight\" value=\"0\"/></emitter>";
+    CHECK(misses(once, undrawn + floor_shape).empty());
     REQUIRE(misses(once, sky + floor_shape + floor_shape).size() == 1);
     CHECK(misses(once, sky + floor_shape + floor_shape)[0].find("more than once") != std::string::npos);
   }

@@ -121,6 +121,51 @@ TEST_CASE("daylight has the parameters of Mitsuba 3 and of 0.x") {
   CHECK(night.scene.lights.size() == 1);
 }
 
+TEST_CASE("every number of a time and a place counts") {
+  const auto number = [](const std::string& type, const std::string& name, double value) {
+    return "<" + type + " name=\"" + name + "\" value=\"" + std::to_string(value) + "\"/>";
+  };
+  const auto lights = [](const std::string& inside) {
+    return load_body("<emitter type=\"sunsky\">" + inside + "</emitter>").scene.lights;
+  };
+  const auto day = [](int year, int month, int number_of_day) {
+    return "<integer name=\"year\" value=\"" + std::to_string(year) + "\"/><integer name=\"month\" value=\"" +
+           std::to_string(month) + "\"/><integer name=\"day\" value=\"" + std::to_string(number_of_day) + "\"/>";
+  };
+  const std::string place =
+      number("float", "latitude", 48.1) + number("float", "longitude", 11.6) + number("float", "timezone", 2);
+  const auto sun = [&](const std::string& inside) {
+    const Vec3 towards = std::get<SunLight>(lights(inside).at(0).emitter).direction;
+    return Vec3{-towards.y, towards.z, towards.x};  // East, up, south of south, west, up.
+  };
+  const DayAndPlace when{2024, 5, 3, 9.5125, 48.1, 11.6, 2};
+  const std::string at = number("float", "hour", 9) + number("float", "minute", 30) + number("float", "second", 45);
+  CHECK(degrees_between(sun(day(2024, 5, 3) + at + place), direction_of_sun(when)) < 1e-3);
+  // Munich, the 3rd of May 2024, 9:30:45 of summer time: 38 degrees high in the east-south-east.
+  CHECK(std::asin(direction_of_sun(when).y) * 180 / std::numbers::pi == Approx(36).margin(3));
+  for (const DayAndPlace& other :
+       {DayAndPlace{2023, 5, 3, 9.5125, 48.1, 11.6, 2}, DayAndPlace{2024, 6, 3, 9.5125, 48.1, 11.6, 2},
+        DayAndPlace{2024, 5, 13, 9.5125, 48.1, 11.6, 2}, DayAndPlace{2024, 5, 3, 9.6, 48.1, 11.6, 2},
+        DayAndPlace{2024, 5, 3, 9.5125, 11.6, 48.1, 2}, DayAndPlace{2024, 5, 3, 9.5125, 48.1, 11.6, 1}})
+    CHECK(degrees_between(direction_of_sun(when), direction_of_sun(other)) > 0.01);
+  const std::vector<Light> wide = lights(number("float", "sun_aperture", 2) + number("float", "sky_scale", 5));
+  CHECK(std::get<SunLight>(wide.at(0).emitter).aperture_degrees == 2);
+  CHECK(std::get<EnvironmentLight>(wide.at(1).emitter).scale == Rgb{5, 5, 5});
+}
+
+TEST_CASE("days that no calendar has are errors that name the range") {
+  const auto fault = [](const std::string& name, const std::string& value) {
+    const std::vector<std::string> found = problems(
+        around("<emitter type=\"sunsky\">\n<integer name=\"" + name + "\" value=\"" + value + "\"/></emitter>"));
+    REQUIRE(found.size() == 1);
+    return found[0];
+  };
+  CHECK(fault("month", "0") == "3:1: error: \"month\" is 0; it must lie in [1, 12]");
+  CHECK(fault("month", "13") == "3:1: error: \"month\" is 13; it must lie in [1, 12]");
+  CHECK(fault("day", "0") == "3:1: error: \"day\" is 0; it must lie in [1, 31]");
+  CHECK(fault("day", "2147483647") == "3:1: error: \"day\" is 2147483647; it must lie in [1, 31]");
+}
+
 /// Mitsuba: local_sun_dir = to_world.inverse() * sun_direction; to_world turns the sky around a sun that stays.
 TEST_CASE("sun_direction is of the world, a sun of a time is turned with the sky") {
   const std::string turn = "<transform name=\"to_world\"><rotate x=\"1\" angle=\"60\"/></transform>";

@@ -184,6 +184,11 @@ TEST_CASE("unused vertices are left out, bad ones with a warning; skipped faces 
       "first)\n");
 }
 
+TEST_CASE("elements of a text may wrap over lines, as in Mitsuba") {
+  const TempFolder folder;
+  check_square(read_mesh(folder.write("a.ply", square_header + "0 0 0\n1\n0 0\n1 1\n\n0\n0 1 0\n4\n0 1\n 2 3\n")));
+}
+
 TEST_CASE("what is too much is a warning") {
   const TempFolder folder;
   const MeshFile text =

@@ -88,6 +88,8 @@ TEST_CASE("faults of the text") {
         "a.ply:11:4: error: the line ends before all values that the header names\n");
   CHECK(fault(vertices + "\n\n      \n") ==
         "a.ply:16:1: error: the file ends before the elements that its header promises\n");
+  CHECK(fault("0 0 0\n1 0 0\n0 1 0\n3 0\n1\n") ==
+        "a.ply:15:1: error: the file ends before the elements that its header promises\n");
   CHECK(fault("0 0 0\n1 0 x\n0 1 0\n3 0 1 2\n") == "a.ply:11:5: error: \"x\" is not a number\n");
   CHECK(fault(vertices + "3 0 1 3\n") ==
         "a.ply:13:7: error: vertex index 3 is out of range: there are 3, counted from 0\n");

@@ -9,13 +9,13 @@
 
 namespace strahl {
 
-MeshFile read_mesh(const std::string& path, const MeshProgress& progress) {
+MeshFile read_mesh(const std::string& path, const MeshProgress& progress, MeshNormals normals) {
   std::string extension = std::filesystem::path(path).extension().string();
   std::ranges::transform(extension, extension.begin(),
                          [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-  if (extension == ".obj") return read_obj(path, progress);
-  if (extension == ".ply") return read_ply(path, progress);
-  if (extension == ".serialized") return read_serialized(path, 0, progress);
+  if (extension == ".obj") return read_obj(path, progress, normals);
+  if (extension == ".ply") return read_ply(path, progress, normals);
+  if (extension == ".serialized") return read_serialized(path, 0, progress, normals);
   throw SceneError({{Severity::error,
                      {path},
                      fmt::format("extension \"{}\" is no mesh format that is read; use .obj, "

@@ -19,6 +19,15 @@
 
 namespace strahl {
 
+/// Whether whoever reads a mesh shades by the file's normals. Unused ones need not be finite.
+enum class MeshNormals { used, unused };
+
+/// What makes an attribute unfit to be shown.
+struct AttributeFault {
+  std::string name;  ///< MeshAttribute::name.
+  Diagnostic fault;
+};
+
 /// Faces before the first usemtl have a material without a name where others have one.
 struct MeshFile {
   Mesh mesh;  ///< `parts` stays empty; part_of_triangle holds indices into `materials` (empty where there are none).
@@ -26,9 +35,10 @@ struct MeshFile {
   std::vector<std::string> libraries;  ///< Paths of the MTL files that were read.
   bool face_normals = false;           ///< The file says to shade it flat (serialized).
   std::size_t skipped_faces = 0;
-  std::vector<Diagnostic> warnings;           ///< Skipped faces (counted, with the first one's place), ...
-  std::vector<Diagnostic> material_warnings;  ///< Of MTL files and what they lack, errors too: for who uses
-                                              ///< `materials`.
+  std::vector<Diagnostic> warnings;              ///< Skipped faces (counted, with the first one's place), ...
+  std::vector<Diagnostic> material_warnings;     ///< Of MTL files and what they lack, errors too: for who uses
+                                                 ///< `materials`.
+  std::vector<AttributeFault> attribute_faults;  ///< Of mesh.attributes, errors: for who shows one.
 };
 
 /// A readable mesh whose faces all have no area, or that has none; the last problem says so.
@@ -44,10 +54,14 @@ using MeshProgress = std::function<void(double share)>;
 /// Reads by extension (.obj, .ply, .serialized: the first mesh; case-insensitive). Quads and n-gons are triangulated
 /// (convex and concave planar polygons); vertices that differ in normal or uv index are split. Throws SceneError with
 /// file:line.
-[[nodiscard]] MeshFile read_mesh(const std::string& path, const MeshProgress& progress = {});
-[[nodiscard]] MeshFile read_obj(const std::string& path, const MeshProgress& progress = {});
-[[nodiscard]] MeshFile read_ply(const std::string& path, const MeshProgress& progress = {});
+[[nodiscard]] MeshFile read_mesh(const std::string& path, const MeshProgress& progress = {},
+                                 MeshNormals normals = MeshNormals::used);
+[[nodiscard]] MeshFile read_obj(const std::string& path, const MeshProgress& progress = {},
+                                MeshNormals normals = MeshNormals::used);
+[[nodiscard]] MeshFile read_ply(const std::string& path, const MeshProgress& progress = {},
+                                MeshNormals normals = MeshNormals::used);
 /// Mitsuba's format, which holds several meshes; `index` counts from 0.
-[[nodiscard]] MeshFile read_serialized(const std::string& path, int index = 0, const MeshProgress& progress = {});
+[[nodiscard]] MeshFile read_serialized(const std::string& path, int index = 0, const MeshProgress& progress = {},
+                                       MeshNormals normals = MeshNormals::used);
 
 }  // namespace strahl

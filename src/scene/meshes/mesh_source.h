@@ -56,6 +56,9 @@ class MeshSource {
   [[nodiscard]] Diagnostic warning_at(const char* at, std::string message) const {
     return diagnostic({at, Severity::warning, std::move(message)});
   }
+  [[nodiscard]] Diagnostic error_at(const char* at, std::string message) const {
+    return diagnostic({at, Severity::error, std::move(message)});
+  }
   /// `at` may be null: the file as a whole. After `most_listed` errors or warnings the rest is only counted.
   void error(const char* at, std::string message);
   void warn(const char* at, std::string message);

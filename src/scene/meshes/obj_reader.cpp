@@ -46,8 +46,8 @@ bool parse_corner(std::string_view word, WrittenCorner& corner) {
 
 class ObjReader {
  public:
-  ObjReader(const std::string& path, const MeshProgress& progress)
-      : source_(path, progress), text_(source_.begin_text()) {}
+  ObjReader(const std::string& path, const MeshProgress& progress, MeshNormals normals)
+      : source_(path, progress), text_(source_.begin_text()), needs_normals_(normals == MeshNormals::used) {}
 
   MeshFile read() {
     read_numbers();
@@ -155,7 +155,8 @@ class ObjReader {
     for (const MeshCorner& c : corners_) {
       usable &= !bad_positions_.check(static_cast<std::size_t>(c.position), face, source_);
       usable &= c.uv < 0 || !bad_uvs_.check(static_cast<std::size_t>(c.uv), face, source_);
-      usable &= c.normal < 0 || !bad_normals_.check(static_cast<std::size_t>(c.normal), face, source_);
+      usable &=
+          !needs_normals_ || c.normal < 0 || !bad_normals_.check(static_cast<std::size_t>(c.normal), face, source_);
     }
     if (!usable) return;
     if (!builder_->add_polygon(corners_, material_of_face())) degenerate_.add(face);
@@ -214,7 +215,8 @@ class ObjReader {
          fmt::format("lines and points are not rendered: {} (this is the first)", lines_and_points_.count));
     tell(unknown_, fmt::format("lines ignored: {} with an unknown keyword; the first is {}", unknown_.count,
                                in_quotes(first_unknown_)));
-    for (const BadNumbers* bad : {&bad_positions_, &bad_uvs_, &bad_normals_}) bad->warn_unused(source_);
+    for (const BadNumbers* bad : {&bad_positions_, &bad_uvs_}) bad->warn_unused(source_);
+    if (needs_normals_) bad_normals_.warn_unused(source_);
     if (builder_->triangle_count() == 0 && !source_.has_errors()) {
       source_.error_of_empty_mesh(nullptr);
     }
@@ -265,6 +267,7 @@ class ObjReader {
 
   MeshSource source_;
   const char* text_;
+  bool needs_normals_;
   MeshAttributes attributes_;
   BadNumbers bad_positions_{"vertex"}, bad_uvs_{"texture coordinate"}, bad_normals_{"normal"};
   MtlLibraryFinder finder_;
@@ -285,6 +288,8 @@ class ObjReader {
 
 }  // namespace
 
-MeshFile read_obj(const std::string& path, const MeshProgress& progress) { return ObjReader(path, progress).read(); }
+MeshFile read_obj(const std::string& path, const MeshProgress& progress, MeshNormals normals) {
+  return ObjReader(path, progress, normals).read();
+}
 
 }  // namespace strahl

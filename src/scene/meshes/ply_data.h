@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The values behind a PLY header, one by one: as text (one element a line) and as binary numbers of either byte order.
+// The values behind a PLY header, one by one: as text (one element a line, or over several) and as binary numbers of
+// either byte order.
 //
 // Both kinds have the same members, so that the reader is written once: real(), integer(), begin_element(),
 // end_element(), skip_all(). What is truncated or malformed ends in SceneError.
@@ -22,7 +23,7 @@ class PlyText {
   PlyText(MeshSource& source, const char* begin) : source_(source), p_(begin) {}
 
   [[nodiscard]] const char* position() {
-    skip_blanks();
+    skip_to_word();
     return p_;
   }
   void seek(const char* p) { p_ = p; }
@@ -30,11 +31,14 @@ class PlyText {
   void begin_element() {
     while (p_ != source_.end() && (is_blank(*p_) || *p_ == '\n')) ++p_;
     if (p_ == source_.end()) source_.fail(p_, "the file ends before the elements that its header promises");
+    wrapped_at_ = nullptr;
   }
 
+  /// What follows on the line is surplus, but where the element began in an earlier one: that one lacked values.
   void end_element() {
     skip_blanks();
     if (p_ == source_.end() || *p_ == '\n') return;
+    if (wrapped_at_ != nullptr) source_.fail(wrapped_at_, "the line ends before all values that the header names");
     surplus_.add(p_);
     const void* newline = std::memchr(p_, '\n', static_cast<std::size_t>(source_.end() - p_));
     p_ = newline != nullptr ? static_cast<const char*>(newline) : source_.end();
@@ -78,16 +82,25 @@ class PlyText {
     while (p_ != source_.end() && is_blank(*p_)) ++p_;
   }
 
+  /// Elements may wrap over lines.
+  void skip_to_word() {
+    for (skip_blanks(); p_ != source_.end() && *p_ == '\n'; skip_blanks()) {
+      if (wrapped_at_ == nullptr) wrapped_at_ = p_;
+      ++p_;
+    }
+  }
+
   std::string_view word() {
-    skip_blanks();
+    skip_to_word();
     const char* begin = p_;
     while (p_ != source_.end() && !is_blank(*p_) && *p_ != '\n') ++p_;
-    if (p_ == begin) source_.fail(begin, "the line ends before all values that the header names");
+    if (p_ == begin) source_.fail(begin, "the file ends before the elements that its header promises");
     return {begin, static_cast<std::size_t>(p_ - begin)};
   }
 
   MeshSource& source_;
   const char* p_;
+  const char* wrapped_at_ = nullptr;  ///< Where the element's first line has ended before its last value.
   Tally surplus_;
 };
 

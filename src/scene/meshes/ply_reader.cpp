@@ -5,10 +5,13 @@
 // properties may come in any order; others are attributes (ply_attributes.h) or passed over.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
+#include <map>
 #include <optional>
 
+#include "scene/meshes/attribute_fault.h"
 #include "scene/meshes/mesh_builder.h"
 #include "scene/meshes/mesh_file.h"
 #include "scene/meshes/ply_attributes.h"
@@ -24,8 +27,8 @@ const PlyElement* find_element(const PlyHeader& header, std::string_view name) {
 
 class PlyReader {
  public:
-  PlyReader(const std::string& path, const MeshProgress& progress)
-      : source_(path, progress), header_(read_ply_header(source_)) {}
+  PlyReader(const std::string& path, const MeshProgress& progress, MeshNormals normals)
+      : source_(path, progress), header_(read_ply_header(source_)), needs_normals_(normals == MeshNormals::used) {}
 
   MeshFile read() {
     find_elements();
@@ -177,9 +180,19 @@ class PlyReader {
       }
       double sum = 0;  // of zeros, or NaN
       for (const double number : x) sum += 0 * number;
-      if (!(sum == 0)) bad_.add(i, at);
+      if (!(sum == 0)) note_bad_numbers(i, at, x);
     }
     builder_.emplace(attributes_, faces_->count);
+  }
+
+  /// Of vertex i, whose position, normal and texture coordinates are x[0] to x[7].
+  void note_bad_numbers(std::size_t i, const char* at, const std::vector<double>& x) {
+    const auto are_finite = [&](int first, int end) {
+      return std::all_of(x.begin() + first, x.begin() + end, [](double number) { return std::isfinite(number); });
+    };
+    if (!are_finite(0, 3) || (needs_normals_ && !are_finite(3, 6)) || !are_finite(6, 8)) bad_.add(i, at);
+    for (const MeshAttribute& attribute : attributes_.others)
+      if (!is_finite(attribute.values[i])) first_bad_.try_emplace(attribute.name, at);
   }
 
   /// One number is grey.
@@ -205,11 +218,11 @@ class PlyReader {
   }
 
   /// For each triangle that the face has become.
-  void put_face_values() {
+  void put_face_values(const char* face) {
     for (std::size_t k = 0, number = 0; k < of_faces_.size(); ++k) {
       const Rgb value = value_of(of_faces_[k], &face_numbers_[number]);
-      const bool is_sound = std::isfinite(value.r + value.g + value.b);
-      face_values_[k].values.resize(builder_->triangle_count(), is_sound ? value : Rgb{});
+      if (!is_finite(value)) first_bad_.try_emplace(of_faces_[k].name, face);
+      face_values_[k].values.resize(builder_->triangle_count(), value);
       number += of_faces_[k].properties.size();
     }
   }
@@ -236,7 +249,7 @@ class PlyReader {
         }
       }
       data.end_element();
-      put_face_values();
+      put_face_values(face);
     }
   }
 
@@ -305,6 +318,9 @@ class PlyReader {
     file.mesh = builder_->finish();
     for (MeshAttribute& attribute : face_values_) file.mesh.attributes.push_back(std::move(attribute));
     file.mesh.part_of_triangle.clear();
+    for (const MeshAttribute& attribute : file.mesh.attributes)
+      if (!is_finite(attribute))
+        file.attribute_faults.push_back(fault_of(attribute, first_bad_.at(attribute.name), source_));
     for (const std::string& warning : builder_->warnings()) source_.warn(nullptr, warning);
     file.skipped_faces = skipped_.count;
     file.warnings = source_.finish();
@@ -316,7 +332,7 @@ class PlyReader {
   const PlyElement* vertices_ = nullptr;
   const PlyElement* faces_ = nullptr;
   std::size_t list_ = 0;  // the index of the faces' property with the vertex indices
-  bool are_strips_ = false, has_normals_ = false, has_uvs_ = false;
+  bool needs_normals_, are_strips_ = false, has_normals_ = false, has_uvs_ = false;
   MeshAttributes attributes_;
   BadNumbers bad_{"vertex"};
   std::optional<MeshBuilder> builder_;
@@ -325,11 +341,14 @@ class PlyReader {
   std::vector<int> face_slots_;  // of each property of a face: where it stands in face_numbers_; -1: nowhere
   std::vector<double> face_numbers_;
   std::vector<MeshAttribute> face_values_;
+  std::map<std::string, const char*> first_bad_;  // of each attribute that is not finite somewhere
   Tally skipped_;
 };
 
 }  // namespace
 
-MeshFile read_ply(const std::string& path, const MeshProgress& progress) { return PlyReader(path, progress).read(); }
+MeshFile read_ply(const std::string& path, const MeshProgress& progress, MeshNormals normals) {
+  return PlyReader(path, progress, normals).read();
+}
 
 }  // namespace strahl

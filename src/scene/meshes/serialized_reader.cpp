@@ -11,6 +11,7 @@
 #include <limits>
 
 #include "image/byte_order.h"
+#include "scene/meshes/attribute_fault.h"
 #include "scene/meshes/inflated_bytes.h"
 #include "scene/meshes/mesh_builder.h"
 #include "scene/meshes/mesh_file.h"
@@ -26,10 +27,12 @@ constexpr int before_stream = 4;  // what stands before the compressed stream: f
 
 class SerializedReader {
  public:
-  SerializedReader(const std::string& path, const SerializedPart& part, const MeshProgress& progress)
+  SerializedReader(const std::string& path, const SerializedPart& part, const MeshProgress& progress,
+                   MeshNormals normals)
       : source_(path, progress, {part.begin, part.end - part.begin}),
         begin_(source_.begin()),
-        bytes_(source_, begin_ + before_stream) {
+        bytes_(source_, begin_ + before_stream),
+        needs_normals_(normals == MeshNormals::used) {
     source_.begin_binary(begin_);
     flags_ = take<std::uint32_t>();
     if (part.version == 4) {
@@ -120,7 +123,7 @@ class SerializedReader {
       read_numbers<3>([&](std::uint64_t i, const std::array<double, 3>& x, bool finite) {
         if (!used) return;
         attributes_.normals.push_back({x[0], x[1], x[2]});
-        if (!finite) bad_normals_.add(i, begin_);
+        if (!finite && needs_normals_) bad_normals_.add(i, begin_);
       });
     }
     if (has(has_uvs)) {
@@ -133,10 +136,7 @@ class SerializedReader {
     if (!has(has_colors)) return;
     std::vector<Rgb>& colors = attributes_.others.emplace_back(MeshAttribute{"vertex_color", {}}).values;
     colors.reserve(vertices_);
-    read_numbers<3>([&](std::uint64_t i, const std::array<double, 3>& x, bool finite) {
-      colors.push_back({x[0], x[1], x[2]});
-      if (!finite) bad_colors_.add(i, begin_);
-    });
+    read_numbers<3>([&](std::uint64_t, const std::array<double, 3>& x, bool) { colors.push_back({x[0], x[1], x[2]}); });
   }
 
   void read_triangles(MeshBuilder& builder) {
@@ -153,7 +153,6 @@ class SerializedReader {
         }
         usable &= !bad_positions_.check(indices[k], begin_, source_);
         usable &= !with_normals || !bad_normals_.check(indices[k], begin_, source_);
-        usable &= !bad_colors_.check(indices[k], begin_, source_);
         usable &= !with_uvs || !bad_uvs_.check(indices[k], begin_, source_);
         const int i = static_cast<int>(indices[k]);
         corners[k] = {i, with_uvs ? i : -1, with_normals ? i : -1};
@@ -164,13 +163,15 @@ class SerializedReader {
 
   MeshFile finish(MeshBuilder& builder) {
     if (skipped_.count > 0) source_.warn(begin_, fmt::format("triangles without area skipped: {}", skipped_.count));
-    for (const BadNumbers* bad : {&bad_positions_, &bad_uvs_, &bad_normals_, &bad_colors_}) bad->warn_unused(source_);
+    for (const BadNumbers* bad : {&bad_positions_, &bad_uvs_, &bad_normals_}) bad->warn_unused(source_);
     if (builder.triangle_count() == 0 && !source_.has_errors()) {
       source_.error_of_empty_mesh(begin_);
     }
     MeshFile file;
     file.mesh = builder.finish();
     file.mesh.part_of_triangle.clear();
+    for (const MeshAttribute& attribute : file.mesh.attributes)
+      if (!is_finite(attribute)) file.attribute_faults.push_back(fault_of(attribute, begin_, source_));
     for (const std::string& warning : builder.warnings()) source_.warn(begin_, warning);
     file.face_normals = has(face_normals);
     file.skipped_faces = skipped_.count;
@@ -181,17 +182,18 @@ class SerializedReader {
   MeshSource source_;
   const char* begin_;
   InflatedBytes bytes_;
+  bool needs_normals_;
   std::uint32_t flags_ = 0;
   std::uint64_t vertices_ = 0, triangles_ = 0;
   MeshAttributes attributes_;
-  BadNumbers bad_positions_{"vertex"}, bad_uvs_{"texture coordinate"}, bad_normals_{"normal"}, bad_colors_{"colour"};
+  BadNumbers bad_positions_{"vertex"}, bad_uvs_{"texture coordinate"}, bad_normals_{"normal"};
   Tally skipped_;
 };
 
 }  // namespace
 
-MeshFile read_serialized(const std::string& path, int index, const MeshProgress& progress) {
-  return SerializedReader(path, find_serialized_part(path, index), progress).read();
+MeshFile read_serialized(const std::string& path, int index, const MeshProgress& progress, MeshNormals normals) {
+  return SerializedReader(path, find_serialized_part(path, index), progress, normals).read();
 }
 
 }  // namespace strahl

@@ -30,6 +30,7 @@ std::shared_ptr<const Data> read_once(std::map<std::string, std::shared_ptr<cons
     if (!texels.doubt.empty())
       diagnostics.warning(where,
                           fmt::format("\"{}\" may be damaged: {}; look at it, and save it anew", path, texels.doubt));
+    if (!texels.left_out.empty()) diagnostics.warning(where, fmt::format("\"{}\": {}", path, texels.left_out));
     files.emplace(path, data);
     return data;
   } catch (const InputError& fault) {

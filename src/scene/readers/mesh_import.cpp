@@ -15,18 +15,19 @@ bool emits(const Shape& shape, const Mesh* mesh) {
           std::ranges::any_of(mesh->parts, [](const MeshPart& part) { return part.radiance.has_value(); }));
 }
 
-void add_mesh_materials(MeshFile& file, bool has_material, const Shape& shape, Scene& scene, ImageFiles& images,
-                        Diagnostics& diagnostics) {
+void add_mesh_materials(MeshFile& file, const GivenMaterials& given, const Shape& shape, Scene& scene,
+                        ImageFiles& images, Diagnostics& diagnostics) {
   Mesh& mesh = file.mesh;
-  if (file.materials.empty() || mesh.part_of_triangle.empty() || (has_material && (shape.radiance || shape.exitance))) {
+  if (file.materials.empty() || mesh.part_of_triangle.empty() || (given.of_shape && given.by_name.empty())) {
     mesh.part_of_triangle.clear();
     return;
   }
   for (const MeshMaterial& from : file.materials) {
-    MeshPart part;
-    part.material = has_material ? shape.material : added_material(from, shape, scene, images, diagnostics);
-    part.radiance = shape.radiance || shape.exitance ? shape.radiance : from.radiance;
-    part.radiance_texture = shape.radiance_texture;
+    const auto named = given.by_name.find(from.name);
+    const bool is_named = named != given.by_name.end(), is_of_file = !is_named && !given.of_shape;
+    MeshPart part{is_named ? named->second : shape.material, shape.radiance, shape.radiance_texture};
+    if (is_of_file) part.material = added_material(from, shape, scene, images, diagnostics);
+    if (is_of_file && !shape.radiance && !shape.exitance) part.radiance = from.radiance;
     mesh.parts.push_back(part);
   }
   const bool has_plain =

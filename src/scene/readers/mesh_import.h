@@ -2,6 +2,7 @@
 // What becomes of a mesh file's materials and texture coordinates in a scene.
 #pragma once
 
+#include <map>
 #include <string>
 
 #include "scene/loader.h"
@@ -15,10 +16,17 @@ namespace strahl {
 /// mesh: what is or will be the shape's geometry; null: that is none.
 [[nodiscard]] bool emits(const Shape& shape, const Mesh* mesh);
 
-/// Fills file.mesh.parts from file.materials and appends what is used to scene.materials. A <bsdf> (has_material) and
-/// an <emitter> of the shape win over the file's. An image that cannot be read is warned of.
-void add_mesh_materials(MeshFile& file, bool has_material, const Shape& shape, Scene& scene, ImageFiles& images,
-                        Diagnostics& diagnostics);
+/// Materials that take the place of a file's.
+struct GivenMaterials {
+  bool of_shape = false;               ///< The shape's own, of all faces without one by name.
+  std::map<std::string, int> by_name;  ///< Of the faces that have this material in the file: index in Scene::materials.
+};
+
+/// Fills file.mesh.parts from file.materials and appends what is used to scene.materials. What is given wins over what
+/// the file says, its light too, and an <emitter> of the shape over all its light. An image that cannot be read is
+/// warned of.
+void add_mesh_materials(MeshFile& file, const GivenMaterials& given, const Shape& shape, Scene& scene,
+                        ImageFiles& images, Diagnostics& diagnostics);
 
 /// Of one file, reported to a loader's.
 [[nodiscard]] MeshProgress progress_of(const std::string& path, const LoadProgress& progress);

@@ -17,6 +17,7 @@ std::optional<int> group_index(const XmlElement& element, SceneBuilder& builder)
   group.id = properties.id();
   group.where = element.where;
   const std::vector<const XmlElement*> shapes = properties.objects("shape");
+  builder.is_in_group = true;
   for (const XmlElement* shape : shapes) {
     if (is_group(*shape) || is_instance(*shape)) {
       builder.diagnostics.error(shape->where,
@@ -26,6 +27,7 @@ std::optional<int> group_index(const XmlElement& element, SceneBuilder& builder)
       read_shape(*shape, builder, group.shapes);
     }
   }
+  builder.is_in_group = false;
   if (shapes.empty()) builder.diagnostics.error(element.where, fmt::format("{} holds no <shape>", properties.title()));
   properties.report_unknown();
   if (group.shapes.empty() && !builder.diagnostics.has_errors()) {

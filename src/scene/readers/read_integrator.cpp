@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "kinds/integrators.h"
@@ -27,6 +28,18 @@ std::string substitute_of(Properties& properties) {
       fmt::format("{}; \"path\" takes its place", not_available("integrator", type, kinds::integrator_names())));
   properties.accept_all();
   return "path";
+}
+
+/// Of Mitsuba 0.x: half the radius of the sphere around the scene's box, where rayLength says nothing else.
+double reach_of_0x(Properties& properties, const Scene& scene) {
+  const std::optional<double> given = properties.number("ray_length");
+  if (given && *given > 0) return *given;
+  if (given && *given == 0)
+    properties.diagnostics().error(properties.where("ray_length"),
+                                   "\"ray_length\" is 0; it must be greater than 0, or negative for its default");
+  const std::optional<Box> box = bounds(scene);
+  const double reach = box ? length(box->max - box->min) / 4 : 0;
+  return reach > 0 && std::isfinite(reach) ? reach : IntegratorSettings{}.max_distance;
 }
 
 }  // namespace
@@ -79,6 +92,12 @@ IntegratorSettings read_integrator(const XmlElement& element, SceneBuilder& buil
   integrator.rr_depth =
       properties.integer_in("rr_depth", 1, std::numeric_limits<int>::max()).value_or(integrator.rr_depth);
   integrator.max_distance = properties.positive("max_distance").value_or(integrator.max_distance);
+  // Written by the upgrade from 0.x.
+  if (properties.boolean("looks_as_far_as_0x").value_or(false)) {
+    integrator.max_distance = reach_of_0x(properties, builder.scene);
+    builder.diagnostics.warning(element.where,
+                                "integrator ao is black where nothing is hit, which is white in Mitsuba 0.x");
+  }
   integrator.hide_emitters = properties.boolean("hide_emitters").value_or(false);
   integrator.strict_normals = properties.boolean("strict_normals").value_or(false);
   properties.accept({"shading_samples", "emitter_samples", "bsdf_samples", "samples_per_pass", "block_size"});

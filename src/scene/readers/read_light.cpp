@@ -14,6 +14,7 @@
 #include "scene/readers/read_sky.h"
 #include "scene/readers/read_texture.h"
 #include "scene/readers/readers.h"
+#include "scene/readers/shape_reader.h"
 #include "scene/xml/properties.h"
 
 namespace strahl {
@@ -43,9 +44,20 @@ std::optional<Emitter> read_point(Properties& properties, SceneBuilder&) {
   return PointLight{to_world ? to_world->translation() : position, emission(properties, "intensity")};
 }
 
+/// Whether a transform turns, moves, mirrors and scales all axes alike, and no more.
+bool keeps_angles(const Transform& transform) {
+  const Vec3 x = transform.column(0), y = transform.column(1), z = transform.column(2);
+  return are_equally_long(x, y) && are_equally_long(y, z) && are_perpendicular(x, y) && are_perpendicular(y, z) &&
+         are_perpendicular(z, x);
+}
+
 std::optional<Emitter> read_spot(Properties& properties, SceneBuilder& builder) {
   SpotLight light;
   const Transform to_world = properties.transform("to_world").value_or(Transform{});
+  if (!keeps_angles(to_world))
+    properties.diagnostics().warning(properties.where("to_world"),
+                                     "to_world changes angles, by which Mitsuba distorts the cone of a spot and its "
+                                     "texture; here the cone stays round");
   light.position = to_world.translation();
   light.axis = to_world.column(2);
   light.intensity = emission(properties, "intensity");
@@ -61,14 +73,20 @@ std::optional<Emitter> read_spot(Properties& properties, SceneBuilder& builder) 
   return light;
 }
 
-/// Its picture is as wide for its height as the texture.
+/// Its picture is as wide for its height as the texture, but where to_world scales the axes differently. As in Mitsuba
+/// 3.9 the light is by the scale of the axis brighter.
 std::optional<Emitter> read_projector(Properties& properties, SceneBuilder& builder) {
   ProjectorLight light;
   const Transform to_world = properties.transform("to_world").value_or(Transform{});
   light.position = to_world.translation();
-  for (std::size_t i = 0; i < 3; ++i) light.axes[i] = normalized(to_world.column(static_cast<int>(i)));
+  std::array<double, 3> lengths{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec3 column = to_world.column(static_cast<int>(i));
+    lengths[i] = length(column);
+    light.axes[i] = normalized(column);
+  }
   const Emission irradiance = read_emission(properties, builder, "irradiance");
-  const double scale = properties.number("scale").value_or(1);
+  const double scale = properties.number("scale").value_or(1) * lengths[2];
   light.irradiance = kinds::times({scale, scale, scale}, irradiance.color);
   light.texture = irradiance.texture;
   double width = 1, height = 1;
@@ -78,8 +96,9 @@ std::optional<Emitter> read_projector(Properties& properties, SceneBuilder& buil
     if (bitmap != nullptr && bitmap->texels) width = bitmap->texels->width, height = bitmap->texels->height;
   }
   const FieldOfView fov = read_field_of_view(properties);
-  light.tan_x = tan_half_width(fov.degrees, fov.axis, width, height);
-  light.tan_y = light.tan_x * height / width;
+  const double tangent = tan_half_width(fov.degrees, fov.axis, width, height);
+  light.tan_x = tangent * lengths[0] / lengths[2];
+  light.tan_y = tangent * height / width * lengths[1] / lengths[2];
   return light;
 }
 

@@ -3,6 +3,7 @@
 // materials that it names.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <limits>
 
 #include "scene/meshes/creased_normals.h"
@@ -36,6 +37,37 @@ void to_world(Mesh& mesh, const Transform& world_from_object) {
   }
 }
 
+/// Where the file does not have the name of the only <bsdf>, that is the shape's, as those of Mitsuba 3 are, whatever
+/// their names.
+void take_only_material(ShapeInput& input, const MeshFile& file) {
+  if (input.has_material || input.named_materials.size() != 1) return;
+  const NamedMaterial& only = input.named_materials.front();
+  if (std::ranges::find(file.materials, only.name, &MeshMaterial::name) != file.materials.end()) return;
+  input.shape.material = only.material;
+  input.has_material = true;
+  input.named_materials.clear();
+}
+
+GivenMaterials given_materials(const ShapeInput& input, const MeshFile& file, bool loads_materials) {
+  GivenMaterials given{input.has_material || !loads_materials, {}};
+  for (const NamedMaterial& named : input.named_materials) {
+    if (std::ranges::find(file.materials, named.name, &MeshMaterial::name) == file.materials.end())
+      input.builder.diagnostics.unknown(
+          named.where, fmt::format("no face of the file has the material \"{}\"; this <bsdf> is left out", named.name));
+    given.by_name[named.name] = named.material;
+  }
+  return given;
+}
+
+/// In a shapegroup nothing shines.
+void drop_light_of_file(const ShapeInput& input, Mesh& mesh) {
+  if (!input.builder.is_in_group || emits(input.shape, nullptr) || !emits(input.shape, &mesh)) return;
+  for (MeshPart& part : mesh.parts) part.radiance.reset();
+  input.builder.diagnostics.warning(input.properties.where(),
+                                    "the light of the file's materials (Ke) is left out, as nothing in a shapegroup "
+                                    "shines; place the shape outside to have it");
+}
+
 }  // namespace
 
 Geometry read_geometry(ShapeInput& input, const Mesh&) {
@@ -45,19 +77,26 @@ Geometry read_geometry(ShapeInput& input, const Mesh&) {
   const std::optional<double> smooth_angle = max_smooth_angle(properties);
   const bool flip_v = properties.boolean("flip_tex_coords").value_or(properties.type() == "obj");
   const int index = properties.type() == "serialized" ? shape_index(properties) : 0;
+  // Of Mitsuba 0.x.
+  const bool loads_materials = properties.type() != "obj" || properties.boolean("load_materials").value_or(true);
+  const MeshNormals normals = face_normals || smooth_angle ? MeshNormals::unused : MeshNormals::used;
   const std::optional<std::string> path = data_path(input, properties.type());
   if (!path) return Mesh{};
   diagnostics.opened(*path);
   try {
     const MeshProgress progress = progress_of(*path, input.builder.mesh_progress);
-    MeshFile file =
-        properties.type() == "serialized" ? read_serialized(*path, index, progress) : read_mesh(*path, progress);
+    MeshFile file = properties.type() == "serialized" ? read_serialized(*path, index, progress, normals)
+                                                      : read_mesh(*path, progress, normals);
     for (const std::string& library : file.libraries) diagnostics.opened(library);
     diagnostics.append(file.warnings);
-    if (!input.has_material) diagnostics.append(file.material_warnings);
+    for (AttributeFault& fault : file.attribute_faults) input.builder.attribute_faults.push_back(std::move(fault));
+    take_only_material(input, file);
+    const GivenMaterials given = given_materials(input, file, loads_materials);
+    if (!given.of_shape) diagnostics.append(file.material_warnings);
     if (file.mesh.triangles.empty())
       diagnostics.error(properties.where("filename"), fmt::format("\"{}\" has no triangles", *path));
-    add_mesh_materials(file, input.has_material, input.shape, input.builder.scene, input.builder.images, diagnostics);
+    add_mesh_materials(file, given, input.shape, input.builder.scene, input.builder.images, diagnostics);
+    drop_light_of_file(input, file.mesh);
     if (face_normals) file.mesh.normals.clear();
     if (flip_v) flip_tex_coords(file.mesh);
     to_world(file.mesh, input.world_from_object);

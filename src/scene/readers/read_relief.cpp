@@ -27,24 +27,34 @@ Material relief_of(Properties& properties, SceneBuilder& builder, Relief relief)
   return material;
 }
 
+/// The texture inside; null after an error.
+const XmlElement* only_texture(Properties& properties) {
+  const std::vector<const XmlElement*> inside = properties.objects("texture");
+  if (inside.size() == 1) return inside.front();
+  properties.diagnostics().error(properties.where(), fmt::format("{} needs one <texture> inside", properties.title()));
+  return nullptr;
+}
+
 /// The texture within Mitsuba 0.x's `scale`, whose factor `scale` takes; else the texture itself. Null after an error.
 const XmlElement* scaled_texture(const XmlElement& texture, SceneBuilder& builder, double& scale) {
   if (texture.text("type") != "scale") return &texture;
   Properties properties(texture, builder.ids, builder.diagnostics);
-  const std::vector<const XmlElement*> inside = properties.objects("texture");
-  if (inside.size() != 1) {
-    builder.diagnostics.error(properties.where(), fmt::format("{} needs one <texture> inside", properties.title()));
-    return nullptr;
-  }
+  const XmlElement* inside = only_texture(properties);
+  if (inside == nullptr) return nullptr;
   scale *= properties.number("scale").value_or(1);
   properties.report_unknown();
-  return inside.front();
+  return inside;
 }
 
 }  // namespace
 
 Material read_normalmap(Properties& properties, SceneBuilder& builder) {
   Relief relief;
+  // Written by the upgrade from 0.x.
+  if (properties.boolean("takes_any_texture").value_or(false)) {
+    if (const XmlElement* normals = only_texture(properties)) relief.map = read_nested_texture(*normals, builder);
+    return relief_of(properties, builder, relief);
+  }
   if (!properties.has("normalmap"))
     builder.diagnostics.error(properties.where(), fmt::format("{} needs a normalmap", properties.title()));
   relief.map = read_varying(properties, builder, "normalmap", {0.5, 0.5, 1});
@@ -55,11 +65,9 @@ Material read_bumpmap(Properties& properties, SceneBuilder& builder) {
   Relief relief;
   relief.kind = Relief::Kind::heights;
   relief.scale = properties.number("scale").value_or(1);
-  const std::vector<const XmlElement*> textures = properties.objects("texture");
-  if (textures.size() != 1)
-    builder.diagnostics.error(properties.where(), fmt::format("{} needs one <texture> inside", properties.title()));
-  else if (const XmlElement* heights = scaled_texture(*textures.front(), builder, relief.scale))
-    relief.map = read_nested_texture(*heights, builder);
+  const XmlElement* texture = only_texture(properties);
+  const XmlElement* heights = texture == nullptr ? nullptr : scaled_texture(*texture, builder, relief.scale);
+  if (heights != nullptr) relief.map = read_nested_texture(*heights, builder);
   return relief_of(properties, builder, relief);
 }
 

@@ -71,8 +71,9 @@ void read_definitions(const std::vector<const XmlElement*>& elements, SceneBuild
 
 namespace {
 
-/// What files say of their meshes beyond what the scene asks for.
-void drop_unused_attributes(Scene& scene) {
+/// What files say of their meshes beyond what the scene asks for. Faults of what it asks for are told.
+void drop_unused_attributes(SceneBuilder& builder) {
+  Scene& scene = builder.scene;
   std::set<std::string> shown;
   for (const Texture& texture : scene.textures)
     if (const auto* attribute = std::get_if<AttributeTexture>(&texture.pattern)) shown.insert(attribute->name);
@@ -83,6 +84,8 @@ void drop_unused_attributes(Scene& scene) {
   };
   drop(scene.shapes);
   for (Group& group : scene.groups) drop(group.shapes);
+  for (const AttributeFault& one : builder.attribute_faults)
+    if (shown.contains(one.name)) builder.diagnostics.append({one.fault});
 }
 
 }  // namespace
@@ -99,7 +102,7 @@ void read_scene(const XmlElement& root, SceneBuilder& builder) {
   read_sensors(properties.objects("sensor"), root, builder);
   for (const char* tag : {"texture", "spectrum", "rgb", "film", "sampler", "rfilter", "medium", "phase", "volume"})
     read_definitions(properties.objects(tag), builder);
-  drop_unused_attributes(builder.scene);
+  drop_unused_attributes(builder);
   properties.report_unknown();
 }
 

@@ -82,6 +82,15 @@ bool has_glass(const Shape& shape, const Scene& scene) {
                      [&](const MeshPart& part) { return is_glass(part.material); });
 }
 
+/// Of an OBJ of 0.x, as its upgrade says.
+std::vector<NamedMaterial> read_named_materials(Properties& properties, SceneBuilder& builder) {
+  std::vector<NamedMaterial> named;
+  if (!properties.boolean("has_named_bsdfs").value_or(false)) return named;
+  for (const NamedObject& bsdf : properties.named_objects("bsdf"))
+    named.push_back({bsdf.name, material_index(*bsdf.object, builder), bsdf.where});
+  return named;
+}
+
 Material black() {
   Material material;
   material.bsdf = Diffuse{{{0, 0, 0}}};
@@ -112,6 +121,7 @@ void read_shape(const XmlElement& element, SceneBuilder& builder, std::vector<Sh
   shape.where = element.where;
   shape.flip_normals = properties.boolean("flip_normals").value_or(false);
   shape.priority = properties.integer("priority");
+  std::vector<NamedMaterial> named_materials = read_named_materials(properties, builder);
   const XmlElement* bsdf = only_one(properties.objects("bsdf"), properties);
   const XmlElement* emitter = only_one(properties.objects("emitter"), properties);
   if (bsdf != nullptr) shape.material = material_index(*bsdf, builder);
@@ -124,7 +134,7 @@ void read_shape(const XmlElement& element, SceneBuilder& builder, std::vector<Sh
   else if (bsdf == nullptr && is_open)
     shape.material = index_of(null_material(), builder.open_material, builder);
   const Transform to_world = properties.transform("to_world").value_or(Transform{});
-  ShapeInput input{properties, to_world, shape, bsdf != nullptr, builder};
+  ShapeInput input{properties, to_world, shape, bsdf != nullptr, builder, std::move(named_materials)};
   shape.geometry = (*reader)(input);
   if (input.is_left_out && (shape.radiance || shape.exitance)) builder.lost_emitters.emplace_back("area");
   if (input.is_left_out) return properties.report_unknown();

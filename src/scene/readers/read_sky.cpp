@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "scene/readers/readers.h"
@@ -27,15 +26,11 @@ struct Daylight {
   std::array<Vec3, 3> axes;  ///< Of the model in the world.
 };
 
-int whole_number(Properties& properties, const char* name, int absent) {
-  return properties.integer_in(name, std::numeric_limits<int>::min(), std::numeric_limits<int>::max()).value_or(absent);
-}
-
 DayAndPlace read_day(Properties& properties) {
   DayAndPlace when;
-  when.year = whole_number(properties, "year", when.year);
-  when.month = whole_number(properties, "month", when.month);
-  when.day = whole_number(properties, "day", when.day);
+  when.year = properties.integer("year").value_or(when.year);
+  when.month = properties.integer_in("month", 1, 12).value_or(when.month);
+  when.day = properties.integer_in("day", 1, 31).value_or(when.day);
   when.hour = properties.number("hour").value_or(when.hour) + properties.number("minute").value_or(0) / 60 +
               properties.number("second").value_or(0) / 3600;
   when.latitude = properties.number("latitude").value_or(when.latitude);

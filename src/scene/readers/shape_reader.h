@@ -10,12 +10,20 @@
 
 namespace strahl {
 
+/// A <bsdf> of the shape for the faces that have this material in its file.
+struct NamedMaterial {
+  std::string name;
+  int material;  ///< Index into Scene::materials.
+  SourceLocation where;
+};
+
 struct ShapeInput {
   Properties& properties;
   Transform world_from_object;
   Shape& shape;               ///< Material, radiance and flip_normals are set already; a reader may change them.
   bool has_material = false;  ///< The shape has a <bsdf> of its own.
   SceneBuilder& builder;
+  std::vector<NamedMaterial> named_materials{};
   bool is_left_out = false;  ///< Set by a reader that has warned that nothing can be seen of the shape.
 };
 

@@ -29,7 +29,7 @@ double zenith_chromaticity(double turbidity, double angle, const std::array<std:
 int day_of_year(int year, int month, int day) {
   constexpr std::array before{0, 31, 59, 90, 120, 151, 181, 212, 243, 273, 304, 334};
   const bool is_leap = (year % 4 == 0 && year % 100 != 0) || year % 400 == 0;
-  return before.at(static_cast<std::size_t>(std::clamp(month, 1, 12) - 1)) + day + (is_leap && month > 2 ? 1 : 0);
+  return before.at(static_cast<std::size_t>(month - 1)) + day + (is_leap && month > 2 ? 1 : 0);
 }
 
 /// Linear sRGB of chromaticity and luminance.

@@ -13,11 +13,11 @@ namespace strahl {
 
 /// A time at a place on the earth.
 struct DayAndPlace {
-  int year = 2010, month = 7, day = 10;
-  double hour = 15;             ///< Of the time zone, minutes and seconds as its fractions.
-  double latitude = 35.6894;    ///< Degrees, north.
-  double longitude = 139.6917;  ///< Degrees, east.
-  double timezone = 9;          ///< Hours before Greenwich.
+  int year = 2010, month = 7, day = 10;  ///< month in [1, 12], day in [1, 31].
+  double hour = 15;                      ///< Of the time zone, minutes and seconds as its fractions.
+  double latitude = 35.6894;             ///< Degrees, north.
+  double longitude = 139.6917;           ///< Degrees, east.
+  double timezone = 9;                   ///< Hours before Greenwich.
 };
 
 /// Towards the sun, unit: east, up, south. Appendix A.6 of the paper, good to some tenths of a degree.

@@ -180,6 +180,16 @@ std::vector<const XmlElement*> Properties::objects(std::string_view tag) {
   return found;
 }
 
+std::vector<NamedObject> Properties::named_objects(std::string_view tag) {
+  std::vector<NamedObject> found;
+  for (Entry& entry : entries_) {
+    if (entry.used || entry.name.empty() || entry.meant->tag != tag) continue;
+    entry.used = true;
+    found.push_back({std::string(entry.name), entry.meant, entry.given->where});
+  }
+  return found;
+}
+
 void Properties::accept(std::initializer_list<const char*> names) {
   for (const char* name : names) {
     known_.emplace_back(name);

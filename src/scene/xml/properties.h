@@ -17,6 +17,13 @@
 
 namespace strahl {
 
+/// Both as they stand in the file; a reference's where it is one that gives the object.
+struct NamedObject {
+  std::string name;
+  const XmlElement* object;
+  SourceLocation where;
+};
+
 class Properties {
  public:
   Properties(const XmlElement& element, const ElementIds& ids, Diagnostics& diagnostics);
@@ -51,6 +58,8 @@ class Properties {
   [[nodiscard]] const XmlElement* peek(std::string_view name) const;
   /// Nested objects of a kind ("bsdf"), references resolved.
   [[nodiscard]] std::vector<const XmlElement*> objects(std::string_view tag);
+  /// Those of them that have a name, as theirs or their reference's.
+  [[nodiscard]] std::vector<NamedObject> named_objects(std::string_view tag);
   /// Parameters that are known and have no effect on what strahl computes.
   void accept(std::initializer_list<const char*> names);
   /// Accepts whatever there is: the plugin itself is unknown and that has been said.

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "scene/loader.h"
+#include "scene/meshes/mesh_file.h"
 #include "scene/model/scene.h"
 #include "scene/readers/image_files.h"
 #include "scene/xml/diagnostics.h"
@@ -46,6 +47,8 @@ struct SceneBuilder {
   std::map<std::pair<const XmlElement*, TextureUse>, int> texture_indices{};  ///< read_texture.cpp.
   std::map<const XmlElement*, std::optional<int>> group_indices{};  ///< read_group.cpp; none: nothing is left of it.
   std::map<const XmlElement*, int> medium_indices{};                ///< read_medium.cpp; -1: left out.
+  bool is_in_group = false;                                         ///< read_group.cpp: the shape being read.
+  std::vector<AttributeFault> attribute_faults{};                   ///< Of mesh files, whether or not one is shown.
   std::vector<std::string> lost_emitters{};                         ///< The type of each emitter that was left out.
 };
 

@@ -11,6 +11,7 @@ std::string SearchPath::find(std::string_view name, const std::string& asking_fi
   std::vector<fs::path> folders(folders_.begin(), folders_.end());
   folders.push_back(beside_asking);
   folders.push_back(fs::path(main_file_).parent_path());
+  folders.emplace_back();  // The current folder.
   std::error_code ignored;
   for (const fs::path& folder : folders)
     if (fs::exists(folder / name, ignored)) return (folder / name).lexically_normal().string();

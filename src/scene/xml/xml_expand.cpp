@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Defaults, substitution and includes in document order. Replaced text is not searched again, and its length is
-// limited, so that a hostile file cannot grow without bound.
+// limited, of each text and of all together, so that a hostile file cannot grow without bound.
 #include "scene/xml/xml_expand.h"
 
 #include <fmt/format.h>
@@ -22,6 +22,7 @@ namespace strahl {
 namespace {
 
 constexpr std::size_t longest_value = std::size_t{1} << 16;
+constexpr std::size_t most_growth = std::size_t{1} << 26;  ///< Of all texts together, beyond what the files hold.
 constexpr int most_includes = 1000;
 constexpr std::size_t deepest_include = 64;  ///< Files within files: trees of elements are walked recursively.
 
@@ -210,8 +211,21 @@ class Expander {
         return false;
       }
     }
+    if (!may_grow(text.size(), result.size(), where)) return false;
     attribute.value = pool_.keep(std::move(result)).c_str();
     return ok;
+  }
+
+  /// Whether a text of so many bytes may become one of that many; told once.
+  [[nodiscard]] bool may_grow(std::size_t from, std::size_t to, const XmlPlace& where) {
+    const bool was_within = growth_ <= most_growth;
+    growth_ += to - std::min(from, to);
+    if (growth_ <= most_growth) return true;
+    if (was_within)
+      diagnostics_.error(
+          where, fmt::format("the values of $names make the scene longer by more than {} bytes; give them shorter ones",
+                             most_growth));
+    return false;
   }
 
   void report_undefined(const std::string& name, const XmlPlace& where) {
@@ -227,6 +241,7 @@ class Expander {
   std::set<std::string> defaults_;
   std::vector<std::string> open_;  ///< Canonical paths of the files being expanded, outermost first.
   int includes_ = 0;
+  std::size_t growth_ = 0;
   SearchPath& search_path_;
   XmlPool& pool_;
   Diagnostics& diagnostics_;

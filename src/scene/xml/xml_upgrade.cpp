@@ -8,6 +8,9 @@
 #include <algorithm>
 #include <cctype>
 #include <charconv>
+#include <unordered_map>
+#include <unordered_set>
+#include <vector>
 
 #include "scene/xml/xml_vocabulary.h"
 
@@ -15,26 +18,55 @@ namespace strahl {
 
 namespace {
 
-/// Of a parameter that is given several times Mitsuba 0.x takes the last.
+bool is_object(const XmlElement& element) { return element.tag == "ref" || is_object_tag(element.tag); }
+
+/// Of a parameter that is given several times Mitsuba 0.x takes the last. Objects, and references to them, it puts into
+/// a list: of those with one name the last keeps it, where the name is one that counts, and the others have none.
 void drop_repeated(XmlElement& element, Diagnostics& diagnostics) {
-  for (XmlElement** place = &element.first_child; XmlElement* child = *place;) {
-    const std::string_view name = child->text("name");
-    const XmlElement* later = child->next_sibling;
-    const bool is_parameter = !name.empty() && child->tag != "default" && !is_object_tag(child->tag);
-    while (is_parameter && later != nullptr && (later->text("name") != name || later->tag == "default"))
-      later = later->next_sibling;
-    if (is_parameter && later != nullptr) {
-      diagnostics.warning(child->where, fmt::format("\"{}\" is given again at {}, which counts", name,
-                                                    SourceLocation(later->where).text()));
-      *place = child->next_sibling;
-    } else {
-      place = &child->next_sibling;
+  std::vector<XmlElement*> children;
+  for (XmlElement* child = element.first_child; child != nullptr; child = child->next_sibling)
+    if (child->tag != "default" && !child->text("name").empty()) children.push_back(child);
+  std::unordered_map<std::string_view, const XmlElement*> later;
+  std::unordered_set<const XmlElement*> dropped;
+  for (std::size_t i = children.size(); i-- > 0;) {
+    XmlElement& child = *children[i];
+    const auto [next, is_last] = later.try_emplace(child.text("name"), &child);
+    if (is_last) continue;
+    if (!is_object(child)) {
+      diagnostics.warning(child.where, fmt::format("\"{}\" is given again at {}, which counts", child.text("name"),
+                                                   SourceLocation(next->second->where).text()));
+      dropped.insert(&child);
+    } else if (is_object(*next->second)) {
+      for (XmlAttribute& attribute : child.attributes)
+        if (attribute.name == std::string_view("name")) attribute.value = "";
+      continue;
     }
+    next->second = &child;
+  }
+  if (dropped.empty()) return;
+  for (XmlElement** place = &element.first_child; XmlElement* child = *place;) {
+    if (dropped.contains(child))
+      *place = child->next_sibling;
+    else
+      place = &child->next_sibling;
   }
 }
 
 bool is_lower(char c) { return std::islower(static_cast<unsigned char>(c)) != 0; }
 bool is_upper(char c) { return std::isupper(static_cast<unsigned char>(c)) != 0; }
+
+/// In whatever case: types in capitals are Mitsuba's (scene/readers/other_names.h).
+bool is_a(const XmlElement& element, std::string_view tag, std::string_view type) {
+  const std::string_view given = element.text("type");
+  return element.tag == tag &&
+         std::ranges::equal(given, type, [](unsigned char a, unsigned char b) { return std::tolower(a) == b; });
+}
+
+bool has_child(const XmlElement& element, std::string_view name) {
+  for (const XmlElement* child = element.first_child; child != nullptr; child = child->next_sibling)
+    if (child->text("name") == name) return true;
+  return false;
+}
 
 /// Before the others. tag, name and value outlive the document.
 void add_parameter(XmlElement& element, XmlPool& pool, const char* tag, const char* name, const char* value) {
@@ -50,49 +82,67 @@ void add_parameter(XmlElement& element, XmlPool& pool, const char* tag, const ch
 
 /// In 0.x a metal without a name is copper, in Mitsuba 3 the ideal mirror.
 void name_copper(XmlElement& element, XmlPool& pool) {
-  const std::string_view type = element.text("type");
-  if (element.tag != "bsdf" || (type != "conductor" && type != "roughconductor")) return;
-  for (const XmlElement* child = element.first_child; child != nullptr; child = child->next_sibling)
-    for (const char* given : {"material", "eta", "k"})
-      if (child->text("name") == given) return;
+  if (!is_a(element, "bsdf", "conductor") && !is_a(element, "bsdf", "roughconductor")) return;
+  for (const char* given : {"material", "eta", "k"})
+    if (has_child(element, given)) return;
   add_parameter(element, pool, "string", "material", "Cu");
 }
 
 /// In 0.x a sky's zenith is y, in Mitsuba 3 it is z.
 void turn_sky(XmlElement& element, XmlPool& pool) {
-  if (element.tag != "emitter" || element.text("type") != "sunsky") return;
+  if (!is_a(element, "emitter", "sunsky")) return;
   add_parameter(element, pool, "boolean", "is_y_up", "true");
 }
 
 /// In 0.x a grid lies in the box that its file states, in Mitsuba 3 in the unit cube.
 void fill_box(XmlElement& element, XmlPool& pool) {
-  if (element.tag != "volume" || element.text("type") != "gridvolume") return;
+  if (!is_a(element, "volume", "gridvolume")) return;
   add_parameter(element, pool, "boolean", "use_grid_bbox", "true");
 }
 
 /// In 0.x a boundary of media without a bsdf is a mere boundary, in Mitsuba 3 it is diffuse.
 void open_boundary(XmlElement& element, XmlPool& pool) {
   if (element.tag != "shape") return;
-  for (const XmlElement* child = element.first_child; child != nullptr; child = child->next_sibling)
-    if (child->text("name") == "interior" || child->text("name") == "exterior")
-      return add_parameter(element, pool, "boolean", "is_open_without_bsdf", "true");
+  if (has_child(element, "interior") || has_child(element, "exterior"))
+    add_parameter(element, pool, "boolean", "is_open_without_bsdf", "true");
 }
 
 /// 0.x takes diffuseReflectance, too, where there is no reflectance.
 void call_reflectance(XmlElement& element) {
-  const std::string_view type = element.text("type");
-  if (element.tag != "bsdf" || (type != "diffuse" && type != "roughdiffuse")) return;
-  for (const XmlElement* child = element.first_child; child != nullptr; child = child->next_sibling)
-    if (child->text("name") == "reflectance") return;
+  if (!is_a(element, "bsdf", "diffuse") && !is_a(element, "bsdf", "roughdiffuse")) return;
+  if (has_child(element, "reflectance")) return;
   for (XmlElement* child = element.first_child; child != nullptr; child = child->next_sibling)
     for (XmlAttribute& attribute : child->attributes)
       if (attribute.name == std::string_view("name") && attribute.value == std::string_view("diffuse_reflectance"))
         attribute.value = "reflectance";
 }
 
-void rename(XmlElement& element, bool parameters, XmlPool& pool, Diagnostics& diagnostics) {
+/// In 0.x a normal map is the texture inside, whatever its name.
+void take_normals(XmlElement& element, XmlPool& pool) {
+  if (is_a(element, "bsdf", "normalmap") && !has_child(element, "normalmap"))
+    add_parameter(element, pool, "boolean", "takes_any_texture", "true");
+}
+
+/// 0.x has a default of its own for how far ambient occlusion looks.
+void limit_occlusion(XmlElement& element, XmlPool& pool) {
+  if (is_a(element, "integrator", "ao") && !has_child(element, "max_distance"))
+    add_parameter(element, pool, "boolean", "looks_as_far_as_0x", "true");
+}
+
+/// In 0.x a bsdf of an OBJ has the name of one of the file's materials, which stays as it is.
+bool has_own_name(const XmlElement& element, const XmlElement* parent) {
+  return parent != nullptr && is_a(*parent, "shape", "obj") && (element.tag == "bsdf" || element.tag == "ref");
+}
+
+void name_materials(XmlElement& element, XmlPool& pool) {
+  for (const XmlElement* child = element.first_child; child != nullptr; child = child->next_sibling)
+    if (has_own_name(*child, &element) && !child->text("name").empty())
+      return add_parameter(element, pool, "boolean", "has_named_bsdfs", "true");
+}
+
+void rename(XmlElement& element, const XmlElement* parent, bool parameters, XmlPool& pool, Diagnostics& diagnostics) {
   if (element.tag == "lookAt") element.tag = "lookat";
-  if (parameters && element.tag != "default") {
+  if (parameters && element.tag != "default" && !has_own_name(element, parent)) {
     for (XmlAttribute& attribute : element.attributes) {
       const std::string_view value = attribute.value;
       const bool is_camel_case = std::any_of(value.begin(), value.end(), is_upper);
@@ -101,7 +151,7 @@ void rename(XmlElement& element, bool parameters, XmlPool& pool, Diagnostics& di
     }
   }
   for (XmlElement* child = element.first_child; child != nullptr; child = child->next_sibling)
-    rename(*child, parameters, pool, diagnostics);
+    rename(*child, &element, parameters, pool, diagnostics);
   if (!parameters) return;
   drop_repeated(element, diagnostics);
   name_copper(element, pool);
@@ -109,6 +159,9 @@ void rename(XmlElement& element, bool parameters, XmlPool& pool, Diagnostics& di
   open_boundary(element, pool);
   turn_sky(element, pool);
   fill_box(element, pool);
+  take_normals(element, pool);
+  limit_occlusion(element, pool);
+  name_materials(element, pool);
 }
 
 }  // namespace
@@ -138,7 +191,7 @@ void upgrade_to_version_3(XmlElement& root, XmlPool& pool, Diagnostics& diagnost
   } else if (root.tag == "scene") {
     diagnostics.warning(root.where, "<scene> has no version; it is read as version=\"3.0.0\"");
   }
-  rename(root, major < 2, pool, diagnostics);
+  rename(root, nullptr, major < 2, pool, diagnostics);
 }
 
 }  // namespace strahl

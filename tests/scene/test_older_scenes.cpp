@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MIT
+// Files of Mitsuba 0.x: what means something else there than in Mitsuba 3.
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "scene/scene_text.h"
+
+using namespace strahl;
+using namespace strahl::test;
+
+namespace {
+
+std::string old(const std::string& body) {
+  return "<scene version=\"0.6.0\">\n" + body + "\n<sensor type=\"perspective\"/></scene>\n";
+}
+
+Scene loaded(const std::string& body) {
+  const LoadedScene loaded = load_text(old(body));
+  CHECK(shortened(loaded.warnings).empty());
+  return loaded.scene;
+}
+
+}  // namespace
+
+TEST_CASE("0.x: references and objects of one name are a list") {
+  const std::string two = "<bsdf type=\"diffuse\" id=\"a\"/><bsdf type=\"conductor\" id=\"b\"/>";
+  const Scene blend = loaded(two +
+                             "<bsdf type=\"blendbsdf\"><ref name=\"bsdf\" id=\"a\"/><ref name=\"bsdf\" id=\"b\"/>"
+                             "</bsdf>");
+  const auto& halves = std::get<Blend>(blend.materials.at(3).bsdf);
+  CHECK(std::holds_alternative<Diffuse>(blend.materials.at(static_cast<std::size_t>(halves.first)).bsdf));
+  CHECK(std::holds_alternative<Conductor>(blend.materials.at(static_cast<std::size_t>(halves.second)).bsdf));
+  const Scene sides = loaded(
+      "<bsdf type=\"twosided\"><bsdf type=\"diffuse\" name=\"side\"/><bsdf type=\"diffuse\" name=\"side\">"
+      "<rgb name=\"reflectance\" value=\"1\"/></bsdf></bsdf>");
+  CHECK(sides.materials.back().back >= 0);
+  const std::string balls = "<shape type=\"sphere\" id=\"s\"/><shape type=\"cube\" id=\"c\"/>";
+  const Scene group = loaded(balls +
+                             "<shape type=\"shapegroup\" id=\"g\"><ref name=\"x\" id=\"s\"/><ref name=\"x\" "
+                             "id=\"c\"/></shape><shape type=\"instance\"><ref id=\"g\"/></shape>");
+  CHECK(group.groups.at(0).shapes.size() == 2);
+}
+
+TEST_CASE("0.x: of two textures of one name the last counts, and the other is named") {
+  const LoadedScene found = load_text(
+      old("<texture type=\"checkerboard\" id=\"t\"/><texture type=\"checkerboard\" id=\"u\"><rgb name=\"color0\" "
+          "value=\"1\"/></texture><bsdf type=\"diffuse\"><ref name=\"reflectance\" id=\"t\"/><ref name=\"reflectance\" "
+          "id=\"u\"/></bsdf>"));
+  const int shown = std::get<Diffuse>(found.scene.materials.at(1).bsdf).reflectance.texture;
+  CHECK(std::get<Checkerboard>(found.scene.textures.at(static_cast<std::size_t>(shown)).pattern).color0 ==
+        Rgb{1, 1, 1});
+  REQUIRE(found.warnings.size() == 1);
+  CHECK_THAT(found.warnings[0].message, Catch::Contains("has no use for \"t\", a <texture>"));
+}
+
+TEST_CASE("0.x: types in capitals are read by the same rules") {
+  const auto eta = [](const std::string& type) {
+    return std::get<Conductor>(loaded("<bsdf type=\"" + type + "\"/>").materials.at(1).bsdf).index.eta.color;
+  };
+  CHECK(eta("Conductor") == eta("conductor"));
+  CHECK_FALSE(eta("Conductor") == Rgb{0, 0, 0});
+  const Scene sky =
+      loaded("<emitter type=\"SunSky\"><vector name=\"sunDirection\" x=\"0\" y=\"1\" z=\"0.5\"/></emitter>");
+  CHECK(std::get<EnvironmentLight>(sky.lights.at(1).emitter).axes[1] == Vec3{0, 1, 0});
+  const Scene grey = loaded("<bsdf type=\"Diffuse\"><rgb name=\"diffuseReflectance\" value=\"0.25\"/></bsdf>");
+  CHECK(std::get<Diffuse>(grey.materials.at(1).bsdf).reflectance.color == Rgb{0.25, 0.25, 0.25});
+}
+
+TEST_CASE("0.x: a normalmap takes the texture inside it, whatever its name") {
+  const std::string board = "<texture type=\"checkerboard\" id=\"t\"", inside = "<bsdf type=\"diffuse\"/></bsdf>";
+  for (const std::string& given :
+       {"<bsdf type=\"normalmap\">" + board + "/>", "<bsdf type=\"NormalMap\">" + board + " name=\"normals\"/>",
+        "<bsdf type=\"normalmap\">" + board + " name=\"normalmap\"/>",
+        board + "/><bsdf type=\"normalmap\"><ref id=\"t\"/>"}) {
+    INFO(given);
+    const Scene scene = loaded(given + inside);
+    CHECK(std::get<Relief>(scene.materials.back().bsdf).map.texture == 0);
+  }
+  const auto fault = [&](const std::string& text) { return problems(text).at(0); };
+  CHECK_THAT(fault(old("<bsdf type=\"normalmap\">" + inside)), Catch::Contains("needs one <texture> inside"));
+  CHECK_THAT(fault(around("<bsdf type=\"normalmap\">" + board + "/>" + inside)), Catch::Contains("needs a normalmap"));
+}
+
+TEST_CASE("0.x: ambient occlusion looks half as far as the scene's sphere is wide, or as far as rayLength says") {
+  const auto ao = [](const std::string& inside) {
+    return load_text(
+        old("<shape type=\"cube\"/><shape type=\"sphere\"><point name=\"center\" x=\"9\" y=\"0\" "
+            "z=\"0\"/></shape><integrator type=\"ao\">" +
+            inside + "</integrator>"));
+  };
+  const auto length = [](const std::string& value) { return "<float name=\"rayLength\" value=\"" + value + "\"/>"; };
+  const double half = std::hypot(5.5, 1, 1) / 2;
+  CHECK(ao("").scene.integrator.max_distance == Approx(half).epsilon(1e-12));
+  CHECK(ao(length("-1")).scene.integrator.max_distance == Approx(half).epsilon(1e-12));
+  CHECK(ao(length("0.75")).scene.integrator.max_distance == 0.75);
+  CHECK(ao("<float name=\"maxDistance\" value=\"3\"/>").scene.integrator.max_distance == 3);
+  REQUIRE(ao("").warnings.size() == 1);
+  CHECK_THAT(ao("").warnings[0].message, Catch::Contains("black where nothing is hit, which is white in Mitsuba 0.x"));
+  const LoadedScene own = load_body("<shape type=\"cube\"/><integrator type=\"ao\"/>");
+  CHECK(own.warnings.empty());
+  CHECK(std::isinf(own.scene.integrator.max_distance));
+}
+
+TEST_CASE("0.x: a bsdf by the name of an OBJ's material covers its faces") {
+  const SceneFolder folder;
+  folder.write("a.obj",
+               "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nv 0 0 1\nf 1 2 3\nusemtl GreenGlass\nf 1 2 4\n"
+               "usemtl red\nf 1 2 5\n");
+  folder.write("a.mtl", "newmtl red\nKd 0.5 0 0\nKe 1 1 1\nnewmtl GreenGlass\nKd 0 0.5 0\nKe 1 1 1\n");
+  const auto load = [&](const std::string& inside) {
+    return load_scene(folder.write("scene.xml", old("<bsdf type=\"conductor\" id=\"m\"/><shape type=\"obj\"><string "
+                                                    "name=\"filename\" value=\"a.obj\"/>" +
+                                                    inside + "</shape>")));
+  };
+  const auto of_face = [](const Scene& scene, std::size_t face) {
+    const auto& mesh = std::get<Mesh>(scene.shapes.at(0).geometry);
+    const std::size_t part = static_cast<std::size_t>(mesh.part_of_triangle.at(face));
+    return scene.materials.at(static_cast<std::size_t>(mesh.parts.at(part).material)).bsdf;
+  };
+  const auto kd = [](const auto& bsdf) { return std::get<Diffuse>(bsdf).reflectance.color; };
+  const std::string glass = "<bsdf type=\"dielectric\" name=\"GreenGlass\"/>";
+  const LoadedScene one = load(glass);
+  CHECK(shortened(one.warnings).empty());
+  CHECK(kd(of_face(one.scene, 0)) == Rgb{0.5, 0.5, 0.5});
+  CHECK(std::holds_alternative<Dielectric>(of_face(one.scene, 1)));
+  CHECK(kd(of_face(one.scene, 2)) == Rgb{0.5, 0, 0});
+  const auto& parts = std::get<Mesh>(one.scene.shapes.at(0).geometry).parts;
+  CHECK(std::count_if(parts.begin(), parts.end(), [](const MeshPart& part) { return part.radiance.has_value(); }) == 1);
+  const Scene both = load(glass + "<ref name=\"red\" id=\"m\"/>").scene;
+  CHECK(std::holds_alternative<Dielectric>(of_face(both, 1)));
+  CHECK(std::holds_alternative<Conductor>(of_face(both, 2)));
+  const Scene plain = load(glass + "<boolean name=\"loadMaterials\" value=\"false\"/>").scene;
+  CHECK(std::holds_alternative<Dielectric>(of_face(plain, 1)));
+  CHECK(kd(of_face(plain, 2)) == Rgb{0.5, 0.5, 0.5});
+  const Scene bare = load("<boolean name=\"loadMaterials\" value=\"false\"/>").scene;
+  CHECK(std::get<Mesh>(bare.shapes.at(0).geometry).parts.empty());
+  const Scene only = load("<ref name=\"bsdf\" id=\"m\"/>").scene;  // No material's name, so it is the shape's.
+  CHECK(std::get<Mesh>(only.shapes.at(0).geometry).parts.empty());
+  CHECK(only.shapes[0].material == 1);
+  const LoadedScene wrong = load("<bsdf type=\"dielectric\" name=\"greenglass\"/>" + glass);
+  REQUIRE(wrong.warnings.size() == 1);
+  CHECK_THAT(wrong.warnings[0].message, Catch::Contains("no face of the file has the material \"greenglass\""));
+}
