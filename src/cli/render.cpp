@@ -253,7 +253,7 @@ ExitCode render(const RenderOptions& options, const Invocation& invocation) {
   const InterruptGuard guard;
   if (options.goal.frames) {
     bar.reset();
-    return render_frames(renderer, options, files, sampling.seed, guard);
+    return render_frames(renderer, options, invocation, files, sampling.seed, guard);
   }
   const RenderGoal goal = goal_of(options, invocation, end());
   PictureKeeper keeper(options.keep, files, checkpoint_header(options, invocation, device, renderer, settings, goal));

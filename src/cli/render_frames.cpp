@@ -11,6 +11,7 @@
 
 #include "cli/console.h"
 #include "cli/output_file.h"
+#include "cli/picture_metadata.h"
 #include "cli/progress_bar.h"
 #include "cli/render_files.h"
 #include "cli/summary.h"
@@ -72,8 +73,8 @@ class ErrorGoal {
 
 }  // namespace
 
-ExitCode render_frames(Renderer& renderer, const RenderOptions& options, const PictureFiles& files,
-                       std::uint32_t first_seed, const InterruptGuard& guard) {
+ExitCode render_frames(Renderer& renderer, const RenderOptions& options, const Invocation& invocation,
+                       const PictureFiles& files, std::uint32_t first_seed, const InterruptGuard& guard) {
   const double time = duration_seconds(*options.goal.time);
   std::vector<FrameStats> frames;
   std::vector<double> seconds;
@@ -101,9 +102,8 @@ ExitCode render_frames(Renderer& renderer, const RenderOptions& options, const P
         goal, &film_keeper);
     PictureFiles one = files;
     one.path = frame_path(files.path, frame + 1);
-    std::map<std::string, std::string> metadata{{"Software", "strahl " STRAHL_VERSION}, {"scene", options.scene.path}};
+    const std::map<std::string, std::string> metadata = metadata_of(options, invocation, result);
     if (!result.complete) {  // As any interrupted picture; it is none of the frames that times are told of.
-      metadata["incomplete"] = "interrupted";
       static_cast<void>(write(one, result, metadata, true));
       interrupted = one.path;
       break;

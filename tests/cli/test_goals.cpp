@@ -128,6 +128,9 @@ TEST_CASE("frames against the clock") {
   CHECK(folder.files() == std::vector<std::string>{"f.0001.exr", "f.0002.exr", "f.0003.exr", "f.json"});
   CHECK(json_of(folder, "f.json").at("in_time") == 3);
   const strahl::Image first = strahl::read_image(folder.path("f.0001.exr"));
+  CHECK(contains(first.metadata.at("command"), "--frames 3"));
+  CHECK(first.metadata.at("spp") == "4");
+  CHECK(first.metadata.at("seed") != strahl::read_image(folder.path("f.0002.exr")).metadata.at("seed"));
   CHECK_FALSE(first.data == strahl::read_image(folder.path("f.0002.exr")).data);
 }
 

@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "checkpoint/host_sources.h"
 #include "json_text.h"
 #include "kinds/integrators.h"
 #include "opencl/program.h"
@@ -71,6 +72,7 @@ StudyIdentity identity_of(const Device& device, const Scene& scene, int seeds, c
            {"size", fmt::format("{} x {}", scene.film.width, scene.film.height)},
            {"scene", content_hash(scene)},
            {"code", code_hash(scene)},
+           {"host", host_sources_hash()},
            {"seeds", fmt::format("{}", seeds)},
            {"reference", reference}}};
 }
