@@ -150,10 +150,10 @@ TEST_CASE("map_Kd and map_d of floats are cut at 1, a bump map is not") {
     const LoadedScene cut = load(lines);
     REQUIRE(cut.warnings.size() == 1);
     CHECK_THAT(cut.warnings[0].message, Catch::Contains("4 of the 4 texels") && Catch::Contains("brighter than 1"));
-    CHECK(kinds::brightest(cut.scene.textures.at(0)) == Rgb{1, 1, 1});
+    CHECK(kinds::brightest(cut.scene, 0) == Rgb{1, 1, 1});
     CHECK(std::get<Bitmap>(cut.scene.textures[0].pattern).mean == Rgb{1, 1, 1});
   }
   const LoadedScene heights = load("Kd 1 1 1\nbump bright.exr\n");
   CHECK(heights.warnings.empty());
-  CHECK(kinds::brightest(heights.scene.textures.at(0)) == Rgb{2, 2, 2});
+  CHECK(kinds::brightest(heights.scene, 0) == Rgb{2, 2, 2});
 }
