@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-foreach(test aovs vec transform elements images sky mtl_materials shapes spheres instances faults materials unknowns auto_integrator empty_media integrator_advice census_kinds census_files foreign_scenes other_names spectra expansion volumes
+foreach(test aovs vec transform elements images sky mtl_materials shapes spheres instances faults materials unknowns auto_integrator empty_media integrator_advice census_kinds census_files foreign_scenes other_names named_indices spectra expansion volumes
              validate scenes shared_scenes)
   strahl_test(scene/test_${test}.cpp LABEL unit)
 endforeach()
