@@ -303,8 +303,8 @@ struct Facts {
     MaterialFacts facts;
     facts.kind = has_heights ? "bumpmap" : "normalmap";
     MaterialSlot options{"scale",
-                         {relief.flip_invalid_normals ? 1.0 : 0.0, relief.use_shadowing_function ? 1.0 : 0.0,
-                          has_heights ? relief.scale : 0.0},
+                         {relief.flip_invalid_normals ? 1.0 : 0.0,
+                          (relief.use_shadowing_function ? 1.0 : 0.0) + (has_heights ? 2.0 : 0.0), relief.scale},
                          -1,
                          false};
     options.has_length = true;
