@@ -7,8 +7,8 @@
 // Stein, "A Microfacet-Based Shadowing Function to Solve the Bump Terminator Problem", Ray Tracing Gems, 2019). One
 // width; no guard.
 
-/// Slots of a relief's row: the map; whether invalid normals are turned, whether shallow light fades, and of heights
-/// their length, of normals 0.
+/// Slots of a relief's row: the map; whether invalid normals are turned, whether shallow light fades (1, else 0; of
+/// heights 2 more), and the length of heights.
 enum { RELIEF_MAP_w = 0, RELIEF_OPTIONS_w = 1 };
 
 /// A frame that a relief has bent, in the world.
@@ -42,16 +42,21 @@ FN real3w raised_normal_w(const Surfaces_w* s, const Frame_w* f, Real2_w slope) 
 
 /// Bends the normal of the lanes of `which`, whose rows are a relief's.
 FN void bend_w(const Scene* scene, const Surfaces_w* s, maskw which, intw rows, real3w out, Relief_w* r) {
-  realw zero = splat_w(R(0.0)), one = splat_w(R(1.0));
+  realw zero = splat_w(R(0.0)), one = splat_w(R(1.0)), two = splat_w(R(2.0));
   real3w options = parameter_at_w(scene, s, which, rows, RELIEF_OPTIONS_w);
-  maskw has_heights = which & lt_w(zero, abs_w(options.z));
+  maskw has_heights = which & le_w(two, options.y), fades = lt_w(sel_w(has_heights, two, zero), options.y);
   real3w n = mapped_normal_w(parameter_at_w(scene, s, which & ~has_heights, rows, RELIEF_MAP_w));
-  if (TEXTURE_COUNT > 0 && any_w(has_heights)) {
-    intw slot = gather_int_w(scene->index + MATERIAL_SLOTS + RELIEF_MAP_w, rows);
-    maskw is_texture = has_heights & s->hit & lt_int_w(slot, splat_int_w(0));
-    Real2_w slope = texture_slopes_w(scene, s, is_texture, ~slot);
-    slope.x = slope.x * options.z;
-    slope.y = slope.y * options.z;
+  if (any_w(has_heights)) {
+    // Without a texture heights are constant.
+    Real2_w slope;
+    slope.x = slope.y = zero;
+    if (TEXTURE_COUNT > 0) {
+      intw slot = gather_int_w(scene->index + MATERIAL_SLOTS + RELIEF_MAP_w, rows);
+      maskw is_texture = has_heights & s->hit & lt_int_w(slot, splat_int_w(0));
+      slope = texture_slopes_w(scene, s, is_texture, ~slot);
+      slope.x = slope.x * options.z;
+      slope.y = slope.y * options.z;
+    }
     n = sel3_w(has_heights, raised_normal_w(s, &r->frame, slope), n);
   }
   real3w view = to_frame_w(&r->frame, out);
@@ -73,7 +78,7 @@ FN void bend_w(const Scene* scene, const Surfaces_w* s, maskw which, intw rows, 
   bent.y = from_frame_w(&r->frame, y);
   bent.z = normalize3_w(from_frame_w(&r->frame, n));
   r->base = sel3_w(which, r->frame.z, r->base);
-  r->fading = sel_w(which, sel_w(lt_w(zero, options.y), fading, zero), r->fading);
+  r->fading = sel_w(which, sel_w(fades, fading, zero), r->fading);
   r->frame.x = sel3_w(which, bent.x, r->frame.x);
   r->frame.y = sel3_w(which, bent.y, r->frame.y);
   r->frame.z = sel3_w(which, bent.z, r->frame.z);

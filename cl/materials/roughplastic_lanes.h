@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: MIT
 // As plastic, under a boundary of microfacets. The share of light that goes through the boundary towards the base and
-// out of it is a polynomial, which the host fits (src/kinds/rough_boundary.cpp). Parameters: diffuse
-// reflectance r g b, specular reflectance r g b; the base's (base_lanes.h); the microfacets'
-// (microfacets_lanes.h); the polynomial's.
+// out of it is a polynomial, which the host fits (src/kinds/rough_boundary.cpp; its variable: rough_boundary.h).
+// Parameters: diffuse reflectance r g b, specular reflectance r g b; the base's (base_lanes.h), and how soft its
+// variable is; the microfacets' (microfacets_lanes.h), and the variable's spread; the polynomial's.
 
 enum {
   ROUGHPLASTIC_SPECULAR_w = 3,
   ROUGHPLASTIC_BASE_w = 6,
   ROUGHPLASTIC_ETA_w = 6,
+  ROUGHPLASTIC_INVERSE2_w = 10,
+  ROUGHPLASTIC_SOFT_w = 11,
   ROUGHPLASTIC_FACETS_w = 12,
+  ROUGHPLASTIC_SPREAD_w = 20,
   ROUGHPLASTIC_THROUGH_w = 21
 };
 enum { ROUGHPLASTIC_TERMS_w = 9 };
@@ -19,8 +22,15 @@ FN void roughplastic_load_w(const Scene* scene, const TexturePlace_w* at, int ro
 
 /// The share that goes through at that cosine.
 FN realw roughplastic_through_w(const Bsdf_w* b, realw cosine) {
-  realw zero = splat_w(R(0.0)), one = splat_w(R(1.0)), half_one = splat_w(R(0.5));
-  realw x = fma_w(splat_w(R(2.0)), cosine, -half_one) / (cosine + half_one);
+  realw zero = splat_w(R(0.0)), one = splat_w(R(1.0)), two = splat_w(R(2.0)), y = cosine;
+  realw soft = b->p[ROUGHPLASTIC_SOFT_w], spread = b->p[ROUGHPLASTIC_SPREAD_w];
+  maskw is_thinner = lt_w(zero, soft);
+  if (any_w(is_thinner)) {
+    realw q = fma_w((cosine - one) * (cosine + one), b->p[ROUGHPLASTIC_INVERSE2_w], one), size = abs_w(q);
+    realw larger = sqrt_w(splat_w(R(0.5)) * (size + sqrt_w(fma_w(q, q, soft * soft))));
+    y = sel_w(is_thinner, sel_w(lt_w(q, zero), soft / (two * sel_w(is_thinner, larger, one)), larger), y);
+  }
+  realw x = fma_w(fma_w(two, spread, one), y, -spread) / (y + spread);
   realw sum = b->p[ROUGHPLASTIC_THROUGH_w];
   for (int k = 1; k < ROUGHPLASTIC_TERMS_w; ++k) sum = fma_w(sum, x, b->p[ROUGHPLASTIC_THROUGH_w + k]);
   return min_w(max_w(sum, zero), one);

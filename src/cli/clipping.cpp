@@ -34,9 +34,7 @@ std::vector<Rgb> lamps_of(const Scene& scene) {
   std::vector<Rgb> lamps;
   const auto add = [&](const std::optional<Rgb>& radiance, int texture = -1) {
     if (!radiance || !(std::max({radiance->r, radiance->g, radiance->b}) > 0)) return;
-    lamps.push_back(
-        texture < 0 ? *radiance
-                    : kinds::times(*radiance, kinds::brightest(scene.textures.at(static_cast<std::size_t>(texture)))));
+    lamps.push_back(texture < 0 ? *radiance : kinds::times(*radiance, kinds::brightest(scene, texture)));
   };
   for_each_shape(scene, [&](const Shape& shape) {
     add(shape.radiance, shape.radiance_texture);

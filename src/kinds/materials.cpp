@@ -267,7 +267,9 @@ struct Facts {
     const bool is_possible = std::isfinite(eta) && eta > 0 && std::isfinite(alpha) && alpha >= 0;
     const auto boundary = is_possible ? kinds::rough_boundary(microfacets.kind, alpha, eta) : kinds::RoughBoundary{};
     MaterialFacts plastic = plastic_facts("roughplastic", bsdf.plastic, boundary.inner);
+    plastic.slots.back().reals[2] = boundary.soft;
     add_microfacets(microfacets, plastic);
+    plastic.slots.back().reals[2] = boundary.spread;
     const std::array<double, 9>& t = boundary.through;
     for (std::size_t i = 0; i < t.size(); i += 3)
       plastic.slots.push_back({"through", {t[i], t[i + 1], t[i + 2]}, -1, false});
@@ -303,8 +305,8 @@ struct Facts {
     MaterialFacts facts;
     facts.kind = has_heights ? "bumpmap" : "normalmap";
     MaterialSlot options{"scale",
-                         {relief.flip_invalid_normals ? 1.0 : 0.0, relief.use_shadowing_function ? 1.0 : 0.0,
-                          has_heights ? relief.scale : 0.0},
+                         {relief.flip_invalid_normals ? 1.0 : 0.0,
+                          (relief.use_shadowing_function ? 1.0 : 0.0) + (has_heights ? 2.0 : 0.0), relief.scale},
                          -1,
                          false};
     options.has_length = true;

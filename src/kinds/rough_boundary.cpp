@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Means over the microfacets that a direction sees, by the midpoints of a grid; what is reflected or refracted into
-// another microfacet is lost, as in Mitsuba. The polynomial goes through the means at Chebyshev's nodes.
+// another microfacet is lost, as in Mitsuba. The polynomial goes through the means at Chebyshev's nodes; where light is
+// reflected totally from a critical angle on, which no polynomial of the cosine follows, it is near the means in the
+// variable that suits them best.
 #include "kinds/rough_boundary.h"
 
 #include <algorithm>
@@ -9,6 +11,8 @@
 #include <mutex>
 #include <numbers>
 #include <tuple>
+
+#include "kinds/polynomial_fit.h"
 
 namespace strahl::kinds {
 namespace {
@@ -93,14 +97,67 @@ std::array<double, n> through_nodes(const std::array<double, n>& values) {
   return powers;
 }
 
-RoughBoundary computed(MicrofacetKind kind, double alpha, double eta) {
-  RoughBoundary boundary;
+double variable(const RoughBoundary& boundary, double eta, double cosine) {
+  double y = cosine;
+  if (boundary.soft > 0) {
+    const double q = 1 - (1 - cosine) * (1 + cosine) / (eta * eta);
+    const double larger = std::sqrt((std::fabs(q) + std::hypot(q, boundary.soft)) / 2);
+    y = q < 0 ? boundary.soft / (2 * larger) : larger;
+  }
+  return ((1 + 2 * boundary.spread) * y - boundary.spread) / (y + boundary.spread);
+}
+
+/// Evenly spread cosines, and more and more of them towards the critical angle.
+std::vector<double> cosines_about(double critical) {
+  constexpr int even = 64, near = 32;
+  std::vector<double> cosines;
+  for (int i = 0; i <= even; ++i) cosines.push_back(std::max(static_cast<double>(i) / even, 1e-4));
+  for (int i = 0; i < near; ++i) {
+    const double step = std::pow((i + 0.5) / near, 3);
+    cosines.push_back(critical * (1 - step));
+    cosines.push_back(critical + (1 - critical) * step);
+  }
+  return cosines;
+}
+
+void fit_thinner(MicrofacetKind kind, double alpha, double eta, RoughBoundary& boundary) {
+  const std::vector<double> cosines = cosines_about(std::sqrt((1 - eta) * (1 + eta)));
+  std::vector<double> values, importance, x(cosines.size());
+  for (const double cosine : cosines) {
+    values.push_back(mean_share(kind, alpha, eta, cosine, true));
+    // Little light is shallow. Of nearly equal indices the critical angle is, which must not spoil the rest.
+    importance.push_back(std::clamp(cosine / 0.1, 0.1, 1.0));
+  }
+  PolynomialFit best;
+  for (const double soft : {0.0, 1e-4, 1e-3, 3e-3, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 3.0})
+    for (const double spread : {0.05, 0.1, 0.2, 0.5}) {
+      const RoughBoundary tried{{}, spread, soft, 0};
+      std::transform(cosines.begin(), cosines.end(), x.begin(),
+                     [&](double cosine) { return variable(tried, eta, cosine); });
+      const PolynomialFit fit = polynomial_near(x, values, importance);
+      if (!(fit.most_off < best.most_off)) continue;
+      best = fit;
+      boundary.through = fit.terms;
+      boundary.spread = spread;
+      boundary.soft = soft;
+    }
+}
+
+void fit_denser(MicrofacetKind kind, double alpha, double eta, RoughBoundary& boundary) {
   std::array<double, 9> values{};
   for (std::size_t i = 0; i < values.size(); ++i) {
     const double x = std::cos(std::numbers::pi * (static_cast<double>(i) + 0.5) / static_cast<double>(values.size()));
     values[i] = mean_share(kind, alpha, eta, 0.5 * (1 + x) / (2 - x), true);  // x = (2 c - 0.5) / (c + 0.5)
   }
   boundary.through = through_nodes(values);
+}
+
+RoughBoundary computed(MicrofacetKind kind, double alpha, double eta) {
+  RoughBoundary boundary;
+  if (eta < 1)
+    fit_thinner(kind, alpha, eta, boundary);
+  else
+    fit_denser(kind, alpha, eta, boundary);
   // Mitsuba's sum over 64 cosines, ends included.
   constexpr int cosines = 64;
   for (int i = 0; i < cosines; ++i) {
@@ -111,6 +168,13 @@ RoughBoundary computed(MicrofacetKind kind, double alpha, double eta) {
 }
 
 }  // namespace
+
+double share_through(const RoughBoundary& boundary, double eta, double cosine) {
+  const double x = variable(boundary, eta, cosine);
+  double sum = 0;
+  for (const double term : boundary.through) sum = sum * x + term;
+  return std::clamp(sum, 0.0, 1.0);
+}
 
 RoughBoundary rough_boundary(MicrofacetKind kind, double alpha, double eta) {
   static std::mutex lock;

@@ -73,13 +73,26 @@ struct TextureRow {
 
 /// One without its row does not compile.
 struct BrightestRow {
+  const Scene& scene;
+  bool is_unbounded;
+
   Rgb operator()(const Checkerboard& board) const {
     const Rgb &a = board.color0, &b = board.color1;
     return {std::max(a.r, b.r), std::max(a.g, b.g), std::max(a.b, b.b)};
   }
   Rgb operator()(const Bitmap& bitmap) const { return times(bitmap.scale, brightest_of(*bitmap.texels, bitmap.curve)); }
   Rgb operator()(const AttributeTexture& attribute) const {
-    return {attribute.scale, attribute.scale, attribute.scale};
+    Rgb most;
+    for_each_shape(scene, [&](const Shape& shape) {
+      const auto* mesh = std::get_if<Mesh>(&shape.geometry);
+      if (mesh == nullptr) return;
+      for (const MeshAttribute& there : mesh->attributes)
+        if (there.name == attribute.name)
+          for (const Rgb& c : there.values)
+            most = {std::max(most.r, c.r), std::max(most.g, c.g), std::max(most.b, c.b)};
+    });
+    most = times(attribute.scale, most);
+    return is_unbounded ? most : Rgb{std::min(most.r, 1.0), std::min(most.g, 1.0), std::min(most.b, 1.0)};
   }
 };
 
@@ -108,6 +121,9 @@ Rgb brightest_of(const Texels& texels, const TexelCurve& curve) {
   return most;
 }
 
-Rgb brightest(const Texture& texture) { return std::visit(BrightestRow{}, texture.pattern); }
+Rgb brightest(const Scene& scene, int texture) {
+  const Texture& found = scene.textures.at(static_cast<std::size_t>(texture));
+  return std::visit(BrightestRow{scene, found.is_unbounded}, found.pattern);
+}
 
 }  // namespace strahl::kinds

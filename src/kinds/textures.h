@@ -25,8 +25,8 @@ struct TextureFacts {
 /// Of an image: its mean, and its greatest values channel by channel.
 [[nodiscard]] Rgb mean_of(const Texels& texels, const TexelCurve& curve);
 [[nodiscard]] Rgb brightest_of(const Texels& texels, const TexelCurve& curve);
-/// The greatest values of a texture; of what meshes have, its scale.
-[[nodiscard]] Rgb brightest(const Texture& texture);
+/// The greatest values of a texture of the scene; of what meshes have, those of all meshes that have it.
+[[nodiscard]] Rgb brightest(const Scene& scene, int texture);
 
 [[nodiscard]] inline Rgb times(double factor, const Rgb& c) { return {factor * c.r, factor * c.g, factor * c.b}; }
 [[nodiscard]] inline Rgb times(const Rgb& a, const Rgb& b) { return {a.r * b.r, a.g * b.g, a.b * b.b}; }

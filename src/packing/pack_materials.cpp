@@ -10,12 +10,14 @@ namespace strahl {
 
 namespace {
 
-/// The greatest values of a slot. is_bound: of a bitmap, whose texels are then not read, at most these.
+/// The greatest values of a slot. is_bound: of a bitmap and of what meshes have, whose values are then not read, at
+/// most these.
 Rgb brightest(const MaterialSlot& slot, const Scene& scene, bool is_bound) {
   if (slot.texture < 0) return {slot.reals[0], slot.reals[1], slot.reals[2]};
   const Texture& texture = scene.textures[static_cast<std::size_t>(slot.texture)];
-  const auto* bitmap = std::get_if<Bitmap>(&texture.pattern);
-  return is_bound && bitmap != nullptr ? bitmap->scale : kinds::brightest(texture);
+  if (const auto* bitmap = std::get_if<Bitmap>(&texture.pattern); is_bound && bitmap != nullptr) return bitmap->scale;
+  if (is_bound && std::holds_alternative<AttributeTexture>(texture.pattern)) return {1, 1, 1};
+  return kinds::brightest(scene, slot.texture);
 }
 
 double scale_of_slots(const std::vector<MaterialSlot>& slots, const Scene& scene) {

@@ -38,6 +38,9 @@ def bsdfs():
     yield "roughplastic", red
     yield "roughplastic", red + microfacets("ggx", 0.4) + '<boolean name="nonlinear" value="true"/>'
     yield "roughplastic", red + microfacets("beckmann", 0.02) + '<float name="int_ior" value="1.33"/>'
+    thinner = '<float name="int_ior" value="1"/><float name="ext_ior" value="1.49"/>'
+    yield "roughplastic", red + microfacets("beckmann", 0.2) + thinner
+    yield "roughplastic", red + microfacets("ggx", 0.4) + thinner
 
 
     def principled(**values):

@@ -21,6 +21,8 @@ add_test(NAME acceptance_mitsuba_reliefs COMMAND python3 -B ${CMAKE_CURRENT_LIST
 set_tests_properties(acceptance_mitsuba_reliefs PROPERTIES LABELS slow SKIP_RETURN_CODE 77 TIMEOUT 300)
 add_test(NAME acceptance_mitsuba_lights COMMAND python3 -B ${CMAKE_CURRENT_LIST_DIR}/mitsuba_lights.py --check)
 set_tests_properties(acceptance_mitsuba_lights PROPERTIES LABELS slow SKIP_RETURN_CODE 77 TIMEOUT 300)
+add_test(NAME acceptance_mitsuba_indices COMMAND python3 -B ${CMAKE_CURRENT_LIST_DIR}/mitsuba_indices.py --check)
+set_tests_properties(acceptance_mitsuba_indices PROPERTIES LABELS slow SKIP_RETURN_CODE 77 TIMEOUT 300)
 add_test(NAME acceptance_mitsuba_path
          COMMAND python3 -B ${CMAKE_CURRENT_LIST_DIR}/mitsuba_path.py $<TARGET_FILE:strahl-bin>)
 set_tests_properties(acceptance_mitsuba_path PROPERTIES LABELS slow SKIP_RETURN_CODE 77 TIMEOUT 1800)

@@ -71,3 +71,31 @@ TEST_CASE("a phong and a ward whose textures may be above 1 together are scaled 
   phong.specular_reflectance.texture = 0;
   CHECK(scale(phong, 3, 0.75F) == Approx(0.99 / 1.5));
 }
+
+TEST_CASE("a phong and a ward that show an attribute are scaled by the greatest value that meshes have, at most 1") {
+  const auto scale = [](const auto& bsdf, int slot, double times, double value) {
+    Scene scene;
+    Mesh mesh;
+    mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    mesh.triangles = {{0, 1, 2}};
+    mesh.attributes = {{"vertex_heat", {{0, 0, 0}, {value, 0.1, 0.1}, {0.1, 0.1, 0.1}}}};
+    add(scene, mesh);
+    scene.textures.emplace_back().pattern = AttributeTexture{"vertex_heat", times};
+    scene.materials.resize(1);
+    scene.materials[0].bsdf = bsdf;
+    PackOptions options{1, {}};
+    options.acceleration = Acceleration::list;
+    const auto packed = pack_scene<double>(scene, features_of(scene, {}), options);
+    const int row = packed.index.at(layout::HEADER_MATERIALS) + layout::MATERIAL_SLOTS + slot;
+    return packed.shading.at(static_cast<std::size_t>(packed.index.at(static_cast<std::size_t>(row))) + 2);
+  };
+  Phong phong;
+  Ward ward;
+  phong.diffuse_reflectance = ward.diffuse_reflectance = {{0.1, 0.1, 0.1}, 0};
+  phong.specular_reflectance = ward.specular_reflectance = {{0.5, 0.5, 0.5}};
+  CHECK(scale(phong, 3, 1, 0.25) == 1);
+  CHECK(scale(ward, 5, 2, 0.25) == 1);
+  CHECK(scale(phong, 3, 3, 0.25) == Approx(0.99 / 1.25));
+  CHECK(scale(ward, 5, 0.5, 1.5) == Approx(0.99 / 1.25));
+  CHECK(scale(ward, 5, 1, 7) == Approx(0.99 / 1.5));
+}

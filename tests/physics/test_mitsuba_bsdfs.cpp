@@ -94,20 +94,23 @@ TEST_CASE("materials scatter what Mitsuba's do") {
     ++values;
     const double half = std::hypot(wo[0] + wi[0], wo[1] + wi[1], wo[2] + wi[2]) / 2;
     double alpha = 1;
-    bool is_tabulated = false;
+    bool is_tabulated = false, is_thinner = false;
     for (const Case& one : cases) {
       alpha = std::min(alpha, one.alpha);
       is_tabulated = is_tabulated || one.kind == "roughplastic";
+      is_thinner = is_thinner || (one.kind == "roughplastic" && one.p.at(6) < 1);
     }
     const double single = std::min(3e-5 * (1 + 1 / (alpha * half)), 2e-2);
     // Mitsuba's table has a step of 1 / 63 in the cosine, which its interpolation feels where light is shallow.
     const double tabulated = std::min(wo[2], wi[2]) < 0.1 ? 1.5e-2 : 3e-3;
     const double bound = is_tabulated ? tabulated + single : single;
+    // Beyond the critical angle of something thinner next to nothing goes through, by the polynomial up to 0.006.
+    const double margin = is_thinner ? 2e-3 : 1e-7;
     for (const BsdfTier& tier : bsdf_tiers()) {
       if (tier.lanes == 16 || (tier.lanes == 1 && std::string(tier.name) != "double")) continue;
       INFO(tier.name << ", " << bsdf << "\n" << line);
       const Triad found = value_of(tier, cases, wo, wi);
-      for (std::size_t i = 0; i < 3; ++i) CHECK(found[i] == Approx(wanted[i]).epsilon(bound).margin(1e-7));
+      for (std::size_t i = 0; i < 3; ++i) CHECK(found[i] == Approx(wanted[i]).epsilon(bound).margin(margin));
     }
   }
   CHECK(values > 640);

@@ -94,6 +94,30 @@ TEST_CASE("reliefs scatter what Mitsuba's do") {
   CHECK(count > 2000);
 }
 
+TEST_CASE("heights times 0, and heights that a texture does not vary, leave the surface as smooth as it is") {
+  const std::string metal = "<bsdf type=\"twosided\"><bsdf type=\"roughconductor\"/></bsdf>", end = "</bsdf>";
+  const std::string letter =
+      "<texture type=\"bitmap\"><string name=\"filename\" value=\"ROOT/scenes/textures/letter.png\"/></texture>";
+  const std::vector<std::string> flat{
+      "<bsdf type=\"bumpmap\"><float name=\"scale\" value=\"0\"/>" + letter + metal + end,
+      "<bsdf type=\"bumpmap\"><texture type=\"scale\"><float name=\"scale\" value=\"0\"/>" + letter + "</texture>" +
+          metal + end,
+      "<bsdf type=\"bumpmap\"><texture type=\"wireframe\"/>" + metal + end};
+  const std::vector<Value> values = cases().front().values;
+  for (const TransportTier& tier : transport_tiers()) {
+    const std::vector<Lit> wanted = lit(tier, TierScene(scene_of(metal), tier), values);
+    for (const std::string& bsdf : flat) {
+      const std::vector<Lit> found = lit(tier, TierScene(scene_of(bsdf), tier), values);
+      REQUIRE(found.size() > 10);
+      for (std::size_t i = 0; i < found.size(); ++i) {
+        INFO(tier.name << ", " << tier.lanes << " lanes, " << bsdf);
+        for (std::size_t k = 0; k < 3; ++k)
+          CHECK(found[i].value[k] == Approx(wanted[i].value[k]).epsilon(1e-3).margin(1e-6));
+      }
+    }
+  }
+}
+
 /// Also maps that Mitsuba leaks light with: normals below the surface, and two sides without turned normals.
 std::vector<Case> hard_cases() {
   std::vector<Case> all = cases();

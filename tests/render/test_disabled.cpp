@@ -111,6 +111,35 @@ TEST_CASE("a material that is left out is black beside one of another kind") {
   CHECK(lit_pixels(picture_without(scene, {"materials/conductor"})) == 0);
 }
 
+TEST_CASE("heights are flat in a program without textures, made for the scene or generic, and where their scale is 0") {
+  require_pocl_and_rusticl();
+  Scene plain = stage({floor_plane()}, diffuse({0.75, 0.5, 0.25}));
+  plain.integrator.name = "path";
+  plain.integrator.max_depth = 2;
+  plain.film.width = plain.film.height = 8;
+  plain.lights = {light(DirectionalLight{{0, 0.6, -0.8}, {1, 1, 1}})};
+  Scene constant = plain;
+  Relief relief;
+  relief.kind = Relief::Kind::heights;
+  relief.nested = 0;
+  constant.shapes[0].material = add(constant, relief);
+  Scene board = constant;
+  board.textures.push_back({"", Checkerboard{}, {}, true});
+  std::get<Relief>(board.materials.back().bsdf).map.texture = 0;
+  Scene unmoved = board;
+  std::get<Relief>(unmoved.materials.back().bsdf).scale = 0;
+  const Image expected = picture_without(plain);
+  CHECK(lit_pixels(expected) == 64);
+  const auto check = [&](const Image& found) {
+    for (std::size_t i = 0; i < expected.data.size(); ++i)
+      CHECK(found.data[i] == Approx(expected.data[i]).epsilon(1e-5));
+  };
+  check(picture_without(constant));
+  check(picture_without(board, {"textures/checkerboard"}));
+  check(picture_without(unmoved));
+  check(color(constant));
+}
+
 TEST_CASE("paths find an area light by themselves where none is drawn from, and gather as much") {
   require_pocl_and_rusticl();
   Scene scene = stage({floor_plane()});

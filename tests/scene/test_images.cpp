@@ -238,7 +238,7 @@ TEST_CASE("textures of floats are cut at 1 where a share is meant, and nowhere e
            "\"><string name=\"filename\" value=\"bright.exr\"/></texture>";
   };
   const auto brightest = [](const LoadedScene& loaded) {
-    return kinds::brightest(loaded.scene.textures.at(0)).g + kinds::brightest(loaded.scene.textures.at(0)).r;
+    return kinds::brightest(loaded.scene, 0).g + kinds::brightest(loaded.scene, 0).r;
   };
   const std::string thin = "<bsdf type=\"principledthin\">", rough = "<bsdf type=\"roughconductor\">";
   for (const std::string& what : {thin + bitmap("eta"), thin + bitmap("diff_trans"), rough + bitmap("alpha")}) {

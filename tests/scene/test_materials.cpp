@@ -231,6 +231,12 @@ TEST_CASE("materials of Mitsuba 0.x, by its names and by Mitsuba 3's") {
   const Ward ward = read_as<Ward>("<bsdf type=\"ward\"><string name=\"variant\" value=\"ward-duer\"/></bsdf>");
   CHECK(ward.variant == Ward::Variant::ward_duer);
   CHECK(ward.alpha_u.color == Rgb{.1, .1, .1});
+  // Mitsuba 0.6: alphaU and alphaV are alpha where they are not given.
+  const Ward brushed = std::get<Ward>(
+      last(old + "<bsdf type=\"ward\"><float name=\"alpha\" value=\".3\"/><float name=\"alphaV\" value=\".2\"/></bsdf>")
+          .bsdf);
+  CHECK(brushed.alpha_u.color == Rgb{.3, .3, .3});
+  CHECK(brushed.alpha_v.color == Rgb{.2, .2, .2});
   CHECK(problem("<bsdf type=\"ward\"><string name=\"variant\" value=\"new\"/></bsdf>").find("no variant") !=
         std::string::npos);
   Material both;

@@ -59,6 +59,22 @@ TEST_CASE("mirrors: what is diffuse and what is mirrored add up to Kd and Ks") {
   CHECK(bsdf_of<Diffuse>(with_mtl("Kd 0.3\nillum 3\n")).reflectance.color == Rgb{0.3, 0.3, 0.3});
 }
 
+TEST_CASE("a mirror over a saturated Kd loads: each of the two reflects at most 1, and both as much less than told") {
+  for (const char* map : {"", "map_Kd half.png\n"}) {
+    const LoadedScene loaded = with_mtl("Kd 0.8 0.1 0.1\nKs 0.5 0.5 0.5\nillum 3\n" + std::string(map));
+    INFO(map);
+    const auto blend = bsdf_of<Blend>(loaded);
+    const auto at = [&](int i) { return loaded.scene.materials.at(static_cast<std::size_t>(i)).bsdf; };
+    const Reflectance base = std::get<Diffuse>(at(blend.first)).reflectance;
+    // Ks takes what Kd leaves: 0.2 0.5 0.5; 0.8 and 0.5 are 1.3 together.
+    CHECK(is_close(blend.weight.color, {0.5 / 1.3, 0.5 / 1.3, 0.5 / 1.3}));
+    CHECK(is_close(base.color, {1, 0.125, 0.125}));
+    CHECK(is_close(std::get<Conductor>(at(blend.second)).reflectance.color, {0.4, 1, 1}));
+    REQUIRE((base.texture >= 0) == !std::string(map).empty());
+    if (base.texture >= 0) CHECK(std::get<Bitmap>(loaded.scene.textures.at(0).pattern).scale == base.color);
+  }
+}
+
 TEST_CASE("glass has the index Ni and Tf's hue, whatever its d") {
   for (const char* illum : {"illum 4\n", "illum 6\n", "illum 7\n", "illum 9\n"}) {
     const LoadedScene loaded = with_mtl("Kd 0.01\nKs 0.3\nTf 0.1 0.05 0.1\nNi 2.5\nd 0.2\n" + std::string(illum));
@@ -150,10 +166,10 @@ TEST_CASE("map_Kd and map_d of floats are cut at 1, a bump map is not") {
     const LoadedScene cut = load(lines);
     REQUIRE(cut.warnings.size() == 1);
     CHECK_THAT(cut.warnings[0].message, Catch::Contains("4 of the 4 texels") && Catch::Contains("brighter than 1"));
-    CHECK(kinds::brightest(cut.scene.textures.at(0)) == Rgb{1, 1, 1});
+    CHECK(kinds::brightest(cut.scene, 0) == Rgb{1, 1, 1});
     CHECK(std::get<Bitmap>(cut.scene.textures[0].pattern).mean == Rgb{1, 1, 1});
   }
   const LoadedScene heights = load("Kd 1 1 1\nbump bright.exr\n");
   CHECK(heights.warnings.empty());
-  CHECK(kinds::brightest(heights.scene.textures.at(0)) == Rgb{2, 2, 2});
+  CHECK(kinds::brightest(heights.scene, 0) == Rgb{2, 2, 2});
 }

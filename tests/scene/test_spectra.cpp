@@ -4,7 +4,6 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "scene/readers/metals.h"
 #include "scene/scene_text.h"
 #include "scene/spectra/observer.h"
 
@@ -124,15 +123,4 @@ TEST_CASE("spectra that cannot be are errors at their place") {
   CHECK(problem("<spectrum type=\"irregular\" name=\"reflectance\"><string name=\"values\" value=\"1\"/></spectrum>")
             .find("as many finite values") != std::string::npos);
   CHECK(problem("<blackbody name=\"reflectance\" temperature=\"0\"/>").find("greater than 0") != std::string::npos);
-}
-
-TEST_CASE("metals have Mitsuba's indices") {
-  const std::optional<MetalIndex> copper = metal_index("Cu");
-  REQUIRE(copper);
-  check_near(copper->eta.color, {0.2010055, 0.9237495, 1.102215}, 1e-5);
-  check_near(copper->k.color, {3.913262, 2.453045, 2.14209}, 1e-5);
-  check_near(metal_index("Au")->eta.color, {0.143036, 0.3753071, 1.442045}, 1e-5);
-  check_near(metal_index("Ag")->k.color, {4.828354, 3.122222, 2.146901}, 1e-5);
-  CHECK_FALSE(metal_index("cu"));
-  CHECK(metal_names().size() == 72);
 }

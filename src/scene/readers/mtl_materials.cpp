@@ -54,21 +54,22 @@ class Import {
     return opaque(named(Phong{base, {specular}, exponent}));
   }
 
-  /// A blend in which each of the two has the share of its brightest colour.
+  /// A blend in which each of the two has the share of its brightest colour. Where these are of different channels and
+  /// more than 1 together, no two shares hold both, and each is as much darker.
   int mirror() {
     const Reflectance base = base_reflectance();
     const Rgb specular = specular_beside(base.color);
-    const double rest = brightest(base.color), both = rest + brightest(specular);
-    if (brightest(specular) <= 0) return opaque(named(Diffuse{base}));
+    const double rest = brightest(base.color), mirrored = brightest(specular), both = rest + mirrored;
+    if (mirrored <= 0) return opaque(named(Diffuse{base}));
     if (rest <= 0) return opaque(named(Conductor{{specular}}));
-    const double share = brightest(specular) / both;
+    const double share = mirrored / both, kept = std::min(both, 1.0);
     Reflectance own = base;
-    own.color = kinds::times(1 / (1 - share), base.color);
+    own.color = kinds::times(kept / rest, base.color);
     if (own.texture >= 0) std::get<Bitmap>(scene_.textures.back().pattern).scale = own.color;
     Blend blend;
     blend.weight.color = {share, share, share};
     blend.first = add(twosided(named(Diffuse{own})));
-    blend.second = add(twosided(named(Conductor{{kinds::times(1 / share, specular)}})));
+    blend.second = add(twosided(named(Conductor{{kinds::times(kept / mirrored, specular)}})));
     return opaque(named(blend));
   }
 
