@@ -107,6 +107,7 @@ FN void rays_leaving_w(const Surfaces_w* s, maskw which, real3w d, realw t_max, 
 /// so it goes on from a little farther.
 FN void rays_passing_w(const Surfaces_w* s, maskw which, maskw passed, real3w d, realw t_max, Rays_w* rays) {
   rays_leaving_w(s, which, d, t_max, rays);
+  if (!any_w(passed)) return;
   realw off =
       splat_w(REAL_BITS == 64 ? R(0x1p-50) : R(0x1p-21)) * largest_of_w(s->position.x, s->position.y, s->position.z);
   maskw is_at_once = passed & le_w(s->t, off);

@@ -9,14 +9,11 @@
 namespace strahl::test {
 namespace {
 
-Image seen(Scene scene, const char* integrator, Precision precision, int samples, bool in_lanes = true) {
+Image seen(Scene scene, const char* integrator, Precision precision, int samples) {
   scene.integrator.name = integrator;
   scene.sampler.kind = SamplerKind::independent;
   scene.sampler.sample_count = samples;
-  RenderSettings settings;
-  settings.precision = precision;
-  settings.paths_in_lanes = in_lanes;
-  return render("pocl", scene, settings).color;
+  return color(scene, precision);
 }
 
 /// Level, tilted, round: the last two lie on one another to a rounding only.
@@ -34,12 +31,11 @@ TEST_CASE("lamps twice in one place are hidden from the camera, and light once")
       add(scene, twin);
       scene.shapes.back().radiance = Rgb{0, 0, 1};
     }
-    for (const Precision precision : exact_tiers)
-      for (const bool in_lanes : {true, false}) {
-        const Image image = seen(scene, "path", precision, 16, in_lanes);
-        CHECK(lit_pixels(image) == 256);
-        CHECK(image.at(8, 8, 0) > 0);
-      }
+    for (const Precision precision : exact_tiers) {
+      const Image image = seen(scene, "path", precision, 16);
+      CHECK(lit_pixels(image) == 256);
+      CHECK(image.at(8, 8, 0) > 0);
+    }
   }
 }
 

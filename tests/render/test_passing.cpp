@@ -124,7 +124,8 @@ TEST_CASE("blends one behind the other on a ray: each draws by a number of its o
   scene.film.width = scene.film.height = 16;
   for (const char* integrator : {"path", "volpath"}) {
     INFO(integrator);
-    CHECK(mean_in(scene, 1024, integrator) == Approx(0.25).margin(0.005));
+    scene.integrator.name = integrator;
+    CHECK(mean_of(drawn(scene, 1024)).r == Approx(0.25).margin(0.005));
   }
 }
 
