@@ -19,13 +19,13 @@ endif()
 set(HASH_FILES_SCRIPT ${CMAKE_CURRENT_LIST_FILE})
 
 # hash_files(variable DIR folder FILES f ... HEADER h NAMESPACE n FUNCTION f): in variable, the generated file, which
-# defines const char* n::f(), 16 hexadecimal digits, as h declares it. Names count as below DIR, wherever that is.
+# defines const char* n::f(), 16 hexadecimal digits, as h declares it. FILES are names below DIR, wherever that is.
 function(hash_files variable)
   cmake_parse_arguments(ARG "" "DIR;HEADER;NAMESPACE;FUNCTION" "FILES" ${ARGN})
   set(dir ${PROJECT_SOURCE_DIR}/${ARG_DIR})
   set(names ${ARG_FILES})
-  list(TRANSFORM names REPLACE "^${dir}/" "")
   list(SORT names)
+  list(TRANSFORM names PREPEND ${dir}/ OUTPUT_VARIABLE files)
   set(output ${PROJECT_BINARY_DIR}/${ARG_FUNCTION}.cpp)
   # The list is a file, rewritten only when it differs: so a deleted file changes the hash too.
   set(list ${PROJECT_BINARY_DIR}/${ARG_FUNCTION}.list)
@@ -35,7 +35,7 @@ function(hash_files variable)
     OUTPUT ${output}
     COMMAND ${CMAKE_COMMAND} -DDIR=${dir} -DLIST=${list} -DOUTPUT=${output} -DHEADER=${ARG_HEADER}
             -DNAMESPACE=${ARG_NAMESPACE} -DFUNCTION=${ARG_FUNCTION} -P ${HASH_FILES_SCRIPT}
-    DEPENDS ${ARG_FILES} ${list} ${HASH_FILES_SCRIPT}
+    DEPENDS ${files} ${list} ${HASH_FILES_SCRIPT}
     COMMENT "Hashing ${ARG_DIR}"
     VERBATIM)
   # By itself, so that a change of any file compiles nothing else.

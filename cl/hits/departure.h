@@ -2,8 +2,7 @@
 // Rays that leave a surface: the one place that decides where they begin.
 //
 // The primitive that a ray leaves is excluded by its id, and a round shape is hit again only at its other, analytic
-// root. So a ray begins exactly at the point found, with no offset and no epsilon; another primitive there, at t = 0 to
-// the bit, is left with it (LEAST_T of rays/departing_lanes.h). A ray that leaves a round shape
+// root. So a ray begins exactly at the point found, with no offset and no epsilon. A ray that leaves a round shape
 // outwards does not hit it again; the normal decides this, even where rounding has put the point on the other side of
 // the shape.
 //

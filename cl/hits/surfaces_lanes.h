@@ -93,7 +93,7 @@ FN void rays_leaving_w(const Surfaces_w* s, maskw which, real3w d, realw t_max, 
   realw off = sel_w(lt_w(cosine, zero), -s->bound, s->bound);
   real3w moved = add3_w(s->point, fma3_w(off, s->normal, s->move));
   real3w from = sel3_w(lt_w(zero, s->bound), moved, s->point);
-  rays_make_w(from, d, sel_w(which, splat_w(LEAST_T), one), sel_w(which, t_max, -one), which, rays);
+  rays_make_w(from, d, sel_w(which, zero, one), sel_w(which, t_max, -one), which, rays);
   rays->departed = s->id;
   rays->departed_instance = s->instance;
   rays->aim = splat_int_w(-1);
@@ -102,14 +102,18 @@ FN void rays_leaving_w(const Surfaces_w* s, maskw which, real3w d, realw t_max, 
   rays->is_outward = sel_int_w(is_outward, splat_int_w(1), splat_int_w(0));
 }
 
+/// How far apart two surfaces at p are at the most that lie on one another but for the rounding of their points; ample.
+FN realw twins_apart_w(real3w p) {
+  return splat_w(REAL_BITS == 64 ? R(0x1p-47) : R(0x1p-18)) * largest_of_w(p.x, p.y, p.z);
+}
+
 /// As rays_leaving_w, of rays that go straight on behind the surfaces `passed`. Two that lie on one another are met
-/// once each: by rounding, a ray that has come from one to the other at once could meet both in turns without an end,
-/// so it goes on from a little farther.
+/// once each: a ray that has come from one to the other at once could meet both in turns without an end, so it goes on
+/// from a little farther.
 FN void rays_passing_w(const Surfaces_w* s, maskw which, maskw passed, real3w d, realw t_max, Rays_w* rays) {
   rays_leaving_w(s, which, d, t_max, rays);
   if (!any_w(passed)) return;
-  realw off =
-      splat_w(REAL_BITS == 64 ? R(0x1p-50) : R(0x1p-21)) * largest_of_w(s->position.x, s->position.y, s->position.z);
+  realw off = twins_apart_w(s->position);
   maskw is_at_once = passed & le_w(s->t, off);
   if (!any_w(is_at_once)) return;
   for (int k = 0; k < 3; ++k) {

@@ -50,19 +50,18 @@ FN void make_adjoint_w(const Scene* scene, const Paths_w* path, const Bsdf_w* b,
   realw zero = splat_w(R(0.0)), one = splat_w(R(1.0)), share = normals_share_w(s, b->frame.z, b->out, way->wi);
   if (HAS_TRANSMISSION) share = share * (way->eta * way->eta);
   real3w weight = scale3_w(share, way->weight);
-  if (HAS_RELIEF && HAS_DELTA_LOBES) {
+  maskw is_delta = is_lobe_w(way, LOBE_DELTA);
+  if (HAS_RELIEF) {
     realw there = relief_share_w(&b->relief, way->wi, dot3_w(way->wi, b->frame.z));
     realw back = relief_share_w(&b->relief, b->out, dot3_w(b->out, b->frame.z));
-    maskw is_faded = is_lobe_w(way, LOBE_DELTA) & lt_w(zero, there);
+    maskw is_faded = is_delta & lt_w(zero, there);
     weight = sel3_w(is_faded, scale3_w(back / sel_w(is_faded, there, one), weight), weight);
   }
-  if (HAS_RELIEF || HAS_ONE_WAY_LOBES) {
-    maskw is_one_way = which & is_one_way_w(b) & ~is_lobe_w(way, LOBE_DELTA) & lt_w(zero, way->density);
-    if (any_w(is_one_way)) {
-      realw opacity;
-      real3w exact = adjoint_share_w(scene, path, s, is_one_way, b->out, way->wi, &opacity);
-      weight = sel3_w(is_one_way, scale3_w(one / sel_w(is_one_way, way->density, one), exact), weight);
-    }
+  maskw is_one_way = which & is_one_way_w(b) & ~is_delta & lt_w(zero, way->density);
+  if (any_w(is_one_way)) {
+    realw opacity;
+    real3w exact = adjoint_share_w(scene, path, s, is_one_way, b->out, way->wi, &opacity);
+    weight = sel3_w(is_one_way, scale3_w(one / sel_w(is_one_way, way->density, one), exact), weight);
   }
   way->weight = weight;
   way->eta = one;

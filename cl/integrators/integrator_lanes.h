@@ -30,15 +30,21 @@ enum {
 #include "integrators/last_rays_lanes.h"
 #include "integrators/branches_lanes.h"
 
-/// Which part of a blend the paths of `which` meet. Where light goes through surfaces that count for nothing, several
-/// of them have one depth, and each its own number.
-FN uintw blend_number_w(const Scene* scene, Paths_w* path, maskw which, int next) {
+/// Which part of a blend the paths meet. Where light goes through surfaces that count for nothing, several of them have
+/// one depth: once a path has passed one, the stream's place tells them apart.
+FN uintw blend_number_w(const Scene* scene, const Paths_w* path, int next) {
+  uintw number = vertex_number_w(scene, &path->sample, path->depth, USE_BLEND);
 #if HAS_MEDIA
-  if ((next & STEP_THROUGH) != 0) return stream_numbers_w(&path->sample, which, &path->draws).x;
+  intw drawn = int_of_uint_w(path->draws - splat_uint_w(STREAM_BEGIN));
+  maskw is_new = nonzero_w(drawn);
+  if ((next & STEP_THROUGH) != 0 && any_w(is_new)) {
+    uintw place = path->draws + splat_uint_w(STREAM_BLENDS);
+    uintw other = stream_numbers_w(&path->sample, none_w(), &place).x;
+    number = uint_of_int_w(sel_int_w(is_new, int_of_uint_w(other), int_of_uint_w(number)));
+  }
 #endif
-  (void)which;
   (void)next;
-  return vertex_number_w(scene, &path->sample, path->depth, USE_BLEND);
+  return number;
 }
 
 /// As surface_step, without the waiting branches going on.
@@ -68,7 +74,7 @@ FN void surface_scatter_w(const Scene* scene, Paths_w* path, const Surfaces_w* s
   on = on & ~passed;
   real3w wo = unit3_w(negate3_w(d));
   realw number = splat_w(R(0.0));
-  if (HAS_BLEND) number = random_between_w(blend_number_w(scene, path, at_surface & on, next));
+  if (HAS_BLEND) number = random_between_w(blend_number_w(scene, path, next));
   MaterialRows_w at = rows_at_w(scene, s, on, wo, number);
   if (HAS_MASK && is_lit) {
     maskw open = none_w();

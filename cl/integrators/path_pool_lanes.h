@@ -100,7 +100,7 @@ FN void kept_of_paths_w(const Paths_w* path, KeptPaths_w* kept) {
 FN void paths_of_kept_w(const KeptPaths_w* kept, maskw alive, Paths_w* path) {
   PRIVATE const realw* reals = kept->reals;
   path->alive = alive;
-  rays_make_w(real3_at_w(reals + KEPT_RAY_w), real3_at_w(reals + KEPT_RAY_w + 3), splat_w(LEAST_T),
+  rays_make_w(real3_at_w(reals + KEPT_RAY_w), real3_at_w(reals + KEPT_RAY_w + 3), splat_w(R(0.0)),
               reals[KEPT_RAY_w + 6], alive, &path->rays);
   path->rays.departed = kept->ints[KEPT_DEPARTED_w];
   path->rays.departed_instance = HAS_INSTANCES ? kept->ints[KEPT_INSTANCE_w] : splat_int_w(-1);

@@ -1020,6 +1020,7 @@
 #define turn_of_w LANED(turn_of_w)
 #define turn_rows_w LANED(turn_rows_w)
 #define turned_by_medium_w LANED(turned_by_medium_w)
+#define twins_apart_w LANED(twins_apart_w)
 #define two_difference3_w LANED(two_difference3_w)
 #define two_prod_w LANED(two_prod_w)
 #define two_sum_w LANED(two_sum_w)

@@ -10,9 +10,6 @@ typedef struct {
   intw departed, departed_instance, aim, is_outward;
 } Rays_w;
 
-/// Where rays that leave a surface begin: what lies on it to the bit, as faces of boxes side by side do, is left with it.
-#define LEAST_T R(0x1p-100)
-
 /// Rays as in GivenRays_w, prepared and not widened yet.
 FN void rays_make_w(real3w o, real3w d, realw t_min, realw t_max, maskw has_departed, Rays_w* rays) {
   GivenRays_w given;

@@ -40,15 +40,16 @@ enum {
   PAIRS_A_SENSOR_WAY = 2
 };
 
-/// What has no bound, masks in a row and places where a medium may scatter, draws from a stream of each sample's own,
-/// beyond the sets of all vertices. Those of shadow rays begin so far behind that of the path, and
-/// so far apart from vertex to vertex.
+/// What has no bound, masks and blends in a row and places where a medium may scatter, draws from a stream of each
+/// sample's own, beyond the sets of all vertices. Those of shadow rays begin so far behind that of the path, and so far
+/// apart from vertex to vertex; those of blends lie beside that of the path, so far behind its next number.
 ///
 /// The places where these and FIRST_OF_SENSOR begin have ones among their low bits: two numbers of the hash
 /// (math/rng_lanes.h) whose dimensions differ in the highest bits alone depend on each other (cl_test_math).
 #define STREAM_BEGIN 0x9e3779b9u
 #define STREAM_SHADOWS 0x7f4a7c15u
 #define STREAM_SHADOWS_STEP 0x85ebca6bu
+#define STREAM_BLENDS 0x27d4eb2fu
 #define FIRST_OF_SENSOR 0xb5297a4du
 
 #endif

@@ -124,7 +124,7 @@ enum {
 // TEXTURE_IMAGE of a mesh_attribute: which one (textures/mesh_attribute_lanes.h).
 // TEXTURE_IMAGE to TEXTURE_LEVELS are a bitmap's: -> index, IMAGE_INTS a level; FILTER_...; WRAP_...; the number of
 // levels, each half as wide and high as the one before. TEXTURE_FILTER of a checkerboard: by how much its filter is
-// narrower than a pixel.
+// narrower than a pixel; INT_MAX: it has none.
 enum { TEXTURE_KIND, TEXTURE_REALS, TEXTURE_IMAGE, TEXTURE_FILTER, TEXTURE_WRAP, TEXTURE_LEVELS, TEXTURE_INTS };
 enum { FILTER_BILINEAR, FILTER_NEAREST };
 enum { WRAP_REPEAT, WRAP_MIRROR, WRAP_CLAMP };

@@ -5,6 +5,7 @@
 // The footprint is the pixel's where rays go through pixels' centres, and an eighth of it where samples are spread over
 // the pixel, which filter by themselves (M. Pharr et al., "Physically Based Rendering", 4th ed., 10.1.3, take no less
 // either): it is too wide on slants and where a mesh is stretched, which pictures of many samples would show.
+// Where paths come from lights there is none.
 // Up to a footprint of half a square the value is that of the point. Beyond, it is the exact mean over a box of the
 // footprint's size (A. Apodaca, L. Gritz, "Advanced RenderMan", 2000, ch. 11, do it with the integral of the wave as
 // here). The footprint is at least the distance between neighbouring values of the coordinate. So where this distance

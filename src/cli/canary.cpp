@@ -5,16 +5,21 @@
 
 #include "cli/console.h"
 #include "stopwatch.h"
-#include "trust/tier_choice.h"
 
 namespace strahl::cli {
+
+TierChoice trusted_tier(const Device& device, std::optional<Precision> named) try {
+  return choose_tier(device, named);
+} catch (const NoDeviceError& error) {
+  throw NoDeviceError(std::string(error.what()) + " (--precision, -d); --no-canary renders nevertheless");
+}
 
 Canary ask_canary(const Device& device, const KernelOptions& options, RenderSettings& settings) {
   if (options.no_canary) return {};
   const Stopwatch start;
   std::optional<Precision> named;
   if (options.precision) named = settings.precision;
-  const TierChoice choice = choose_tier(device, named);
+  const TierChoice choice = trusted_tier(device, named);
   settings.precision = choice.tier.precision;
   settings.loop_turns = choice.tier.loop_turns;
   if (!choice.instead.empty())

@@ -5,8 +5,12 @@
 #include "cli/kernel_options.h"
 #include "opencl/device.h"
 #include "render/stats.h"
+#include "trust/tier_choice.h"
 
 namespace strahl::cli {
+
+/// As choose_tier(); what it throws names the options that help.
+[[nodiscard]] TierChoice trusted_tier(const Device& device, std::optional<Precision> named);
 
 struct Canary {
   std::optional<CanaryStats> stats;

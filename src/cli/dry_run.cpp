@@ -36,8 +36,7 @@ void set_start(const Renderer& renderer, const Preparation& preparation, double 
 }
 
 std::optional<ErrorTrend> law_of(const Pilot& pilot) {
-  // Samples that are not finite come in the render as well, which tells no error then.
-  if (pilot.looks.empty() || pilot.not_finite > 0) return std::nullopt;
+  if (pilot.looks.empty()) return std::nullopt;
   return error_trend(pilot.looks, pilot.common_spread);
 }
 
@@ -83,7 +82,9 @@ ExitCode dry_run(Renderer& renderer, const RenderOptions& options, const Invocat
   });
   set_pilot(pilot, preparation, goal, costs);
   const std::optional<ErrorTrend> law = law_of(pilot);
-  const Prediction prediction = predict(law, costs, goal);
+  Prediction prediction = predict(law, costs, goal);
+  // Samples that are not finite come in the render as well, which ends at the same error, but does not tell it.
+  if (pilot.not_finite > 0) prediction.rmse.reset();
   print(prediction_text(prediction, pilot));
   if (!options.stats.empty()) write_text(options.stats, json_text(json_of(prediction, pilot, law)));
   return ExitCode::ok;

@@ -45,7 +45,7 @@ void set_up_signals() {
     if (handler_of(one) == SIG_IGN) sigaddset(&blocked, one);
   sigaddset(&blocked, SIGXFSZ);
   // It stays pending until it is asked for: a handler would be replaced by LLVM's, which forgets it.
-  sigaddset(&blocked, SIGUSR1);
+  if (handler_of(SIGUSR1) != SIG_IGN) sigaddset(&blocked, SIGUSR1);
   // Threads that are begun later inherit it.
   sigprocmask(SIG_BLOCK, &blocked, nullptr);
   // LLVM leaves SIGPIPE alone. A handler, unlike SIG_IGN, is not inherited by the programs that a driver starts.

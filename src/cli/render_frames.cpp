@@ -54,13 +54,14 @@ class ErrorGoal {
     if (!frame.error) ++unknown_;
     if (!frame.error || is_reached(*frame.error, *max_error_)) return;
     ++above_;
-    worst_ = std::max(worst_, frame.error->rmse);
+    if (frame.error->rmse_high > worst_.rmse_high) worst_ = *frame.error;
   }
   /// Why it is not reached.
   [[nodiscard]] std::optional<std::string> missed() const {
     if (above_ + unknown_ == 0) return std::nullopt;
     std::string text = fmt::format("--max-error {}: missed in {} of {} frames", *max_error_, above_ + unknown_, count_);
-    if (above_ > 0) text += fmt::format("; the largest error is {:.2g}", worst_);
+    if (above_ > 0)
+      text += fmt::format("; the largest error is {:.2g} (95 %: up to {:.2g})", worst_.rmse, worst_.rmse_high);
     if (unknown_ > 0) text += fmt::format("; in {} it is not known", unknown_);
     return text;
   }
@@ -68,7 +69,7 @@ class ErrorGoal {
  private:
   std::optional<double> max_error_;
   int count_ = 0, above_ = 0, unknown_ = 0;
-  double worst_ = 0;
+  ErrorEstimate worst_{};
 };
 
 }  // namespace
@@ -133,7 +134,7 @@ ExitCode render_frames(Renderer& renderer, const RenderOptions& options, const I
                     frame_path(files.path, 1)));
   if (!options.scene.quiet && !interrupted.empty())
     say(fmt::format("{}: interrupted, with the samples so far", interrupted));
-  if (guard.interrupted()) return guard.exit_code();
+  if (count < *options.goal.frames) return guard.exit_code();
   if (black > 0)
     say(fmt::format("strahl: --time {}: in {} of {} frames some pixels have no sample and are black",
                     *options.goal.time, black, count));

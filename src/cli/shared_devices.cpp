@@ -36,7 +36,7 @@ std::vector<Device> share(Renderer& renderer, const Device& first, const std::ve
       if (other.device()() == device.device()())
         throw UsageError(fmt::format("-d names {} twice", device.info().text()));
     std::optional<std::uint64_t> loop_turns;
-    if (!options.no_canary) loop_turns = choose_tier(device, settings.precision).tier.loop_turns;
+    if (!options.no_canary) loop_turns = trusted_tier(device, settings.precision).tier.loop_turns;
     renderer.share_with(device, loop_turns);
     all.push_back(device);
   }

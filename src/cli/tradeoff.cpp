@@ -79,7 +79,7 @@ Tiers tiers_of(const Device& device, const TradeoffCommand& command) {
   for (const std::string& name : command.precisions) {
     const Precision precision = precision_from_name(name);
     if (!is_trusted(device, precision, command.no_canary, tiers))
-      static_cast<void>(choose_tier(device, precision));  // Throws, and says why.
+      static_cast<void>(trusted_tier(device, precision));  // Throws, and says why.
     tiers.measured.push_back(precision);
   }
   for (const Precision precision : {Precision::fast, Precision::stable, Precision::robust, Precision::fp64}) {
@@ -92,7 +92,7 @@ Tiers tiers_of(const Device& device, const TradeoffCommand& command) {
   }
   if (command.reference.empty() && !is_trusted(device, Precision::fp64, command.no_canary, tiers)) {
     tiers.reference = Precision::robust;
-    if (!is_trusted(device, tiers.reference, command.no_canary, tiers)) static_cast<void>(choose_tier(device, {}));
+    if (!is_trusted(device, tiers.reference, command.no_canary, tiers)) static_cast<void>(trusted_tier(device, {}));
     say(fmt::format("strahl: warning: {} has no double precision: the reference is robust", device.info().text()));
   }
   return tiers;

@@ -343,6 +343,15 @@ int light_texture(const Light& light) {
   });
 }
 
+bool gives_light(const Rgb& radiance) { return radiance.r > 0 || radiance.g > 0 || radiance.b > 0; }
+
+bool gives_light(const Shape& shape) {
+  if (shape.radiance && gives_light(*shape.radiance)) return true;
+  const auto* mesh = std::get_if<Mesh>(&shape.geometry);
+  const auto part_gives = [](const MeshPart& part) { return part.radiance && gives_light(*part.radiance); };
+  return mesh != nullptr && std::any_of(mesh->parts.begin(), mesh->parts.end(), part_gives);
+}
+
 bool gives_light(const Light& light) {
   const Rgb& colour = light_colour(light);
   return colour.r > 0 || colour.g > 0 || colour.b > 0;

@@ -47,6 +47,9 @@ struct LightFacts {
 /// Of all directions, channel by channel.
 [[nodiscard]] Rgb brightest(const Light& light);
 [[nodiscard]] bool gives_light(const Light& light);
+[[nodiscard]] bool gives_light(const Rgb& radiance);
+/// By its radiance, not as a beam.
+[[nodiscard]] bool gives_light(const Shape& shape);
 /// Whether a ray can hit it or see it in the background.
 [[nodiscard]] bool light_glows(const Light& light);
 

@@ -29,15 +29,6 @@ bool emits(const Shape& shape) {
   return any;
 }
 
-bool is_light(const Rgb& c) { return c.r > 0 || c.g > 0 || c.b > 0; }
-
-bool emits_light(const Shape& shape) {
-  if (shape.radiance && is_light(*shape.radiance)) return true;
-  const auto* mesh = std::get_if<Mesh>(&shape.geometry);
-  const auto part_emits = [](const MeshPart& part) { return part.radiance && is_light(*part.radiance); };
-  return mesh != nullptr && std::any_of(mesh->parts.begin(), mesh->parts.end(), part_emits);
-}
-
 /// Emission shows emitters; point and directional lights are invisible.
 bool emits_light(const Light& light, bool must_be_seen) {
   return must_be_seen ? kinds::light_glows(light) : kinds::gives_light(light);
@@ -45,7 +36,7 @@ bool emits_light(const Light& light, bool must_be_seen) {
 
 /// Of what it absorbs.
 bool emits_light(const Medium& medium) {
-  return is_light(kinds::times(medium.emission.largest(), medium.sigma_t.largest()));
+  return kinds::gives_light(kinds::times(medium.emission.largest(), medium.sigma_t.largest()));
 }
 
 /// Why the picture will be empty; none where it will not.
@@ -56,7 +47,7 @@ std::optional<std::string> emptiness(const Scene& scene) {
   if (!integrator.shows_emission) return std::nullopt;
   if (has_beams_alone(scene) && integrator.is_lit()) return std::nullopt;
   const bool must_be_seen = !integrator.is_lit();
-  const auto shape_emits = [](const Shape& shape) { return emits_light(shape); };
+  const auto shape_emits = [](const Shape& shape) { return kinds::gives_light(shape); };
   const auto medium_emits = [](const Medium& medium) { return emits_light(medium); };
   if (integrator.goes_through && std::any_of(scene.media.begin(), scene.media.end(), medium_emits)) return std::nullopt;
   const auto light_emits = [&](const Light& light) { return emits_light(light, must_be_seen); };
@@ -77,7 +68,7 @@ std::vector<SourceLocation> undrawn_and_seen(const Scene& scene) {
   for (const Light& light : scene.lights)
     if (light.sampling_weight == 0 && kinds::light_glows(light)) seen.push_back(light.where);
   for (const Shape& shape : scene.shapes)
-    if (shape.sampling_weight == 0 && emits_light(shape) && !area_kind(shape.geometry).empty())
+    if (shape.sampling_weight == 0 && kinds::gives_light(shape) && !area_kind(shape.geometry).empty())
       seen.push_back(shape.radiance_where);
   return seen;
 }
@@ -112,7 +103,7 @@ std::vector<SourceLocation> undrawn_and_unhit(const Scene& scene) {
       lost.push_back(light.where);
   for (const Shape& shape : scene.shapes)
     if (shape.sampling_weight == 0 && integrator.from_lights &&
-        (shape.exitance || (emits_light(shape) && !finds_emitters)))
+        (shape.exitance || (kinds::gives_light(shape) && !finds_emitters)))
       lost.push_back(shape.radiance_where);
   return lost;
 }

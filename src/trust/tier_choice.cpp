@@ -63,8 +63,8 @@ TierChoice choose_tier(const Device& device, std::optional<Precision> named) {
     const TierVerdict tier = tier_verdict(device, *named);
     if (tier.verdict != Verdict::refused) return {tier, {}};
     throw NoDeviceError(
-        fmt::format("{} cannot keep what --precision {} promises: {}; choose another precision or device (-d), or see "
-                    "`strahl selftest` for the details; --no-canary renders nevertheless",
+        fmt::format("{} cannot keep what precision {} promises: {}; choose another precision or device, or see "
+                    "`strahl selftest` for the details",
                     device.info().text(), precision_name(*named), tier.why));
   }
   std::string refusals;
@@ -74,8 +74,7 @@ TierChoice choose_tier(const Device& device, std::optional<Precision> named) {
     refusals += fmt::format("{}{} is refused: {}", refusals.empty() ? "" : "; ", precision_name(precision), tier.why);
   }
   throw NoDeviceError(fmt::format(
-      "{} can be trusted with no precision: {}; choose another device (-d), or see `strahl selftest` for the details; "
-      "--no-canary renders nevertheless",
+      "{} can be trusted with no precision: {}; choose another device, or see `strahl selftest` for the details",
       device.info().text(), refusals));
 }
 

@@ -150,7 +150,8 @@ TEST_CASE(
     "other") {
   // Pairs of numbers in 8 x 8 cells, 2^16 of them: chi^2 with 63 degrees of freedom, of 4 x 4 x 4 x 8 pairs.
   constexpr std::size_t cells = 8;
-  const std::array<std::uint32_t, 4> begins{0, STREAM_BEGIN, STREAM_BEGIN + STREAM_SHADOWS, FIRST_OF_SENSOR};
+  const std::array<std::uint32_t, 5> begins{0, STREAM_BEGIN, STREAM_BEGIN + STREAM_SHADOWS,
+                                            STREAM_BEGIN + STREAM_BLENDS, FIRST_OF_SENSOR};
   for (const auto& [one, other] : {std::pair{0U, 1U}, std::pair{0U, 2U}, std::pair{1U, 2U}, std::pair{0U, 3U}})
     for (std::uint32_t k = 0; k < 8; ++k) {
       std::array<std::array<std::array<int, cells * cells>, 4>, 4> count{};

@@ -42,6 +42,20 @@ TEST_CASE("0.x: references and objects of one name are a list") {
   CHECK(group.groups.at(0).shapes.size() == 2);
 }
 
+TEST_CASE("0.x: of what a shape or a parameter has once the last counts") {
+  const std::string two = "<bsdf type=\"diffuse\" id=\"a\"/><bsdf type=\"conductor\" id=\"b\"/>";
+  const Scene sphere = loaded(two +
+                              "<shape type=\"sphere\"><ref name=\"bsdf\" id=\"a\"/><ref name=\"bsdf\" id=\"b\"/>"
+                              "</shape>");
+  const int shown = sphere.shapes.back().material;
+  CHECK(std::holds_alternative<Conductor>(sphere.materials.at(static_cast<std::size_t>(shown)).bsdf));
+  const Scene colour = loaded(
+      "<texture type=\"checkerboard\" id=\"t\"/><bsdf type=\"diffuse\"><ref name=\"reflectance\" "
+      "id=\"t\"/><rgb name=\"reflectance\" value=\"0.25\"/></bsdf>");
+  CHECK(std::get<Diffuse>(colour.materials.at(1).bsdf).reflectance.color == Rgb{0.25, 0.25, 0.25});
+  CHECK(std::get<Diffuse>(colour.materials.at(1).bsdf).reflectance.texture < 0);
+}
+
 TEST_CASE("0.x: of two textures of one name the last counts, and the other is named") {
   const LoadedScene found = load_text(
       old("<texture type=\"checkerboard\" id=\"t\"/><texture type=\"checkerboard\" id=\"u\"><rgb name=\"color0\" "

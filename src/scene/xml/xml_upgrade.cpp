@@ -18,10 +18,22 @@ namespace strahl {
 
 namespace {
 
+/// In whatever case: types in capitals are Mitsuba's (scene/readers/other_names.h).
+bool is_a(const XmlElement& element, std::string_view tag, std::string_view type) {
+  const std::string_view given = element.text("type");
+  return element.tag == tag &&
+         std::ranges::equal(given, type, [](unsigned char a, unsigned char b) { return std::tolower(a) == b; });
+}
+
 bool is_object(const XmlElement& element) { return element.tag == "ref" || is_object_tag(element.tag); }
 
+/// Whether the objects inside it are a list: parts of a material or of a phase function, shapes of a group.
+bool has_parts(const XmlElement& element) {
+  return element.tag == "bsdf" || element.tag == "phase" || is_a(element, "shape", "shapegroup");
+}
+
 /// Of a parameter that is given several times Mitsuba 0.x takes the last. Objects, and references to them, it puts into
-/// a list: of those with one name the last keeps it, where the name is one that counts, and the others have none.
+/// a list where their parent has several: of those with one name the last keeps it, and the others have none.
 void drop_repeated(XmlElement& element, Diagnostics& diagnostics) {
   std::vector<XmlElement*> children;
   for (XmlElement* child = element.first_child; child != nullptr; child = child->next_sibling)
@@ -32,15 +44,14 @@ void drop_repeated(XmlElement& element, Diagnostics& diagnostics) {
     XmlElement& child = *children[i];
     const auto [next, is_last] = later.try_emplace(child.text("name"), &child);
     if (is_last) continue;
-    if (!is_object(child)) {
-      diagnostics.warning(child.where, fmt::format("\"{}\" is given again at {}, which counts", child.text("name"),
-                                                   SourceLocation(next->second->where).text()));
-      dropped.insert(&child);
-    } else if (is_object(*next->second)) {
+    if (has_parts(element) && is_object(child) && is_object(*next->second)) {
       for (XmlAttribute& attribute : child.attributes)
         if (attribute.name == std::string_view("name")) attribute.value = "";
       continue;
     }
+    diagnostics.warning(child.where, fmt::format("\"{}\" is given again at {}, which counts", child.text("name"),
+                                                 SourceLocation(next->second->where).text()));
+    dropped.insert(&child);
     next->second = &child;
   }
   if (dropped.empty()) return;
@@ -54,13 +65,6 @@ void drop_repeated(XmlElement& element, Diagnostics& diagnostics) {
 
 bool is_lower(char c) { return std::islower(static_cast<unsigned char>(c)) != 0; }
 bool is_upper(char c) { return std::isupper(static_cast<unsigned char>(c)) != 0; }
-
-/// In whatever case: types in capitals are Mitsuba's (scene/readers/other_names.h).
-bool is_a(const XmlElement& element, std::string_view tag, std::string_view type) {
-  const std::string_view given = element.text("type");
-  return element.tag == tag &&
-         std::ranges::equal(given, type, [](unsigned char a, unsigned char b) { return std::tolower(a) == b; });
-}
 
 bool has_child(const XmlElement& element, std::string_view name) {
   for (const XmlElement* child = element.first_child; child != nullptr; child = child->next_sibling)

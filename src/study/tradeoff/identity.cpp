@@ -12,6 +12,7 @@
 #include "opencl/program_cache.h"
 #include "packing/pack.h"
 #include "program/program_text.h"
+#include "study/study_sources.h"
 
 namespace strahl {
 namespace {
@@ -73,6 +74,7 @@ StudyIdentity identity_of(const Device& device, const Scene& scene, int seeds, c
            {"scene", content_hash(scene)},
            {"code", code_hash(scene)},
            {"host", host_sources_hash()},
+           {"study", study_sources_hash()},
            {"seeds", fmt::format("{}", seeds)},
            {"reference", reference}}};
 }
