@@ -3,9 +3,9 @@
 
 #include <fmt/format.h>
 
+#include "cli/canary.h"
 #include "cli/console.h"
 #include "errors.h"
-#include "trust/tier_choice.h"
 
 namespace strahl::cli {
 

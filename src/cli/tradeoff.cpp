@@ -10,6 +10,7 @@
 #include <memory>
 #include <set>
 
+#include "cli/canary.h"
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/distinct_files.h"
@@ -26,7 +27,6 @@
 #include "settings/sampling.h"
 #include "study/tradeoff/json.h"
 #include "study/tradeoff/store.h"
-#include "trust/tier_choice.h"
 
 namespace strahl::cli {
 namespace {

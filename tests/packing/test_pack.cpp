@@ -2,7 +2,6 @@
 // The three buffers of a scene, read back by the rules of cl/scene/layout.h.
 #include <algorithm>
 #include <catch2/catch.hpp>
-#include <limits>
 #include <numbers>
 
 #include "kinds/integrators.h"
@@ -190,11 +189,6 @@ TEST_CASE("A texture has its row, and shapes then say how fast u and v change") 
   scene.sampler.kind = SamplerKind::centre;
   const Read<double> centred(scene, {8, {}});
   CHECK(centred.ints(centred.header(layout::HEADER_TEXTURES), layout::TEXTURE_INTS)[layout::TEXTURE_FILTER] == 1);
-  Scene from_lights = scene;
-  from_lights.integrator.name = "ptracer";
-  const Read<double> unfiltered(from_lights, {8, {}});
-  CHECK(unfiltered.ints(unfiltered.header(layout::HEADER_TEXTURES), layout::TEXTURE_INTS)[layout::TEXTURE_FILTER] ==
-        std::numeric_limits<int>::max());
   CHECK(read.shading(read.part(0)[layout::PART_UV_RATES], 2) == Reals{0.25, 0.5});
   const Reals sphere = read.shading(read.part(1)[layout::PART_UV_RATES], 2);
   CHECK(sphere[0] == Approx(0.25 * std::numbers::inv_pi));

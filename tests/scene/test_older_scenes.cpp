@@ -44,14 +44,16 @@ TEST_CASE("0.x: references and objects of one name are a list") {
 
 TEST_CASE("0.x: of what a shape or a parameter has once the last counts") {
   const std::string two = "<bsdf type=\"diffuse\" id=\"a\"/><bsdf type=\"conductor\" id=\"b\"/>";
-  const Scene sphere = loaded(two +
-                              "<shape type=\"sphere\"><ref name=\"bsdf\" id=\"a\"/><ref name=\"bsdf\" id=\"b\"/>"
-                              "</shape>");
+  const Scene sphere =
+      load_text(old(two + "<shape type=\"sphere\"><ref name=\"bsdf\" id=\"a\"/><ref name=\"bsdf\" id=\"b\"/>"
+                          "</shape>"))
+          .scene;
   const int shown = sphere.shapes.back().material;
   CHECK(std::holds_alternative<Conductor>(sphere.materials.at(static_cast<std::size_t>(shown)).bsdf));
-  const Scene colour = loaded(
-      "<texture type=\"checkerboard\" id=\"t\"/><bsdf type=\"diffuse\"><ref name=\"reflectance\" "
-      "id=\"t\"/><rgb name=\"reflectance\" value=\"0.25\"/></bsdf>");
+  const Scene colour =
+      load_text(old("<texture type=\"checkerboard\" id=\"t\"/><bsdf type=\"diffuse\"><ref name=\"reflectance\" "
+                    "id=\"t\"/><rgb name=\"reflectance\" value=\"0.25\"/></bsdf>"))
+          .scene;
   CHECK(std::get<Diffuse>(colour.materials.at(1).bsdf).reflectance.color == Rgb{0.25, 0.25, 0.25});
   CHECK(std::get<Diffuse>(colour.materials.at(1).bsdf).reflectance.texture < 0);
 }
