@@ -102,7 +102,8 @@ FN void rays_leaving_w(const Surfaces_w* s, maskw which, real3w d, realw t_max, 
   rays->is_outward = sel_int_w(is_outward, splat_int_w(1), splat_int_w(0));
 }
 
-/// How far apart two surfaces at p are at the most that lie on one another but for the rounding of their points; ample.
+/// How far apart two surfaces at p are at the most that lie on one another but for the rounding of their points: ample,
+/// but for shapes that are a hundred times as large as their way from the camera.
 FN realw twins_apart_w(real3w p) {
   return splat_w(REAL_BITS == 64 ? R(0x1p-47) : R(0x1p-18)) * largest_of_w(p.x, p.y, p.z);
 }

@@ -31,14 +31,14 @@ enum {
 #include "integrators/branches_lanes.h"
 
 /// Which part of a blend the paths meet. Where light goes through surfaces that count for nothing, several of them have
-/// one depth: once a path has passed one, the stream's place tells them apart.
+/// one depth: once a path has passed one, depth and the stream's place tell them apart.
 FN uintw blend_number_w(const Scene* scene, const Paths_w* path, int next) {
   uintw number = vertex_number_w(scene, &path->sample, path->depth, USE_BLEND);
 #if HAS_MEDIA
   intw drawn = int_of_uint_w(path->draws - splat_uint_w(STREAM_BEGIN));
   maskw is_new = nonzero_w(drawn);
   if ((next & STEP_THROUGH) != 0 && any_w(is_new)) {
-    uintw place = path->draws + splat_uint_w(STREAM_BLENDS);
+    uintw place = path->draws + (splat_uint_w(STREAM_BLENDS) + uint_of_int_w(path->depth) * STREAM_SHADOWS_STEP);
     uintw other = stream_numbers_w(&path->sample, none_w(), &place).x;
     number = uint_of_int_w(sel_int_w(is_new, int_of_uint_w(other), int_of_uint_w(number)));
   }

@@ -42,7 +42,8 @@ enum {
 
 /// What has no bound, masks and blends in a row and places where a medium may scatter, draws from a stream of each
 /// sample's own, beyond the sets of all vertices. Those of shadow rays begin so far behind that of the path, and so far
-/// apart from vertex to vertex; those of blends lie beside that of the path, so far behind its next number.
+/// apart from vertex to vertex; those of blends lie beside that of the path, so far behind its next number, and as far
+/// apart from vertex to vertex.
 ///
 /// The places where these and FIRST_OF_SENSOR begin have ones among their low bits: two numbers of the hash
 /// (math/rng_lanes.h) whose dimensions differ in the highest bits alone depend on each other (cl_test_math).

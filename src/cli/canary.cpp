@@ -11,7 +11,8 @@ namespace strahl::cli {
 TierChoice trusted_tier(const Device& device, std::optional<Precision> named) try {
   return choose_tier(device, named);
 } catch (const NoDeviceError& error) {
-  throw NoDeviceError(std::string(error.what()) + " (--precision, -d); --no-canary renders nevertheless");
+  throw NoDeviceError(fmt::format("{}; {}-d chooses a device, --no-canary renders nevertheless", error.what(),
+                                  named ? "--precision chooses a precision, " : ""));
 }
 
 Canary ask_canary(const Device& device, const KernelOptions& options, RenderSettings& settings) {

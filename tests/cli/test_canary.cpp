@@ -37,7 +37,7 @@ TEST_CASE("a precision that the device cannot keep is refused by name, and repla
 
   const Outcome named = folder.run(with({"--precision", "robust"}), changed);
   CHECK(named.code == 4);
-  CHECK(contains(named.err, "--precision robust"));
+  CHECK(contains(named.err, "precision robust"));
   CHECK(contains(named.err, "contracted"));
   CHECK(contains(named.err, "--no-canary"));
   CHECK_FALSE(fs::exists(folder.path("out.pfm")));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Surfaces that lie on one another: a face does not lie in the shadow of its twin, and a ray that goes on behind both
-// comes to an end.
+// Surfaces that lie on one another: a ray that goes on behind both comes to an end, and one that goes through the first
+// meets the second.
 #include <catch2/catch.hpp>
 
 #include "render/filled.h"
@@ -63,16 +63,6 @@ Scene lit(const Geometry& geometry) {
   scene.camera = perspective_camera({0.7, -3, 3.1}, {0.1, 0, 0.9}, {0, 0, 1}, 50);
   scene.film.width = scene.film.height = 16;
   return scene;
-}
-
-TEST_CASE("boxes with flush sides are lit as if they were one") {
-  require_pocl_and_rusticl();
-  const Scene alone = lit(Box{{-1, -1, -1}, {1, 1, 1}});
-  Scene twice = alone;
-  add(twice, Box{{-0.5, -0.5, -0.7}, {0.5, 0.5, 1}});
-  for (const Precision precision : exact_tiers)
-    for (const char* integrator : {"path", "direct", "ao"})
-      CHECK(same_bits(seen(alone, integrator, precision, 4), seen(twice, integrator, precision, 4)));
 }
 
 TEST_CASE("a box of glass stands on a box: what it lets through is seen") {

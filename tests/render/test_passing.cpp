@@ -129,5 +129,24 @@ TEST_CASE("blends one behind the other on a ray: each draws by a number of its o
   }
 }
 
+// The mask takes the path's first number of the stream, and no mirror takes one.
+TEST_CASE("blends behind a mask that a path has passed: each draws by a number of its own") {
+  require_pocl_and_rusticl();
+  Scene scene = stage({Rectangle{{-9, -9, 3}, {18, 0, 0}, {0, 18, 0}}}, diffuse({0, 0, 0}));
+  scene.materials[0].opacity = Reflectance{{0, 0, 0}};
+  Material mirror, black = diffuse({0, 0, 0}, true), half;
+  mirror.bsdf = Conductor{};
+  mirror.twosided = true;
+  scene.materials.insert(scene.materials.end(), {mirror, black});
+  half.bsdf = Blend{{{0.5, 0.5, 0.5}}, 1, 2};
+  // Down onto a mirror at 45 degrees, along -x, and up off another one.
+  add_shape(scene, Rectangle{{-3, -9, -3}, {0, 18, 0}, {6, 0, 6}}, half);
+  add_shape(scene, Rectangle{{-5, -9, -4}, {0, 18, 0}, {-8, 0, 8}}, half);
+  scene.lights = {light(ConstantLight{{1, 1, 1}})};
+  scene.integrator.name = "volpath";
+  scene.film.width = scene.film.height = 8;
+  CHECK(mean_of(drawn(scene, 1024)).r == Approx(0.25).margin(0.01));
+}
+
 }  // namespace
 }  // namespace strahl::test

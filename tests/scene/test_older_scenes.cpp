@@ -56,6 +56,11 @@ TEST_CASE("0.x: of what a shape or a parameter has once the last counts") {
           .scene;
   CHECK(std::get<Diffuse>(colour.materials.at(1).bsdf).reflectance.color == Rgb{0.25, 0.25, 0.25});
   CHECK(std::get<Diffuse>(colour.materials.at(1).bsdf).reflectance.texture < 0);
+  // In the scene itself there may be several.
+  const Scene balls = loaded(
+      "<bsdf type=\"diffuse\" id=\"a\" name=\"mat\"/><bsdf type=\"conductor\" id=\"b\" name=\"mat\"/>"
+      "<shape type=\"sphere\" name=\"ball\"><ref id=\"a\"/></shape><shape type=\"cube\" name=\"ball\"/>");
+  CHECK(balls.shapes.size() == 2);
 }
 
 TEST_CASE("0.x: of two textures of one name the last counts, and the other is named") {

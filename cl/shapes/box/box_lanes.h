@@ -4,8 +4,7 @@
 // that drop NaN (a ray in a face plane: 0/0) and a correctly rounded divide, so equal faces give equal t.
 // The robust tier decides close calls exactly (box_robust_lanes.h).
 // From inside, and where the entry lies before t_min, the exit counts. A box is convex: the box just left is met again
-// only at its far side, and not at all where the ray leaves through the face that the origin lies on. A second box with
-// a side flush with that face is not left through it either; entered through it, it is.
+// only at its far side, and not at all where the ray leaves through the face that the origin lies on.
 
 enum { PACKET_BODY_box_w = PACKET_BODY_NONE };
 
@@ -48,8 +47,6 @@ FN void box_block_w(const Ray* ray, GLOBAL const real* block, GLOBAL const int* 
   realw t = sel_w(le_w(splat_w(ray->t_min), enter), enter, leave);
   maskw departed = none_w();
   if (ray->departed >= 0) {
-    // Through a side that lies on the one that it has left, to the bit, a ray does not leave another box.
-    hit = hit & ~eq_w(leave, splat_w(R(0.0)));
     departed = is_departed_w(ids, ray);
     if (any_w(departed)) {
       t = sel_w(departed, leave, t);

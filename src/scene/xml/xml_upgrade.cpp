@@ -27,13 +27,16 @@ bool is_a(const XmlElement& element, std::string_view tag, std::string_view type
 
 bool is_object(const XmlElement& element) { return element.tag == "ref" || is_object_tag(element.tag); }
 
-/// Whether the objects inside it are a list: parts of a material or of a phase function, shapes of a group.
+/// Whether the objects inside it are a list: all of a scene's, parts of a material or of a phase function, shapes of a
+/// group.
 bool has_parts(const XmlElement& element) {
-  return element.tag == "bsdf" || element.tag == "phase" || is_a(element, "shape", "shapegroup");
+  return element.tag == "scene" || element.tag == "bsdf" || element.tag == "phase" ||
+         is_a(element, "shape", "shapegroup");
 }
 
-/// Of a parameter that is given several times Mitsuba 0.x takes the last. Objects, and references to them, it puts into
-/// a list where their parent has several: of those with one name the last keeps it, and the others have none.
+/// Of a parameter that is given several times Mitsuba 0.x takes the last. Objects, to which others may refer, stay, and
+/// so do references where the parent has several objects: of those with one name the last keeps it, the others have
+/// none.
 void drop_repeated(XmlElement& element, Diagnostics& diagnostics) {
   std::vector<XmlElement*> children;
   for (XmlElement* child = element.first_child; child != nullptr; child = child->next_sibling)
@@ -44,13 +47,14 @@ void drop_repeated(XmlElement& element, Diagnostics& diagnostics) {
     XmlElement& child = *children[i];
     const auto [next, is_last] = later.try_emplace(child.text("name"), &child);
     if (is_last) continue;
-    if (has_parts(element) && is_object(child) && is_object(*next->second)) {
+    const XmlElement& last = *next->second;
+    if (is_object(child) && (child.tag != "ref" || (is_object(last) && (has_parts(element) || last.tag != "ref")))) {
       for (XmlAttribute& attribute : child.attributes)
         if (attribute.name == std::string_view("name")) attribute.value = "";
       continue;
     }
     diagnostics.warning(child.where, fmt::format("\"{}\" is given again at {}, which counts", child.text("name"),
-                                                 SourceLocation(next->second->where).text()));
+                                                 SourceLocation(last.where).text()));
     dropped.insert(&child);
     next->second = &child;
   }

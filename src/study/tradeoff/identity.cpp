@@ -73,8 +73,8 @@ StudyIdentity identity_of(const Device& device, const Scene& scene, int seeds, c
            {"size", fmt::format("{} x {}", scene.film.width, scene.film.height)},
            {"scene", content_hash(scene)},
            {"code", code_hash(scene)},
-           {"host", host_sources_hash()},
-           {"study", study_sources_hash()},
+           {"sources", host_sources_hash()},
+           {"sources of studies", study_sources_hash()},
            {"seeds", fmt::format("{}", seeds)},
            {"reference", reference}}};
 }
