@@ -51,10 +51,11 @@ struct BinScale {
       : origin(centers.lo), scale{}, bins(std::min(most_bins, 4 + count / 20)) {
     const Float4 size = centers.hi - centers.lo;
     // A little less than the number of bins, so that the last centre falls into the last bin.
-    for (int a = 0; a < 3; ++a)
-      scale[a] = size[a] > 0 && size[a] < std::numeric_limits<float>::max()
-                     ? 0.9999F * static_cast<float>(bins) / size[a]
-                     : 0.0F;
+    for (int a = 0; a < 3; ++a) {
+      const float most = std::numeric_limits<float>::max(), apart = 0.9999F * static_cast<float>(bins) / size[a];
+      // Centres may be so far apart, or so near, that neither is a number.
+      scale[a] = size[a] > 0 && size[a] < most && apart < most ? apart : 0.0F;
+    }
     // The fourth number of a centre is next to 0, and processors are slow at multiplying denormal ones.
     origin[3] = 1;
   }

@@ -111,6 +111,16 @@ TEST_CASE("every primitive is in one leaf, of its kind, whatever the number of t
   }
 }
 
+TEST_CASE("centres that lie closer than any bin are sorted all the same") {
+  std::vector<Primitive> flat = boxes(200, 7);
+  for (Primitive& primitive : flat) primitive.box.lo[2] = primitive.box.hi[2] = 0;
+  flat[17].box.hi[2] = 1e-41F;
+  const WideTree wide = collapse(build_binary_tree(flat, {}), 8);
+  std::size_t count = 0;
+  for (const WideLeaf& leaf : wide.leaves) count += leaf.count;
+  CHECK(count == 200);
+}
+
 TEST_CASE("nothing is a tree without a root") {
   const WideTree wide = collapse(build_binary_tree({}, {}), 8);
   CHECK(wide.root == WideTree::none);

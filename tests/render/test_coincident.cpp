@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Surfaces that lie on one another: a ray that goes on behind both comes to an end, and one that goes through the first
-// meets the second.
+// Surfaces that lie on one another: a ray that goes on behind both comes to an end.
 #include <catch2/catch.hpp>
 
 #include "render/filled.h"
@@ -54,31 +53,6 @@ TEST_CASE("masks twice in one place let light through, once or twice") {
       const double middle = static_cast<double>(image.at(4, 4, 0)), once = is_ball ? 0.25 : 0.5;
       CHECK(middle > once * once - 0.05);
       CHECK(middle < once + 0.05);
-    }
-}
-
-Scene lit(const Geometry& geometry) {
-  Scene scene = stage({geometry}, diffuse({0.5, 0.5, 0.5}));
-  scene.lights = {light(ConstantLight{{1, 1, 1}})};
-  scene.camera = perspective_camera({0.7, -3, 3.1}, {0.1, 0, 0.9}, {0, 0, 1}, 50);
-  scene.film.width = scene.film.height = 16;
-  return scene;
-}
-
-TEST_CASE("a box of glass stands on a box: what it lets through is seen") {
-  require_pocl_and_rusticl();
-  Scene scene = lit(Box{{-1, -1, 0}, {1, 1, 1}});
-  scene.materials.push_back({});
-  scene.materials.back().bsdf = Dielectric{};
-  scene.shapes[0].material = 1;
-  Scene apart = scene;
-  add(scene, Box{{-4, -4, -1}, {4, 4, 0}});
-  add(apart, Box{{-4, -4, -1}, {4, 4, -1e-5}});
-  for (const Precision precision : exact_tiers)
-    for (const char* integrator : {"path", "whitted"}) {
-      INFO(integrator << ", " << precision_name(precision));
-      const Rgb flush = mean_of(seen(scene, integrator, precision, 256));
-      CHECK(flush.r == Approx(mean_of(seen(apart, integrator, precision, 256)).r).epsilon(0.01));
     }
 }
 

@@ -57,7 +57,10 @@ Tally tally(const Case& what, SamplerKind sampler, int spp, int seeds) {
   Scene scene = small_scene(scene_folder / what.file, what.width, what.height, spp);
   scene.integrator.name = what.integrator;
   scene.sampler.kind = sampler;
-  Renderer renderer(Device::open("pocl"), scene);
+  RenderSettings settings;
+  // One program for all, which other tests have, too. The bits are those of the programs of each.
+  settings.generic = !is_long();
+  Renderer renderer(Device::open("pocl"), scene, settings);
   std::vector<RenderResult> pictures;
   std::vector<double> sum, widths;
   for (int seed = 0; seed < seeds; ++seed) {

@@ -122,5 +122,7 @@ TEST_CASE("spectra that cannot be are errors at their place") {
   CHECK(problem("<spectrum name=\"reflectance\" filename=\"none.spd\"/>").find("none.spd") != std::string::npos);
   CHECK(problem("<spectrum type=\"irregular\" name=\"reflectance\"><string name=\"values\" value=\"1\"/></spectrum>")
             .find("as many finite values") != std::string::npos);
+  CHECK(problem("<spectrum type=\"d65\" id=\"s\" name=\"reflectance\"><ref id=\"s\" name=\"color\"/></spectrum>")
+            .find("contains itself") != std::string::npos);
   CHECK(problem("<blackbody name=\"reflectance\" temperature=\"0\"/>").find("greater than 0") != std::string::npos);
 }

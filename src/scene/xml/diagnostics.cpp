@@ -8,6 +8,7 @@
 #include <map>
 #include <string_view>
 #include <tuple>
+#include <unordered_map>
 
 namespace strahl {
 
@@ -50,7 +51,12 @@ bool Diagnostics::has_errors() const {
 }
 
 std::vector<Diagnostic> Diagnostics::in_file_order() const {
-  const auto rank = [this](const std::string& file) { return std::find(files_.begin(), files_.end(), file); };
+  std::unordered_map<std::string, std::size_t> ranks;
+  for (const std::string& file : files_) ranks.try_emplace(file, ranks.size());
+  const auto rank = [&](const std::string& file) {
+    const auto found = ranks.find(file);
+    return found == ranks.end() ? files_.size() : found->second;
+  };
   std::vector<const Problem*> sorted;
   for (const Problem& problem : all_) sorted.push_back(&problem);
   std::stable_sort(sorted.begin(), sorted.end(), [&](const Problem* left, const Problem* right) {

@@ -147,7 +147,13 @@ std::optional<Rgb> Properties::color(std::string_view name, ColorUse use, const 
   if (given == nullptr) return std::nullopt;
   std::optional<Rgb> value;
   if (is_typed_spectrum(*given)) {
+    for (const Properties* around = this; around != nullptr; around = around->around_)
+      if (&around->element_ == given) {
+        diagnostics_.error(given->where, fmt::format("{} contains itself", around->title()));
+        return std::nullopt;
+      }
     Properties spectrum(*given, ids_, diagnostics_);
+    spectrum.around_ = this;
     value = read_typed_spectrum(spectrum, use);
   } else {
     value = read_color(*given, use, substitute, diagnostics_);

@@ -79,6 +79,7 @@ class Properties {
   void report_duplicates();
 
   const XmlElement& element_;
+  const Properties* around_ = nullptr;  ///< Of the spectrum that this one stands in; null: of none.
   const ElementIds& ids_;
   Diagnostics& diagnostics_;
   std::vector<Entry> entries_;

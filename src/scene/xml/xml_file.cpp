@@ -9,6 +9,7 @@
 #include <cctype>
 #include <numeric>
 #include <pugixml.hpp>
+#include <unordered_set>
 
 #include "image/file_bytes.h"
 
@@ -90,8 +91,10 @@ class TreeBuilder {
     std::size_t count = 0;
     for (pugi::xml_attribute given = node.first_attribute(); given; given = given.next_attribute()) ++count;
     const std::span<XmlAttribute> row = pool_.row<XmlAttribute>(count);
+    std::unordered_set<std::string_view> names;
     for (pugi::xml_attribute given = node.first_attribute(); given; given = given.next_attribute()) {
-      if (element.attribute(given.name()))
+      // A set takes time, and nearly all elements have few.
+      if (count > 16 ? !names.insert(given.name()).second : element.attribute(given.name()).has_value())
         diagnostics_.error(element.where, fmt::format("attribute \"{}\" is given twice", given.name()));
       row[element.attributes.size()] = {given.name(), given.value()};
       element.attributes = row.first(element.attributes.size() + 1);
