@@ -113,7 +113,7 @@ TEST_CASE("what scatters otherwise from the other side does so as the camera wou
   sheet.shapes[1].material = add(sheet, thin);
   sheet.shapes[2].geometry = Rectangle{{4, -0.5, 1.2}, {-0.25, 0, 0.95}, {0, 1, 0}};
   sheet.shapes[2].radiance = Rgb{20, 20, 20};
-  hold_like_path("a sheet under a low lamp", sheet, 512, 0.02);
+  hold_like_path("a sheet under a low lamp", sheet, 128, 0.03);
 
   // A mirror whose normal is bent by 40 degrees throws the light of the lamp straight above it at a wall.
   Scene mirror = under_lamp(diffuse({0.5, 0.5, 0.5}));
@@ -126,7 +126,7 @@ TEST_CASE("what scatters otherwise from the other side does so as the camera wou
   mirror.camera = perspective_camera({2, 0, 0.55}, {3, 0, 0.55}, {0, 0, 1}, 40);
   mirror.integrator.max_depth = 3;
   mirror.integrator.hide_emitters = true;
-  hold_like_path("a bent mirror", mirror, 512, 0.02);
+  hold_like_path("a bent mirror", mirror, 256, 0.03);
 }
 
 // The way from the light is long and the light low: as wide as that, squares would be grey.
@@ -144,7 +144,7 @@ TEST_CASE("squares of a checkerboard are as sharp as paths from the camera show 
   add(scene, DirectionalLight{{1, 0.3, -0.1}, {3, 3, 3}});
   scene.film.filter = {FilterKind::box, 0.5, 0.5};
   scene.sampler.kind = SamplerKind::independent;
-  scene.sampler.sample_count = 1024;
+  scene.sampler.sample_count = 512;
   for (const char* integrator : {"ptracer", "bdpt"}) {
     INFO(integrator);
     scene.integrator.name = integrator;
