@@ -16,6 +16,7 @@ if(CMAKE_SCRIPT_MODE_FILE)
   return()
 endif()
 
+include(${CMAKE_CURRENT_LIST_DIR}/generate_unit.cmake)
 set(EMBED_FILES_SCRIPT ${CMAKE_CURRENT_LIST_FILE})
 
 # embed_files(variable DIR folder PATTERNS *.h ... HEADER h NAMESPACE n TYPE t FUNCTION f): in variable, the generated
@@ -25,18 +26,7 @@ function(embed_files variable)
   set(dir ${PROJECT_SOURCE_DIR}/${ARG_DIR})
   list(TRANSFORM ARG_PATTERNS PREPEND ${dir}/)
   file(GLOB_RECURSE names RELATIVE ${dir} CONFIGURE_DEPENDS ${ARG_PATTERNS})
-  list(TRANSFORM names PREPEND ${dir}/ OUTPUT_VARIABLE files)
-  set(output ${PROJECT_BINARY_DIR}/${ARG_FUNCTION}.cpp)
-  # The list is a file, rewritten only when it differs: so a deleted file leaves the binary too.
-  set(list ${PROJECT_BINARY_DIR}/${ARG_FUNCTION}.list)
-  list(JOIN names "\n" names)
-  file(GENERATE OUTPUT ${list} CONTENT "${names}\n")
-  add_custom_command(
-    OUTPUT ${output}
-    COMMAND ${CMAKE_COMMAND} -DDIR=${dir} -DLIST=${list} -DOUTPUT=${output} -DHEADER=${ARG_HEADER}
-            -DNAMESPACE=${ARG_NAMESPACE} -DTYPE=${ARG_TYPE} -DFUNCTION=${ARG_FUNCTION} -P ${EMBED_FILES_SCRIPT}
-    DEPENDS ${files} ${list} ${EMBED_FILES_SCRIPT}
-    COMMENT "Embedding ${ARG_DIR}"
-    VERBATIM)
+  generate_unit(output SCRIPT ${EMBED_FILES_SCRIPT} COMMENT Embedding DIR ${ARG_DIR} NAMES ${names} HEADER ${ARG_HEADER}
+                NAMESPACE ${ARG_NAMESPACE} FUNCTION ${ARG_FUNCTION} DEFINES TYPE=${ARG_TYPE})
   set(${variable} ${output} PARENT_SCOPE)
 endfunction()

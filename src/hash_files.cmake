@@ -16,28 +16,16 @@ if(CMAKE_SCRIPT_MODE_FILE)
   return()
 endif()
 
+include(${CMAKE_CURRENT_LIST_DIR}/generate_unit.cmake)
 set(HASH_FILES_SCRIPT ${CMAKE_CURRENT_LIST_FILE})
 
 # hash_files(variable DIR folder FILES f ... HEADER h NAMESPACE n FUNCTION f): in variable, the generated file, which
 # defines const char* n::f(), 16 hexadecimal digits, as h declares it. FILES are names below DIR, wherever that is.
 function(hash_files variable)
   cmake_parse_arguments(ARG "" "DIR;HEADER;NAMESPACE;FUNCTION" "FILES" ${ARGN})
-  set(dir ${PROJECT_SOURCE_DIR}/${ARG_DIR})
-  set(names ${ARG_FILES})
-  list(SORT names)
-  list(TRANSFORM names PREPEND ${dir}/ OUTPUT_VARIABLE files)
-  set(output ${PROJECT_BINARY_DIR}/${ARG_FUNCTION}.cpp)
-  # The list is a file, rewritten only when it differs: so a deleted file changes the hash too.
-  set(list ${PROJECT_BINARY_DIR}/${ARG_FUNCTION}.list)
-  list(JOIN names "\n" lines)
-  file(GENERATE OUTPUT ${list} CONTENT "${lines}\n")
-  add_custom_command(
-    OUTPUT ${output}
-    COMMAND ${CMAKE_COMMAND} -DDIR=${dir} -DLIST=${list} -DOUTPUT=${output} -DHEADER=${ARG_HEADER}
-            -DNAMESPACE=${ARG_NAMESPACE} -DFUNCTION=${ARG_FUNCTION} -P ${HASH_FILES_SCRIPT}
-    DEPENDS ${files} ${list} ${HASH_FILES_SCRIPT}
-    COMMENT "Hashing ${ARG_DIR}"
-    VERBATIM)
+  list(SORT ARG_FILES)
+  generate_unit(output SCRIPT ${HASH_FILES_SCRIPT} COMMENT Hashing DIR ${ARG_DIR} NAMES ${ARG_FILES} HEADER ${ARG_HEADER}
+                NAMESPACE ${ARG_NAMESPACE} FUNCTION ${ARG_FUNCTION})
   # By itself, so that a change of any file compiles nothing else.
   set_source_files_properties(${output} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
   set(${variable} ${output} PARENT_SCOPE)

@@ -31,9 +31,9 @@ Texels read_jpeg_texels(const std::string& path, const std::string& bytes) {
   const int channels = is_grey ? 1 : 3;
   std::vector<std::uint8_t> codes(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) *
                                   static_cast<std::size_t>(channels));
+  // Without the limit (500) a small file of empty scans over a large picture would take hours.
   const int fault = tjDecompress2(jpeg.get(), data, size, codes.data(), width, 0, height,
                                   is_grey ? TJPF_GRAY : TJPF_RGB, TJFLAG_ACCURATEDCT | TJFLAG_LIMITSCANS);
-  // Without the limit (500) a small file of empty scans over a large picture would take hours.
   // A warning is damage too: a part of the picture would be grey. But some cameras leave bytes before the end.
   const bool has_rest = fault != 0 && reason().find("extraneous bytes before marker 0xd9") != std::string_view::npos;
   if (fault != 0 && !has_rest) fail();

@@ -15,13 +15,7 @@ constexpr int rounds = 30;
 /// Of the sum of all terms' sizes: what Horner's rule in single precision may lose, several roundings of 2^-24 each.
 constexpr double loss_of_digits = 5e-7;
 
-using Terms = std::array<double, 9>;
-
-double value_at(const Terms& terms, double x) {
-  double sum = 0;
-  for (const double term : terms) sum = sum * x + term;
-  return sum;
-}
+using Terms = PolynomialTerms;
 
 /// An orthogonal polynomial: its terms, the highest power first, and its values at the places.
 struct Orthogonal {
@@ -63,6 +57,12 @@ Terms by_least_squares(const std::vector<double>& x, const std::vector<double>& 
 
 }  // namespace
 
+double share_of_polynomial(const PolynomialTerms& terms, double x) {
+  double sum = 0;
+  for (const double term : terms) sum = sum * x + term;
+  return std::clamp(sum, 0.0, 1.0);
+}
+
 PolynomialFit polynomial_near(const std::vector<double>& x, const std::vector<double>& values,
                               const std::vector<double>& importance) {
   PolynomialFit best;
@@ -71,7 +71,7 @@ PolynomialFit polynomial_near(const std::vector<double>& x, const std::vector<do
     const Terms terms = by_least_squares(x, values, weights);
     double off = 0, sizes = 0, sum = 0;
     for (std::size_t i = 0; i < x.size(); ++i) {
-      const double here = importance[i] * std::fabs(std::clamp(value_at(terms, x[i]), 0.0, 1.0) - values[i]);
+      const double here = importance[i] * std::fabs(share_of_polynomial(terms, x[i]) - values[i]);
       off = std::max(off, here);
       weights[i] *= here + 1e-5;
       sum += weights[i];

@@ -7,8 +7,13 @@
 
 namespace strahl::kinds {
 
+using PolynomialTerms = std::array<double, 9>;  ///< The highest power first.
+
+/// What the polynomial gives at x, held to [0, 1].
+[[nodiscard]] double share_of_polynomial(const PolynomialTerms& terms, double x);
+
 struct PolynomialFit {
-  std::array<double, 9> terms{};  ///< The highest power first.
+  PolynomialTerms terms{};
   /// The greatest distance from the values of what the polynomial gives, held to [0, 1], times its importance, and what
   /// single precision may lose.
   double most_off = 2;

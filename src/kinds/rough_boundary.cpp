@@ -170,10 +170,7 @@ RoughBoundary computed(MicrofacetKind kind, double alpha, double eta) {
 }  // namespace
 
 double share_through(const RoughBoundary& boundary, double eta, double cosine) {
-  const double x = variable(boundary, eta, cosine);
-  double sum = 0;
-  for (const double term : boundary.through) sum = sum * x + term;
-  return std::clamp(sum, 0.0, 1.0);
+  return share_of_polynomial(boundary.through, variable(boundary, eta, cosine));
 }
 
 RoughBoundary rough_boundary(MicrofacetKind kind, double alpha, double eta) {
