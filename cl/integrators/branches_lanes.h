@@ -6,6 +6,9 @@
 // camera ray's light is dropped where there is a stronger one beside it. So at most 20 rays wait in any scene, and the
 // tree is finite (R. Hall, D. Greenberg, "A Testbed for Realistic Image Synthesis", IEEE CG&A 3(8), 1983). Dropped
 // branches are counted (COUNT_BRANCHES).
+//
+// Finite may still be millions of rays: between mirrors that lose nothing, hardly any ray becomes weak. After
+// WHITTED_MOST_RAYS of one sample, rays no longer split and those that wait are dropped (COUNT_LOST_BRANCHES).
 
 #define BRANCH_LEAST R(0x1p-20)
 enum { BRANCHES_MOST_w = HAS_BRANCHES ? 21 : 1 };
@@ -16,6 +19,7 @@ enum { BRANCH_LEFT_w, BRANCH_INSTANCE_w, BRANCH_OUTWARD_w, BRANCH_DEPTH_w, BRANC
 /// The waiting rays of each lane, the latest last.
 typedef struct {
   intw count;
+  intw rays;  ///< Surfaces where the sample's rays could split, so far.
   realw reals[BRANCHES_MOST_w][BRANCH_REALS_w];
   intw ints[BRANCHES_MOST_w][BRANCH_INTS_w];
   Interfaces_w within[BRANCHES_MOST_w];  ///< Kept only where shapes have priorities.
@@ -32,6 +36,10 @@ FN void get_branch3_w(const Branches_w* branches, int at, int plane, int lane, r
   put_w(&v->y, lane, get_w(&branches->reals[at][plane + 1], lane));
   put_w(&v->z, lane, get_w(&branches->reals[at][plane + 2], lane));
 }
+
+FN void branches_none_w(Branches_w* branches) { branches->count = branches->rays = splat_int_w(0); }
+
+FN maskw are_too_many_w(const Branches_w* branches) { return lt_int_w(splat_int_w(WHITTED_MOST_RAYS), branches->rays); }
 
 /// Adds the rays along `way` to those that wait, in the lanes of `which`.
 FN void branch_off_w(const Paths_w* path, const Surfaces_w* s, maskw which, real3w way, real3w share, realw eta2,
@@ -71,8 +79,12 @@ FN maskw path_branch_w(const Scene* scene, Paths_w* path, const Surfaces_w* s, c
     goes_through = on_one_side_w(scene, s, goes_through, through.wi);
   }
   maskw is_back_less = lt_w(back_light, through_light), splits = goes_back & goes_through;
-  maskw ends = splits & lt_w(sel_w(is_back_less, back_light, through_light), least);
-  if (any_w(ends)) count_events(scene, COUNT_BRANCHES, lanes_among(bits_w(ends)));
+  maskw is_weak = splits & lt_w(sel_w(is_back_less, back_light, through_light), least);
+  if (any_w(is_weak)) count_events(scene, COUNT_BRANCHES, lanes_among(bits_w(is_weak)));
+  branches->rays = sel_int_w(which, branches->rays + splat_int_w(1), branches->rays);
+  maskw is_lost = splits & ~is_weak & are_too_many_w(branches);
+  if (any_w(is_lost)) count_events(scene, COUNT_LOST_BRANCHES, lanes_among(bits_w(is_lost)));
+  maskw ends = is_weak | is_lost;
   splits = splits & ~ends;
   goes_back = goes_back & ~(ends & is_back_less);
   goes_through = goes_through & ~(ends & ~is_back_less);
@@ -91,9 +103,23 @@ FN maskw path_branch_w(const Scene* scene, Paths_w* path, const Surfaces_w* s, c
   return which;
 }
 
+/// Drops the rays that wait in lanes that have followed too many, among `ended`.
+FN void branches_drop_w(const Scene* scene, maskw ended, Branches_w* branches) {
+  maskw drops = ended & are_too_many_w(branches);
+  for (uint lanes = bits_w(drops); lanes != 0u; lanes &= lanes - 1u) {
+    int i = first_bit(lanes);
+    count_events(scene, COUNT_LOST_BRANCHES, (uint)get_int_w(&branches->count, i));
+    put_int_w(&branches->count, i, 0);
+  }
+  maskw is_new = ended & ~lt_int_w(splat_int_w(0), branches->count);
+  branches->rays = sel_int_w(is_new, splat_int_w(0), branches->rays);
+}
+
 /// Paths of `which` that have ended go on along their waiting rays.
 FN void branches_resume_w(const Scene* scene, Paths_w* path, maskw which, Branches_w* branches) {
-  which = which & ~path->alive & lt_int_w(splat_int_w(0), branches->count);
+  which = which & ~path->alive;
+  branches_drop_w(scene, which, branches);
+  which = which & lt_int_w(splat_int_w(0), branches->count);
   if (!any_w(which)) return;
   if (HAS_COUNT_RAYS) count_events(scene, COUNT_BOUNCE, lanes_among(bits_w(which)));
   Rays_w rays;

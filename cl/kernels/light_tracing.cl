@@ -20,7 +20,7 @@ FN void trace_in_lanes_w(Scene scene, Span span) {
   Paths_w path;
   Branches_w branches;
   paths_none_w(&path);
-  branches.count = splat_int_w(0);
+  branches_none_w(&branches);
   while (span_left(&span) > 0 || any_w(path.alive)) {
     NewPaths_w begun = no_new_paths_w();
     if (!any_w(path.alive)) begun = new_paths_w(&scene, &span);
@@ -40,7 +40,7 @@ ONCE_FN void trace_in_pools_w(Scene scene, Span span) {
   Branches_w branches;
   paths_none_w(&path);
   path.sample = light_sample_begin_w(&scene, splat_uint_w(0u), splat_uint_w(0u));
-  branches.count = splat_int_w(0);
+  branches_none_w(&branches);
   pool_none_w(&pool);
   while (span_left(&span) > 0 || pool.count > 0) {
     int are_new = pool.count == 0, count = are_new ? min((int)POOL_PATHS, span_left(&span)) : pool.count;

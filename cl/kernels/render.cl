@@ -67,7 +67,7 @@ FN void follow_in_lanes_w(Scene scene, Span span, FirstSamples first, SpanFilm f
   Paths_w path;
   paths_none_w(&path);
   Branches_w branches;
-  branches.count = splat_int_w(0);
+  branches_none_w(&branches);
   while (span_left(&span) > 0 || any_w(path.alive)) {
     if (span_left(&span) > 0 && 8u * lanes_among(bits_w(~path.alive)) >= LANES) {
       maskw are_first = begin_paths_w(&scene, &path, &span);
@@ -116,7 +116,7 @@ ONCE_FN void follow_in_pools_w(Scene scene, Span span, FirstSamples first, SpanF
   Paths_w path;
   Branches_w branches;
   paths_none_w(&path);
-  branches.count = splat_int_w(0);
+  branches_none_w(&branches);
   pool_none_w(&pool);
   while (span_left(&span) > 0 || pool.count > 0) {
     int are_new = pool.count == 0, count = are_new ? min((int)POOL_PATHS, span_left(&span)) : pool.count;

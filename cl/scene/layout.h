@@ -224,6 +224,8 @@ enum {
 
 // Number of mirrors after which a path ends if HEADER_MAX_DEPTH is -1.
 enum { WHITTED_LONGEST = 1024 };
+// Number of surfaces of mirrors and glass after which the rays of one sample of whitted no longer split.
+enum { WHITTED_MOST_RAYS = 1 << 14 };
 // Number of surfaces after which a path ends that only Russian roulette limits. A path survives roulette with
 // probability 0.95 at most, so the share of the light that is left out is below 0.95^512 = 4e-12.
 enum { ROULETTE_LONGEST = 512 };
@@ -265,6 +267,7 @@ enum {
   COUNT_SHADOW,
   COUNT_BOUNCE,
   COUNT_BRANCHES,
+  COUNT_LOST_BRANCHES,
   COUNT_INTERFACES,
   COUNT_NODES,
   COUNT_PRIMITIVES,

@@ -70,6 +70,7 @@ std::string json_of(const Checkpoint& checkpoint) {
        {{"saturated", state.unusual.saturated},
         {"invalid", state.unusual.invalid},
         {"weak_branches", state.unusual.weak_branches},
+        {"lost_branches", state.unusual.lost_branches},
         {"lost_interfaces", state.unusual.lost_interfaces}}},
       {"frame", {frame.origin.x, frame.origin.y, frame.origin.z, frame.scale}},
   };
@@ -240,7 +241,7 @@ Head head_of(const Json& json) {
   head.position.check_at = number(json.at("position").at("check_at"), 0, max_spp);
   const Json& unusual = json.at("unusual");
   head.unusual = {count(unusual.at("saturated")), count(unusual.at("invalid")), count(unusual.at("weak_branches")),
-                  count(unusual.at("lost_interfaces"))};
+                  count(unusual.at("lost_branches")), count(unusual.at("lost_interfaces"))};
   const Json& frame = json.at("frame");
   head.frame = {{frame.at(0).get<double>(), frame.at(1).get<double>(), frame.at(2).get<double>()},
                 frame.at(3).get<double>()};

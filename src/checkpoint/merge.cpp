@@ -68,11 +68,7 @@ void add(Checkpoint& sum, Checkpoint part) {
     throw InputError("the parts' films differ in size");
   film.add_words(0, part.state.film.words);
   for (std::size_t i = 0; i < film.samples.size(); ++i) film.samples[i] += part.state.film.samples[i];
-  UnusualSamples& unusual = sum.state.unusual;
-  unusual.saturated += part.state.unusual.saturated;
-  unusual.invalid += part.state.unusual.invalid;
-  unusual.weak_branches += part.state.unusual.weak_branches;
-  unusual.lost_interfaces += part.state.unusual.lost_interfaces;
+  sum.state.unusual += part.state.unusual;
 }
 
 }  // namespace

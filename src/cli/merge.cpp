@@ -17,6 +17,7 @@
 #include "cli/picture_files.h"
 #include "cli/picture_metadata.h"
 #include "cli/scene_aovs.h"
+#include "cli/summary.h"
 
 namespace strahl::cli {
 namespace {
@@ -67,8 +68,7 @@ RenderResult result_of(const Checkpoint& sum) {
     if (aov == "numeric_error")
       throw InputError("--aov numeric_error traces the scene again, which `merge` has not; render it by itself");
   RenderResult result = picture_of(sum);
-  const UnusualSamples& unusual = sum.state.unusual;
-  if (unusual.saturated + unusual.invalid == 0) result.error = estimate_error(sum.state.film);
+  if (sum.state.unusual.not_finite() == 0) result.error = estimate_error(sum.state.film);
   return result;
 }
 
@@ -80,6 +80,7 @@ void write_picture(const MergeOptions& options, const Checkpoint& sum, const Inv
   metadata["command"] = invocation.command_line;
   metadata["spp"] = std::to_string(sum.header.most);
   if (result.error) metadata["rmse"] = rmse_text(*result.error);
+  warn_of_samples(sum.state.unusual);
   static_cast<void>(write({options.output, options.png, sum.header.is_length, {}}, result, metadata, options.quiet));
   if (!options.error_map.empty()) {
     if (!result.error)

@@ -284,7 +284,7 @@ ExitCode render(const RenderOptions& options, const Invocation& invocation) {
   result.stats.seconds.exit = expected_exit_seconds(devices);
   result.stats.seconds.total = invocation.seconds() + result.stats.seconds.exit;
   warn_of_dropped(result.stats);
-  warn_of_samples(result.stats);
+  warn_of_samples(result.stats.unusual);
   say_summary(options, files.path, result, clipping);
 
   if (!options.stats.empty()) {

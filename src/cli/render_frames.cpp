@@ -81,7 +81,7 @@ ExitCode render_frames(Renderer& renderer, const RenderOptions& options, const I
   std::vector<double> seconds;
   int late = 0, black = 0;
   ErrorGoal error_goal(options.goal.max_error);
-  RunStats all;
+  UnusualSamples all;
   std::string interrupted;
   ProgressBar bar("frames", !options.scene.quiet && !options.scene.no_progress);
   for (int frame = 0; frame < *options.goal.frames && !guard.interrupted(); ++frame) {
@@ -113,9 +113,7 @@ ExitCode render_frames(Renderer& renderer, const RenderOptions& options, const I
     if (seconds.back() > late_seconds(time)) ++late;
     if (result.stats.least_spp == 0) ++black;
     error_goal.add(result);
-    all.saturated_samples += result.stats.saturated_samples;
-    all.invalid_samples += result.stats.invalid_samples;
-    all.lost_interfaces += result.stats.lost_interfaces;
+    all += result.stats.unusual;
     // A job of a million frames should not take more and more memory for what nobody asks.
     if (!options.stats.empty())
       frames.push_back({seconds.back(), result.stats.least_spp, result.stats.most_spp,

@@ -8,11 +8,12 @@
 #include <utility>
 
 #include "cli/console.h"
+#include "packing/cl_layout.h"
 
 namespace strahl::cli {
 
 std::string why_no_error(const RunStats& stats) {
-  if (stats.saturated_samples + stats.invalid_samples > 0) return "samples were not finite, see the warning";
+  if (stats.unusual.not_finite() > 0) return "samples were not finite, see the warning";
   return "a pixel has fewer than 4 samples, or --no-error";
 }
 
@@ -115,18 +116,22 @@ std::string kernel_summary(const RunStats& stats) {
       static_cast<double>(stats.device_bytes) / (1 << 20), static_cast<double>(stats.host_bytes) / (1 << 20));
 }
 
-void warn_of_samples(const RunStats& stats) {
-  if (stats.saturated_samples > 0)
+void warn_of_samples(const UnusualSamples& samples) {
+  if (samples.saturated > 0)
     say(fmt::format("strahl: warning: {} sample channels were beyond the largest float; they count as 3.4e38",
-                    stats.saturated_samples));
-  if (stats.lost_interfaces > 0)
+                    samples.saturated));
+  if (samples.lost_branches > 0)
+    say(fmt::format(
+        "strahl: warning: {} rays of whitted were not followed: a sample follows {} along mirrors and glass; max_depth "
+        "limits them, and --integrator path follows one way of two",
+        samples.lost_branches, static_cast<int>(layout::WHITTED_MOST_RAYS)));
+  if (samples.lost_interfaces > 0)
     say(fmt::format(
         "strahl: warning: {} times a ray was within more than 8 shapes of glass that have a priority; what it "
         "entered then was taken for air on the way out",
-        stats.lost_interfaces));
-  if (stats.invalid_samples > 0)
-    say(fmt::format("strahl: warning: {} sample channels were not a number; they count as black",
-                    stats.invalid_samples));
+        samples.lost_interfaces));
+  if (samples.invalid > 0)
+    say(fmt::format("strahl: warning: {} sample channels were not a number; they count as black", samples.invalid));
 }
 
 }  // namespace strahl::cli

@@ -33,7 +33,7 @@ struct Billed {
 [[nodiscard]] std::string brief_bill(const RunStats& stats, const Billed& billed);
 
 /// Where a picture is not what the scene says: said even with -q.
-void warn_of_samples(const RunStats& stats);
+void warn_of_samples(const UnusualSamples& samples);
 
 /// What -v adds: device, program and whether it came from the cache, launches.
 [[nodiscard]] std::string kernel_summary(const RunStats& stats);

@@ -48,10 +48,7 @@ MaterialFacts facts(const char* kind, std::vector<MaterialSlot> slots, std::vect
           .nested = {}};
 }
 
-bool is_finite_color(const Rgb& c) { return std::isfinite(c.r) && std::isfinite(c.g) && std::isfinite(c.b); }
-bool is_at_least(double least, const Rgb& c) {
-  return is_finite_color(c) && c.r >= least && c.g >= least && c.b >= least;
-}
+bool is_at_least(double least, const Rgb& c) { return is_finite(c) && c.r >= least && c.g >= least && c.b >= least; }
 
 /// Whether it reflects everything at every angle.
 bool is_ideal(const MetalIndex& index) { return index.eta.texture < 0 && index.eta.color == Rgb{0, 0, 0}; }
@@ -315,7 +312,7 @@ struct Facts {
     facts.nested = {relief.nested};
     facts.has_along = true;
     if (!std::isfinite(relief.scale)) facts.faults.emplace_back("scale must be finite");
-    if (!is_finite_color(relief.map.color)) facts.faults.emplace_back("normalmap must be finite");
+    if (!is_finite(relief.map.color)) facts.faults.emplace_back("normalmap must be finite");
     return facts;
   }
   MaterialFacts operator()(const Coat& coat) const {

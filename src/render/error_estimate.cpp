@@ -15,7 +15,8 @@ namespace {
 double quantile(double degrees_of_freedom) {
   constexpr double z = 1.959964;
   const double per = 1 / std::max(degrees_of_freedom, 2.0);
-  return z + (z * z * z + z) / 4 * per + (5 * std::pow(z, 5) + 16 * z * z * z + 3 * z) / 96 * per * per;
+  return z + (z * z * z + z) / 4 * per + (5 * std::pow(z, 5) + 16 * z * z * z + 3 * z) / 96 * per * per +
+         (3 * std::pow(z, 7) + 19 * std::pow(z, 5) + 17 * z * z * z - 15 * z) / 384 * per * per * per;
 }
 
 bool is_told(const FilmShape& film, int samples) { return std::min(samples, film.sums.count) >= layout::FILM_SUBSUMS; }

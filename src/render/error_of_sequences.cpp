@@ -9,6 +9,10 @@
 //   (w_1p w_2q)^2 ...   for neighbours: too small at an edge, as the first is.
 //
 // The first over the third converts the second from halves to the whole; what is lost at edges cancels.
+//
+// Where one pixel or a few are all of the noise, these products are small by chance as often as the estimate is. So the
+// largest upper estimate of a pixel by itself is added: |S|^2 with S the mean of the three differences' squares. Among
+// many noisy pixels it does not count.
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -62,18 +66,25 @@ double squared_product(const Colour& a, const Colour& b) {
 /// Sums of products; each estimates |S|^2 as described above.
 struct Products {
   double whole_beside = 0, half = 0, half_beside = 0;
-  double fourth = 0;  ///< u^4 / 4: an overestimate, used where there is nothing else.
+  double alone = 0;  ///< An overestimate by the pixel itself, the only one where neighbours have no noise.
 
   void operator+=(const Products& other) {
     whole_beside += other.whole_beside;
     half += other.half;
     half_beside += other.half_beside;
-    fourth += other.fourth;
+    alone += other.alone;
   }
 };
 
+double squared_length(const Colour& a) {
+  double sum = 0;
+  for (const double value : a) sum += value * value;
+  return sum;
+}
+
 Products own_products(const Differences& p) {
-  return {0, squared_product(p.half[0], p.half[1]), 0, squared_product(p.whole, p.whole) / 4};
+  const double variance = (squared_length(p.whole) / 2 + squared_length(p.half[0]) + squared_length(p.half[1])) / 3;
+  return {0, squared_product(p.half[0], p.half[1]), 0, variance * variance};
 }
 
 /// One pixel's half of a pair's product; the other half belongs to the other pixel.
@@ -93,20 +104,21 @@ class TiledProducts {
   void add(int x, int y, const Products& products) {
     tiles_[static_cast<std::size_t>(y / tile_side) * static_cast<std::size_t>(across_) +
            static_cast<std::size_t>(x / tile_side)] += products;
+    most_alone_ = std::max(most_alone_, products.alone);
   }
 
   /// The variance and its degrees of freedom, from the change that each tile makes. Zero where there is no noise.
   void tell(PictureError& picture) const {
     Products all;
     for (const Products& tile : tiles_) all += tile;
-    if (!(all.fourth > 0)) return;
+    if (!(all.alone > 0)) return;
     const bool has_neighbours = all.whole_beside > 0 && all.half > 0 && all.half_beside > 0;
-    picture.variance = has_neighbours ? all.half * (all.whole_beside / all.half_beside) : all.fourth;
+    picture.variance = has_neighbours ? all.half * (all.whole_beside / all.half_beside) + most_alone_ : all.alone;
     double squares = 0;
     for (const Products& tile : tiles_) {
       const double share = has_neighbours ? tile.half / all.half + tile.whole_beside / all.whole_beside -
                                                 tile.half_beside / all.half_beside
-                                          : tile.fourth / all.fourth;
+                                          : tile.alone / all.alone;
       squares += share * share;
     }
     picture.freedom = satterthwaite(1, squares);
@@ -115,6 +127,7 @@ class TiledProducts {
  private:
   int across_;
   std::vector<Products> tiles_;
+  double most_alone_ = 0;
 };
 
 class LawOfSequences final : public ErrorLaw {

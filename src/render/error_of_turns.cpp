@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
+
 #include "render/error_law.h"
 #include "render/film.h"
 
@@ -7,6 +9,7 @@ namespace {
 
 constexpr int turns = layout::FILM_SUBSUMS;
 static_assert(turns == 4, "disjoint_pairs are those of four");
+constexpr double to_difference = 2.0 * turns / (turns - 1);  ///< From squared covariances of one sample.
 constexpr int disjoint_pairs[3][4] = {{0, 1, 2, 3}, {0, 2, 1, 3}, {0, 3, 1, 2}};
 
 /// A pixel's four means and the number of samples in each.
@@ -51,7 +54,14 @@ double difference_variance(const Turns& pixel, double samples) {
                    (1 / pixel.count[pairs[2]] + 1 / pixel.count[pairs[3]])) /
                   3;
   }
-  return 2.0 * turns / ((turns - 1) * samples * samples) * covariance;
+  return to_difference / (samples * samples) * covariance;
+}
+
+/// An overestimate by the pixel's own spread (error_of_sequences.cpp).
+double variance_alone(const Turns& pixel) {
+  double variance = 0;
+  for (const double squared : pixel.error.squared) variance += squared;
+  return to_difference * variance * variance;
 }
 
 class LawOfTurns final : public ErrorLaw {
@@ -63,18 +73,20 @@ class LawOfTurns final : public ErrorLaw {
       picture_.add(pixel.error);
       picture_.variance += variance;
       squares_ += variance * variance;
+      most_alone_ = std::max(most_alone_, variance_alone(pixel));
     }
   }
   PixelError pixel_error(const FilmRows& rows, std::size_t at) const override { return turns_of(rows, at).error; }
   PictureError tell() const override {
     PictureError picture = picture_;
     picture.freedom = satterthwaite(picture.variance, squares_);
+    picture.variance += most_alone_;
     return picture;
   }
 
  private:
   PictureError picture_;
-  double squares_ = 0;
+  double squares_ = 0, most_alone_ = 0;
 };
 
 }  // namespace

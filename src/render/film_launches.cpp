@@ -18,10 +18,8 @@ FilmRun::Unfinished FilmRun::launch_once(const Launch& launch, int band_row) {
   run.seconds.kernel += seconds;
   std::vector<std::uint32_t> counted(layout::COUNTERS);
   read_buffer(state_.device, state_.counters, counted.data(), counted.size() * sizeof(std::uint32_t));
-  run.saturated_samples += counted[layout::COUNT_SATURATED];
-  run.invalid_samples += counted[layout::COUNT_INVALID];
-  run.weak_branches += counted[layout::COUNT_BRANCHES];
-  run.lost_interfaces += counted[layout::COUNT_INTERFACES];
+  run.unusual += {counted[layout::COUNT_SATURATED], counted[layout::COUNT_INVALID], counted[layout::COUNT_BRANCHES],
+                  counted[layout::COUNT_LOST_BRANCHES], counted[layout::COUNT_INTERFACES]};
   if (state_.settings.count_rays) {
     *run.shadow_rays += counted[layout::COUNT_SHADOW];
     *run.bounce_rays += counted[layout::COUNT_BOUNCE];

@@ -36,10 +36,7 @@ bool FilmRun::go_on_from(const FilmState& state) {
   aov_reals_ = state.aov_reals;
   aov_ints_ = state.aov_ints;
   RunStats& run = result_.stats;
-  run.saturated_samples = state.unusual.saturated;
-  run.invalid_samples = state.unusual.invalid;
-  run.weak_branches = state.unusual.weak_branches;
-  run.lost_interfaces = state.unusual.lost_interfaces;
+  run.unusual = state.unusual;
   samples_before_ = std::accumulate(has.begin(), has.end(), 0.0);
   run.resumed_samples = static_cast<std::uint64_t>(samples_before_);
   // The pass that was under way may be one of hours; where time or an error ends the render, its rest is no part of it.
@@ -119,7 +116,7 @@ FilmState FilmRun::state_now() {
   static_cast<FilmShape&>(state.film) = film_;
   state.film.samples = film_.samples;
   state.position = passes_.position();
-  state.unusual = {run.saturated_samples, run.invalid_samples, run.weak_branches, run.lost_interfaces};
+  state.unusual = run.unusual;
   state.aov_reals = aov_reals_;
   state.aov_ints = aov_ints_;
   state.frame = state_.frame;

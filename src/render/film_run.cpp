@@ -222,7 +222,7 @@ void FilmRun::each_part(const std::function<void(std::shared_ptr<const FilmPart>
 void FilmRun::finish() {
   PhaseSeconds& seconds = result_.stats.seconds;
   // The error of samples that were clamped to the largest float, or set to 0, is unknown.
-  const bool is_whole = result_.stats.saturated_samples + result_.stats.invalid_samples == 0;
+  const bool is_whole = result_.stats.unusual.not_finite() == 0;
   const bool has_error = state_.settings.estimate_error && is_whole, has_map = state_.settings.error_map;
   const Stopwatch beginning;
   std::optional<ErrorSums> error;

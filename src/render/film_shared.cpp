@@ -181,10 +181,7 @@ void FilmRun::add(const Part& part, const Launch& launch, std::size_t worker) {
     }
   }
   RunStats& run = result_.stats;
-  run.saturated_samples += state.unusual.saturated;
-  run.invalid_samples += state.unusual.invalid;
-  run.weak_branches += state.unusual.weak_branches;
-  run.lost_interfaces += state.unusual.lost_interfaces;
+  run.unusual += state.unusual;
   run.camera_rays += part.stats.camera_rays;
   for (const auto counted :
        {&RunStats::shadow_rays, &RunStats::bounce_rays, &RunStats::nodes_visited, &RunStats::primitives_tested})

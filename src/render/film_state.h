@@ -10,15 +10,9 @@
 #include "kinds/upload_frame.h"
 #include "render/film.h"
 #include "render/pass_plan.h"
+#include "render/unusual_samples.h"
 
 namespace strahl {
-
-/// Of RunStats: samples that are told of with the picture.
-struct UnusualSamples {
-  std::uint64_t saturated = 0, invalid = 0, weak_branches = 0, lost_interfaces = 0;
-
-  friend bool operator==(const UnusualSamples&, const UnusualSamples&) = default;
-};
 
 struct FilmState {
   FilmSums film;

@@ -157,7 +157,7 @@ class PilotRun {
     Timed timed{renderer_.render(goes_on, goal), 0};
     const RunStats& stats = timed.result.stats;
     timed.seconds = watch.seconds() - stats.seconds.readback - stats.seconds.error;
-    pilot_.not_finite += stats.saturated_samples + stats.invalid_samples;
+    pilot_.not_finite += stats.unusual.not_finite();
     return timed;
   }
 

@@ -87,8 +87,9 @@ std::string RunStats::json() const {
   json["longest_launch"] = longest_launch();
   json["rays"] = {
       {"camera", camera_rays}, {"shadow", count_or_null(shadow_rays)}, {"bounce", count_or_null(bounce_rays)}};
-  json["weak_branches"] = weak_branches;
-  json["lost_interfaces"] = lost_interfaces;
+  json["weak_branches"] = unusual.weak_branches;
+  json["lost_branches"] = unusual.lost_branches;
+  json["lost_interfaces"] = unusual.lost_interfaces;
   json["visits"] = {{"nodes", count_or_null(nodes_visited)}, {"primitives", count_or_null(primitives_tested)}};
   json["bytes"] = {{"device", device_bytes}, {"host", host_bytes}};
   json["device"] = device;
@@ -119,8 +120,8 @@ std::string RunStats::json() const {
   json["program"] = program;
   json["program_bytes"] = program_bytes;
   json["program_from_cache"] = program_from_cache;
-  json["saturated_samples"] = saturated_samples;
-  json["invalid_samples"] = invalid_samples;
+  json["saturated_samples"] = unusual.saturated;
+  json["invalid_samples"] = unusual.invalid;
   // A device may name itself in any encoding; JSON is UTF-8. Non-finite numbers become null.
   return json_text(json);
 }

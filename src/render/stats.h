@@ -9,6 +9,7 @@
 
 #include "packing/tree_stats.h"
 #include "render/error_budget.h"
+#include "render/unusual_samples.h"
 
 namespace strahl {
 
@@ -76,10 +77,7 @@ struct RunStats {
   std::optional<ErrorBudget> error;      ///< None: not measured.
   std::optional<double> clipped_pixels;  ///< Share of the pixels brighter than the file's white; none: it has no white.
   std::string ending;                    ///< ending_name of what ended the render.
-  std::uint64_t saturated_samples = 0;   ///< Sample channels beyond the largest float, counted as it.
-  std::uint64_t weak_branches = 0;       ///< Rays that whitted did not follow: weaker than 2^-20 of the camera ray.
-  std::uint64_t lost_interfaces = 0;  ///< Surfaces of glass with a priority that could not be tracked: no free place.
-  std::uint64_t invalid_samples = 0;  ///< NaN sample channels, counted as black.
+  UnusualSamples unusual;
 
   static constexpr std::size_t most_kept_runs = 1024;
   void add_launch(double run_seconds);

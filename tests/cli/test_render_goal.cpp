@@ -41,9 +41,9 @@ TEST_CASE("the picture's own error counts, not what ended it") {
 TEST_CASE("an error that is not told is not reached, and the message says why") {
   RenderResult result = ended_by(Ending::error, 0.01);
   result.stats.error.reset();
-  result.stats.invalid_samples = 1;
+  result.stats.unusual.invalid = 1;
   CHECK(missed_goal(until(0.1), result).value_or("").find("samples were not finite") != std::string::npos);
-  result.stats.invalid_samples = 0;
+  result.stats.unusual.invalid = 0;
   CHECK(missed_goal(until(0.1), result).value_or("").find("fewer than 4 samples") != std::string::npos);
 }
 

@@ -75,7 +75,7 @@ void hold(const Variant& v, Precision precision, const RenderResult& first) {
   CHECK(off < 1.2 * result.error->rmse_high / v.light);
   CHECK(off > result.error->rmse_low / v.light / 1.2);
   CHECK(rmse(result.color, v.light, first.color) < 1.5 * std::hypot(told, first.error->rmse));
-  CHECK(result.stats.saturated_samples + result.stats.invalid_samples == 0);
+  CHECK(result.stats.unusual.not_finite() == 0);
 }
 
 TEST_CASE("lamps, grounds, suns and light of any size, one at a time and together") {

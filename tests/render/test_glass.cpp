@@ -385,7 +385,7 @@ TEST_CASE("a ray within more shapes than are tracked is told") {
     // Few pixels: whitted follows both ways through all of them.
     scene.film.width = scene.film.height = 12;
     const RenderResult result = stage_picture(with_integrator(scene, "whitted"), Precision::stable);
-    CHECK((result.stats.lost_interfaces > 0) == (shapes > 8));
+    CHECK((result.stats.unusual.lost_interfaces > 0) == (shapes > 8));
   }
 }
 

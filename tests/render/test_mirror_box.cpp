@@ -8,6 +8,7 @@
 #include <catch2/catch.hpp>
 #include <cstdlib>
 
+#include "packing/cl_layout.h"
 #include "render/pictures.h"
 #include "scene/model/build.h"
 #include "scene/model/transforms.h"
@@ -146,6 +147,26 @@ TEST_CASE("rays are reflected as often as is asked for, and an open room is lit"
   const Scene closed = scene_of(rectangles_room(place.to_world, 6), place, {8, 100});
   CHECK(render("pocl", closed, settings).stats.bounce_rays == 8 * 8 * 100);
   CHECK(escaped(scene_of(rectangles_room(place.to_world, 5), place, {8, 100}), Precision::robust) == 8 * 8);
+}
+
+TEST_CASE("glass among mirrors: rays that split without an end are counted and told") {
+  require_pocl_and_rusticl();
+  const Place place{"around the eye", {}, {0, 0, 0.8}};
+  RenderSettings settings;
+  settings.count_rays = true;
+  Dielectric glass;
+  glass.int_ior = 1.5;
+  constexpr std::uint64_t pixels = 4, rays = layout::WHITTED_MOST_RAYS, longest = layout::WHITTED_LONGEST;
+  for (const std::size_t walls : {6U, 1U}) {
+    Scene scene = scene_of(rectangles_room(place.to_world, walls), place, {2, 0});
+    scene.integrator.max_depth = -1;
+    add(scene, Sphere{{0, 0, 0}, 0.5}, add(scene, glass, false));
+    const RunStats stats = render("pocl", scene, settings).stats;
+    CHECK((stats.unusual.lost_branches > 0) == (walls == 6));
+    CHECK(stats.unusual.weak_branches > 0);
+    CHECK(*stats.bounce_rays < pixels * (rays + 2 * longest));
+    if (walls == 6) CHECK(*stats.bounce_rays > rays);
+  }
 }
 
 }  // namespace

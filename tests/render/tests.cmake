@@ -7,6 +7,7 @@ foreach(name first_principles large_ground invariance launches closed_form termi
 endforeach()
 strahl_test(render/test_limitations.cpp LABEL unit)
 strahl_test(render/test_error_sums.cpp LABEL unit)
+strahl_test(render/test_error_of_few_pixels.cpp LABEL unit)
 strahl_test(render/test_pass_plan.cpp LABEL unit)
 strahl_test(render/test_row_deal.cpp LABEL unit)
 strahl_test(render/test_rounding_pilot.cpp LABEL unit)

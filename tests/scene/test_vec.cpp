@@ -18,8 +18,8 @@ TEST_CASE("products") {
   CHECK(dot({1, 2, 3}, {4, -5, 6}) == 12);
   CHECK(cross({1, 0, 0}, {0, 1, 0}) == Vec3{0, 0, 1});
   CHECK(length({2, 3, 6}) == 7);
-  CHECK_FALSE(is_finite({0, std::nan(""), 0}));
-  CHECK_FALSE(is_finite({0, 0, INFINITY}));
+  CHECK_FALSE(is_finite(Vec3{0, std::nan(""), 0}));
+  CHECK_FALSE(is_finite(Vec3{0, 0, INFINITY}));
 }
 
 TEST_CASE("normalisation neither overflows nor underflows") {

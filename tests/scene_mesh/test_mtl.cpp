@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Materials of OBJ files: usemtl, mtllib in all its spellings, the values that are read.
+#include <fmt/format.h>
+
 #include "scene_mesh/temp_folder.h"
 
 namespace strahl {
@@ -88,11 +90,20 @@ TEST_CASE("a missing library and unknown materials are warnings") {
   CHECK(text_of(file.material_warnings) ==
         "a.obj:1:8: warning: material library \"gone.mtl\" cannot be opened; its materials become the default diffuse\n"
         "a.obj:1:8: warning: material library \"also\" cannot be opened; its materials become the default diffuse\n"
-        "a.obj:1:8: warning: material library \"gone.mtl\" cannot be opened; its materials become the default diffuse\n"
         "a.obj:6:1: warning: materials that no library defines: 2; they become the default diffuse; the first is "
         "\"x\"\n");
   REQUIRE(file.materials.size() == 2);
   CHECK(file.materials[1].reflectance == Rgb{0.5, 0.5, 0.5});
+}
+
+TEST_CASE("of very many missing libraries a few are named: lines are counted from the top") {
+  const TempFolder folder;
+  std::string text = obj_square;
+  for (int i = 0; i < 300000; ++i) text += fmt::format("mtllib {}.mtl\n", i);
+  const MeshFile file = read_mesh(folder.write("a.obj", text + "f 1 2 3\n"));
+  REQUIRE(file.material_warnings.size() == 9);
+  CHECK(text_of(file.material_warnings).find("\"7.mtl\"") != std::string::npos);
+  CHECK(text_of(file.material_warnings).find("from here on") != std::string::npos);
 }
 
 TEST_CASE("what an MTL file gets wrong") {

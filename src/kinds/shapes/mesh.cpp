@@ -30,8 +30,9 @@ void extend(Extent& extent, const Mesh& mesh) {
 void check(Faults& faults, const Mesh& mesh) {
   const std::size_t vertices = mesh.positions.size();
   faults.require(!mesh.triangles.empty(), "the mesh has no triangles");
-  faults.require(std::all_of(mesh.positions.begin(), mesh.positions.end(), is_finite), "all positions must be finite");
-  faults.require(std::all_of(mesh.normals.begin(), mesh.normals.end(), is_finite), "all normals must be finite");
+  const auto is_whole = [](const Vec3& v) { return is_finite(v); };
+  faults.require(std::ranges::all_of(mesh.positions, is_whole), "all positions must be finite");
+  faults.require(std::ranges::all_of(mesh.normals, is_whole), "all normals must be finite");
   faults.require(mesh.normals.empty() || mesh.normals.size() == vertices,
                  "a mesh has a normal for every vertex or none");
   faults.require(mesh.uvs.empty() || mesh.uvs.size() == vertices,

@@ -7,8 +7,6 @@
 
 namespace strahl {
 
-bool is_finite(const Rgb& value) { return is_finite(Vec3{value.r, value.g, value.b}); }
-
 bool is_finite(const MeshAttribute& attribute) {
   return std::ranges::all_of(attribute.values, [](const Rgb& value) { return is_finite(value); });
 }

@@ -7,7 +7,6 @@
 
 namespace strahl {
 
-[[nodiscard]] bool is_finite(const Rgb& value);
 [[nodiscard]] bool is_finite(const MeshAttribute& attribute);
 
 /// at: the first place of a number that is not finite.

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <set>
 
 #include "scene/meshes/mesh_builder.h"
 #include "scene/meshes/mesh_file.h"
@@ -83,13 +84,20 @@ class ObjReader {
       } else if (keyword == "mtllib") {
         cursor.find_word();
         const char* at = cursor.position();
-        for (const std::string& missing : finder_.read(source_.path(), cursor.rest(), library_)) {
-          material_warnings_.push_back(source_.warning_at(
-              at, fmt::format("material library {} cannot be opened; its materials become the default diffuse",
-                              in_quotes(missing))));
-        }
+        for (const std::string& name : finder_.read(source_.path(), cursor.rest(), library_)) warn_of_library(name, at);
       }
     }
+  }
+
+  /// Once a name. `at`: its line, which is found by counting from the top: not for any number of names.
+  void warn_of_library(const std::string& name, const char* at) {
+    constexpr std::size_t most_named = 8;
+    if (missing_libraries_.size() > most_named || !missing_libraries_.insert(name).second) return;
+    material_warnings_.push_back(source_.warning_at(
+        at, missing_libraries_.size() > most_named
+                ? "material libraries from here on that cannot be opened are not named"
+                : fmt::format("material library {} cannot be opened; its materials become the default diffuse",
+                              in_quotes(name))));
   }
 
   /// What follows them on the line (a weight w, vertex colours) is not read.
@@ -281,6 +289,7 @@ class ObjReader {
   CurrentMaterial material_;
   std::map<std::string, int> index_of_material_;
   std::vector<MeshMaterial> materials_;
+  std::set<std::string> missing_libraries_;
   Tally malformed_, degenerate_, lines_and_points_, unknown_, unknown_materials_;
   std::string first_unknown_, first_unknown_material_;
   std::vector<Diagnostic> material_warnings_;

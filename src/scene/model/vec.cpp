@@ -28,6 +28,7 @@ Vec3 normalized(const Vec3& v) {
 }
 
 bool is_finite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+bool is_finite(const Rgb& c) { return std::isfinite(c.r) && std::isfinite(c.g) && std::isfinite(c.b); }
 
 std::array<Vec3, 2> orthonormal_basis(const Vec3& n) {
   const double sign = std::copysign(1.0, n.z);

@@ -37,6 +37,7 @@ struct Rgb {
 /// v / |v|, safe against overflow and underflow; v must not be zero.
 [[nodiscard]] Vec3 normalized(const Vec3& v);
 [[nodiscard]] bool is_finite(const Vec3& v);
+[[nodiscard]] bool is_finite(const Rgb& c);
 /// Two unit vectors that complete the unit vector n to a right-handed frame (s, t, n).
 /// Duff et al., "Building an Orthonormal Basis, Revisited", JCGT 6(1), 2017.
 [[nodiscard]] std::array<Vec3, 2> orthonormal_basis(const Vec3& n);
