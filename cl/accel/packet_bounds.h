@@ -35,7 +35,8 @@ typedef struct {
 #endif
   intw departed, aim;  ///< Primitives that are in no instance.
   maskw outward;
-  int has_departed;  ///< A lane has left something of it.
+  int has_departed;  ///< A lane has left something of it,
+  int has_ends;      ///< or a lane ends on something of it.
 
   // The nearest hits so far, as in hits/nearest.h.
   realw t;
@@ -141,6 +142,7 @@ FN int packet_make_w(Packet_w* p, Rays_w* of, int stop_at_first) {
   p->aim = of->aim;
   p->outward = nonzero_w(of->is_outward);
   p->has_departed = any_w(nonzero_w(p->departed - splat_int_w(-1)));
+  p->has_ends = p->has_departed | (!TIER_FAST && any_w(nonzero_w(p->aim - splat_int_w(-1))));
   packet_none_w(p);
   p->t = p->bound = rays[RAY_PLANE_T_MAX];
   p->is_alike = 0;

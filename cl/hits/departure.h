@@ -79,7 +79,8 @@ FN int is_amid(const Surface* s, real3 e, real3 f, real size, real bound) {
 }
 
 /// Where rays leave a surface: from `point`, moved by `move` and by `bound` along the normal to the side that the ray
-/// goes to.
+/// goes to. Below 0: of round shapes, which rays leave from `point` itself, how far that may be off the surface; rays
+/// that end at it stop so much before it.
 typedef struct {
   real3 point, move;
   real bound;
@@ -127,6 +128,13 @@ FN real3 box_departure(const Surface* s) {
   return vec3(n.x != zero ? p.x : inside.x, n.y != zero ? p.y : inside.y, n.z != zero ? p.z : inside.z);
 }
 
+/// Of a round shape whose own bound is `off`, in the world. Its points are as far off as it is large, be they near or not.
+FN real round_departure_bound(const Surface* s) {
+  real off = s->off;
+  if (HAS_INSTANCES && s->instance >= 0) off = off / s->placed[INSTANCE_SHRINK] + departure_bound(s, R(0.0));
+  return off;
+}
+
 FN Departure departure_of(const Surface* s) {
   Departure departure;
   real zero = R(0.0);
@@ -139,6 +147,7 @@ FN Departure departure_of(const Surface* s) {
     else
       departure.point = box_departure(s);
   }
+  if (!TIER_FAST && s->outline == OUTLINE_ROUND) departure.bound = -round_departure_bound(s);
   if (!TIER_FAST && (s->outline == OUTLINE_TRIANGLE || s->outline == OUTLINE_PARALLELOGRAM))
     polygon_departure(s, &departure);
   return departure;

@@ -20,7 +20,8 @@ typedef struct {
   real tex_u, tex_v;     ///< Texture coordinates: the mesh's uvs where there are any, else u, v.
   real footprint;        ///< How wide the pixel is here; set only where there are textures (textures/footprint.h).
   int outline;           ///< OUTLINE_...
-  real off;              ///< Bound on the position's distance from its plane; 0: that of its outline.
+  real off;              ///< Bound on the position's distance from its plane; 0: that of its outline. Of round shapes:
+                         ///< what a bound by the position alone leaves out, in the frame of the group.
   real facing;           ///< Below 0: the ray comes from the normal's side. Known before the normal is.
   int is_flipped;        ///< 1: the normal points the other way than the shape has it.
   GLOBAL const real* prim;  ///< Its planes, `stride` apart.

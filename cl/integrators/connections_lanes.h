@@ -71,7 +71,7 @@ FN Rays_w rays_between_w(const Vertex_w* x, const Vertex_w* y, maskw which, real
 #else
   // As area_rounding of lights/area_lanes.h.
   realw reach = max3_w(abs3_w(y->s.position)) + max3_w(abs3_w(x->s.position));
-  realw bound = max_w(splat_w(R(16.0) * real_roundoff()) * reach, y->s.bound);
+  realw bound = max_w(splat_w(R(16.0) * real_roundoff()) * reach, abs_w(y->s.bound));
   maskw is_behind = lt_w(splat_w(R(0.0)), dot3_w(way, y->s.normal));
   towards = fma3_w(sel_w(is_behind, -bound, bound), y->s.normal, towards);
 #endif

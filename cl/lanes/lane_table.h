@@ -922,6 +922,7 @@
 #define sphere_coordinates_w LANED(sphere_coordinates_w)
 #define sphere_decided_w LANED(sphere_decided_w)
 #define sphere_density_w LANED(sphere_density_w)
+#define sphere_departure_bound_w LANED(sphere_departure_bound_w)
 #define sphere_in_reach_w LANED(sphere_in_reach_w)
 #define sphere_open_w LANED(sphere_open_w)
 #define sphere_outward_each_w LANED(sphere_outward_each_w)

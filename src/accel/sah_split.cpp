@@ -60,7 +60,10 @@ struct BinScale {
     origin[3] = 1;
   }
   [[nodiscard]] Int4 bin(const Primitive& primitive) const {
-    return __builtin_convertvector(max4((center2(primitive) - origin) * scale, Float4{}), Int4);
+    // Held within the bins whatever the numbers are: infinite boxes have no centre.
+    const float last = static_cast<float>(bins - 1);
+    const Float4 at = max4((center2(primitive) - origin) * scale, Float4{});
+    return __builtin_convertvector(min4(at, Float4{last, last, last, last}), Int4);
   }
 };
 

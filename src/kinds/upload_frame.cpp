@@ -38,7 +38,7 @@ double smallest_side(const Scene& scene) {
 }  // namespace
 
 UploadFrame camera_frame(const Scene& scene) {
-  UploadFrame frame{scene.camera.world_from_camera.translation(), 1};
+  UploadFrame frame{scene.camera.world_from_camera.translation(), 1, true};
   const double extent = reach(scene, frame.origin);
   if (!(extent > 0) || !std::isfinite(extent)) return frame;
   const double side = smallest_side(scene);

@@ -10,6 +10,9 @@ namespace strahl {
 struct UploadFrame {
   Vec3 origin;       ///< In the world.
   double scale = 1;  ///< Frame units per world unit, a power of two.
+  /// Chosen for what is uploaded, even where it comes out as the world's own; else numbers are taken as given, because
+  /// they may be exactly representable.
+  bool is_chosen = false;
 
   [[nodiscard]] Vec3 point(const Vec3& world) const { return scale * (world - origin); }
   [[nodiscard]] Vec3 vector(const Vec3& world) const { return scale * world; }

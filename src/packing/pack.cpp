@@ -302,7 +302,7 @@ class Packing {
       const auto group = static_cast<std::size_t>(instance.group);
       const UploadFrame frame = group_frame(scene_.groups[group], options_.frame);
       const auto reals = instance_reals<Real>(frame_from_group(instance, frame, options_.frame), groups_[group].box(),
-                                              groups_[group].outline);
+                                              groups_[group].outline, instance.where);
       instances_.insert(instances_.end(), reals.begin(), reals.end());
       std::copy_n(reals.begin() + layout::INSTANCE_BOX, 6, instance_boxes_.emplace_back().begin());
     }

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "packing/pack_instances.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <span>
 
+#include "errors.h"
 #include "kinds/extent.h"
 #include "scene/model/transforms.h"
 
@@ -67,12 +70,39 @@ Box mapped(std::span<const Bounds<Real>> boxes, const Transform& a, const Vec3& 
   return *all.box();
 }
 
+/// Rounded first: what the kernels compute with is the instance, and all else follows from it.
+template <typename Real>
+Transform rounded_inverse(const Transform& map) {
+  Transform inverse = map.inverse();
+  for (auto& row : inverse.m) {
+    for (std::size_t i = 0; i < 3; ++i) row[i] = static_cast<double>(static_cast<Real>(row[i]));
+    row[3] = 0;
+  }
+  return inverse;
+}
+
+/// The inverse undoes the map to a hundredth; else something else would be placed.
+template <typename Real>
+void require_held(const Transform& map, const Transform& inverse, const SourceLocation& where) {
+  constexpr double most_off = 0.01;
+  for (int i = 0; i < 3; ++i) {
+    const Vec3 unit{i == 0 ? 1. : 0., i == 1 ? 1. : 0., i == 2 ? 1. : 0.};
+    const Vec3 off = inverse.vector(map.column(i)) - unit;
+    if (std::fabs(off.x) < most_off && std::fabs(off.y) < most_off && std::fabs(off.z) < most_off) continue;
+    throw SceneError(
+        {{Severity::error, where,
+          fmt::format("the instance's transform flattens or scales so much that {} bits do not hold its "
+                      "inverse{}",
+                      8 * sizeof(Real), sizeof(Real) < sizeof(double) ? "; --precision double may" : "")}});
+  }
+}
+
 }  // namespace
 
 UploadFrame group_frame(const Group& group, const UploadFrame& scene) {
   const std::optional<Box> box = bounds(group);
-  if ((scene.origin == Vec3{} && scene.scale == 1) || !box) return {};
-  UploadFrame frame{pivot_of(box->min, box->max), 1};
+  if (!scene.is_chosen || !box) return {};
+  UploadFrame frame{pivot_of(box->min, box->max), 1, true};
   const double extent =
       std::max(largest_component(box->min - frame.origin), largest_component(box->max - frame.origin));
   if (extent > 0 && std::isfinite(extent)) frame.scale = std::ldexp(1.0, -std::ilogb(extent));
@@ -92,16 +122,12 @@ Transform frame_from_group(const Instance& instance, const UploadFrame& group, c
 
 template <typename Real>
 InstanceReals<Real> instance_reals(const Transform& frame_from_group, const Bounds<Real>& box,
-                                   const std::vector<Bounds<Real>>& outline) {
+                                   const std::vector<Bounds<Real>>& outline, const SourceLocation& where) {
   const Vec3 lo{double(box[0]), double(box[2]), double(box[4])}, hi{double(box[1]), double(box[3]), double(box[5])};
   const Vec3 pivot_in_group = pivot_of(lo, hi), pivot_exact = frame_from_group.point(pivot_in_group);
   const Vec3 pivot = rounded<Real>(pivot_exact);
-  // Rounded first: what the kernels compute with is the instance, and all else follows from it.
-  Transform to_group = frame_from_group.inverse();
-  for (auto& row : to_group.m) {
-    for (std::size_t i = 0; i < 3; ++i) row[i] = static_cast<double>(static_cast<Real>(row[i]));
-    row[3] = 0;
-  }
+  const Transform to_group = rounded_inverse<Real>(frame_from_group);
+  require_held<Real>(frame_from_group, to_group, where);
   const Vec3 offset = rounded<Real>(pivot_in_group + to_group.vector(pivot - pivot_exact));
   const Transform to_frame = to_group.inverse();
 
@@ -129,8 +155,9 @@ InstanceReals<Real> instance_reals(const Transform& frame_from_group, const Boun
   return reals;
 }
 
-template InstanceReals<float> instance_reals(const Transform&, const Bounds<float>&, const std::vector<Bounds<float>>&);
+template InstanceReals<float> instance_reals(const Transform&, const Bounds<float>&, const std::vector<Bounds<float>>&,
+                                             const SourceLocation&);
 template InstanceReals<double> instance_reals(const Transform&, const Bounds<double>&,
-                                              const std::vector<Bounds<double>>&);
+                                              const std::vector<Bounds<double>>&, const SourceLocation&);
 
 }  // namespace strahl

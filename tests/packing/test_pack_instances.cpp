@@ -4,10 +4,12 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "errors.h"
 #include "kinds/extent.h"
 #include "oracle/random.h"
 #include "packing/outline.h"
 #include "packing/pack_instances.h"
+#include "scene/model/transforms.h"
 
 using namespace strahl;
 
@@ -32,6 +34,14 @@ Transform random_map(oracle::Random& random) {
   Transform map;
   for (auto& row : map.m)
     for (double& x : row) x = random.uniform(-2, 2);
+  return map;
+}
+
+Transform scaling(const Vec3& by) {
+  Transform map;
+  map.m[0][0] = by.x;
+  map.m[1][1] = by.y;
+  map.m[2][2] = by.z;
   return map;
 }
 
@@ -91,4 +101,21 @@ TEST_CASE("an outline holds every box in few, and is the same in any order") {
   // All middles in one place; and boxes without a size.
   CHECK(outline(std::vector<Bounds<double>>(100, {1, 1, 2, 2, 3, 3}), 4) ==
         std::vector<Bounds<double>>{{1, 1, 2, 2, 3, 3}});
+}
+
+TEST_CASE("an instance whose inverse is not held in its bits is refused where it stands") {
+  const Bounds<float> box{-1, 1, -1, 1, -1, 1};
+  const Bounds<double> wide{-1, 1, -1, 1, -1, 1};
+  const Transform turn = rotation({1, 0, 0}, 45);
+  for (const double flat : {1e-5, 1e-9, 1e-12}) {
+    const Transform map = turn * scaling({1, 1, flat}) * turn.inverse();
+    INFO(flat);
+    CHECK_NOTHROW(instance_reals<double>(map, wide, {}));
+    if (flat > 1e-6)
+      CHECK_NOTHROW(instance_reals<float>(map, box, {}));
+    else
+      CHECK_THROWS_AS(instance_reals<float>(map, box, {}), SceneError);
+  }
+  CHECK_THROWS_AS(instance_reals<float>(scaling({1e-45, 1e-45, 1e-45}), box, {}), SceneError);
+  CHECK_NOTHROW(instance_reals<float>(scaling({1e-30, 1e-30, 1e-30}), box, {}));
 }

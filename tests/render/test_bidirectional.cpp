@@ -81,6 +81,34 @@ TEST_CASE("materials, from both ends") {
   hold_both_ends_like_path("mask", shipped("materials/mask"), 64);
 }
 
+/// Points of a large ball are off it by the rounding of its radius, and joints end before that: it hid itself from
+/// them, and this picture was 12 % too dark with spheres. A cylinder lies along the floor as well; and both in an
+/// instance.
+TEST_CASE("a large round ground, from both ends") {
+  require_pocl_and_rusticl();
+  const double radius = 1000;
+  for (const Geometry& ground : {Geometry{Sphere{{0, 0, -radius}, radius}},
+                                 Geometry{Cylinder{{0, -radius, -radius}, {0, radius, -radius}, radius}}})
+    for (const bool is_placed : {false, true}) {
+      if (times == 1 && is_placed != std::holds_alternative<Cylinder>(ground)) continue;  // Two programs less.
+      Scene scene = under_lamp(diffuse({0.5, 0.5, 0.5}, true));
+      scene.shapes[1].geometry = Sphere{{0, 0, 1}, 1};
+      if (is_placed) {
+        Group group;
+        group.shapes.push_back(scene.shapes[0]);
+        group.shapes[0].geometry = ground;
+        scene.shapes.erase(scene.shapes.begin());
+        add_instance(scene, add(scene, group), {});
+      } else {
+        scene.shapes[0].geometry = ground;
+      }
+      // The ball from below, where the ground lights it.
+      scene.camera = perspective_camera({0, -4, 0.3}, {0, 0, 0.4}, {0, 0, 1}, 12);
+      scene.integrator.max_depth = 3;
+      hold_both_ends_like_path(is_placed ? "placed" : "alone", scene, 64, 0.03);
+    }
+}
+
 /// Light goes straight on, and each such path is made from either end alone.
 TEST_CASE("a lamp behind a pane, from both ends") {
   require_pocl_and_rusticl();

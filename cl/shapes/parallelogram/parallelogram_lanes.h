@@ -24,7 +24,7 @@ FN void parallelogram_block_w(const Ray* ray, GLOBAL const real* block, GLOBAL c
   realw bd = edge_function_w(b, d), sum = ab + da + bd;
   maskw none = eq_w(sum, splat_w(R(0.0)));  // Polygons without area, such as padding.
   maskw hit = ~(signs_differ_w(ab, bc, cd) | signs_differ_w(bc, cd, da) | none);
-  if (ray->departed >= 0) hit = hit & ~is_end_w(ids, ray);
+  if (ray->departed >= 0 || ray->aim >= 0) hit = hit & ~is_end_w(ids, ray);
   if (!any_w(hit)) return;
 
   realw z_min = min_w(d.z, min_w(c.z, min_w(b.z, a.z))), z_max = max_w(d.z, max_w(c.z, max_w(b.z, a.z)));

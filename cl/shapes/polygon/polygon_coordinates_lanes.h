@@ -97,7 +97,7 @@ FN uint meet_coordinates_w(const Scene* scene, Packet_w* p, GLOBAL const real* b
     realw least = fma_w(-spare, turned, t), most = fma_w(spare, turned, t);
     // Comparisons with a NaN are false, so nothing is certain then.
     maskw may_hit = active & ~lt_w(fma_w(margin, turned, middle), off) & ~lt_w(bound, least) & ~lt_w(most, p->t_min);
-    if (p->has_departed) may_hit = may_hit & ~packet_end_w(p, ids[i]);
+    if (p->has_ends) may_hit = may_hit & ~packet_end_w(p, ids[i]);
     maskw nearest =
         may_hit & lt_w(off, fma_w(-margin, turned, middle)) & le_w(p->t_min, least) & lt_w(most, best_least);
     best = sel_w(nearest, t, best);

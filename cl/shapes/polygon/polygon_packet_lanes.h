@@ -71,7 +71,7 @@ FN void polygon_packet_w(const Scene* scene, Packet_w* p, GLOBAL const real* blo
 #if TIER_ROBUST
     if (has_coordinates) asked = open[i];
 #endif
-    if (p->has_departed) asked = asked & ~packet_end_w(p, id);
+    if (p->has_ends) asked = asked & ~packet_end_w(p, id);
     PolygonHits_w hits = meet_edges_w(p, block + i, asked, corners);
     if (!any_w(hits.hit)) continue;
 #if TIER_ROBUST

@@ -21,7 +21,7 @@ FN void triangle_block_w(const Ray* ray, GLOBAL const real* block, GLOBAL const 
   realw ea = edge_function_w(b, c), eb = edge_function_w(c, a), ec = edge_function_w(a, b);
   realw sum = ea + eb + ec;
   maskw hit = ~(signs_differ_w(ea, eb, ec) | eq_w(sum, splat_w(R(0.0))));
-  if (ray->departed >= 0) hit = hit & ~is_end_w(ids, ray);
+  if (ray->departed >= 0 || ray->aim >= 0) hit = hit & ~is_end_w(ids, ray);
   if (!any_w(hit)) return;
 
   realw z_min = min_w(c.z, min_w(b.z, a.z)), z_max = max_w(c.z, max_w(b.z, a.z));

@@ -15,10 +15,10 @@ constexpr double smallest_normal = std::numeric_limits<double>::min();
 
 double largest(const Vec3& v) { return std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}); }
 
-/// In a shifted frame the plane's point nearest the frame's origin: cancellation happens here, in double. In the world
-/// frame the point as given, which may be exactly representable.
+/// In a chosen frame the plane's point nearest the frame's origin: cancellation happens here, in double. In the world's
+/// the point as given, which may be exactly representable.
 Vec3 anchor(const UploadFrame& frame, const Plane& p) {
-  if (frame.origin == Vec3{}) return p.point;
+  if (!frame.is_chosen) return p.point;
   const Vec3 n = normalized(p.normal);
   return frame.origin + dot(n, p.point - frame.origin) * n;
 }
