@@ -33,9 +33,10 @@ int texture_index(const XmlElement& element, TextureReader reader, SceneBuilder&
   const auto known = builder.texture_indices.find({&element, what});
   if (known != builder.texture_indices.end()) return known->second;
   Properties properties(element, builder.ids, builder.diagnostics);
-  const ColorUse use = what == TextureUse::light ? ColorUse::emission
-                       : is_unbounded            ? ColorUse::value
-                                                 : ColorUse::reflectance;
+  const ColorUse use = what == TextureUse::light    ? ColorUse::emission
+                       : what == TextureUse::height ? ColorUse::height
+                       : is_unbounded               ? ColorUse::value
+                                                    : ColorUse::reflectance;
   Texture texture = reader(properties, builder, use);
   if (swaps_colours) {
     auto& board = std::get<Checkerboard>(texture.pattern);
@@ -120,10 +121,10 @@ Reflectance read_share(Properties& properties, SceneBuilder& builder, const std:
   return {grey(mean_of(properties.color(name, ColorUse::reflectance, {0.5, 0.5, 0.5}).value_or(grey(absent))))};
 }
 
-Varying read_nested_texture(const XmlElement& element, SceneBuilder& builder) {
+Varying read_nested_texture(const XmlElement& element, SceneBuilder& builder, TextureUse use) {
   const std::string_view type = element.text("type");
   if (const TextureReader* reader = find_plugin(texture_readers(), type))
-    return {{0.5, 0.5, 0.5}, texture_index(element, *reader, builder, TextureUse::value)};
+    return {{0.5, 0.5, 0.5}, texture_index(element, *reader, builder, use)};
   builder.diagnostics.unknown(element.where, not_available("texture", type, types_of(texture_readers())) +
                                                  "; the constant 0.5 takes its place");
   return {{0.5, 0.5, 0.5}};

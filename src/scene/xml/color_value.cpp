@@ -118,7 +118,7 @@ std::optional<Rgb> read_color(const XmlElement& element, ColorUse use, const Rgb
 Rgb color_of_curve(const SpectrumCurve& curve, ColorUse use) {
   if (use == ColorUse::emission) return rgb_of_emission(curve);
   const Rgb weight = rgb_of_weight(curve);
-  if (use == ColorUse::value) return weight;
+  if (use != ColorUse::reflectance) return weight;
   return {std::min(weight.r, 1.0), std::min(weight.g, 1.0), std::min(weight.b, 1.0)};
 }
 
