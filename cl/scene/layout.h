@@ -85,7 +85,7 @@ enum { GROUP_ROOT, GROUP_BOUNDS, GROUP_LISTED };
 enum { STACK_2 = 64, STACK_4 = 96, STACK_8 = 128, STACK_16 = 192 };
 
 enum {
-  PART_SHAPE,       // index in file order
+  PART_SHAPE,       // number in file order, behind the scene's own those of its groups
   PART_FIRST_ID,    // scene-wide id of the shape's primitive 0
   PART_MATERIAL,    // row of the material table
   PART_RADIANCE,    // -> shading, r g b; -1: does not emit

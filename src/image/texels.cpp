@@ -158,7 +158,23 @@ Texels texels_of_floats(int width, int height, int channels, std::vector<float> 
   return texels;
 }
 
-Texels repaired_texels(int width, int height, int channels, std::vector<float> values) {
+namespace {
+
+/// Slopes stay, and nothing behind this need know of heights below 0. What is not finite keeps its sign.
+void lift(std::vector<float>& heights) {
+  double lowest = 0;
+  for (const float height : heights)
+    if (std::isfinite(height)) lowest = std::min(lowest, static_cast<double>(height));
+  constexpr double most = std::numeric_limits<float>::max();
+  if (lowest < 0)
+    for (float& height : heights)
+      if (std::isfinite(height)) height = static_cast<float>(std::min(static_cast<double>(height) - lowest, most));
+}
+
+}  // namespace
+
+Texels repaired_texels(int width, int height, int channels, std::vector<float> values, TexelUse use) {
+  if (use == TexelUse::heights) lift(values);
   const auto step = static_cast<std::size_t>(channels);
   std::size_t repaired = 0;
   if (!std::all_of(values.begin(), values.end(), is_light)) {

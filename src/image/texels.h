@@ -21,6 +21,9 @@ struct TexelCurve {
   friend bool operator==(const TexelCurve&, const TexelCurve&) = default;
 };
 
+/// What the values of a file of floats are: light is never negative; of heights the differences alone count.
+enum class TexelUse { light, heights };
+
 /// Rows from the top.
 struct Texels {
   std::string file;
@@ -31,7 +34,8 @@ struct Texels {
   std::vector<float> reals;         ///< Of `real`: 1 or 3 a texel.
   std::string doubt;                ///< What the file's decoder warned of, though there is a picture; else empty.
   std::string left_out;             ///< What of the file the image has not; else empty.
-  std::size_t repaired = 0;         ///< Texels that were negative or no number (now 0) or infinite (now the largest).
+  std::size_t repaired = 0;         ///< Texels that were negative or no number (now 0) or infinite (now the largest);
+                                    ///< of heights those that were not finite alone.
 
   [[nodiscard]] std::size_t count() const { return static_cast<std::size_t>(width) * static_cast<std::size_t>(height); }
 };
@@ -57,8 +61,10 @@ class TexelDecoder {
 
 /// channels: 1 or 3; values.size() = channels * width * height. Halves where they hold every value exactly.
 [[nodiscard]] Texels texels_of_floats(int width, int height, int channels, std::vector<float> values);
-/// As texels_of_floats; values that no light has are repaired first (Texels::repaired).
-[[nodiscard]] Texels repaired_texels(int width, int height, int channels, std::vector<float> values);
+/// As texels_of_floats; values that no light has are repaired first (Texels::repaired). Heights are lifted as a whole,
+/// so that the lowest is 0, where one is negative.
+[[nodiscard]] Texels repaired_texels(int width, int height, int channels, std::vector<float> values,
+                                     TexelUse use = TexelUse::light);
 /// codes: bytes, of rgb or grey.
 [[nodiscard]] Texels texels_of_bytes(int width, int height, int channels, const std::uint8_t* codes);
 /// codes: integers of 16 bits, or halves.
@@ -78,7 +84,7 @@ struct Clamped {
 [[nodiscard]] Clamped clamped_to_one(const Texels& texels);
 
 /// PNG, JPEG, OpenEXR, Radiance HDR, TGA, BMP or PFM, told by the first bytes; alpha is left out. Throws InputError.
-[[nodiscard]] Texels read_texels(const std::string& path);
+[[nodiscard]] Texels read_texels(const std::string& path, TexelUse use = TexelUse::light);
 
 /// Throws InputError where an image is too large to be unpacked, with its numbers.
 void check_texel_count(const std::string& path, std::int64_t width, std::int64_t height);

@@ -56,7 +56,7 @@ std::vector<std::size_t> colours_of(const Image& image, const std::string& path)
       fmt::format("\"{}\" has the channels {}; an image has R, G and B, or Y", path, fmt::join(image.channels, ", ")));
 }
 
-Texels texels_of_image(Image image, const std::string& path) {
+Texels texels_of_image(Image image, const std::string& path, TexelUse use) {
   check_texel_count(path, image.width, image.height);
   const std::vector<std::size_t> colours = colours_of(image, path);
   // In place, as channels stand in the order of colours.
@@ -66,24 +66,24 @@ Texels texels_of_image(Image image, const std::string& path) {
       for (std::size_t c = 0; c < colours.size(); ++c)
         image.data[n * colours.size() + c] = image.data[n * step + colours[c]];
   image.data.resize(count * colours.size());
-  return repaired_texels(image.width, image.height, static_cast<int>(colours.size()), std::move(image.data));
+  return repaired_texels(image.width, image.height, static_cast<int>(colours.size()), std::move(image.data), use);
 }
 
-Texels read_exr_texels(const std::string& path, const std::string& bytes) {
+Texels read_exr_texels(const std::string& path, const std::string& bytes, TexelUse use) {
   ExrTexture texture = read_exr_texture(path, bytes);
-  Texels texels = texels_of_image(std::move(texture.image), path);
+  Texels texels = texels_of_image(std::move(texture.image), path, use);
   if (texture.parts > 1) texels.left_out = fmt::format("it has {} parts, of which the first is read", texture.parts);
   return texels;
 }
 
-Texels read_by_first_bytes(const std::string& path) {
+Texels read_by_first_bytes(const std::string& path, TexelUse use) {
   using namespace std::string_view_literals;
   const std::string bytes = read_file(path);
   const auto begins = [&](std::string_view start) { return std::string_view(bytes).starts_with(start); };
   if (begins("\x89PNG\r\n\x1a\n"sv)) return read_png_texels(path, bytes);
   if (begins("\xff\xd8\xff"sv)) return read_jpeg_texels(path, bytes);
-  if (begins("\x76\x2f\x31\x01"sv)) return read_exr_texels(path, bytes);
-  if (begins("PF"sv) || begins("Pf"sv)) return texels_of_image(read_pfm(path, bytes), path);
+  if (begins("\x76\x2f\x31\x01"sv)) return read_exr_texels(path, bytes, use);
+  if (begins("PF"sv) || begins("Pf"sv)) return texels_of_image(read_pfm(path, bytes), path, use);
   if (begins("#?"sv) || begins("BM"sv) || is_stb_image(bytes)) return read_stb_texels(path, bytes);
   throw InputError(fmt::format(
       "\"{}\" is not an image that can be read: PNG, JPEG, OpenEXR, Radiance HDR, TGA, BMP and PFM are", path));
@@ -97,8 +97,8 @@ void check_texel_count(const std::string& path, std::int64_t width, std::int64_t
                                path, width, height, most_texels));
 }
 
-Texels read_texels(const std::string& path) {
-  Texels texels = read_by_first_bytes(path);
+Texels read_texels(const std::string& path, TexelUse use) {
+  Texels texels = read_by_first_bytes(path, use);
   texels.file = path;
   return texels;
 }

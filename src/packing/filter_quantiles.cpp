@@ -9,8 +9,12 @@
 namespace strahl {
 namespace {
 
+/// So wide a gaussian is 1 - (x / radius)^2 to 3e-7 of itself, while the difference of its two terms has fewer digits.
+bool is_parabola(double radius, double stddev) { return stddev > 1024 * radius; }
+
 /// Unnormalised integral of the gaussian, lowered by its value at the radius as in Mitsuba, from 0 to x.
 double gaussian_integral(double x, double radius, double stddev) {
+  if (is_parabola(radius, stddev)) return x - x * x * x / (3 * radius * radius);
   const double floor = std::exp(-radius * radius / (2 * stddev * stddev));
   return stddev * std::sqrt(std::acos(-1.0) / 2) * std::erf(x / (stddev * std::sqrt(2.0))) - floor * x;
 }
@@ -59,6 +63,8 @@ double density(const Filter& filter, double offset) {
     case FilterKind::tent:
       return (1 - x / half) / half;
     case FilterKind::gaussian: {
+      if (is_parabola(half, filter.stddev))
+        return (1 - x * x / (half * half)) / (2 * gaussian_integral(half, half, filter.stddev));
       const double variance = filter.stddev * filter.stddev;
       const double lowered = std::exp(-x * x / (2 * variance)) - std::exp(-half * half / (2 * variance));
       return lowered / (2 * gaussian_integral(half, half, filter.stddev));

@@ -201,10 +201,11 @@ class Packing {
     for (const Group& group : scene_.groups) put_parts(group.shapes, group_frame(group, options_.frame));
   }
 
-  /// Of shapes whose indices begin with 0.
+  /// Of the scene or, behind it, of a group.
   void put_parts(const std::vector<Shape>& shapes, const UploadFrame& frame_in_use) {
     for (std::size_t i = 0; i < shapes.size(); ++i) {
       const Shape& shape = shapes[i];
+      const auto number = static_cast<std::int32_t>(first_part_.size());
       const std::int32_t first_id = first_ids_[first_part_.size()];
       first_part_.push_back(part_rows_);
       int frame_at = -1, normals_at = -1, uvs_at = -1, attributes_at = -1;
@@ -229,10 +230,9 @@ class Packing {
             textured_colour(look.radiance.value_or(Rgb{}), look.radiance_texture, scene_, features_);
         const int radiance_at = look.radiance ? packed_.put_rgb(radiance.colour) : -1;
         const int light = light_of_part_[static_cast<std::size_t>(part_rows_)];
-        packed_.index.insert(packed_.index.end(),
-                             {static_cast<int>(i), first_id, look.material, radiance_at, radiance.row, light,
-                              shape.flip_normals != faces_inward(shape.geometry) ? 1 : 0, frame_at, normals_at, uvs_at,
-                              attributes_at, rates_at, rank_of(shape, look)});
+        packed_.index.insert(packed_.index.end(), {number, first_id, look.material, radiance_at, radiance.row, light,
+                                                   shape.flip_normals != faces_inward(shape.geometry) ? 1 : 0, frame_at,
+                                                   normals_at, uvs_at, attributes_at, rates_at, rank_of(shape, look)});
         boundaries_.push_back(shape.media);
         ++part_rows_;
       }

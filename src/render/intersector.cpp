@@ -247,6 +247,10 @@ std::vector<std::size_t> Intersector::State::trace_chunk(const std::vector<Ray>&
                   static_cast<double>(real[layout::HIT_NORMAL + 2])};
     hit.instance = ids[i * layout::HIT_INTS + layout::HIT_INSTANCE];
     hit.shape = ids[i * layout::HIT_INTS + layout::HIT_SHAPE];
+    if (hit.instance >= 0) {
+      const int group = group_of_instance[static_cast<std::size_t>(hit.instance)];
+      hit.shape -= static_cast<std::int32_t>(shapes_of_group[static_cast<std::size_t>(group)].first);
+    }
     hit.primitive = ids[i * layout::HIT_INTS + layout::HIT_PRIMITIVE];
   }
   stats.seconds.readback += readback.seconds();

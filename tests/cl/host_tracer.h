@@ -51,17 +51,20 @@ template <class Real>
   return hit;
 }
 
+/// Number in the scene of the first shape beside the instance, -1 for none: of its group, which follow the scene's own.
+[[nodiscard]] inline std::size_t first_shape(const Scene& scene, int instance) {
+  if (instance < 0) return 0;
+  const int group = scene.instances.at(static_cast<std::size_t>(instance)).group;
+  std::size_t first = scene.shapes.size();
+  for (int before = 0; before < group; ++before) first += scene.groups[static_cast<std::size_t>(before)].shapes.size();
+  return first;
+}
+
 /// Scene-wide id of the primitive that the ray has left, -1 for none.
 [[nodiscard]] inline std::int32_t left_id(const Scene& scene, const std::vector<std::int64_t>& first_ids,
                                           const Ray& ray) {
   if (ray.shape < 0) return -1;
-  auto shape = static_cast<std::size_t>(ray.shape);
-  if (ray.instance >= 0) {
-    const int group = scene.instances.at(static_cast<std::size_t>(ray.instance)).group;
-    shape += scene.shapes.size();
-    for (int before = 0; before < group; ++before)
-      shape += scene.groups[static_cast<std::size_t>(before)].shapes.size();
-  }
+  const std::size_t shape = first_shape(scene, ray.instance) + static_cast<std::size_t>(ray.shape);
   return static_cast<std::int32_t>(first_ids.at(shape)) + ray.primitive;
 }
 
@@ -72,7 +75,9 @@ class HostTracer {
       : scene_(scene), lanes_(lanes), first_ids_(first_ids(scene)), packed_(pack_for_host<Real>(scene, lanes)) {}
 
   [[nodiscard]] Hit trace(const Ray& ray, bool any_hit = false) const {
-    return trace_on_host(packed_, lanes_, ray, left_id(scene_, first_ids_, ray), any_hit);
+    Hit hit = trace_on_host(packed_, lanes_, ray, left_id(scene_, first_ids_, ray), any_hit);
+    hit.shape -= static_cast<int>(first_shape(scene_, hit.instance));
+    return hit;
   }
   [[nodiscard]] std::vector<Hit> trace(const std::vector<Ray>& rays, bool any_hit = false) const {
     std::vector<Hit> hits;

@@ -87,6 +87,31 @@ TEST_CASE("an EXR has the scene's AOVs under its names, with the values of --aov
   for (const float id : {-1.0F, 0.0F, 1.0F}) CHECK(std::count(shapes.begin(), shapes.end(), id) > 0);
 }
 
+TEST_CASE("shapes of groups have numbers of their own, behind the scene's") {
+  const Folder folder;
+  std::string scene = scene_with("si:shape_index");
+  const std::string end = "</scene>";
+  const auto ball = [](const std::string& center) {
+    return "<shape type=\"sphere\"><point name=\"center\" value=\"" + center +
+           "\"/><float name=\"radius\" value=\".5\"/></shape>";
+  };
+  scene.replace(scene.rfind(end), end.size(),
+                "<shape type=\"shapegroup\" id=\"a\">" + ball("-1.5, .6, 0") + ball("-1.5, -.6, 0") +
+                    "</shape><shape type=\"shapegroup\" id=\"b\">" + ball("1.5, -.6, 0") +
+                    "</shape><shape type=\"instance\"><ref id=\"b\"/></shape>"
+                    "<shape type=\"instance\"><ref id=\"a\"/></shape></scene>");
+  folder.file("scene.xml", scene);
+  for (const bool is_generic : {false, true}) {
+    std::vector<std::string> arguments{"scene.xml", "-o", "own.exr"};
+    if (is_generic) arguments.emplace_back("--generic");
+    succeed_on_pocl(folder, arguments);
+    const std::vector<float> shapes = values_of(strahl::read_image(folder.path("own.exr")), "si.I");
+    // Each ball of a group stands beside the two others.
+    for (const float id : {-1.0F, 0.0F, 1.0F, 2.0F, 3.0F, 4.0F})
+      CHECK(std::count(shapes.begin(), shapes.end(), id) > 0);
+  }
+}
+
 TEST_CASE("other files are without them, which is said once; they are not computed for them") {
   const Folder folder;
   folder.file("scene.xml", scene_with("dd.y:depth, nn:sh_normal"));

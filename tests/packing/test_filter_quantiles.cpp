@@ -84,6 +84,23 @@ TEST_CASE("The gaussian's quantiles follow its density, lowered so that it ends 
   }
 }
 
+TEST_CASE("A gaussian much wider than its radius is a parabola") {
+  for (const double stddev : {1e4, 1e9, 1e308}) {
+    const Filter filter{FilterKind::gaussian, 1.5, stddev};
+    const auto parabola = [](double x) { return 1 - x * x / (1.5 * 1.5); };
+    check_distribution(quantiles(filter), parabola, 1.5);
+    const FilterDensities densities = filter_densities(filter);
+    REQUIRE(densities.values.size() == cells + 1);
+    for (int i = 0; i <= cells; ++i)
+      CHECK(densities.values[static_cast<std::size_t>(i)] ==
+            Approx(parabola((2.0 * i / cells - 1) * 1.5) / 2).margin(1e-12));
+  }
+  // The two ways agree where one takes the place of the other.
+  const std::vector<double> below = quantiles({FilterKind::gaussian, 1, 1023}),
+                            above = quantiles({FilterKind::gaussian, 1, 1025});
+  for (std::size_t i = 0; i < below.size(); ++i) CHECK(below[i] == Approx(above[i]).margin(1e-4));
+}
+
 TEST_CASE("The centre sampler's table holds zeros") {
   const std::vector<double> q = filter_quantiles({}, SamplerKind::centre);
   CHECK(q.size() == cells + 1);

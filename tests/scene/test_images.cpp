@@ -257,4 +257,26 @@ TEST_CASE("textures of floats are cut at 1 where a share is meant, and nowhere e
   REQUIRE(roughness.warnings.size() == 1);
   CHECK(brightest(roughness) <= 2);
 }
+
+TEST_CASE("a bump map's heights may lie below 0, light may not, of one file") {
+  const ImageFolder folder;
+  write_image(Image{2, 1, {"R", "G", "B"}, {-1, -1, -1, 2, 2, 2}, {}}, folder.path("signed.exr"));
+  const std::string file = "<string name=\"filename\" value=\"signed.exr\"/></texture>";
+  const std::string bump =
+      "<bsdf type=\"bumpmap\"><texture type=\"bitmap\">" + file + "<bsdf type=\"diffuse\"/></bsdf>";
+  const auto values = [](const LoadedScene& loaded) {
+    const Bitmap& bitmap = std::get<Bitmap>(loaded.scene.textures.back().pattern);
+    const TexelDecoder decoded(*bitmap.texels, bitmap.curve);
+    return std::array{decoded(0)[0], decoded(1)[0]};
+  };
+  const LoadedScene heights = folder.load(bump);
+  CHECK(heights.warnings.empty());
+  CHECK(values(heights) == std::array{0.0, 3.0});
+  const std::string lamp = "<texture type=\"bitmap\" name=\"radiance\">" + file;
+  const LoadedScene both =
+      folder.load("<shape type=\"sphere\">" + bump + "<emitter type=\"area\">" + lamp + "</emitter></shape>");
+  REQUIRE(both.warnings.size() == 1);
+  CHECK_THAT(both.warnings[0].message, Contains("1 of the 2 texels of") && Contains("negative, infinite or no number"));
+  CHECK(values(both) == std::array{0.0, 2.0});
+}
 }  // namespace

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "scene/scene_text.h"
+#include "scene_mesh/serialized_bytes.h"
 
 using namespace strahl;
 using namespace strahl::test;
@@ -162,4 +163,26 @@ TEST_CASE("0.x: a bsdf by the name of an OBJ's material covers its faces") {
   const LoadedScene wrong = load("<bsdf type=\"dielectric\" name=\"greenglass\"/>" + glass);
   REQUIRE(wrong.warnings.size() == 1);
   CHECK_THAT(wrong.warnings[0].message, Catch::Contains("no face of the file has the material \"greenglass\""));
+}
+
+TEST_CASE("0.x: a serialized file may say that it is shaded flat, which Mitsuba 3 ignores and face_normals overrules") {
+  const SceneFolder folder;
+  SerializedMesh mesh;
+  const auto has_normals = [&](bool is_old, const std::string& inside) {
+    folder.write("a.serialized", serialized_file({mesh}));
+    const std::string shape =
+        "<shape type=\"serialized\"><string name=\"filename\" value=\"a.serialized\"/>" + inside + "</shape>";
+    const LoadedScene scene = load_scene(folder.write("scene.xml", is_old ? old(shape) : around(shape)));
+    CHECK(shortened(scene.warnings).empty());
+    return !std::get<Mesh>(scene.scene.shapes.at(0).geometry).normals.empty();
+  };
+  for (const bool has_own : {false, true}) {
+    mesh.flags = has_own ? 0x1011 : 0x1010;
+    if (has_own) mesh.numbers.insert(mesh.numbers.end(), {0, 0, 1, 0, 0, 1, 0, 0, 1});
+    CHECK_FALSE(has_normals(true, ""));
+    CHECK(has_normals(true, "<boolean name=\"faceNormals\" value=\"false\"/>"));
+    CHECK(has_normals(false, ""));
+    CHECK(has_normals(false, "<boolean name=\"face_normals\" value=\"false\"/>"));
+    CHECK_FALSE(has_normals(false, "<boolean name=\"face_normals\" value=\"true\"/>"));
+  }
 }

@@ -66,6 +66,32 @@ TEST_CASE("curves under D65, 0 outside, as Mitsuba's") {
   check_near(std::get<Diffuse>(scene.materials.at(1).bsdf).reflectance.color, expected, of_sums);
 }
 
+TEST_CASE("a file of a spectrum may have comments and further columns, as Mitsuba's") {
+  const SceneFolder folder;
+  folder.write("a.spd", "# measured\n400 0.1  # measured\n  # again\n500 0.3 0.01 7\n600 0.9#\n700 0.2 x\n");
+  const SpectrumCurve curve = curve_of_file(folder.path("a.spd"));
+  CHECK(curve.wavelengths == std::vector<double>{400, 500, 600, 700});
+  CHECK(curve.values == std::vector<double>{.1, .3, .9, .2});
+}
+
+TEST_CASE("a black body shines between wavelength_min and wavelength_max alone") {
+  const auto body = [](const std::string& limits) {
+    return seen_radiance("<spectrum type=\"blackbody\" name=\"radiance\"><float name=\"temperature\" value=\"5000\"/>" +
+                         limits + "</spectrum>");
+  };
+  const std::string low = "<float name=\"wavelength_max\" value=\"550.5\"/>";
+  const std::string high = "<float name=\"wavelength_min\" value=\"550.5\"/>";
+  const Rgb blue = body(low), red = body(high), all = body("");
+  CHECK(red.r > 5 * blue.r);
+  CHECK(blue.b > 5 * red.b);
+  CHECK(body("<float name=\"wavelength_min\" value=\"100\"/><float name=\"wavelength_max\" value=\"1000\"/>") == all);
+  const SpectrumCurve below = planck_curve(5000, 360, 550.5), above = planck_curve(5000, 550.5, 830);
+  CHECK(below.wavelengths.back() == 550.5);
+  CHECK(above.wavelengths.front() == 550.5);
+  CHECK(below.values.back() == above.values.front());
+  CHECK(below.wavelengths.size() + above.wavelengths.size() == planck_curve(5000).wavelengths.size() + 2);
+}
+
 TEST_CASE("a saturated reflectance is clamped to what sRGB can show") {
   const Rgb green = seen_reflectance("<spectrum name=\"reflectance\" value=\"515:1, 520:1, 525:1\"/>");
   CHECK(green.r == 0);
@@ -108,6 +134,35 @@ TEST_CASE("a black body of 6504 K is nearly white, and a hotter one brighter and
              {2 * sun.r, 2 * sun.g, 2 * sun.b}, 1e-15);
 }
 
+TEST_CASE("a d65 around a texture is that texture, as in Mitsuba's RGB variants") {
+  const std::string board = "<texture type=\"checkerboard\" id=\"b\"><float name=\"color0\" value=\"0.25\"/></texture>";
+  const std::string shapes = "<shape type=\"sphere\"><emitter type=\"area\"><spectrum type=\"d65\" name=\"radiance\">" +
+                             board +
+                             "</spectrum></emitter><bsdf type=\"diffuse\"><spectrum type=\"d65\" name=\"reflectance\">"
+                             "<ref id=\"b\" name=\"inside\"/></spectrum></bsdf></shape>";
+  const LoadedScene loaded = load_body(shapes);
+  for (const Diagnostic& d : loaded.warnings) FAIL_CHECK(d.text());
+  REQUIRE(loaded.scene.textures.size() == 2);  // Of light, and of shares of it.
+  for (const Texture& texture : loaded.scene.textures)
+    CHECK(std::get<Checkerboard>(texture.pattern).color0 == Rgb{.25, .25, .25});
+  const std::vector<std::string> two =
+      problems(around("<bsdf type=\"diffuse\"><spectrum type=\"d65\" name=\"reflectance\">" + board +
+                      "<texture type=\"checkerboard\"/></spectrum></bsdf>"));
+  REQUIRE(two.size() == 1);
+  CHECK(two[0] == "2:22: error: <spectrum type=\"d65\"> takes one <texture> inside");
+}
+
+TEST_CASE("a checkerboard takes its colours alike in a light, as Mitsuba's") {
+  const Scene scene =
+      load_body(
+          "<shape type=\"sphere\"><emitter type=\"area\"><texture type=\"checkerboard\" name=\"radiance\">"
+          "<spectrum name=\"color0\" value=\"1\"/><float name=\"color1\" value=\"3\"/></texture></emitter></shape>")
+          .scene;
+  const auto& board = std::get<Checkerboard>(scene.textures.at(0).pattern);
+  CHECK(board.color0 == Rgb{1, 1, 1});
+  CHECK(board.color1 == Rgb{3, 3, 3});
+}
+
 TEST_CASE("spectra that cannot be are errors at their place") {
   const auto problem = [](const std::string& spectrum) {
     const std::vector<std::string> found = problems(around("<bsdf type=\"diffuse\">" + spectrum + "</bsdf>"));
@@ -124,5 +179,21 @@ TEST_CASE("spectra that cannot be are errors at their place") {
             .find("as many finite values") != std::string::npos);
   CHECK(problem("<spectrum type=\"d65\" id=\"s\" name=\"reflectance\"><ref id=\"s\" name=\"color\"/></spectrum>")
             .find("contains itself") != std::string::npos);
+  // Between one wavelength and nothing there is no light: Mitsuba refuses these, too.
+  CHECK(problem("<spectrum name=\"reflectance\" value=\"550:10\"/>").find("of two or more") != std::string::npos);
+  CHECK(problem("<spectrum type=\"irregular\" name=\"reflectance\"><string name=\"wavelengths\" value=\"550\"/>"
+                "<string name=\"values\" value=\"1\"/></spectrum>")
+            .find("two or more") != std::string::npos);
+  CHECK(problem("<spectrum type=\"regular\" name=\"reflectance\"><string name=\"values\" value=\"1\"/></spectrum>")
+            .find("two or more") != std::string::npos);
+  const SceneFolder folder;
+  CHECK(problem("<spectrum name=\"reflectance\" filename=\"" + folder.write("one.spd", "550 1\n") + "\"/>")
+            .find("two wavelengths or more") != std::string::npos);
+  CHECK(problem("<spectrum type=\"blackbody\" name=\"reflectance\"><float name=\"temperature\" value=\"5000\"/>"
+                "<float name=\"wavelength_min\" value=\"900\"/></spectrum>")
+            .find("no wavelength between 360 and 830") != std::string::npos);
+  for (const char* huge : {"<spectrum name=\"reflectance\" value=\"400:1e306, 700:1e306\"/>",
+                           "<blackbody name=\"reflectance\" temperature=\"1e308\"/>"})
+    CHECK(problem(huge).find("\"reflectance\" is not finite: the numbers of its <") != std::string::npos);
   CHECK(problem("<blackbody name=\"reflectance\" temperature=\"0\"/>").find("greater than 0") != std::string::npos);
 }

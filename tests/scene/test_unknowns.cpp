@@ -41,6 +41,27 @@ const Unknown unknowns[] = {
     {"<texture type=\"bitmap\"/>", "2:1", "without an id"},
     {"<bsdf type=\"diffuse\"><texture type=\"volume\" name=\"reflectance\"/></bsdf>", "2:22",
      "the constant 0.5 takes its place"},
+    {"<bsdf type=\"diffuse\"><texture type=\"chekerboard\" name=\"reflectance\"/></bsdf>", "2:22",
+     "unknown texture \"chekerboard\" (did you mean \"checkerboard\"?); the constant 0.5 takes its place"},
+    {"<bsdf type=\"diffuse\"><spectrum type=\"blackbdoy\" name=\"reflectance\"/></bsdf>", "2:22",
+     "unknown spectrum \"blackbdoy\" (did you mean \"blackbody\"?); the constant 0.5 takes its place"},
+    {"<bsdf type=\"diffuse\"><texture type=\"wireframe\" name=\"reflectance\"/></bsdf>", "2:22",
+     "texture \"wireframe\" is not supported yet; the constant 0.5 takes its place"},
+    {"<medium type=\"homogeneous\" id=\"m\"><texture type=\"bitmap\" name=\"albedo\"/></medium><shape "
+     "type=\"sphere\"><ref "
+     "id=\"m\" name=\"interior\"/></shape>",
+     "2:35", "texture \"bitmap\" is not supported yet here"},
+    {"<bsdf type=\"diffuse\"><spectrum type=\"uniform\" name=\"reflectance\" value=\"0.3\"/></bsdf>", "2:22",
+     "unknown attribute \"value\" of <spectrum type=\"uniform\">, whose parameters are elements inside it; it is "
+     "ignored"},
+    {"<bsdf type=\"diffuse\"><spectrum type=\"d65\" name=\"reflectance\" filename=\"a.spd\"/></bsdf>", "2:22",
+     "unknown attribute \"filename\" of <spectrum type=\"d65\">"},
+    {"<bsdf type=\"diffuse\"><spectrum name=\"reflectance\" value=\"0.3\"><float name=\"value\" "
+     "value=\"1\"/></spectrum></bsdf>",
+     "2:63", "a <spectrum> without a type cannot contain other elements"},
+    {"<bsdf type=\"diffuse\"><spectrum type=\"d65\" name=\"reflectance\"><float name=\"scale\" value=\"3\"/><texture "
+     "type=\"checkerboard\"/></spectrum></bsdf>",
+     "2:62", "unknown parameter \"scale\" of <spectrum type=\"d65\">"},
     {"<bsdf type=\"roughconductor\"><string name=\"distribution\" value=\"phong\"/></bsdf>", "2:29",
      "the distribution \"phong\" is not supported; beckmann takes its place"},
     {"<shape type=\"sphere\"><integer name=\"priority\" value=\"1\"/></shape>", "2:22",

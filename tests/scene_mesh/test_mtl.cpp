@@ -163,5 +163,14 @@ TEST_CASE("what an MTL file gets wrong") {
   }
 }
 
+TEST_CASE("an mtllib line of very many words is read in one pass") {
+  const TempFolder folder;
+  std::string libraries = "mtllib";
+  for (int i = 0; i < 1000000; ++i) libraries += " a\\";
+  libraries += " a";
+  CHECK(read_mesh(folder.write("a.obj", libraries + "\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")).mesh.triangles.size() ==
+        1);
+}
+
 }  // namespace
 }  // namespace strahl

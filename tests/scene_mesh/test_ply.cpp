@@ -79,6 +79,53 @@ TEST_CASE("further properties are attributes by Mitsuba's names") {
   CHECK(values("face_mark") == std::vector<Rgb>{{17, 17, 17}, {18, 18, 18}});
 }
 
+TEST_CASE("an attribute's components go by their letters, whatever their order in the header") {
+  const TempFolder folder;
+  const std::string header =
+      "ply\nformat ascii 1.0\nelement vertex 3\n" + xyz +
+      "property float tint_b\nproperty float tint_g\nproperty float flow_z\nproperty float "
+      "tint_r\nproperty float flow_x\nproperty float flow_y\nproperty float part_2\nproperty float "
+      "part_0\nproperty float part_1\nelement face 1\nproperty list uchar int "
+      "vertex_indices\nend_header\n";
+  const std::string numbers = " 3 2 6 1 4 5 9 7 8\n";
+  const Mesh mesh =
+      read_mesh(folder.write("a.ply", header + "0 0 0" + numbers + "1 0 0" + numbers + "0 1 0" + numbers + "3 0 1 2\n"))
+          .mesh;
+  REQUIRE(mesh.attributes.size() == 3);
+  CHECK(mesh.attributes[0].name == "vertex_tint_color");
+  CHECK(mesh.attributes[0].values[0] == Rgb{1, 2, 3});
+  CHECK(mesh.attributes[1].name == "vertex_flow");
+  CHECK(mesh.attributes[1].values[0] == Rgb{4, 5, 6});
+  CHECK(mesh.attributes[2].name == "vertex_part");
+  CHECK(mesh.attributes[2].values[0] == Rgb{7, 8, 9});
+}
+
+TEST_CASE("a second colour of the vertices is left out with a warning") {
+  const TempFolder folder;
+  const std::string header = "ply\nformat ascii 1.0\nelement vertex 3\n" + xyz +
+                             "property float color_0\nproperty float r\nproperty float g\nproperty float b\nelement "
+                             "face 1\nproperty list uchar int vertex_indices\nend_header\n";
+  const MeshFile file =
+      read_mesh(folder.write("a.ply", header + "0 0 0 7 1 2 3\n1 0 0 7 1 2 3\n0 1 0 7 1 2 3\n3 0 1 2\n"));
+  REQUIRE(file.mesh.attributes.size() == 1);
+  CHECK(file.mesh.attributes[0].name == "vertex_color");
+  CHECK(file.mesh.attributes[0].values[0] == Rgb{1, 2, 3});
+  REQUIRE(file.warnings.size() == 1);
+  CHECK(file.warnings[0].message.find("the property color_0 is left out") != std::string::npos);
+}
+
+TEST_CASE("a header of very many attributes is read in one pass") {
+  const TempFolder folder;
+  std::string header = "ply\nformat ascii 1.0\nelement vertex 3\n" + xyz, numbers;
+  for (int i = 0; i < 200000; ++i) {
+    header += "property float p" + std::to_string(i) + "_0\n";
+    numbers += " 1";
+  }
+  header += "element face 1\nproperty list uchar int vertex_indices\nend_header\n";
+  const std::string body = "0 0 0" + numbers + "\n1 0 0" + numbers + "\n0 1 0" + numbers + "\n3 0 1 2\n";
+  CHECK(read_mesh(folder.write("a.ply", header + body)).mesh.attributes.size() == 200000);
+}
+
 TEST_CASE("a polygon's attributes are those of all its triangles") {
   const TempFolder folder;
   const std::string header =

@@ -82,6 +82,19 @@ TEST_CASE("a keyhole leaves the hole open") {
   CHECK(area == 12);
 }
 
+TEST_CASE("a spiral of very many corners takes moments") {
+  // A band of ten rounds, along its outer edge and back: of all corners only those at the two ends are ears at first.
+  std::vector<Vec3> band;
+  constexpr int steps = 50000;
+  const auto add = [&](int i, double width) {
+    const double turns = 10.0 * i / steps, angle = 2 * std::numbers::pi * turns;
+    band.push_back({(1 + turns + width) * std::cos(angle), (1 + turns + width) * std::sin(angle), 0});
+  };
+  for (int i = 0; i <= steps; ++i) add(i, 0.5);
+  for (int i = steps; i >= 0; --i) add(i, 0);
+  check_cover(band, band.size() - 2);
+}
+
 TEST_CASE("a repeated corner is left out") {
   Triangles triangles;
   REQUIRE(triangulate(std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 0}}, triangles));

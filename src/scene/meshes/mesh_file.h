@@ -19,8 +19,9 @@
 
 namespace strahl {
 
-/// Whether whoever reads a mesh shades by the file's normals. Unused ones need not be finite.
-enum class MeshNormals { used, unused };
+/// Whether whoever reads a mesh shades by the file's normals, or does so unless the file says to shade flat. Unused
+/// ones need not be finite.
+enum class MeshNormals { used, unused, as_file_says };
 
 /// What makes an attribute unfit to be shown.
 struct AttributeFault {

@@ -12,9 +12,11 @@ namespace {
 
 constexpr std::size_t most_words_in_a_name = 16;  // keeps a line of many words from asking for many^2 files
 
-std::string with_plain_blanks(std::string name) {
-  for (std::size_t i = 0; (i = name.find("\\ ", i)) != std::string::npos; ++i) name.erase(i, 1);
-  return name;
+std::string with_plain_blanks(const std::string& name) {
+  std::string plain;
+  for (std::size_t i = 0; i < name.size(); ++i)
+    if (name.compare(i, 2, "\\ ") != 0) plain += name[i];
+  return plain;
 }
 
 std::optional<std::string> existing_file(const std::filesystem::path& folder, const std::string& name) {
@@ -37,15 +39,12 @@ std::vector<std::string> MtlLibraryFinder::read(const std::string& obj_path, con
   const std::filesystem::path folder = std::filesystem::path(obj_path).parent_path();
   std::vector<std::string> words, missing;
   std::istringstream stream(names);
-  for (std::string word; stream >> word;) words.push_back(word);
-  // Words that end in a backslash were one name in any case.
-  for (std::size_t i = 0; i + 1 < words.size();) {
-    if (!words[i].ends_with('\\')) {
-      ++i;
-      continue;
-    }
-    words[i] += ' ' + words[i + 1];
-    words.erase(words.begin() + static_cast<std::ptrdiff_t>(i) + 1);
+  for (std::string word; stream >> word;) {
+    // Words that end in a backslash were one name in any case.
+    if (!words.empty() && words.back().ends_with('\\'))
+      words.back().append(" ").append(word);
+    else
+      words.push_back(word);
   }
   for (std::size_t i = 0; i < words.size();) {
     std::optional<std::string> file;

@@ -146,7 +146,7 @@ class PlyReader {
     std::vector<bool> is_taken;
     for (std::size_t k = 0; k < slots.size(); ++k)
       is_taken.push_back(slots[k] != none || vertices_->properties[k].count_type.has_value());
-    const std::vector<PlyAttribute> others = attributes_of(*vertices_, "vertex_", is_taken);
+    const std::vector<PlyAttribute> others = attributes_of(*vertices_, "vertex_", is_taken, source_);
     std::size_t numbers = none + 1;
     for (const PlyAttribute& attribute : others) {
       attributes_.others.push_back({attribute.name, {}});
@@ -207,7 +207,7 @@ class PlyReader {
     for (const PlyProperty& property : faces_->properties) is_taken.push_back(property.count_type.has_value());
     face_slots_.assign(faces_->properties.size(), -1);
     if (are_strips_) return;
-    of_faces_ = attributes_of(*faces_, "face_", is_taken);
+    of_faces_ = attributes_of(*faces_, "face_", is_taken, source_);
     for (const PlyAttribute& attribute : of_faces_) {
       face_values_.push_back({attribute.name, {}});
       for (const std::size_t k : attribute.properties) {

@@ -32,7 +32,7 @@ class SerializedReader {
       : source_(path, progress, {part.begin, part.end - part.begin}),
         begin_(source_.begin()),
         bytes_(source_, begin_ + before_stream),
-        needs_normals_(normals == MeshNormals::used) {
+        wanted_(normals) {
     source_.begin_binary(begin_);
     flags_ = take<std::uint32_t>();
     if (part.version == 4) {
@@ -118,12 +118,13 @@ class SerializedReader {
       if (!finite) bad_positions_.add(i, begin_);
     });
     if (has(has_normals)) {
-      const bool used = !has(face_normals);
+      // Mitsuba 3 keeps the normals of a file that says to shade flat; Mitsuba 0.x does not.
+      const bool used = wanted_ != MeshNormals::as_file_says || !has(face_normals);
       if (used) attributes_.normals.reserve(vertices_);
       read_numbers<3>([&](std::uint64_t i, const std::array<double, 3>& x, bool finite) {
         if (!used) return;
         attributes_.normals.push_back({x[0], x[1], x[2]});
-        if (!finite && needs_normals_) bad_normals_.add(i, begin_);
+        if (!finite && wanted_ != MeshNormals::unused) bad_normals_.add(i, begin_);
       });
     }
     if (has(has_uvs)) {
@@ -182,7 +183,7 @@ class SerializedReader {
   MeshSource source_;
   const char* begin_;
   InflatedBytes bytes_;
-  bool needs_normals_;
+  MeshNormals wanted_;
   std::uint32_t flags_ = 0;
   std::uint64_t vertices_ = 0, triangles_ = 0;
   MeshAttributes attributes_;

@@ -12,6 +12,9 @@
 #include <cmath>
 #include <limits>
 
+#include "scene/meshes/number_set.h"
+#include "scene/meshes/point_grid.h"
+
 namespace strahl {
 namespace {
 
@@ -56,59 +59,75 @@ int turn(const Vec2& a, const Vec2& b, const Vec2& c) {
   return exact_sign(terms);
 }
 
+/// Goes round the polygon from corner 1 and clips the ears that it meets. In a simple polygon a corner that is no ear
+/// stays none until a neighbour is clipped, since the corner of its triangle that lies deepest is reflex and stays; so
+/// each clip has two corners tried anew. Where a polygon touches itself that need not hold: all others are tried once
+/// more before it is given up.
 class EarClipper {
  public:
-  EarClipper(const std::vector<Vec2>& points, const std::vector<int>& names) : points_(points), names_(names) {
+  EarClipper(const std::vector<Vec2>& points, const std::vector<int>& names)
+      : points_(points), names_(names), grid_(points), untried_(points.size()) {
     const int n = static_cast<int>(points.size());
     for (int i = 0; i < n; ++i) {
       previous_.push_back((i + n - 1) % n);
       next_.push_back((i + 1) % n);
+      untried_.add(at(i));
     }
-    for (int i = 0; i < n; ++i) {
-      turn_.push_back(turn_at(i));
-      if (turn_.back() <= 0) blockers_.push_back(i);
-    }
+    for (int i = 0; i < n; ++i) turn_.push_back(turn_at(i));
+    is_clipped_.assign(points.size(), false);
   }
 
   bool clip(std::vector<std::array<int, 3>>& triangles) {
-    int left = static_cast<int>(points_.size());
-    int apex = 1;
-    for (int tried = 0; left > 2; ++tried) {
-      if (tried == left) return false;  // no ear is left: the polygon crosses itself or the rest has no area
-      if (!is_ear(apex)) {
-        apex = next_[at(apex)];
+    const std::size_t none = points_.size();
+    std::size_t left = points_.size();
+    int retries = most_retries;
+    bool is_retry = true;  // All corners that are left have been tried since the last clip.
+    for (std::size_t from = 1; left > 2;) {
+      const std::size_t found = untried_.next(from);
+      if (found == none) {
+        // No ear is left: the polygon crosses itself or the rest has no area.
+        if (is_retry || retries-- == 0) return false;
+        is_retry = true;
+        for (std::size_t i = 0; i < none; ++i)
+          if (!is_clipped_[i]) untried_.add(i);
         continue;
       }
-      const int a = previous_[at(apex)], c = next_[at(apex)];
-      triangles.push_back({names_[at(a)], names_[at(apex)], names_[at(c)]});
+      const int apex = static_cast<int>(found);
+      untried_.remove(found);
+      if (!is_ear(apex)) continue;
+      const int a = previous_[found], c = next_[found];
+      triangles.push_back({names_[at(a)], names_[found], names_[at(c)]});
       next_[at(a)] = c;
       previous_[at(c)] = a;
-      std::erase_if(blockers_, [&](int i) { return i == apex; });
-      for (int i : {a, c}) update(i);
-      apex = c;
+      is_clipped_[found] = true;
+      for (const int i : {a, c}) {
+        turn_[at(i)] = turn_at(i);
+        untried_.add(at(i));
+      }
+      is_retry = false;
+      from = at(c);
       --left;
-      tried = -1;
     }
     return true;
   }
 
  private:
+  static constexpr int most_retries = 64;  // Each looks at all corners, which keeps the whole in O(n^2).
+
   static std::size_t at(int i) { return static_cast<std::size_t>(i); }
   const Vec2& point(int i) const { return points_[at(i)]; }
   int turn_at(int i) const { return turn(point(previous_[at(i)]), point(i), point(next_[at(i)])); }
 
-  void update(int i) {
-    const int before = turn_[at(i)];
-    turn_[at(i)] = turn_at(i);
-    if (before <= 0 && turn_[at(i)] > 0) std::erase(blockers_, i);
-    if (before > 0 && turn_[at(i)] <= 0) blockers_.push_back(i);
-  }
-
   bool is_ear(int i) const {
     if (turn_[at(i)] <= 0) return false;
     const Vec2 &a = point(previous_[at(i)]), &b = point(i), &c = point(next_[at(i)]);
-    return std::none_of(blockers_.begin(), blockers_.end(), [&](int k) {
+    const Vec2 low{std::min({a.x, b.x, c.x}), std::min({a.y, b.y, c.y})};
+    const Vec2 high{std::max({a.x, b.x, c.x}), std::max({a.y, b.y, c.y})};
+    // Only reflex and flat vertices can lie inside an ear.
+    return !grid_.any_in(low, high, [&](int k) {
       const Vec2& p = point(k);
+      if (turn_[at(k)] > 0 || is_clipped_[at(k)]) return false;
+      if (p.x < low.x || p.x > high.x || p.y < low.y || p.y > high.y) return false;
       if (p == a || p == b || p == c) return false;
       return turn(a, b, p) >= 0 && turn(b, c, p) >= 0 && turn(c, a, p) >= 0;
     });
@@ -116,8 +135,10 @@ class EarClipper {
 
   const std::vector<Vec2>& points_;
   const std::vector<int>& names_;
+  PointGrid grid_;
+  NumberSet untried_;  ///< Since a neighbour was clipped.
   std::vector<int> previous_, next_, turn_;
-  std::vector<int> blockers_;  // Only reflex and flat vertices can lie inside an ear.
+  std::vector<bool> is_clipped_;
 };
 
 /// A power of two that brings the largest coordinate near 1, so that products neither overflow nor vanish.

@@ -121,7 +121,8 @@ class Import {
     relief.scale = map->multiplier;
     if (has_heights) relief.map.color = {0, 0, 0};
     relief.map.texture =
-        added_texture(*map, {1, 1, 1}, {TexelCurve::Kind::linear}, false, "the surface stays as smooth as it is");
+        added_texture(*map, {1, 1, 1}, {TexelCurve::Kind::linear}, false, "the surface stays as smooth as it is",
+                      has_heights ? TexelUse::heights : TexelUse::light);
     if (relief.map.texture < 0) return material;
     relief.nested = add(material);
     Material bent = named(relief);
@@ -136,7 +137,7 @@ class Import {
 
   /// Its index; -1 where the file cannot be read. is_share: of light, at most 1.
   int added_texture(const MeshTexture& from, const Rgb& scale, const TexelCurve& curve, bool is_share,
-                    const char* otherwise) {
+                    const char* otherwise, TexelUse use = TexelUse::light) {
     const std::string obstacle = unreadable_because(from.file);
     if (!obstacle.empty()) {
       diagnostics_.warning(from.where, fmt::format("cannot read \"{}\": {}; {}", from.file, obstacle, otherwise));
@@ -145,7 +146,7 @@ class Import {
     Bitmap bitmap;
     // Mitsuba reads no MTL, so that a map of one refuses no scene.
     Diagnostics told(false);
-    bitmap.texels = images_.read(from.file, from.where, told);
+    bitmap.texels = images_.read(from.file, from.where, told, use);
     for (const std::string& file : told.files()) diagnostics_.opened(file);
     for (const Diagnostic& one : told.in_file_order())
       diagnostics_.warning(one.where, bitmap.texels ? one.message : fmt::format("{}; {}", one.message, otherwise));

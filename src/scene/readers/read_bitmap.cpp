@@ -37,9 +37,9 @@ TextureWrap read_wrap(Properties& properties) {
 
 }  // namespace
 
-Texture read_bitmap(Properties& properties, SceneBuilder& builder, ColorUse) {
+Texture read_bitmap(Properties& properties, SceneBuilder& builder, ColorUse use) {
   Bitmap bitmap;
-  bitmap.texels = read_image_file(properties, builder);
+  bitmap.texels = read_image_file(properties, builder, use == ColorUse::height ? TexelUse::heights : TexelUse::light);
   bitmap.curve = read_curve(properties);
   // Of Mitsuba 0.x: filters for distant surfaces, which have no counterpart.
   bitmap.filter = choice<TextureFilter>(properties, "filter_type",

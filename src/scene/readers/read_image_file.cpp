@@ -26,9 +26,9 @@ std::optional<std::string> readable_path(Properties& properties, SceneBuilder& b
   return path;
 }
 
-std::shared_ptr<const Texels> read_image_file(Properties& properties, SceneBuilder& builder) {
+std::shared_ptr<const Texels> read_image_file(Properties& properties, SceneBuilder& builder, TexelUse use) {
   const std::optional<std::string> path = readable_path(properties, builder);
-  return path ? builder.images.read(*path, properties.where("filename"), builder.diagnostics) : nullptr;
+  return path ? builder.images.read(*path, properties.where("filename"), builder.diagnostics, use) : nullptr;
 }
 
 }  // namespace strahl

@@ -73,13 +73,19 @@ void drop_light_of_file(const ShapeInput& input, Mesh& mesh) {
 Geometry read_geometry(ShapeInput& input, const Mesh&) {
   Properties& properties = input.properties;
   Diagnostics& diagnostics = input.builder.diagnostics;
-  const bool face_normals = properties.boolean("face_normals").value_or(false);
+  const std::optional<bool> given_face_normals = properties.boolean("face_normals");
+  const bool face_normals = given_face_normals.value_or(false);
+  // Written by the upgrade from 0.x.
+  const bool obeys_file = properties.type() == "serialized" &&
+                          properties.boolean("obeys_file_on_face_normals").value_or(false) && !given_face_normals;
   const std::optional<double> smooth_angle = max_smooth_angle(properties);
   const bool flip_v = properties.boolean("flip_tex_coords").value_or(properties.type() == "obj");
   const int index = properties.type() == "serialized" ? shape_index(properties) : 0;
   // Of Mitsuba 0.x.
   const bool loads_materials = properties.type() != "obj" || properties.boolean("load_materials").value_or(true);
-  const MeshNormals normals = face_normals || smooth_angle ? MeshNormals::unused : MeshNormals::used;
+  const MeshNormals normals = face_normals || smooth_angle ? MeshNormals::unused
+                              : obeys_file                 ? MeshNormals::as_file_says
+                                                           : MeshNormals::used;
   const std::optional<std::string> path = data_path(input, properties.type());
   if (!path) return Mesh{};
   diagnostics.opened(*path);
@@ -102,7 +108,7 @@ Geometry read_geometry(ShapeInput& input, const Mesh&) {
     to_world(file.mesh, input.world_from_object);
     if (smooth_angle && !face_normals)
       make_creased_normals(file.mesh, *smooth_angle);
-    else if (file.mesh.normals.empty() && !face_normals && !file.face_normals)
+    else if (file.mesh.normals.empty() && !face_normals && !(obeys_file && file.face_normals))
       make_vertex_normals(file.mesh);
     else if (!file.mesh.normals.empty() && emits(input.shape, &file.mesh))
       turn_to_vertex_normals(file.mesh);  // As in Mitsuba, light goes where the vertex normals point.

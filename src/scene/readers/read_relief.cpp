@@ -52,7 +52,8 @@ Material read_normalmap(Properties& properties, SceneBuilder& builder) {
   Relief relief;
   // Written by the upgrade from 0.x.
   if (properties.boolean("takes_any_texture").value_or(false)) {
-    if (const XmlElement* normals = only_texture(properties)) relief.map = read_nested_texture(*normals, builder);
+    if (const XmlElement* normals = only_texture(properties))
+      relief.map = read_nested_texture(*normals, builder, TextureUse::value);
     return relief_of(properties, builder, relief);
   }
   if (!properties.has("normalmap"))
@@ -67,7 +68,7 @@ Material read_bumpmap(Properties& properties, SceneBuilder& builder) {
   relief.scale = properties.number("scale").value_or(1);
   const XmlElement* texture = only_texture(properties);
   const XmlElement* heights = texture == nullptr ? nullptr : scaled_texture(*texture, builder, relief.scale);
-  if (heights != nullptr) relief.map = read_nested_texture(*heights, builder);
+  if (heights != nullptr) relief.map = read_nested_texture(*heights, builder, TextureUse::height);
   return relief_of(properties, builder, relief);
 }
 

@@ -8,6 +8,7 @@
 
 #include "kinds/textures.h"
 #include "scene/readers/plugin_table.h"
+#include "scene/xml/typed_spectrum.h"
 
 namespace strahl {
 
@@ -32,9 +33,10 @@ int texture_index(const XmlElement& element, TextureReader reader, SceneBuilder&
   const auto known = builder.texture_indices.find({&element, what});
   if (known != builder.texture_indices.end()) return known->second;
   Properties properties(element, builder.ids, builder.diagnostics);
-  const ColorUse use = what == TextureUse::light ? ColorUse::emission
-                       : is_unbounded            ? ColorUse::value
-                                                 : ColorUse::reflectance;
+  const ColorUse use = what == TextureUse::light    ? ColorUse::emission
+                       : what == TextureUse::height ? ColorUse::height
+                       : is_unbounded               ? ColorUse::value
+                                                    : ColorUse::reflectance;
   Texture texture = reader(properties, builder, use);
   if (swaps_colours) {
     auto& board = std::get<Checkerboard>(texture.pattern);
@@ -52,12 +54,30 @@ int texture_index(const XmlElement& element, TextureReader reader, SceneBuilder&
   return index;
 }
 
+/// The texture that a <spectrum type="d65"> stands around. As in Mitsuba's RGB variants, the spectrum is that texture;
+/// its scale is told as unknown, as Mitsuba leaves it out there. Any other element is given back.
+const XmlElement* without_d65(const XmlElement& element, SceneBuilder& builder) {
+  if (element.text("type") != "d65") return &element;
+  for (const XmlElement* child = element.first_child; child != nullptr; child = child->next_sibling) {
+    Diagnostics told_by_its_reader(false);
+    const XmlElement* meant = child->tag == "ref" ? builder.ids.resolve(*child, told_by_its_reader) : child;
+    if (meant == nullptr || meant->tag != "texture" || is_typed_spectrum(*meant)) continue;
+    Properties d65(element, builder.ids, builder.diagnostics);
+    if (d65.objects("texture").size() > 1)
+      builder.diagnostics.error(element.where, fmt::format("{} takes one <texture> inside", d65.title()));
+    d65.report_unknown();
+    return meant;
+  }
+  return &element;
+}
+
 /// -1: no texture that strahl has.
 int texture_of(Properties& properties, SceneBuilder& builder, const std::string& name,
                TextureUse use = TextureUse::colour) {
   const XmlElement* texture = properties.peek(name);
   // <spectrum type="bitmap"> is another way to write it.
   if (texture == nullptr || (texture->tag != "texture" && texture->tag != "spectrum")) return -1;
+  texture = without_d65(*texture, builder);
   const TextureReader* reader = find_plugin(texture_readers(), texture->text("type"));
   if (reader == nullptr) return -1;
   properties.accept({name.c_str()});
@@ -101,10 +121,10 @@ Reflectance read_share(Properties& properties, SceneBuilder& builder, const std:
   return {grey(mean_of(properties.color(name, ColorUse::reflectance, {0.5, 0.5, 0.5}).value_or(grey(absent))))};
 }
 
-Varying read_nested_texture(const XmlElement& element, SceneBuilder& builder) {
+Varying read_nested_texture(const XmlElement& element, SceneBuilder& builder, TextureUse use) {
   const std::string_view type = element.text("type");
   if (const TextureReader* reader = find_plugin(texture_readers(), type))
-    return {{0.5, 0.5, 0.5}, texture_index(element, *reader, builder, TextureUse::value)};
+    return {{0.5, 0.5, 0.5}, texture_index(element, *reader, builder, use)};
   builder.diagnostics.unknown(element.where, not_available("texture", type, types_of(texture_readers())) +
                                                  "; the constant 0.5 takes its place");
   return {{0.5, 0.5, 0.5}};

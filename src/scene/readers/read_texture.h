@@ -27,7 +27,8 @@ void clamp_to_one(Bitmap& bitmap, const SourceLocation& where, Diagnostics& diag
 [[nodiscard]] std::optional<std::string> readable_path(Properties& properties, SceneBuilder& builder);
 
 /// The image of the string "filename", read once a scene; null after an error.
-[[nodiscard]] std::shared_ptr<const Texels> read_image_file(Properties& properties, SceneBuilder& builder);
+[[nodiscard]] std::shared_ptr<const Texels> read_image_file(Properties& properties, SceneBuilder& builder,
+                                                            TexelUse use = TexelUse::light);
 
 /// The parameter `name`, or `absent`. A texture that strahl does not have is replaced with a warning.
 [[nodiscard]] Reflectance read_reflectance(Properties& properties, SceneBuilder& builder, const std::string& name,
@@ -38,8 +39,9 @@ void clamp_to_one(Bitmap& bitmap, const SourceLocation& where, Diagnostics& diag
 [[nodiscard]] Reflectance read_share(Properties& properties, SceneBuilder& builder, const std::string& name,
                                      double absent);
 
-/// A <texture> that has no name of its own; 0.5 where strahl does not have it, with a warning.
-[[nodiscard]] Varying read_nested_texture(const XmlElement& element, SceneBuilder& builder);
+/// A <texture> that has no name of its own; 0.5 where strahl does not have it, with a warning. use: `value` or
+/// `height`.
+[[nodiscard]] Varying read_nested_texture(const XmlElement& element, SceneBuilder& builder, TextureUse use);
 
 /// Light: a colour, or a texture that multiplies it.
 struct Emission {

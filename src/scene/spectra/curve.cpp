@@ -33,7 +33,7 @@ double SpectrumCurve::at(double wavelength) const {
 bool is_curve(const SpectrumCurve& curve) {
   const std::vector<double>& w = curve.wavelengths;
   const auto is_finite = [](double x) { return std::isfinite(x); };
-  return !w.empty() && w.size() == curve.values.size() && std::all_of(w.begin(), w.end(), is_finite) &&
+  return w.size() >= 2 && w.size() == curve.values.size() && std::all_of(w.begin(), w.end(), is_finite) &&
          std::all_of(curve.values.begin(), curve.values.end(), is_finite) &&
          std::adjacent_find(w.begin(), w.end(), std::greater_equal<>()) == w.end();
 }
@@ -61,29 +61,35 @@ SpectrumCurve curve_of_file(const std::string& path) {
     const std::string_view row = std::string_view(text).substr(at, end - at);
     at = end + 1;
     ++line;
-    const std::vector<std::string_view> words = split_list(row);
-    if (words.empty() || words[0].front() == '#') continue;
+    const std::vector<std::string_view> words = split_list(row.substr(0, row.find('#')));
+    if (words.empty()) continue;
     const std::optional<double> wavelength = parse_number(words[0]);
-    const std::optional<double> value = words.size() == 2 ? parse_number(words[1]) : std::nullopt;
+    const std::optional<double> value = words.size() >= 2 ? parse_number(words[1]) : std::nullopt;
     if (!wavelength || !value)
       throw InputError(fmt::format("{}:{}: not a wavelength in nanometres and a value", path, line));
     curve.wavelengths.push_back(*wavelength);
     curve.values.push_back(*value);
   }
   if (!is_curve(curve))
-    throw InputError(fmt::format("{}: needs finite values at wavelengths that ascend from line to line", path));
+    throw InputError(
+        fmt::format("{}: needs finite values at two wavelengths or more that ascend from line to line", path));
   return curve;
 }
 
-SpectrumCurve planck_curve(double kelvin) {
+SpectrumCurve planck_curve(double kelvin, double first, double last) {
   constexpr double h = 6.62607015e-34, c = 299792458.0, k = 1.380649e-23;  // SI, exact since 2019
   SpectrumCurve curve;
-  const double last = observer_first + observer_step * static_cast<double>(observer_table.size() - 1);
-  for (double nm = observer_first; nm <= last; nm += 1) {
+  const auto add = [&](double nm) {
     const double lambda = nm * 1e-9;
     curve.wavelengths.push_back(nm);
     curve.values.push_back(1e-9 * 2 * h * c * c / (std::pow(lambda, 5) * std::expm1(h * c / (lambda * k * kelvin))));
-  }
+  };
+  const double end = observer_first + observer_step * static_cast<double>(observer_table.size() - 1);
+  const double from = std::max(first, observer_first), to = std::min(last, end);
+  add(from);
+  for (double nm = observer_first; nm <= end; nm += 1)
+    if (nm > from && nm < to) add(nm);
+  add(to);
   return curve;
 }
 

@@ -7,8 +7,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scene/readers/foreign_plugins.h"
 #include "scene/spectra/observer.h"
 #include "scene/xml/parse_value.h"
+#include "scene/xml/typed_spectrum.h"
 
 namespace strahl {
 
@@ -55,8 +57,9 @@ std::optional<Rgb> read_spectrum(const XmlElement& element, ColorUse use, Diagno
   if (value) {
     curve = curve_of_pairs(*value);
     if (!curve)
-      diagnostics.error(element.where, fmt::format("\"{}\" in <spectrum> is no list such as \"400:0.1, 700:0.3\", "
-                                                   "whose values are finite and whose wavelengths ascend",
+      diagnostics.error(element.where, fmt::format("\"{}\" in <spectrum> is no list such as \"400:0.1, 700:0.3\" "
+                                                   "of two or more, whose values are finite and whose wavelengths "
+                                                   "ascend",
                                                    *value));
   } else {
     try {
@@ -81,16 +84,28 @@ std::optional<Rgb> read_blackbody(const XmlElement& element, ColorUse use, Diagn
   return std::nullopt;
 }
 
+/// Of a <texture>, <spectrum> or <volume> that is no colour.
+std::string not_available_here(const XmlElement& element) {
+  std::vector<std::string> known = spectrum_types();
+#define TEXTURE(name) known.emplace_back(#name);
+#include "../../../cl/textures/textures.def"
+#undef TEXTURE
+  if (element.tag == "volume") known = {"constvolume", "gridvolume"};
+  const std::string_view type = element.text("type");
+  const bool is_ours = std::find(known.begin(), known.end(), type) != known.end();
+  return is_ours ? fmt::format("{} \"{}\" is not supported yet here", element.tag, type)
+                 : not_available(element.tag, type, known);
+}
+
 }  // namespace
 
 std::optional<Rgb> read_color(const XmlElement& element, ColorUse use, const Rgb& substitute,
                               Diagnostics& diagnostics) {
   if (element.tag == "spectrum" && !element.attribute("type")) return read_spectrum(element, use, diagnostics);
   if (element.tag == "blackbody") return read_blackbody(element, use, diagnostics);
-  if (element.attribute("type")) {
-    diagnostics.unknown(element.where, fmt::format("<{} type=\"{}\"> is not supported yet here; the constant {} takes "
-                                                   "its place",
-                                                   element.tag, element.text("type"), shown(substitute)));
+  if (element.tag == "spectrum" || element.tag == "texture" || element.tag == "volume") {
+    diagnostics.unknown(element.where, fmt::format("{}; the constant {} takes its place", not_available_here(element),
+                                                   shown(substitute)));
     return substitute;
   }
   std::optional<Rgb> color = checked(listed_color(element.text("value")), element, diagnostics);
@@ -103,7 +118,7 @@ std::optional<Rgb> read_color(const XmlElement& element, ColorUse use, const Rgb
 Rgb color_of_curve(const SpectrumCurve& curve, ColorUse use) {
   if (use == ColorUse::emission) return rgb_of_emission(curve);
   const Rgb weight = rgb_of_weight(curve);
-  if (use == ColorUse::value) return weight;
+  if (use != ColorUse::reflectance) return weight;
   return {std::min(weight.r, 1.0), std::min(weight.g, 1.0), std::min(weight.b, 1.0)};
 }
 

@@ -18,7 +18,8 @@ struct SpectrumCurve;
 enum class ColorUse {
   reflectance,  ///< A share of the light, within [0, 1].
   emission,     ///< Not negative.
-  value         ///< Of refraction or roughness: not negative.
+  value,        ///< Of refraction or roughness: not negative.
+  height        ///< Of a texture alone: of any sign.
 };
 
 /// <rgb>, <srgb>, <spectrum>, <blackbody>, <float>; of a texture `substitute`, with a warning. None after an error: not

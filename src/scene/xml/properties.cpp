@@ -159,6 +159,12 @@ std::optional<Rgb> Properties::color(std::string_view name, ColorUse use, const 
     value = read_color(*given, use, substitute, diagnostics_);
   }
   if (!value) return std::nullopt;
+  if (!is_finite(Vec3{value->r, value->g, value->b})) {
+    diagnostics_.error(where(name), fmt::format("\"{}\" is not finite: the numbers of its <{}> are too large to be "
+                                                "summed",
+                                                name, given->tag));
+    return std::nullopt;
+  }
   if (use == ColorUse::reflectance) return clamped_reflectance(*value, given->where, name, diagnostics_);
   if (value->r >= 0 && value->g >= 0 && value->b >= 0) return value;
   const char* what = use == ColorUse::emission ? "is negative; light cannot be" : "must not be negative";

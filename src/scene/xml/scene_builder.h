@@ -26,7 +26,8 @@ enum class TextureUse {
   light,
   number,    ///< One in [0, 1].
   quantity,  ///< One of any size: a roughness, an index of refraction.
-  value      ///< What is no share: a height, the coefficients of a medium.
+  value,     ///< What is no share: a normal, the coefficients of a medium.
+  height     ///< Whose differences alone count.
 };
 
 struct SceneBuilder {

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "scene/readers/plugin_table.h"
 #include "scene/spectra/curve.h"
 #include "scene/xml/properties.h"
@@ -40,9 +42,10 @@ std::optional<Rgb> read_rawconstant(Properties& properties, ColorUse use) {
 
 std::optional<Rgb> of_lists(Properties& properties, const SpectrumCurve& curve, ColorUse use) {
   if (is_curve(curve)) return color_of_curve(curve, use);
-  properties.diagnostics().error(properties.where(), fmt::format("{} needs as many finite values as wavelengths, which "
-                                                                 "ascend",
-                                                                 properties.title()));
+  properties.diagnostics().error(properties.where(),
+                                 fmt::format("{} needs as many finite values as wavelengths, two or "
+                                             "more, which ascend",
+                                             properties.title()));
   return std::nullopt;
 }
 
@@ -66,14 +69,22 @@ std::optional<Rgb> read_irregular(Properties& properties, ColorUse use) {
 }
 
 std::optional<Rgb> read_blackbody(Properties& properties, ColorUse use) {
-  properties.accept({"wavelength_min", "wavelength_max"});
+  const double first = std::max(properties.number("wavelength_min").value_or(360), 360.0);
+  const double last = std::min(properties.number("wavelength_max").value_or(830), 830.0);
   if (!properties.has("temperature")) {
     properties.diagnostics().error(properties.where(),
                                    fmt::format("{} needs the float \"temperature\"", properties.title()));
     return std::nullopt;
   }
   const std::optional<double> kelvin = properties.positive("temperature");
-  return kelvin ? std::optional(color_of_curve(planck_curve(*kelvin), use)) : std::nullopt;
+  if (!(first < last)) {
+    properties.diagnostics().error(properties.where(),
+                                   fmt::format("{} shines at no wavelength between 360 and 830 nm; wavelength_min must "
+                                               "be less than wavelength_max",
+                                               properties.title()));
+    return std::nullopt;
+  }
+  return kelvin ? std::optional(color_of_curve(planck_curve(*kelvin, first, last), use)) : std::nullopt;
 }
 
 const PluginTable<SpectrumReader>& spectrum_readers() {
@@ -90,6 +101,8 @@ bool is_typed_spectrum(const XmlElement& element) {
   return (element.tag == "spectrum" || element.tag == "texture") &&
          find_plugin(spectrum_readers(), element.text("type")) != nullptr;
 }
+
+std::vector<std::string> spectrum_types() { return types_of(spectrum_readers()); }
 
 std::optional<Rgb> read_typed_spectrum(Properties& properties, ColorUse use) {
   const SpectrumReader* reader = find_plugin(spectrum_readers(), properties.type());

@@ -131,6 +131,12 @@ void take_normals(XmlElement& element, XmlPool& pool) {
     add_parameter(element, pool, "boolean", "takes_any_texture", "true");
 }
 
+/// 0.x shades a serialized mesh flat where its file says so, which Mitsuba 3 ignores.
+void obey_serialized_file(XmlElement& element, XmlPool& pool) {
+  if (is_a(element, "shape", "serialized"))
+    add_parameter(element, pool, "boolean", "obeys_file_on_face_normals", "true");
+}
+
 /// 0.x has a default of its own for how far ambient occlusion looks.
 void limit_occlusion(XmlElement& element, XmlPool& pool) {
   if (is_a(element, "integrator", "ao") && !has_child(element, "max_distance"))
@@ -168,6 +174,7 @@ void rename(XmlElement& element, const XmlElement* parent, bool parameters, XmlP
   turn_sky(element, pool);
   fill_box(element, pool);
   take_normals(element, pool);
+  obey_serialized_file(element, pool);
   limit_occlusion(element, pool);
   name_materials(element, pool);
 }

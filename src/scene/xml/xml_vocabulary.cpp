@@ -87,6 +87,23 @@ bool has_required(const XmlElement& element, const Tag& tag, Diagnostics& diagno
   return complete;
 }
 
+/// A <spectrum> has its value as an attribute, or is a plugin of a type, whose parameters are elements.
+void check_spectrum(XmlElement& element, Diagnostics& diagnostics) {
+  if (!element.attribute("type")) {
+    if (element.first_child == nullptr) return;
+    diagnostics.unknown(element.first_child->where,
+                        "a <spectrum> without a type cannot contain other elements; they are ignored");
+    element.first_child = nullptr;
+    return;
+  }
+  for (const char* key : {"value", "filename"})
+    if (element.attribute(key))
+      diagnostics.unknown(element.where,
+                          fmt::format("unknown attribute \"{}\" of <spectrum type=\"{}\">, whose parameters are "
+                                      "elements inside it; it is ignored",
+                                      key, element.text("type")));
+}
+
 /// False: the element is to be removed.
 bool check(XmlElement& element, Diagnostics& diagnostics) {
   const Tag* tag = find_tag(element.tag);
@@ -96,6 +113,7 @@ bool check(XmlElement& element, Diagnostics& diagnostics) {
   }
   check_attributes(element, *tag, diagnostics);
   if (!has_required(element, *tag, diagnostics)) return false;
+  if (element.tag == "spectrum") check_spectrum(element, diagnostics);
   if (!tag->has_children && element.first_child != nullptr) {
     diagnostics.unknown(element.first_child->where,
                         fmt::format("<{}> cannot contain other elements; they are ignored", element.tag));
