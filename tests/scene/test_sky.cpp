@@ -97,6 +97,16 @@ TEST_CASE("a sunsky is an image of the sky and a disc that is no part of it") {
 }
 
 TEST_CASE("daylight has the parameters of Mitsuba 3 and of 0.x") {
+TEST_CASE("a sky turned by a matrix with four digits has the nearest rotation") {
+  const auto lights =
+      load_body(
+          "<emitter type=\"sunsky\"><transform name=\"to_world\"><matrix value=\"1 0 0 0 0.7071 -0.7071 "
+          "0 0.7071 0.7071\"/></transform></emitter>")
+          .scene.lights;
+  const auto sky = std::get<EnvironmentLight>(lights.at(1).emitter);
+  CHECK(length(sky.axes[1] - Vec3{0, -std::sqrt(0.5), std::sqrt(0.5)}) < 1e-15);
+}
+
   const auto old = [](const std::string& body) {
     return load_text("<scene version=\"0.6.0\">" + body + "<sensor type=\"perspective\"/></scene>").scene.lights;
   };
