@@ -150,6 +150,16 @@ TEST_CASE("texels lie where Mitsuba has them") {
                          const TexelDecoder decoded(*light.texels, light.curve);
                          std::vector<Triad> directions;
                          for (int row = 0; row < 5; ++row)
+TEST_CASE("an environment is as likely among other lights as it is bright, wherever that is") {
+  for (const EnvironmentRow& row : all_environments()) {
+    INFO(row.what);
+    const double mean = luminance({1, 0.5, 0.25}) * fluence(row.light) / (4 * pi);
+    const double power = kinds::light_reach({{}, row.light, {}}, UploadFrame{}).power;
+    CHECK(power / pi > 0.6 * mean);
+    CHECK(power / pi < 1.7 * mean);
+  }
+}
+
                            for (int column = 0; column < 6; ++column)
                              directions.push_back(triad(direction(light, (column + 0.5) / 6, row / 4.0)));
                          const std::vector<Sight> seen = tier.look(scene.buffers(), {0, 0, 0}, directions);
