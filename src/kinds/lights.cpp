@@ -9,6 +9,8 @@
 #include <variant>
 
 #include "kinds/faults.h"
+#include "kinds/integrators.h"
+#include "kinds/materials.h"
 #include "kinds/sphere_mean.h"
 #include "kinds/textures.h"
 #include "kinds/upload_frame.h"
@@ -302,11 +304,16 @@ const LightFacts& light(const Light& light) {
   return of_kind(light, [](auto row, const auto&) -> const LightFacts& { return decltype(row)::facts; });
 }
 
-bool is_drawn(const Light& light, const IntegratorFacts& integrator) {
+bool finds_all_emission(const Scene& scene) {
+  return integrator(scene.integrator.name).finds_emission() &&
+         std::ranges::all_of(scene.materials, [](const Material& one) { return material_facts(one).draws_all; });
+}
+
+bool is_drawn(const Light& light, const Scene& scene) {
   if (!(light.sampling_weight > 0)) return false;
   const LightFacts& facts = kinds::light(light);
-  if (facts.is_delta) return integrator.lamps == Lamps::drawn;
-  return !(facts.is_even && integrator.finds_emission());
+  if (facts.is_delta) return integrator(scene.integrator.name).lamps == Lamps::drawn;
+  return !(facts.is_even && finds_all_emission(scene));
 }
 
 std::vector<double> light_reals(const Light& light, const UploadFrame& frame) {

@@ -228,7 +228,7 @@ void light_causes(const Scene& scene, Causes& causes) {
     causes.background = causes.background || (facts.is_background && causes.contains(effect));
     if (facts.is_sun && causes.contains(effect)) call_for(causes, "SUN", "an emitter of type sun", light.where);
     if (causes.contains(effect)) use_light_texture(scene, kinds::light_texture(light), causes);
-    if (kinds::is_drawn(light, integrator)) note(effect);
+    if (kinds::is_drawn(light, scene)) note(effect);
   }
   if (!integrator.is_lit() || drawn == nullptr) return;
   const DrawnLights lights = drawn_lights(scene, [&](const std::string& name) { return causes.contains(name); });
