@@ -979,6 +979,7 @@
 #define surface_step_w LANED(surface_step_w)
 #define surface_to_w LANED(surface_to_w)
 #define surfaces_none_w LANED(surfaces_none_w)
+#define sun_radiance_w LANED(sun_radiance_w)
 #define take_nearest_w LANED(take_nearest_w)
 #define take_parameters_w LANED(take_parameters_w)
 #define take_polygons_w LANED(take_polygons_w)

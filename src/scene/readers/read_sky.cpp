@@ -18,7 +18,7 @@ namespace {
 using Emitter = decltype(Light::emitter);
 
 constexpr int sky_width = 512;
-constexpr double aperture_of_sun = 0.5338;  // Degrees.
+constexpr double aperture_of_sun = 0.5358;  // Degrees.
 
 /// What both read. Directions are the model's: east, up, south.
 struct Daylight {
@@ -116,7 +116,8 @@ Emitter sun_of(Properties& properties, const Daylight& light, double scale) {
   };
   const Rgb radiance = multiplied(scale, radiance_of_sun(light.turbidity, light.sun));
   if (!(aperture > 0)) return DirectionalLight{-direction, multiplied(solid_angle(aperture_of_sun), radiance)};
-  return SunLight{direction, aperture, multiplied(solid_angle(aperture_of_sun) / solid_angle(aperture), radiance)};
+  const double spread = solid_angle(aperture_of_sun) / solid_angle(aperture);
+  return SunLight{direction, aperture, multiplied(spread, radiance), light.axes[1]};
 }
 
 }  // namespace
