@@ -693,6 +693,7 @@
 #define normals_share_w LANED(normals_share_w)
 #define normals_step_w LANED(normals_step_w)
 #define number_again_w LANED(number_again_w)
+#define not_black_w LANED(not_black_w)
 #define number_of_share_w LANED(number_of_share_w)
 #define of_hero_w LANED(of_hero_w)
 #define on_one_side_w LANED(on_one_side_w)
