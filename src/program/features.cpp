@@ -160,6 +160,8 @@ void shape_causes(const Scene& scene, const RenderSettings& settings, Causes& ca
       emit(shape.radiance_where, "area");
       if (use_light_texture(scene, shape.radiance_texture, causes)) reads_uv = true;
     }
+    if (lit && shape.exitance && scene.integrator.hide_emitters)
+      call_for(causes, "EMISSION", "a hidden emitter of type directionalarea", shape.radiance_where);
     if (integrator.from_lights && shape.exitance) {
       emit(shape.radiance_where, "directionalarea");
       if (use_light_texture(scene, shape.radiance_texture, causes)) reads_uv = true;
