@@ -5,6 +5,7 @@ typedef struct {
   real3w position;
   real3w normal;  ///< Unit, on the side that emits.
   realw density;  ///< Per solid angle; 0: the back of the surface is seen.
+  realw reach;    ///< Of the item that it is on (areas.def).
   realw u, v;     ///< What made the place; with the normal, name_uv knows its texture coordinates by them.
 } AreaPoint_w;
 
@@ -30,6 +31,11 @@ FN AreaPoint_w flat_point_w(GLOBAL const real* item, GLOBAL const real* area, re
   real3w edge_u = splat3_w(load3(item + 3)), edge_v = splat3_w(load3(item + 6));
   real3w position = add3_w(fma3_w(of_u, edge_u, scale3_w(of_v, edge_v)), splat3_w(load3(item)));
   return uniform_point_w(area, from, position, splat3_w(load3(item + 9)), of_u, of_v);
+}
+
+/// Of a flat area.
+FN real flat_reach_w(GLOBAL const real* item) {
+  return max3(abs3(load3(item))) + (max3(abs3(load3(item + 3))) + max3(abs3(load3(item + 6))));
 }
 
 /// Texture coordinates of places on flat items. uvs: six reals an item, those of the corner and what each edge adds.

@@ -8,6 +8,8 @@ FN AreaPoint_w cylinder_point_w(GLOBAL const real* item, GLOBAL const real* area
   return uniform_point_w(area, from, position, normalize3_w(scale3_w(splat_w(area[AREA_SIDE]), outward)), u, v);
 }
 
+FN real cylinder_reach_w(GLOBAL const real* item) { return flat_reach_w(item) + max3(abs3(load3(item + 9))); }
+
 FN realw cylinder_density_w(GLOBAL const real* item, GLOBAL const real* area, real3w from, real3w towards,
                             real3w normal) {
   (void)item;

@@ -7,6 +7,8 @@ FN AreaPoint_w disk_point_w(GLOBAL const real* item, GLOBAL const real* area, re
   return flat_point_w(item, area, from, weights.x, weights.y);
 }
 
+FN real disk_reach_w(GLOBAL const real* item) { return flat_reach_w(item); }
+
 FN realw disk_density_w(GLOBAL const real* item, GLOBAL const real* area, real3w from, real3w towards, real3w normal) {
   (void)item;
   (void)from;

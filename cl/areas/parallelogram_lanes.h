@@ -5,6 +5,8 @@ FN AreaPoint_w parallelogram_point_w(GLOBAL const real* item, GLOBAL const real*
   return flat_point_w(item, area, from, u, v);
 }
 
+FN real parallelogram_reach_w(GLOBAL const real* item) { return flat_reach_w(item); }
+
 FN realw parallelogram_density_w(GLOBAL const real* item, GLOBAL const real* area, real3w from, real3w towards,
                                  real3w normal) {
   (void)item;

@@ -59,6 +59,8 @@ FN AreaPoint_w sphere_point_w(GLOBAL const real* item, GLOBAL const real* area, 
   return p;
 }
 
+FN real sphere_reach_w(GLOBAL const real* item) { return max3(abs3(load3(item))) + item[3]; }
+
 FN realw sphere_density_w(GLOBAL const real* item, GLOBAL const real* area, real3w from, real3w towards,
                           real3w normal) {
   SphereCone_w cone = sphere_cone_w(item, from);

@@ -6,6 +6,8 @@ FN AreaPoint_w triangle_point_w(GLOBAL const real* item, GLOBAL const real* area
   return flat_point_w(item, area, from, weights.x, weights.y);
 }
 
+FN real triangle_reach_w(GLOBAL const real* item) { return flat_reach_w(item); }
+
 FN realw triangle_density_w(GLOBAL const real* item, GLOBAL const real* area, real3w from, real3w towards,
                             real3w normal) {
   (void)item;

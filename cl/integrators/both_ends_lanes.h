@@ -94,7 +94,7 @@ ONCE_FN void follow_both_ends_w(const Scene* scene, Paths_w* path, LightVertices
   intw rows = int_of_uint_w(down), columns = int_of_uint_w(begun->pixels - down * (uint)film->columns);
   Real2_w lens = camera_paths_begin_w(scene, path, begun, columns, rows);
   follow_from_camera_w(scene, path, lens, light);
-  maskw is_lit = begun->which & lt_w(splat_w(R(0.0)), max3_w(path->radiance));
+  maskw is_lit = begun->which & not_black_w(path->radiance);
   intw sums = int_of_uint_w(begun->numbers & ((uint)film->sums - 1u));
   for (uint lanes = bits_w(is_lit); lanes != 0u; lanes &= lanes - 1u) {
     int i = first_bit(lanes);

@@ -10,7 +10,7 @@ FN void add_found_light_w(const Scene* scene, Paths_w* path, const Surfaces_w* s
                           const Techniques_w* t) {
   realw zero = splat_w(R(0.0)), one = splat_w(R(1.0));
   real3w radiance = found.radiance;
-  maskw is_bright = is_light_shown_w(scene, path) & lt_w(zero, max3_w(radiance));
+  maskw is_bright = is_light_shown_w(scene, path) & not_black_w(radiance);
   if (LIGHT_COUNT == 0 || !any_w(is_bright)) {
     path_add_w(path, is_bright, radiance);
     return;
@@ -37,13 +37,13 @@ FN void add_drawn_light_w(const Scene* scene, Paths_w* path, const Vertex_w* v) 
   LightNumbers_w numbers = light_numbers_w(scene, &path->sample, path->depth);
   LightChoice_w choice = choose_light_w(scene, &path->sample, path->depth, v->s.position);
   LightSample_w light = light_sample_w(scene, v->which, choice.light, v->s.position, numbers);
-  maskw which = v->which & lt_w(zero, max3_w(light.radiance));
+  maskw which = v->which & not_black_w(light.radiance);
   if (HAS_STRICT_NORMALS) which = on_one_side_w(scene, &v->s, which, light.towards);
   if (!any_w(which)) return;
   real3w way = unit3_w(light.towards);
   vertex_share_w(scene, v, which, v->back, way, &reflected, &drawn);
   real3w gain = mul3_w(scale3_w(choice.rarity / light.density, reflected), light.radiance);
-  which = which & lt_w(zero, max3_w(gain));
+  which = which & not_black_w(gain);
   if (!any_w(which)) return;
   Rays_w rays;
   rays_leaving_w(&v->s, which, light.towards, light.t_max, &rays);
@@ -105,7 +105,7 @@ FN void add_connection_w(const Scene* scene, Paths_w* path, const Vertex_w* x, c
   vertex_share_w(scene, y, which, away, y->back, &at_y, &to_y);
   square = sel_w(which, square, one);
   real3w gain = scale3_w(one / square, mul3_w(mul3_w(at_x, leaving_share_w(y, away, at_y)), y->carried));
-  which = which & lt_w(zero, max3_w(gain));
+  which = which & not_black_w(gain);
   if (!any_w(which)) return;
   Rays_w rays = rays_between_w(x, y, which, way);
   free_lanes_w(scene, &rays, which, &which);

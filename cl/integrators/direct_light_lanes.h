@@ -47,7 +47,7 @@ FN realw found_density_w(const Scene* scene, const Paths_w* path, const Surfaces
 FN void path_add_found_w(const Scene* scene, Paths_w* path, const Surfaces_w* s, int header, FoundLight_w found) {
   realw zero = splat_w(R(0.0));
   real3w radiance = found.radiance;
-  maskw is_bright = is_light_shown_w(scene, path) & lt_w(zero, max3_w(radiance));
+  maskw is_bright = is_light_shown_w(scene, path) & not_black_w(radiance);
   if (!any_w(is_bright)) return;
   if (LIGHT_COUNT > 0) {
     intw lights = sel_int_w(s->hit, part_entry_w(scene, s, PART_LIGHT), splat_int_w(drawn_afar(scene, header)));
@@ -82,7 +82,7 @@ FN real3w light_gain_w(const Scene* scene, const Paths_w* path, const Surfaces_w
     weight = choice.rarity;
   }
   *light = light_sample_w(scene, which, lights, s->position, numbers);
-  which = which & lt_w(zero, max3_w(light->radiance));
+  which = which & not_black_w(light->radiance);
   if (HAS_STRICT_NORMALS) which = on_one_side_w(scene, s, which, light->towards);
   realw density;
 #if HAS_MEDIA
@@ -114,7 +114,7 @@ FN void add_lights_w(const Scene* scene, Paths_w* path, const Surfaces_w* s, con
     } else {
       reflected = light_gain_w(scene, path, s, b, which, i, next & STEP_SCATTER, &light);
     }
-    maskw lit = which & lt_w(splat_w(R(0.0)), max3_w(reflected));
+    maskw lit = which & not_black_w(reflected);
     if (!any_w(lit)) continue;
 #if HAS_MEDIA
     if ((next & STEP_THROUGH) != 0) {

@@ -33,12 +33,13 @@ enum {
 /// Which part of a blend the paths meet. Where light goes through surfaces that count for nothing, several of them have
 /// one depth: once a path has passed one, depth and the stream's place tell them apart.
 FN uintw blend_number_w(const Scene* scene, const Paths_w* path, int next) {
-  uintw number = vertex_number_w(scene, &path->sample, path->depth, USE_BLEND);
+  uintw number = met_number_w(scene, path, USE_BLEND);
 #if HAS_MEDIA
   intw drawn = int_of_uint_w(path->draws - splat_uint_w(STREAM_BEGIN));
   maskw is_new = nonzero_w(drawn);
   if ((next & STEP_THROUGH) != 0 && any_w(is_new)) {
     uintw place = path->draws + (splat_uint_w(STREAM_BLENDS) + uint_of_int_w(path->depth) * STREAM_SHADOWS_STEP);
+    if (HAS_PRIORITY) place = place + uint_of_int_w(path->within.ignored) * IGNORED_STEP;
     uintw other = stream_numbers_w(&path->sample, none_w(), &place).x;
     number = uint_of_int_w(sel_int_w(is_new, int_of_uint_w(other), int_of_uint_w(number)));
   }
@@ -109,6 +110,7 @@ FN void surface_scatter_w(const Scene* scene, Paths_w* path, const Surfaces_w* s
       crossing = crossing_of_w(scene, &path->within, s, &at, on & at_surface, &b);
       maskw unreal = crossing.which & ~crossing.is_real;
       cross_interface_w(scene, &crossing, unreal, &path->within);
+      path->within.ignored = path->within.ignored + sel_int_w(unreal, splat_int_w(1), splat_int_w(0));
       // Shadow rays end at it, so what emits behind it is found by the path alone.
       path->density = sel_w(unreal, splat_w(R(0.0)), path->density);
       passed = passed | unreal;

@@ -17,6 +17,7 @@ typedef struct {
   intw rank[INTERFACES_MOST_w];  ///< -1: free.
   intw instance[INTERFACES_MOST_w];
   realw ior[INTERFACES_MOST_w];  ///< 0: of a body that is nothing but a medium.
+  intw ignored;                  ///< Surfaces that the path has ignored.
 #if HAS_MEDIA
   intw medium[INTERFACES_MOST_w];
   intw around;  ///< The medium that the ray was in before it entered the first of them.
@@ -39,6 +40,7 @@ typedef struct {
 
 FN void interfaces_none_w(maskw which, Interfaces_w* within) {
   for (int k = 0; k < INTERFACES_MOST_w; ++k) within->rank[k] = sel_int_w(which, splat_int_w(-1), within->rank[k]);
+  within->ignored = sel_int_w(which, splat_int_w(0), within->ignored);
 }
 
 FN maskw is_same_shape_w(const Interfaces_w* within, int k, const Crossing_w* c) {
@@ -113,6 +115,7 @@ FN void copy_interfaces_w(const Interfaces_w* from, int lane, Interfaces_w* to) 
     put_int_w(&to->medium[k], lane, get_int_w(&from->medium[k], lane));
 #endif
   }
+  put_int_w(&to->ignored, lane, get_int_w(&from->ignored, lane));
 #if HAS_MEDIA
   put_int_w(&to->around, lane, get_int_w(&from->around, lane));
 #endif

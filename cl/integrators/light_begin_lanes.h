@@ -56,7 +56,7 @@ FN LightRay_w light_paths_leave_w(const Scene* scene, Paths_w* path, maskw which
     way.y = random_between_w(bits.y);
     ray = light_ray_w(scene, which, choice->light, light_numbers_w(scene, &path->sample, path->depth), way);
     ray.flux = scale3_w(choice->rarity, ray.flux);
-    follows = which & lt_w(none, max3_w(ray.flux));
+    follows = which & not_black_w(ray.flux);
   }
   *s = light_surface_w(&ray);
   Rays_w rays;

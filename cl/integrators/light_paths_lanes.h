@@ -23,7 +23,7 @@ FN Joint_w background_joint_w(const Scene* scene, const Paths_w* path, maskw whi
   real3w d = real3_at_w(joint.rays.planes + RAY_PLANE_D);
   joint.light = far_light_w(scene, HEADER_BACKGROUND, d).radiance;
   if (HAS_SUN) joint.light = add3_w(joint.light, far_light_w(scene, HEADER_SUN, d).radiance);
-  joint.which = which & lt_w(splat_w(R(0.0)), max3_w(joint.light));
+  joint.which = which & not_black_w(joint.light);
   return joint;
 }
 

@@ -4,6 +4,14 @@
 // opacity; as in Mitsuba that counts as depth, shadow rays end at it, and emitters behind it are found by the path
 // alone. One width; no guard.
 
+/// The number by which a mask or a blend on the path's way is drawn: another one behind surfaces that are ignored,
+/// which leave the depth as it is.
+FN uintw met_number_w(const Scene* scene, const Paths_w* path, int use) {
+  intw place = path->depth;
+  if (HAS_PRIORITY) place = int_of_uint_w(uint_of_int_w(place) + uint_of_int_w(path->within.ignored) * IGNORED_STEP);
+  return vertex_number_w(scene, &path->sample, place, use);
+}
+
 /// Lanes of `which` that pass on.
 FN maskw passes_on_w(const Scene* scene, const Paths_w* path, const Surfaces_w* s, maskw which) {
   maskw on = none_w();
@@ -16,7 +24,7 @@ FN maskw passes_on_w(const Scene* scene, const Paths_w* path, const Surfaces_w* 
 
 /// Lanes of `which` that masks let pass. Density 0: no light is drawn through a mask.
 FN maskw passes_masks_w(const Scene* scene, Paths_w* path, const MaterialRows_w* at, maskw which) {
-  realw number = random_between_w(vertex_number_w(scene, &path->sample, path->depth, USE_MASK));
+  realw number = random_between_w(met_number_w(scene, path, USE_MASK));
   which = which & le_w(at->opacity, number);
   path->depth = sel_int_w(which, path->depth + splat_int_w(1), path->depth);
   path->density = sel_w(which, splat_w(R(0.0)), path->density);

@@ -31,8 +31,8 @@ enum {
   KEPT_KEY_w,
   KEPT_INSTANCE_w,
   KEPT_RANKS_w = KEPT_INSTANCE_w + (HAS_INSTANCES != 0),
-  KEPT_MEDIUM_w = KEPT_RANKS_w + (HAS_PRIORITY ? 2 * INTERFACES_MOST_w : 0),  // medium, draws
-  KEPT_RANKED_w = KEPT_MEDIUM_w + (HAS_MEDIA ? 2 : 0),                        // around, medium
+  KEPT_MEDIUM_w = KEPT_RANKS_w + (HAS_PRIORITY ? 2 * INTERFACES_MOST_w + 1 : 0),  // medium, draws
+  KEPT_RANKED_w = KEPT_MEDIUM_w + (HAS_MEDIA ? 2 : 0),                            // around, medium
   KEPT_INTS_w = KEPT_RANKED_w + (HAS_MEDIA && HAS_PRIORITY ? 1 + INTERFACES_MOST_w : 0)
 };
 
@@ -82,6 +82,7 @@ FN void kept_of_paths_w(const Paths_w* path, KeptPaths_w* kept) {
       kept->ints[KEPT_RANKS_w + 2 * k] = path->within.rank[k];
       kept->ints[KEPT_RANKS_w + 2 * k + 1] = path->within.instance[k];
     }
+    kept->ints[KEPT_RANKS_w + 2 * INTERFACES_MOST_w] = path->within.ignored;
   }
 #if HAS_MEDIA
   keep3_w(kept->reals + KEPT_MEDIA_w, path->entered);
@@ -123,6 +124,7 @@ FN void paths_of_kept_w(const KeptPaths_w* kept, maskw alive, Paths_w* path) {
       path->within.rank[k] = kept->ints[KEPT_RANKS_w + 2 * k];
       path->within.instance[k] = kept->ints[KEPT_RANKS_w + 2 * k + 1];
     }
+    path->within.ignored = kept->ints[KEPT_RANKS_w + 2 * INTERFACES_MOST_w];
   }
 #if HAS_MEDIA
   path->entered = real3_at_w(reals + KEPT_MEDIA_w);

@@ -43,7 +43,7 @@ FN SensorWay_w way_to_sensor_w(const Scene* scene, const Paths_w* path, maskw wh
 FN Joint_w joint_w(const Surfaces_w* s, maskw which, const SensorWay_w* way, real3w light) {
   Joint_w joint;
   joint.light = scale3_w(way->gain, light);
-  joint.which = which & lt_w(splat_w(R(0.0)), max3_w(joint.light));
+  joint.which = which & not_black_w(joint.light);
   joint.x = way->x;
   joint.y = way->y;
   joint.is_background = joint.stops_at_masks = 0;

@@ -28,7 +28,7 @@ FN LightRay_w area_place_w(const Scene* scene, GLOBAL const int* row, LightNumbe
   LightRay_w ray = no_light_ray_w();
   ray.from = p.position;
   ray.normal = p.normal;
-  ray.bound = area_rounding_w(p.position, p.position);
+  ray.bound = area_rounding_w(p.position, p.position, p.reach);
   real3w radiance = splat3_w(load3(params + AREA_RADIANCE));
   if (HAS_LIGHT_TEXTURE && row[LIGHT_TEXTURE] >= 0) radiance = mul3_w(radiance, area_texture_w(scene, row, item, &p));
   ray.flux = radiance;

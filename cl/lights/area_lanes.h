@@ -9,7 +9,7 @@ FN LightSample_w area_sample_w(const Scene* scene, GLOBAL const int* row, real3w
   realw zero = splat_w(R(0.0)), one = splat_w(R(1.0));
   intw item = area_item_w(scene, row, numbers.item);
   AreaPoint_w p = area_point_w(scene, row, from, item, numbers.u, numbers.v);
-  realw bound = area_rounding_w(p.position, from);
+  realw bound = area_rounding_w(p.position, from, p.reach);
   LightSample_w s = no_light_w();
   s.towards = sub3_w(p.position, from);
   maskw is_lit = lt_w(zero, p.density) & lt_w(bound, -dot3_w(p.normal, s.towards));
@@ -41,7 +41,7 @@ FN realw area_density_w(const Scene* scene, GLOBAL const int* row, real3w from, 
       (void)params;
       break;
   }
-  maskw is_lit = lt_w(area_rounding_w(s->position, from), -dot3_w(s->normal, towards));
+  maskw is_lit = lt_w(area_rounding_w(s->position, from, found_reach_w(scene, row, s)), -dot3_w(s->normal, towards));
   return sel_w(is_lit, density, splat_w(R(0.0)));
 }
 

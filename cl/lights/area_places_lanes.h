@@ -13,11 +13,13 @@ FN intw area_item_w(const Scene* scene, GLOBAL const int* row, uintw numbers) {
 
 FN AreaPoint_w area_point_of_w(const Scene* scene, GLOBAL const int* row, real3w from, int item, realw u, realw v) {
   GLOBAL const real* params = scene->shading + row[LIGHT_REALS];
-  AreaPoint_w none;
+  AreaPoint_w p;
   switch (row[LIGHT_AREA]) {
-#define AREA(name, reals) \
-  case AREA_##name:       \
-    return name##_point_w(params + AREA_ITEMS + item * (reals), params, from, u, v);
+#define AREA(name, reals)                                                         \
+  case AREA_##name:                                                               \
+    p = name##_point_w(params + AREA_ITEMS + item * (reals), params, from, u, v); \
+    p.reach = splat_w(name##_reach_w(params + AREA_ITEMS + item * (reals)));      \
+    return p;
 #include "areas/areas.def"
 #undef AREA
     default:
@@ -25,9 +27,9 @@ FN AreaPoint_w area_point_of_w(const Scene* scene, GLOBAL const int* row, real3w
       (void)item;
       (void)u;
       (void)v;
-      none.position = none.normal = from;
-      none.density = none.u = none.v = splat_w(R(0.0));
-      return none;
+      p.position = p.normal = from;
+      p.density = p.reach = p.u = p.v = splat_w(R(0.0));
+      return p;
   }
 }
 
@@ -41,6 +43,7 @@ FN AreaPoint_w area_point_w(const Scene* scene, GLOBAL const int* row, real3w fr
     p.position = sel3_w(of_one, other.position, p.position);
     p.normal = sel3_w(of_one, other.normal, p.normal);
     p.density = sel_w(of_one, other.density, p.density);
+    p.reach = sel_w(of_one, other.reach, p.reach);
     if (HAS_LIGHT_TEXTURE) {
       p.u = sel_w(of_one, other.u, p.u);
       p.v = sel_w(of_one, other.v, p.v);
@@ -53,9 +56,27 @@ FN AreaPoint_w area_point_w(const Scene* scene, GLOBAL const int* row, real3w fr
 /// A bound on the rounding of a place, of the point that sees it, and of the t at which a ray hits it. Shadow rays end
 /// this far before a surface, as rays begin off one (hits/departure.h). A point that is not this far in front of the
 /// emitter's plane is not lit by it. Otherwise a flat emitter would light itself, by a rounding error divided by the
-/// square of a distance of the same size.
-FN realw area_rounding_w(real3w position, real3w from) {
-  return splat_w(R(16.0) * real_roundoff()) * (max3_w(abs3_w(position)) + max3_w(abs3_w(from)));
+/// square of a distance of the same size. reach: of the item. A place near the origin on an emitter that reaches far is
+/// rounded by that.
+FN realw area_rounding_w(real3w position, real3w from, realw reach) {
+  return splat_w(R(16.0) * real_roundoff()) * max_w(max3_w(abs3_w(position)) + max3_w(abs3_w(from)), reach);
+}
+
+/// Of a place that a ray has found.
+FN realw found_reach_w(const Scene* scene, GLOBAL const int* row, const Surfaces_w* s) {
+  GLOBAL const real* params = scene->shading + row[LIGHT_REALS];
+  // Among many items, all of them flat, the hit knows its own corners: its bound is 7/4 u of their reach.
+  if (row[LIGHT_ITEMS] > 1) return splat_w(R(4.0) / (R(7.0) * real_roundoff())) * s->bound;
+  switch (row[LIGHT_AREA]) {
+#define AREA(name, reals) \
+  case AREA_##name:       \
+    return splat_w(name##_reach_w(params + AREA_ITEMS));
+#include "areas/areas.def"
+#undef AREA
+    default:
+      (void)params;
+      return splat_w(R(0.0));
+  }
 }
 
 /// The texture of a light that has one, at a place on it.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A disc in the sky, infinitely far away and equally bright all over: a cone of directions, seen by rays that leave the
-// scene beside the background. Parameters: unit direction to its middle x y z; 1 - cos of half its opening; radiance
-// r g b.
+// scene beside the background. The horizon cuts off what is below. Parameters: unit direction to its middle x y z; 1 -
+// cos of half its opening; radiance r g b; the direction up x y z, 0 0 0 where there is no horizon.
 
 enum { sun_NUMBERS_w = NUMBERS_NONE_w };
 
@@ -9,6 +9,12 @@ enum { sun_NUMBERS_w = NUMBERS_NONE_w };
 FN realw sun_less_w(GLOBAL const real* params, real3w towards) {
   real3w chord = sub3_w(unit3_w(towards), splat3_w(load3(params)));
   return splat_w(R(0.5)) * dot3_w(chord, chord);
+}
+
+/// What shines from that direction, which the cone has.
+FN real3w sun_radiance_w(GLOBAL const real* params, real3w towards) {
+  maskw is_down = lt_w(dot3_w(splat3_w(load3(params + 7)), towards), splat_w(R(0.0)));
+  return sel3_w(is_down, no_light_found_w().radiance, splat3_w(load3(params + 4)));
 }
 
 FN LightSample_w sun_sample_w(const Scene* scene, GLOBAL const int* row, real3w from, LightNumbers_w numbers) {
@@ -22,7 +28,7 @@ FN LightSample_w sun_sample_w(const Scene* scene, GLOBAL const int* row, real3w 
   s.towards = from_frame_w(&frame, way);
   s.t_max = splat_w(REAL_MAX);
   s.density = splat_w(R(0.5) * ONE_OVER_PI / params[3]);
-  s.radiance = splat3_w(load3(params + 4));
+  s.radiance = sun_radiance_w(params, s.towards);
   return s;
 }
 
@@ -30,7 +36,7 @@ FN FoundLight_w sun_background_w(const Scene* scene, GLOBAL const int* row, real
   GLOBAL const real* params = scene->shading + row[LIGHT_REALS];
   maskw is_within = le_w(sun_less_w(params, towards), splat_w(params[3]));
   FoundLight_w found = no_light_found_w();
-  found.radiance = sel3_w(is_within, splat3_w(load3(params + 4)), found.radiance);
+  found.radiance = sel3_w(is_within, sun_radiance_w(params, towards), found.radiance);
   found.density = sel_w(is_within, splat_w(R(0.5) * ONE_OVER_PI / params[3]), found.density);
   return found;
 }

@@ -60,7 +60,8 @@ FN Principled_w principled_of_w(const Bsdf_w* b) {
   return p;
 }
 
-/// What a microfacet reflects of light that meets it at that cosine.
+/// What a microfacet reflects of light that meets it at that cosine. As Mitsuba: metal and tint too are black where the
+/// dielectric reflects nothing, which an index of 1 does at every angle.
 FN real3w principled_reflectance_w(const Bsdf_w* b, const Principled_w* p, realw cosine, Fresnel_w f) {
   realw one = splat_w(R(1.0)), metallic = b->p[PRINCIPLED_METALLIC_w], tint = b->p[PRINCIPLED_SPEC_TINT_w];
   realw plain = (one - metallic) * (one - tint) * f.reflectance;
@@ -69,7 +70,8 @@ FN real3w principled_reflectance_w(const Bsdf_w* b, const Principled_w* p, realw
   front = fma3_w(metallic, schlick3_w(color, weight), front);
   front = fma3_w((one - metallic) * tint, schlick3_w(tinted, weight), front);
   realw back = p->glass * f.reflectance;
-  return sel3_w(p->is_front, front, vec3_w(back, back, back));
+  maskw reflects = lt_w(splat_w(R(0.0)), f.reflectance);
+  return sel3_w(reflects, sel3_w(p->is_front, front, vec3_w(back, back, back)), black_w());
 }
 
 /// The share of the main specular lobe's draws that are reflected at a microfacet.

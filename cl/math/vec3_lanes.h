@@ -70,6 +70,12 @@ FN realw max3_w(real3w a) {
   return sel_w(lt_w(m, a.z), a.z, m);
 }
 
+/// Lanes in which light is not black. What is no number is not: the film counts it.
+FN maskw not_black_w(real3w light) {
+  realw zero = splat_w(R(0.0));
+  return ~(le_w(light.x, zero) & le_w(light.y, zero) & le_w(light.z, zero));
+}
+
 /// m ? a : b.
 FN real3w sel3_w(maskw m, real3w a, real3w b) {
   return vec3_w(sel_w(m, a.x, b.x), sel_w(m, a.y, b.y), sel_w(m, a.z, b.z));

@@ -43,7 +43,8 @@ enum {
 /// What has no bound, masks and blends in a row and places where a medium may scatter, draws from a stream of each
 /// sample's own, beyond the sets of all vertices. Those of shadow rays begin so far behind that of the path, and so far
 /// apart from vertex to vertex; those of blends lie beside that of the path, so far behind its next number, and as far
-/// apart from vertex to vertex.
+/// apart from vertex to vertex. Of masks and blends behind surfaces that are ignored, which have no depth of their own,
+/// the vertex stands so far behind that one for each of them.
 ///
 /// The places where these and FIRST_OF_SENSOR begin have ones among their low bits: two numbers of the hash
 /// (math/rng_lanes.h) whose dimensions differ in the highest bits alone depend on each other (cl_test_math).
@@ -51,6 +52,7 @@ enum {
 #define STREAM_SHADOWS 0x7f4a7c15u
 #define STREAM_SHADOWS_STEP 0x85ebca6bu
 #define STREAM_BLENDS 0x27d4eb2fu
+#define IGNORED_STEP 0xc2b2ae35u
 #define FIRST_OF_SENSOR 0xb5297a4du
 
 #endif

@@ -27,8 +27,8 @@ namespace {
 constexpr const char* stress_footer = R"(
 Renders the scene at scales of 1e-6 to 1e6, at offsets of up to 1e7 along each axis, by 1e-10 and 1e10 times the light,
 and with one more lamp that is far (1e7 times the scene's extent) or small (1e-7 of its distance), in every precision
-that the device has, and prints how far each picture is from the scene as it is in double, or with a lamp that is
-neither. Exact numbers would give one picture.
+that the device has, and prints how far each picture is from the scene as it is in double, and each with a lamp from
+the one with the same lamp in double. With exact numbers all distances would be 0.
 
 Examples:
   strahl stress scene.xml                            writes scene.stress.png here
@@ -47,7 +47,8 @@ struct StressOptions {
 };
 
 std::string table(const StressStudy& study) {
-  std::string text = fmt::format("RMSE against {}, as it is\n{:<8}", precision_name(study.reference), "");
+  std::string text = fmt::format("RMSE against {}, as it is; of far and lamp with the same lamp\n{:<8}",
+                                 precision_name(study.reference), "");
   for (const Stress& stress : all_stresses()) text += fmt::format(" {:>13}", stress.text());
   for (std::size_t i = 0; i < study.tiers.size(); ++i) {
     text += fmt::format("\n{:<8}", precision_name(study.tiers[i]));

@@ -9,6 +9,8 @@
 #include <variant>
 
 #include "kinds/faults.h"
+#include "kinds/integrators.h"
+#include "kinds/materials.h"
 #include "kinds/sphere_mean.h"
 #include "kinds/textures.h"
 #include "kinds/upload_frame.h"
@@ -269,19 +271,23 @@ struct Row<SunLight> {
   }
   static std::vector<double> reals(const SunLight& light, const UploadFrame&) {
     const Vec3 d = normalized(light.direction);
-    return {d.x, d.y, d.z, less(light), light.radiance.r, light.radiance.g, light.radiance.b};
+    const Rgb& l = light.radiance;
+    return {d.x, d.y, d.z, less(light), l.r, l.g, l.b, light.up.x, light.up.y, light.up.z};
   }
   static void reach(LightReach& reach, const SunLight& light, const UploadFrame&) {
     reach.power = reach.intensity = 2 * std::numbers::pi * less(light) * luminance(light.radiance);
   }
   static void move(SunLight&, const MapVec3&) {}
   static void scale(SunLight&, double) {}
-  static void mirror(SunLight& light, const MapVec3& flip_x) { light.direction = flip_x(light.direction); }
+  static void mirror(SunLight& light, const MapVec3& flip_x) {
+    for (Vec3* axis : {&light.direction, &light.up}) *axis = flip_x(*axis);
+  }
   static void check(const SunLight& light, Faults& faults) {
     faults.require(is_finite(light.direction) && light.direction != Vec3{},
                    "the direction must be finite and not zero");
     faults.require(light.aperture_degrees > 0 && light.aperture_degrees <= 90,
                    "the aperture of a sun must be greater than 0 and at most 90 degrees");
+    faults.require(is_finite(light.up), "the direction up of a sun must be finite");
     require_light(faults, light.radiance, "radiance");
   }
 };
@@ -302,11 +308,16 @@ const LightFacts& light(const Light& light) {
   return of_kind(light, [](auto row, const auto&) -> const LightFacts& { return decltype(row)::facts; });
 }
 
-bool is_drawn(const Light& light, const IntegratorFacts& integrator) {
+bool finds_all_emission(const Scene& scene) {
+  return integrator(scene.integrator.name).finds_emission() &&
+         std::ranges::all_of(scene.materials, [](const Material& one) { return material_facts(one).draws_all; });
+}
+
+bool is_drawn(const Light& light, const Scene& scene) {
   if (!(light.sampling_weight > 0)) return false;
   const LightFacts& facts = kinds::light(light);
-  if (facts.is_delta) return integrator.lamps == Lamps::drawn;
-  return !(facts.is_even && integrator.finds_emission());
+  if (facts.is_delta) return integrator(scene.integrator.name).lamps == Lamps::drawn;
+  return !(facts.is_even && finds_all_emission(scene));
 }
 
 std::vector<double> light_reals(const Light& light, const UploadFrame& frame) {

@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "kinds/integrators.h"
 #include "kinds/light_reach.h"
 #include "kinds/map_vec3.h"
 #include "scene/model/scene.h"
@@ -29,10 +28,14 @@ struct LightFacts {
 
 [[nodiscard]] const LightFacts& light(const Light& light);
 
-/// Whether directions to it are drawn. To one of sampling_weight 0 they are not, nor, where materials draw directions,
-/// to one that is even: materials do so about in proportion to what they reflect of it
+/// Whether directions that the scene's materials draw find all light, and none of it by far too seldom: none of them
+/// has a lobe that it hardly draws.
+[[nodiscard]] bool finds_all_emission(const Scene& scene);
+
+/// Whether directions to it are drawn. To one of sampling_weight 0 they are not, nor, where directions that materials
+/// draw find all light, to one that is even: materials do so about in proportion to what they reflect of it
 /// (docs/decisions/0028-many-lights.md).
-[[nodiscard]] bool is_drawn(const Light& light, const IntegratorFacts& integrator);
+[[nodiscard]] bool is_drawn(const Light& light, const Scene& scene);
 
 /// Its parameters, as its file in cl/lights says, in the frame's units.
 [[nodiscard]] std::vector<double> light_reals(const Light& light, const UploadFrame& frame);

@@ -7,6 +7,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "kinds/principled_lobes.h"
 #include "kinds/rough_boundary.h"
 
 namespace strahl {
@@ -182,6 +183,7 @@ MaterialFacts principled_facts(const Principled& bsdf) {
   require_rates({rates.begin(), rates.end()}, found);
   found.flags.emplace_back("GGX");
   found.has_along = !is_black(bsdf.anisotropic);
+  found.draws_all = kinds::draws_all_lobes(bsdf);
   if (is_black(bsdf.spec_trans)) found.lobes &= ~lobes::LOBE_TRANSMIT;
   if (!(bsdf.eta >= 1 / largest_eta && bsdf.eta <= largest_eta))
     found.faults.emplace_back("eta must be from 0.001 to 1000");
@@ -213,6 +215,7 @@ MaterialFacts principledthin_facts(const PrincipledThin& bsdf) {
                 found);
   found.flags.emplace_back("GGX");
   found.has_along = !is_black(bsdf.anisotropic);
+  found.draws_all = kinds::draws_all_lobes(bsdf);
   if (is_black(bsdf.spec_trans) && is_black(bsdf.diff_trans)) found.lobes &= ~lobes::LOBE_TRANSMIT;
   const Rgb& eta = bsdf.eta.color;
   if (!is_at_least(1 / largest_eta, eta) || std::max({eta.r, eta.g, eta.b}) > largest_eta)

@@ -40,6 +40,7 @@ struct MaterialFacts {
   bool is_coat = false;                 ///< The one inside it lies below it.
   bool is_metal = false;                ///< Its second and third slot are eta and k.
   int scale_slot = -1;                  ///< Its last real multiplies slots 0 and 1, which may be textures; -1: none.
+  bool draws_all = true;                ///< It draws each lobe that it has about as often as that counts.
   bool has_along = false;               ///< It scatters differently along u and across; calls for TANGENT.
   std::vector<int> nested;              ///< Indices of the materials inside it: of a blend two, else one.
 

@@ -208,9 +208,8 @@ class Packing {
       const auto number = static_cast<std::int32_t>(first_part_.size());
       const std::int32_t first_id = first_ids_[first_part_.size()];
       first_part_.push_back(part_rows_);
-      int frame_at = -1, normals_at = -1, uvs_at = -1, attributes_at = -1;
+      int frame_at = -1, normals_at = -1, uvs_at = -1, attributes_at = -1, rates_at = -1;
       if (const auto frame = surface_frame(shape.geometry, frame_in_use)) frame_at = packed_.put_shading(*frame);
-      int rates_at = -1;
       if (has_textures_) {
         const Vec2 rates = uv_rates(shape.geometry, frame_in_use);
         rates_at = packed_.put_shading({rates.x, rates.y});
@@ -228,7 +227,8 @@ class Packing {
         const MeshPart look = look_of_part(shape, part);
         const TexturedColour radiance =
             textured_colour(look.radiance.value_or(Rgb{}), look.radiance_texture, scene_, features_);
-        const int radiance_at = look.radiance ? packed_.put_rgb(radiance.colour) : -1;
+        const bool is_hidden_beam = shape.exitance && scene_.integrator.hide_emitters;  // Of black radiance.
+        const int radiance_at = look.radiance || is_hidden_beam ? packed_.put_rgb(radiance.colour) : -1;
         const int light = light_of_part_[static_cast<std::size_t>(part_rows_)];
         packed_.index.insert(packed_.index.end(), {number, first_id, look.material, radiance_at, radiance.row, light,
                                                    shape.flip_normals != faces_inward(shape.geometry) ? 1 : 0, frame_at,

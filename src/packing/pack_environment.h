@@ -16,7 +16,7 @@ struct EnvironmentTables {
   std::vector<Choice> choices;  ///< Among the rows of cells, then among the cells of each row.
 };
 
-/// is_compensated: whether the scene's integrator lets mis_compensation have an effect.
+/// is_compensated: whether directions that materials draw find what mis_compensation leaves to them.
 [[nodiscard]] EnvironmentTables environment_tables(const EnvironmentLight& light, bool is_compensated);
 
 }  // namespace strahl

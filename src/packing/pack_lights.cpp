@@ -42,7 +42,7 @@ class LightTable {
     const auto is_taken = [&](const Light& light) {
       return kinds::light(light).is_delta && integrator.lamps == kinds::Lamps::taken;
     };
-    const auto is_drawn = [&](const Light& light) { return kinds::is_drawn(light, integrator) && !is_taken(light); };
+    const auto is_drawn = [&](const Light& light) { return kinds::is_drawn(light, scene_) && !is_taken(light); };
     put_lights(is_taken);
     const int taken = count();
     put_lights([&](const Light& light) { return is_drawn(light) && kinds::light(light).is_delta; });
@@ -91,8 +91,7 @@ class LightTable {
 
   /// Behind its reals, and into the last row and reach.
   void put_environment(const EnvironmentLight& light) {
-    const EnvironmentTables tables =
-        environment_tables(light, kinds::integrator(scene_.integrator.name).finds_emission());
+    const EnvironmentTables tables = environment_tables(light, kinds::finds_all_emission(scene_));
     reaches_.back().power *= tables.drawn;
     reaches_.back().intensity *= tables.drawn;
     packed_.put_shading({tables.floor});

@@ -160,6 +160,8 @@ void shape_causes(const Scene& scene, const RenderSettings& settings, Causes& ca
       emit(shape.radiance_where, "area");
       if (use_light_texture(scene, shape.radiance_texture, causes)) reads_uv = true;
     }
+    if (lit && shape.exitance && scene.integrator.hide_emitters)
+      call_for(causes, "EMISSION", "a hidden emitter of type directionalarea", shape.radiance_where);
     if (integrator.from_lights && shape.exitance) {
       emit(shape.radiance_where, "directionalarea");
       if (use_light_texture(scene, shape.radiance_texture, causes)) reads_uv = true;
@@ -228,7 +230,7 @@ void light_causes(const Scene& scene, Causes& causes) {
     causes.background = causes.background || (facts.is_background && causes.contains(effect));
     if (facts.is_sun && causes.contains(effect)) call_for(causes, "SUN", "an emitter of type sun", light.where);
     if (causes.contains(effect)) use_light_texture(scene, kinds::light_texture(light), causes);
-    if (kinds::is_drawn(light, integrator)) note(effect);
+    if (kinds::is_drawn(light, scene)) note(effect);
   }
   if (!integrator.is_lit() || drawn == nullptr) return;
   const DrawnLights lights = drawn_lights(scene, [&](const std::string& name) { return causes.contains(name); });

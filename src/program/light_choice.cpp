@@ -9,7 +9,6 @@
 #include "did_you_mean.h"
 #include "errors.h"
 #include "kinds/entries.h"
-#include "kinds/integrators.h"
 #include "kinds/lights.h"
 #include "program/kernel_source.h"
 
@@ -39,10 +38,9 @@ DrawnLights drawn_lights(const Scene& scene, const std::function<bool(const std:
         is_used("areas/" + area_kind(shape.geometry)))
       lights.near += lights_of(shape);
   lights.count = lights.near;
-  const kinds::IntegratorFacts& integrator = kinds::integrator(scene.integrator.name);
   for (const Light& light : scene.lights) {
     const kinds::LightFacts& facts = kinds::light(light);
-    if (!kinds::is_drawn(light, integrator) || !is_used(std::string("lights/") + facts.entry)) continue;
+    if (!kinds::is_drawn(light, scene) || !is_used(std::string("lights/") + facts.entry)) continue;
     ++lights.count;
     if (!facts.is_far) ++lights.near;
   }

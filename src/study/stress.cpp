@@ -23,13 +23,9 @@ Scene stressed(const Scene& scene, const Stress& stress) {
   return translated(scaled(scene, stress.scale), {stress.offset, stress.offset, stress.offset});
 }
 
-/// What the picture would be with exact numbers: the scene as it is, or with as harmless a lamp as there is.
-Stress calm(const Stress& stress) {
-  Stress reference;
-  if (stress.far != 0) reference.far = 1e3;
-  if (stress.lamp != 0) reference.lamp = widest_lamp;
-  return reference;
-}
+/// What the picture would be with exact numbers: that of the scene as it is, or, with the same lamp, the reference's
+/// own, since another lamp lights a bit otherwise.
+Stress calm(const Stress& stress) { return stress.far != 0 || stress.lamp != 0 ? stress : Stress{}; }
 
 /// What the picture is divided by: a distance grows with the scene, light with the emitters, and what depends on
 /// neither stays.

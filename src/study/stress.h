@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The same scene in other units and elsewhere, by more light, beside a far object, by a smaller lamp, in every tier:
-// pictures that would all be the same with exact numbers, but for the light's own factor. One at a time: what scales
-// together may hide what each does.
+// The same scene in other units and elsewhere, and by more light, in every tier: pictures that would all be the same
+// with exact numbers, but for the light's own factor. And by a lamp that is far or small, in every tier: against the
+// same in the reference's. One at a time: what scales together may hide what each does.
 #pragma once
 
 #include <functional>
@@ -20,8 +20,8 @@ struct Stress {
   double scale = 1;
   double offset = 0;
   double light = 1;  ///< Every emitter so many times as bright; the picture is divided by it.
-  double far = 0;    ///< Not 0: a lamp so many extents of the scene behind the camera, held against one at 10^3.
-  double lamp = 0;   ///< Not 0: a lamp of that radius and constant power near the camera, held against one of 10^-2.
+  double far = 0;    ///< Not 0: a lamp so many extents of the scene behind the camera.
+  double lamp = 0;   ///< Not 0: a lamp near the camera, whose radius is that share of its distance.
 
   [[nodiscard]] std::string text() const;  ///< "scale 1e-06", "offset 1e+07"; "as it is".
 };
@@ -31,12 +31,12 @@ struct Stress {
 
 struct StressCell {
   Image picture;
-  double rmse = 0;  ///< To the reference.
+  double rmse = 0;  ///< To the reference: the scene as it is; of `far` and `lamp` the same stress.
 };
 
 struct StressStudy {
-  Precision reference = Precision::fp64;       ///< Of the scene as it is; robust where the device has no fp64.
-  std::vector<Precision> tiers;                ///< Every one that the device has, whatever its canary says.
+  Precision reference = Precision::fp64;  ///< What references are rendered in; robust where the device has no fp64.
+  std::vector<Precision> tiers;           ///< Every one that the device has, whatever its canary says.
   std::vector<std::vector<StressCell>> cells;  ///< By tier, then as all_stresses.
 };
 

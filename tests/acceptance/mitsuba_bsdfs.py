@@ -55,6 +55,9 @@ def bsdfs():
     yield "principledthin", ""
     yield "principledthin", principled(roughness=0.6, spec_trans=0.7, diff_trans=0.8, spec_tint=0.4, anisotropic=0.6, eta=1.7)
     yield "principledthin", principled(roughness=0.5, diff_trans=1.6, sheen=0.8, sheen_tint=0.5, flatness=0.7)
+    yield "principled", principled(roughness=0.5, metallic=1, specular=0, clearcoat=1)
+    yield "principled", principled(roughness=0.5, metallic=0.6, eta=1, spec_tint=0.5, clearcoat=1)
+    yield "principledthin", principled(roughness=1, spec_trans=0.5, eta=1, spec_tint=0.5)
     shiny = '<bsdf type="roughconductor"><float name="alpha" value="0.3"/></bsdf>'
     dull = f'<bsdf type="plastic">{red}</bsdf>'
     yield "blendbsdf", shiny + dull + '<float name="weight" value="0.3"/>'

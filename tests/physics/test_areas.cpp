@@ -105,4 +105,44 @@ TEST_CASE("every width draws the places that one lane does, to the bit") {
   });
 }
 
+// Numbers that floats have, of emitters that pass next to the origin.
+TEST_CASE("a place near the origin, on an emitter that reaches far, is off by no more than its bound") {
+  struct Row {
+    Geometry geometry;
+    Vec3 from;
+    std::function<double(const Vec3&)> off;
+    double spread;  ///< Of the numbers about a half.
+  };
+  const Vec3 centre{-600, -640, 480}, foot{-401, -302, -197}, axis{802, 604, 396}, along = normalized(axis);
+  const std::vector<Row> rows = {
+      {Sphere{centre, 1000}, {3, 3.2, -2.4}, [&](const Vec3& p) { return std::fabs(length(p - centre) - 1000); }, 1},
+      {Cylinder{foot, foot + axis, 0.0625, normalized(cross(axis, {0, 0, 1}))},
+       {0.5, 1, -0.5},
+       [&](const Vec3& p) { return std::fabs(length(cross(p - foot, along)) - 0.0625); },
+       2e-3},
+      {Rectangle{{-300, -400, -512}, {600, 800, 0}, {0, 0, 1024}},
+       {1, -0.5, 0.25},
+       [](const Vec3& p) { return std::fabs(0.8 * p.x - 0.6 * p.y); },
+       2e-3}};
+  for (const Row& row : rows) {
+    Scene scene = empty_scene();
+    scene.shapes.emplace_back().geometry = row.geometry;
+    scene.shapes.back().radiance = Rgb{1, 1, 1};
+    std::vector<PlaceNumbers> numbers = place_numbers(4096);
+    for (PlaceNumbers& n : numbers) {
+      if (row.spread == 1) continue;
+      n.v = 0.5 + row.spread * (n.v - 0.5);
+      if (std::holds_alternative<Rectangle>(row.geometry)) n.u = 0.5 + row.spread * (n.u - 0.5);
+    }
+    for (const TransportTier& tier : transport_tiers()) {
+      INFO(tier.name << ", " << tier.lanes << " lanes, " << row.geometry.index());
+      const TierScene packed(scene, tier);
+      double worst = 0;
+      for (const AreaDraw& drawn : tier.places(packed.buffers(), 0, triad(row.from), numbers))
+        worst = std::max(worst, row.off(vec(drawn.position)) / drawn.bound);
+      CHECK(worst < 1);
+    }
+  }
+}
+
 }  // namespace

@@ -123,9 +123,11 @@ TEST_CASE("radiance over density varies by no more than the angle's sine within 
 
 TEST_CASE("MIS compensation draws what exceeds the mean, where the material's directions find the rest") {
   EnvironmentLight light = noisy_environment(12, 7);
+  Material material;
   const auto densities = [&](const std::string& integrator, bool is_compensated) {
     light.mis_compensation = is_compensated;
     Scene scene = scene_with(light);
+    scene.materials.push_back(material);
     scene.integrator.name = integrator;
     const TransportTier tier = transport_double().front();
     std::vector<double> found;
@@ -139,9 +141,23 @@ TEST_CASE("MIS compensation draws what exceeds the mean, where the material's di
   CHECK(zeros(densities("path", true)) > 50);
   CHECK(zeros(densities("direct", true)) > 50);
   CHECK(densities("whitted", true) == densities("whitted", false));
+  // Those of this one would find none of what its base reflects.
+  material.bsdf = Principled{.diffuse_reflectance_sampling_rate = 0};
+  CHECK(densities("path", true) == densities("path", false));
+  material = {};
   // All as bright as the mean: nothing would be left to draw.
   light = environment_of(4, 3, std::vector<float>(12, 0.5F));
   CHECK(densities("path", true) == densities("path", false));
+}
+
+TEST_CASE("an environment is as likely among other lights as it is bright, wherever that is") {
+  for (const EnvironmentRow& row : all_environments()) {
+    INFO(row.what);
+    const double mean = luminance({1, 0.5, 0.25}) * fluence(row.light) / (4 * pi);
+    const double power = kinds::light_reach({{}, row.light, {}}, UploadFrame{}).power;
+    CHECK(power / pi > 0.6 * mean);
+    CHECK(power / pi < 1.7 * mean);
+  }
 }
 
 TEST_CASE("texels lie where Mitsuba has them") {

@@ -52,6 +52,24 @@ TEST_CASE("a matt surface has the irradiance of sky and sun, a mirror shows both
     }
 }
 
+TEST_CASE("the horizon cuts the disc") {
+  const double sine = std::sin(aperture * std::numbers::pi / 360), share = sine * sine / 2;
+  for (const char* integrator : {"path", "whitted"})
+    for (const TransportTier& tier : transport_tiers()) {
+      INFO(tier.name << ", " << tier.lanes << " lanes, " << integrator);
+      Scene matt = under_sun(Diffuse{{{0.5, 0.5, 0.5}}}, {0, 0, 2});
+      std::get<SunLight>(matt.lights.back().emitter).up = {3, 0, 0};
+      matt.integrator.name = integrator;
+      hold(matt, tier, {{0, 0, 1}, {0, 0, -1}, 0, 1e30},
+           {0.5 * (1 + 40 * share), 0.5 * (1 + 20 * share), 0.5 * (1 + 10 * share)});
+      Scene mirror = under_sun(Conductor{}, {0, 0, 2});
+      mirror.lights.back() = matt.lights.back();
+      mirror.integrator.name = integrator;
+      hold(mirror, tier, {{0, 0, 1}, {0.02, 0, -1}, 0, 1e30}, {41, 21, 11});
+      hold(mirror, tier, {{0, 0, 1}, {-0.02, 0, -1}, 0, 1e30}, {1, 1, 1});
+    }
+}
+
 TEST_CASE("rays that leave the scene see the disc before the sky, unless it is hidden") {
   const Vec3 sun = normalized({0.5, 0.2, 0.9});
   Scene scene = under_sun(Diffuse{}, sun);

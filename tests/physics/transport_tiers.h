@@ -40,6 +40,7 @@ struct LightDraw {
 struct AreaDraw {
   Triad position, normal;
   double density;
+  double bound;  ///< On the rounding of the place and of the point that sees it.
 };
 
 /// The light that a direction hits.

@@ -54,9 +54,11 @@ inline std::vector<AreaDraw> LANED(area_places)(const TierBuffers& buffers, int 
     const LightNumbers_w drawing = LANED(numbers_at)(numbers, first);
     const AreaPoint_w p = area_point_w(&scene, row, LANED(splat_triad)(from), area_item_w(&scene, row, drawing.item),
                                        drawing.u, drawing.v);
+    const realw bound = area_rounding_w(p.position, LANED(splat_triad)(from), p.reach);
     LANED(for_lanes)
     (first, numbers.size(), [&](std::size_t i, int lane) {
-      drawn[i] = {LANED(triad_at)(p.position, lane), LANED(triad_at)(p.normal, lane), get_w(&p.density, lane)};
+      drawn[i] = {LANED(triad_at)(p.position, lane), LANED(triad_at)(p.normal, lane), get_w(&p.density, lane),
+                  get_w(&bound, lane)};
     });
   }
   return drawn;

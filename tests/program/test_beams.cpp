@@ -42,3 +42,15 @@ TEST_CASE("Beams count where paths begin on lights") {
       CHECK((beam_text_of(scene) == beam_text_of(without)) == !is_there);  // too long to be printed
     }
 }
+
+TEST_CASE("hide_emitters hides a surface that shines in a beam, as one that emits") {
+  for (const std::string& integrator : kinds::integrator_names()) {
+    INFO(integrator);
+    Scene scene = beam_ball(integrator);
+    scene.shapes.front().exitance = Rgb{1, 1, 1};
+    scene.integrator.hide_emitters = true;
+    const bool is_hidden = kinds::integrator(integrator).shows_emission;
+    CHECK(features_of(scene, {}).flag("EMISSION") == is_hidden);
+    CHECK(features_of(scene, {}).flag("HIDE_EMITTERS") == is_hidden);
+  }
+}

@@ -226,5 +226,20 @@ TEST_CASE("the same from everywhere") {
   }
 }
 
+// The base lets all light through, to directions that the material never draws.
+TEST_CASE("the same from everywhere, of a material that draws but a part of what it scatters") {
+  Scene scene = floor_below(Rectangle{{0, 0, 9}, {1, 0, 0}, {0, 1, 0}});
+  scene.shapes.pop_back();
+  add(scene, ConstantLight{radiance});
+  PrincipledThin sheet{.base_color = {{rho, rho, rho}}, .diff_trans = {{2, 2, 2}}};
+  sheet.diffuse_transmittance_sampling_rate = 0;
+  scene.materials[0].bsdf = sheet;
+  for (const char* integrator : {"direct", "path"}) {
+    INFO(integrator);
+    scene.integrator.name = integrator;
+    hold_picture(picture(scene), [](const Vec3&) { return 1.0; });
+  }
+}
+
 }  // namespace
 }  // namespace strahl::test

@@ -233,6 +233,31 @@ TEST_CASE("beams bring all of their power to where they point") {
   CHECK(power_on_floor(render("pocl", lamp, {}).color) == Approx(1.5).epsilon(1e-3));
 }
 
+// The lamp's flux is infinite in red, of which the floor reflects nothing.
+TEST_CASE("light that is no number is counted, and its other channels stay") {
+  require_pocl_and_rusticl();
+  Scene scene = stage({Rectangle{{-2, -2, 0}, {4, 0, 0}, {0, 4, 0}}}, diffuse({0, 0.5, 0.5}));
+  Shape lamp = emitting(Rectangle{{-5, -5, 6}, {0, 10, 0}, {10, 0, 0}}, {1e38, 1, 1});
+  lamp.material = add(scene, Diffuse{{{0, 0, 0}}});
+  add(scene, lamp);
+  scene.integrator.max_depth = 2;
+  scene.sampler.kind = SamplerKind::independent;
+  scene.sampler.sample_count = 64;
+  for (const char* integrator : {"ptracer", "bdpt"}) {
+    INFO(integrator);
+    scene.integrator.name = integrator;
+    const RenderResult result = render("pocl", scene, {});
+    CHECK(result.stats.unusual.invalid > 0);
+    double red = 0, green = 0;
+    for (std::size_t i = 0; i < result.color.data.size(); i += 3) {
+      red += static_cast<double>(result.color.data[i]);
+      green += static_cast<double>(result.color.data[i + 1]);
+    }
+    CHECK(red == 0);
+    CHECK(green / (stage_size * stage_size) > 0.1);
+  }
+}
+
 TEST_CASE("the same bits by any lanes, launches and programs") {
   require_pocl_and_rusticl();
   Scene cornell = small_scene(scene_folder / "cornell/cornell-box.xml", 29, 23, 16);

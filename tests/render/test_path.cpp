@@ -203,5 +203,30 @@ TEST_CASE("hide_emitters lets the camera look through what glows, but not what i
   CHECK(lit_pixels(lit.color) == stage_size * stage_size);
 }
 
+// Mitsuba 3.9.1 too looks through it.
+TEST_CASE("hide_emitters hides a surface that shines along its normals") {
+  require_pocl_and_rusticl();
+  Scene scene =
+      stage({Rectangle{{-9, -9, 0}, {18, 0, 0}, {0, 18, 0}}, Rectangle{{-2.5, -2.5, 3.5}, {0, 5, 0}, {5, 0, 0}}},
+            diffuse({0.5, 0.5, 0.5}));
+  scene.shapes[1].material = add(scene, Diffuse{{{0, 0, 0}}});
+  scene.shapes[1].exitance = Rgb{1, 1, 1};
+  add(scene, ConstantLight{{1, 1, 1}});
+  scene.integrator.max_depth = 2;
+  scene.sampler.kind = SamplerKind::independent;
+  scene.sampler.sample_count = 16;
+  scene.film.filter = {FilterKind::box, 0.5, 0.5};
+  for (const char* integrator : {"path", "direct", "volpath", "bdpt"}) {
+    INFO(integrator);
+    scene.integrator.name = integrator;
+    scene.integrator.hide_emitters = false;
+    const std::size_t seen = lit_pixels(path_picture(scene).color);
+    scene.integrator.hide_emitters = true;
+    const std::size_t hidden = lit_pixels(path_picture(scene).color);
+    CHECK(seen == 0);
+    CHECK(hidden > 2000);
+  }
+}
+
 }  // namespace
 }  // namespace strahl::test

@@ -213,6 +213,11 @@ TEST_CASE("to_world of a spot and a projector may scale, as in Mitsuba") {
     CHECK(std::get<SpotLight>(emitter("spot", same)).cutoff_degrees == 20);
     CHECK(std::get<SpotLight>(emitter("spot", same)).intensity == Rgb{1, 1, 1});
   }
+  // By 45 degrees, as files write it.
+  const std::string turn = "<matrix value=\"0.7071 0 0.7071 0 1 0 -0.7071 0 0.7071\"/>";
+  CHECK(std::get<SpotLight>(emitter("spot", turn)).cutoff_degrees == 20);
+  const auto turned = std::get<ProjectorLight>(emitter("projector", turn));
+  CHECK(length(turned.axes[2] - Vec3{std::sqrt(0.5), 0, std::sqrt(0.5)}) < 1e-15);
   const std::string shear = "<matrix value=\"1 0 0 0 1 0.5 0 0 1\"/>";
   for (const std::string& distorting : {std::string("<scale x=\"2\"/>"), std::string("<scale z=\"2\"/>"), shear}) {
     INFO(distorting);

@@ -221,10 +221,26 @@ TEST_CASE("faults of images name the line") {
   CHECK_THAT(folder.fault("<emitter type=\"envmap\">" + file +
                           "<transform name=\"to_world\"><scale x=\"2\"/></transform></emitter>"),
              Contains("must be a rotation"));
+  CHECK_THAT(folder.fault("<emitter type=\"envmap\">" + file +
+                          "<transform name=\"to_world\"><scale x=\"1.002\"/></transform></emitter>"),
+             Contains("must be a rotation"));
   CHECK_THAT(folder.fault("<emitter type=\"constant\"/><emitter type=\"envmap\">" + file + "</emitter>"),
              Contains("one constant, envmap or sky emitter"));
   CHECK_THAT(folder.load(texture(file + "<string name=\"wrap_mode\" value=\"miror\"/>")).warnings.at(0).message,
              Contains("did you mean \"mirror\""));
+}
+
+TEST_CASE("an environment turned by a matrix with four digits has the nearest rotation") {
+  const ImageFolder folder;
+  const LoadedScene loaded = folder.load(
+      "<emitter type=\"envmap\"><string name=\"filename\" value=\"a.png\"/><transform name=\"to_world\"><matrix "
+      "value=\"0.7071 0 0.7071 0 1 0 -0.7071 0 0.7071\"/><scale value=\"3\"/></transform></emitter>");
+  CHECK(loaded.warnings.empty());
+  const auto light = std::get<EnvironmentLight>(loaded.scene.lights.at(0).emitter);
+  const double half = std::sqrt(0.5);
+  CHECK(length(light.axes[0] - Vec3{half, 0, -half}) < 1e-15);
+  CHECK(length(light.axes[1] - Vec3{0, 1, 0}) < 1e-15);
+  CHECK(length(light.axes[2] - Vec3{half, 0, half}) < 1e-15);
 }
 
 TEST_CASE("textures of floats are cut at 1 where a share is meant, and nowhere else") {

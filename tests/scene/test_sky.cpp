@@ -81,7 +81,8 @@ TEST_CASE("a sunsky is an image of the sky and a disc that is no part of it") {
   const auto sun = std::get<SunLight>(loaded.scene.lights[0].emitter);
   const auto sky = std::get<EnvironmentLight>(loaded.scene.lights[1].emitter);
   CHECK(degrees_between(sun.direction, {0.6, 0, 0.8}) < 1e-9);
-  CHECK(sun.aperture_degrees == 0.5338);
+  CHECK(sun.aperture_degrees == 0.5358);
+  CHECK(sun.up == Vec3{0, 0, 1});
   CHECK(sky.axes[1] == Vec3{0, 0, 1});
   // The brightest texel is next to the sun, and as bright as the sky there.
   const TexelDecoder decoded(*sky.texels, sky.curve);
@@ -96,6 +97,16 @@ TEST_CASE("a sunsky is an image of the sky and a disc that is no part of it") {
   CHECK(decoded(brightest)[1] < 10);
 }
 
+TEST_CASE("a sky turned by a matrix with four digits has the nearest rotation") {
+  const auto lights =
+      load_body(
+          "<emitter type=\"sunsky\"><transform name=\"to_world\"><matrix value=\"1 0 0 0 0.7071 -0.7071 "
+          "0 0.7071 0.7071\"/></transform></emitter>")
+          .scene.lights;
+  const auto sky = std::get<EnvironmentLight>(lights.at(1).emitter);
+  CHECK(length(sky.axes[1] - Vec3{0, -std::sqrt(0.5), std::sqrt(0.5)}) < 1e-15);
+}
+
 TEST_CASE("daylight has the parameters of Mitsuba 3 and of 0.x") {
   const auto old = [](const std::string& body) {
     return load_text("<scene version=\"0.6.0\">" + body + "<sensor type=\"perspective\"/></scene>").scene.lights;
@@ -106,12 +117,12 @@ TEST_CASE("daylight has the parameters of Mitsuba 3 and of 0.x") {
   REQUIRE(both.size() == 2);
   const auto wide = std::get<SunLight>(both[0].emitter);
   CHECK(degrees_between(wide.direction, {0, 1, 0.5}) < 1e-9);
-  CHECK(wide.aperture_degrees == Approx(4 * 0.5338));
+  CHECK(wide.aperture_degrees == Approx(4 * 0.5358));
   CHECK(std::get<EnvironmentLight>(both[1].emitter).axes[1] == Vec3{0, 1, 0});
   const auto plain = std::get<SunLight>(old("<emitter type=\"sun\">" + up + "</emitter>").at(0).emitter);
   CHECK(wide.radiance.g * 16 == Approx(plain.radiance.g).epsilon(1e-3));  // Of the same power.
   const auto point = old("<emitter type=\"sun\">" + up + "<float name=\"sunRadiusScale\" value=\"0\"/></emitter>");
-  const double solid_angle = std::numbers::pi * std::pow(0.5338 / 2 * std::numbers::pi / 180, 2);
+  const double solid_angle = std::numbers::pi * std::pow(0.5358 / 2 * std::numbers::pi / 180, 2);
   CHECK(std::get<DirectionalLight>(point.at(0).emitter).irradiance.g ==
         Approx(plain.radiance.g * solid_angle).epsilon(1e-3));
   const auto sky = old("<emitter type=\"sky\">" + up + "<float name=\"scale\" value=\"3\"/></emitter>");

@@ -121,3 +121,23 @@ TEST_CASE("the largest stretch of a map") {
   // A shear of 1: the golden ratio.
   CHECK(largest_stretch(Transform{{{{1, 1, 0, 4}, {0, 1, 0, 5}, {0, 0, 1, 6}}}}) == Approx((1 + std::sqrt(5.0)) / 2));
 }
+
+TEST_CASE("the nearest axes are perpendicular, and as far from these on either side") {
+  const Transform turned = rotation({1, 2, -3}, 77);
+  // Along one line and across it: a symmetric factor, which the decomposition takes off.
+  for (const double mirrored : {1.0, -1.0}) {
+    std::array<Vec3, 3> given, wanted;
+    for (std::size_t i = 0; i < 3; ++i) {
+      wanted[i] = mirrored * turned.column(static_cast<int>(i));
+      const Vec3 line = normalized({3, -1, 2});
+      given[i] = wanted[i] + (4e-4 * dot(line, wanted[i])) * line;
+    }
+    const auto found = nearest_axes(given);
+    REQUIRE(found);
+    for (std::size_t i = 0; i < 3; ++i) CHECK(length((*found)[i] - wanted[i]) < 1e-15);
+  }
+  CHECK(nearest_axes({Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}) ==
+        std::array{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}});
+  CHECK_FALSE(nearest_axes({Vec3{1, 0, 0}, Vec3{2e-3, 1, 0}, Vec3{0, 0, 1}}));
+  CHECK_FALSE(nearest_axes({Vec3{}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}));
+}

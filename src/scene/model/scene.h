@@ -244,8 +244,9 @@ struct EnvironmentLight {
 /// A disc in the sky, before the background.
 struct SunLight {
   Vec3 direction{0, 1, 0};           ///< To its middle, any length > 0.
-  double aperture_degrees = 0.5338;  ///< Of the whole disc, > 0, at most 90.
+  double aperture_degrees = 0.5358;  ///< Of the whole disc, > 0, at most 90.
   Rgb radiance{1, 1, 1};
+  Vec3 up{0, 0, 0};  ///< What is on its other side is below the horizon and dark; 0, 0, 0: there is no horizon.
 };
 
 struct Light {

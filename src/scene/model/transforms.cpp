@@ -72,6 +72,27 @@ double largest_stretch(const Transform& transform) {
   return unit * std::sqrt(mean + 2 * spread * std::cos(std::acos(cosine) / 3));
 }
 
+std::array<Vec3, 3> unscaled_columns(const Transform& transform) {
+  const double factor = 1 / std::cbrt(std::fabs(transform.determinant()));
+  return {factor * transform.column(0), factor * transform.column(1), factor * transform.column(2)};
+}
+
+std::optional<std::array<Vec3, 3>> nearest_axes(const std::array<Vec3, 3>& axes) {
+  constexpr double tolerance = 1e-3;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j <= i; ++j)
+      if (!(std::fabs(dot(axes[i], axes[j]) - (i == j ? 1 : 0)) <= tolerance)) return std::nullopt;
+  std::array<Vec3, 3> nearest = axes;
+  // Newton's iteration, the mean with the inverse transpose (N. Higham, "Computing the Polar Decomposition - with
+  // Applications", 1986): 10^-3 is squared in each step, and the third is within rounding.
+  for (int step = 0; step < 3; ++step) {
+    const auto& [a, b, c] = nearest;
+    const double half = 0.5 / dot(a, cross(b, c));
+    nearest = {0.5 * a + half * cross(b, c), 0.5 * b + half * cross(c, a), 0.5 * c + half * cross(a, b)};
+  }
+  return nearest;
+}
+
 std::string singular_because(const Transform& transform) {
   const Vec3 x = transform.column(0), y = transform.column(1), z = transform.column(2);
   const double lengths[] = {length(x), length(y), length(z)};

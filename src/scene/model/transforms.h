@@ -2,6 +2,7 @@
 // Transforms that scenes are built with.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <utility>
@@ -22,6 +23,14 @@ namespace strahl {
 
 /// The largest factor by which the linear part lengthens a vector: its largest singular value.
 [[nodiscard]] double largest_stretch(const Transform& transform);
+
+/// The columns of the linear part over the cube root of |det|: a rotation's axes where all axes are scaled alike.
+[[nodiscard]] std::array<Vec3, 3> unscaled_columns(const Transform& transform);
+
+/// The perpendicular unit axes that are nearest to these, of either handedness: the orthogonal factor of their polar
+/// decomposition. None where these are not perpendicular and of length 1 to 10^-3; files write rotations with four
+/// digits.
+[[nodiscard]] std::optional<std::array<Vec3, 3>> nearest_axes(const std::array<Vec3, 3>& axes);
 
 /// Why the linear part has no inverse in double; empty where it has one. It has none where |det| of its unit columns is
 /// within rounding of 0, where the shortest column is within rounding of 0 beside the longest, or where the longest is

@@ -3,18 +3,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
 #include "kinds/lights.h"
 #include "kinds/textures.h"
 #include "scene/model/framing.h"
+#include "scene/model/transforms.h"
 #include "scene/readers/plugin_table.h"
 #include "scene/readers/read_parts.h"
 #include "scene/readers/read_sky.h"
 #include "scene/readers/read_texture.h"
 #include "scene/readers/readers.h"
-#include "scene/readers/shape_reader.h"
 #include "scene/xml/properties.h"
 
 namespace strahl {
@@ -45,11 +46,7 @@ std::optional<Emitter> read_point(Properties& properties, SceneBuilder&) {
 }
 
 /// Whether a transform turns, moves, mirrors and scales all axes alike, and no more.
-bool keeps_angles(const Transform& transform) {
-  const Vec3 x = transform.column(0), y = transform.column(1), z = transform.column(2);
-  return are_equally_long(x, y) && are_equally_long(y, z) && are_perpendicular(x, y) && are_perpendicular(y, z) &&
-         are_perpendicular(z, x);
-}
+bool keeps_angles(const Transform& transform) { return nearest_axes(unscaled_columns(transform)).has_value(); }
 
 std::optional<Emitter> read_spot(Properties& properties, SceneBuilder& builder) {
   SpotLight light;
@@ -85,6 +82,7 @@ std::optional<Emitter> read_projector(Properties& properties, SceneBuilder& buil
     lengths[i] = length(column);
     light.axes[i] = normalized(column);
   }
+  light.axes = nearest_axes(light.axes).value_or(light.axes);
   const Emission irradiance = read_emission(properties, builder, "irradiance");
   const double scale = properties.number("scale").value_or(1) * lengths[2];
   light.irradiance = kinds::times({scale, scale, scale}, irradiance.color);
@@ -126,8 +124,8 @@ std::optional<Emitter> read_envmap(Properties& properties, SceneBuilder& builder
   light.scale = {scale, scale, scale};
   light.mis_compensation = properties.boolean("mis_compensation").value_or(light.mis_compensation);
   if (const std::optional<Transform> to_world = properties.transform("to_world")) {
-    const double size = std::cbrt(std::fabs(to_world->determinant()));
-    for (std::size_t i = 0; i < 3; ++i) light.axes[i] = (1 / size) * to_world->column(static_cast<int>(i));
+    const std::array<Vec3, 3> axes = unscaled_columns(*to_world);
+    light.axes = nearest_axes(axes).value_or(axes);
   }
   return light.texels ? std::optional<Emitter>(light) : std::nullopt;
 }

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "scene/model/transforms.h"
 #include "scene/readers/readers.h"
 #include "scene/sky/daylight.h"
 
@@ -17,7 +18,7 @@ namespace {
 using Emitter = decltype(Light::emitter);
 
 constexpr int sky_width = 512;
-constexpr double aperture_of_sun = 0.5338;  // Degrees.
+constexpr double aperture_of_sun = 0.5358;  // Degrees.
 
 /// What both read. Directions are the model's: east, up, south.
 struct Daylight {
@@ -62,8 +63,9 @@ Daylight read_daylight(Properties& properties, bool is_y_up) {
     properties.diagnostics().error(properties.where("turbidity"), "turbidity must lie between 1 and 10");
   light.turbidity = std::clamp(light.turbidity, 1.0, 10.0);
   const Transform to_world = properties.transform("to_world").value_or(Transform{});
-  const std::array<Vec3, 3> columns{normalized(to_world.column(0)), normalized(to_world.column(1)),
-                                    normalized(to_world.column(2))};
+  const std::array<Vec3, 3> units{normalized(to_world.column(0)), normalized(to_world.column(1)),
+                                  normalized(to_world.column(2))};
+  const std::array<Vec3, 3> columns = nearest_axes(units).value_or(units);
   // Mitsuba 3 counts x to the south and y to the west.
   light.axes = is_y_up ? columns : std::array<Vec3, 3>{-columns[1], columns[2], columns[0]};
   const DayAndPlace when = read_day(properties);
@@ -114,7 +116,8 @@ Emitter sun_of(Properties& properties, const Daylight& light, double scale) {
   };
   const Rgb radiance = multiplied(scale, radiance_of_sun(light.turbidity, light.sun));
   if (!(aperture > 0)) return DirectionalLight{-direction, multiplied(solid_angle(aperture_of_sun), radiance)};
-  return SunLight{direction, aperture, multiplied(solid_angle(aperture_of_sun) / solid_angle(aperture), radiance)};
+  const double spread = solid_angle(aperture_of_sun) / solid_angle(aperture);
+  return SunLight{direction, aperture, multiplied(spread, radiance), light.axes[1]};
 }
 
 }  // namespace
