@@ -59,7 +59,7 @@ void Renderer::State::prepare() {
   ProgramReport report;
   const cl::Program program = program_on(device, source, &report, settings.cached_program);
   kernel = checked(device.info().text(), [&] { return cl::Kernel(program, "render"); });
-  shape = LaunchShape(device, kernel, paths, settings.work_group);
+  shape = LaunchShape(group_limits(device, kernel), paths, settings.work_group);
   stats.seconds.program = start.seconds();
 
   const Stopwatch upload_start;
