@@ -300,7 +300,7 @@ Intersector::Intersector(const Device& device, const Scene& scene, const RenderS
     : state_(std::make_unique<State>(device, settings)) {
   if (std::vector<Diagnostic> problems = validate(scene); !problems.empty()) throw SceneError(problems);
   State& s = *state_;
-  const Width width = width_on(device, settings);
+  const Width width = wide_enough(width_on(device, settings), scene, settings);
   const Stopwatch start;
   const Features features = intersection_features(scene, settings);
   const auto [has_tree, acceleration] = choose_traversal(scene, features, settings, width, 1);

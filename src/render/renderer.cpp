@@ -36,7 +36,7 @@ int samples_of_film(const Scene& scene, const Window& window, const RenderSettin
 Renderer::State::Choice Renderer::State::choose_program() {
   sampling = resolve_sampling(scene);
   window = scene.film.window();
-  Choice choice{width_on(device, settings), {}, 1};
+  Choice choice{wide_enough(width_on(device, settings), scene, settings), {}, 1};
   features = features_of(scene, settings);
   choice.paths = path_lanes(features, settings, choice.width.lanes);
   choice.traversal = choose_traversal(scene, features, settings, choice.width, choice.paths);
