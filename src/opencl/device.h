@@ -37,6 +37,10 @@ struct DeviceInfo {
 
   /// "0:1 llvmpipe (rusticl)".
   [[nodiscard]] std::string text() const;
+  /// In messages about its memory: "449 MiB", "48 KiB by --memory-limit".
+  [[nodiscard]] std::string memory_text() const;
+  /// What has room for so many bytes where it has not: "a larger --memory-limit", "a device with more memory (-d)".
+  [[nodiscard]] std::string room_for(std::uint64_t bytes) const;
 };
 
 struct PlatformInfo {

@@ -135,6 +135,16 @@ std::string DeviceInfo::text() const {
   return fmt::format("{}:{} {} ({})", platform_index, device_index, name, platform);
 }
 
+std::string DeviceInfo::memory_text() const {
+  const bool is_little = global_memory < 1U << 20;
+  return fmt::format("{} {}{}", global_memory >> (is_little ? 10 : 20), is_little ? "KiB" : "MiB",
+                     is_memory_limited ? " by --memory-limit" : "");
+}
+
+std::string DeviceInfo::room_for(std::uint64_t bytes) const {
+  return is_memory_limited && bytes > global_memory ? "a larger --memory-limit" : "a device with more memory (-d)";
+}
+
 std::vector<PlatformInfo> list_platforms() {
   std::vector<PlatformInfo> infos;
   for (const cl::Platform& platform : platform_handles()) {

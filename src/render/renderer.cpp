@@ -67,13 +67,14 @@ void Renderer::State::prepare() {
                          {width.lanes, frame, width.tree, traversal.acceleration});
   if (row_bytes() > memory_left())
     throw NoDeviceError(
-        fmt::format("a row of the picture takes {} KiB beside the scene's {} KiB, and {} has {} KiB: choose a device "
-                    "with more memory (-d), a larger --memory-limit or a part of the picture (--crop)",
-                    row_bytes() >> 10, buffers.bytes >> 10, device.info().text(), device.info().global_memory >> 10));
+        fmt::format("a row of the picture takes {} KiB beside the scene's {} KiB, and {} has {}: choose {} or a part "
+                    "of the picture (--crop)",
+                    row_bytes() >> 10, buffers.bytes >> 10, device.info().text(), device.info().memory_text(),
+                    device.info().room_for(buffers.bytes + row_bytes())));
   const std::size_t pixels = static_cast<std::size_t>(window.width()) * static_cast<std::size_t>(band_rows());
   if (film_kind() == FilmKind::splats) {
     const std::uint64_t bytes = pixels * film_bytes_per_pixel();
-    require_room_for_splats(device, bytes, memory_left());
+    require_room_for_splats(device.info(), bytes, memory_left());
   }
   film = allocate(device, pixels * film_bytes_per_pixel(), "one band of the film");
   aov_reals = allocate(device, aov_real_bytes(pixels), "the auxiliary values");

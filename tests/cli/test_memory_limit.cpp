@@ -48,7 +48,12 @@ TEST_CASE("what cannot fit is refused with what it takes") {
   for (const char* limit : {"7k", "7KiB"})
     CHECK(contains(refused("s.xml", limit, 4), "a row of the picture takes 6 KiB beside the scene's"));
   const std::string mesh = STRAHL_SOURCE_DIR "/scenes/mesh/torus-and-icosphere.xml";
-  CHECK(contains(refused(mesh, "20k", 4), "by --memory-limit"));
+  for (const char* limit : {"20k", "90k"}) {
+    const std::string said = refused(mesh, limit, 4);
+    CHECK(contains(said, "by --memory-limit"));
+    CHECK(contains(said, "hoose a larger --memory-limit"));  // No device has more by that.
+    CHECK_FALSE(contains(said, "-d)"));
+  }
   for (const char* wrong : {"0", "12x", "-1", "G", "99999999999G", "iB", "12MB", "12iB"})
     CHECK(contains(refused("s.xml", wrong, 2), "--memory-limit takes bytes"));
   CHECK(folder.files() == std::vector<std::string>{"s.xml"});
