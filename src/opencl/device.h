@@ -34,6 +34,7 @@ struct DeviceInfo {
   std::size_t max_work_group = 0;
   unsigned native_vector_width = 0;  ///< CL_DEVICE_NATIVE_VECTOR_WIDTH_FLOAT
   bool available = true;             ///< The driver says so, has a compiler, and speaks OpenCL 1.2 or later.
+  std::string fault;                 ///< Why nobody knows whether it is available; empty where its driver answers.
 
   /// "0:1 llvmpipe (rusticl)".
   [[nodiscard]] std::string text() const;
