@@ -329,6 +329,12 @@ Intersector::Intersector(const Device& device, const Scene& scene, const RenderS
   for (const FeatureReport& row : features.report)
     if (row.on) s.stats.features.push_back(row.name);
 }
+MemoryNeed Intersector::least_memory(const Device& device, const Scene& scene, const RenderSettings& settings) {
+  const Features features = intersection_features(scene, settings);
+  return strahl::least_memory(scene, features, settings.precision,
+                              wide_enough(width_on(device, settings), scene, settings).lanes);
+}
+
 Intersector::~Intersector() = default;
 Intersector::Intersector(Intersector&&) noexcept = default;
 Intersector& Intersector::operator=(Intersector&&) noexcept = default;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "opencl/device.h"
+#include "packing/memory_estimate.h"
 #include "render/stats.h"
 #include "scene/model/scene.h"
 #include "settings/settings.h"
@@ -38,6 +39,9 @@ class Intersector {
   /// Compiles nothing yet. As Renderer's, settings.precision and settings.loop_turns are those of choose_tier()
   /// (trust/tier_choice.h), else rays may miss what they hit. Throws as Renderer does, except KernelBuildError.
   Intersector(const Device& device, const Scene& scene, const RenderSettings& settings = {});
+  /// What it takes of the device at the least.
+  [[nodiscard]] static MemoryNeed least_memory(const Device& device, const Scene& scene,
+                                               const RenderSettings& settings);
   ~Intersector();
   Intersector(Intersector&&) noexcept;
   Intersector& operator=(Intersector&&) noexcept;

@@ -11,6 +11,7 @@
 #include "opencl/compiling.h"
 #include "program/path_lanes.h"
 #include "render/light_paths.h"
+#include "render/numeric_error.h"
 #include "render/renderer_state.h"
 #include "render/shown_scene.h"
 #include "scene/validate.h"
@@ -48,12 +49,11 @@ Renderer::State::Choice Renderer::State::choose_program() {
 }
 
 void Renderer::State::prepare() {
-  if (settings.aovs.contains(Aov::numeric_error) && !device.info().fp64)
-    throw NoDeviceError(fmt::format("the AOV numeric_error holds every hit against double precision, which {} has not",
-                                    device.info().text()));
   require_light_paths(scene, settings);
   const Stopwatch start;
   const auto [width, traversal, paths] = choose_program();
+  if (settings.aovs.contains(Aov::numeric_error))
+    require_numeric_error(device, scene, settings, least_memory(scene, features, settings.precision, width.lanes));
   // Paths of one pixel are more alike than those of a span.
   samples_at_once = paths == 1 ? 1 : layout::POOL_PATHS;
   ProgramReport report;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // --memory-limit: the same picture from a film in bands, scenes that are too large refused with numbers.
 #include <catch2/catch.hpp>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "cli/program.h"
@@ -57,4 +58,31 @@ TEST_CASE("what cannot fit is refused with what it takes") {
   for (const char* wrong : {"0", "12x", "-1", "G", "99999999999G", "iB", "12MB", "12iB"})
     CHECK(contains(refused("s.xml", wrong, 2), "--memory-limit takes bytes"));
   CHECK(folder.files() == std::vector<std::string>{"s.xml"});
+}
+
+TEST_CASE("what is traced in double after the last sample must fit as well, which is said before the first") {
+  const Folder folder;
+  const auto render = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> all = {STRAHL_SOURCE_DIR "/scenes/mesh/torus-and-icosphere.xml",
+                                    "-q",
+                                    "-d",
+                                    "pocl",
+                                    "--width",
+                                    "32",
+                                    "--spp",
+                                    "1",
+                                    "--memory-limit",
+                                    "150k",
+                                    "-o",
+                                    "x.exr"};
+    all.insert(all.end(), more.begin(), more.end());
+    return folder.run(all);
+  };
+  CHECK(render({"--aov", "depth"}).code == 0);
+  std::filesystem::remove(folder.path("x.exr"));
+  const Outcome refused = render({"--aov", "numeric_error"});
+  CHECK(refused.code == 4);
+  CHECK(contains(refused.err, "has the scene in memory a second time, in double precision"));
+  CHECK(contains(refused.err, "leave that AOV out, or choose a larger --memory-limit"));
+  CHECK(folder.files().empty());
 }
