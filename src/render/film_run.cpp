@@ -88,7 +88,7 @@ bool FilmRun::report() {
   // Of this run: what it began with took none of its time.
   const auto of_all_pixels = [&](int samples) { return pixels * (samples - film_.first_sample) - samples_before_; };
   std::optional<double> total = of_all_pixels(end_);
-  if (goal_.max_error) {
+  if (passes_.is_for_error()) {
     total.reset();
     if (passes_.expected()) total = of_all_pixels(*passes_.expected());
   }
@@ -295,7 +295,9 @@ RenderResult FilmRun::run() {
   bool carry_on = true;
   if (keeper_ != nullptr && keeper_->begin_with != nullptr) carry_on = go_on_from(*keeper_->begin_with);
   while (carry_on) {
-    if (passes_.wants_error()) {
+    if (passes_.wants_error() && result_.stats.unusual.not_finite() > 0) {
+      passes_.cannot_estimate();
+    } else if (passes_.wants_error()) {
       ErrorSums error(film_);
       each_part([&](const std::shared_ptr<const FilmPart>& part) {
         const Stopwatch estimating;

@@ -20,9 +20,13 @@
 namespace strahl {
 namespace {
 
-int samples_of_film(const Scene& scene, const Window& window, const RenderSettings& settings, const RenderGoal& goal) {
+int most_samples_of(const Scene& scene, const Window& window, const RenderSettings& settings) {
   const bool has_splats = kinds::integrator(scene.integrator.name).from_lights;
-  const int most = has_splats ? most_light_paths(window, settings.estimate_error) : max_spp;
+  return has_splats ? most_light_paths(window, settings.estimate_error) : max_spp;
+}
+
+int samples_of_film(const Scene& scene, const Window& window, const RenderSettings& settings, const RenderGoal& goal) {
+  const int most = most_samples_of(scene, window, settings);
   if (!goal.spp && goal.is_open()) return most;
   const int spp = goal.spp.value_or(resolve_sampling(scene).spp);
   if (spp >= 1 && spp <= most) return spp;
@@ -197,6 +201,12 @@ void Renderer::share_with(const Device& device, std::optional<std::uint64_t> loo
 void Renderer::require_samples(const Scene& scene, const RenderSettings& settings, const RenderGoal& goal) {
   if (std::vector<Diagnostic> problems = validate_picture(scene); !problems.empty()) throw SceneError(problems);
   static_cast<void>(samples_of_film(scene, scene.film.window(), settings, goal));
+}
+
+int Renderer::most_samples() const { return most_samples_of(state_->scene, state_->window, state_->settings); }
+
+int Renderer::most_samples(const Scene& scene, const RenderSettings& settings) {
+  return most_samples_of(scene, scene.film.window(), settings);
 }
 
 const Scene& Renderer::scene() const { return state_->scene; }

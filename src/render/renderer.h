@@ -72,6 +72,10 @@ class Renderer {
   /// film, sampler or integrator cannot be: what is otherwise found out once the program is built.
   static void require_samples(const Scene& scene, const RenderSettings& settings, const RenderGoal& goal);
 
+  /// The most samples a pixel that the film holds.
+  [[nodiscard]] int most_samples() const;
+  [[nodiscard]] static int most_samples(const Scene& scene, const RenderSettings& settings);
+
   /// Each call renders the picture from the start. Throws as require_samples, UsageError for a goal that cannot be
   /// reached (RenderGoal), NoDeviceError where the device ends loops before a sample is done
   /// (RenderSettings::loop_turns). keeper: gets the film now and then, or gives one to go on from; InputError where

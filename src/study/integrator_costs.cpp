@@ -61,7 +61,7 @@ Piloted piloted(const Device& device, const Scene& scene, const RenderSettings& 
     RenderGoal first;
     first.spp = 1;
     static_cast<void>(renderer.render({}, first));  // The driver's part of building comes with the first launch.
-    found.pilot = run_pilot(renderer, max_spp, [&](const Pilot&) { return seconds; });
+    found.pilot = run_pilot(renderer, renderer.most_samples(), [&](const Pilot&) { return seconds; });
     found.cost.build_seconds = renderer.build_seconds();
     found.cost.mean = found.pilot.mean;
     const PassCost& last = found.pilot.passes.back();
