@@ -232,12 +232,14 @@ ExitCode render(const RenderOptions& options, const Invocation& invocation) {
   const bool is_scaled_single = settings.precision == Precision::stable || settings.precision == Precision::robust;
   if (const auto warning = too_wide_for_single(scene); warning && is_scaled_single) say(warning->text());
 
-  PictureFiles files{options.output, options.png, kinds::integrator(scene.integrator.name).is_length, lamps_of(scene)};
+  PictureFiles files{options.output, options.png, kinds::integrator(scene.integrator.name).is_length};
   if (options.writes_picture()) {
     if (files.path.empty()) files.path = scene.name + ".png";
     require_writable(files);
   }
   require_distinct_files(options, files.path, scene.files);
+  const bool is_png = !files.path.empty() && image_format(files.path) == ImageFormat::png;
+  if (is_png && !options.scene.quiet && !options.goal.frames) files.lamps = lamps_of(scene);
   add_scene_aovs(scene, options, files.path, settings.aovs);
   if (!files.path.empty()) warn_of_later_samples(options.keep, settings.aovs);
 
