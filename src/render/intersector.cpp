@@ -14,6 +14,7 @@
 #include "opencl/program.h"
 #include "opencl/tuned_width.h"
 #include "packing/cl_layout.h"
+#include "packing/memory_estimate.h"
 #include "packing/scene_buffers.h"
 #include "program/program_text.h"
 #include "render/median.h"
