@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "kinds/lights.h"
 #include "kinds/textures.h"
@@ -21,20 +22,63 @@ constexpr double lamp_share = 0.999;
 /// Pixels between which the default filter spreads light: that many beside a lamp are lit by its edge.
 constexpr int reach = 2;
 
-bool is_lamp(const float* rgb, const std::vector<Rgb>& lamps) {
-  return std::any_of(lamps.begin(), lamps.end(), [&](const Rgb& lamp) {
-    return static_cast<double>(rgb[0]) >= lamp_share * lamp.r && static_cast<double>(rgb[1]) >= lamp_share * lamp.g &&
-           static_cast<double>(rgb[2]) >= lamp_share * lamp.b;
-  });
-}
+bool is_no_darker(const Rgb& a, const Rgb& b) { return a.r >= b.r && a.g >= b.g && a.b >= b.b; }
+
+/// Pixels that show a lamp which is itself brighter than white: no other could have overexposed them. What is as bright
+/// as one lamp is as bright as all darker ones, so that few of many lamps are looked at.
+class LampPixels {
+ public:
+  LampPixels(const Image& color, double white, std::vector<Rgb> lamps) : color_(color) {
+    std::sort(lamps.begin(), lamps.end(), [](const Rgb& a, const Rgb& b) { return a.r + a.g + a.b < b.r + b.g + b.b; });
+    for (const Rgb& lamp : lamps) {
+      if (!(std::max({lamp.r, lamp.g, lamp.b}) > white)) continue;
+      const auto is_darker = [&](const Rgb& darkest) { return is_no_darker(lamp, darkest); };
+      if (std::none_of(darkest_.begin(), darkest_.end(), is_darker)) darkest_.push_back(lamp);
+    }
+    std::sort(darkest_.begin(), darkest_.end(), [](const Rgb& a, const Rgb& b) { return a.r < b.r; });
+    if (!darkest_.empty()) is_lamp_.resize(static_cast<std::size_t>(color.width) * color.height, unknown);
+  }
+  /// The pixel or one that its edge reaches.
+  [[nodiscard]] bool are_near(int x, int y) {
+    if (darkest_.empty()) return false;
+    for (int v = std::max(y - reach, 0); v <= std::min(y + reach, color_.height - 1); ++v)
+      for (int u = std::max(x - reach, 0); u <= std::min(x + reach, color_.width - 1); ++u)
+        if (is_lamp(u, v)) return true;
+    return false;
+  }
+
+ private:
+  static constexpr signed char unknown = -1;
+
+  bool is_lamp(int x, int y) {
+    signed char& known = is_lamp_[static_cast<std::size_t>(y) * color_.width + x];
+    if (known != unknown) return known != 0;
+    const float* rgb = &color_.data[color_.index(x, y, 0)];
+    const Rgb pixel{static_cast<double>(rgb[0]) / lamp_share, static_cast<double>(rgb[1]) / lamp_share,
+                    static_cast<double>(rgb[2]) / lamp_share};
+    const auto is_shown = [&](const Rgb& lamp) { return is_no_darker(pixel, lamp); };
+    const auto redder = std::upper_bound(darkest_.begin(), darkest_.end(), pixel.r,
+                                         [](double r, const Rgb& lamp) { return r < lamp.r; });
+    known = std::any_of(darkest_.begin(), redder, is_shown) ? 1 : 0;
+    return known != 0;
+  }
+
+  const Image& color_;
+  std::vector<Rgb> darkest_;
+  std::vector<signed char> is_lamp_;
+};
 
 }  // namespace
 
 std::vector<Rgb> lamps_of(const Scene& scene) {
   std::vector<Rgb> lamps;
+  std::map<int, Rgb> brightest;  // Of textures: each is looked at once, however many shapes have it.
   const auto add = [&](const std::optional<Rgb>& radiance, int texture = -1) {
     if (!radiance || !(std::max({radiance->r, radiance->g, radiance->b}) > 0)) return;
-    lamps.push_back(texture < 0 ? *radiance : kinds::times(*radiance, kinds::brightest(scene, texture)));
+    if (texture < 0) return lamps.push_back(*radiance);
+    auto known = brightest.find(texture);
+    if (known == brightest.end()) known = brightest.emplace(texture, kinds::brightest(scene, texture)).first;
+    lamps.push_back(kinds::times(*radiance, known->second));
   };
   for_each_shape(scene, [&](const Shape& shape) {
     add(shape.radiance, shape.radiance_texture);
@@ -50,19 +94,14 @@ Clipping clipping_of(const Image& color, double exposure, const std::vector<Rgb>
   const double white = std::exp2(-exposure);
   std::vector<double> overexposed;  // Their largest channels.
   std::size_t clipped = 0;
-  const auto shows_a_lamp = [&](int x, int y) {
-    for (int v = std::max(y - reach, 0); v <= std::min(y + reach, color.height - 1); ++v)
-      for (int u = std::max(x - reach, 0); u <= std::min(x + reach, color.width - 1); ++u)
-        if (is_lamp(&color.data[color.index(u, v, 0)], lamps)) return true;
-    return false;
-  };
+  LampPixels shown(color, white, lamps);
   for (int y = 0; y < color.height; ++y)
     for (int x = 0; x < color.width; ++x) {
       const float* rgb = &color.data[color.index(x, y, 0)];
       const double brightest = static_cast<double>(std::max({rgb[0], rgb[1], rgb[2]}));
       if (!(brightest > white) || !std::isfinite(brightest)) continue;
       ++clipped;
-      if (!shows_a_lamp(x, y)) overexposed.push_back(brightest);
+      if (!shown.are_near(x, y)) overexposed.push_back(brightest);
     }
   const double pixels = static_cast<double>(color.width) * color.height;
   Clipping clipping{static_cast<double>(clipped) / pixels, std::nullopt};

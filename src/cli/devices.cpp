@@ -65,7 +65,8 @@ Json json_of(const DeviceInfo& device) {
           {"shares_host_memory", device.shares_host_memory},
           {"max_work_group", device.max_work_group},
           {"native_vector_width", device.native_vector_width},
-          {"available", device.available}};
+          {"available", device.available},
+          {"fault", device.fault.empty() ? Json(nullptr) : Json(device.fault)}};
 }
 
 std::string json_of(const std::vector<PlatformInfo>& platforms, const std::string& default_index) {
@@ -89,6 +90,10 @@ std::string text_of(const PlatformInfo& platform, const std::string& default_ind
   for (const DeviceInfo& device : platform.devices) {
     text += fmt::format("{} {:<5} {}{}\n", index_of(device) == default_index ? '*' : ' ', index_of(device), device.name,
                         device.available ? "" : " (not available)");
+    if (!device.fault.empty()) {
+      text += fmt::format("        {}\n", device.fault);
+      continue;
+    }
     text += fmt::format("        {} · {} · driver {}\n", device.type, device.version, device.driver);
     text += fmt::format("        {}{} · {} compute units · {:.1f} GiB · native vector width {}\n",
                         device.fp64 ? "fp64" : "no fp64", device.fma ? "" : " · no fma", device.compute_units,

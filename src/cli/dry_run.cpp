@@ -7,7 +7,6 @@
 #include "cli/output_file.h"
 #include "json_text.h"
 #include "render/rounding_pilot.h"
-#include "settings/sampling.h"
 #include "stopwatch.h"
 
 namespace strahl::cli {
@@ -15,10 +14,11 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-PredictedGoal goal_from(const RenderOptions& options, int scene_spp) {
+/// most_spp: that the film holds.
+PredictedGoal goal_from(const RenderOptions& options, int scene_spp, int most_spp) {
   PredictedGoal goal;
   const bool is_open = options.goal.time || options.goal.max_error;
-  goal.spp = options.overrides.spp.value_or(is_open ? max_spp : scene_spp);
+  goal.spp = options.overrides.spp.value_or(is_open ? most_spp : scene_spp);
   goal.max_error = options.goal.max_error;
   if (options.goal.time) goal.seconds = duration_seconds(*options.goal.time);
   return goal;
@@ -35,8 +35,9 @@ void set_start(const Renderer& renderer, const Preparation& preparation, double 
   costs.start_more = 2 * reload + preparation.canary_seconds;
 }
 
+/// None where a sample was not finite: such samples come in the render as well, and no error is told of them.
 std::optional<ErrorTrend> law_of(const Pilot& pilot) {
-  if (pilot.looks.empty()) return std::nullopt;
+  if (pilot.looks.empty() || pilot.not_finite > 0) return std::nullopt;
   return error_trend(pilot.looks, pilot.common_spread);
 }
 
@@ -51,13 +52,14 @@ void set_pilot(const Pilot& pilot, const Preparation& preparation, const Predict
 Json range_json(const Range& range) { return {{"low", range.low}, {"high", range.high}}; }
 
 Json json_of(const Prediction& p, const Pilot& pilot, const std::optional<ErrorTrend>& law) {
+  const auto known = [&p](const Json& json) { return p.has_end ? json : Json(nullptr); };
   return {{"predicted",
-           {{"seconds", p.seconds.middle},
-            {"spp", p.spp.middle},
+           {{"seconds", known(p.seconds.middle)},
+            {"spp", known(p.spp.middle)},
             {"rmse", p.rmse ? Json(p.rmse->middle) : Json(nullptr)},
             {"confidence", prediction_confidence},
-            {"seconds_interval", range_json(p.seconds)},
-            {"spp_interval", range_json(p.spp)},
+            {"seconds_interval", known(range_json(p.seconds))},
+            {"spp_interval", known(range_json(p.spp))},
             {"rmse_interval", p.rmse ? range_json(*p.rmse) : Json(nullptr)}}},
           {"pilot",
            {{"spp", pilot.passes.back().samples},
@@ -71,20 +73,22 @@ Json json_of(const Prediction& p, const Pilot& pilot, const std::optional<ErrorT
 
 ExitCode dry_run(Renderer& renderer, const RenderOptions& options, const Invocation& invocation,
                  const Preparation& preparation) {
-  const PredictedGoal goal = goal_from(options, preparation.scene_spp);
+  const PredictedGoal goal = goal_from(options, preparation.scene_spp, renderer.most_samples());
   RunCosts costs;
   set_start(renderer, preparation, invocation.seconds(), costs);
+  const bool only_error_ends_it = goal.max_error && !goal.seconds && !options.overrides.spp;
+  const auto has_end = [&](const std::optional<ErrorTrend>& law) { return law || !only_error_ends_it; };
   const Pilot pilot = run_pilot(renderer, goal.spp, [&](const Pilot& so_far) {
-    if (so_far.passes.empty()) return pilot_seconds(0);
+    const std::optional<ErrorTrend> law = law_of(so_far);
+    if (so_far.passes.empty() || !has_end(law)) return pilot_seconds(0);
     RunCosts known = costs;
     set_pilot(so_far, preparation, goal, known);
-    return pilot_seconds(predict(law_of(so_far), known, goal).seconds.low);
+    return pilot_seconds(predict(law, known, goal).seconds.low);
   });
   set_pilot(pilot, preparation, goal, costs);
   const std::optional<ErrorTrend> law = law_of(pilot);
   Prediction prediction = predict(law, costs, goal);
-  // Samples that are not finite come in the render as well, which ends at the same error, but does not tell it.
-  if (pilot.not_finite > 0) prediction.rmse.reset();
+  prediction.has_end = has_end(law);
   print(prediction_text(prediction, pilot));
   if (!options.stats.empty()) write_text(options.stats, json_text(json_of(prediction, pilot, law)));
   return ExitCode::ok;

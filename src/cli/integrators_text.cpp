@@ -12,6 +12,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 std::string time_text(const IntegratorCost& cost) {
+  if (!cost.has_finite_samples) return "not known: samples were not finite";
   if (!cost.seconds || !cost.spp) return "no noise seen";
   return fmt::format("{:.3g} s ({:.2g} to {:.2g}), {:.3g} spp", cost.seconds->middle, cost.seconds->low,
                      cost.seconds->high, cost.spp->middle);
@@ -51,6 +52,7 @@ Json integrators_json(const IntegratorCosts& costs) {
                     {"build_seconds", cost.build_seconds ? Json(*cost.build_seconds) : Json(nullptr)},
                     {"sample_seconds", is_measured ? Json(cost.sample_seconds) : Json(nullptr)},
                     {"mean", is_measured ? Json(cost.mean) : Json(nullptr)},
+                    {"has_finite_samples", is_measured ? Json(cost.has_finite_samples) : Json(nullptr)},
                     {"seconds", range_json(cost.seconds)},
                     {"spp", range_json(cost.spp)}});
   }

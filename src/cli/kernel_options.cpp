@@ -120,7 +120,7 @@ void add_launch_options(CLI::App& app, KernelOptions& options) {
       ->group(how_computed);
   require_whole(
       app.add_option("--passes", options.passes,
-                     "Split the samples into N launches; default: by measured time; the picture does not change"))
+                     "Split the samples into N passes; default: by measured time; the picture does not change"))
       ->type_name("N")
       ->check(CLI::Range(1, std::numeric_limits<int>::max()).description(""))
       ->group(how_computed);

@@ -37,15 +37,19 @@ Image merged(const Image& color, const Image& aov) {
 }
 
 Written write_color(const PictureFiles& files, Image color, bool is_png, bool quiet) {
+  double white = 1;  // What the file's white stands for.
   if (is_png && files.scale_color) {
     const double largest = scale_to_largest(color, "depth.white");
+    if (largest > 0) white = largest;
     if (!quiet && largest > 0)
       say(fmt::format("{}: values divided by the largest, {:.6g}; .exr and .pfm keep them", files.path, largest));
   }
-  const WriteReport report = write_image(color, files.path, files.png);
+  WriteReport report = write_image(color, files.path, files.png);
+  report.rounding_rmse *= white;
+  report.clipping_rmse *= white;
   if (!quiet && report.invalid > 0)
     say(fmt::format("{}: {} of {} values are not finite", files.path, report.invalid, color.data.size()));
-  if (!is_png || files.scale_color) return {is_png ? WriteReport{} : report, std::nullopt};
+  if (!is_png || files.scale_color) return {report, std::nullopt};
   return {report, clipping_of(color, files.png.exposure, files.lamps)};
 }
 

@@ -16,7 +16,7 @@ struct PictureFiles {
   std::string path;
   PngOptions png;
   bool scale_color = false;  ///< The picture's values are distances: a PNG shows them divided by the largest.
-  std::vector<Rgb> lamps{};  ///< lamps_of the scene.
+  std::vector<Rgb> lamps{};  ///< lamps_of the scene, where it is said which exposure would do.
 };
 
 /// What the picture has lost.

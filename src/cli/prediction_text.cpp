@@ -27,6 +27,9 @@ std::string why_unpredicted(const Prediction& prediction, const Pilot& pilot) {
 double pilot_seconds(double render_seconds) { return std::max(1.0, 0.1 * render_seconds); }
 
 std::string prediction_text(const Prediction& prediction, const Pilot& pilot) {
+  if (!prediction.has_end)
+    return fmt::format("time     not known: {}, and the error alone ends the render; state --spp or --time\n",
+                       why_unpredicted(prediction, pilot));
   std::string text = fmt::format("time     {} s, likely {:.2f} s\nsamples  {} a pixel, likely {:.0f}\n",
                                  range_text(prediction.seconds, "{:.2f}"), prediction.seconds.middle,
                                  range_text(prediction.spp, "{:.0f}"), prediction.spp.middle);

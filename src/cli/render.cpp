@@ -105,6 +105,15 @@ nlohmann::ordered_json count(const Device& device, const Scene& scene, RenderSet
   return {{"program", counted.stats.program}, {"kernel", counted.stats.seconds.kernel}};
 }
 
+/// Null where that fails: the picture is written by now, and the statistics of its run are what they are.
+nlohmann::ordered_json count_if_possible(const SharedDevice& on, const Scene& scene, const RenderOptions& options,
+                                         const InterruptGuard& guard, RunStats& stats) try {
+  return count(on.device, scene, on.settings, options, guard, stats);
+} catch (const std::exception& fault) {
+  say(fmt::format("strahl: warning: --stats-detail counts nothing: {}", fault.what()));
+  return nullptr;
+}
+
 void say_summary(const RenderOptions& options, const std::string& picture, const RenderResult& result,
                  const Clipping& clipping) {
   if (options.scene.verbose) say(kernel_summary(result.stats));
@@ -223,13 +232,16 @@ ExitCode render(const RenderOptions& options, const Invocation& invocation) {
   const bool is_scaled_single = settings.precision == Precision::stable || settings.precision == Precision::robust;
   if (const auto warning = too_wide_for_single(scene); warning && is_scaled_single) say(warning->text());
 
-  PictureFiles files{options.output, options.png, kinds::integrator(scene.integrator.name).is_length, lamps_of(scene)};
+  PictureFiles files{options.output, options.png, kinds::integrator(scene.integrator.name).is_length};
   if (options.writes_picture()) {
     if (files.path.empty()) files.path = scene.name + ".png";
     require_writable(files);
   }
   require_distinct_files(options, files.path, scene.files);
+  const bool is_png = !files.path.empty() && image_format(files.path) == ImageFormat::png;
+  if (is_png && !options.scene.quiet && !options.goal.frames) files.lamps = lamps_of(scene);
   add_scene_aovs(scene, options, files.path, settings.aovs);
+  if (!files.path.empty()) warn_of_later_samples(options.keep, settings.aovs);
 
   std::optional<ProgressBar> bar;
   bar.emplace(options.goal.dry_run ? "dry run" : "render", !options.scene.quiet && !options.scene.no_progress);
@@ -244,7 +256,8 @@ ExitCode render(const RenderOptions& options, const Invocation& invocation) {
   const Scene counted = options.stats_detail ? scene : Scene{};
   Renderer::require_samples(scene, settings, goal_of(options, invocation, 0));
   Renderer renderer(device, std::move(scene), settings);
-  const std::vector<Device> devices = share(renderer, device, selectors, needs, options.kernel, settings);
+  const std::vector<SharedDevice> shared = share(renderer, device, selectors, needs, options.kernel, settings);
+  const std::vector<Device> devices = devices_of(shared);
   if (!options.dump_kernel.empty()) write_text(options.dump_kernel, renderer.program_text());
 
   const auto end = [&] { return end_seconds(options, files, renderer, settings.aovs, devices); };
@@ -274,12 +287,15 @@ ExitCode render(const RenderOptions& options, const Invocation& invocation) {
       },
       goal, &film_keeper);
   if (not_kept) say("strahl: error: " + *not_kept);
+  if (!result.numeric_error_fault.empty())
+    say(fmt::format("strahl: warning: --aov numeric_error is left out: {}", result.numeric_error_fault));
   canary.note_in(result.stats);
   result.stats.seconds.start = invocation.main_seconds;
   result.stats.seconds.device = device_seconds;
   result.stats.seconds.load = load_seconds;
   const Clipping clipping = write_outputs(options, files, invocation, result);
-  add_rounding(options, invocation, living(devices, result.stats), renderer.scene(), settings, guard, result.stats);
+  const SharedDevice& last = living(shared, result.stats);
+  add_rounding(options, invocation, last.device, renderer.scene(), last.settings, guard, result.stats);
   bar.reset();
   result.stats.seconds.exit = expected_exit_seconds(devices);
   result.stats.seconds.total = invocation.seconds() + result.stats.seconds.exit;
@@ -290,7 +306,7 @@ ExitCode render(const RenderOptions& options, const Invocation& invocation) {
   if (!options.stats.empty()) {
     nlohmann::ordered_json detail;
     if (options.stats_detail && result.complete)
-      detail = count(living(devices, result.stats), counted, settings, options, guard, result.stats);
+      detail = count_if_possible(last, counted, options, guard, result.stats);
     auto json = nlohmann::ordered_json::parse(result.stats.json());
     if (options.stats_detail) json["detail"] = detail;
     write_text(options.stats, json_text(json));

@@ -20,6 +20,10 @@ void check_goal(const RenderOptions& options) {
   if (goal.frames && options.overrides.pixel) throw UsageError("--frames writes pictures, --pixel prints one value");
   if (goal.frames && !options.error_map.empty()) throw UsageError("--frames writes pictures, --error-map tells of one");
   if (goal.frames && options.stats_detail) throw UsageError("--frames counts no rays, as --stats-detail asks for");
+  if (goal.time && std::count(options.kernel.aovs.begin(), options.kernel.aovs.end(), "numeric_error") > 0)
+    throw UsageError(
+        "--aov numeric_error traces the scene once more after the last sample, by a program that may have to be built, "
+        "and --time leaves no time for it; state --spp or --max-error instead");
   if (goal.time) static_cast<void>(duration_seconds(*goal.time));
   check_keeping(options);
 }

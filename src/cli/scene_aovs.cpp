@@ -8,6 +8,7 @@
 #include <set>
 
 #include "cli/console.h"
+#include "cli/keep_options.h"
 #include "errors.h"
 #include "kinds/integrators.h"
 #include "render/aov.h"
@@ -56,6 +57,19 @@ void add_scene_aovs(const Scene& scene, const RenderOptions& options, const std:
     else
       aovs.add(named);
   }
+}
+
+void warn_of_later_samples(const KeepOptions& keep, const AovList& aovs) {
+  if (!keep.samples || sample_range(*keep.samples).first == 0) return;
+  std::vector<std::string> names;
+  for (const Aov aov : aovs.plain()) names.emplace_back(aov_name(aov));
+  for (const NamedAov& named : aovs.named())
+    if (is_of_first_sample(named.aov)) names.push_back(named.name);
+  if (names.empty()) return;
+  say(fmt::format(
+      "strahl: warning: --samples {}: the picture is without {}, of sample 0 alone; `strahl merge` takes {} "
+      "from the part that has it",
+      *keep.samples, fmt::join(names, ", "), names.size() == 1 ? "it" : "them"));
 }
 
 void say_unwritten(const std::vector<NamedAov>& aovs, const std::string& picture) {

@@ -16,6 +16,9 @@ namespace strahl::cli {
 /// Throws UsageError where --aov has a channel of the same name and another value.
 void add_scene_aovs(const Scene& scene, const RenderOptions& options, const std::string& picture, AovList& aovs);
 
+/// Says that the picture of --samples has no layers of first samples, where it begins behind them.
+void warn_of_later_samples(const KeepOptions& keep, const AovList& aovs);
+
 /// What is said where `picture` is no EXR file and so lacks these.
 void say_unwritten(const std::vector<NamedAov>& aovs, const std::string& picture);
 

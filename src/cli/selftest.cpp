@@ -52,13 +52,21 @@ void require_known(const std::vector<std::string>& kinds) {
                                    did_you_mean(kind, known), fmt::join(known, ", ")));
 }
 
+/// Each once, where it stands first.
+std::vector<std::string> distinct(const std::vector<std::string>& names) {
+  std::vector<std::string> once;
+  for (const std::string& name : names)
+    if (std::find(once.begin(), once.end(), name) == once.end()) once.push_back(name);
+  return once;
+}
+
 ExitCode run(const SelftestCommand& command) {
   require_known(command.kinds);
   if (!command.json.empty() && command.json != "-") require_writable(command.json);
   selftest::SelftestOptions options;
   if (!command.tiers.empty()) options.tiers.clear();
-  for (const std::string& name : command.tiers) options.tiers.push_back(precision_from_name(name));
-  options.kinds = command.kinds;
+  for (const std::string& name : distinct(command.tiers)) options.tiers.push_back(precision_from_name(name));
+  options.kinds = distinct(command.kinds);
   options.rounds = command.full ? 100 : 1;
   if (command.full) options.cases_per_generator = std::numeric_limits<int>::max();
   options.seed = command.seed;

@@ -27,18 +27,20 @@ std::vector<std::string> device_selectors(const RenderOptions& options) {
   return all;
 }
 
-std::vector<Device> share(Renderer& renderer, const Device& first, const std::vector<std::string>& selectors,
-                          const DeviceNeeds& needs, const KernelOptions& options, const RenderSettings& settings) {
-  std::vector<Device> all{first};
+std::vector<SharedDevice> share(Renderer& renderer, const Device& first, const std::vector<std::string>& selectors,
+                                const DeviceNeeds& needs, const KernelOptions& options,
+                                const RenderSettings& settings) {
+  std::vector<SharedDevice> all{{first, settings}};
   for (std::size_t i = 1; i < selectors.size(); ++i) {
     const Device device = Device::open(selectors[i], needs);
-    for (const Device& other : all)
-      if (other.device()() == device.device()())
+    for (const SharedDevice& other : all)
+      if (other.device.device()() == device.device()())
         throw UsageError(fmt::format("-d names {} twice", device.info().text()));
-    std::optional<std::uint64_t> loop_turns;
-    if (!options.no_canary) loop_turns = trusted_tier(device, settings.precision).tier.loop_turns;
-    renderer.share_with(device, loop_turns);
-    all.push_back(device);
+    RenderSettings own = settings;
+    own.loop_turns.reset();
+    if (!options.no_canary) own.loop_turns = trusted_tier(device, settings.precision).tier.loop_turns;
+    renderer.share_with(device, own.loop_turns);
+    all.push_back({device, own});
   }
   return all;
 }
@@ -50,7 +52,13 @@ void warn_of_dropped(const RunStats& stats) {
                       share.fault));
 }
 
-const Device& living(const std::vector<Device>& devices, const RunStats& stats) {
+std::vector<Device> devices_of(const std::vector<SharedDevice>& all) {
+  std::vector<Device> devices;
+  for (const SharedDevice& one : all) devices.push_back(one.device);
+  return devices;
+}
+
+const SharedDevice& living(const std::vector<SharedDevice>& devices, const RunStats& stats) {
   for (std::size_t i = 0; i < stats.shares.size(); ++i)
     if (stats.shares[i].fault.empty()) return devices.at(i);
   return devices.front();

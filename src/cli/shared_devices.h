@@ -15,16 +15,24 @@ namespace strahl::cli {
 /// Throws UsageError where one is empty beside others, or where the options are for one device.
 [[nodiscard]] std::vector<std::string> device_selectors(const RenderOptions& options);
 
-/// Opens all selectors after the first and has them take part. Returns all devices. Throws UsageError for a device that
-/// is named twice, else as Device::open and choose_tier.
-[[nodiscard]] std::vector<Device> share(Renderer& renderer, const Device& first,
-                                        const std::vector<std::string>& selectors, const DeviceNeeds& needs,
-                                        const KernelOptions& options, const RenderSettings& settings);
+/// One that takes part, and the picture's settings there: loop_turns are the device's own.
+struct SharedDevice {
+  Device device;
+  RenderSettings settings;
+};
+
+/// Opens all selectors after the first and has them take part. `settings` are those on the first. Returns all devices.
+/// Throws UsageError for a device that is named twice, else as Device::open and choose_tier.
+[[nodiscard]] std::vector<SharedDevice> share(Renderer& renderer, const Device& first,
+                                              const std::vector<std::string>& selectors, const DeviceNeeds& needs,
+                                              const KernelOptions& options, const RenderSettings& settings);
+
+[[nodiscard]] std::vector<Device> devices_of(const std::vector<SharedDevice>& all);
 
 /// Devices that were dropped: said even with -q.
 void warn_of_dropped(const RunStats& stats);
 
 /// The first that was not dropped; the first where there are no others.
-[[nodiscard]] const Device& living(const std::vector<Device>& devices, const RunStats& stats);
+[[nodiscard]] const SharedDevice& living(const std::vector<SharedDevice>& devices, const RunStats& stats);
 
 }  // namespace strahl::cli

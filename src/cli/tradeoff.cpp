@@ -23,6 +23,7 @@
 #include "image/image_io.h"
 #include "kinds/integrators.h"
 #include "render/limitations.h"
+#include "render/renderer.h"
 #include "settings/sampler_name.h"
 #include "settings/sampling.h"
 #include "study/tradeoff/json.h"
@@ -122,7 +123,7 @@ TradeoffPlan plan_of(const TradeoffCommand& command, const Scene& scene, const T
   axes.generic = !command.no_generic;
   const std::int64_t most = *std::max_element(axes.spps.begin(), axes.spps.end());
   const int reference_spp = command.reference_spp.value_or(
-      static_cast<int>(std::min<std::int64_t>(most * reference_samples_a_sample, max_spp)));
+      static_cast<int>(std::min<std::int64_t>(most * reference_samples_a_sample, Renderer::most_samples(scene, {}))));
   return plan_tradeoff(scene.integrator, axes, tiers.reference, reference_spp);
 }
 

@@ -60,6 +60,9 @@ std::string drivers_not_loaded() {
 }
 
 [[noreturn]] void throw_unusable(const DeviceInfo& device) {
+  if (!device.fault.empty())
+    throw NoDeviceError(fmt::format("{} cannot be used: {}; there is:{}\notherwise {}", device.text(), device.fault,
+                                    everything_there_is(), what_to_install));
   throw NoDeviceError(
       fmt::format("{} cannot be used: it is not available, has no compiler or is older than OpenCL 1.2 "
                   "(it says \"{}\"); there is:{}\notherwise {}",

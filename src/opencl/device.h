@@ -34,9 +34,14 @@ struct DeviceInfo {
   std::size_t max_work_group = 0;
   unsigned native_vector_width = 0;  ///< CL_DEVICE_NATIVE_VECTOR_WIDTH_FLOAT
   bool available = true;             ///< The driver says so, has a compiler, and speaks OpenCL 1.2 or later.
+  std::string fault;                 ///< Why nobody knows whether it is available; empty where its driver answers.
 
   /// "0:1 llvmpipe (rusticl)".
   [[nodiscard]] std::string text() const;
+  /// In messages about its memory: "449 MiB", "48 KiB by --memory-limit".
+  [[nodiscard]] std::string memory_text() const;
+  /// What has room for so many bytes where it has not: "a larger --memory-limit", "a device with more memory (-d)".
+  [[nodiscard]] std::string room_for(std::uint64_t bytes) const;
 };
 
 struct PlatformInfo {

@@ -41,17 +41,22 @@ bool shares_host_memory(const cl::Device& device) {
          shares == CL_TRUE;
 }
 
-DeviceInfo describe(const cl::Device& device, const PlatformInfo& platform, int index) {
-  DeviceInfo info;
-  info.platform_index = platform.index;
-  info.device_index = index;
-  info.platform = platform.name;
+/// Drivers before OpenCL 1.2 have no answer for devices without fp64.
+bool has_fp64(const cl::Device& device) {
+  cl_device_fp_config config = 0;
+  const cl_int code = clGetDeviceInfo(device(), CL_DEVICE_DOUBLE_FP_CONFIG, sizeof config, &config, nullptr);
+  if (code != CL_SUCCESS && code != CL_INVALID_VALUE) throw cl::Error(code, "clGetDeviceInfo");
+  return code == CL_SUCCESS && config != 0;
+}
+
+/// Throws cl::Error where the driver has no answer, with what is known by then in `info`.
+void ask(const cl::Device& device, DeviceInfo& info) {
   info.name = trimmed(device.getInfo<CL_DEVICE_NAME>());
   info.vendor = trimmed(device.getInfo<CL_DEVICE_VENDOR>());
   info.version = trimmed(device.getInfo<CL_DEVICE_VERSION>());
   info.driver = trimmed(device.getInfo<CL_DRIVER_VERSION>());
   info.type = type_name(device.getInfo<CL_DEVICE_TYPE>());
-  info.fp64 = device.getInfo<CL_DEVICE_DOUBLE_FP_CONFIG>() != 0;
+  info.fp64 = has_fp64(device);
   const cl_device_fp_config single = device.getInfo<CL_DEVICE_SINGLE_FP_CONFIG>();
   info.correctly_rounded_option = (single & CL_FP_CORRECTLY_ROUNDED_DIVIDE_SQRT) != 0;
   info.fma = (single & CL_FP_FMA) != 0;
@@ -64,11 +69,25 @@ DeviceInfo describe(const cl::Device& device, const PlatformInfo& platform, int 
   info.native_vector_width = device.getInfo<CL_DEVICE_NATIVE_VECTOR_WIDTH_FLOAT>();
   info.available = device.getInfo<CL_DEVICE_AVAILABLE>() == CL_TRUE &&
                    device.getInfo<CL_DEVICE_COMPILER_AVAILABLE>() == CL_TRUE && speaks_opencl_1_2(info.version);
-  return info;
 }
 
 std::string failure(const cl::Error& error) {
   return fmt::format("{} failed with {}", error.what(), cl_code_name(error.err()));
+}
+
+/// One device that cannot be described hides no other.
+DeviceInfo describe(const cl::Device& device, const PlatformInfo& platform, int index) {
+  DeviceInfo info;
+  info.platform_index = platform.index;
+  info.device_index = index;
+  info.platform = platform.name;
+  try {
+    ask(device, info);
+  } catch (const cl::Error& error) {
+    info.available = false;
+    info.fault = failure(error);
+  }
+  return info;
 }
 
 }  // namespace
@@ -133,6 +152,16 @@ std::vector<cl::Device> device_handles(const cl::Platform& platform) {
 
 std::string DeviceInfo::text() const {
   return fmt::format("{}:{} {} ({})", platform_index, device_index, name, platform);
+}
+
+std::string DeviceInfo::memory_text() const {
+  const bool is_little = global_memory < 1U << 20;
+  return fmt::format("{} {}{}", global_memory >> (is_little ? 10 : 20), is_little ? "KiB" : "MiB",
+                     is_memory_limited ? " by --memory-limit" : "");
+}
+
+std::string DeviceInfo::room_for(std::uint64_t bytes) const {
+  return is_memory_limited && bytes > global_memory ? "a larger --memory-limit" : "a device with more memory (-d)";
 }
 
 std::vector<PlatformInfo> list_platforms() {

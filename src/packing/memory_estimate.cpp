@@ -23,9 +23,7 @@ constexpr std::uint64_t reals_of_normals = 9, reals_of_uvs = 6;  // a triangle's
 
 std::uint64_t mebibytes(std::uint64_t bytes) { return (bytes + (1U << 20) - 1) >> 20; }
 
-}  // namespace
-
-namespace {
+std::uint64_t largest_buffer(const MemoryNeed& need) { return std::max({need.geometry, need.shading, need.index}); }
 
 bool is_shown(const Scene& scene, const std::string& attribute) {
   return std::any_of(scene.textures.begin(), scene.textures.end(),
@@ -89,14 +87,17 @@ MemoryNeed least_memory(const Scene& scene, const Features& features, Precision 
   return need;
 }
 
+bool fits(const MemoryNeed& need, const DeviceInfo& device) {
+  return need.total() <= device.global_memory && largest_buffer(need) <= device.max_allocation;
+}
+
 void require_memory(const MemoryNeed& need, const DeviceInfo& device, Precision precision) {
-  const std::uint64_t largest = std::max({need.geometry, need.shading, need.index});
-  if (need.total() <= device.global_memory && largest <= device.max_allocation) return;
+  if (fits(need, device)) return;
   throw NoDeviceError(fmt::format(
       "the scene takes at least {} MiB (geometry {}, normals and texture coordinates {}, tables and texels {}); {} has "
-      "{} MiB{}, {} MiB in one buffer. Choose a device with more memory (-d){}, or simplify the meshes or images",
+      "{}, {} MiB in one buffer. Choose {}{}, or simplify the meshes or images",
       mebibytes(need.total()), mebibytes(need.geometry), mebibytes(need.shading), mebibytes(need.index), device.text(),
-      device.global_memory >> 20, device.is_memory_limited ? " by --memory-limit" : "", device.max_allocation >> 20,
+      device.memory_text(), device.max_allocation >> 20, device.room_for(need.total()),
       precision == Precision::fp64 ? ", a --precision other than double, which takes half" : ""));
 }
 

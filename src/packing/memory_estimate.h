@@ -22,8 +22,10 @@ struct MemoryNeed {
 /// Every group counts once, however often it is placed.
 [[nodiscard]] MemoryNeed least_memory(const Scene& scene, const Features& features, Precision precision, int lanes);
 
-/// Throws NoDeviceError, with need, limits and remedy, where the device cannot hold so much, all of it together or one
-/// of the buffers.
+/// Whether the device can hold so much, all of it together and each of the buffers.
+[[nodiscard]] bool fits(const MemoryNeed& need, const DeviceInfo& device);
+
+/// Throws NoDeviceError, with need, limits and remedy, where it does not fit.
 void require_memory(const MemoryNeed& need, const DeviceInfo& device, Precision precision);
 
 }  // namespace strahl

@@ -359,8 +359,8 @@ class Packing {
     index(layout::HEADER_BOUNDS) = put_geometry(tree.reach);
     const int children_at = packed_.put_index(tree.children);
     index(layout::HEADER_CHILDREN) = children_at;
-    checked_offset(packed_.geometry.size());
-    checked_offset(packed_.index.size());
+    for (const std::size_t end : {packed_.geometry.size(), packed_.shading.size(), packed_.index.size()})
+      checked_offset(end);
     packed_.tree = tree.stats;
   }
 

@@ -33,9 +33,14 @@ bool is_tree(Acceleration acceleration, std::size_t bounded, int width) {
 }
 
 std::int32_t leaf_reference(std::size_t block, std::size_t count, std::size_t kind, int width) {
-  if (block >> (31 - layout::REFERENCE_BLOCK) != 0)
-    throw Error(fmt::format("the scene is too large for a tree of {} children a node: more than {} blocks of a kind",
-                            width, 1U << (31 - layout::REFERENCE_BLOCK)));
+  static_assert(most_blocks == std::int64_t{1} << (31 - layout::REFERENCE_BLOCK));
+  if (block >= static_cast<std::size_t>(most_blocks))
+    throw Error(fmt::format(
+        "the scene is too large for a tree of {} children a node: more than {} blocks of a kind; {}simplify the meshes",
+        width, most_blocks,
+        width < 8    ? "state --bvh-width 8, or "
+        : width < 16 ? "state --bvh-width 16, or "
+                     : ""));
   return ~static_cast<std::int32_t>(block << layout::REFERENCE_BLOCK | count << layout::REFERENCE_COUNT | kind);
 }
 

@@ -47,6 +47,9 @@ struct PackedTree {
   [[nodiscard]] Bounds<Real> box() const;
 };
 
+/// Of a kind, that references can name: a tree of fewer than 8 children a node has a block for each primitive.
+inline constexpr std::int64_t most_blocks = std::int64_t{1} << 24;
+
 struct TreeOptions {
   int width = 16;  ///< 2, 4, 8 or 16 children a node; 8 and 16 test as many primitives at a time, 2 and 4 one.
   Acceleration acceleration = Acceleration::automatic;

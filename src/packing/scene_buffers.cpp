@@ -22,10 +22,10 @@ template <typename Real>
 SceneBuffers upload_as(const Device& device, const Scene& scene, const Features& features, const PackOptions& options) {
   const PackedScene<Real> packed = pack_scene<Real>(scene, features, options);
   check_packed(packed, scene, features, options);
-  const std::uint64_t memory = device.info().global_memory;
-  if (packed.bytes() > memory)
-    throw NoDeviceError(fmt::format("the scene needs {} MiB and {} has {} MiB: choose a device with more memory (-d)",
-                                    packed.bytes() >> 20, device.info().text(), memory >> 20));
+  const DeviceInfo& info = device.info();
+  if (packed.bytes() > info.global_memory)
+    throw NoDeviceError(fmt::format("the scene takes {} KiB, and {} has {}: choose {}", packed.bytes() >> 10,
+                                    info.text(), info.memory_text(), info.room_for(packed.bytes())));
   SceneBuffers buffers;
   buffers.geometry = upload(device, packed.geometry, "the scene's geometry");
   buffers.shading = upload(device, packed.shading, "the scene's shading data");
@@ -40,8 +40,10 @@ SceneBuffers upload_as(const Device& device, const Scene& scene, const Features&
 cl::Buffer allocate(const Device& device, std::size_t bytes, const std::string& what) {
   bytes = std::max<std::size_t>(bytes, 16);
   if (bytes > device.info().max_allocation)
-    throw NoDeviceError(fmt::format("{} needs a buffer of {} MiB and {} allows {} MiB: choose another device (-d)",
-                                    what, bytes >> 20, device.info().text(), device.info().max_allocation >> 20));
+    throw NoDeviceError(fmt::format("{} needs a buffer of {} KiB, and {} allows {} KiB{}: choose {}", what, bytes >> 10,
+                                    device.info().text(), device.info().max_allocation >> 10,
+                                    device.info().is_memory_limited ? " with its --memory-limit" : "",
+                                    device.info().room_for(bytes)));
   return checked(device.info().text(), [&] { return cl::Buffer(device.context(), CL_MEM_READ_WRITE, bytes); });
 }
 

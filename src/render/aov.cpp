@@ -99,7 +99,7 @@ std::vector<std::string> aov_channels(const std::set<Aov>& aovs) {
 Image aov_image(const FirstSampleValues& values, const std::set<Aov>& aovs) {
   std::vector<Column> columns;
   for (const AovChannel& channel : known_channels)
-    if (aovs.contains(channel.aov)) columns.push_back({channel.name, &channel});
+    if (aovs.contains(channel.aov) && values.are_there) columns.push_back({channel.name, &channel});
   return image_of(values, columns);
 }
 
@@ -109,6 +109,7 @@ Image aov_image(const FirstSampleValues& values, const SampleMeans& means, const
       std::any_of(aovs.begin(), aovs.end(), [](const NamedAov& named) { return named.aov == Aov::xyz; });
   const Image xyz = has_xyz ? xyz_of(means.color) : Image{};
   for (const NamedAov& named : aovs) {
+    if (is_of_first_sample(named.aov) && !values.are_there) continue;
     const std::vector<std::string> names = channels_of(named);
     auto name = names.begin();
     if (is_of_first_sample(named.aov)) {

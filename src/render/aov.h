@@ -24,6 +24,7 @@ struct FirstSampleValues {
   const std::vector<double>& reals;
   const std::vector<std::int32_t>& ints;
   UploadFrame frame;
+  bool are_there = true;  ///< false: of a part whose samples begin behind the first, so that it has no such channels.
 };
 
 /// The channels of aov_channels(); positions and depths return to the world frame. No channels without AOVs, of which

@@ -7,6 +7,7 @@
 #include <array>
 #include <future>
 #include <limits>
+#include <set>
 #include <utility>
 
 #include "errors.h"
@@ -87,7 +88,7 @@ bool FilmRun::report() {
   // Of this run: what it began with took none of its time.
   const auto of_all_pixels = [&](int samples) { return pixels * (samples - film_.first_sample) - samples_before_; };
   std::optional<double> total = of_all_pixels(end_);
-  if (goal_.max_error) {
+  if (passes_.is_for_error()) {
     total.reset();
     if (passes_.expected()) total = of_all_pixels(*passes_.expected());
   }
@@ -272,6 +273,19 @@ void FilmRun::measure_finish() {
   state_.finish_seconds = start.seconds();
 }
 
+/// false: it could not be told. The picture is done by now, and is what it is without that layer.
+bool FilmRun::tell_numeric_error() {
+  const Stopwatch start;
+  const Renderer::State& device = living_device();
+  try {
+    replace_t_by_its_error(device.device, state_.scene, state_.frame, device.settings, aov_reals_, aov_ints_);
+  } catch (const std::exception& fault) {
+    result_.numeric_error_fault = fault.what();
+  }
+  result_.stats.seconds.error += start.seconds();
+  return result_.numeric_error_fault.empty();
+}
+
 RenderResult FilmRun::run() {
   if (!is_shared()) write_header();
   // Whatever ends the render, there is a film: of one band on the device, of several on the host.
@@ -281,7 +295,9 @@ RenderResult FilmRun::run() {
   bool carry_on = true;
   if (keeper_ != nullptr && keeper_->begin_with != nullptr) carry_on = go_on_from(*keeper_->begin_with);
   while (carry_on) {
-    if (passes_.wants_error()) {
+    if (passes_.wants_error() && result_.stats.unusual.not_finite() > 0) {
+      passes_.cannot_estimate();
+    } else if (passes_.wants_error()) {
       ErrorSums error(film_);
       each_part([&](const std::shared_ptr<const FilmPart>& part) {
         const Stopwatch estimating;
@@ -314,12 +330,11 @@ RenderResult FilmRun::run() {
   if (keeper_ != nullptr && keeper_->keep_last) keeper_->keep_last(state_now());
   if (keeper_ != nullptr && keeper_->is_done) keeper_->is_done();
   if (result_.error) run.error = ErrorBudget{*result_.error, 0, 0, std::nullopt};
+  std::set<Aov> plain = state_.settings.aovs.plain();
+  const FirstSampleValues values{width_, height_, aov_reals_, aov_ints_, state_.frame, film_.first_sample == 0};
+  if (values.are_there && plain.contains(Aov::numeric_error) && !tell_numeric_error()) plain.erase(Aov::numeric_error);
   const Stopwatch convert;
-  if (state_.settings.aovs.contains(Aov::numeric_error))
-    replace_t_by_its_error(living_device().device, state_.scene, state_.frame, living_device().settings, aov_reals_,
-                           aov_ints_);
-  const FirstSampleValues values{width_, height_, aov_reals_, aov_ints_, state_.frame};
-  result_.aov = aov_image(values, state_.settings.aovs.plain());
+  result_.aov = aov_image(values, plain);
   result_.named_aov = aov_image(values, {result_.color, squares_}, state_.settings.aovs.named());
   run.seconds.readback += convert.seconds();
   return std::move(result_);

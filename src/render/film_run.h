@@ -81,6 +81,7 @@ class FilmRun {
   /// From the top down.
   void each_part(const std::function<void(std::shared_ptr<const FilmPart>)>& use);
   void finish();
+  [[nodiscard]] bool tell_numeric_error();
   void measure_finish();
 
   Stopwatch construction_;

@@ -46,8 +46,9 @@ struct RenderGoal {
   [[nodiscard]] bool is_open() const { return deadline || max_error; }
 };
 
-/// What ended a render.
-enum class Ending { samples, deadline, error, stopped };
+/// What ended a render. unknown_error: with the error as the only goal, that a sample was not finite, so that no error
+/// can be told.
+enum class Ending { samples, deadline, error, unknown_error, stopped };
 
 [[nodiscard]] constexpr const char* ending_name(Ending ending) {
   switch (ending) {
@@ -57,6 +58,8 @@ enum class Ending { samples, deadline, error, stopped };
       return "deadline";
     case Ending::error:
       return "error";
+    case Ending::unknown_error:
+      return "unknown error";
     case Ending::stopped:
       break;
   }

@@ -14,6 +14,7 @@
 #include "opencl/program.h"
 #include "opencl/tuned_width.h"
 #include "packing/cl_layout.h"
+#include "packing/memory_estimate.h"
 #include "packing/scene_buffers.h"
 #include "program/program_text.h"
 #include "render/median.h"
@@ -304,7 +305,7 @@ Intersector::Intersector(const Device& device, const Scene& scene, const RenderS
     : state_(std::make_unique<State>(device, settings)) {
   if (std::vector<Diagnostic> problems = validate(scene); !problems.empty()) throw SceneError(problems);
   State& s = *state_;
-  const Width width = width_on(device, settings);
+  const Width width = wide_enough(width_on(device, settings), scene, settings);
   const Stopwatch start;
   const Features features = intersection_features(scene, settings);
   const auto [has_tree, acceleration] = choose_traversal(scene, features, settings, width, 1);
@@ -333,6 +334,12 @@ Intersector::Intersector(const Device& device, const Scene& scene, const RenderS
   for (const FeatureReport& row : features.report)
     if (row.on) s.stats.features.push_back(row.name);
 }
+MemoryNeed Intersector::least_memory(const Device& device, const Scene& scene, const RenderSettings& settings) {
+  const Features features = intersection_features(scene, settings);
+  return strahl::least_memory(scene, features, settings.precision,
+                              wide_enough(width_on(device, settings), scene, settings).lanes);
+}
+
 Intersector::~Intersector() = default;
 Intersector::Intersector(Intersector&&) noexcept = default;
 Intersector& Intersector::operator=(Intersector&&) noexcept = default;

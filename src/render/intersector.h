@@ -13,6 +13,8 @@
 
 namespace strahl {
 
+struct MemoryNeed;
+
 /// World frame; direction of any length > 0; t in units of it; t_min <= t <= t_max counts.
 struct Ray {
   Vec3 origin;
@@ -38,6 +40,9 @@ class Intersector {
   /// Compiles nothing yet. As Renderer's, settings.precision and settings.loop_turns are those of choose_tier()
   /// (trust/tier_choice.h), else rays may miss what they hit. Throws as Renderer does, except KernelBuildError.
   Intersector(const Device& device, const Scene& scene, const RenderSettings& settings = {});
+  /// What it takes of the device at the least.
+  [[nodiscard]] static MemoryNeed least_memory(const Device& device, const Scene& scene,
+                                               const RenderSettings& settings);
   ~Intersector();
   Intersector(Intersector&&) noexcept;
   Intersector& operator=(Intersector&&) noexcept;

@@ -39,7 +39,8 @@ Launch LaunchPlan::next(double most_seconds) {
   if (range_ == 0) choose_range();
   Launch launch{column_, row_, width_ - column_, 1, sample_, range_};
   const double budget = std::max(budget_ * std::min(1.0, most_seconds / target_seconds), least_);
-  const double pixels = std::max(budget / range_, 1.0);
+  // Of fewer pixels than the device takes together, a launch of many samples is no shorter.
+  const double pixels = std::max(budget / range_, least_);
   if (pixels < launch.columns)
     launch.columns = static_cast<int>(pixels);
   else if (column_ == 0)

@@ -53,7 +53,7 @@ class LaunchPlan {
   int width_, height_, samples_;
   std::optional<int> passes_;
   LaunchCosts costs_;
-  double least_;   ///< Pixel samples of the smallest launch that is worth it.
+  double least_;   ///< Pixels of the smallest launch that is worth it.
   double budget_;  ///< Pixel samples for the next launch.
   int pass_ = 0;
   int column_ = 0, row_ = 0;  ///< The first pixel not yet handed out in this range of samples.

@@ -26,26 +26,32 @@ constexpr int few_items = 2048;
 
 }  // namespace
 
-LaunchShape::LaunchShape(const Device& device, const cl::Kernel& kernel, int lanes,
-                         const std::optional<WorkGroup>& asked)
-    : group_(asked.value_or(lanes > 1 ? short_row : WorkGroup{})), is_asked_(asked.has_value()) {
-  const std::string name = device.info().text();
+GroupLimits group_limits(const Device& device, const cl::Kernel& kernel) {
+  const DeviceInfo& info = device.info();
   const std::size_t most =
-      checked(name, [&] { return kernel.getWorkGroupInfo<CL_KERNEL_WORK_GROUP_SIZE>(device.device()); });
+      checked(info.text(), [&] { return kernel.getWorkGroupInfo<CL_KERNEL_WORK_GROUP_SIZE>(device.device()); });
+  return {info.text(), info.type == "GPU", info.compute_units, most};
+}
+
+LaunchShape::LaunchShape(const GroupLimits& limits, int lanes, const std::optional<WorkGroup>& asked)
+    : group_(asked.value_or(lanes > 1 ? short_row : WorkGroup{})), is_asked_(asked.has_value()) {
+  const std::size_t most = std::max<std::size_t>(limits.most, 1);
   const std::size_t items = static_cast<std::size_t>(group_.x) * static_cast<std::size_t>(group_.y);
   if (is_asked_ && (group_.x < 1 || group_.y < 1 || items > most))
-    throw UsageError(fmt::format("--work-group {}x{}: {} allows 1 to {} work-items", group_.x, group_.y, name, most));
-  if (!is_asked_ && items > most) group_ = {static_cast<int>(std::bit_floor(most)), 1};
-  if (device.info().type != "GPU") return;
-  items_at_once_ = static_cast<int>(
-      std::min<std::uint64_t>(std::uint64_t{device.info().compute_units} * most, std::numeric_limits<int>::max()));
+    throw UsageError(
+        fmt::format("--work-group {}x{}: {} allows 1 to {} work-items", group_.x, group_.y, limits.device, most));
+  row_.x = static_cast<int>(std::bit_floor(std::min(most, static_cast<std::size_t>(row_.x))));
+  if (!is_asked_ && items > most) group_ = row_;
+  if (!limits.is_gpu) return;
+  items_at_once_ =
+      static_cast<int>(std::min<std::uint64_t>(limits.compute_units * most, std::numeric_limits<int>::max()));
   if (!is_asked_ && most >= static_cast<std::size_t>(square.x) * square.y) group_ = square;
 }
 
 WorkGroup LaunchShape::group(int columns, int rows) const {
   if (is_asked_) return group_;
   if (group_.x == short_row.x && static_cast<std::int64_t>(columns) * rows < few_items) return {1, 1};
-  return rows >= group_.y ? group_ : WorkGroup{};
+  return rows >= group_.y ? group_ : row_;
 }
 
 }  // namespace strahl

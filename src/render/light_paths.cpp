@@ -74,13 +74,15 @@ int most_light_paths(const Window& window, bool has_error_sums) {
   return static_cast<int>(std::clamp<std::int64_t>((std::int64_t{1} << 31) / pixels * sums, 1, max_spp));
 }
 
-void require_room_for_splats(const Device& device, std::uint64_t bytes, std::uint64_t memory_left) {
-  if (bytes <= std::min(device.info().max_allocation, memory_left)) return;
+void require_room_for_splats(const DeviceInfo& device, std::uint64_t bytes, std::uint64_t memory_left) {
+  if (bytes <= std::min(device.max_allocation, memory_left)) return;
+  const std::uint64_t scene = device.global_memory - std::min(device.global_memory, memory_left);
   throw NoDeviceError(
-      fmt::format("light paths may end in any pixel, so their film is in memory as a whole: {} MiB, and {} has {} MiB "
-                  "left and allocates {} MiB at a time; choose a smaller picture, a part of it (--crop), --no-error "
-                  "(a quarter of the memory) or another device (-d)",
-                  bytes >> 20, device.info().text(), memory_left >> 20, device.info().max_allocation >> 20));
+      fmt::format("light paths may end in any pixel, so their film is in memory as a whole: {} KiB, and {} has {} KiB "
+                  "left of {} and allocates {} KiB at a time; choose a smaller picture, a part of it (--crop), "
+                  "--no-error (a quarter of the memory) or {}",
+                  bytes >> 10, device.text(), memory_left >> 10, device.memory_text(), device.max_allocation >> 10,
+                  device.room_for(scene + bytes)));
 }
 
 }  // namespace strahl

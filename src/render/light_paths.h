@@ -20,6 +20,6 @@ void require_light_paths(const Scene& scene, const RenderSettings& settings);
 [[nodiscard]] int most_light_paths(const Window& window, bool has_error_sums);
 
 /// Throws NoDeviceError where the film's bytes do not fit.
-void require_room_for_splats(const Device& device, std::uint64_t bytes, std::uint64_t memory_left);
+void require_room_for_splats(const DeviceInfo& device, std::uint64_t bytes, std::uint64_t memory_left);
 
 }  // namespace strahl

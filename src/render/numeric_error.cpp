@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "render/numeric_error.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
+#include "errors.h"
 #include "packing/cl_layout.h"
 #include "render/intersector.h"
 
@@ -31,16 +34,37 @@ double error(bool is_hit, double t, const Hit& exact) {
   return is_hit ? std::fabs(t - exact.t) / float_ulp(exact.t) : 0;
 }
 
-}  // namespace
-
-void replace_t_by_its_error(const Device& device, const Scene& scene, const UploadFrame& frame,
-                            const RenderSettings& of_picture, std::vector<double>& reals,
-                            const std::vector<std::int32_t>& ints) {
+RenderSettings in_double(const RenderSettings& of_picture) {
   RenderSettings settings;
   settings.precision = Precision::fp64;
   settings.disabled = of_picture.disabled;
   settings.loop_turns = of_picture.loop_turns;
-  Intersector exact(device, scene, settings);
+  return settings;
+}
+
+}  // namespace
+
+void require_numeric_error(const Device& device, const Scene& scene, const RenderSettings& of_picture,
+                           const MemoryNeed& picture) {
+  const DeviceInfo& info = device.info();
+  if (!info.fp64)
+    throw NoDeviceError(
+        fmt::format("the AOV numeric_error holds every hit against double precision, which {} has not", info.text()));
+  const MemoryNeed need = Intersector::least_memory(device, scene, in_double(of_picture));
+  if (!fits(picture, info)) return;  // Which is said without this layer, too.
+  if (fits(need, info) && need.total() + picture.total() <= info.global_memory) return;
+  throw NoDeviceError(
+      fmt::format("the AOV numeric_error has the scene in memory a second time, in double precision: at least {} KiB "
+                  "beside {} KiB, "
+                  "and {} has {}, {} KiB in one buffer; leave that AOV out, or choose {}",
+                  need.total() >> 10, picture.total() >> 10, info.text(), info.memory_text(), info.max_allocation >> 10,
+                  info.room_for(need.total() + picture.total())));
+}
+
+void replace_t_by_its_error(const Device& device, const Scene& scene, const UploadFrame& frame,
+                            const RenderSettings& of_picture, std::vector<double>& reals,
+                            const std::vector<std::int32_t>& ints) {
+  Intersector exact(device, scene, in_double(of_picture));
   const std::size_t pixels = ints.size() / layout::AOV_INTS;
   for (std::size_t first = 0; first < pixels; first += chunk_pixels) {
     const std::size_t last = std::min(first + chunk_pixels, pixels);

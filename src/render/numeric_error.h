@@ -8,10 +8,16 @@
 
 #include "kinds/upload_frame.h"
 #include "opencl/device.h"
+#include "packing/memory_estimate.h"
 #include "scene/model/scene.h"
 #include "settings/settings.h"
 
 namespace strahl {
+
+/// Throws NoDeviceError where the device has no fp64, or no room for the scene in double precision beside `picture`,
+/// what that of the picture takes at the least.
+void require_numeric_error(const Device& device, const Scene& scene, const RenderSettings& of_picture,
+                           const MemoryNeed& picture);
 
 /// reals, ints: as aov_image (aov.h) takes them. Every AOV_T becomes |t - t in double| in ulps of float of the latter:
 /// infinity where one of the two is a hit and the other none, 0 where neither is. The device must have fp64.

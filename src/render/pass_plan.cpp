@@ -34,7 +34,7 @@ void PassPlan::go_on_from(const PassPosition& position) {
 }
 
 std::optional<Pass> PassPlan::next(double sample_seconds, double seconds_left) {
-  if (ending_ == Ending::error) return std::nullopt;
+  if (ending_ == Ending::error || ending_ == Ending::unknown_error) return std::nullopt;
   if (done_ >= end_) return std::nullopt;
   if (goal_.deadline && seconds_left <= 0) {
     ending_ = Ending::deadline;
@@ -49,6 +49,12 @@ std::optional<Pass> PassPlan::next(double sample_seconds, double seconds_left) {
   const Pass pass{done_, count};
   done_ += count;
   return pass;
+}
+
+void PassPlan::cannot_estimate() {
+  if (!goal_.deadline && !goal_.spp) ending_ = Ending::unknown_error;
+  goal_.max_error.reset();
+  expected_.reset();
 }
 
 void PassPlan::estimated(const std::optional<ErrorEstimate>& error) {

@@ -37,8 +37,12 @@ class PassPlan {
   /// known yet); seconds_left: until the deadline.
   [[nodiscard]] std::optional<Pass> next(double sample_seconds, double seconds_left);
   /// A pass is over. Returns whether the error must be estimated.
-  [[nodiscard]] bool wants_error() const { return goal_.max_error && done_ >= check_at_ && ending_ != Ending::error; }
+  [[nodiscard]] bool wants_error() const { return goal_.max_error && done_ >= check_at_ && ending_ == Ending::samples; }
   void estimated(const std::optional<ErrorEstimate>& error);
+  /// Nor will any be told: a sample was not finite. What else is asked for goes on, time or a number of samples.
+  void cannot_estimate();
+  /// Whether an error to reach may end the render.
+  [[nodiscard]] bool is_for_error() const { return goal_.max_error.has_value(); }
   /// Samples of a pixel that would reach the error if they were independent, as far as is known; none before the first
   /// estimate.
   [[nodiscard]] std::optional<int> expected() const { return expected_; }

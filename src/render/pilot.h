@@ -23,9 +23,9 @@ struct Pilot {
 };
 
 /// Renders the whole picture with few samples, then with four times as many and so on, while that is quick; else some
-/// of its rows, evenly spread, and some of them with four times as many. most_spp: more samples are of no use.
-/// most_seconds: the time that the pilot may take, from what is known so far. It ends within one launch of that, but
-/// renders at least three parts of the picture.
+/// of its rows, evenly spread, and some of them with four times as many. most_spp: more samples are of no use; no
+/// more than Renderer::most_samples(). most_seconds: the time that the pilot may take, from what is known so far. It
+/// ends within one launch of that, but renders at least three parts of the picture.
 [[nodiscard]] Pilot run_pilot(Renderer& renderer, int most_spp,
                               const std::function<double(const Pilot&)>& most_seconds);
 

@@ -142,7 +142,7 @@ Prediction predict(const std::optional<ErrorTrend>& law, const RunCosts& costs, 
     spp.push_back(run.spp);
     rmse.push_back(run.rmse);
   }
-  Prediction prediction{range_of(std::move(seconds)), range_of(std::move(spp)), std::nullopt};
+  Prediction prediction{range_of(std::move(seconds)), range_of(std::move(spp)), true, std::nullopt};
   if (law && prediction.spp.middle >= told_from) prediction.rmse = range_of(std::move(rmse));
   return prediction;
 }

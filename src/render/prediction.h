@@ -68,6 +68,7 @@ struct PredictedGoal {
 
 struct Prediction {
   Range seconds, spp;
+  bool has_end = true;        ///< false: an error ends it, and how that falls is not known; nor are seconds and spp.
   std::optional<Range> rmse;  ///< As the picture's bill will state it; none where it cannot be predicted.
 };
 

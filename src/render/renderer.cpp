@@ -11,6 +11,7 @@
 #include "opencl/compiling.h"
 #include "program/path_lanes.h"
 #include "render/light_paths.h"
+#include "render/numeric_error.h"
 #include "render/renderer_state.h"
 #include "render/shown_scene.h"
 #include "scene/validate.h"
@@ -19,9 +20,13 @@
 namespace strahl {
 namespace {
 
-int samples_of_film(const Scene& scene, const Window& window, const RenderSettings& settings, const RenderGoal& goal) {
+int most_samples_of(const Scene& scene, const Window& window, const RenderSettings& settings) {
   const bool has_splats = kinds::integrator(scene.integrator.name).from_lights;
-  const int most = has_splats ? most_light_paths(window, settings.estimate_error) : max_spp;
+  return has_splats ? most_light_paths(window, settings.estimate_error) : max_spp;
+}
+
+int samples_of_film(const Scene& scene, const Window& window, const RenderSettings& settings, const RenderGoal& goal) {
+  const int most = most_samples_of(scene, window, settings);
   if (!goal.spp && goal.is_open()) return most;
   const int spp = goal.spp.value_or(resolve_sampling(scene).spp);
   if (spp >= 1 && spp <= most) return spp;
@@ -36,7 +41,7 @@ int samples_of_film(const Scene& scene, const Window& window, const RenderSettin
 Renderer::State::Choice Renderer::State::choose_program() {
   sampling = resolve_sampling(scene);
   window = scene.film.window();
-  Choice choice{width_on(device, settings), {}, 1};
+  Choice choice{wide_enough(width_on(device, settings), scene, settings), {}, 1};
   features = features_of(scene, settings);
   choice.paths = path_lanes(features, settings, choice.width.lanes);
   choice.traversal = choose_traversal(scene, features, settings, choice.width, choice.paths);
@@ -48,18 +53,17 @@ Renderer::State::Choice Renderer::State::choose_program() {
 }
 
 void Renderer::State::prepare() {
-  if (settings.aovs.contains(Aov::numeric_error) && !device.info().fp64)
-    throw NoDeviceError(fmt::format("the AOV numeric_error holds every hit against double precision, which {} has not",
-                                    device.info().text()));
   require_light_paths(scene, settings);
   const Stopwatch start;
   const auto [width, traversal, paths] = choose_program();
+  if (settings.aovs.contains(Aov::numeric_error))
+    require_numeric_error(device, scene, settings, least_memory(scene, features, settings.precision, width.lanes));
   // Paths of one pixel are more alike than those of a span.
   samples_at_once = paths == 1 ? 1 : layout::POOL_PATHS;
   ProgramReport report;
   const cl::Program program = program_on(device, source, &report, settings.cached_program);
   kernel = checked(device.info().text(), [&] { return cl::Kernel(program, "render"); });
-  shape = LaunchShape(device, kernel, paths, settings.work_group);
+  shape = LaunchShape(group_limits(device, kernel), paths, settings.work_group);
   stats.seconds.program = start.seconds();
 
   const Stopwatch upload_start;
@@ -67,13 +71,14 @@ void Renderer::State::prepare() {
                          {width.lanes, frame, width.tree, traversal.acceleration});
   if (row_bytes() > memory_left())
     throw NoDeviceError(
-        fmt::format("a row of the picture takes {} KiB beside the scene's {} KiB, and {} has {} KiB: choose a device "
-                    "with more memory (-d), a larger --memory-limit or a part of the picture (--crop)",
-                    row_bytes() >> 10, buffers.bytes >> 10, device.info().text(), device.info().global_memory >> 10));
+        fmt::format("a row of the picture takes {} KiB beside the scene's {} KiB, and {} has {}: choose {} or a part "
+                    "of the picture (--crop)",
+                    row_bytes() >> 10, buffers.bytes >> 10, device.info().text(), device.info().memory_text(),
+                    device.info().room_for(buffers.bytes + row_bytes())));
   const std::size_t pixels = static_cast<std::size_t>(window.width()) * static_cast<std::size_t>(band_rows());
   if (film_kind() == FilmKind::splats) {
     const std::uint64_t bytes = pixels * film_bytes_per_pixel();
-    require_room_for_splats(device, bytes, memory_left());
+    require_room_for_splats(device.info(), bytes, memory_left());
   }
   film = allocate(device, pixels * film_bytes_per_pixel(), "one band of the film");
   aov_reals = allocate(device, aov_real_bytes(pixels), "the auxiliary values");
@@ -196,6 +201,12 @@ void Renderer::share_with(const Device& device, std::optional<std::uint64_t> loo
 void Renderer::require_samples(const Scene& scene, const RenderSettings& settings, const RenderGoal& goal) {
   if (std::vector<Diagnostic> problems = validate_picture(scene); !problems.empty()) throw SceneError(problems);
   static_cast<void>(samples_of_film(scene, scene.film.window(), settings, goal));
+}
+
+int Renderer::most_samples() const { return most_samples_of(state_->scene, state_->window, state_->settings); }
+
+int Renderer::most_samples(const Scene& scene, const RenderSettings& settings) {
+  return most_samples_of(scene, scene.film.window(), settings);
 }
 
 const Scene& Renderer::scene() const { return state_->scene; }

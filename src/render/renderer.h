@@ -27,9 +27,14 @@ struct Progress {
 using ProgressCallback = std::function<bool(const Progress&)>;
 
 struct RenderResult {
-  Image color;      ///< R, G, B, linear, size of the crop window. A pixel without samples (interrupted) is black.
-  Image aov;        ///< Layered channels ("depth.Z", "normal.X", ...); no channels where no AOV was asked for.
-  Image named_aov;  ///< Those that the scene has named (AovList::named()), in layers of these names.
+  Image color;  ///< R, G, B, linear, size of the crop window. A pixel without samples (interrupted) is black.
+  /// Layered channels ("depth.Z", "normal.X", ...); no channels where no AOV was asked for, or the part of the samples
+  /// (RenderGoal::samples) begins behind a pixel's first, whose values they are.
+  Image aov;
+  /// Those that the scene has named (AovList::named()), in layers of these names; of such a part those of all samples.
+  Image named_aov;
+  /// Why `aov` lacks numeric_error, which was asked for; empty: nothing failed.
+  std::string numeric_error_fault;
   /// R, G, B of each pixel's standard error, NaN where it is not known; no channels unless asked for.
   Image standard_error;
   /// Of `color`; none where a pixel has too few samples, a sample was infinite or no number (RunStats), or nobody wants
@@ -50,7 +55,7 @@ class Renderer {
   /// that ends loops makes wrong pictures without a word. Throws SceneError, DeviceError, KernelBuildError; UsageError
   /// for settings that cannot be (a needed effect in `disabled`, an unknown `light_choice`, a work group that the
   /// device has not, what light paths do not know); NoDeviceError where the device's memory cannot hold the scene and
-  /// one row of the film, or Aov::numeric_error is asked of a device without fp64.
+  /// one row of the film, or Aov::numeric_error is asked of a device without fp64 or without room for the scene in it.
   Renderer(const Device& device, Scene scene, const RenderSettings& settings = {});
   ~Renderer();
   Renderer(Renderer&&) noexcept;
@@ -66,6 +71,10 @@ class Renderer {
   /// Throws UsageError for more samples than the film holds, SceneError where they are the scene's, and where camera,
   /// film, sampler or integrator cannot be: what is otherwise found out once the program is built.
   static void require_samples(const Scene& scene, const RenderSettings& settings, const RenderGoal& goal);
+
+  /// The most samples a pixel that the film holds.
+  [[nodiscard]] int most_samples() const;
+  [[nodiscard]] static int most_samples(const Scene& scene, const RenderSettings& settings);
 
   /// Each call renders the picture from the start. Throws as require_samples, UsageError for a goal that cannot be
   /// reached (RenderGoal), NoDeviceError where the device ends loops before a sample is done

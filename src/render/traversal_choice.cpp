@@ -1,6 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "render/traversal_choice.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <string>
+
+#include "errors.h"
 #include "kinds/entries.h"
 #include "packing/pack_tree.h"
 #include "packing/primitive_bounds.h"
@@ -24,6 +31,27 @@ double list_cost(const Scene& scene, const Features& features) {
 }
 
 }  // namespace
+
+Width wide_enough(Width width, std::int64_t primitives, const RenderSettings& settings) {
+  if (width.tree >= 8 || primitives <= most_blocks || settings.acceleration == Acceleration::list) return width;
+  if (!settings.lanes && !settings.bvh_width) return {8, 8};
+  throw UsageError(
+      fmt::format("{} {}: such a tree names at most {} primitives of a kind, and the scene has {}; state --bvh-width 8",
+                  settings.bvh_width ? "--bvh-width" : "--lanes", settings.bvh_width.value_or(width.lanes), most_blocks,
+                  primitives));
+}
+
+Width wide_enough(Width width, const Scene& scene, const RenderSettings& settings) {
+  if (width.tree >= 8) return width;
+  std::map<std::string, std::int64_t> primitives;
+  std::int64_t most = 0;
+  for_each_shape(scene, [&](const Shape& shape) {
+    std::int64_t& of_kind = primitives[shape_kind(shape)];
+    of_kind += primitive_count(shape);
+    most = std::max(most, of_kind);
+  });
+  return wide_enough(width, most, settings);
+}
 
 TraversalChoice choose_traversal(const Scene& scene, const Features& features, const RenderSettings& settings,
                                  Width width, int path_lanes) {

@@ -57,7 +57,7 @@ void ask_seams(Probe& probe, const std::string& kind, const ClosedSurface& surfa
     }
     const std::vector<Answer> again = probe.ask(without);
     for (std::size_t i = 0; i < without.size(); ++i) {
-      if (!std::isfinite(again[i].t)) continue;
+      if (std::isinf(again[i].t) && again[i].t > 0) continue;  // A miss; what is no number is none.
       if (seams.wrong() == 0) seams.first_wrong = text_of(without[i], again[i]);
       ++seams.doubles;
     }

@@ -13,7 +13,7 @@ namespace strahl::selftest {
 struct Seams {
   std::size_t rays = 0;
   std::size_t leaks = 0;    ///< Nothing is hit.
-  std::size_t doubles = 0;  ///< With the primitive that was hit taken away, another one is.
+  std::size_t doubles = 0;  ///< With the primitive that was hit taken away, another one is, or the answer is no number.
   std::string first_wrong{};
 
   [[nodiscard]] std::size_t wrong() const { return leaks + doubles; }

@@ -61,9 +61,10 @@ Piloted piloted(const Device& device, const Scene& scene, const RenderSettings& 
     RenderGoal first;
     first.spp = 1;
     static_cast<void>(renderer.render({}, first));  // The driver's part of building comes with the first launch.
-    found.pilot = run_pilot(renderer, max_spp, [&](const Pilot&) { return seconds; });
+    found.pilot = run_pilot(renderer, renderer.most_samples(), [&](const Pilot&) { return seconds; });
     found.cost.build_seconds = renderer.build_seconds();
     found.cost.mean = found.pilot.mean;
+    found.cost.has_finite_samples = found.pilot.not_finite == 0;
     const PassCost& last = found.pilot.passes.back();
     found.cost.sample_seconds = last.seconds / last.samples;
   } catch (const SceneError& error) {
@@ -85,7 +86,7 @@ void weigh_exponent(bool is_independent, ErrorTrend& law) {
 
 /// factor: of the scene's pixels to the pilot's.
 void set_prediction(const Pilot& pilot, bool is_independent, double rmse, double factor, IntegratorCost& cost) {
-  if (pilot.looks.empty() || !(pilot.looks.back().mse > 0) || !(rmse > 0)) return;
+  if (pilot.not_finite > 0 || pilot.looks.empty() || !(pilot.looks.back().mse > 0) || !(rmse > 0)) return;
   RunCosts costs;
   costs.passes = pilot.passes;
   for (PassCost& pass : costs.passes) pass.seconds *= factor;

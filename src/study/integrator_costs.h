@@ -24,7 +24,8 @@ struct IntegratorCost {
   double sample_seconds = 0;            ///< Of one sample of every pixel of the scene's picture, building aside.
   double mean = 0;                      ///< Of the pilot's picture.
   std::optional<Range> seconds, spp;    ///< To the error, though it may need more samples than a film holds (max_spp);
-                                        ///< none where the pilot saw no noise.
+                                        ///< none where the pilot saw no noise, or samples that are not finite.
+  bool has_finite_samples = true;       ///< Of the pilot: else its error is not known, nor when it would end.
 };
 
 struct IntegratorCosts {

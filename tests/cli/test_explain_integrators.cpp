@@ -127,6 +127,26 @@ TEST_CASE("what cannot be compared is said") {
   CHECK(contains(same.out, "volpath   refused: without media, masks and panes of thin glass it is path"));
 }
 
+TEST_CASE("samples that are not finite tell no time, which is said") {
+  const Folder folder;
+  folder.file("scene.xml", before +
+                               "<shape type=\"sphere\"><emitter type=\"area\"><rgb name=\"radiance\" "
+                               "value=\"3e38, 2, 1\"/></emitter></shape></scene>");
+  const std::vector<std::string> options = {"explain", "scene.xml", "--cost",      "integrators", "--among",
+                                            "path",    "--pilot",   "0.1",         "-d",          "pocl",
+                                            "--lanes", "1",         "--precision", "stable"};
+  const Outcome said = folder.run(options);
+  INFO(said.err);
+  CHECK(said.code == 0);
+  CHECK(contains(said.out, "path      not known: samples were not finite"));
+  CHECK_FALSE(contains(said.out, "no noise seen"));
+  std::vector<std::string> as_json = options;
+  as_json.emplace_back("--json");
+  const Json row = Json::parse(folder.run(as_json).out).at("integrators").at("integrators").at(0);
+  CHECK(row.at("has_finite_samples") == false);
+  CHECK(row.at("seconds").is_null());
+}
+
 TEST_CASE("options of the pilots mean nothing without --cost") {
   const Folder folder;
   folder.file("scene.xml", box);

@@ -179,17 +179,25 @@ TEST_CASE("an error of samples that are not finite is not reached") {
   </shape>
 </scene>
 )");
-  const Outcome outcome =
-      folder.run({"bright.xml", "--max-error", "1e38", "--time", "60s", "-o", "a.exr", "--stats", "a.json"});
+  const Outcome outcome = folder.run({"bright.xml", "--max-error", "1e38", "-o", "a.exr", "--stats", "a.json"});
   INFO(outcome.err);
   CHECK(outcome.code == 6);
   CHECK(contains(outcome.err, "--max-error 1e+38: not known, samples were not finite"));
   CHECK(json_of(folder, "a.json").at("saturated_samples") > 0);
   CHECK(json_of(folder, "a.json").at("error").is_null());
+  // Nothing else would end it: it ends where it first looks.
+  CHECK(json_of(folder, "a.json").at("spp") == 8);
+  CHECK(json_of(folder, "a.json").at("ending") == "unknown error");
   // A prediction says the same, and that few samples are another reason.
   const Outcome predicted = folder.run({"bright.xml", "--spp", "64", "--dry-run"});
   CHECK(predicted.code == 0);
   CHECK(contains(predicted.out, "error    not known: samples of the pilot were not finite"));
+  const Outcome endless = folder.run({"bright.xml", "--max-error", "1", "--dry-run", "--stats", "d.json"});
+  CHECK(endless.code == 0);
+  CHECK(contains(endless.out, "time     not known: samples of the pilot were not finite"));
+  CHECK(json_of(folder, "d.json").at("predicted").at("seconds").is_null());
+  CHECK(json_of(folder, "d.json").at("predicted").at("seconds_interval").is_null());
+  CHECK(json_of(folder, "d.json").at("pilot").at("seconds") < 10);
   CHECK(contains(folder.run({"render", room, "--width", "16", "--spp", "2", "--dry-run"}).out,
                  "error    not known: a pixel has fewer than 4 samples"));
 }

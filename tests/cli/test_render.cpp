@@ -2,6 +2,8 @@
 // `strahl render` on a device: the files it leaves and what it says.
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <cmath>
+#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "cli/program.h"
@@ -141,12 +143,24 @@ TEST_CASE("AOVs: layers of an EXR, files beside a PNG") {
 
 TEST_CASE("a depth picture is scaled in a PNG, and kept in an EXR") {
   const Folder folder;
-  const Outcome png = render(folder, {"--integrator", "depth"});
+  const Outcome png = render(folder, {"--integrator", "depth", "--spp", "16"});
   CHECK(contains(png.err, "divided by the largest"));
   const Image scaled = strahl::read_image(folder.path("scene.png"));
   CHECK(*std::max_element(scaled.data.begin(), scaled.data.end()) == 1.0F);
-  render(folder, {"--integrator", "depth", "-o", "depth.exr"});
-  CHECK(strahl::read_image(folder.path("depth.exr")).at(16, 12, 0) == Approx(4).margin(0.05));
+  render(folder, {"--integrator", "depth", "--spp", "16", "-o", "depth.exr"});
+  const Image depth = strahl::read_image(folder.path("depth.exr"));
+  CHECK(depth.at(16, 12, 0) == Approx(4).margin(0.05));
+
+  // What rounding to its codes has cost the file, as lengths.
+  const double white = std::stod(scaled.metadata.at("depth.white"));
+  double squares = 0;
+  for (std::size_t i = 0; i < depth.data.size(); ++i)
+    squares += std::pow(white * static_cast<double>(scaled.data[i]) - static_cast<double>(depth.data[i]), 2);
+  const double rmse = std::sqrt(squares / static_cast<double>(depth.data.size()));
+  CHECK(rmse > 0.001);
+  render(folder, {"--integrator", "depth", "--spp", "16", "--stats", "stats.json"});
+  const auto stats = nlohmann::json::parse(read_text(folder.path("stats.json")));
+  CHECK(stats.at("error").at("budget").at("output").get<double>() == Approx(rmse).epsilon(0.01));
 }
 
 TEST_CASE("the picture says how it came to be") {

@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "cli/render_goal.h"
+#include "errors.h"
 
 namespace strahl::cli {
 namespace {
@@ -36,6 +37,18 @@ TEST_CASE("the picture's own error counts, not what ended it") {
   RenderResult lucky = ended_by(Ending::deadline, 0.09);
   lucky.stats.error->noise.rmse_high = 0.2;
   CHECK(missed_goal(until(0.1), lucky));
+}
+
+TEST_CASE("a deadline leaves no time for what is traced after the last sample") {
+  RenderOptions options;
+  options.kernel.aovs = {"depth", "numeric_error"};
+  CHECK_NOTHROW(check_goal(options));
+  options.goal.max_error = 0.1;
+  CHECK_NOTHROW(check_goal(options));
+  options.goal.time = "10s";
+  CHECK_THROWS_AS(check_goal(options), UsageError);
+  options.kernel.aovs = {"depth"};
+  CHECK_NOTHROW(check_goal(options));
 }
 
 TEST_CASE("an error that is not told is not reached, and the message says why") {

@@ -112,6 +112,27 @@ TEST_CASE("shapes of groups have numbers of their own, behind the scene's") {
   }
 }
 
+TEST_CASE("a part behind sample 0 has no layers of first samples, which is said; merge has them of the other part") {
+  const Folder folder;
+  folder.file("scene.xml", scene_with("dd.y:depth"));
+  const std::vector<std::string> options = {"scene.xml", "--aov", "shape_id,uv"};
+  const auto part = [&](const std::string& samples, const std::string& name) {
+    std::vector<std::string> all = options;
+    all.insert(all.end(), {"--samples", samples, "--checkpoint", name + ".ckpt", "-o", name + ".exr"});
+    return succeed_on_pocl(folder, all).err;
+  };
+  CHECK_FALSE(contains(part("0:3", "a"), "without"));
+  CHECK(strahl::read_image(folder.path("a.exr")).channels.size() == 7);
+  CHECK(
+      contains(part("3:8", "b"),
+               "strahl: warning: --samples 3:8: the picture is without uv, shape_id, dd.y, of sample 0 alone; `strahl "
+               "merge` takes them from the part that has it"));
+  CHECK(strahl::read_image(folder.path("b.exr")).channels == std::vector<std::string>{"R", "G", "B"});
+  succeed_on_pocl(folder, {"merge", "b.ckpt", "a.ckpt", "-o", "sum.exr"});
+  succeed_on_pocl(folder, {"scene.xml", "--aov", "shape_id,uv", "-o", "one.exr"});
+  require_same_picture(folder, "one.exr", "sum.exr");
+}
+
 TEST_CASE("other files are without them, which is said once; they are not computed for them") {
   const Folder folder;
   folder.file("scene.xml", scene_with("dd.y:depth, nn:sh_normal"));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The bill in words, and what is said of pixels brighter than white.
 #include <catch2/catch.hpp>
+#include <chrono>
 #include <cmath>
 
 #include "cli/summary.h"
@@ -62,6 +63,27 @@ TEST_CASE("what is not known is not said") {
   CHECK(bill(last, {"", 10, 100, true, false, 0, {}}).find("half the noise: 64.00 s") != std::string::npos);
   CHECK(text.find("error    not measured") != std::string::npos);
   CHECK(text.find("clipped") == std::string::npos);
+}
+
+TEST_CASE("lamps that are not above white themselves, however dim, excuse no overexposed picture") {
+  CHECK(clipping_of(grey(4), 0, {{0.2, 0.2, 0.2}}).stops == -2);
+  CHECK(clipping_of(grey(4), 0, {{1, 1, 1}}).stops == -2);
+  CHECK_FALSE(clipping_of(grey(4), 0, {{0.2, 0.2, 0.2}, {4, 4, 4}}).stops);
+  CHECK(clipping_of(grey(4), -1, {{1.9, 1.9, 1.9}}).stops == -2);  // White is 2.
+}
+
+// Each pixel against each lamp and each neighbour would take minutes.
+TEST_CASE("many lamps cost no time") {
+  Image wall = grey(3);
+  wall.width = wall.height = 700;
+  wall.data.assign(static_cast<std::size_t>(700) * 700 * 3, 3.0F);
+  std::vector<Rgb> lamps;
+  for (int i = 0; i < 10000; ++i) lamps.push_back({4.0 + 0.01 * i, 5.0, 100.0 - 0.005 * i});
+  const auto start = std::chrono::steady_clock::now();
+  CHECK(clipping_of(wall, 0, lamps).stops == -2);
+  lamps.assign(10000, {4, 5, 6});
+  CHECK(clipping_of(wall, 0, lamps).stops == -2);
+  CHECK(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() < 20);
 }
 
 TEST_CASE("an overexposed picture gets the exposure that shows it, a lamp in sight none") {

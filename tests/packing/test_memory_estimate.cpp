@@ -133,6 +133,14 @@ TEST_CASE("a device that is too small is refused, with the need, its limits and 
   CHECK(refusal(need, device_with(4000, 299)).find("has 4000 MiB, 299 MiB in one buffer") != std::string::npos);
   CHECK(refusal({1, 300 * mebibyte, 1}, device_with(4000, 299)).find("coordinates 300") != std::string::npos);
   CHECK(refusal({1, 1, 300 * mebibyte}, device_with(4000, 299)).find("texels 300") != std::string::npos);
+  DeviceInfo limited = device_with(449, 300);
+  limited.is_memory_limited = true;
+  CHECK(refusal(need, limited)
+            .find("has 449 MiB by --memory-limit, 300 MiB in one buffer. Choose a larger "
+                  "--memory-limit, or simplify") != std::string::npos);
+  limited = device_with(4000, 299);
+  limited.is_memory_limited = true;
+  CHECK(refusal(need, limited).find("Choose a device with more memory (-d)") != std::string::npos);
   CHECK(refusal(need, device_with(1, 1), Precision::fp64).find("a --precision other than double, which takes half") !=
         std::string::npos);
 }

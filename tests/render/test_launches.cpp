@@ -113,6 +113,9 @@ TEST_CASE("a device that takes pixels together gets them together, however long 
   for (const auto& [width, height, launches] : {std::tuple(30, 20, 4), {100, 50, 4 * 6}})
     CHECK(run(LaunchPlan(width, height, 4, {}, {0, 1, at_once}), width, height, 4, seconds).size() <=
           static_cast<std::size_t>(launches));
+  for (const auto& [passes, launches] : {std::pair(1, 6), {2, 2 * 6}})
+    CHECK(run(LaunchPlan(100, 50, 1024, passes, {0, 1, at_once}), 100, 50, 1024, seconds).size() <=
+          static_cast<std::size_t>(launches));
 }
 
 TEST_CASE("the next band begins at the measured rate") {

@@ -11,6 +11,7 @@
 #include "render/film_state.h"
 #include "render/stage.h"
 #include "scene/model/build.h"
+#include "settings/sampling.h"
 
 namespace strahl::test {
 namespace {
@@ -48,6 +49,26 @@ TEST_CASE("every light, from its own end") {
   add(all, ConstantLight{{0.2, 0.2, 0.4}});
   add(all, DirectionalLight{{0.3, 0.2, -1}, {0.5, 0.5, 0.5}});
   hold_like_path("all of them", all);
+}
+
+TEST_CASE("a renderer tells how many samples its film holds") {
+  require_pocl_and_rusticl();
+  Scene scene = under_lamp(diffuse({0.7, 0.5, 0.3}));
+  scene.film.width = scene.film.height = 128;
+  const auto most = [&](const std::string& integrator, bool estimate_error) {
+    scene.integrator.name = integrator;
+    RenderSettings settings;
+    settings.estimate_error = estimate_error;
+    const Renderer renderer(Device::open("pocl"), scene, settings);
+    CHECK(renderer.most_samples() == Renderer::most_samples(scene, settings));
+    return renderer.most_samples();
+  };
+  CHECK(most("path", true) == max_spp);
+  CHECK(most("ptracer", true) == 1 << 19);
+  CHECK(most("ptracer", false) == 1 << 17);
+  RenderGoal goal;
+  goal.spp = (1 << 19) + 1;
+  CHECK_THROWS_AS(Renderer::require_samples(scene, {}, goal), UsageError);
 }
 
 TEST_CASE("what stands between a surface and the camera hides it from light paths") {

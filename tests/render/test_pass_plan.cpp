@@ -52,6 +52,27 @@ TEST_CASE("an error is looked at where it may be reached") {
   CHECK(plan.ending() == Ending::error);
 }
 
+TEST_CASE("where no error can be told, time or a number of samples ends it, else the next look does") {
+  RenderGoal goal;
+  goal.max_error = 0.1;
+  PassPlan open(goal, 100000);
+  CHECK(open.next(0, 1)->count == 8);
+  REQUIRE(open.wants_error());
+  open.cannot_estimate();
+  CHECK_FALSE(open.is_for_error());
+  CHECK_FALSE(open.next(0, 1));
+  CHECK(open.ending() == Ending::unknown_error);
+
+  goal.spp = 100;
+  PassPlan counted(goal, 100);
+  CHECK(counted.next(0, 1)->count == 8);
+  counted.cannot_estimate();
+  CHECK(counted.next(0, 1)->count == 92);
+  CHECK_FALSE(counted.wants_error());
+  CHECK_FALSE(counted.next(0, 1));
+  CHECK(counted.ending() == Ending::samples);
+}
+
 TEST_CASE("few pixels do not end it by luck") {
   RenderGoal goal;
   goal.max_error = 0.1;

@@ -42,6 +42,27 @@ TEST_CASE("paths in lanes meet lists of a hundred spheres or two dozen polygons"
   CHECK(quadrilaterals(30));
 }
 
+TEST_CASE("what a narrow tree cannot name stands in a wide one, before anything is built") {
+  constexpr std::int64_t most = 1 << 24;
+  const auto tree = [](std::int64_t primitives, Width width, const RenderSettings& settings = {}) {
+    const Width chosen = wide_enough(width, primitives, settings);
+    return std::pair(chosen.lanes, chosen.tree);
+  };
+  CHECK(tree(most, {1, 4}) == std::pair(1, 4));
+  CHECK(tree(most + 1, {1, 4}) == std::pair(8, 8));
+  CHECK(tree(most + 1, {1, 2}) == std::pair(8, 8));
+  CHECK(tree(most + 1, {16, 16}) == std::pair(16, 16));
+  RenderSettings named;
+  named.bvh_width = 4;
+  CHECK(tree(most, {1, 4}, named) == std::pair(1, 4));
+  CHECK_THROWS_WITH(tree(most + 1, {1, 4}, named), Catch::Contains("state --bvh-width 8"));
+  named = {};
+  named.lanes = 1;
+  CHECK_THROWS_WITH(tree(most + 1, {1, 4}, named), Catch::Contains("--lanes 1"));
+  named.acceleration = Acceleration::list;  // Names no blocks.
+  CHECK(tree(most + 1, {1, 4}, named) == std::pair(1, 4));
+}
+
 TEST_CASE("what was asked for is not changed") {
   CHECK(choice(1000, Acceleration::tree).acceleration == Acceleration::tree);
   CHECK_FALSE(choice(1000, Acceleration::list).has_tree);

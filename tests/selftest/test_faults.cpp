@@ -81,7 +81,8 @@ TEST_CASE("a sound device passes, in every precision and for every primitive") {
     if (line.at("precision") != "robust") continue;
     ++compared;
     CHECK(line.at("laws").at("wrong") == 0);
-    CHECK(line.at("laws").at("max_ulp") <= 2);
+    // Of a t that is correctly rounded to float; the exact one is rounded to double.
+    CHECK(line.at("laws").at("max_ulp") <= 0.5);
     CHECK(line.at("laws").at("max_ulp") > 0);
     CHECK(line.at("laws").at("p99_ulp") <= line.at("laws").at("max_ulp"));
   }
@@ -133,6 +134,14 @@ TEST_CASE("a fault that finds nothing to change is no fault") {
   fault.inject(source);
   CHECK_NOTHROW(fault.require_injected());
   CHECK(contains(source.text, "eq_w(a, zero)"));
+}
+
+TEST_CASE("a precision or kind that is named twice is asked once") {
+  const Run run =
+      selftest({"-d", "pocl", "--tier", "robust", "--tier", "robust", "--kind", "plane", "--kind", "plane"});
+  CHECK(run.code == 0);
+  CHECK(run.json.at("tiers").size() == 1);
+  CHECK(run.json.at("lines").size() == 1);
 }
 
 TEST_CASE("a kind of primitive that there is not is wrong usage") {

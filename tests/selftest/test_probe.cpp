@@ -8,6 +8,7 @@
 #include "program/kernel_source.h"
 #include "robust/ask_host.h"
 #include "selftest/probe.h"
+#include "selftest/seams.h"
 #include "support/devices.h"
 
 using namespace strahl;
@@ -128,4 +129,26 @@ TEST_CASE("a change of the program reaches the device") {
   q.planes = {0, 0, 0, 1};
   q.ray = {{-10, 0, 0}, {1, 0, 0}, 0, 1000};
   CHECK(probe.ask({&q, 1}).front().t == 7);
+}
+
+TEST_CASE("seams: where nothing is left to be hit, an answer that is no number is wrong") {
+  require_pocl_and_rusticl();
+  const std::vector<ClosedSurface> surfaces = surfaces_of("triangle");
+  REQUIRE_FALSE(surfaces.empty());
+  for (const bool is_faulty : {false, true}) {
+    ProbeOptions options;
+    if (is_faulty)
+      options.change = [](ProgramSource& source) {
+        const std::string miss = "best.kind < 0 ? infinite :";
+        const std::size_t at = source.text.find(miss);
+        REQUIRE(at != std::string::npos);
+        source.text.replace(at, miss.size(), "best.kind < 0 ? infinite - infinite :");
+      };
+    Probe probe(Device::open("pocl"), "triangle", Precision::robust, options);
+    Seams seams;
+    ask_seams(probe, "triangle", surfaces.front(), 100, 1, seams);
+    CHECK(seams.rays == 100);
+    CHECK(seams.leaks == 0);
+    CHECK(seams.doubles == (is_faulty ? 100 : 0));
+  }
 }
