@@ -31,6 +31,7 @@ target_sources(
          src/settings/sampling.h
          src/settings/settings.h
          src/render/stats.h
+         src/render/unusual_samples.h
          src/packing/tree_stats.h
          src/trust/tier_choice.h
          src/trust/tier_verdict.h
