@@ -128,7 +128,8 @@ FN real3 box_departure(const Surface* s) {
   return vec3(n.x != zero ? p.x : inside.x, n.y != zero ? p.y : inside.y, n.z != zero ? p.z : inside.z);
 }
 
-/// Of a round shape whose own bound is `off`, in the world. Its points are as far off as it is large, be they near or not.
+/// Of a round shape whose own bound is `off`, in the world. Its points are as far off as it is large, be they near or
+/// not.
 FN real round_departure_bound(const Surface* s) {
   real off = s->off;
   if (HAS_INSTANCES && s->instance >= 0) off = off / s->placed[INSTANCE_SHRINK] + departure_bound(s, R(0.0));

@@ -17,7 +17,7 @@ FN realw normals_share_w(const Surfaces_w* s, real3w ns, real3w in, real3w on) {
 FN real3w adjoint_share_w(const Scene* scene, const Paths_w* path, const Surfaces_w* s, maskw which, real3w in,
                           real3w on, PRIVATE realw* opacity) {
   realw zero = splat_w(R(0.0)), number = zero, density;
-  if (HAS_BLEND) number = random_between_w(vertex_number_w(scene, &path->sample, path->depth, USE_BLEND));
+  if (HAS_BLEND) number = random_between_w(met_number_w(scene, path, USE_BLEND));
   MaterialRows_w at = rows_at_w(scene, s, which, on, number);
   *opacity = at.opacity;
   Bsdf_w b = bsdf_at_w(scene, s, &at, on);

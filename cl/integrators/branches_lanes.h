@@ -8,7 +8,8 @@
 // branches are counted (COUNT_BRANCHES).
 //
 // Finite may still be millions of rays: between mirrors that lose nothing, hardly any ray becomes weak. After
-// WHITTED_MOST_RAYS of one sample, rays no longer split and those that wait are dropped (COUNT_LOST_BRANCHES).
+// WHITTED_MOST_RAYS of one sample, rays no longer split: the weaker one is dropped (COUNT_LOST_BRANCHES), and those
+// that wait, which are the brightest, are still followed.
 
 #define BRANCH_LEAST R(0x1p-20)
 enum { BRANCHES_MOST_w = HAS_BRANCHES ? 21 : 1 };
@@ -19,7 +20,7 @@ enum { BRANCH_LEFT_w, BRANCH_INSTANCE_w, BRANCH_OUTWARD_w, BRANCH_DEPTH_w, BRANC
 /// The waiting rays of each lane, the latest last.
 typedef struct {
   intw count;
-  intw rays;  ///< Surfaces where the sample's rays could split, so far.
+  intw rays;  ///< Mirrors and surfaces of glass that the sample has been at.
   realw reals[BRANCHES_MOST_w][BRANCH_REALS_w];
   intw ints[BRANCHES_MOST_w][BRANCH_INTS_w];
   Interfaces_w within[BRANCHES_MOST_w];  ///< Kept only where shapes have priorities.
@@ -81,7 +82,7 @@ FN maskw path_branch_w(const Scene* scene, Paths_w* path, const Surfaces_w* s, c
   maskw is_back_less = lt_w(back_light, through_light), splits = goes_back & goes_through;
   maskw is_weak = splits & lt_w(sel_w(is_back_less, back_light, through_light), least);
   if (any_w(is_weak)) count_events(scene, COUNT_BRANCHES, lanes_among(bits_w(is_weak)));
-  branches->rays = sel_int_w(which, branches->rays + splat_int_w(1), branches->rays);
+  branches->rays = sel_int_w(goes_back | goes_through, branches->rays + splat_int_w(1), branches->rays);
   maskw is_lost = splits & ~is_weak & are_too_many_w(branches);
   if (any_w(is_lost)) count_events(scene, COUNT_LOST_BRANCHES, lanes_among(bits_w(is_lost)));
   maskw ends = is_weak | is_lost;
@@ -103,23 +104,12 @@ FN maskw path_branch_w(const Scene* scene, Paths_w* path, const Surfaces_w* s, c
   return which;
 }
 
-/// Drops the rays that wait in lanes that have followed too many, among `ended`.
-FN void branches_drop_w(const Scene* scene, maskw ended, Branches_w* branches) {
-  maskw drops = ended & are_too_many_w(branches);
-  for (uint lanes = bits_w(drops); lanes != 0u; lanes &= lanes - 1u) {
-    int i = first_bit(lanes);
-    count_events(scene, COUNT_LOST_BRANCHES, (uint)get_int_w(&branches->count, i));
-    put_int_w(&branches->count, i, 0);
-  }
-  maskw is_new = ended & ~lt_int_w(splat_int_w(0), branches->count);
-  branches->rays = sel_int_w(is_new, splat_int_w(0), branches->rays);
-}
-
 /// Paths of `which` that have ended go on along their waiting rays.
 FN void branches_resume_w(const Scene* scene, Paths_w* path, maskw which, Branches_w* branches) {
   which = which & ~path->alive;
-  branches_drop_w(scene, which, branches);
-  which = which & lt_int_w(splat_int_w(0), branches->count);
+  maskw waits = lt_int_w(splat_int_w(0), branches->count);
+  branches->rays = sel_int_w(which & ~waits, splat_int_w(0), branches->rays);
+  which = which & waits;
   if (!any_w(which)) return;
   if (HAS_COUNT_RAYS) count_events(scene, COUNT_BOUNCE, lanes_among(bits_w(which)));
   Rays_w rays;

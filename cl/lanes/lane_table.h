@@ -298,7 +298,6 @@
 #define box_t_w LANED(box_t_w)
 #define boxes_decided_w LANED(boxes_decided_w)
 #define branch_off_w LANED(branch_off_w)
-#define branches_drop_w LANED(branches_drop_w)
 #define branches_none_w LANED(branches_none_w)
 #define branches_resume_w LANED(branches_resume_w)
 #define bsdf_at_w LANED(bsdf_at_w)

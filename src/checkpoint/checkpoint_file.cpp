@@ -241,7 +241,7 @@ Head head_of(const Json& json) {
   head.position.check_at = number(json.at("position").at("check_at"), 0, max_spp);
   const Json& unusual = json.at("unusual");
   head.unusual = {count(unusual.at("saturated")), count(unusual.at("invalid")), count(unusual.at("weak_branches")),
-                  count(unusual.at("lost_branches")), count(unusual.at("lost_interfaces"))};
+                  count(unusual.value("lost_branches", Json(0))), count(unusual.at("lost_interfaces"))};
   const Json& frame = json.at("frame");
   head.frame = {{frame.at(0).get<double>(), frame.at(1).get<double>(), frame.at(2).get<double>()},
                 frame.at(3).get<double>()};

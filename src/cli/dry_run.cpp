@@ -80,7 +80,8 @@ ExitCode dry_run(Renderer& renderer, const RenderOptions& options, const Invocat
   const auto has_end = [&](const std::optional<ErrorTrend>& law) { return law || !only_error_ends_it; };
   const Pilot pilot = run_pilot(renderer, goal.spp, [&](const Pilot& so_far) {
     const std::optional<ErrorTrend> law = law_of(so_far);
-    if (so_far.passes.empty() || !has_end(law)) return pilot_seconds(0);
+    // Without an end what has been measured tells nothing of the time; a law may come of more samples.
+    if (so_far.passes.empty() || (so_far.not_finite > 0 && !has_end(law))) return pilot_seconds(0);
     RunCosts known = costs;
     set_pilot(so_far, preparation, goal, known);
     return pilot_seconds(predict(law, known, goal).seconds.low);

@@ -72,14 +72,14 @@ struct Lanes {
   std::string why;
 };
 
-Lanes lanes_for(const ExplainOptions& options, const RenderSettings& settings) {
+Lanes lanes_for(const ExplainOptions& options, const RenderSettings& settings, const Scene& scene) {
   if (settings.lanes || settings.bvh_width) {
-    const Width width = width_of(settings, 1);
+    const Width width = wide_enough(width_of(settings, 1), scene, settings);
     return {width.lanes, width.tree, settings.lanes ? "--lanes" : "--bvh-width"};
   }
   try {
     const Device device = Device::open(options.device, {settings.precision == Precision::fp64});
-    const Width width = width_on(device, settings);
+    const Width width = wide_enough(width_on(device, settings), scene, settings);
     return {width.lanes, width.tree, "for " + device.info().text()};
   } catch (const NoDeviceError&) {
     if (!options.device.empty()) throw;  // It was asked for by name.
@@ -230,7 +230,7 @@ ExitCode explain(const ExplainOptions& options) {
   if (is_asked("integrators")) all.integrators = integrators_of(options, scene, all.settings);
   scene = shown_scene(std::move(scene), all.settings);
   all.features = features_of(scene, all.settings);
-  all.lanes = lanes_for(options, all.settings);
+  all.lanes = lanes_for(options, all.settings, scene);
   const int paths = path_lanes(all.features, all.settings, all.lanes.count);
   const bool has_tree =
       choose_traversal(scene, all.features, all.settings, {all.lanes.count, all.lanes.tree}, paths).has_tree;

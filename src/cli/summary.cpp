@@ -122,8 +122,8 @@ void warn_of_samples(const UnusualSamples& samples) {
                     samples.saturated));
   if (samples.lost_branches > 0)
     say(fmt::format(
-        "strahl: warning: {} rays of whitted were not followed: a sample follows {} along mirrors and glass; max_depth "
-        "limits them, and --integrator path follows one way of two",
+        "strahl: warning: {} rays of whitted were not followed beside stronger ones: their samples had been at {} "
+        "mirrors and surfaces of glass; max_depth limits them, and --integrator path follows one way of two",
         samples.lost_branches, static_cast<int>(layout::WHITTED_MOST_RAYS)));
   if (samples.lost_interfaces > 0)
     say(fmt::format(

@@ -19,6 +19,7 @@
 #include "cli/progress_bar.h"
 #include "cli/scene_options.h"
 #include "cli/scene_overrides.h"
+#include "cli/summary.h"
 #include "cli/tradeoff_table.h"
 #include "image/image_io.h"
 #include "kinds/integrators.h"
@@ -128,16 +129,12 @@ TradeoffPlan plan_of(const TradeoffCommand& command, const Scene& scene, const T
 }
 
 void warn_of_samples(const TradeoffStudy& study) {
-  std::uint64_t saturated = 0, invalid = 0;
-  for (const TradeoffPoint& point : study.points) {
-    saturated += point.saturated_samples;
-    invalid += point.invalid_samples;
-  }
-  if (saturated + invalid > 0)
-    say(
-        fmt::format("strahl: warning: {} sample channels were beyond the largest float and {} were not a number; "
-                    "tradeoff.json says in which points",
-                    saturated, invalid));
+  UnusualSamples all;
+  for (const TradeoffPoint& point : study.points) all += point.unusual;
+  all.weak_branches = 0;  // Each is below what anybody sees.
+  if (all == UnusualSamples{}) return;
+  cli::warn_of_samples(all);
+  say("strahl: tradeoff.json says in which points");
 }
 
 /// Throws UsageError where the study would write over the scene or the reference.

@@ -160,31 +160,22 @@ Texels texels_of_floats(int width, int height, int channels, std::vector<float> 
 
 namespace {
 
-/// Slopes stay, and nothing behind this need know of heights below 0. What is not finite keeps its sign.
-void lift(std::vector<float>& heights) {
-  double lowest = 0;
-  for (const float height : heights)
-    if (std::isfinite(height)) lowest = std::min(lowest, static_cast<double>(height));
-  constexpr double most = std::numeric_limits<float>::max();
-  if (lowest < 0)
-    for (float& height : heights)
-      if (std::isfinite(height)) height = static_cast<float>(std::min(static_cast<double>(height) - lowest, most));
-}
+bool is_height(float value) { return std::isfinite(value); }
 
 }  // namespace
 
 Texels repaired_texels(int width, int height, int channels, std::vector<float> values, TexelUse use) {
-  if (use == TexelUse::heights) lift(values);
+  const auto is_sound = use == TexelUse::heights ? is_height : is_light;
   const auto step = static_cast<std::size_t>(channels);
   std::size_t repaired = 0;
-  if (!std::all_of(values.begin(), values.end(), is_light)) {
+  if (!std::all_of(values.begin(), values.end(), is_sound)) {
     float largest = 0;
     for (const float value : values)
-      if (is_light(value)) largest = std::max(largest, value);
+      if (is_sound(value)) largest = std::max(largest, value);
     for (std::size_t i = 0; i < values.size(); i += step) {
       bool is_faulty = false;
       for (std::size_t c = i; c < i + step; ++c) {
-        if (is_light(values[c])) continue;
+        if (is_sound(values[c])) continue;
         values[c] = values[c] > 0 ? largest : 0;
         is_faulty = true;
       }

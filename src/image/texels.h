@@ -21,7 +21,7 @@ struct TexelCurve {
   friend bool operator==(const TexelCurve&, const TexelCurve&) = default;
 };
 
-/// What the values of a file of floats are: light is never negative; of heights the differences alone count.
+/// What the values of a file of floats are: light is never negative, heights may be.
 enum class TexelUse { light, heights };
 
 /// Rows from the top.
@@ -61,8 +61,7 @@ class TexelDecoder {
 
 /// channels: 1 or 3; values.size() = channels * width * height. Halves where they hold every value exactly.
 [[nodiscard]] Texels texels_of_floats(int width, int height, int channels, std::vector<float> values);
-/// As texels_of_floats; values that no light has are repaired first (Texels::repaired). Heights are lifted as a whole,
-/// so that the lowest is 0, where one is negative.
+/// As texels_of_floats; values that no light has, or no height, are repaired first (Texels::repaired).
 [[nodiscard]] Texels repaired_texels(int width, int height, int channels, std::vector<float> values,
                                      TexelUse use = TexelUse::light);
 /// codes: bytes, of rgb or grey.

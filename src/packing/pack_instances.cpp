@@ -81,20 +81,23 @@ Transform rounded_inverse(const Transform& map) {
   return inverse;
 }
 
-/// The inverse undoes the map to a hundredth; else something else would be placed.
-template <typename Real>
-void require_held(const Transform& map, const Transform& inverse, const SourceLocation& where) {
-  constexpr double most_off = 0.01;
+/// To a hundredth.
+bool is_identity(const Transform& map) {
   for (int i = 0; i < 3; ++i) {
     const Vec3 unit{i == 0 ? 1. : 0., i == 1 ? 1. : 0., i == 2 ? 1. : 0.};
-    const Vec3 off = inverse.vector(map.column(i)) - unit;
-    if (std::fabs(off.x) < most_off && std::fabs(off.y) < most_off && std::fabs(off.z) < most_off) continue;
-    throw SceneError(
-        {{Severity::error, where,
-          fmt::format("the instance's transform flattens or scales so much that {} bits do not hold its "
-                      "inverse{}",
-                      8 * sizeof(Real), sizeof(Real) < sizeof(double) ? "; --precision double may" : "")}});
+    if (!(length(map.column(i) - unit) < 0.01)) return false;  // NaN is not.
   }
+  return true;
+}
+
+/// What is placed is the inverse of the rounded inverse. With M the map and E the rounding of its inverse that is
+/// M (1 + E M)^-1 = (1 + M E)^-1 M: M, where either product is small.
+template <typename Real>
+void require_held(const Transform& map, const Transform& inverse, const SourceLocation& where) {
+  if (is_identity(inverse * map) || is_identity(map * inverse)) return;
+  throw SceneError({{Severity::error, where,
+                     fmt::format("the instance's transform flattens or scales so much that {} bits do not hold it{}",
+                                 8 * sizeof(Real), sizeof(Real) < sizeof(double) ? "; --precision double may" : "")}});
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ using InstanceReals = std::array<Real, layout::INSTANCE_REALS>;
 
 /// box: around what the group holds as it is uploaded. outline: boxes within it that hold the same, so that the
 /// instance's own box is no larger than they take; empty: `box` stands for them. SceneError at `where` if Real does not
-/// hold the map's inverse. Instantiated for float and double.
+/// hold the map. Instantiated for float and double.
 template <typename Real>
 [[nodiscard]] InstanceReals<Real> instance_reals(const Transform& frame_from_group, const Bounds<Real>& box,
                                                  const std::vector<Bounds<Real>>& outline,

@@ -11,8 +11,8 @@
 // The first over the third converts the second from halves to the whole; what is lost at edges cancels.
 //
 // Where one pixel or a few are all of the noise, these products are small by chance as often as the estimate is. So the
-// largest upper estimate of a pixel by itself is added: |S|^2 with S the mean of the three differences' squares. Among
-// many noisy pixels it does not count.
+// largest upper estimate of a pixel by itself is added, |S|^2 with S the mean of the three differences' squares, times
+// that pixel's share of the noise. Among many noisy pixels it does not count.
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -66,12 +66,14 @@ double squared_product(const Colour& a, const Colour& b) {
 /// Sums of products; each estimates |S|^2 as described above.
 struct Products {
   double whole_beside = 0, half = 0, half_beside = 0;
-  double alone = 0;  ///< An overestimate by the pixel itself, the only one where neighbours have no noise.
+  double spread = 0;  ///< The trace of S by the pixel itself,
+  double alone = 0;   ///< and its square: an overestimate, the only one where neighbours have no noise.
 
   void operator+=(const Products& other) {
     whole_beside += other.whole_beside;
     half += other.half;
     half_beside += other.half_beside;
+    spread += other.spread;
     alone += other.alone;
   }
 };
@@ -83,8 +85,8 @@ double squared_length(const Colour& a) {
 }
 
 Products own_products(const Differences& p) {
-  const double variance = (squared_length(p.whole) / 2 + squared_length(p.half[0]) + squared_length(p.half[1])) / 3;
-  return {0, squared_product(p.half[0], p.half[1]), 0, variance * variance};
+  const double spread = (squared_length(p.whole) / 2 + squared_length(p.half[0]) + squared_length(p.half[1])) / 3;
+  return {0, squared_product(p.half[0], p.half[1]), 0, spread, spread * spread};
 }
 
 /// One pixel's half of a pair's product; the other half belongs to the other pixel.
@@ -92,7 +94,7 @@ Products pair_products(const Differences& p, const Differences& q) {
   double halves = 0;
   for (const Colour& a : p.half)
     for (const Colour& b : q.half) halves += squared_product(a, b);
-  return {squared_product(p.whole, q.whole) / 8, 0, halves / 8, 0};
+  return {squared_product(p.whole, q.whole) / 8, 0, halves / 8, 0, 0};
 }
 
 class TiledProducts {
@@ -113,7 +115,8 @@ class TiledProducts {
     for (const Products& tile : tiles_) all += tile;
     if (!(all.alone > 0)) return;
     const bool has_neighbours = all.whole_beside > 0 && all.half > 0 && all.half_beside > 0;
-    picture.variance = has_neighbours ? all.half * (all.whole_beside / all.half_beside) + most_alone_ : all.alone;
+    const double by_one = most_alone_ * (std::sqrt(most_alone_) / all.spread);
+    picture.variance = has_neighbours ? all.half * (all.whole_beside / all.half_beside) + by_one : all.alone;
     double squares = 0;
     for (const Products& tile : tiles_) {
       const double share = has_neighbours ? tile.half / all.half + tile.whole_beside / all.whole_beside -

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <cmath>
 
 #include "render/error_law.h"
 #include "render/film.h"
@@ -57,11 +58,11 @@ double difference_variance(const Turns& pixel, double samples) {
   return to_difference / (samples * samples) * covariance;
 }
 
-/// An overestimate by the pixel's own spread (error_of_sequences.cpp).
-double variance_alone(const Turns& pixel) {
-  double variance = 0;
-  for (const double squared : pixel.error.squared) variance += squared;
-  return to_difference * variance * variance;
+/// The squared error over all channels, whose square overestimates what the difference's variance is made of.
+double squared_error(const Turns& pixel) {
+  double sum = 0;
+  for (const double squared : pixel.error.squared) sum += squared;
+  return sum;
 }
 
 class LawOfTurns final : public ErrorLaw {
@@ -73,20 +74,21 @@ class LawOfTurns final : public ErrorLaw {
       picture_.add(pixel.error);
       picture_.variance += variance;
       squares_ += variance * variance;
-      most_alone_ = std::max(most_alone_, variance_alone(pixel));
+      most_ = std::max(most_, squared_error(pixel));
     }
   }
   PixelError pixel_error(const FilmRows& rows, std::size_t at) const override { return turns_of(rows, at).error; }
   PictureError tell() const override {
     PictureError picture = picture_;
     picture.freedom = satterthwaite(picture.variance, squares_);
-    picture.variance += most_alone_;
+    // By the pixel that has most of the noise alone, times its share (error_of_sequences.cpp).
+    if (picture.squared > 0) picture.variance += to_difference * std::pow(most_, 3) / picture.squared;
     return picture;
   }
 
  private:
   PictureError picture_;
-  double squares_ = 0, most_alone_ = 0;
+  double squares_ = 0, most_ = 0;
 };
 
 }  // namespace

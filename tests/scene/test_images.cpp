@@ -287,7 +287,7 @@ TEST_CASE("a bump map's heights may lie below 0, light may not, of one file") {
   };
   const LoadedScene heights = folder.load(bump);
   CHECK(heights.warnings.empty());
-  CHECK(values(heights) == std::array{0.0, 3.0});
+  CHECK(values(heights) == std::array{-1.0, 2.0});
   const std::string lamp = "<texture type=\"bitmap\" name=\"radiance\">" + file;
   const LoadedScene both =
       folder.load("<shape type=\"sphere\">" + bump + "<emitter type=\"area\">" + lamp + "</emitter></shape>");

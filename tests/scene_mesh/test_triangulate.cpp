@@ -95,6 +95,20 @@ TEST_CASE("a spiral of very many corners takes moments") {
   check_cover(band, band.size() - 2);
 }
 
+TEST_CASE("a disc of very many corners takes moments, with a notch, too") {
+  for (const bool has_notch : {false, true}) {
+    std::vector<Vec3> disc;
+    constexpr int corners = 300000;
+    for (int i = 0; i < corners; ++i) {
+      const double angle = 2 * std::numbers::pi * i / corners, radius = has_notch && i == corners / 2 ? 0.5 : 1;
+      disc.push_back({radius * std::cos(angle), radius * std::sin(angle), 0});
+    }
+    Triangles triangles;
+    REQUIRE(triangulate(disc, triangles));
+    CHECK(triangles.size() == disc.size() - 2);
+  }
+}
+
 TEST_CASE("a repeated corner is left out") {
   Triangles triangles;
   REQUIRE(triangulate(std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 0}}, triangles));

@@ -104,7 +104,7 @@ TEST_CASE("a point comes back from its file as it was, and only into its own stu
   for (const Metric metric : study_metrics())
     point.metrics.emplace_back(metric_name(metric),
                                metric == Metric::psnr ? std::numeric_limits<double>::infinity() : 0.5);
-  point.invalid_samples = 2;
+  point.unusual.invalid = 2;
   const std::string text = point_json(point, "this");
   const std::optional<TradeoffPoint> back = point_from_json(text, "this");
   REQUIRE(back);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Points of the plane in square cells, as many as there are points, so that those in a box are found without a look at
-// all others.
+// Points of the plane in square cells, about as many as there are points, so that those in a box are found without a
+// look at all others.
 #pragma once
 
 #include <algorithm>
@@ -14,19 +14,20 @@ namespace strahl {
 
 class PointGrid {
  public:
-  /// points: finite, at least one.
-  explicit PointGrid(const std::vector<Vec2>& points) : low_(points.front()), high_(points.front()) {
+  /// Of those points that `numbers` names. points: finite, at least one.
+  PointGrid(const std::vector<Vec2>& points, const std::vector<int>& numbers)
+      : low_(points.front()), high_(points.front()), numbers_(numbers.size()) {
+    const auto point = [&](int number) { return points[static_cast<std::size_t>(number)]; };
     for (const Vec2& p : points) {
       low_ = {std::min(low_.x, p.x), std::min(low_.y, p.y)};
       high_ = {std::max(high_.x, p.x), std::max(high_.y, p.y)};
     }
-    side_ = static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(points.size()))));
+    side_ = std::max<std::size_t>(1, static_cast<std::size_t>(std::sqrt(static_cast<double>(numbers.size()))));
     begins_.assign(side_ * side_ + 1, 0);
-    for (const Vec2& p : points) ++begins_[cell_of(p) + 1];
+    for (const int number : numbers) ++begins_[cell_of(point(number)) + 1];
     for (std::size_t i = 1; i < begins_.size(); ++i) begins_[i] += begins_[i - 1];
     std::vector<std::size_t> next(begins_.begin(), begins_.end() - 1);
-    numbers_.resize(points.size());
-    for (std::size_t i = 0; i < points.size(); ++i) numbers_[next[cell_of(points[i])]++] = static_cast<int>(i);
+    for (const int number : numbers) numbers_[next[cell_of(point(number))]++] = number;
   }
 
   /// Whether `is` holds of a point, told by its number, in the closed box. It may also be asked of points nearby.

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "scene/meshes/number_set.h"
 #include "scene/meshes/point_grid.h"
@@ -66,14 +67,20 @@ int turn(const Vec2& a, const Vec2& b, const Vec2& c) {
 class EarClipper {
  public:
   EarClipper(const std::vector<Vec2>& points, const std::vector<int>& names)
-      : points_(points), names_(names), grid_(points), untried_(points.size()) {
+      : points_(points), names_(names), untried_(points.size()) {
     const int n = static_cast<int>(points.size());
     for (int i = 0; i < n; ++i) {
       previous_.push_back((i + n - 1) % n);
       next_.push_back((i + 1) % n);
       untried_.add(at(i));
     }
-    for (int i = 0; i < n; ++i) turn_.push_back(turn_at(i));
+    std::vector<int> blockers;
+    for (int i = 0; i < n; ++i) {
+      turn_.push_back(turn_at(i));
+      is_listed_.push_back(turn_.back() <= 0);
+      if (is_listed_.back()) blockers.push_back(i);
+    }
+    grid_.emplace(points, blockers);
     is_clipped_.assign(points.size(), false);
   }
 
@@ -102,6 +109,10 @@ class EarClipper {
       is_clipped_[found] = true;
       for (const int i : {a, c}) {
         turn_[at(i)] = turn_at(i);
+        if (turn_[at(i)] <= 0 && !is_listed_[at(i)]) {
+          is_listed_[at(i)] = true;
+          late_blockers_.push_back(i);
+        }
         untried_.add(at(i));
       }
       is_retry = false;
@@ -124,21 +135,23 @@ class EarClipper {
     const Vec2 low{std::min({a.x, b.x, c.x}), std::min({a.y, b.y, c.y})};
     const Vec2 high{std::max({a.x, b.x, c.x}), std::max({a.y, b.y, c.y})};
     // Only reflex and flat vertices can lie inside an ear.
-    return !grid_.any_in(low, high, [&](int k) {
+    const auto blocks = [&](int k) {
       const Vec2& p = point(k);
       if (turn_[at(k)] > 0 || is_clipped_[at(k)]) return false;
       if (p.x < low.x || p.x > high.x || p.y < low.y || p.y > high.y) return false;
       if (p == a || p == b || p == c) return false;
       return turn(a, b, p) >= 0 && turn(b, c, p) >= 0 && turn(c, a, p) >= 0;
-    });
+    };
+    return !grid_->any_in(low, high, blocks) && std::ranges::none_of(late_blockers_, blocks);
   }
 
   const std::vector<Vec2>& points_;
   const std::vector<int>& names_;
-  PointGrid grid_;
-  NumberSet untried_;  ///< Since a neighbour was clipped.
+  std::optional<PointGrid> grid_;   ///< Of the corners that were reflex or flat at first,
+  std::vector<int> late_blockers_;  ///< and those that became so: of polygons that cross themselves alone.
+  NumberSet untried_;               ///< Since a neighbour was clipped.
   std::vector<int> previous_, next_, turn_;
-  std::vector<bool> is_clipped_;
+  std::vector<bool> is_clipped_, is_listed_;
 };
 
 /// A power of two that brings the largest coordinate near 1, so that products neither overflow nor vanish.

@@ -54,32 +54,36 @@ int texture_index(const XmlElement& element, TextureReader reader, SceneBuilder&
   return index;
 }
 
-/// The texture that a <spectrum type="d65"> stands around. As in Mitsuba's RGB variants, the spectrum is that texture;
-/// its scale is told as unknown, as Mitsuba leaves it out there. Any other element is given back.
+/// The texture that a <spectrum type="d65"> stands around: as in Mitsuba's RGB variants, the spectrum is that texture.
+/// Any other element is given back.
 const XmlElement* without_d65(const XmlElement& element, SceneBuilder& builder) {
   if (element.text("type") != "d65") return &element;
   for (const XmlElement* child = element.first_child; child != nullptr; child = child->next_sibling) {
     Diagnostics told_by_its_reader(false);
     const XmlElement* meant = child->tag == "ref" ? builder.ids.resolve(*child, told_by_its_reader) : child;
-    if (meant == nullptr || meant->tag != "texture" || is_typed_spectrum(*meant)) continue;
-    Properties d65(element, builder.ids, builder.diagnostics);
-    if (d65.objects("texture").size() > 1)
-      builder.diagnostics.error(element.where, fmt::format("{} takes one <texture> inside", d65.title()));
-    d65.report_unknown();
-    return meant;
+    if (meant != nullptr && meant->tag == "texture" && !is_typed_spectrum(*meant)) return meant;
   }
   return &element;
+}
+
+/// Of a d65 around a texture: its scale is unknown there, as Mitsuba leaves it out.
+void report_around(const XmlElement& element, SceneBuilder& builder) {
+  Properties d65(element, builder.ids, builder.diagnostics);
+  if (d65.objects("texture").size() > 1)
+    builder.diagnostics.error(element.where, fmt::format("{} takes one <texture> inside", d65.title()));
+  d65.report_unknown();
 }
 
 /// -1: no texture that strahl has.
 int texture_of(Properties& properties, SceneBuilder& builder, const std::string& name,
                TextureUse use = TextureUse::colour) {
-  const XmlElement* texture = properties.peek(name);
+  const XmlElement* given = properties.peek(name);
   // <spectrum type="bitmap"> is another way to write it.
-  if (texture == nullptr || (texture->tag != "texture" && texture->tag != "spectrum")) return -1;
-  texture = without_d65(*texture, builder);
+  if (given == nullptr || (given->tag != "texture" && given->tag != "spectrum")) return -1;
+  const XmlElement* texture = without_d65(*given, builder);
   const TextureReader* reader = find_plugin(texture_readers(), texture->text("type"));
   if (reader == nullptr) return -1;
+  if (texture != given) report_around(*given, builder);
   properties.accept({name.c_str()});
   return texture_index(*texture, *reader, builder, use);
 }

@@ -23,7 +23,7 @@ std::string shown(const Rgb& c) {
 Rgb scaled(double by, const Rgb& c) { return {by * c.r, by * c.g, by * c.b}; }
 
 std::optional<Rgb> checked(const std::optional<Rgb>& color, const XmlElement& element, Diagnostics& diagnostics) {
-  const bool finite = color && is_finite(Vec3{color->r, color->g, color->b});
+  const bool finite = color && is_finite(*color);
   if (finite) return color;
   diagnostics.error(element.where, fmt::format("\"{}\" in <{}> is not {}", element.text("value"), element.tag,
                                                color ? "finite" : "a colour (1 or 3 numbers, or #rrggbb)"));

@@ -159,7 +159,7 @@ std::optional<Rgb> Properties::color(std::string_view name, ColorUse use, const 
     value = read_color(*given, use, substitute, diagnostics_);
   }
   if (!value) return std::nullopt;
-  if (!is_finite(Vec3{value->r, value->g, value->b})) {
+  if (!is_finite(*value)) {
     diagnostics_.error(where(name), fmt::format("\"{}\" is not finite: the numbers of its <{}> are too large to be "
                                                 "summed",
                                                 name, given->tag));

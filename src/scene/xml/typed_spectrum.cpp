@@ -22,6 +22,9 @@ std::optional<Rgb> read_uniform(Properties& properties, ColorUse) {
 }
 
 std::optional<Rgb> read_d65(Properties& properties, ColorUse use) {
+  // Those that strahl has are read before (read_texture.h).
+  if (const std::vector<const XmlElement*> textures = properties.objects("texture"); !textures.empty())
+    return read_color(*textures.front(), use, grey(use == ColorUse::emission ? 1 : 0.5), properties.diagnostics());
   const double scale = properties.number("scale").value_or(1);
   const Rgb color = properties.color("color", use, grey(1)).value_or(grey(1));
   return Rgb{scale * color.r, scale * color.g, scale * color.b};

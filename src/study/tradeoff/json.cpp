@@ -58,8 +58,10 @@ Json json_of(const TradeoffPoint& point) {
   json["rmse_low"] = point.error.rmse_low();
   json["rmse_high"] = point.error.rmse_high();
   for (const auto& [name, value] : point.metrics) json[name] = finite_or_null(value);
-  json["saturated_samples"] = point.saturated_samples;
-  json["invalid_samples"] = point.invalid_samples;
+  json["saturated_samples"] = point.unusual.saturated;
+  json["invalid_samples"] = point.unusual.invalid;
+  json["lost_branches"] = point.unusual.lost_branches;
+  json["lost_interfaces"] = point.unusual.lost_interfaces;
   json["pareto"] = point.pareto;
   json["picture"] = picture_name(point.setting);
   json["difference"] = difference_name(point.setting);
@@ -85,8 +87,10 @@ TradeoffPoint point_of(const Json& json) {
     const double none = metric == Metric::psnr ? std::numeric_limits<double>::infinity() : std::nan("");
     point.metrics.emplace_back(metric_name(metric), value.is_null() ? none : value.get<double>());
   }
-  point.saturated_samples = json.at("saturated_samples");
-  point.invalid_samples = json.at("invalid_samples");
+  point.unusual.saturated = json.at("saturated_samples");
+  point.unusual.invalid = json.at("invalid_samples");
+  point.unusual.lost_branches = json.at("lost_branches");
+  point.unusual.lost_interfaces = json.at("lost_interfaces");
   return point;
 }
 

@@ -29,8 +29,7 @@ std::optional<MeasuredPoint> measure_point(Renderer& renderer, const TradeoffSet
     point.program = stats.program;
     point.program_from_cache = stats.program_from_cache;
     point.seconds = {stats.seconds.program, stats.seconds.bvh, stats.seconds.upload, 0, 0};
-    point.saturated_samples += stats.unusual.saturated;
-    point.invalid_samples += stats.unusual.invalid;
+    point.unusual += stats.unusual;
   }
   point.seconds.kernel = median(kernel);
   point.seconds.wall = point.seconds.program + point.seconds.bvh + point.seconds.upload + median(wall);

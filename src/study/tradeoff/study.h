@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "image/metrics.h"
+#include "render/unusual_samples.h"
 #include "study/tradeoff/error_parts.h"
 #include "study/tradeoff/power_law.h"
 #include "study/tradeoff/setting.h"
@@ -32,8 +33,8 @@ struct TradeoffPoint {
   std::string program;              ///< Its hash.
   bool program_from_cache = false;  ///< seconds.program is not what building it takes.
   ErrorParts error;
-  std::vector<std::pair<std::string, double>> metrics;       ///< study_metrics, means over seeds; NaN: has an obstacle.
-  std::uint64_t saturated_samples = 0, invalid_samples = 0;  ///< As RunStats has them, of all seeds together.
+  std::vector<std::pair<std::string, double>> metrics;  ///< study_metrics, means over seeds; NaN: has an obstacle.
+  UnusualSamples unusual;                               ///< Of all seeds together.
   bool pareto = false;
 };
 
