@@ -35,10 +35,11 @@ double list_cost(const Scene& scene, const Features& features) {
 Width wide_enough(Width width, std::int64_t primitives, const RenderSettings& settings) {
   if (width.tree >= 8 || primitives <= most_blocks || settings.acceleration == Acceleration::list) return width;
   if (!settings.lanes && !settings.bvh_width) return {8, 8};
-  throw UsageError(fmt::format("{} {}: such a tree names at most {} primitives of a kind, and the scene has {}; {}",
-                               settings.bvh_width ? "--bvh-width" : "--lanes", settings.bvh_width.value_or(width.lanes),
-                               most_blocks, primitives,
-                               settings.bvh_width ? "8 names more" : "state --bvh-width 8 in its place"));
+  throw UsageError(
+      fmt::format("{} {}: such a tree names at most {} primitives of a kind, and the scene has {}; state "
+                  "--bvh-width 8{}",
+                  settings.bvh_width ? "--bvh-width" : "--lanes", settings.bvh_width.value_or(width.lanes), most_blocks,
+                  primitives, settings.bvh_width ? "" : " in its place"));
 }
 
 Width wide_enough(Width width, const Scene& scene, const RenderSettings& settings) {

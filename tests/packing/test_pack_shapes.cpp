@@ -13,15 +13,15 @@ using Primitive = std::vector<double>;
 
 namespace {
 
-std::vector<Primitive> planes(const Geometry& geometry, const Vec3& origin = {}) {
+std::vector<Primitive> planes(const Geometry& geometry, const Vec3& origin = {}, bool is_chosen = false) {
   std::vector<Primitive> all;
-  primitive_planes(geometry, UploadFrame{origin, 1},
+  primitive_planes(geometry, UploadFrame{origin, 1, is_chosen},
                    [&](std::span<const double> values) { all.emplace_back(values.begin(), values.end()); });
   return all;
 }
 
-Primitive only(const Geometry& geometry, const Vec3& origin = {}) {
-  const std::vector<Primitive> all = planes(geometry, origin);
+Primitive only(const Geometry& geometry, const Vec3& origin = {}, bool is_chosen = false) {
+  const std::vector<Primitive> all = planes(geometry, origin, is_chosen);
   REQUIRE(all.size() == 1);
   return all[0];
 }
@@ -75,14 +75,16 @@ TEST_CASE("The frame's origin is subtracted from points, in double, and from not
   CHECK(only(Cylinder{at(1, 0, 0), at(1, 0, 8), 2, {1, 0, 0}}, o) == Primitive{1, 0, 0, 0, 0, 1, 8, 2});
 }
 
-TEST_CASE("In a shifted frame a plane is held by its point nearest the frame's origin") {
+TEST_CASE("In a chosen frame a plane is held by its point nearest the frame's origin, be that the world's, too") {
   const Plane floor = plane_through({1e8, -1, 1e8}, {0, 3, 0});
-  CHECK(only(floor, {7, 4, 7}) == Primitive{0, -5, 0, 0, 1.5, 0});
+  CHECK(only(floor, {7, 4, 7}, true) == Primitive{0, -5, 0, 0, 1.5, 0});
   const Plane slanted = plane_through({4, 0, 0}, {1, 1, 0});
-  const Primitive p = only(slanted, {0, 0, 9});
-  CHECK(p[0] == Approx(2));
-  CHECK(p[1] == Approx(2));
-  CHECK(p[2] == Approx(0).margin(1e-15));
+  for (const double z : {9, 0}) {
+    const Primitive p = only(slanted, {0, 0, z}, true);
+    CHECK(p[0] == Approx(2));
+    CHECK(p[1] == Approx(2));
+    CHECK(p[2] == Approx(0).margin(1e-15));
+  }
 }
 
 TEST_CASE("A cube's faces share their corners to the bit and look outwards, whatever its handedness") {
