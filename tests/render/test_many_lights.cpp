@@ -82,7 +82,7 @@ TEST_CASE("every way to choose among lamps has the same mean, and less noise the
   }
 }
 
-/// docs/scene-format.md: found by rays that hit it alone.
+/// docs/scene-emitters.md: found by rays that hit it alone.
 TEST_CASE("lights of sampling_weight 0 are drawn by nothing") {
   require_pocl_and_rusticl();
   const auto mean = [](const Scene& scene, const char* choice) {

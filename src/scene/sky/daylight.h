@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Light of a clear day: A. Preetham, P. Shirley, B. Smits, "A Practical Analytic Model for Daylight", SIGGRAPH 1999.
 // Radiance in W / (m^2 sr nm), as of Mitsuba's sky: the mean over wavelengths that the CIE 1931 observer's y weighs.
-// How far other models are from it: docs/scene-format.md, "Sky".
+// How far other models are from it: docs/scene-emitters.md, "Sky".
 #pragma once
 
 #include <memory>
