@@ -46,6 +46,9 @@ FN Surface surface_none(void) {
   return s;
 }
 
+/// Surface.off of a round shape of that size.
+FN real round_off(real size) { return R(8.0) * real_roundoff() * size; }
+
 FN real3 ray_at(const Ray* ray, real t) { return fma3(t, ray->d, ray->o); }
 
 /// Where a shape is so large or small that its own numbers leave the range of real, numbers of the ray replace them, so

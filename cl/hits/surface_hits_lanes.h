@@ -100,6 +100,15 @@ FN intw mesh_corners_w(const Scene* scene, const SurfaceHits_w* hits, const Surf
   return sel_int_w(*which, first + triangle * reals, zero);
 }
 
+/// departure_bound of hits/departure.h.
+FN realw departure_bound_w(const Scene* scene, const SurfaceHits_w* hits, realw reach) {
+  if (HAS_INSTANCES) {
+    realw error = gather_w(scene->geometry + INSTANCE_ERROR, hits->placed);
+    reach = sel_w(hits->is_placed, reach + error, reach);
+  }
+  return splat_w(R(1.75) * real_roundoff()) * reach;
+}
+
 /// Takes the surfaces of a kind, in the world, in the lanes of `plain`. normal, facing: as the shape has them. bound:
 /// as in hits/departure.h, of surfaces that rays leave from their position.
 INLINE_FN void take_surfaces_w(const Scene* scene, const SurfaceHits_w* hits, maskw plain, real3w position,

@@ -103,7 +103,7 @@ FN void rays_leaving_w(const Surfaces_w* s, maskw which, real3w d, realw t_max, 
 }
 
 /// How far apart two surfaces at p are at the most that lie on one another but for the rounding of their points: ample,
-/// but for shapes that are a hundred times as large as their way from the camera.
+/// but for shapes that are thirty times as large as their way from the camera.
 FN realw twins_apart_w(real3w p) {
   return splat_w(REAL_BITS == 64 ? R(0x1p-47) : R(0x1p-18)) * largest_of_w(p.x, p.y, p.z);
 }

@@ -83,10 +83,8 @@ Transform rounded_inverse(const Transform& map) {
 
 /// To a hundredth.
 bool is_identity(const Transform& map) {
-  for (int i = 0; i < 3; ++i) {
-    const Vec3 unit{i == 0 ? 1. : 0., i == 1 ? 1. : 0., i == 2 ? 1. : 0.};
-    if (!(length(map.column(i) - unit) < 0.01)) return false;  // NaN is not.
-  }
+  for (int i = 0; i < 3; ++i)
+    if (!(length(map.column(i) - Transform{}.column(i)) < 0.01)) return false;  // NaN is not.
   return true;
 }
 

@@ -55,8 +55,7 @@ void require_numeric_error(const Device& device, const Scene& scene, const Rende
   if (fits(need, info) && need.total() + picture.total() <= info.global_memory) return;
   throw NoDeviceError(
       fmt::format("the AOV numeric_error has the scene in memory a second time, in double precision: at least {} KiB "
-                  "beside {} KiB, "
-                  "and {} has {}, {} KiB in one buffer; leave that AOV out, or choose {}",
+                  "beside {} KiB, and {} has {}, {} KiB in one buffer; leave that AOV out, or choose {}",
                   need.total() >> 10, picture.total() >> 10, info.text(), info.memory_text(), info.max_allocation >> 10,
                   info.room_for(need.total() + picture.total())));
 }

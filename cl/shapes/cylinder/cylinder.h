@@ -15,7 +15,7 @@ FN void cylinder_surface(const Ray* ray, GLOBAL const real* prim, int stride, GL
   real3 from_p0 = fma3(t, ray->d, sub3(ray->o, p0));
   real along = dot3(from_p0, axis);
   s->outline = OUTLINE_ROUND;
-  s->off = R(8.0) * real_roundoff() * (length + radius);
+  s->off = round_off(length + radius);
   s->normal = normalize3(fma3(-along, axis, from_p0));
   s->facing = dot3(s->normal, ray->d);
   if (HAS_TANGENT) s->along = cross3(axis, s->normal);

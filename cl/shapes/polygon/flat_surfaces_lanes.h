@@ -63,15 +63,6 @@ FN realw edges_size_w(real3w e, real3w f) {
   return sel_w(lt_w(size_f, size_e), size_e, size_f);
 }
 
-/// departure_bound of hits/departure.h.
-FN realw departure_bound_w(const Scene* scene, const SurfaceHits_w* hits, realw reach) {
-  if (HAS_INSTANCES) {
-    realw error = gather_w(scene->geometry + INSTANCE_ERROR, hits->placed);
-    reach = sel_w(hits->is_placed, reach + error, reach);
-  }
-  return splat_w(R(1.75) * real_roundoff()) * reach;
-}
-
 /// Fills the lanes of `which`, whose polygons have so many corners, and returns those of them that were plain.
 FN maskw flat_surfaces_w(const Scene* scene, const SurfaceHits_w* hits, maskw which, int kind, int corners,
                          Surfaces_w* s, HitParameters_w* parameters) {

@@ -40,7 +40,7 @@ FN void sphere_surface(const Ray* ray, GLOBAL const real* prim, int stride, GLOB
   }
 #endif
   s->outline = OUTLINE_ROUND;
-  s->off = R(8.0) * real_roundoff() * radius;
+  s->off = round_off(radius);
   s->normal = normalize3(out);
   s->position = fma3(radius, s->normal, center);
   real x = dot3(s->normal, load3(frame));

@@ -46,12 +46,12 @@ FN void sphere_coordinates_w(const Scene* scene, maskw which, real3w normal, rea
 }
 
 /// As round_departure_bound of hits/departure.h.
-FN realw sphere_departure_bound_w(const Scene* scene, const SurfaceHits_w* hits, realw radius) {
-  realw off = splat_w(TIER_FAST ? R(0.0) : R(8.0) * real_roundoff()) * radius;
-  if (!HAS_INSTANCES || TIER_FAST) return off;
+FN realw round_departure_bound_w(const Scene* scene, const SurfaceHits_w* hits, realw radius) {
+  realw zero = splat_w(R(0.0)), off = splat_w(round_off(R(1.0))) * radius;
+  if (TIER_FAST) return zero;
+  if (!HAS_INSTANCES) return off;
   realw shrink = gather_w(scene->geometry + INSTANCE_SHRINK, hits->placed);
-  realw error = gather_w(scene->geometry + INSTANCE_ERROR, hits->placed);
-  return sel_w(hits->is_placed, off / shrink + splat_w(R(1.75) * real_roundoff()) * error, off);
+  return sel_w(hits->is_placed, off / shrink + departure_bound_w(scene, hits, zero), off);
 }
 
 /// As flat_surfaces_w.
@@ -81,7 +81,7 @@ FN maskw sphere_surfaces_w(const Scene* scene, const SurfaceHits_w* hits, maskw 
   p = fma3_w(hits->world_t, hits->world_d, hits->world_o);
 #endif
   maskw plain = which & finite3_w(p) & finite3_w(normal) & finite_w(facing);
-  take_surfaces_w(scene, hits, plain, p, normal, facing, -sphere_departure_bound_w(scene, hits, radius), s);
+  take_surfaces_w(scene, hits, plain, p, normal, facing, -round_departure_bound_w(scene, hits, radius), s);
   if (TEXTURE_COUNT + HAS_TANGENT + HAS_RELIEF > 0) sphere_coordinates_w(scene, plain, own, radius, s, parameters);
   s->is_round = sel_int_w(plain, splat_int_w(1), s->is_round);
   return plain;
