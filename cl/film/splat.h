@@ -77,11 +77,12 @@ FN void add_own_light(const Scene* scene, int column, int row, int sum, int numb
   film_add_color(scene, splat_sums(film, column, row) + before, light);
 }
 
-/// The filter's density at an offset from a pixel's middle.
+/// The filter's density at an offset from a pixel's middle. Of the two ends one counts, lest a box have both pixels at
+/// their border.
 FN real filter_density(GLOBAL const real* sensor, real offset) {
   GLOBAL const real* densities = sensor + SENSOR_REALS;
   real half_width = sensor[SENSOR_FILTER_HALF];
-  if (!(real_abs(offset) <= half_width)) return R(0.0);
+  if (!(-half_width <= offset && offset < half_width)) return R(0.0);
   real cell = (offset + half_width) / (R(2.0) * half_width) * (real)FILTER_CELLS;
   int i = min((int)cell, (int)FILTER_CELLS - 1);
   return real_fma(cell - (real)i, densities[i + 1] - densities[i], densities[i]);

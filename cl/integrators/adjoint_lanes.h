@@ -52,7 +52,9 @@ FN void make_adjoint_w(const Scene* scene, const Paths_w* path, const Bsdf_w* b,
   real3w weight = scale3_w(share, way->weight);
   maskw is_delta = is_lobe_w(way, LOBE_DELTA);
   if (HAS_RELIEF) {
-    realw there = relief_share_w(&b->relief, way->wi, dot3_w(way->wi, b->frame.z));
+    // Rays through glass of equal indices have their direction as it came, of any length.
+    real3w to = unit3_w(way->wi);
+    realw there = relief_share_w(&b->relief, to, dot3_w(to, b->frame.z));
     realw back = relief_share_w(&b->relief, b->out, dot3_w(b->out, b->frame.z));
     maskw is_faded = is_delta & lt_w(zero, there);
     weight = sel3_w(is_faded, scale3_w(back / sel_w(is_faded, there, one), weight), weight);

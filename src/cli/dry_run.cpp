@@ -90,7 +90,7 @@ ExitCode dry_run(Renderer& renderer, const RenderOptions& options, const Invocat
   const std::optional<ErrorTrend> law = law_of(pilot);
   Prediction prediction = predict(law, costs, goal);
   prediction.has_end = has_end(law);
-  print(prediction_text(prediction, pilot));
+  if (options.stats != "-") print(prediction_text(prediction, pilot));
   if (!options.stats.empty()) write_text(options.stats, json_text(json_of(prediction, pilot, law)));
   return ExitCode::ok;
 }

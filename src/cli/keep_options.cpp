@@ -54,7 +54,10 @@ void check_keeping(const RenderOptions& options) {
   if (keep.snapshot_every && !options.writes_picture())
     throw UsageError("--snapshot-every writes beside the picture, and none is written: name it with -o");
   if (is_kept && options.goal.frames) throw UsageError("--frames renders many pictures, a checkpoint is of one");
-  if (is_kept && options.goal.dry_run) throw UsageError("--dry-run makes no picture, so there is nothing to keep");
+  if ((is_kept || keep.snapshot_every) && options.goal.dry_run)
+    throw UsageError("--dry-run makes no picture, so there is nothing to keep");
+  if (keep.watchdog && options.goal.dry_run)
+    throw UsageError("--watchdog watches the launches of a picture, and --dry-run makes none");
   if (!keep.samples) return;
   if (!is_kept) throw UsageError("--samples makes a part for `strahl merge`: name its file with --checkpoint");
   static_cast<void>(sample_range(*keep.samples));

@@ -38,13 +38,15 @@ Image merged(const Image& color, const Image& aov) {
 
 Written write_color(const PictureFiles& files, Image color, bool is_png, bool quiet) {
   double white = 1;  // What the file's white stands for.
+  PngOptions png = files.png;
   if (is_png && files.scale_color) {
+    png.exposure = 0;  // Distances are no light.
     const double largest = scale_to_largest(color, "depth.white");
     if (largest > 0) white = largest;
     if (!quiet && largest > 0)
       say(fmt::format("{}: values divided by the largest, {:.6g}; .exr and .pfm keep them", files.path, largest));
   }
-  WriteReport report = write_image(color, files.path, files.png);
+  WriteReport report = write_image(color, files.path, png);
   report.rounding_rmse *= white;
   report.clipping_rmse *= white;
   if (!quiet && report.invalid > 0)
@@ -65,6 +67,11 @@ std::string path_beside(const std::string& path, const std::string& name) {
 void require_writable(const PictureFiles& files) {
   static_cast<void>(image_format(files.path));
   require_writable(files.path);
+}
+
+void require_writable_layers(const PictureFiles& files, const AovList& aovs) {
+  if (image_format(files.path) == ImageFormat::exr) return;
+  for (const Aov aov : aovs.plain()) require_writable(path_beside(files.path, std::string(aov_name(aov))));
 }
 
 Written write(const PictureFiles& files, const RenderResult& result, const std::map<std::string, std::string>& metadata,

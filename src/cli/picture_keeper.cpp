@@ -5,6 +5,8 @@
 
 #include <chrono>
 #include <limits>
+#include <memory>
+#include <system_error>
 #include <utility>
 
 #include "checkpoint/picture.h"
@@ -81,11 +83,17 @@ void PictureKeeper::keep(FilmState state) {
   if (now.checkpoint) since_checkpoint_ = {};
   if (now.snapshot) since_snapshot_ = {};
   if (now.snapshot) snapshot_is_taken();
-  writing_ = std::async(std::launch::async, [this, now, checkpoint = Checkpoint{header_, std::move(state)}]() mutable {
-    checkpoint.told_of_film();
-    write(checkpoint, now);
-    spare_ = std::move(checkpoint.state);
-  });
+  const auto checkpoint = std::make_shared<Checkpoint>(Checkpoint{header_, std::move(state)});
+  const auto write_now = [this, now, checkpoint] {
+    checkpoint->told_of_film();
+    write(*checkpoint, now);
+    spare_ = std::move(checkpoint->state);
+  };
+  try {
+    writing_ = std::async(std::launch::async, write_now);
+  } catch (const std::system_error&) {  // No thread can be begun: the render waits for the disk.
+    write_now();
+  }
 }
 
 void PictureKeeper::write(const Checkpoint& checkpoint, Due due) {

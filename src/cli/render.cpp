@@ -143,7 +143,9 @@ double end_seconds(const RenderOptions& options, const PictureFiles& files, cons
   if (!files.path.empty()) seconds += expected_write_seconds(files.path, files.png, pixels, 3 * (1 + aovs.size()));
   if (!options.error_map.empty()) seconds += expected_write_seconds(options.error_map, {}, pixels, 3);
   if (!options.keep.target().empty()) {
-    const double kept = pixels * (static_cast<double>(renderer.film_bytes_per_pixel()) + sizeof(int));
+    const double kept =
+        pixels * (static_cast<double>(renderer.film_bytes_per_pixel()) + sizeof(int) +
+                  (aovs.empty() ? 0.0 : layout::AOV_REALS * sizeof(double) + layout::AOV_INTS * sizeof(int)));
     seconds += 0.02 + kept / checkpoint_rate;
   }
   return seconds;
@@ -218,6 +220,19 @@ CheckpointHeader checkpoint_header(const RenderOptions& options, const Invocatio
   return header;
 }
 
+/// What a reader that leaves early (`| head -1`) has not got; the picture is rendered all the same.
+std::optional<std::string> dump_kernel(const std::string& path, const Renderer& renderer) {
+  if (path.empty()) return std::nullopt;
+  try {
+    write_text(path, renderer.program_text());
+  } catch (const Error& fault) {
+    if (path != "-") throw;
+    say(fmt::format("strahl: error: --dump-kernel: {}", fault.what()));
+    return fault.what();
+  }
+  return std::nullopt;
+}
+
 ExitCode render(const RenderOptions& options, const Invocation& invocation) {
   RenderSettings settings = settings_of(options.kernel);
   settings.error_map = !options.error_map.empty();
@@ -242,6 +257,7 @@ ExitCode render(const RenderOptions& options, const Invocation& invocation) {
   if (is_png && !options.scene.quiet && !options.goal.frames) files.lamps = lamps_of(scene);
   add_scene_aovs(scene, options, files.path, settings.aovs);
   if (!files.path.empty()) warn_of_later_samples(options.keep, settings.aovs);
+  if (!files.path.empty() && !options.goal.frames) require_writable_layers(files, settings.aovs);
 
   std::optional<ProgressBar> bar;
   bar.emplace(options.goal.dry_run ? "dry run" : "render", !options.scene.quiet && !options.scene.no_progress);
@@ -258,15 +274,16 @@ ExitCode render(const RenderOptions& options, const Invocation& invocation) {
   Renderer renderer(device, std::move(scene), settings);
   const std::vector<SharedDevice> shared = share(renderer, device, selectors, needs, options.kernel, settings);
   const std::vector<Device> devices = devices_of(shared);
-  if (!options.dump_kernel.empty()) write_text(options.dump_kernel, renderer.program_text());
+  const std::optional<std::string> not_dumped = dump_kernel(options.dump_kernel, renderer);
+  const auto ended = [&not_dumped](ExitCode code) { return not_dumped ? ExitCode::failure : code; };
 
   const auto end = [&] { return end_seconds(options, files, renderer, settings.aovs, devices); };
   // Without a guard: a dry run has nothing to lose, so a signal ends it at once.
-  if (options.goal.dry_run) return dry_run(renderer, options, invocation, {canary.seconds, end(), sampling.spp});
+  if (options.goal.dry_run) return ended(dry_run(renderer, options, invocation, {canary.seconds, end(), sampling.spp}));
   const InterruptGuard guard;
   if (options.goal.frames) {
     bar.reset();
-    return render_frames(renderer, options, invocation, files, sampling.seed, guard);
+    return ended(render_frames(renderer, options, invocation, files, sampling.seed, guard));
   }
   const RenderGoal goal = goal_of(options, invocation, end());
   PictureKeeper keeper(options.keep, files, checkpoint_header(options, invocation, device, renderer, settings, goal));
@@ -320,7 +337,7 @@ ExitCode render(const RenderOptions& options, const Invocation& invocation) {
   }
   const std::optional<std::string> missed = missed_goal(options, result);
   if (missed) say("strahl: " + *missed);
-  return missed ? ExitCode::target_missed : ExitCode::ok;
+  return ended(missed ? ExitCode::target_missed : ExitCode::ok);
 }
 
 void add_output_options(CLI::App& app, RenderOptions& options) {

@@ -95,7 +95,8 @@ Tiers tiers_of(const Device& device, const TradeoffCommand& command) {
   if (command.reference.empty() && !is_trusted(device, Precision::fp64, command.no_canary, tiers)) {
     tiers.reference = Precision::robust;
     if (!is_trusted(device, tiers.reference, command.no_canary, tiers)) static_cast<void>(trusted_tier(device, {}));
-    say(fmt::format("strahl: warning: {} has no double precision: the reference is robust", device.info().text()));
+    say(fmt::format("strahl: warning: {} {}: the reference is robust", device.info().text(),
+                    device.info().fp64 ? "cannot keep what precision double promises" : "has no double precision"));
   }
   return tiers;
 }
@@ -120,6 +121,8 @@ TradeoffPlan plan_of(const TradeoffCommand& command, const Scene& scene, const T
   for (const std::string& name : command.samplers) axes.samplers.push_back(sampler_from_name(name));
   axes.depths = default_depths(scene.integrator);
   if (!command.depths.empty()) axes.depths.assign(command.depths.begin(), command.depths.end());
+  for (const int depth : command.depths)
+    if (depth < -1) throw UsageError(fmt::format("--depth {}: -1 is no limit, and less than that is none", depth));
   if (!command.spps.empty()) axes.spps = command.spps;
   axes.generic = !command.no_generic;
   const std::int64_t most = *std::max_element(axes.spps.begin(), axes.spps.end());

@@ -75,7 +75,11 @@ cl::Program build_text(const Device& device, const ProgramSource& source, const 
 /// OpenCL lets fp32 divisions and square roots be off by 2.5 and 3 ulp unless a program asks otherwise, which only some
 /// devices take. PoCL, Intel's runtime and llvmpipe round correctly either way.
 ProgramSource completed_for(const Device& device, ProgramSource source) {
-  if (device.info().correctly_rounded_option) source.options += " -cl-fp32-correctly-rounded-divide-sqrt";
+  if (device.info().correctly_rounded_option) {
+    const std::string option = " -cl-fp32-correctly-rounded-divide-sqrt";
+    source.options += option;
+    source.text.insert(source.text.find('\n'), option);
+  }
   // Below the first line, which says what the program is.
   std::string has;
   if (!device.info().fma) has += "#define SOFT_FMA 1\n";

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Inverse cumulative distributions of the pixel filters, tabulated: samples are drawn from the filter with weight 1.
 // M. Ernst, M. Stamminger, G. Greiner, "Filter Importance Sampling", IEEE Symposium on Interactive Ray Tracing, 2006.
+#include <algorithm>
 #include <cmath>
 
 #include "packing/cl_layout.h"
@@ -89,6 +90,8 @@ std::vector<double> filter_quantiles(const Filter& filter, SamplerKind sampler) 
 
 FilterDensities filter_densities(const Filter& filter) {
   FilterDensities densities{half_width(filter), {}};
+  // Cells stay narrow beside the bell however far off it is cut; beyond 8 deviations it is 1e-14 of its height.
+  if (filter.kind == FilterKind::gaussian) densities.half_width = std::min(densities.half_width, 8 * filter.stddev);
   constexpr int cells = layout::FILTER_CELLS;
   for (int i = 0; i <= cells; ++i)
     densities.values.push_back(density(filter, (2.0 * i / cells - 1) * densities.half_width));

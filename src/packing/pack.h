@@ -31,7 +31,8 @@ template <typename Real>
 /// FILM_CELLS + 1 quantiles of a pixel filter in pixels, antisymmetric; all 0 for the centre sampler.
 [[nodiscard]] std::vector<double> filter_quantiles(const Filter& filter, SamplerKind sampler);
 
-/// FILTER_CELLS + 1 densities per pixel of a filter along one axis, from one end to the other, and half its width.
+/// FILTER_CELLS + 1 densities per pixel of a filter along one axis, from one end to the other, and half its width: at
+/// most 8 deviations of a gaussian.
 struct FilterDensities {
   double half_width = 0;
   std::vector<double> values;

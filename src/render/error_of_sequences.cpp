@@ -13,6 +13,8 @@
 // Where one pixel or a few are all of the noise, these products are small by chance as often as the estimate is. So the
 // largest upper estimate of a pixel by itself is added, |S|^2 with S the mean of the three differences' squares, times
 // that pixel's share of the noise. Among many noisy pixels it does not count.
+//
+// A part of a picture may have nothing of the second halves. Then u by itself tells all, pixel by pixel.
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -33,7 +35,8 @@ constexpr int tile_side = 4;
 /// The differences between a pixel's sums.
 struct Differences {
   Colour whole{};                        ///< u.
-  std::array<Colour, sequences> half{};  ///< w_1, w_2.
+  std::array<Colour, sequences> half{};  ///< w_1, w_2; zero without has_halves.
+  bool has_halves = false;
 };
 
 PixelError told_by_sequences(const FilmRows& film, std::size_t at, Differences& differences) {
@@ -43,6 +46,7 @@ PixelError told_by_sequences(const FilmRows& film, std::size_t at, Differences& 
   const double first = count[0] + count[2], second = count[1] + count[3];
   // 1 but where one sequence is a sample longer.
   const double evenness = 2 * std::sqrt(first * second) / samples;
+  differences.has_halves = std::all_of(count.begin(), count.end(), [](double samples_of) { return samples_of > 0; });
   PixelError pixel;
   for (int c = 0; c < layout::FILM_CHANNELS; ++c) {
     std::array<double, layout::FILM_SUBSUMS> sum{};
@@ -52,7 +56,8 @@ PixelError told_by_sequences(const FilmRows& film, std::size_t at, Differences& 
     pixel.squared[c] = u * u / 4;
     differences.whole[c] = u;
     for (int k = 0; k < sequences; ++k)
-      differences.half[k][c] = (sum[k] / count[k] - sum[k + sequences] / count[k + sequences]) / 2;
+      differences.half[k][c] =
+          differences.has_halves ? (sum[k] / count[k] - sum[k + sequences] / count[k + sequences]) / 2 : 0;
   }
   return pixel;
 }
@@ -85,7 +90,9 @@ double squared_length(const Colour& a) {
 }
 
 Products own_products(const Differences& p) {
-  const double spread = (squared_length(p.whole) / 2 + squared_length(p.half[0]) + squared_length(p.half[1])) / 3;
+  const double by_whole = squared_length(p.whole) / 2;
+  const double spread =
+      p.has_halves ? (by_whole + squared_length(p.half[0]) + squared_length(p.half[1])) / 3 : by_whole;
   return {0, squared_product(p.half[0], p.half[1]), 0, spread, spread * spread};
 }
 
@@ -103,6 +110,9 @@ class TiledProducts {
       : across_((width + tile_side - 1) / tile_side),
         tiles_(static_cast<std::size_t>(across_) * static_cast<std::size_t>((height + tile_side - 1) / tile_side)) {}
 
+  /// Of a pixel that has no halves.
+  void lacks_halves() { has_halves_ = false; }
+
   void add(int x, int y, const Products& products) {
     tiles_[static_cast<std::size_t>(y / tile_side) * static_cast<std::size_t>(across_) +
            static_cast<std::size_t>(x / tile_side)] += products;
@@ -114,7 +124,7 @@ class TiledProducts {
     Products all;
     for (const Products& tile : tiles_) all += tile;
     if (!(all.alone > 0)) return;
-    const bool has_neighbours = all.whole_beside > 0 && all.half > 0 && all.half_beside > 0;
+    const bool has_neighbours = has_halves_ && all.whole_beside > 0 && all.half > 0 && all.half_beside > 0;
     const double by_one = most_alone_ * (std::sqrt(most_alone_) / all.spread);
     picture.variance = has_neighbours ? all.half * (all.whole_beside / all.half_beside) + by_one : all.alone;
     double squares = 0;
@@ -131,6 +141,7 @@ class TiledProducts {
   int across_;
   std::vector<Products> tiles_;
   double most_alone_ = 0;
+  bool has_halves_ = true;
 };
 
 class LawOfSequences final : public ErrorLaw {
@@ -162,6 +173,7 @@ class LawOfSequences final : public ErrorLaw {
  private:
   /// Of a pixel of row y_ by itself and with its neighbours to the left and above.
   void add_products(const Differences& here, int x, int width) {
+    if (!here.has_halves) products_.lacks_halves();
     products_.add(x, y_, own_products(here));
     const auto pair = [&](int other_x, int other_y, const Differences& other) {
       const Products shared = pair_products(here, other);

@@ -7,43 +7,16 @@
 
 #include "errors.h"
 #include "kinds/integrators.h"
-#include "kinds/lights.h"
 #include "packing/cl_layout.h"
+#include "packing/pack.h"
+#include "scene/light_path_fault.h"
 #include "settings/sampling.h"
 
 namespace strahl {
 namespace {
 
-bool is_far(const Light& light) { return kinds::light(light).is_far && kinds::gives_light(light); }
-
-/// Far lights enter through a disc as large as what is bounded, and an infinite area has no place to begin on.
-void require_finite(const Scene& scene) {
-  const auto far = std::find_if(scene.lights.begin(), scene.lights.end(), is_far);
-  for (const Shape& shape : scene.shapes) {
-    if (bounds(shape)) continue;
-    if (far != scene.lights.end())
-      throw SceneError(
-          {{Severity::error, shape.where,
-            fmt::format("integrator {} cannot light an infinite shape from afar (a light of type {}): take "
-                        "a large finite one, or integrator path",
-                        scene.integrator.name, kinds::light(*far).entry)}});
-    if (shape.radiance || shape.exitance)
-      throw SceneError({{Severity::error, shape.where,
-                         fmt::format("integrator {} cannot begin paths on an emitter of infinite area: take a large "
-                                     "finite one, or integrator path",
-                                     scene.integrator.name)}});
-  }
-}
-
-/// Which shapes a vertex is within is not kept, so that it could be joined with others.
-void require_no_priorities(const Scene& scene) {
-  for (const Shape& shape : scene.shapes)
-    if (shape.priority)
-      throw SceneError({{Severity::error, shape.where,
-                         fmt::format("integrator {} does not know glass that overlaps by priority: leave the priority "
-                                     "out, or take integrator path",
-                                     scene.integrator.name)}});
-}
+/// In pixels: what a float still tells apart beyond 4096 columns.
+constexpr double least_splat_radius = 0x1p-10;
 
 }  // namespace
 
@@ -59,13 +32,14 @@ void require_light_paths(const Scene& scene, const RenderSettings& settings) {
     refuse("lights are weighed by " + choice + " at a point, and there is none; --light-choice power or uniform");
   if (resolve_sampling(scene).kind == SamplerKind::centre)
     refuse("they never meet the pixels' centres alone; take another sampler");
-  if (!scene.media.empty())
-    throw SceneError({{Severity::error, scene.media.front().where,
-                       fmt::format("integrator {} follows light between surfaces only, and here is a medium: take "
-                                   "integrator volpath",
-                                   name)}});
-  if (kinds::integrator(name).from_camera) require_no_priorities(scene);
-  require_finite(scene);
+  if (settings.disabled.contains("PIXEL_FILTER"))
+    refuse("they never meet the pixels' centres alone; leave --disable PIXEL_FILTER out");
+  if (const double radius = filter_densities(scene.film.filter).half_width; radius < least_splat_radius)
+    throw SceneError({{Severity::error, scene.film.where,
+                       fmt::format("integrator {} draws each path's pixel by the filter's density, and a radius of {} "
+                                   "pixels is below 1/1024: widen the rfilter, or take integrator path",
+                                   name, radius)}});
+  if (const std::optional<Diagnostic> fault = light_path_fault(scene, name)) throw SceneError({*fault});
 }
 
 int most_light_paths(const Window& window, bool has_error_sums) {

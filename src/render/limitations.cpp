@@ -17,6 +17,7 @@
 #include "kinds/textures.h"
 #include "packing/pack_areas.h"
 #include "scene/beams.h"
+#include "scene/light_path_fault.h"
 
 namespace strahl {
 
@@ -108,6 +109,14 @@ std::vector<SourceLocation> undrawn_and_unhit(const Scene& scene) {
   return lost;
 }
 
+/// What finds the light of beams in this scene.
+const char* finder_of_beams(const Scene& scene) {
+  if (!light_path_fault(scene, "bdpt")) return "ptracer and bdpt do";
+  if (!light_path_fault(scene, "ptracer")) return "ptracer does";
+  return scene.media.empty() ? "ptracer and bdpt do where every shape is finite"
+                             : "ptracer and bdpt do where there are no media";
+}
+
 }  // namespace
 
 std::vector<Diagnostic> limitations(const Scene& scene) {
@@ -133,11 +142,9 @@ std::vector<Diagnostic> limitations(const Scene& scene) {
                         scene.integrator.name));
   if (kinds::integrator(scene.integrator.name).is_lit() && !kinds::integrator(scene.integrator.name).from_lights)
     for (const SourceLocation& beam : beams_of(scene))
-      warn(beam,
-           fmt::format("this emitter's light is left out: each of its places shines in one direction, so that "
-                       "integrator {} cannot find it; {}",
-                       scene.integrator.name,
-                       scene.media.empty() ? "ptracer and bdpt do" : "ptracer and bdpt do where there are no media"));
+      warn(beam, fmt::format("this emitter's light is left out: each of its places shines in one direction, so that "
+                             "integrator {} cannot find it; {}",
+                             scene.integrator.name, finder_of_beams(scene)));
   const kinds::Follows follows = kinds::integrator(scene.integrator.name).follows;
   const bool is_direct = follows == kinds::Follows::one_way, is_whitted = follows == kinds::Follows::mirrors;
   if (!(is_direct || is_whitted) || (scene.integrator.max_depth >= 0 && scene.integrator.max_depth < 2))

@@ -9,6 +9,7 @@
 #include "kinds/materials.h"
 #include "scene/auto_integrator.h"
 #include "scene/beams.h"
+#include "scene/light_path_fault.h"
 
 namespace strahl {
 namespace {
@@ -76,10 +77,12 @@ std::vector<Advice> integrator_advice(const Scene& scene) {
     all.push_back({"volpath", "the light of a point or from far away, which surfaces with an opacity block", *mask});
   const Where mirror = first_mirror(scene);
   const std::vector<SourceLocation> beams = beams_of(scene);
-  if (!beams.empty() && !facts.from_lights && scene.media.empty())
-    all.push_back({has_beams_alone(scene) && !mirror ? "ptracer" : "bdpt",
+  if (facts.from_lights) return all;
+  const bool has_bdpt = !light_path_fault(scene, "bdpt"), has_ptracer = !light_path_fault(scene, "ptracer");
+  if (!beams.empty() && has_ptracer)
+    all.push_back({(has_beams_alone(scene) && !mirror) || !has_bdpt ? "ptracer" : "bdpt",
                    "the light of a beam, which no ray from the camera or a surface finds", beams.front()});
-  if (!mirror || facts.from_lights || !scene.media.empty()) return all;
+  if (!mirror || !has_bdpt) return all;
   if (point)
     all.push_back({"bdpt", "what mirrors and glass throw of a lamp that no ray from the camera hits", *point});
   else if (const Where lamp = first_small_lamp(scene))

@@ -255,6 +255,8 @@ TEST_CASE("usage of what keeps a render") {
   refuse(folder, {"s.xml", "--snapshot-every", "0s"}, 2, {"--snapshot-every: must be a finite time"});
   refuse(folder, {"s.xml", "--frames", "2", "--time", "1s", "--checkpoint", "c"}, 2, {"--frames", "checkpoint"});
   refuse(folder, {"s.xml", "--dry-run", "--checkpoint", "c"}, 2, {"--dry-run"});
+  refuse(folder, {"s.xml", "--dry-run", "--watchdog", "5s"}, 2, {"--watchdog", "--dry-run"});
+  refuse(folder, {"s.xml", "--dry-run", "-o", "o.png", "--snapshot-every", "5s"}, 2, {"--dry-run"});
   refuse(folder, {"s.xml", "--every", "10s"}, 2, {"--every", "--checkpoint"});
   refuse(folder, {"s.xml", "--snapshot-every", "1s", "--samples", "0:4", "--checkpoint", "c"}, 2, {"-o"});
   refuse(folder, {"s.xml", "--snapshot-every", "1s", "--pixel", "0,0"}, 2, {"-o"});

@@ -155,6 +155,8 @@ TEST_CASE("a prediction has intervals and writes no picture") {
   CHECK(contains(outcome.out, "samples  64 a pixel"));
   CHECK(contains(outcome.out, "90 of 100"));
   CHECK(folder.files() == std::vector<std::string>{"d.json"});
+  const Outcome piped = folder.run({"render", room, "--width", "32", "--spp", "64", "--dry-run", "--stats", "-"});
+  CHECK(Json::parse(piped.out).at("predicted").at("spp") == 64);
   const Json predicted = json_of(folder, "d.json").at("predicted");
   for (const std::string what : {"seconds", "spp", "rmse"}) {
     CHECK(predicted.at(what) > 0);

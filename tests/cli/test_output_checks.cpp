@@ -22,6 +22,10 @@ Outcome render_to(const Folder& folder, const std::vector<std::string>& more) {
 TEST_CASE("outputs that cannot be written fail before a device is looked for") {
   const Folder folder;
   mkdir(folder.path("folder.png").c_str(), 0700);
+  mkdir(folder.path("layers.depth.png").c_str(), 0700);
+  const Outcome layer = render_to(folder, {"-o", "layers.png", "--aov", "depth"});
+  CHECK(layer.code == 1);
+  CHECK(contains(layer.err, "layers.depth.png"));
   CHECK(render_to(folder, {}).code == 4);  // The device is looked for once the output is right.
   for (const std::vector<std::string>& outputs : std::vector<std::vector<std::string>>{
            {"-o", "missing/out.png"},
@@ -36,7 +40,7 @@ TEST_CASE("outputs that cannot be written fail before a device is looked for") {
     CHECK(contains(outcome.err, "strahl: error: "));
     CHECK(contains(outcome.err, outputs.back()));
   }
-  CHECK(folder.files() == std::vector<std::string>{"folder.png", "scene.xml"});
+  CHECK(folder.files() == std::vector<std::string>{"folder.png", "layers.depth.png", "scene.xml"});
 }
 
 TEST_CASE("a folder without permission fails before a device is looked for") {

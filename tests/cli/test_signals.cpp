@@ -97,6 +97,19 @@ TEST_CASE("a reader of results that leaves is said") {
   CHECK(fs::exists(folder.path("out.exr")));
 }
 
+TEST_CASE("a reader of the kernel that leaves costs no picture") {
+  const Folder folder;
+  folder.file("scene.xml", glowing_sphere);
+  CHECK(shell(folder,
+              "{ \"$STRAHL\" scene.xml -q -o out.exr --dump-kernel - 2> said; echo $? > code; } | head -1 > line") ==
+        0);
+  CHECK(contains(read_text(folder.path("line")), "-cl-std=CL1.2"));
+  CHECK(read_text(folder.path("code")) == "1\n");
+  CHECK(read_text(folder.path("said")) ==
+        "strahl: error: --dump-kernel: cannot write to standard output: Broken pipe\n");
+  CHECK(fs::exists(folder.path("out.exr")));
+}
+
 TEST_CASE("a checkpoint and a picture beyond the limit of a file's size are said, and leave nothing") {
   const Folder folder;
   folder.file("scene.xml", glowing_sphere);

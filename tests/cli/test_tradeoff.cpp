@@ -73,6 +73,7 @@ TEST_CASE("what is refused") {
   CHECK(code({"--spp", "0"}, "--spp") == 2);
   CHECK(code({"--seeds", "1"}, "--seeds") == 2);
   CHECK(code({"--depth", "2"}, "emission has no max_depth") == 2);
+  CHECK(code({"--depth=-2"}, "--depth -2") == 2);
   CHECK(code({"--reference", "nowhere.exr"}, "nowhere.exr") == 3);
   CHECK(code({"-d", "nothing-of-that-name"}, "nothing-of-that-name") == 4);
   folder.file("in-the-way", "");

@@ -148,6 +148,19 @@ TEST_CASE("what scatters otherwise from the other side does so as the camera wou
   mirror.integrator.max_depth = 3;
   mirror.integrator.hide_emitters = true;
   hold_like_path("a bent mirror", mirror, 256, 0.03);
+
+  // Light goes straight through a pane with the same normal, and fades by where it comes from.
+  Scene pane = under_lamp(diffuse({0.5, 0.5, 0.5}));
+  Relief bent;
+  bent.map = {{0.821, 0.5, 0.883}};
+  bent.nested = add(pane, ThinDielectric{});
+  pane.shapes[1].geometry = Rectangle{{-2, -2, 0.8}, {4, 0, 0}, {0, 4, 0}};
+  pane.shapes[1].material = add(pane, bent);
+  pane.shapes[2].geometry = Rectangle{{-4, -1, 1.2}, {0.5, 0, 1.9}, {0, 2, 0}};
+  pane.shapes[2].radiance = Rgb{20, 20, 20};
+  pane.camera = perspective_camera({0, -1.8, 0.5}, {0, 0.4, 0}, {0, 0, 1}, 60);  // Below the pane.
+  pane.integrator.max_depth = 4;
+  hold_like_path("a bent pane", pane, 512, 0.03);
 }
 
 // The way from the light is long and the light low: as wide as that, squares would be grey.
@@ -244,6 +257,9 @@ TEST_CASE("beams bring all of their power to where they point") {
   const Image lit = render("pocl", beam, {}).color;
   CHECK(power_on_floor(lit) == Approx(7));
   CHECK(lit_pixels(lit) == 1);
+  Scene border = floor;  // Between two pixels, which both have it at their end.
+  add(border, CollimatedLight{{3, 0, 3}, {-3, 0, -3}, {7, 7, 7}});
+  CHECK(power_on_floor(render("pocl", border, {}).color) == Approx(7));
   add(beside, CollimatedLight{{3, 0.2, 3}, {2.9, 0, -3}, {7, 7, 7}});
   CHECK(power_on_floor(render("pocl", beside, {}).color) == 0);
   // Of area 1/2, out of the camera's sight; the floor's normal is 60 degrees off.

@@ -276,5 +276,16 @@ TEST_CASE("a part is told of by itself") {
   CHECK(part.error->rmse == Approx(rmse).epsilon(0.5));
 }
 
+TEST_CASE("a part that has one half of each sequence is told an interval, too") {
+  require_pocl_and_rusticl();
+  Renderer renderer(Device::open("pocl"), picture(256), settings_of());
+  RenderGoal goal;
+  goal.samples = SampleRange{0, 64};
+  const RenderResult part = renderer.render({}, goal);
+  REQUIRE(part.error);
+  CHECK(part.error->rmse_low < 0.97 * part.error->rmse);
+  CHECK(part.error->rmse_high > 1.03 * part.error->rmse);
+}
+
 }  // namespace
 }  // namespace strahl::test

@@ -41,11 +41,9 @@ TEST_CASE("fields of view") {
   CHECK(normal.fov_degrees ==
         Approx(2 * std::atan(std::sqrt(36. * 36 + 24 * 24) / 100) * 180 / std::acos(-1)).epsilon(1e-14));
   CHECK(sensor("<string name=\"focal_length\" value=\"25mm\"/>").camera.fov_degrees > 80);
-  const std::pair<const char*, FovAxis> axes[] = {{"x", FovAxis::x},
-                                                  {"y", FovAxis::y},
-                                                  {"diagonal", FovAxis::diagonal},
-                                                  {"smaller", FovAxis::smaller},
-                                                  {"larger", FovAxis::larger}};
+  const std::pair<const char*, FovAxis> axes[] = {
+      {"x", FovAxis::x},           {"y", FovAxis::y}, {"diagonal", FovAxis::diagonal}, {"smaller", FovAxis::smaller},
+      {"larger", FovAxis::larger}, {"Y", FovAxis::y}, {"Smaller", FovAxis::smaller}};
   for (const auto& [name, axis] : axes) {
     const Camera camera =
         sensor(std::string("<float name=\"fov\" value=\"33\"/><string name=\"fov_axis\" value=\"") + name + "\"/>")

@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "scene/readers/mtl_materials.h"
+#include "scene/xml/parse_value.h"
 
 namespace strahl {
 
@@ -44,10 +45,7 @@ MeshProgress progress_of(const std::string& path, const LoadProgress& progress) 
 }
 
 std::string lower_case_extension(const std::string& path) {
-  std::string extension = std::filesystem::path(path).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension;
+  return lower_case(std::filesystem::path(path).extension().string());
 }
 
 void flip_tex_coords(Mesh& mesh) {

@@ -7,6 +7,7 @@
 #include <cctype>
 
 #include "scene/readers/foreign_plugins.h"
+#include "scene/xml/parse_value.h"
 
 namespace strahl {
 
@@ -19,12 +20,6 @@ bool is_type_of_mitsuba(std::string_view tag, std::string_view type) {
 
 bool has_capitals(std::string_view text) {
   return std::any_of(text.begin(), text.end(), [](unsigned char c) { return std::isupper(c) != 0; });
-}
-
-std::string lower_case(std::string_view text) {
-  std::string lower(text);
-  std::transform(lower.begin(), lower.end(), lower.begin(), [](unsigned char c) { return std::tolower(c); });
-  return lower;
 }
 
 XmlElement* parameter(XmlElement& element, std::string_view name) {

@@ -45,7 +45,7 @@ void read_focal_length(Properties& properties, FieldOfView& fov) {
 void read_fov_axis(Properties& properties, FieldOfView& fov) {
   const std::optional<std::string> name = properties.string("fov_axis");
   if (!name) return;
-  const FovAxis* axis = find_plugin(fov_axes(), *name);
+  const FovAxis* axis = find_plugin(fov_axes(), lower_case(*name));
   if (axis != nullptr) {
     fov.axis = *axis;
   } else {

@@ -52,10 +52,15 @@ std::optional<int> parse_integer(std::string_view text) {
   return fault == std::errc{} ? std::optional(value) : std::nullopt;
 }
 
-std::optional<bool> parse_boolean(std::string_view text) {
-  std::string word(trimmed(text));
-  std::transform(word.begin(), word.end(), word.begin(),
+std::string lower_case(std::string_view text) {
+  std::string lower(text);
+  std::transform(lower.begin(), lower.end(), lower.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return lower;
+}
+
+std::optional<bool> parse_boolean(std::string_view text) {
+  const std::string word = lower_case(trimmed(text));
   if (word == "true") return true;
   return word == "false" ? std::optional(false) : std::nullopt;
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -15,6 +16,7 @@ namespace strahl {
 [[nodiscard]] std::optional<double> parse_number(std::string_view text);
 /// Beyond the range of int it is the nearest one.
 [[nodiscard]] std::optional<int> parse_integer(std::string_view text);
+[[nodiscard]] std::string lower_case(std::string_view text);
 /// "true" and "false", in upper or lower case.
 [[nodiscard]] std::optional<bool> parse_boolean(std::string_view text);
 /// Words separated by commas and white space; they point into the text.
