@@ -79,6 +79,17 @@ TEST_CASE("cylinder") {
   CHECK(c.radius == 1);
 }
 
+/// Each end is rounded where it is: the axis between them is not quite as long nor quite where to_world points.
+TEST_CASE("a turned cylinder may be small beside its distance from the origin") {
+  const std::string turn = "<rotate y=\"1\" angle=\"20\"/>";
+  for (const char* far_off : {"x=\"500000\" z=\"100\"", "x=\"-3e9\" y=\"7e8\"", "x=\"4e15\" z=\"1e15\""}) {
+    INFO(far_off);
+    const Cylinder c = std::get<Cylinder>(shape("cylinder", "", turn + "<translate " + far_off + "/>").geometry);
+    CHECK(std::abs(dot(c.reference, normalized(c.p1 - c.p0))) < 1e-15);
+    CHECK(length(c.reference) == Approx(1).epsilon(1e-15));
+  }
+}
+
 TEST_CASE("plane in its three forms") {
   const Plane a = std::get<Plane>(
       shape("plane", "<point name=\"point\" value=\"1 2 3\"/><vector name=\"normal\" value=\"0 5 0\"/>").geometry);
