@@ -90,6 +90,18 @@ TEST_CASE("a turned cylinder may be small beside its distance from the origin") 
   }
 }
 
+TEST_CASE("what Mitsuba's shapes take and no picture shows is accepted") {
+  const std::string weight = "<float name=\"silhouette_sampling_weight\" value=\"0.5\"/>";
+  for (const char* type : {"sphere", "rectangle", "cube", "disk", "cylinder"})
+    CHECK(load_body("<shape type=\"" + std::string(type) + "\">" + weight + "</shape>").warnings.empty());
+  for (const char* type : {"rectangle", "cube"})
+    CHECK(load_body("<shape type=\"" + std::string(type) + "\"><boolean name=\"face_normals\" value=\"true\"/></shape>")
+              .warnings.empty());
+  const std::string placed = "<shape type=\"shapegroup\" id=\"g\">" + weight + "<shape type=\"sphere\"/></shape>" +
+                             "<shape type=\"instance\">" + weight + "<ref id=\"g\"/></shape>";
+  CHECK(load_body(placed).warnings.empty());
+}
+
 TEST_CASE("plane in its three forms") {
   const Plane a = std::get<Plane>(
       shape("plane", "<point name=\"point\" value=\"1 2 3\"/><vector name=\"normal\" value=\"0 5 0\"/>").geometry);

@@ -121,6 +121,7 @@ void read_shape(const XmlElement& element, SceneBuilder& builder, std::vector<Sh
   shape.where = element.where;
   shape.flip_normals = properties.boolean("flip_normals").value_or(false);
   shape.priority = properties.integer("priority");
+  properties.accept({silhouette_weight});
   std::vector<NamedMaterial> named_materials = read_named_materials(properties, builder);
   const XmlElement* bsdf = only_one(properties.objects("bsdf"), properties);
   const XmlElement* emitter = only_one(properties.objects("emitter"), properties);
