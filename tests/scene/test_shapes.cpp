@@ -183,7 +183,7 @@ TEST_CASE("a mesh without normals is shaded smoothly, unless it says otherwise")
 }
 
 /// Two triangles with normals in the file that point to +z: the second one's winding says -z.
-TEST_CASE("a mesh that shines does so where the vertex normals of its file point, mirrored or not") {
+TEST_CASE("meshes that shine, and glass with a priority, face where the vertex normals of their files point") {
   const SceneFolder folder;
   folder.write("turned.ply",
                "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
@@ -193,9 +193,14 @@ TEST_CASE("a mesh that shines does so where the vertex normals of its file point
   const std::string file = "<shape type=\"ply\"><string name=\"filename\" value=\"turned.ply\"/>";
   const std::string mirrored = "<transform name=\"to_world\"><scale x=\"-1\"/></transform>";
   const std::string flat = "<boolean name=\"face_normals\" value=\"true\"/>", end = "<emitter type=\"area\"/></shape>";
-  const Scene scene = load_scene(folder.write("scene.xml", around(file + end + file + mirrored + end + file + flat +
-                                                                  end + file + "</shape>")))
-                          .scene;
+  const std::string priority = "<integer name=\"priority\" value=\"1\"/>";
+  const std::string glass = "<bsdf type=\"dielectric\"/></shape>",
+                    inside = "<medium name=\"interior\" type=\"homogeneous\"/>";
+  const Scene scene =
+      load_scene(folder.write("scene.xml", around(file + end + file + mirrored + end + file + flat + end + file +
+                                                  "</shape>" + file + mirrored + priority + glass + file + mirrored +
+                                                  glass + file + priority + inside + "<bsdf type=\"null\"/></shape>")))
+          .scene;
   const auto facing = [&](std::size_t i) {
     std::vector<double> all;
     const Mesh& mesh = std::get<Mesh>(scene.shapes.at(i).geometry);
@@ -209,6 +214,10 @@ TEST_CASE("a mesh that shines does so where the vertex normals of its file point
   CHECK(facing(1) == std::vector<double>{1, 1});
   CHECK(facing(2) == std::vector<double>{1, -1});
   CHECK(facing(3) == std::vector<double>{1, -1});
+  CHECK(facing(4) == std::vector<double>{1, 1});
+  // What does not go by the vertex normals, or is nothing but a medium, stays as in Mitsuba.
+  CHECK(facing(5) == std::vector<double>{-1, 1});
+  CHECK(facing(6) == std::vector<double>{1, -1});
 }
 
 TEST_CASE("meshes") {
