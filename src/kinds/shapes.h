@@ -5,6 +5,7 @@
 
 #include <array>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "kinds/area_items.h"
@@ -16,6 +17,9 @@
 #include "kinds/upload_frame.h"
 
 namespace strahl::kinds {
+
+/// Of a shape, by their numbers in it.
+using Primitives = std::span<const int>;
 
 /// Which way a mirrored shape's normals point.
 enum class Mirrored {
@@ -36,8 +40,8 @@ enum class Mirrored {
   bool faces_inward(const S&);                                                                   \
   /** The nine reals that its kind's surface function calls its frame. */                        \
   std::optional<std::array<double, 9>> surface_frame(const S&, const UploadFrame&);              \
-  /** Places to draw on it: of one part (0 for shapes without parts). */                         \
-  void emit(AreaItems&, const S&, int part);                                                     \
+  /** Places to draw on it: on one part's primitives; what has no parts takes them all. */       \
+  void emit(AreaItems&, const S&, Primitives);                                                   \
   /** The primitive that the first of those is, if they are primitives in its order; else -1. */ \
   int first_of_area(const S&, int part);                                                         \
   /** As uv_rates.h has it, per unit of length of the world. */                                  \

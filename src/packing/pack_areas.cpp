@@ -6,7 +6,6 @@
 #include <numbers>
 #include <numeric>
 
-#include "kinds/shapes.h"
 #include "packing/pack_shapes.h"
 
 namespace strahl {
@@ -42,10 +41,10 @@ LightReach reach_of(kinds::AreaItems& items, double size, const Rgb& radiance, c
 
 }  // namespace
 
-std::optional<EmittingArea> emitting_area(const Shape& shape, int part, const Rgb& radiance, kinds::UvSource uv_source,
-                                          const UploadFrame& frame) {
+std::optional<EmittingArea> emitting_area(const Shape& shape, kinds::Primitives primitives, const Rgb& radiance,
+                                          kinds::UvSource uv_source, const UploadFrame& frame) {
   kinds::AreaItems items(frame, shape.flip_normals != faces_inward(shape.geometry), uv_source);
-  std::visit([&](const auto& geometry) { kinds::emit(items, geometry, part); }, shape.geometry);
+  std::visit([&](const auto& geometry) { kinds::emit(items, geometry, primitives); }, shape.geometry);
   std::vector<double>& weights = items.weights();
   for (double& weight : weights)
     if (!std::isfinite(weight)) weight = 0;

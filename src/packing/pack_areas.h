@@ -9,6 +9,7 @@
 
 #include "kinds/area_items.h"
 #include "kinds/light_reach.h"
+#include "kinds/shapes.h"
 #include "kinds/upload_frame.h"
 #include "packing/choice_table.h"
 #include "scene/model/scene.h"
@@ -29,9 +30,10 @@ struct EmittingArea {
 /// way of itself. Else -1.
 [[nodiscard]] int first_of_area(const Geometry& geometry, int part);
 
-/// Of one part of a shape (0 for shapes without parts), which emits `radiance` on the average; none where there is no
-/// area to draw from.
-[[nodiscard]] std::optional<EmittingArea> emitting_area(const Shape& shape, int part, const Rgb& radiance,
-                                                        kinds::UvSource uv_source, const UploadFrame& frame);
+/// Of one part of a shape, which has these primitives and emits `radiance` on the average; none where there is no area
+/// to draw from.
+[[nodiscard]] std::optional<EmittingArea> emitting_area(const Shape& shape, kinds::Primitives primitives,
+                                                        const Rgb& radiance, kinds::UvSource uv_source,
+                                                        const UploadFrame& frame);
 
 }  // namespace strahl

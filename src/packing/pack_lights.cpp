@@ -113,6 +113,7 @@ class LightTable {
       const bool glows = features_.flag("EMISSION") && features_.has("shapes", shape_kind(shape));
       const bool is_beam = shape.exitance.has_value();
       const int kind = numbers_("lights", is_beam ? "directionalarea" : "area");
+      std::optional<PrimitivesOfParts> primitives;  // Of a shape that is drawn.
       const bool is_drawn = kind >= 0 && shape.sampling_weight > 0 && features_.has("areas", area_kind(shape.geometry));
       for (int part = 0; part < part_count(shape); ++part) {
         light_of_part_.push_back(-1);
@@ -126,7 +127,9 @@ class LightTable {
         const kinds::UvSource uv_source = radiance.row < 0             ? kinds::UvSource::none
                                           : features_.flag("MESH_UVS") ? kinds::UvSource::mesh
                                                                        : kinds::UvSource::parameters;
-        const std::optional<EmittingArea> area = emitting_area(shape, part, radiance.mean, uv_source, frame_);
+        if (!primitives) primitives.emplace(shape);
+        const std::optional<EmittingArea> area =
+            emitting_area(shape, primitives->of(part), radiance.mean, uv_source, frame_);
         if (!area) continue;
         if (!is_beam) light_of_part_.back() = count();
         reaches_.push_back(is_beam ? along_normals(area->reach) : area->reach);

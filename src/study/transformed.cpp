@@ -9,6 +9,7 @@
 
 #include "kinds/lights.h"
 #include "kinds/textures.h"
+#include "scene/model/perpendicular.h"
 
 namespace strahl {
 namespace {
@@ -30,8 +31,7 @@ void mirror_orientation(Shape& shape) {
 /// Far off the ends of the axis are rounded, and the axis turns with them.
 void turn_reference(Cylinder& cylinder) {
   if (cylinder.p0 == cylinder.p1) return;
-  const Vec3 axis = normalized(cylinder.p1 - cylinder.p0);
-  cylinder.reference = normalized(cylinder.reference - dot(cylinder.reference, axis) * axis);
+  cylinder.reference = perpendicular(cylinder.reference, normalized(cylinder.p1 - cylinder.p0));
 }
 
 }  // namespace

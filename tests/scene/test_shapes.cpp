@@ -79,6 +79,29 @@ TEST_CASE("cylinder") {
   CHECK(c.radius == 1);
 }
 
+/// Each end is rounded where it is: the axis between them is not quite as long nor quite where to_world points.
+TEST_CASE("a turned cylinder may be small beside its distance from the origin") {
+  const std::string turn = "<rotate y=\"1\" angle=\"20\"/>";
+  for (const char* far_off : {"x=\"500000\" z=\"100\"", "x=\"-3e9\" y=\"7e8\"", "x=\"4e15\" z=\"1e15\""}) {
+    INFO(far_off);
+    const Cylinder c = std::get<Cylinder>(shape("cylinder", "", turn + "<translate " + far_off + "/>").geometry);
+    CHECK(std::abs(dot(c.reference, normalized(c.p1 - c.p0))) < 1e-15);
+    CHECK(length(c.reference) == Approx(1).epsilon(1e-15));
+  }
+}
+
+TEST_CASE("what Mitsuba's shapes take and no picture shows is accepted") {
+  const std::string weight = "<float name=\"silhouette_sampling_weight\" value=\"0.5\"/>";
+  for (const char* type : {"sphere", "rectangle", "cube", "disk", "cylinder"})
+    CHECK(load_body("<shape type=\"" + std::string(type) + "\">" + weight + "</shape>").warnings.empty());
+  for (const char* type : {"rectangle", "cube"})
+    CHECK(load_body("<shape type=\"" + std::string(type) + "\"><boolean name=\"face_normals\" value=\"true\"/></shape>")
+              .warnings.empty());
+  const std::string placed = "<shape type=\"shapegroup\" id=\"g\">" + weight + "<shape type=\"sphere\"/></shape>" +
+                             "<shape type=\"instance\">" + weight + "<ref id=\"g\"/></shape>";
+  CHECK(load_body(placed).warnings.empty());
+}
+
 TEST_CASE("plane in its three forms") {
   const Plane a = std::get<Plane>(
       shape("plane", "<point name=\"point\" value=\"1 2 3\"/><vector name=\"normal\" value=\"0 5 0\"/>").geometry);
@@ -160,7 +183,7 @@ TEST_CASE("a mesh without normals is shaded smoothly, unless it says otherwise")
 }
 
 /// Two triangles with normals in the file that point to +z: the second one's winding says -z.
-TEST_CASE("a mesh that shines does so where the vertex normals of its file point, mirrored or not") {
+TEST_CASE("meshes that shine, and glass with a priority, face where the vertex normals of their files point") {
   const SceneFolder folder;
   folder.write("turned.ply",
                "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
@@ -170,9 +193,14 @@ TEST_CASE("a mesh that shines does so where the vertex normals of its file point
   const std::string file = "<shape type=\"ply\"><string name=\"filename\" value=\"turned.ply\"/>";
   const std::string mirrored = "<transform name=\"to_world\"><scale x=\"-1\"/></transform>";
   const std::string flat = "<boolean name=\"face_normals\" value=\"true\"/>", end = "<emitter type=\"area\"/></shape>";
-  const Scene scene = load_scene(folder.write("scene.xml", around(file + end + file + mirrored + end + file + flat +
-                                                                  end + file + "</shape>")))
-                          .scene;
+  const std::string priority = "<integer name=\"priority\" value=\"1\"/>";
+  const std::string glass = "<bsdf type=\"dielectric\"/></shape>",
+                    inside = "<medium name=\"interior\" type=\"homogeneous\"/>";
+  const Scene scene =
+      load_scene(folder.write("scene.xml", around(file + end + file + mirrored + end + file + flat + end + file +
+                                                  "</shape>" + file + mirrored + priority + glass + file + mirrored +
+                                                  glass + file + priority + inside + "<bsdf type=\"null\"/></shape>")))
+          .scene;
   const auto facing = [&](std::size_t i) {
     std::vector<double> all;
     const Mesh& mesh = std::get<Mesh>(scene.shapes.at(i).geometry);
@@ -186,6 +214,10 @@ TEST_CASE("a mesh that shines does so where the vertex normals of its file point
   CHECK(facing(1) == std::vector<double>{1, 1});
   CHECK(facing(2) == std::vector<double>{1, -1});
   CHECK(facing(3) == std::vector<double>{1, -1});
+  CHECK(facing(4) == std::vector<double>{1, 1});
+  // What does not go by the vertex normals, or is nothing but a medium, stays as in Mitsuba.
+  CHECK(facing(5) == std::vector<double>{-1, 1});
+  CHECK(facing(6) == std::vector<double>{1, -1});
 }
 
 TEST_CASE("meshes") {

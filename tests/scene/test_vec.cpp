@@ -4,6 +4,7 @@
 #include <cmath>
 #include <random>
 
+#include "scene/model/perpendicular.h"
 #include "scene/model/vec.h"
 
 using namespace strahl;
@@ -39,6 +40,17 @@ TEST_CASE("orthonormal basis is right-handed everywhere") {
     check_close(cross(s, t), n, 1e-15);
     CHECK(std::abs(dot(s, t)) < 1e-15);
     CHECK(length(s) == Approx(1).epsilon(1e-15));
+  }
+}
+
+TEST_CASE("what is perpendicular to a unit vector is so in all digits, however near the two are") {
+  const Vec3 n = normalized({1, 2, 2});
+  const auto [s, t] = orthonormal_basis(n);
+  check_close(perpendicular(3.0 * s + 4.0 * n, n), s, 1e-15);
+  for (const double off : {1e-1, 1e-2, 1e-3, 1e-9, 0.0}) {
+    const Vec3 across = perpendicular(n + off * t, n);
+    CHECK(std::abs(dot(across, n)) < 1e-13);
+    CHECK(length(across) == Approx(1).epsilon(1e-15));
   }
 }
 

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Normals that are smooth but for edges sharper than an angle.
+#include <algorithm>
 #include <catch2/catch.hpp>
+#include <chrono>
 #include <cmath>
+#include <map>
+#include <random>
 
 #include "scene/meshes/creased_normals.h"
 
@@ -18,6 +22,45 @@ Mesh corner_of_a_box() {
   mesh.attributes = {{"vertex_color", {{0, 0, 0}, {1, 1, 1}, {2, 2, 2}, {3, 3, 3}, {4, 4, 4}, {5, 5, 5}}},
                      {"face_color", {{7, 7, 7}, {8, 8, 8}}}};
   return mesh;
+}
+
+/// Triangles around the z axis, each of them turned about its own middle by up to `degrees`.
+Mesh fan(int count, double degrees) {
+  Mesh mesh;
+  mesh.positions = {{0, 0, 0}};
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> slope(-std::tan(degrees * std::acos(-1) / 180),
+                                               std::tan(degrees * std::acos(-1) / 180));
+  for (int i = 0; i < count; ++i) {
+    const double angle = 2 * std::acos(-1) * i / count, across = 1.0 / count, tilt = slope(random);
+    const Vec3 middle{std::cos(angle), std::sin(angle), slope(random)};
+    const Vec3 side{-across * std::sin(angle), across * std::cos(angle), across * tilt};
+    mesh.positions.push_back(middle - side);
+    mesh.positions.push_back(middle + side);
+    mesh.triangles.push_back({0, 2 * i + 1, 2 * i + 2});
+  }
+  return mesh;
+}
+
+Vec3 unit_normal(const Mesh& mesh, std::size_t triangle) {
+  const auto at = [&](std::size_t i) {
+    return mesh.positions[static_cast<std::size_t>(mesh.triangles[triangle].at(i))];
+  };
+  return normalized(cross(at(1) - at(0), at(2) - at(0)));
+}
+
+/// Of each triangle of a fan the one with the first corner of its group in the middle, with a look at every pair.
+std::vector<std::size_t> first_of_group(const Mesh& mesh, double degrees) {
+  const double least = std::cos(degrees * std::acos(-1) / 180);
+  std::vector<std::size_t> firsts, of_triangle;
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const Vec3 normal = unit_normal(mesh, i);
+    const auto is_near = [&](std::size_t first) { return dot(unit_normal(mesh, first), normal) >= least; };
+    const auto found = std::find_if(firsts.begin(), firsts.end(), is_near);
+    of_triangle.push_back(found == firsts.end() ? i : *found);
+    if (found == firsts.end()) firsts.push_back(i);
+  }
+  return of_triangle;
 }
 
 Vec3 normal_at(const Mesh& mesh, std::size_t triangle, std::size_t corner) {
@@ -59,4 +102,27 @@ TEST_CASE("vertices take along what the mesh has at them, and other texture coor
   CHECK(parted.positions.size() == 6);
   CHECK(parted.uvs.size() == 6);
   CHECK(normal_at(parted, 1, 0) == Vec3{-1, 0, 0});
+}
+
+TEST_CASE("around a vertex of many triangles groups are those that a look at every pair finds") {
+  for (const double spread : {0.0, 1e-6, 0.5, 20.0, 80.0})
+    for (const double degrees : {0.0, 1e-6, 0.01, 0.3, 4.0, 30.0, 120.0}) {
+      INFO(spread << " apart, smooth within " << degrees);
+      const Mesh before = fan(2000, spread);
+      Mesh mesh = before;
+      make_creased_normals(mesh, degrees);
+      std::vector<std::size_t> firsts;
+      std::map<int, std::size_t> first_of_vertex;
+      for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+        firsts.push_back(first_of_vertex.try_emplace(mesh.triangles[i][0], i).first->second);
+      CHECK(firsts == first_of_group(before, degrees));
+    }
+}
+
+TEST_CASE("a vertex of very many triangles is no matter of hours") {
+  Mesh mesh = fan(300'000, 60);
+  const auto start = std::chrono::steady_clock::now();
+  make_creased_normals(mesh, 0);
+  CHECK(mesh.positions.size() == 900'000);
+  CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(20));
 }

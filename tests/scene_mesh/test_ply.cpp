@@ -200,6 +200,28 @@ TEST_CASE("normals become unit vectors; texture coordinates have several names")
   }
 }
 
+TEST_CASE("texture coordinates are the first whole pair of names, whatever their order in the file") {
+  const TempFolder folder;
+  const auto uvs = [&](const std::vector<std::string>& names) {
+    std::string header = "ply\nformat ascii 1.0\nelement vertex 3\n" + xyz, numbers;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      header += "property float " + names[i] + "\n";
+      numbers += " " + std::to_string(i + 1);
+    }
+    const std::string file = header + "element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0" +
+                             numbers + "\n1 0 0" + numbers + "\n0 1 0" + numbers + "\n3 0 1 2\n";
+    const MeshFile read = read_mesh(folder.write("a.ply", file));
+    CHECK(text_of(read.warnings).empty());
+    return read.mesh.uvs.empty() ? std::vector<Vec2>{} : std::vector<Vec2>{read.mesh.uvs.front()};
+  };
+  CHECK(uvs({"t", "u", "v"}) == std::vector<Vec2>{{2, 3}});
+  CHECK(uvs({"s", "t", "v", "u"}) == std::vector<Vec2>{{4, 3}});
+  CHECK(uvs({"s", "t", "texture_u", "texture_v"}) == std::vector<Vec2>{{3, 4}});
+  CHECK(uvs({"texture_u", "s", "t"}) == std::vector<Vec2>{{2, 3}});
+  CHECK(uvs({"texture_t", "texture_s"}) == std::vector<Vec2>{{2, 1}});
+  CHECK(uvs({"u", "t"}).empty());
+}
+
 TEST_CASE("triangle strips turn every other triangle round and begin anew at -1") {
   const TempFolder folder;
   const auto triangles = [&](const std::string& strips) {

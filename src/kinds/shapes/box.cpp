@@ -24,10 +24,10 @@ bool faces_inward(const Box&) { return false; }
 
 std::optional<std::array<double, 9>> surface_frame(const Box&, const UploadFrame&) { return std::nullopt; }
 
-void emit(AreaItems& items, const Box& b, int part) {
+void emit(AreaItems& items, const Box& b, Primitives primitives) {
   const Vec3 size = b.max - b.min;
   // A cube's faces look outwards where its edges are left-handed.
-  emit(items, Cube{b.min, {Vec3{0, size.y, 0}, Vec3{size.x, 0, 0}, Vec3{0, 0, size.z}}}, part);
+  emit(items, Cube{b.min, {Vec3{0, size.y, 0}, Vec3{size.x, 0, 0}, Vec3{0, 0, size.z}}}, primitives);
   items.unmap();  // As of hits.
 }
 

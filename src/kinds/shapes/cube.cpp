@@ -71,7 +71,7 @@ bool faces_inward(const Cube& cube) { return dot(cross(cube.edge[0], cube.edge[1
 std::optional<std::array<double, 9>> surface_frame(const Cube&, const UploadFrame&) { return std::nullopt; }
 
 /// As in packing.
-void emit(AreaItems& items, const Cube& cube, int) {
+void emit(AreaItems& items, const Cube& cube, Primitives) {
   extend(items.extent(), cube);
   for (unsigned face = 0; face < 6; ++face) {
     const auto& [u, is_u_down, v, is_v_down] = face_axes.at(face);

@@ -37,7 +37,7 @@ std::optional<std::array<double, 9>> surface_frame(const Cylinder& c, const Uplo
   return nine(c.reference, cross(normalized(c.p1 - c.p0), c.reference), {});
 }
 
-void emit(AreaItems& items, const Cylinder& c, int) {
+void emit(AreaItems& items, const Cylinder& c, Primitives) {
   extend(items.extent(), c);
   const Vec3 axis = items.frame().vector(c.p1 - c.p0), first = items.frame().vector(c.radius * c.reference);
   const Vec3 second = cross(normalized(axis), first);

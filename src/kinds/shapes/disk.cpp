@@ -36,7 +36,7 @@ std::optional<std::array<double, 9>> surface_frame(const Disk& d, const UploadFr
   return nine(inverse * u, inverse * v, {});
 }
 
-void emit(AreaItems& items, const Disk& d, int) {
+void emit(AreaItems& items, const Disk& d, Primitives) {
   extend(items.extent(), d);
   items.flat(d.center, d.axis_u, d.axis_v, std::numbers::pi);
 }

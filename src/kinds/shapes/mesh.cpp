@@ -66,14 +66,14 @@ bool faces_inward(const Mesh&) { return false; }
 
 std::optional<std::array<double, 9>> surface_frame(const Mesh&, const UploadFrame&) { return std::nullopt; }
 
-void emit(AreaItems& items, const Mesh& mesh, int part) {
-  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-    if (!mesh.parts.empty() && mesh.part_of_triangle[i] != part) continue;
-    const auto corner = [&](std::size_t k) { return mesh.positions[static_cast<std::size_t>(mesh.triangles[i][k])]; };
+void emit(AreaItems& items, const Mesh& mesh, Primitives primitives) {
+  for (const int primitive : primitives) {
+    const std::array<int, 3>& triangle = mesh.triangles[static_cast<std::size_t>(primitive)];
+    const auto corner = [&](std::size_t k) { return mesh.positions[static_cast<std::size_t>(triangle.at(k))]; };
     for (std::size_t k = 0; k < 3; ++k) items.extent().add(corner(k));
     items.flat(corner(0), corner(1) - corner(0), corner(2) - corner(0), 0.5);
     if (mesh.uvs.empty()) continue;
-    const auto uv = [&](std::size_t k) { return mesh.uvs[static_cast<std::size_t>(mesh.triangles[i][k])]; };
+    const auto uv = [&](std::size_t k) { return mesh.uvs[static_cast<std::size_t>(triangle.at(k))]; };
     items.map(uv(0), uv(1), uv(2));
   }
 }

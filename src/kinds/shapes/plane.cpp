@@ -52,7 +52,7 @@ std::optional<std::array<double, 9>> surface_frame(const Plane& p, const UploadF
   return nine(inverse * (vv * u - uv * v), inverse * (uu * v - uv * u), frame.point(p.point));
 }
 
-void emit(AreaItems&, const Plane&, int) {}
+void emit(AreaItems&, const Plane&, Primitives) {}
 
 int first_of_area(const Plane&, int) { return -1; }
 

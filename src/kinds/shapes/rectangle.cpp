@@ -26,7 +26,7 @@ bool faces_inward(const Rectangle&) { return false; }
 
 std::optional<std::array<double, 9>> surface_frame(const Rectangle&, const UploadFrame&) { return std::nullopt; }
 
-void emit(AreaItems& items, const Rectangle& r, int) {
+void emit(AreaItems& items, const Rectangle& r, Primitives) {
   extend(items.extent(), r);
   items.flat(r.corner, r.edge_u, r.edge_v, 1);
 }

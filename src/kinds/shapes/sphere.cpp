@@ -25,7 +25,7 @@ std::optional<std::array<double, 9>> surface_frame(const Sphere& s, const Upload
   return nine(s.frame[0], s.frame[1], s.frame[2]);
 }
 
-void emit(AreaItems& items, const Sphere& s, int) {
+void emit(AreaItems& items, const Sphere& s, Primitives) {
   const double radius = items.frame().scale * s.radius;
   extend(items.extent(), s);
   items.round({items.frame().point(s.center)}, 4 * std::numbers::pi * radius * radius);

@@ -34,9 +34,11 @@ std::optional<std::array<double, 9>> surface_frame(const SphereCloud& c, const U
   return nine(c.frame[0], c.frame[1], c.frame[2]);
 }
 
-void emit(AreaItems& items, const SphereCloud& cloud, int part) {
-  const auto& [center, radius] = cloud.spheres[static_cast<std::size_t>(part)];
-  emit(items, Sphere{center, radius, cloud.frame}, 0);
+void emit(AreaItems& items, const SphereCloud& cloud, Primitives primitives) {
+  for (const int primitive : primitives) {
+    const auto& [center, radius] = cloud.spheres[static_cast<std::size_t>(primitive)];
+    emit(items, Sphere{center, radius, cloud.frame}, {});
+  }
 }
 
 int first_of_area(const SphereCloud&, int part) { return part; }

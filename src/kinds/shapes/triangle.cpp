@@ -21,7 +21,7 @@ bool faces_inward(const Triangle&) { return false; }
 
 std::optional<std::array<double, 9>> surface_frame(const Triangle&, const UploadFrame&) { return std::nullopt; }
 
-void emit(AreaItems& items, const Triangle& t, int) {
+void emit(AreaItems& items, const Triangle& t, Primitives) {
   extend(items.extent(), t);
   items.flat(t.p0, t.p1 - t.p0, t.p2 - t.p0, 0.5);
 }

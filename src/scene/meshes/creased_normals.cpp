@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "scene/meshes/creased_normals.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <numbers>
 #include <utility>
@@ -44,6 +46,61 @@ std::vector<std::vector<Corner>> corners_by_place(const Mesh& mesh) {
   return corners;
 }
 
+/// The groups at a place, each a new vertex, told by the normal of its first corner.
+class Groups {
+ public:
+  /// least: the cosine between normals of one group.
+  explicit Groups(double least)
+      : least_(least), reach_(1.01 * std::sqrt(std::max(0.0, 2 - 2 * least) + rounding_of_squares)) {}
+
+  /// The first with a normal near this one; none: -1.
+  [[nodiscard]] int find(const Vec3& normal) const {
+    int first = -1;
+    const auto look_at = [&](const Group& group) {
+      if ((first < 0 || group.vertex < first) && dot(group.normal, normal) >= least_) first = group.vertex;
+    };
+    std::ranges::for_each(few_, look_at);
+    if (first >= 0 || cells_.empty() || !is_direction(normal)) return first;
+    const Cell low = cell_of(normal - reach_ * Vec3{1, 1, 1}), high = cell_of(normal + reach_ * Vec3{1, 1, 1});
+    for (std::int64_t x = low[0]; x <= high[0]; ++x)
+      for (std::int64_t y = low[1]; y <= high[1]; ++y)
+        for (std::int64_t z = low[2]; z <= high[2]; ++z)
+          if (const auto cell = cells_.find({x, y, z}); cell != cells_.end())
+            std::ranges::for_each(cell->second, look_at);
+    return first;
+  }
+
+  /// One that find did not find, of a greater vertex than all before.
+  void add(const Vec3& normal, int vertex) {
+    if (few_.size() < most_of_few) return few_.push_back({normal, vertex});
+    if (!is_direction(normal)) return;  // Without an area: near to none.
+    std::vector<Group>& cell = cells_[cell_of(normal)];
+    // Rounded, a normal may not be near itself.
+    if (std::ranges::find(cell, normal, &Group::normal) == cell.end()) cell.push_back({normal, vertex});
+  }
+
+ private:
+  struct Group {
+    Vec3 normal;
+    int vertex;
+  };
+  using Cell = std::array<std::int64_t, 3>;
+
+  static constexpr std::size_t most_of_few = 64;
+  /// Bounds what the squares of lengths of unit vectors and twice their dot product are off by.
+  static constexpr double rounding_of_squares = 16 * 0x1p-53;
+
+  static bool is_direction(const Vec3& normal) { return dot(normal, normal) > 0.5; }
+  [[nodiscard]] Cell cell_of(const Vec3& p) const {
+    const auto place = [&](double x) { return static_cast<std::int64_t>(std::floor(x / (4 * reach_))); };
+    return {place(p.x), place(p.y), place(p.z)};
+  }
+
+  double least_, reach_;  ///< reach_: beyond this distance no normals are near.
+  std::vector<Group> few_;
+  std::map<Cell, std::vector<Group>> cells_;  ///< Those after the few.
+};
+
 }  // namespace
 
 void make_creased_normals(Mesh& mesh, double degrees) {
@@ -51,19 +108,19 @@ void make_creased_normals(Mesh& mesh, double degrees) {
   const double least = std::cos(degrees * std::numbers::pi / 180);
   std::vector<std::array<int, 3>> triangles = mesh.triangles;
   std::vector<std::size_t> from;  ///< The vertex that each new one was.
-  for (std::vector<Corner>& left : corners_by_place(mesh)) {
-    while (!left.empty()) {
-      const Corner first = left.front();
-      from.push_back(static_cast<std::size_t>(mesh.triangles[first.first].at(first.second)));
-      std::vector<Corner> others;
-      for (const Corner& corner : left) {
-        const bool is_smooth = corner.first == first.first || dot(normals[first.first], normals[corner.first]) >= least;
-        if (is_smooth)
-          triangles[corner.first].at(corner.second) = static_cast<int>(from.size()) - 1;
-        else
-          others.push_back(corner);
+  for (const std::vector<Corner>& corners : corners_by_place(mesh)) {
+    Groups groups(least);
+    std::size_t last = mesh.triangles.size();
+    int vertex = -1;
+    for (const auto& [triangle, corner] : corners) {
+      if (triangle != last) vertex = groups.find(normals[triangle]);  // All of a triangle's corners here are alike.
+      if (vertex < 0) {
+        vertex = static_cast<int>(from.size());
+        from.push_back(static_cast<std::size_t>(mesh.triangles[triangle].at(corner)));
+        groups.add(normals[triangle], vertex);
       }
-      left = std::move(others);
+      triangles[triangle].at(corner) = vertex;
+      last = triangle;
     }
   }
   const auto taken = [&](const auto& values) {

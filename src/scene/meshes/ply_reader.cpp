@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // PLY ("The PLY Polygon File Format", G. Turk, Stanford, 1994), text and binary: positions, normals (nx ny nz),
-// texture coordinates (u v, s t, texture_u texture_v) and polygons (vertex_indices or vertex_index), or, where there
+// texture coordinates (u v, texture_u texture_v, s t) and polygons (vertex_indices or vertex_index), or, where there
 // are none, triangle strips (tristrips, a list in which -1 begins a strip anew: Stanford's archives). Elements and
 // properties may come in any order; others are attributes (ply_attributes.h) or passed over.
 #include <fmt/format.h>
@@ -19,6 +19,11 @@
 
 namespace strahl {
 namespace {
+
+/// Names of texture coordinates. The first pair that a file has counts, as in Mitsuba, which lacks the last one.
+using NamePair = std::pair<std::string_view, std::string_view>;
+constexpr std::array uv_pairs{NamePair{"u", "v"}, NamePair{"texture_u", "texture_v"}, NamePair{"s", "t"},
+                              NamePair{"texture_s", "texture_t"}};
 
 const PlyElement* find_element(const PlyHeader& header, std::string_view name) {
   const auto found = std::ranges::find(header.elements, name, &PlyElement::name);
@@ -139,9 +144,13 @@ class PlyReader {
     assign(0, {"x"}), assign(1, {"y"}), assign(2, {"z"});
     const bool has_nx = assign(3, {"nx"}), has_ny = assign(4, {"ny"}), has_nz = assign(5, {"nz"});
     has_normals_ = has_nx && has_ny && has_nz;
-    const bool has_u = assign(6, {"u", "s", "texture_u", "texture_s"});
-    const bool has_v = assign(7, {"v", "t", "texture_v", "texture_t"});
-    has_uvs_ = has_u && has_v;
+    const auto is_number = [&](std::string_view name) {
+      const int i = vertices_->find({name});
+      return i >= 0 && !vertices_->properties[static_cast<std::size_t>(i)].count_type;
+    };
+    const auto* const pair = std::ranges::find_if(
+        uv_pairs, [&](const NamePair& names) { return is_number(names.first) && is_number(names.second); });
+    has_uvs_ = pair != uv_pairs.end() && assign(6, {pair->first}) && assign(7, {pair->second});
 
     std::vector<bool> is_taken;
     for (std::size_t k = 0; k < slots.size(); ++k)

@@ -5,6 +5,7 @@
 #include <cctype>
 #include <filesystem>
 
+#include "kinds/materials.h"
 #include "scene/readers/mtl_materials.h"
 #include "scene/xml/parse_value.h"
 
@@ -14,6 +15,14 @@ bool emits(const Shape& shape, const Mesh* mesh) {
   return shape.radiance || shape.exitance ||
          (mesh != nullptr &&
           std::ranges::any_of(mesh->parts, [](const MeshPart& part) { return part.radiance.has_value(); }));
+}
+
+bool has_glass(const Shape& shape, const Mesh* mesh, const Scene& scene) {
+  const auto is_glass = [&](int material) {
+    return material_facts(scene.materials.at(static_cast<std::size_t>(material))).is_boundary;
+  };
+  if (mesh == nullptr || mesh->parts.empty()) return is_glass(shape.material);
+  return std::ranges::any_of(mesh->parts, [&](const MeshPart& part) { return is_glass(part.material); });
 }
 
 void add_mesh_materials(MeshFile& file, const GivenMaterials& given, const Shape& shape, Scene& scene,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // <shape type="cylinder">: open, around p0 -> p1 in object space; to_world may also stretch along the axis.
+#include "scene/model/perpendicular.h"
 #include "scene/readers/shape_reader.h"
 
 namespace strahl {
@@ -22,11 +23,12 @@ Geometry read_geometry(ShapeInput& input, const Cylinder&) {
     report_distortion(input, "a cylinder can be rotated, moved, scaled uniformly and stretched along its axis only");
     return cylinder;
   }
-  const Vec3 direction = normalized(axis);
   cylinder.p0 = t.point(p0);
   cylinder.p1 = t.point(p1);
   cylinder.radius *= length(u);
-  cylinder.reference = normalized(u - dot(u, direction) * direction);
+  if (cylinder.p0 == cylinder.p1) return cylinder;  // Which the scene's check reports.
+  // Far off the ends are rounded, and their axis is not quite that of to_world.
+  cylinder.reference = perpendicular(u, normalized(cylinder.p1 - cylinder.p0));
   return cylinder;
 }
 

@@ -28,6 +28,7 @@ std::optional<int> group_index(const XmlElement& element, SceneBuilder& builder)
     }
   }
   builder.is_in_group = false;
+  properties.accept({silhouette_weight});
   if (shapes.empty()) builder.diagnostics.error(element.where, fmt::format("{} holds no <shape>", properties.title()));
   properties.report_unknown();
   if (group.shapes.empty() && !builder.diagnostics.has_errors()) {
@@ -49,6 +50,7 @@ void read_instance(const XmlElement& element, SceneBuilder& builder) {
   instance.id = properties.id();
   instance.where = element.where;
   instance.world_from_group = properties.transform("to_world").value_or(Transform{});
+  properties.accept({silhouette_weight});
   const std::vector<const XmlElement*> groups = properties.objects("shape");
   if (groups.size() != 1) {
     builder.diagnostics.error(element.where,

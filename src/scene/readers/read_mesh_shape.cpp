@@ -68,6 +68,12 @@ void drop_light_of_file(const ShapeInput& input, Mesh& mesh) {
                                     "shines; place the shape outside to have it");
 }
 
+/// As in Mitsuba, light goes where the vertex normals point. They also say what is outside of glass, and where such
+/// bodies overlap the triangles must say the same.
+bool goes_by_vertex_normals(const ShapeInput& input, const Mesh& mesh) {
+  return emits(input.shape, &mesh) || (input.shape.priority && has_glass(input.shape, &mesh, input.builder.scene));
+}
+
 }  // namespace
 
 Geometry read_geometry(ShapeInput& input, const Mesh&) {
@@ -110,8 +116,8 @@ Geometry read_geometry(ShapeInput& input, const Mesh&) {
       make_creased_normals(file.mesh, *smooth_angle);
     else if (file.mesh.normals.empty() && !face_normals && !(obeys_file && file.face_normals))
       make_vertex_normals(file.mesh);
-    else if (!file.mesh.normals.empty() && emits(input.shape, &file.mesh))
-      turn_to_vertex_normals(file.mesh);  // As in Mitsuba, light goes where the vertex normals point.
+    else if (!file.mesh.normals.empty() && goes_by_vertex_normals(input, file.mesh))
+      turn_to_vertex_normals(file.mesh);
     return std::move(file.mesh);
   } catch (const EmptyMeshError&) {
     diagnostics.unknown(properties.where("filename"),

@@ -5,6 +5,7 @@
 namespace strahl {
 
 Geometry read_geometry(ShapeInput& input, const Rectangle&) {
+  input.properties.accept({"face_normals"});  // A mesh in Mitsuba; flat in either case.
   const Transform& t = input.world_from_object;
   // Normals go with the inverse transpose: a mirrored rectangle keeps facing its +z, unlike edge_u x edge_v.
   if (t.determinant() < 0) input.shape.flip_normals = !input.shape.flip_normals;

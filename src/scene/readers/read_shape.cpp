@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <sstream>
 
-#include "kinds/materials.h"
+#include "scene/readers/mesh_import.h"
 #include "scene/readers/plugin_table.h"
 #include "scene/readers/read_material.h"
 #include "scene/readers/read_medium.h"
@@ -72,16 +72,6 @@ const XmlElement* only_one(const std::vector<const XmlElement*>& objects, const 
   return objects.empty() ? nullptr : objects.front();
 }
 
-bool has_glass(const Shape& shape, const Scene& scene) {
-  const auto is_glass = [&](int material) {
-    return material_facts(scene.materials.at(static_cast<std::size_t>(material))).is_boundary;
-  };
-  const auto* mesh = std::get_if<Mesh>(&shape.geometry);
-  if (mesh == nullptr || mesh->parts.empty()) return is_glass(shape.material);
-  return std::any_of(mesh->parts.begin(), mesh->parts.end(),
-                     [&](const MeshPart& part) { return is_glass(part.material); });
-}
-
 /// Of an OBJ of 0.x, as its upgrade says.
 std::vector<NamedMaterial> read_named_materials(Properties& properties, SceneBuilder& builder) {
   std::vector<NamedMaterial> named;
@@ -121,6 +111,7 @@ void read_shape(const XmlElement& element, SceneBuilder& builder, std::vector<Sh
   shape.where = element.where;
   shape.flip_normals = properties.boolean("flip_normals").value_or(false);
   shape.priority = properties.integer("priority");
+  properties.accept({silhouette_weight});
   std::vector<NamedMaterial> named_materials = read_named_materials(properties, builder);
   const XmlElement* bsdf = only_one(properties.objects("bsdf"), properties);
   const XmlElement* emitter = only_one(properties.objects("emitter"), properties);
@@ -138,7 +129,7 @@ void read_shape(const XmlElement& element, SceneBuilder& builder, std::vector<Sh
   shape.geometry = (*reader)(input);
   if (input.is_left_out && (shape.radiance || shape.exitance)) builder.lost_emitters.emplace_back("area");
   if (input.is_left_out) return properties.report_unknown();
-  if (shape.priority && !shape.media && !has_glass(shape, builder.scene))
+  if (shape.priority && !shape.media && !has_glass(shape, std::get_if<Mesh>(&shape.geometry), builder.scene))
     builder.diagnostics.unknown(properties.where("priority"),
                                 "\"priority\" has no effect here: it ranks shapes of bsdf dielectric and "
                                 "roughdielectric, and boundaries of media");

@@ -27,6 +27,9 @@ struct ShapeInput {
   bool is_left_out = false;  ///< Set by a reader that has warned that nothing can be seen of the shape.
 };
 
+/// What every shape of Mitsuba 3 takes for its gradients; no picture shows it.
+inline constexpr const char* silhouette_weight = "silhouette_sampling_weight";
+
 /// World-frame geometry, for the types that shapes.def names in the row of S. After an error (in the diagnostics) any
 /// geometry: the scene is not used then. The linker names a row without its reader.
 #define SHAPE_KIND(S, kind, area, types) Geometry read_geometry(ShapeInput& input, const S&);
