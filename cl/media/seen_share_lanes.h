@@ -36,7 +36,7 @@ FN real3w seen_share_w(const Scene* scene, const Paths_w* path, const Surfaces_w
   real3w share = vec3_w(one, one, one);
   way.path.draws = path->draws + (splat_uint_w(STREAM_SHADOWS) + uint_of_int_w(path->depth) * STREAM_SHADOWS_STEP);
   if (HAS_PRIORITY) pass_ranked_w(scene, &way.path, from, which, towards);
-  way.path.medium = medium_beyond_w(scene, &way.path, from, towards);
+  way.path.medium = medium_beyond_w(scene, &way.path, from, none_w(), towards);
   way.path.entered = from->position;
   rays_leaving_w(from, which, towards, t_max, &way.path.rays);
   way.path.rays.aim = aim;
