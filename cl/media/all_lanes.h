@@ -10,4 +10,5 @@
 #include "media/ranked_media_lanes.h"  // of homogeneous, heterogeneous
 #include "media/boundaries_lanes.h"    // of homogeneous, heterogeneous
 #include "media/vertex_lanes.h"        // of homogeneous, heterogeneous
+#include "media/open_way_lanes.h"      // of homogeneous, heterogeneous
 #include "media/seen_share_lanes.h"    // of homogeneous, heterogeneous

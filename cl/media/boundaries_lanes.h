@@ -18,15 +18,16 @@ FN FirstSamples no_first_samples_w(void) {
 }
 
 /// The medium that a path is in which leaves the surface towards d, and was in `path->medium` before. Its list of
-/// shapes with a priority is that beyond.
-FN intw medium_beyond_w(const Scene* scene, Paths_w* path, const Surfaces_w* s, real3w d) {
+/// shapes with a priority is that beyond. straight: lanes that have passed the surface as they came.
+FN intw medium_beyond_w(const Scene* scene, Paths_w* path, const Surfaces_w* s, maskw straight, real3w d) {
   GLOBAL const int* parts = scene->index + media_table(scene)[MEDIA_PARTS];
   maskw is_inside = lt_w(dot3_w(d, s->normal), splat_w(R(0.0)));
   intw at =
       s->part * (int)BOUNDARY_INTS + sel_int_w(is_inside, splat_int_w(BOUNDARY_INSIDE), splat_int_w(BOUNDARY_OUTSIDE));
   intw beyond = gather_int_w(parts, at);
-  intw medium = sel_int_w(nonzero_w(beyond - splat_int_w(MEDIUM_SAME)) & ~s->scatters, beyond, path->medium);
-  if (HAS_PRIORITY) medium = ranked_medium_w(scene, &path->within, s, d, path->medium, medium);
+  maskw is_boundary = nonzero_w(beyond - splat_int_w(MEDIUM_SAME)) & ~s->scatters;
+  intw medium = sel_int_w(is_boundary, beyond, path->medium);
+  if (HAS_PRIORITY) medium = ranked_medium_w(scene, &path->within, s, straight & is_boundary, d, path->medium, medium);
   return medium;
 }
 
@@ -91,7 +92,7 @@ FN void cross_boundaries_w(const Scene* scene, Way_w* way) {
     pass_ranked_w(scene, &way->path, met, crosses, d);
     is_kept = is_kept & lt_int_w(part_entry_w(scene, met, PART_RANK), splat_int_w(0));
   }
-  intw beyond = medium_beyond_w(scene, &way->path, met, d);
+  intw beyond = medium_beyond_w(scene, &way->path, met, crosses & ~is_kept, d);
   way->path.medium = sel_int_w(crosses & ~is_kept, beyond, way->path.medium);
   way->last = sel_int_w(crosses & enters, met->part, way->last);
   if (media_table(scene)[MEDIA_IS_CONVEX]) way->is_clear = way->is_clear | (crosses & ~enters);

@@ -7,8 +7,11 @@
 // index, BOUNDARY_INTS a part; MEDIA_CAMERA: the medium around the camera. A medium is a number from 0 on.
 // MEDIA_BOUNDARIES: -> index, a row as of a group: shapes that are seen by nothing and stand apart; 0: there are none.
 // MEDIA_IS_CONVEX: 1: they are one convex body. MEDIA_VEILS: 1: other surfaces may let a share of light pass as it
-// came.
-enum { MEDIA_ROWS, MEDIA_PARTS, MEDIA_CAMERA, MEDIA_BOUNDARIES, MEDIA_IS_CONVEX, MEDIA_VEILS, MEDIA_INTS };
+// came. MEDIA_BALL: -> shading, BALL_REALS: the ball around the box around everything bounded.
+enum { MEDIA_ROWS, MEDIA_PARTS, MEDIA_CAMERA, MEDIA_BOUNDARIES, MEDIA_IS_CONVEX, MEDIA_VEILS, MEDIA_BALL, MEDIA_INTS };
+
+// Its centre x y z, and
+enum { BALL_RADIUS = 3, BALL_REALS };
 
 // The media behind a surface and before it, where its normal points to.
 enum { BOUNDARY_INSIDE, BOUNDARY_OUTSIDE, BOUNDARY_INTS };

@@ -6,7 +6,8 @@
 #endif
 
 /// What the media between the lanes' rays and their ends let through; s: the surfaces there, in the lanes of `hit`.
-FN real3w way_share_w(const Scene* scene, Way_w* way, const Surfaces_w* s, maskw hit) {
+/// open: where ways without an end begin, and how much of them counts.
+FN real3w way_share_w(const Scene* scene, Way_w* way, const Surfaces_w* s, maskw hit, const OpenWay_w* open) {
   FirstSamples none = no_first_samples_w();
   realw one = splat_w(R(1.0));
   real3w share = vec3_w(one, one, one);
@@ -15,6 +16,7 @@ FN real3w way_share_w(const Scene* scene, Way_w* way, const Surfaces_w* s, maskw
     maskw which = way->path.alive & is_within_w(way->path.medium);
     if (any_w(which)) {
       Flight_w w = flight_along_w(way, s, hit);
+      if (HAS_OPEN_MEDIA) end_flight_w(open, &w);
       share = mul3_w(share, transmittance_w(scene, way->path.medium, &way->path.sample, which, &w));
       way->path.draws = w.draws;
     }
@@ -36,12 +38,13 @@ FN real3w seen_share_w(const Scene* scene, const Paths_w* path, const Surfaces_w
   real3w share = vec3_w(one, one, one);
   way.path.draws = path->draws + (splat_uint_w(STREAM_SHADOWS) + uint_of_int_w(path->depth) * STREAM_SHADOWS_STEP);
   if (HAS_PRIORITY) pass_ranked_w(scene, &way.path, from, which, towards);
-  way.path.medium = medium_beyond_w(scene, &way.path, from, towards);
+  way.path.medium = medium_beyond_w(scene, &way.path, from, none_w(), towards);
   way.path.entered = from->position;
   rays_leaving_w(from, which, towards, t_max, &way.path.rays);
   way.path.rays.aim = aim;
   if (HAS_COUNT_RAYS) count_events(scene, COUNT_SHADOW, lanes_among(bits_w(which)));
   maskw is_far = ~lt_w(t_max, most), ahead = which;
+  OpenWay_w open = open_way_w(scene, from->position);
   int has_veils = media_table(scene)[MEDIA_VEILS];
   if (!has_veils) {
     // Whatever is met ends the ray.
@@ -57,7 +60,7 @@ FN real3w seen_share_w(const Scene* scene, const Paths_w* path, const Surfaces_w
     way.end = sel_w(hit, s.t, sel_w(is_far, most, last));
     way.last = splat_int_w(-1);
     way.goes_on = way.is_clear = none_w();
-    share = mul3_w(share, way_share_w(scene, &way, &s, hit));
+    share = mul3_w(share, way_share_w(scene, &way, &s, hit, &open));
     if (!any_w(hit)) break;
     s.scatters = none_w();
     real3w out = negate3_w(scale3_w(one / length3_w(d), d));

@@ -94,7 +94,7 @@ FN maskw passes_openly_w(Paths_w* path, const MaterialRows_w* at, maskw which) {
 
 /// The paths go on from s along d; those of `turned` in a direction that was drawn there.
 FN void media_enter_w(const Scene* scene, Paths_w* path, const Surfaces_w* s, maskw turned, real3w d) {
-  path->medium = sel_int_w(path->alive, medium_beyond_w(scene, path, s, d), path->medium);
+  path->medium = sel_int_w(path->alive, medium_beyond_w(scene, path, s, ~turned, d), path->medium);
   path->entered = sel3_w(path->alive, s->position, path->entered);
   path->optical = sel_w(turned, splat_w(-R(1.0)), path->optical);
 }

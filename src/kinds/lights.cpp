@@ -14,6 +14,7 @@
 #include "kinds/sphere_mean.h"
 #include "kinds/textures.h"
 #include "kinds/upload_frame.h"
+#include "scene/open_media.h"
 
 namespace strahl::kinds {
 namespace {
@@ -309,7 +310,8 @@ const LightFacts& light(const Light& light) {
 }
 
 bool finds_all_emission(const Scene& scene) {
-  return integrator(scene.integrator.name).finds_emission() &&
+  // No ray leaves a medium without an end.
+  return integrator(scene.integrator.name).finds_emission() && !open_medium(scene) &&
          std::ranges::all_of(scene.materials, [](const Material& one) { return material_facts(one).draws_all; });
 }
 

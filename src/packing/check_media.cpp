@@ -51,6 +51,7 @@ void check_media(PackedRanges<Real>& ranges, const PackedFacts& facts) {
   const auto parts = static_cast<std::int64_t>(facts.parts.size());
   const std::int64_t first = ranges.at(table + layout::MEDIA_ROWS), sides = ranges.at(table + layout::MEDIA_PARTS);
   ranges.within(ranges.at(table + layout::MEDIA_CAMERA), -1, count, "the medium of the camera");
+  ranges.shading(ranges.at(table + layout::MEDIA_BALL), layout::BALL_REALS, "the ball around the scene");
   if (ranges.index(sides, parts * layout::BOUNDARY_INTS, "the media of parts"))
     for (std::int64_t i = 0; i < parts * layout::BOUNDARY_INTS; ++i)
       ranges.within(ranges.at(sides + i), -2, count, "the media of part", i / layout::BOUNDARY_INTS);

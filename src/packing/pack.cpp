@@ -186,7 +186,7 @@ class Packing {
     const Material& material = scene_.materials.at(static_cast<std::size_t>(look.material));
     const auto rank = ranks_.find(&shape);
     if (rank == ranks_.end()) return -1;
-    const bool is_boundary = features_.flag("MEDIA") && shape.media && is_masked(shape, scene_);
+    const bool is_boundary = features_.flag("MEDIA") && is_passed_boundary(shape, scene_);
     return is_boundary || material_facts(material).is_boundary ? rank->second : -1;
   }
 

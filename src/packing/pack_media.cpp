@@ -94,6 +94,13 @@ std::vector<std::int32_t> grid_columns(PackedScene<Real>& packed, PackedImages<R
           is_black(medium.albedo) ? 0 : 1, is_black(medium.emission) ? 0 : 1};
 }
 
+/// BALL_REALS. Of nothing bounded a point, as in Mitsuba.
+std::vector<double> ball_around(const Scene& scene, const UploadFrame& frame) {
+  const Box box = bounds(scene).value_or(Box{});
+  const Vec3 centre = frame.point(0.5 * (box.min + box.max));
+  return {centre.x, centre.y, centre.z, frame.scale * 0.5 * length(box.max - box.min)};
+}
+
 }  // namespace
 
 bool stands_apart_as_boundary(const Shape& shape, const Scene& scene, const Features& features) {
@@ -132,6 +139,8 @@ void pack_media(PackedScene<Real>& packed, PackedImages<Real>& images, int row, 
   const int rows_at = packed.put_index(rows), sides_at = packed.put_index(sides);
   packed.at(row + layout::MEDIA_ROWS) = rows_at;
   packed.at(row + layout::MEDIA_PARTS) = sides_at;
+  const int ball_at = packed.put_shading(ball_around(scene, frame));
+  packed.at(row + layout::MEDIA_BALL) = ball_at;
   // Boundaries that stand apart are packed with the shapes.
   packed.at(row + layout::MEDIA_BOUNDARIES) = 0;
   packed.at(row + layout::MEDIA_IS_CONVEX) = are_one_convex_body(scene) ? 1 : 0;

@@ -17,6 +17,7 @@
 #include "kinds/materials.h"
 #include "program/disabled.h"
 #include "program/light_choice.h"
+#include "scene/open_media.h"
 #include "settings/sampling.h"
 
 namespace strahl {
@@ -29,7 +30,8 @@ struct Cause {
 
 /// Effects without which one is nothing.
 const std::map<std::string, std::vector<std::string>>& needs() {
-  static const std::map<std::string, std::vector<std::string>> all{{"PANE", {"MEDIA", "materials/thindielectric"}}};
+  static const std::map<std::string, std::vector<std::string>> all{{"PANE", {"MEDIA", "materials/thindielectric"}},
+                                                                   {"OPEN_MEDIA", {"MEDIA"}}};
   return all;
 }
 
@@ -200,6 +202,13 @@ void media_causes(const Scene& scene, Causes& causes) {
   for (const Medium& medium : scene.media)
     for (const PhaseFunction& phase : medium.phases)
       call_for(causes, "phases/" + phase_entry(phase.kind), "a phase function of that type", medium.where);
+  const auto is_drawn_afar = [&](const Light& light) {
+    const kinds::LightFacts& facts = kinds::light(light);
+    return facts.is_far && kinds::is_drawn(light, scene) && causes.contains(std::string("lights/") + facts.entry);
+  };
+  if (const std::optional<SourceLocation> open = open_medium(scene);
+      open && std::any_of(scene.lights.begin(), scene.lights.end(), is_drawn_afar))
+    call_for(causes, "OPEN_MEDIA", "a medium without an end, and an emitter infinitely far away", *open);
 }
 
 /// Does a sample draw more than its place in the pixel? Of a blend a material is drawn, of a mask whether light passes.
@@ -290,7 +299,8 @@ std::string asking_scene(const Scene& scene, const std::string& name) {
 
 /// Could a program of this integrator's kernel use it? Even --generic leaves the rest out.
 bool has_place(const kinds::IntegratorFacts& integrator, const std::string& name) {
-  if (integrator.from_lights ? name == "MEDIA" || name == "PANE" : name == "LIGHT_PATHS") return false;
+  if (integrator.from_lights ? name == "MEDIA" || name == "PANE" || name == "OPEN_MEDIA" : name == "LIGHT_PATHS")
+    return false;
   const std::vector<std::string>& entries = kinds::integrator_names();
   return std::none_of(entries.begin(), entries.end(), [&](const std::string& entry) {
     const kinds::IntegratorFacts& other = kinds::integrator(entry);

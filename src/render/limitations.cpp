@@ -40,11 +40,28 @@ bool emits_light(const Medium& medium) {
   return kinds::gives_light(kinds::times(medium.emission.largest(), medium.sigma_t.largest()));
 }
 
+/// Light, or what it emits itself.
+bool shows_light(const Medium& medium) {
+  return emits_light(medium) || kinds::gives_light(kinds::times(medium.albedo.largest(), medium.sigma_t.largest()));
+}
+
+/// Whether rays from the camera find anything where there is no shape: what shines behind all else, or the medium that
+/// the camera is within.
+bool shows_without_shapes(const Scene& scene, const kinds::IntegratorFacts& integrator) {
+  const bool follows_camera = !integrator.from_lights || integrator.from_camera;
+  if (integrator.shows_emission && follows_camera && !scene.integrator.hide_emitters &&
+      std::any_of(scene.lights.begin(), scene.lights.end(),
+                  [](const Light& light) { return kinds::light_glows(light); }))
+    return true;
+  return integrator.goes_through && scene.camera.medium >= 0 &&
+         shows_light(scene.media.at(static_cast<std::size_t>(scene.camera.medium)));
+}
+
 /// Why the picture will be empty; none where it will not.
 std::optional<std::string> emptiness(const Scene& scene) {
-  if (scene.shapes.empty() && scene.instances.empty())
-    return "the scene has no shape: no ray hits anything; add a <shape>";
   const kinds::IntegratorFacts& integrator = kinds::integrator(scene.integrator.name);
+  if (scene.shapes.empty() && scene.instances.empty() && !shows_without_shapes(scene, integrator))
+    return "the scene has no shape: no ray hits anything; add a <shape>";
   if (!integrator.shows_emission) return std::nullopt;
   if (has_beams_alone(scene) && integrator.is_lit()) return std::nullopt;
   const bool must_be_seen = !integrator.is_lit();

@@ -24,6 +24,8 @@ bool is_masked(const Scene& scene, int index) {
   return is_mask(material) || any_inside(scene, material, is_mask, true);
 }
 
+bool is_pane(const Material& material) { return std::holds_alternative<ThinDielectric>(material.bsdf); }
+
 }  // namespace
 
 bool is_unseen(const Shape& shape, const Scene& scene) {
@@ -40,9 +42,16 @@ bool is_masked(const Shape& shape, const Scene& scene) {
                      [&](const MeshPart& part) { return is_masked(scene, part.material); });
 }
 
-bool has_panes(const Scene& scene) {
-  return std::ranges::any_of(
-      scene.materials, [](const Material& material) { return std::holds_alternative<ThinDielectric>(material.bsdf); });
+bool is_passed_boundary(const Shape& shape, const Scene& scene) {
+  if (!shape.media) return false;
+  const auto is_pane_at = [&](int material) { return is_pane(scene.materials.at(static_cast<std::size_t>(material))); };
+  const auto* mesh = std::get_if<Mesh>(&shape.geometry);
+  const bool is_glazed = mesh == nullptr || mesh->parts.empty()
+                             ? is_pane_at(shape.material)
+                             : std::ranges::any_of(mesh->parts, is_pane_at, &MeshPart::material);
+  return is_glazed || is_masked(shape, scene);
 }
+
+bool has_panes(const Scene& scene) { return std::ranges::any_of(scene.materials, is_pane); }
 
 }  // namespace strahl

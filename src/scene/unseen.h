@@ -13,6 +13,10 @@ namespace strahl {
 /// Whether a share of the light may pass the shape as it came.
 [[nodiscard]] bool is_masked(const Shape& shape, const Scene& scene);
 
+/// Whether the shape bounds media, and at least a share of the light goes straight through it: by a null material or a
+/// mask, or as thin glass. Such a shape may have a priority.
+[[nodiscard]] bool is_passed_boundary(const Shape& shape, const Scene& scene);
+
 /// Whether there is a material of thin glass. What goes straight through it is no event to volpath.
 [[nodiscard]] bool has_panes(const Scene& scene);
 

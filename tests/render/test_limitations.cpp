@@ -69,6 +69,39 @@ TEST_CASE("a medium that emits ends the warning where the integrator goes throug
   CHECK_FALSE(emptiness(scene).empty());
 }
 
+TEST_CASE("a scene without shapes is empty unless the camera sees a sky or stands in fog") {
+  Scene nothing, sky, lamp;
+  nothing.integrator.name = "volpath";
+  sky = lamp = nothing;
+  sky.lights.push_back({"", ConstantLight{}, {}});
+  lamp.lights.push_back({"", PointLight{}, {}});
+  CHECK_THAT(emptiness(nothing), Catch::Contains("no shape"));
+  CHECK_THAT(emptiness(lamp), Catch::Contains("no shape"));
+  for (const char* integrator : {"path", "volpath", "direct", "whitted", "emission", "bdpt"}) {
+    sky.integrator.name = integrator;
+    CHECK(emptiness(sky).empty());
+  }
+  for (const char* integrator : {"normals", "ptracer"}) {
+    sky.integrator.name = integrator;
+    CHECK_THAT(emptiness(sky), Catch::Contains("no shape"));
+  }
+  sky.integrator.name = "path";
+  sky.integrator.hide_emitters = true;
+  CHECK_THAT(emptiness(sky), Catch::Contains("no shape"));
+  for (Scene* scene : {&nothing, &lamp}) {
+    scene->media.emplace_back();
+    scene->camera.medium = 0;
+  }
+  CHECK(emptiness(lamp).empty());
+  CHECK_THAT(emptiness(nothing), Catch::Contains("emits light"));
+  lamp.media.back().albedo = Rgb{0, 0, 0};
+  CHECK_THAT(emptiness(lamp), Catch::Contains("no shape"));
+  lamp.media.back().emission = Rgb{1, 0, 0};
+  CHECK(emptiness(lamp).empty());
+  lamp.integrator.name = "path";
+  CHECK_THAT(emptiness(lamp), Catch::Contains("no shape"));
+}
+
 TEST_CASE("a lamp that no ray hits and that is never drawn is named") {
   const auto is_named = [](const char* integrator, double weight) {
     Scene scene = scene_of(integrator);

@@ -93,6 +93,45 @@ TEST_CASE("glass in fog displaces it") {
   CHECK(light_through(scene) == Approx(fog * std::exp(1.5 * first)).epsilon(1e-5));
 }
 
+/// Fog without a priority, above or below z = 0, and a body with one from -0.5 to 0.5 that reaches into it.
+Scene half_in_fog(const Material& body, bool is_above) {
+  Scene scene = two_layers(boundary(), body, 0);
+  scene.shapes[0].geometry = is_above ? layer(0, 1) : layer(-1, 0);
+  scene.shapes[1].geometry = layer(-0.5, 0.5);
+  scene.shapes[0].priority.reset();
+  return scene;
+}
+
+TEST_CASE("fog into which glass with a priority reaches is around the glass, and not within it") {
+  require_pocl_and_rusticl();
+  for (const bool is_above : {false, true}) {
+    Scene scene = half_in_fog(clear_glass(), is_above);
+    scene.shapes[1].media.reset();
+    CHECK(light_through(scene) == Approx(std::exp(-0.5 * first)).epsilon(5e-6));
+    std::reverse(scene.shapes.begin(), scene.shapes.end());
+    CHECK(light_through(scene) == Approx(std::exp(-0.5 * first)).epsilon(5e-6));
+  }
+}
+
+TEST_CASE("a body with a priority stays full of its medium where fog ends within it") {
+  require_pocl_and_rusticl();
+  Material pane;
+  pane.bsdf = ThinDielectric{{1, 1}};
+  for (const Material& material : {boundary(), clear_glass(), pane}) {
+    INFO(material.opacity.has_value() << material.bsdf.index());
+    Scene scene = half_in_fog(material, true);
+    const double down = std::exp(-0.5 * first - second);
+    CHECK(light_through(scene) == Approx(down).epsilon(5e-6));
+    std::reverse(scene.shapes.begin(), scene.shapes.end());
+    CHECK(light_through(scene) == Approx(down).epsilon(5e-6));
+    if (std::holds_alternative<Dielectric>(material.bsdf)) continue;
+    // Shadow rays do not pass glass. Upwards the body is left for its exterior, which is none.
+    scene.lights = {light(DirectionalLight{{0, 0, -1}, {2, 2, 2}})};
+    add(scene, Rectangle{{-5, -5, -2}, {10, 0, 0}, {0, 10, 0}}, add(scene, Diffuse{{{0.5, 0.5, 0.5}}}));
+    CHECK(light_through(scene) == Approx(down * std::exp(-second) / std::acos(-1.0)).epsilon(2e-5));
+  }
+}
+
 TEST_CASE("bodies of an instance overlap as others do") {
   require_pocl_and_rusticl();
   for (const int priority : {1, -1}) {

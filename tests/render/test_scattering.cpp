@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "render/filled.h"
+#include "scene/model/build.h"
 
 namespace strahl::test {
 namespace {

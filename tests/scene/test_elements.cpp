@@ -300,6 +300,16 @@ TEST_CASE("glass may have a priority") {
   CHECK_FALSE(scene.shapes.at(1).priority);
 }
 
+TEST_CASE("what bounds media and lets light through as it came may have a priority") {
+  for (const char* bsdf : {"<bsdf type=\"null\"/>", "<bsdf type=\"thindielectric\"/>",
+                           "<bsdf type=\"mask\"><bsdf type=\"diffuse\"/></bsdf>"}) {
+    INFO(bsdf);
+    const std::string body = std::string("<shape type=\"sphere\"><integer name=\"priority\" value=\"1\"/>") + bsdf;
+    CHECK(load_body(body + "<medium type=\"homogeneous\" name=\"interior\"/></shape>").warnings.empty());
+    CHECK(load_body(body + "</shape>").warnings.size() == 1);
+  }
+}
+
 TEST_CASE("indices of refraction that cannot be are errors with their place, and names are guessed") {
   const auto problem = [](const std::string& inside) {
     const std::vector<std::string> found = problems(around("<bsdf type=\"dielectric\">" + inside + "</bsdf>"));

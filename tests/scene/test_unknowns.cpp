@@ -66,6 +66,12 @@ const Unknown unknowns[] = {
      "the distribution \"phong\" is not supported; beckmann takes its place"},
     {"<shape type=\"sphere\"><integer name=\"priority\" value=\"1\"/></shape>", "2:22",
      "ranks shapes of bsdf dielectric and roughdielectric"},
+    {"<shape type=\"sphere\"><integer name=\"priority\" value=\"1\"/><medium type=\"homogeneous\" "
+     "name=\"interior\"/></shape>",
+     "2:22", "and boundaries of media of bsdf null, mask and thindielectric"},
+    {"<shape type=\"sphere\"><integer name=\"priority\" value=\"1\"/><medium type=\"homogeneous\" name=\"interior\"/>"
+     "<bsdf type=\"blendbsdf\"><bsdf type=\"diffuse\"/><bsdf type=\"dielectric\"/></bsdf></shape>",
+     "2:22", "\"priority\" has no effect here"},
     {"<bsdf type=\"twosided\"><bsdf type=\"dielectric\"/></bsdf>", "2:1",
      "twosided has no effect on what lets light through"},
     {"<bsdf type=\"diffuse\"><texture type=\"checkerboard\" name=\"reflectance\"><float name=\"colour0\" "

@@ -146,6 +146,42 @@ TEST_CASE("sigma_s does not take the place of a grid") {
   CHECK_THAT(loaded.warnings[0].message, Contains("sigma_s"));
 }
 
+TEST_CASE("a homogeneous medium is given by one pair of parameters") {
+  const VolumeFolder folder;
+  const auto number = [](const std::string& name) { return "<float name=\"" + name + "\" value=\".5\"/>"; };
+  const auto load = [&](const std::string& inside) { return folder.load("type=\"homogeneous\">" + inside); };
+  CHECK(load(number("sigma_t") + number("albedo")).warnings.empty());
+  const LoadedScene apart = load(number("sigma_s") + number("sigma_a") + number("scale"));
+  CHECK(apart.warnings.empty());
+  CHECK(apart.scene.media.at(0).sigma_t.value.g == 0.5);
+  CHECK(apart.scene.media.at(0).albedo.value.g == 0.5);
+  for (const std::string split : {"sigma_s", "sigma_a"})
+    for (const std::string whole : {"sigma_t", "albedo"})
+      CHECK_THROWS_WITH(load(number(whole) + number(split)),
+                        Contains("error: \"" + split + "\" and \"" + whole + "\" contradict each other"));
+  // Of what varies alone.
+  const LoadedScene dense = load(number("density"));
+  REQUIRE(dense.warnings.size() == 1);
+  CHECK_THAT(dense.warnings[0].message, Contains("unknown parameter \"density\""));
+  CHECK(dense.scene.media.at(0).sigma_t.value.g == 1);
+}
+
+TEST_CASE("the weight of a blendphase is held to [0, 1], as Mitsuba has it") {
+  const VolumeFolder folder;
+  const auto load = [&](const std::string& weight) {
+    return folder.load("type=\"homogeneous\"><phase type=\"blendphase\"><float name=\"weight\" value=\"" + weight +
+                       "\"/><phase type=\"hg\"/><phase type=\"rayleigh\"/></phase>");
+  };
+  for (const auto& [weight, second] : {std::pair{"1.5", 1.0}, {"-.5", 0.0}, {".25", 0.25}}) {
+    INFO(weight);
+    const LoadedScene loaded = load(weight);
+    CHECK(loaded.scene.media.at(0).phases.at(1).share == second);
+    CHECK(loaded.scene.media.at(0).phases.at(0).share == 1 - second);
+    CHECK(loaded.warnings.size() == (weight == std::string(".25") ? 0 : 1));
+    if (!loaded.warnings.empty()) CHECK_THAT(loaded.warnings[0].message, Contains("outside [0, 1]"));
+  }
+}
+
 TEST_CASE("faults of grids name the place") {
   const VolumeFolder folder;
   CHECK_THROWS_WITH(folder.load("type=\"heterogeneous\"><volume name=\"sigma_t\" type=\"gridvolume\"/>"),

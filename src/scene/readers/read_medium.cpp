@@ -38,7 +38,9 @@ bool read_phase(const XmlElement& element, double share, std::vector<const XmlEl
   const std::string_view type = properties.type();
   const std::vector<const XmlElement*> inside = properties.objects("phase");
   if (type == "blendphase") {
-    const double weight = share_in(properties, "weight", 0, 1, 0.5);
+    const double given = properties.number("weight").value_or(0.5);  // Mitsuba clamps it, too.
+    const double weight =
+        clamped_reflectance({given, given, given}, properties.where("weight"), "weight", builder.diagnostics).r;
     if (inside.size() != 2) return fail("a blendphase has two <phase> inside it");
     properties.report_unknown();
     within.push_back(&element);
@@ -66,8 +68,21 @@ bool read_phase(const XmlElement& element, double share, std::vector<const XmlEl
   return true;
 }
 
+/// Two pairs of parameters describe the same medium: which one is meant, a file with both does not say.
+void require_one_pair(const Properties& properties) {
+  const auto first_of = [&](const char* one, const char* other) { return properties.has(one) ? one : other; };
+  const char* const split = first_of("sigma_s", "sigma_a");
+  const char* const whole = first_of("sigma_t", "albedo");
+  if (!properties.has(split) || !properties.has(whole)) return;
+  properties.diagnostics().error(properties.where(split),
+                                 fmt::format("\"{}\" and \"{}\" contradict each other in one medium; give either "
+                                             "sigma_t and albedo, or sigma_s and sigma_a",
+                                             split, whole));
+}
+
 /// sigma_t and albedo of what Mitsuba 0.x says by what is scattered and absorbed.
 void read_coefficients(Properties& properties, SceneBuilder& builder, Medium& medium) {
+  require_one_pair(properties);
   const std::optional<Volume> scattered = read_volume(properties, builder, "sigma_s", ColorUse::value, {}, false);
   const std::optional<Volume> absorbed = read_volume(properties, builder, "sigma_a", ColorUse::value, {}, false);
   if (!scattered && !absorbed) return;
@@ -85,8 +100,9 @@ Medium read_common(Properties& properties, SceneBuilder& builder, bool is_hetero
     const std::optional<Volume> given = read_volume(properties, builder, name, use, value.value, is_heterogeneous);
     if (given) value = *given;
   };
-  // Mitsuba 0.x calls it density.
-  volume(properties.has("density") ? "density" : "sigma_t", ColorUse::value, medium.sigma_t);
+  // Of what varies Mitsuba 0.x calls it density.
+  const bool has_density = is_heterogeneous && properties.has("density");
+  volume(has_density ? "density" : "sigma_t", ColorUse::value, medium.sigma_t);
   volume("albedo", ColorUse::reflectance, medium.albedo);
   volume("emission", ColorUse::emission, medium.emission);
   if (is_heterogeneous)

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+#include "scene/open_media.h"
+
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+#include "kinds/integrators.h"
+
+namespace strahl {
+namespace {
+
+/// What is full of a medium.
+struct Body {
+  const Shape* shape;
+  int medium;
+  Box box;
+};
+
+bool is_closed(const Geometry& geometry) {
+  return std::holds_alternative<Sphere>(geometry) || std::holds_alternative<SphereCloud>(geometry) ||
+         std::holds_alternative<Box>(geometry) || std::holds_alternative<Cube>(geometry) ||
+         std::holds_alternative<Mesh>(geometry);
+}
+
+std::vector<Body> bodies_of(const Scene& scene) {
+  std::vector<Body> bodies;
+  for (const Shape& shape : scene.shapes) {
+    if (!shape.media || shape.media->inside < 0 || shape.flip_normals || !is_closed(shape.geometry)) continue;
+    if (const std::optional<Box> box = bounds(shape)) bodies.push_back({&shape, shape.media->inside, *box});
+  }
+  return bodies;
+}
+
+/// Up to what transforms round.
+bool encloses(const Box& outer, const Box& inner) {
+  const double slack = 1e-9 * length(outer.max - outer.min);
+  const Vec3 low = inner.min - outer.min, high = outer.max - inner.max;
+  return std::min({low.x, low.y, low.z, high.x, high.y, high.z}) >= -slack;
+}
+
+}  // namespace
+
+std::optional<SourceLocation> open_medium(const Scene& scene) {
+  if (!kinds::integrator(scene.integrator.name).goes_through || scene.media.empty()) return std::nullopt;
+  const std::vector<Body> bodies = bodies_of(scene);
+  // around: the box about which the medium is, none of what instances place. on: the shape that names the medium.
+  const auto is_open = [&](int index, const std::optional<Box>& around, const Shape* on) {
+    if (index < 0) return false;
+    const Medium& medium = scene.media.at(static_cast<std::size_t>(index));
+    if (medium.is_heterogeneous() || medium.sigma_t.largest() == Rgb{0, 0, 0}) return false;
+    return std::none_of(bodies.begin(), bodies.end(), [&](const Body& body) {
+      return body.medium == index && body.shape != on && (!around || encloses(body.box, *around));
+    });
+  };
+  const Vec3 eye = scene.camera.world_from_camera.point({0, 0, 0});
+  if (is_open(scene.camera.medium, Box{eye, eye}, nullptr)) return scene.camera.where;
+  const auto is_open_at = [&](const Shape& shape, const std::optional<Box>& around) {
+    if (!shape.media) return false;
+    const auto [behind, before] = *shape.media;
+    const bool is_turned = shape.flip_normals;
+    return is_open(is_turned ? behind : before, around, &shape) ||
+           (!is_closed(shape.geometry) && is_open(is_turned ? before : behind, around, &shape));
+  };
+  constexpr double far = std::numeric_limits<double>::max();
+  const Box everywhere{{-far, -far, -far}, {far, far, far}};
+  for (const Shape& shape : scene.shapes)
+    if (shape.media && is_open_at(shape, bounds(shape).value_or(everywhere))) return shape.where;
+  for (const Group& group : scene.groups)
+    for (const Shape& shape : group.shapes)
+      if (is_open_at(shape, std::nullopt)) return shape.where;
+  return std::nullopt;
+}
+
+}  // namespace strahl
