@@ -28,12 +28,16 @@ FN LightRates_w light_rates_w(const Scene* scene, GLOBAL const real* children, r
       near = near + importance;
   }
   realw both = far + near, share = share_afar_w(far / both);
-  maskw is_sound = lt_w(zero, both) & lt_w(both, splat_w(REAL_MAX));
   share = sel_w(lt_w(zero, near), share, one);
   share = sel_w(lt_w(zero, far), share, zero);
   LightRates_w rates;
-  rates.far = sel_w(is_sound & lt_w(zero, far), share / far, zero);
-  rates.near = sel_w(is_sound & lt_w(zero, near), (one - share) / near, zero);
+  rates.far = sel_w(lt_w(zero, far), share / far, zero);
+  rates.near = sel_w(lt_w(zero, near), (one - share) / near, zero);
+  // Of sums below about 1e-39 the rates overflow in single precision.
+  realw largest = splat_w(REAL_MAX);
+  maskw is_sound = lt_w(zero, both) & lt_w(both, largest) & lt_w(rates.far, largest) & lt_w(rates.near, largest);
+  rates.far = sel_w(is_sound, rates.far, zero);
+  rates.near = sel_w(is_sound, rates.near, zero);
   rates.even = sel_w(is_sound, zero, splat_w(R(1.0) / (real)count));
   return rates;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Emission, and light that reaches the first hit directly: from every point and directional light; from the other
-// emitters by one place drawn on one of them and one direction drawn by the material, weighted as in path. Depth counts
-// as in Mitsuba: 1 shows emission alone, 2 one bounce.
+// Emission, and light that reaches the first hit directly: from every light that is taken (those of a single direction
+// at each point); from the other emitters by one place drawn on one of them and one direction drawn by the material,
+// weighted as in path. Depth counts as in Mitsuba: 1 shows emission alone, 2 one bounce.
 
 enum { direct_STEPS_w = STEP_LIGHTS | STEP_SCATTER };
 

@@ -227,7 +227,8 @@ enum { WHITTED_LONGEST = 1024 };
 // Number of surfaces of mirrors and glass after which the rays of one sample of whitted no longer split.
 enum { WHITTED_MOST_RAYS = 1 << 14 };
 // Number of surfaces after which a path ends that only Russian roulette limits. A path survives roulette with
-// probability 0.95 at most, so the share of the light that is left out is below 0.95^512 = 4e-12.
+// probability 0.95 at most, so the share of paths that come so far is below 0.95^512 = 4e-12. Roulette divides by that
+// probability: the light that is left out is what is reflected more often, much of it where surfaces absorb hardly any.
 enum { ROULETTE_LONGEST = 512 };
 
 // Film: FILM_SUBSUMS x 3 sums a pixel (film/sub_sums.h), or 1 x 3, each of FILM_SUM_WORDS words of 64 bits

@@ -30,4 +30,20 @@ std::vector<Choice> choice_table(const std::vector<double>& weights) {
   return table;
 }
 
+std::vector<double> choice_rarities(const std::vector<Choice>& table, const std::vector<double>& weights) {
+  const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
+  std::vector<double> by_numbers, by_weights;
+  bool are_alike = true;
+  std::uint64_t begin = 0;
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    by_weights.push_back(sum / weights[i]);
+    // Behind items of weight 0 at the front the first number is still to be taken.
+    const std::uint64_t end = weights[i] > 0 ? std::uint64_t{table[i].last} + 1 : begin;
+    by_numbers.push_back(std::ldexp(1 / static_cast<double>(end - begin), 32));
+    if (weights[i] > 0) are_alike = are_alike && std::fabs(by_numbers[i] / by_weights[i] - 1) <= 0x1p-24;
+    begin = end;
+  }
+  return are_alike ? by_weights : by_numbers;
+}
+
 }  // namespace strahl

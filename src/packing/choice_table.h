@@ -19,6 +19,11 @@ struct Choice {
 /// within one; items of weight 0 have none, all others at least one.
 [[nodiscard]] std::vector<Choice> choice_table(const std::vector<double>& weights);
 
+/// One over each item's chance to be drawn from the table of these weights; infinite where its weight is 0. It is that
+/// of the item's numbers, or of its weight where both are the same for all items in single precision: n equal items
+/// then weigh n.
+[[nodiscard]] std::vector<double> choice_rarities(const std::vector<Choice>& table, const std::vector<double>& weights);
+
 /// CHOICE_... of cl/scene/layout.h. Returns the offset of the first.
 template <typename Real>
 int put_choices(PackedScene<Real>& packed, const std::vector<Choice>& choices) {

@@ -15,6 +15,14 @@ using std::numbers::pi;
 /// light that reaches a point may have no chance there.
 constexpr double slack = 0.004;
 
+/// Lights that may be drawn are no weaker, so that single precision keeps what they bring: those from afar are drawn,
+/// however weak, for an eighth of all.
+constexpr double least_strength = 0x1p-100;
+
+double strength_of(const LightReach& light) {
+  return light.weight > 0 && light.intensity > 0 ? std::max(light.weight * light.intensity, least_strength) : 0;
+}
+
 double angle_between(const Vec3& a, const Vec3& b) {
   // W. Kahan, "How Futile are Mindless Assessments of Roundoff in Floating-Point Computation?", 2006, section 12.
   return 2 * std::atan2(length(a - b), length(a + b));
@@ -24,7 +32,7 @@ double angle_between(const Vec3& a, const Vec3& b) {
 
 LightCluster LightCluster::of(const LightReach& light) {
   LightCluster cluster;
-  cluster.strength = light.weight * light.intensity;
+  cluster.strength = strength_of(light);
   cluster.is_far = light.is_far;
   cluster.box = light.extent.box();
   cluster.axis = light.axis;

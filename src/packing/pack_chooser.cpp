@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
-#include <numeric>
 
 #include "packing/choice_table.h"
 #include "packing/cl_layout.h"
@@ -26,22 +26,36 @@ double radius_of(const Scene& scene, const UploadFrame& frame, std::span<const L
   return radius > 0 ? radius : 1;
 }
 
-/// What of a far light's irradiance enters the scene is its power. As in the tree, lights from afar and near ones each
-/// have an eighth of the whole at least: the size of a scene says little of what a point in it sees.
+/// Times a power of two, so that the largest lies in [1/2, 1). All finite and not negative.
+void reduce(std::vector<double>& numbers) {
+  const double largest = *std::max_element(numbers.begin(), numbers.end());
+  const int exponent = largest > 0 ? std::ilogb(largest) + 1 : 0;
+  for (double& number : numbers) number = std::scalbn(number, -exponent);
+}
+
+/// What of a far light's irradiance enters the scene is its power, times its weight. As in the tree, lights from afar
+/// and near ones each have an eighth of the whole at least: the size of a scene says little of what a point in it sees.
 std::vector<double> powers(const Scene& scene, const UploadFrame& frame, std::span<const LightReach> lights) {
+  using Limits = std::numeric_limits<double>;
   const double radius = radius_of(scene, frame, lights), disc = std::numbers::pi * radius * radius;
-  std::vector<double> all;
+  std::vector<double> all, weights;
   for (const LightReach& light : lights) {
-    const double power = light.weight * light.power * (light.is_far ? disc : 1);
-    all.push_back(std::isfinite(power) ? power : 0);
+    const double power = light.power * (light.is_far ? disc : 1);
+    all.push_back(power > 0 ? std::min(power, Limits::max()) : 0);
+    weights.push_back(light.weight);
   }
-  const double sum = std::accumulate(all.begin(), all.end(), 0.0);
-  if (!(sum > 0)) return std::vector<double>(lights.size(), 1);
-  double far = 0;
-  for (std::size_t i = 0; i < lights.size(); ++i) far += lights[i].is_far ? all[i] : 0;
-  if (!(far > 0) || !(far < sum)) return all;
-  const double share = std::clamp(far / sum, 0.125, 0.875);
-  for (std::size_t i = 0; i < lights.size(); ++i) all[i] *= lights[i].is_far ? share / far : (1 - share) / (sum - far);
+  reduce(all);
+  reduce(weights);
+  double far = 0, near = 0;
+  for (std::size_t i = 0; i < lights.size(); ++i) {
+    // Nothing that may be drawn is lost by being small.
+    if (lights[i].power > 0) all[i] = std::max(weights[i] * all[i], Limits::min());
+    (lights[i].is_far ? far : near) += all[i];
+  }
+  if (!(far + near > 0)) return std::vector<double>(lights.size(), 1);
+  if (!(far > 0) || !(near > 0)) return all;
+  const double share = std::clamp(far / (far + near), 0.125, 0.875);
+  for (std::size_t i = 0; i < lights.size(); ++i) all[i] *= lights[i].is_far ? share / far : (1 - share) / near;
   return all;
 }
 
@@ -54,12 +68,11 @@ void pack_chooser(PackedScene<Real>& packed, const Scene& scene, const Features&
   if (lights.size() < 2) return;
   if (features.light_chooser == "power") {
     const std::vector<double> all = powers(scene, frame, lights);
-    const double sum = std::accumulate(all.begin(), all.end(), 0.0);
-    std::vector<double> rarities;
-    for (const double power : all)
-      rarities.push_back(std::min(sum / power, static_cast<double>(std::numeric_limits<Real>::max())));
+    const std::vector<Choice> table = choice_table(all);
+    std::vector<double> rarities = choice_rarities(table, all);
+    for (double& rarity : rarities) rarity = std::min(rarity, static_cast<double>(std::numeric_limits<Real>::max()));
     const int rarities_at = packed.put_shading(rarities);
-    const int choices_at = put_choices(packed, choice_table(all));
+    const int choices_at = put_choices(packed, table);
     packed.at(layout::HEADER_CHANCES) = rarities_at;
     packed.at(layout::HEADER_CHOICES) = choices_at;
   }

@@ -7,8 +7,8 @@
 
 namespace strahl {
 
-/// Of a path, as HEADER_MAX_DEPTH has it: where the integrator follows paths and nothing limits them, a limit that
-/// roulette does not let them reach.
+/// Of a path, as HEADER_MAX_DEPTH has it: where the integrator follows paths and nothing limits them, ROULETTE_LONGEST
+/// more than roulette spares. Hardly any path gets so far; light that is reflected more often is left out.
 [[nodiscard]] int most_surfaces(const IntegratorSettings& integrator);
 
 /// HEADER_LAST_DEPTH and the boxes around all emission that rays may hit. Where it may lie in any direction, or where

@@ -30,7 +30,7 @@ bool emits(const Shape& shape) {
   return any;
 }
 
-/// Emission shows emitters; point and directional lights are invisible.
+/// Emission shows emitters; lights of a single direction are invisible.
 bool emits_light(const Light& light, bool must_be_seen) {
   return must_be_seen ? kinds::light_glows(light) : kinds::gives_light(light);
 }

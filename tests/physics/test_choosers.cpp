@@ -63,26 +63,75 @@ void for_each_chooser(Visit visit) {
 
 const Triad at{0.5, 1, 0.25};
 
-TEST_CASE("chances sum to 1, and lights are drawn as often as that") {
+/// Of the lights from `first` on at a point: they sum to 1, and lights are drawn as often as that. Returns them.
+std::vector<double> held_chances(const TransportTier& tier, const TierScene& scene, int first, int end,
+                                 const Triad& from) {
   constexpr std::uint32_t samples = 8192;
+  std::vector<double> counts(static_cast<std::size_t>(end), 0), expected = counts, chances;
+  double whole = 0;
+  for (int light = first; light < end; ++light) {
+    const double chance = 1 / tier.rarity(scene.buffers(), light, from);
+    CHECK(chance >= 0);
+    expected[static_cast<std::size_t>(light)] = chance * samples;
+    chances.push_back(chance);
+    whole += chance;
+  }
+  CHECK(whole == Approx(1).epsilon(4 * roundoff(tier) * (end - first)));
+  for (const LightPick& pick : tier.pick(scene.buffers(), from, samples)) {
+    REQUIRE(pick.light >= first);
+    REQUIRE(pick.light < end);
+    CHECK(pick.rarity == pick.told);
+    counts[static_cast<std::size_t>(pick.light)] += 1;
+  }
+  hold_counts(counts, expected);
+  return chances;
+}
+
+TEST_CASE("chances sum to 1, and lights are drawn as often as that") {
   for_each_chooser([&](const TransportTier& tier, const TierScene& scene, int first, int end) {
-    std::vector<double> counts(static_cast<std::size_t>(end), 0), expected = counts;
-    double whole = 0;
-    for (int light = first; light < end; ++light) {
-      const double chance = 1 / tier.rarity(scene.buffers(), light, at);
-      CHECK(chance >= 0);
-      expected[static_cast<std::size_t>(light)] = chance * samples;
-      whole += chance;
-    }
-    CHECK(whole == Approx(1).epsilon(4 * roundoff(tier) * (end - first)));
-    for (const LightPick& pick : tier.pick(scene.buffers(), at, samples)) {
-      REQUIRE(pick.light >= first);
-      REQUIRE(pick.light < end);
-      CHECK(pick.rarity == pick.told);
-      counts[static_cast<std::size_t>(pick.light)] += 1;
-    }
-    hold_counts(counts, expected);
+    held_chances(tier, scene, first, end, at);
   });
+}
+
+/// A light from afar, then a ball and a lamp.
+Scene scene_of_weights(double far, double near) {
+  Scene scene = empty_scene();
+  scene.lights.emplace_back().emitter = DirectionalLight{{1, -1, 0}, {1, 1, 1}};
+  scene.lights.back().sampling_weight = far;
+  scene.lights.emplace_back().emitter = PointLight{{1, 2, 0}, {1, 1, 1}};
+  scene.lights.back().sampling_weight = near;
+  Shape& ball = scene.shapes.emplace_back();
+  ball.geometry = Sphere{{0, 3, 5}, 0.25};
+  ball.radiance = Rgb{1, 1, 1};
+  ball.sampling_weight = near;
+  return scene;
+}
+
+TEST_CASE("lights of hardly any weight, or far out, take no chance from others") {
+  struct Weights {
+    double far, near;
+    Triad from;
+  };
+  std::vector<Weights> cases;
+  for (const double weight : {1.0, 1e-20, 1e-38, 1e-40, 1e-50, 1e-300}) {
+    cases.push_back({weight, 1, at});
+    cases.push_back({1, weight, at});
+  }
+  // From there what the lamps bring is too small for its reciprocal in single precision.
+  const Triad beyond{8e18, 8e18, 8e18};
+  for (const double weight : {1.0, 0.01, 0.001}) cases.push_back({1, weight, beyond});
+  for (const std::string& entry : chooser_entries)
+    for (const TransportTier& tier : transport_tiers())
+      for (const auto& [far, near, from] : cases) {
+        INFO(tier.name << ", " << tier.lanes << " lanes, " << entry << ", weights " << far << " and " << near << " at "
+                       << from[0]);
+        RenderSettings settings;
+        settings.light_choice = entry;
+        const TierScene scene(scene_of_weights(far, near), tier, settings);
+        const std::vector<double> chances = held_chances(tier, scene, 0, 3, from);
+        CHECK(chances[0] > 0.12);
+        CHECK(chances[1] + chances[2] > 0.12);
+      }
 }
 
 /// Lights of every kind that shine in all directions: points, narrow and wide cones, flat ones, balls, from afar.

@@ -130,6 +130,33 @@ TEST_CASE("lights of sampling_weight 0 are drawn by nothing") {
   }
 }
 
+/// A floor that is lit about alike by a light from afar and by two lamps. These are so high above it that one over what
+/// they bring with least weight overflows.
+TEST_CASE("lights of hardly any weight are drawn, and take nothing from others") {
+  require_pocl_and_rusticl();
+  const auto mean = [](double far, double near, const char* choice) {
+    Scene scene = stage({floor_plane()}, diffuse({1, 1, 1}));
+    scene.integrator.name = "path";
+    scene.integrator.max_depth = 2;
+    scene.sampler.kind = SamplerKind::independent;
+    scene.sampler.sample_count = 64;
+    scene.lights = {light(DirectionalLight{{0, 0, -1}, {1, 1, 1}}), light(PointLight{{1, 0, 1e5}, {1e10, 1e10, 1e10}}),
+                    light(PointLight{{-1, 0, 1e5}, {1e10, 1e10, 1e10}})};
+    scene.lights[0].sampling_weight = far;
+    scene.lights[1].sampling_weight = scene.lights[2].sampling_weight = near;
+    RenderSettings settings;
+    settings.precision = Precision::stable;
+    settings.generic = true;
+    settings.light_choice = choice;
+    return static_cast<double>(mean_of(render("pocl", scene, settings).color).g);
+  };
+  for (const char* choice : {"power", "tree", "each"})
+    for (const auto& [far, near] : {std::pair{1e-40, 1.0}, std::pair{1e-300, 1.0}, std::pair{1.0, 1e-40}}) {
+      INFO(choice << ", weights " << far << " and " << near);
+      CHECK(mean(far, near, choice) == Approx(3 / std::numbers::pi).epsilon(0.02));
+    }
+}
+
 TEST_CASE("an emitting part without area changes nothing") {
   require_pocl_and_rusticl();
   Scene scene = stage({floor_plane()}, diffuse({1, 1, 1}));

@@ -324,7 +324,7 @@ struct SamplerSettings {
 struct IntegratorSettings {
   std::string name = "direct";  ///< An entry of cl/integrators/integrators.def.
   int max_depth = -1;           ///< -1: no limit. Mitsuba's count: 1 = emission only, 2 = one bounce.
-  int rr_depth = 5;             ///< Surfaces after which Russian roulette begins, at least 1; path only.
+  int rr_depth = 5;             ///< Surfaces after which Russian roulette begins, at least 1; of all that follow paths.
   bool hide_emitters = false;
   bool strict_normals = false;  ///< Surfaces are lit where shading and geometric normal agree about the side.
   double max_distance = std::numeric_limits<double>::infinity();  ///< How far ao looks, > 0.
