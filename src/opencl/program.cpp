@@ -78,7 +78,8 @@ ProgramSource completed_for(const Device& device, ProgramSource source) {
   if (device.info().correctly_rounded_option) {
     const std::string option = " -cl-fp32-correctly-rounded-divide-sqrt";
     source.options += option;
-    source.text.insert(source.text.find('\n'), option);
+    // The first line of strahl's own programs states them.
+    if (source.text.starts_with("//")) source.text.insert(source.text.find('\n'), option);
   }
   // Below the first line, which says what the program is.
   std::string has;

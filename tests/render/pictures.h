@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <map>
@@ -19,6 +20,12 @@ inline const std::filesystem::path scene_folder = STRAHL_SOURCE_DIR "/scenes";
 
 /// Tiers that keep closed forms to rounding.
 inline constexpr std::array exact_tiers{Precision::stable, Precision::robust, Precision::fp64};
+
+/// Those of them that a run asks where the tiers differ in their numbers alone: robust, all with STRAHL_ALL_TIERS.
+inline std::vector<Precision> asked_tiers() {
+  if (std::getenv("STRAHL_ALL_TIERS") == nullptr) return {Precision::robust};
+  return {exact_tiers.begin(), exact_tiers.end()};
+}
 
 inline Scene small_scene(const std::filesystem::path& path, int width, int height, int spp) {
   Scene scene = load_scene(path.string()).scene;
