@@ -27,7 +27,12 @@ FN intw medium_beyond_w(const Scene* scene, Paths_w* path, const Surfaces_w* s, 
   intw beyond = gather_int_w(parts, at);
   maskw is_boundary = nonzero_w(beyond - splat_int_w(MEDIUM_SAME)) & ~s->scatters;
   intw medium = sel_int_w(is_boundary, beyond, path->medium);
-  if (HAS_PRIORITY) medium = ranked_medium_w(scene, &path->within, s, straight & is_boundary, d, path->medium, medium);
+  if (HAS_PRIORITY) {
+    // Those that it reflects are not bent either.
+    maskw is_entry = lt_w(s->facing, splat_w(R(0.0))), stays = (is_entry & ~is_inside) | (~is_entry & is_inside);
+    straight = (straight | stays) & is_boundary;
+    medium = ranked_medium_w(scene, &path->within, s, straight, d, path->medium, medium);
+  }
   return medium;
 }
 

@@ -74,7 +74,7 @@ FN real3w seen_share_w(const Scene* scene, const Paths_w* path, const Surfaces_w
     realw open = one - at.opacity;
     real3w lets = vec3_w(open, open, open);
 #if HAS_PANE
-    Pane_w pane = pane_at_w(scene, &s, &at, hit, out);
+    Pane_w pane = pane_at_w(scene, &way.path.within, &s, &at, hit, out);
     lets = add3_w(lets, scale3_w(at.opacity * pane.through, pane.tint));
 #endif
     share = sel3_w(hit, mul3_w(lets, share), share);

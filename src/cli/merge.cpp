@@ -99,7 +99,11 @@ ExitCode merge(const MergeOptions& options, const Invocation& invocation) {
   const bool is_part = is_checkpoint(options.output);
   if (is_part && !options.error_map.empty())
     throw UsageError("--error-map is of a picture; name one with -o (.exr, .png or .pfm)");
-  if (!is_part) require_distinct_layers(options, read_checkpoint_header(options.parts.front()).aovs);
+  if (!is_part) {
+    const std::vector<std::string> layers = read_checkpoint_header(options.parts.front()).aovs;
+    require_distinct_layers(options, layers);
+    require_writable_layers(options.output, layers);
+  }
   const Checkpoint sum = merged(options.parts, !is_part);
   if (!is_part) {
     write_picture(options, sum, invocation);

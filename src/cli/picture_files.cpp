@@ -69,9 +69,9 @@ void require_writable(const PictureFiles& files) {
   require_writable(files.path);
 }
 
-void require_writable_layers(const PictureFiles& files, const AovList& aovs) {
-  if (image_format(files.path) == ImageFormat::exr) return;
-  for (const Aov aov : aovs.plain()) require_writable(path_beside(files.path, std::string(aov_name(aov))));
+void require_writable_layers(const std::string& picture, const std::vector<std::string>& layers) {
+  if (image_format(picture) == ImageFormat::exr) return;
+  for (const std::string& name : layers) require_writable(path_beside(picture, name));
 }
 
 Written write(const PictureFiles& files, const RenderResult& result, const std::map<std::string, std::string>& metadata,

@@ -31,7 +31,7 @@ struct Written {
 /// Throws UsageError (extension) or Error (folder) where the picture could not be written.
 void require_writable(const PictureFiles& files);
 /// The same for the files of layers.
-void require_writable_layers(const PictureFiles& files, const AovList& aovs);
+void require_writable_layers(const std::string& picture, const std::vector<std::string>& layers);
 
 /// Writes the picture and its AOVs with `metadata`, and says on standard error what was scaled or is no number, unless
 /// quiet.

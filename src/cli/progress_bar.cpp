@@ -6,6 +6,7 @@
 
 #include <chrono>
 #include <csignal>
+#include <system_error>
 
 #include "cli/console.h"
 #include "opencl/compiling.h"
@@ -34,7 +35,11 @@ ProgressBar::ProgressBar(std::string label, ProgressScreen screen) : screen_(std
   sigset_t all, before;
   sigfillset(&all);
   pthread_sigmask(SIG_SETMASK, &all, &before);
-  thread_ = std::thread([this] { watch(); });
+  try {
+    thread_ = std::thread([this] { watch(); });
+  } catch (const std::system_error&) {  // No thread can be begun: a picture is worth more than its bar.
+    screen_ = {};
+  }
   pthread_sigmask(SIG_SETMASK, &before, nullptr);
 }
 

@@ -205,12 +205,18 @@ Clipping write_outputs(const RenderOptions& options, const PictureFiles& files, 
   return clipping;
 }
 
+std::vector<std::string> names_of(const std::set<Aov>& aovs) {
+  std::vector<std::string> names;
+  for (const Aov aov : aovs) names.emplace_back(aov_name(aov));
+  return names;
+}
+
 /// Of snapshots too. Without a checkpoint nobody asks what it would be of.
 CheckpointHeader checkpoint_header(const RenderOptions& options, const Invocation& invocation, const Device& device,
                                    const Renderer& renderer, const RenderSettings& settings, const RenderGoal& goal) {
   CheckpointHeader header;
   header.metadata = metadata_of(options, invocation, renderer.stats());
-  for (const Aov aov : settings.aovs.plain()) header.aovs.emplace_back(aov_name(aov));
+  header.aovs = names_of(settings.aovs.plain());
   header.named_aovs = settings.aovs.named();
   header.is_length = kinds::integrator(renderer.scene().integrator.name).is_length;
   if (goal.samples) header.first_sample = goal.samples->first;
@@ -257,7 +263,9 @@ ExitCode render(const RenderOptions& options, const Invocation& invocation) {
   if (is_png && !options.scene.quiet && !options.goal.frames) files.lamps = lamps_of(scene);
   add_scene_aovs(scene, options, files.path, settings.aovs);
   if (!files.path.empty()) warn_of_later_samples(options.keep, settings.aovs);
-  if (!files.path.empty() && !options.goal.frames) require_writable_layers(files, settings.aovs);
+  const bool has_first_samples = !options.keep.samples || sample_range(*options.keep.samples).first == 0;
+  if (!files.path.empty() && !options.goal.frames && has_first_samples)
+    require_writable_layers(files.path, names_of(settings.aovs.plain()));
 
   std::optional<ProgressBar> bar;
   bar.emplace(options.goal.dry_run ? "dry run" : "render", !options.scene.quiet && !options.scene.no_progress);

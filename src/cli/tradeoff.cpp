@@ -76,6 +76,11 @@ bool is_trusted(const Device& device, Precision precision, bool no_canary, Tiers
   return verdict.verdict != Verdict::refused;
 }
 
+std::string why_untrusted(const Device& device, Precision precision) {
+  if (precision == Precision::fp64 && !device.info().fp64) return "has no double precision";
+  return fmt::format("cannot keep what precision {} promises", precision_name(precision));
+}
+
 Tiers tiers_of(const Device& device, const TradeoffCommand& command) {
   Tiers tiers;
   for (const std::string& name : command.precisions) {
@@ -89,14 +94,13 @@ Tiers tiers_of(const Device& device, const TradeoffCommand& command) {
     if (is_trusted(device, precision, command.no_canary, tiers))
       tiers.measured.push_back(precision);
     else
-      say(fmt::format("strahl: warning: {} cannot keep what precision {} promises: left out", device.info().text(),
-                      precision_name(precision)));
+      say(fmt::format("strahl: warning: {} {}: left out", device.info().text(), why_untrusted(device, precision)));
   }
   if (command.reference.empty() && !is_trusted(device, Precision::fp64, command.no_canary, tiers)) {
     tiers.reference = Precision::robust;
     if (!is_trusted(device, tiers.reference, command.no_canary, tiers)) static_cast<void>(trusted_tier(device, {}));
     say(fmt::format("strahl: warning: {} {}: the reference is robust", device.info().text(),
-                    device.info().fp64 ? "cannot keep what precision double promises" : "has no double precision"));
+                    why_untrusted(device, Precision::fp64)));
   }
   return tiers;
 }

@@ -186,7 +186,8 @@ class Packing {
     const Material& material = scene_.materials.at(static_cast<std::size_t>(look.material));
     const auto rank = ranks_.find(&shape);
     if (rank == ranks_.end()) return -1;
-    const bool is_boundary = features_.flag("MEDIA") && is_passed_boundary(shape, scene_);
+    const bool is_boundary = features_.flag("MEDIA") && kinds::integrator(scene_.integrator.name).goes_through &&
+                             is_passed_boundary(shape, scene_);
     return is_boundary || material_facts(material).is_boundary ? rank->second : -1;
   }
 

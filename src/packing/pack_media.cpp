@@ -11,6 +11,7 @@
 #include "kinds/integrators.h"
 #include "packing/cl_layout.h"
 #include "packing/majorants.h"
+#include "scene/open_media.h"
 #include "scene/unseen.h"
 
 namespace strahl {
@@ -94,8 +95,10 @@ std::vector<std::int32_t> grid_columns(PackedScene<Real>& packed, PackedImages<R
           is_black(medium.albedo) ? 0 : 1, is_black(medium.emission) ? 0 : 1};
 }
 
-/// BALL_REALS. Of nothing bounded a point, as in Mitsuba.
-std::vector<double> ball_around(const Scene& scene, const UploadFrame& frame) {
+/// BALL_REALS. Of nothing bounded a point, as in Mitsuba. Where no medium is without an end nothing ends ways: half of
+/// `most`, the largest number, as the radius.
+std::vector<double> ball_around(const Scene& scene, const UploadFrame& frame, double most) {
+  if (!open_medium(scene)) return {0, 0, 0, most / 2};
   const Box box = bounds(scene).value_or(Box{});
   const Vec3 centre = frame.point(0.5 * (box.min + box.max));
   return {centre.x, centre.y, centre.z, frame.scale * 0.5 * length(box.max - box.min)};
@@ -139,7 +142,7 @@ void pack_media(PackedScene<Real>& packed, PackedImages<Real>& images, int row, 
   const int rows_at = packed.put_index(rows), sides_at = packed.put_index(sides);
   packed.at(row + layout::MEDIA_ROWS) = rows_at;
   packed.at(row + layout::MEDIA_PARTS) = sides_at;
-  const int ball_at = packed.put_shading(ball_around(scene, frame));
+  const int ball_at = packed.put_shading(ball_around(scene, frame, most));
   packed.at(row + layout::MEDIA_BALL) = ball_at;
   // Boundaries that stand apart are packed with the shapes.
   packed.at(row + layout::MEDIA_BOUNDARIES) = 0;

@@ -11,6 +11,7 @@
 #include "kinds/entries.h"
 #include "kinds/lights.h"
 #include "program/kernel_source.h"
+#include "scene/open_media.h"
 
 namespace strahl {
 namespace {
@@ -43,6 +44,7 @@ DrawnLights drawn_lights(const Scene& scene, const std::function<bool(const std:
     if (!kinds::is_drawn(light, scene) || !is_used(std::string("lights/") + facts.entry)) continue;
     ++lights.count;
     if (!facts.is_far) ++lights.near;
+    lights.weighs_sky = lights.weighs_sky || (facts.is_far && !facts.is_delta && open_medium(scene));
   }
   return lights;
 }
@@ -56,7 +58,7 @@ void require_chooser(const std::optional<std::string>& name) {
 }
 
 std::string light_chooser(const DrawnLights& lights) {
-  if (lights.count < 2) return "uniform";
+  if (lights.count < 2 || lights.weighs_sky) return "uniform";
   if (lights.near == 0) return "power";
   return lights.count < least_tree ? "each" : "tree";
 }

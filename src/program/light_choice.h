@@ -13,6 +13,9 @@ namespace strahl {
 struct DrawnLights {
   std::size_t count = 0;
   std::size_t near = 0;  ///< Of these, not infinitely far away.
+  /// Whether a sky shines into a medium without an end. What it brings depends on the chance of drawing it there, which
+  /// is that of Mitsuba (docs/decisions/0030-media.md).
+  bool weighs_sky = false;
 };
 
 /// Lights that are drawn from, as far as their kinds tell (one without an area counts too). is_used: whether the

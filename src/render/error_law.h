@@ -7,13 +7,26 @@
 #include <memory>
 
 #include "packing/cl_layout.h"
+#include "render/film_rows.h"
 
 namespace strahl {
 
-struct FilmRows;
 struct FilmSums;
 
 using Colour = std::array<double, layout::FILM_CHANNELS>;
+
+/// How many samples pixels have in each sub-sum. Nearly all have equally many, and to divide for each takes long.
+class CountsOfSamples {
+ public:
+  [[nodiscard]] const SubSumCounts& of(const FilmRows& rows, std::size_t at) {
+    if (rows.samples[at] != samples_) counts_ = rows.sub_sum_counts(samples_ = rows.samples[at]);
+    return counts_;
+  }
+
+ private:
+  int samples_ = -1;
+  SubSumCounts counts_{};
+};
 
 /// One pixel: mean, and estimated squared error of the mean.
 struct PixelError {

@@ -22,7 +22,9 @@ struct Replicated {
   PixelError error;
 };
 
-Replicated replicated_at(const FilmRows& film, const std::vector<double>& sizes, std::size_t at) {
+Replicated replicated_at(const FilmRows& film, const std::vector<double>& sizes, std::size_t at,
+                         const SubSumCounts& counts) {
+  const SubSumColours sums = film.sub_sums(at);
   Replicated pixel;
   double samples = 0;
   for (const double size : sizes) samples += size;
@@ -30,12 +32,11 @@ Replicated replicated_at(const FilmRows& film, const std::vector<double>& sizes,
     const auto channel = static_cast<std::size_t>(c);
     std::array<double, replicates> mean{};
     for (std::size_t k = 0; k < replicates; ++k) {
-      const auto sub = static_cast<int>(k);
-      const double sum = film.sub_sum(at, sub, c), own = film.own_sum(at, sub, c);
+      const double sum = sums[k][channel], own = film.own_sum(at, static_cast<int>(k), c);
       pixel.error.mean[channel] += sum / samples;
       mean[k] = sum / sizes[k];
       if (film.samples[at] > 0) pixel.error.mean[channel] += own / film.samples[at];
-      if (const int own_samples = film.sub_sum_samples(at, sub); own_samples > 0) mean[k] += own / own_samples;
+      if (counts[k] > 0) mean[k] += own / counts[k];
     }
     double spread = 0;
     for (std::size_t k = 0; k < replicates; ++k) {
@@ -53,8 +54,9 @@ std::vector<double> replicate_sizes(const FilmSums& film) {
   std::vector<double> sizes(replicates, 0.0);
   const FilmRows rows = film.rows();
   const auto pixels = static_cast<double>(film.samples.size());
+  CountsOfSamples counts;
   for (std::size_t at = 0; at < film.samples.size(); ++at)
-    for (std::size_t k = 0; k < replicates; ++k) sizes[k] += rows.sub_sum_samples(at, static_cast<int>(k)) / pixels;
+    for (std::size_t k = 0; k < replicates; ++k) sizes[k] += counts.of(rows, at)[k] / pixels;
   return sizes;
 }
 
@@ -64,7 +66,7 @@ class LawOfReplicates final : public ErrorLaw {
 
   void add(const FilmRows& rows) override {
     for (std::size_t at = 0; at < rows.samples.size(); ++at) {
-      const Replicated pixel = replicated_at(rows, sizes_, at);
+      const Replicated pixel = replicated_at(rows, sizes_, at, counts_.of(rows, at));
       picture_.add(pixel.error);
       for (std::size_t i = 0; i < replicates; ++i)
         for (std::size_t j = 0; j < replicates; ++j)
@@ -73,7 +75,7 @@ class LawOfReplicates final : public ErrorLaw {
     }
   }
   PixelError pixel_error(const FilmRows& rows, std::size_t at) const override {
-    return replicated_at(rows, sizes_, at).error;
+    return replicated_at(rows, sizes_, at, rows.sub_sum_counts(rows.samples[at])).error;
   }
   PictureError tell() const override {
     double trace = 0, norm = 0, samples = 0;
@@ -92,6 +94,7 @@ class LawOfReplicates final : public ErrorLaw {
 
  private:
   std::vector<double> sizes_;
+  CountsOfSamples counts_;
   PictureError picture_;
   std::array<std::array<double, replicates>, replicates> products_{};
 };

@@ -39,18 +39,19 @@ struct Differences {
   bool has_halves = false;
 };
 
-PixelError told_by_sequences(const FilmRows& film, std::size_t at, Differences& differences) {
+PixelError told_by_sequences(const FilmRows& film, std::size_t at, const SubSumCounts& counts,
+                             Differences& differences) {
   const double samples = film.samples[at];
-  std::array<double, layout::FILM_SUBSUMS> count{};
-  for (int k = 0; k < layout::FILM_SUBSUMS; ++k) count[k] = film.sub_sum_samples(at, k);
+  const std::array<double, layout::FILM_SUBSUMS> count{static_cast<double>(counts[0]), static_cast<double>(counts[1]),
+                                                       static_cast<double>(counts[2]), static_cast<double>(counts[3])};
+  const SubSumColours colours = film.sub_sums(at);
   const double first = count[0] + count[2], second = count[1] + count[3];
   // 1 but where one sequence is a sample longer.
   const double evenness = 2 * std::sqrt(first * second) / samples;
   differences.has_halves = std::all_of(count.begin(), count.end(), [](double samples_of) { return samples_of > 0; });
   PixelError pixel;
   for (int c = 0; c < layout::FILM_CHANNELS; ++c) {
-    std::array<double, layout::FILM_SUBSUMS> sum{};
-    for (int k = 0; k < layout::FILM_SUBSUMS; ++k) sum[k] = film.sub_sum(at, k, c);
+    const std::array<double, layout::FILM_SUBSUMS> sum{colours[0][c], colours[1][c], colours[2][c], colours[3][c]};
     const double u = evenness * ((sum[0] + sum[2]) / first - (sum[1] + sum[3]) / second);
     pixel.mean[c] = (sum[0] + sum[1] + sum[2] + sum[3]) / samples;
     pixel.squared[c] = u * u / 4;
@@ -153,7 +154,7 @@ class LawOfSequences final : public ErrorLaw {
     for (int y = 0; y < rows.height; ++y, ++y_) {
       for (int x = 0; x < rows.width; ++x, ++at) {
         Differences& here = row_[static_cast<std::size_t>(x)];
-        picture_.add(told_by_sequences(rows, at, here));
+        picture_.add(told_by_sequences(rows, at, counts_.of(rows, at), here));
         add_products(here, x, rows.width);
       }
       above_.swap(row_);
@@ -162,7 +163,7 @@ class LawOfSequences final : public ErrorLaw {
   }
   PixelError pixel_error(const FilmRows& rows, std::size_t at) const override {
     Differences unused;
-    return told_by_sequences(rows, at, unused);
+    return told_by_sequences(rows, at, rows.sub_sum_counts(rows.samples[at]), unused);
   }
   PictureError tell() const override {
     PictureError picture = picture_;
@@ -174,19 +175,20 @@ class LawOfSequences final : public ErrorLaw {
   /// Of a pixel of row y_ by itself and with its neighbours to the left and above.
   void add_products(const Differences& here, int x, int width) {
     if (!here.has_halves) products_.lacks_halves();
-    products_.add(x, y_, own_products(here));
+    Products all = own_products(here);
     const auto pair = [&](int other_x, int other_y, const Differences& other) {
       const Products shared = pair_products(here, other);
-      products_.add(x, y_, shared);
+      all += shared;
       products_.add(other_x, other_y, shared);
     };
     if (x > 0) pair(x - 1, y_, row_[static_cast<std::size_t>(x) - 1]);
-    if (y_ == 0) return;
-    for (int other = std::max(0, x - 1); other <= std::min(width - 1, x + 1); ++other)
+    for (int other = std::max(0, x - 1); y_ > 0 && other <= std::min(width - 1, x + 1); ++other)
       pair(other, y_ - 1, above_[static_cast<std::size_t>(other)]);
+    products_.add(x, y_, all);
   }
 
   PictureError picture_;
+  CountsOfSamples counts_;
   TiledProducts products_;
   std::vector<Differences> above_, row_;
   int y_ = 0;  ///< The next row.

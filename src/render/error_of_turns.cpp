@@ -20,13 +20,14 @@ struct Turns {
   PixelError error;
 };
 
-Turns turns_of(const FilmRows& film, std::size_t at) {
+Turns turns_of(const FilmRows& film, std::size_t at, const SubSumCounts& counts) {
   const int samples = film.samples[at];
+  const SubSumColours sums = film.sub_sums(at);
   Turns pixel;
   for (int k = 0; k < turns; ++k) {
-    pixel.count[k] = film.sub_sum_samples(at, k);
+    pixel.count[k] = counts[k];
     for (int c = 0; c < layout::FILM_CHANNELS; ++c) {
-      const double sum = film.sub_sum(at, k, c);
+      const double sum = sums[k][c];
       pixel.part[k][c] = sum / pixel.count[k];
       pixel.error.mean[c] += sum / samples;
     }
@@ -69,7 +70,7 @@ class LawOfTurns final : public ErrorLaw {
  public:
   void add(const FilmRows& rows) override {
     for (std::size_t at = 0; at < rows.samples.size(); ++at) {
-      const Turns pixel = turns_of(rows, at);
+      const Turns pixel = turns_of(rows, at, counts_.of(rows, at));
       const double variance = difference_variance(pixel, rows.samples[at]);
       picture_.add(pixel.error);
       picture_.variance += variance;
@@ -77,7 +78,9 @@ class LawOfTurns final : public ErrorLaw {
       most_ = std::max(most_, squared_error(pixel));
     }
   }
-  PixelError pixel_error(const FilmRows& rows, std::size_t at) const override { return turns_of(rows, at).error; }
+  PixelError pixel_error(const FilmRows& rows, std::size_t at) const override {
+    return turns_of(rows, at, rows.sub_sum_counts(rows.samples[at])).error;
+  }
   PictureError tell() const override {
     PictureError picture = picture_;
     picture.freedom = satterthwaite(picture.variance, squares_);
@@ -88,6 +91,7 @@ class LawOfTurns final : public ErrorLaw {
 
  private:
   PictureError picture_;
+  CountsOfSamples counts_;
   double squares_ = 0, most_ = 0;
 };
 

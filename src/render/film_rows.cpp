@@ -28,10 +28,16 @@ std::size_t FilmShape::words_of_sums() const {
   return static_cast<std::size_t>(sums.count) * channels * words_per_sum(kind);
 }
 
-double FilmRows::sub_sum(std::size_t pixel, int sub, int channel) const {
-  const auto sum = static_cast<std::size_t>(sub * layout::FILM_CHANNELS + channel);
-  const std::int64_t* at = &words[pixel * words_per_pixel() + sum * words_per_sum(kind)];
-  return unit * (kind == FilmKind::splats ? value_of_splats(at) : value_of(film_bins(at[0], at[1])));
+SubSumColours FilmRows::sub_sums(std::size_t pixel) const {
+  const std::size_t step = words_per_sum(kind);
+  const std::int64_t* at = &words[pixel * words_per_pixel()];
+  SubSumColours colours;
+  for (auto& colour : colours)
+    for (double& value : colour) {
+      value = unit * (kind == FilmKind::splats ? value_of_splats(at) : value_of(film_bins(at[0], at[1])));
+      at += step;
+    }
+  return colours;
 }
 
 double FilmRows::own_sum(std::size_t pixel, int sub, int channel) const {
@@ -41,8 +47,12 @@ double FilmRows::own_sum(std::size_t pixel, int sub, int channel) const {
   return unit * value_of(film_bins(at[0], at[1]));
 }
 
-int FilmRows::sub_sum_samples(std::size_t pixel, int sub) const {
-  return sub_sum_size(sums, sub, first_sample + samples[pixel]) - sub_sum_size(sums, sub, first_sample);
+SubSumCounts FilmRows::sub_sum_counts(int samples_of_pixel) const {
+  SubSumCounts counts;
+  for (int sub = 0; sub < layout::FILM_SUBSUMS; ++sub)
+    counts[static_cast<std::size_t>(sub)] =
+        sub_sum_size(sums, sub, first_sample + samples_of_pixel) - sub_sum_size(sums, sub, first_sample);
+  return counts;
 }
 
 void FilmRows::put_mean(std::size_t first, double paths, Image& image) const {

@@ -41,18 +41,21 @@ struct FilmShape {
   [[nodiscard]] std::size_t words_of_sums() const;
 };
 
+using SubSumColours = std::array<std::array<double, layout::FILM_CHANNELS>, layout::FILM_SUBSUMS>;
+using SubSumCounts = std::array<int, layout::FILM_SUBSUMS>;
+
 /// `height` rows. Shapes of words and samples as in FilmSums.
 struct FilmRows : FilmShape {
   std::span<const std::int64_t> words;
   std::span<const int> samples;
 
-  /// The sum of the samples of a pixel in one sub-sum, in radiance; of splats without its own. pixel: index along these
-  /// rows.
-  [[nodiscard]] double sub_sum(std::size_t pixel, int sub, int channel) const;
+  /// The sum of the samples of a pixel in each of FILM_SUBSUMS sub-sums, in radiance; of splats without its own. pixel:
+  /// index along these rows.
+  [[nodiscard]] SubSumColours sub_sums(std::size_t pixel) const;
   /// The same of its own camera paths; 0 where has_own is not set.
   [[nodiscard]] double own_sum(std::size_t pixel, int sub, int channel) const;
-  /// The number of those samples.
-  [[nodiscard]] int sub_sum_samples(std::size_t pixel, int sub) const;
+  /// The number of those samples, of a pixel that has so many in all.
+  [[nodiscard]] SubSumCounts sub_sum_counts(int samples_of_pixel) const;
   /// The mean over all samples, which does not depend on their sub-sums, into the image from its pixel `first` on. A
   /// pixel without samples stays black, or has what light paths brought. paths: FilmSums::paths_a_pixel(), which looks
   /// at all pixels.

@@ -18,6 +18,7 @@
 #include "packing/pack_areas.h"
 #include "scene/beams.h"
 #include "scene/light_path_fault.h"
+#include "scene/open_media.h"
 
 namespace strahl {
 
@@ -48,13 +49,14 @@ bool shows_light(const Medium& medium) {
 /// Whether rays from the camera find anything where there is no shape: what shines behind all else, or the medium that
 /// the camera is within.
 bool shows_without_shapes(const Scene& scene, const kinds::IntegratorFacts& integrator) {
-  const bool follows_camera = !integrator.from_lights || integrator.from_camera;
-  if (integrator.shows_emission && follows_camera && !scene.integrator.hide_emitters &&
-      std::any_of(scene.lights.begin(), scene.lights.end(),
-                  [](const Light& light) { return kinds::light_glows(light); }))
-    return true;
-  return integrator.goes_through && scene.camera.medium >= 0 &&
-         shows_light(scene.media.at(static_cast<std::size_t>(scene.camera.medium)));
+  if (integrator.goes_through && scene.camera.medium >= 0) {
+    const Medium& medium = scene.media.at(static_cast<std::size_t>(scene.camera.medium));
+    if (shows_light(medium)) return true;
+    if (open_medium(scene)) return false;  // The sky is behind all of it.
+  }
+  return integrator.shows_emission && !scene.integrator.hide_emitters &&
+         std::any_of(scene.lights.begin(), scene.lights.end(),
+                     [](const Light& light) { return kinds::light_glows(light); });
 }
 
 /// Why the picture will be empty; none where it will not.
@@ -151,12 +153,11 @@ std::vector<Diagnostic> limitations(const Scene& scene) {
   if (kinds::integrator(scene.integrator.name).from_lights && !kinds::integrator(scene.integrator.name).from_camera)
     for (const Material& material : scene.materials)
       if (material_facts(material).has_lobe(lobes::LOBE_DELTA))
-        warn(
-            material.where,
-            fmt::format("what this material mirrors, or lets through unbent, is left out where the camera looks at it: "
-                        "integrator {} joins surfaces with the camera, which mirrors and glass do not allow; path "
-                        "and bdpt show it",
-                        scene.integrator.name));
+        warn(material.where,
+             fmt::format(
+                 "what this material mirrors, or lets through unbent, is left out where the camera looks at it: "
+                 "integrator {} joins surfaces with the camera, which mirrors and glass do not allow; {}",
+                 scene.integrator.name, light_path_fault(scene, "bdpt") ? "path shows it" : "path and bdpt show it"));
   if (kinds::integrator(scene.integrator.name).is_lit() && !kinds::integrator(scene.integrator.name).from_lights)
     for (const SourceLocation& beam : beams_of(scene))
       warn(beam, fmt::format("this emitter's light is left out: each of its places shines in one direction, so that "

@@ -10,6 +10,7 @@
 #include "kinds/lights.h"
 #include "kinds/materials.h"
 #include "scene/beams.h"
+#include "scene/light_path_fault.h"
 #include "scene/unseen.h"
 
 namespace strahl {
@@ -80,7 +81,7 @@ IntegratorChoice integrator_for(const Scene& scene) {
   });
   const bool is_open = has_masks(scene);
   if (reflecting.empty() && !is_open) return {"emission", "no surface reflects light"};
-  if (has_beams_alone(scene))
+  if (has_beams_alone(scene) && !light_path_fault(scene, "ptracer"))
     return {"ptracer", "all light leaves its places in one direction each, so that only paths from there find it"};
   if (has_undrawn_lamps(scene))
     return {"path", "a lamp has a sampling_weight of 0, and direct would take it all the same"};

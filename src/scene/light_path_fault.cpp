@@ -7,6 +7,7 @@
 
 #include "kinds/integrators.h"
 #include "kinds/lights.h"
+#include "scene/unseen.h"
 
 namespace strahl {
 namespace {
@@ -37,12 +38,14 @@ Fault infinite_fault(const Scene& scene, const std::string& integrator) {
 
 /// Which shapes a vertex is within is not kept, so that it could be joined with others.
 Fault priority_fault(const Scene& scene, const std::string& integrator) {
-  for (const Shape& shape : scene.shapes)
-    if (shape.priority)
-      return fault(shape.where, fmt::format("integrator {} does not know glass that overlaps by priority: leave the "
-                                            "priority out, or take integrator path",
-                                            integrator));
-  return std::nullopt;
+  Fault found;
+  for_each_shape(scene, [&](const Shape& shape) {
+    if (!found && is_ranked(shape, scene))
+      found = fault(shape.where, fmt::format("integrator {} does not know glass that overlaps by priority: leave the "
+                                             "priority out, or take integrator path",
+                                             integrator));
+  });
+  return found;
 }
 
 }  // namespace

@@ -10,7 +10,8 @@
 
 namespace strahl {
 
-/// Why `integrator`, one of those whose paths begin on lights, refuses the scene; none where it renders it.
+/// Why `integrator`, one of those whose paths begin on lights, refuses the scene, whatever the sampler, the filter and
+/// the options; none where it renders it.
 [[nodiscard]] std::optional<Diagnostic> light_path_fault(const Scene& scene, const std::string& integrator);
 
 }  // namespace strahl

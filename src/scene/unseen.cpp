@@ -52,6 +52,19 @@ bool is_passed_boundary(const Shape& shape, const Scene& scene) {
   return is_glazed || is_masked(shape, scene);
 }
 
+bool has_glass(const Shape& shape, const Mesh* mesh, const Scene& scene) {
+  const auto is_glass = [&](int material) {
+    return material_facts(scene.materials.at(static_cast<std::size_t>(material))).is_boundary;
+  };
+  if (mesh == nullptr || mesh->parts.empty()) return is_glass(shape.material);
+  return std::ranges::any_of(mesh->parts, is_glass, &MeshPart::material);
+}
+
+bool is_ranked(const Shape& shape, const Scene& scene) {
+  return shape.priority &&
+         (has_glass(shape, std::get_if<Mesh>(&shape.geometry), scene) || is_passed_boundary(shape, scene));
+}
+
 bool has_panes(const Scene& scene) { return std::ranges::any_of(scene.materials, is_pane); }
 
 }  // namespace strahl

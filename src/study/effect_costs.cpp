@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "kinds/integrators.h"
 #include "program/disabled.h"
 #include "program/features.h"
 #include "render/median.h"
@@ -62,6 +63,10 @@ EffectCosts measure_effects(const Device& device, const Scene& scene, const Rend
   for (const FeatureReport& row : features_of(scene, settings).report) {
     if (!row.on || (!chosen.empty() && !chosen.contains(row.name))) continue;
     EffectCost& cost = costs.effects[row.name];
+    if (row.name == "PIXEL_FILTER" && kinds::integrator(scene.integrator.name).from_lights) {
+      cost.needed = "paths from lights never meet the pixels' middles alone";
+      continue;
+    }
     const std::optional<RenderSettings> less = without(row.name, variants[0], cost.needed);
     if (!less) continue;
     if (!has_shapes(features_of(scene, *less))) {

@@ -185,12 +185,9 @@ TEST_CASE("a part has as many samples in each sub-sum as its numbers say") {
   FilmSums film({FilmKind::pixels, 1, 1, {4, 2, 6}});
   film.first_sample = 96;
   film.samples = {64};
-  for (int sub = 0; sub < 4; ++sub) CHECK(film.rows().sub_sum_samples(0, sub) == 16);
+  CHECK(film.rows().sub_sum_counts(64) == SubSumCounts{16, 16, 16, 16});
   film.first_sample = 97;
-  film.samples = {30};
-  CHECK(film.rows().sub_sum_samples(0, 0) == 15);
-  CHECK(film.rows().sub_sum_samples(0, 1) == 15);
-  CHECK(film.rows().sub_sum_samples(0, 2) == 0);
+  CHECK(film.rows().sub_sum_counts(30) == SubSumCounts{15, 15, 0, 0});
 }
 
 TEST_CASE("what pixels lack, as rectangles") {

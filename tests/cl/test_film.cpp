@@ -261,7 +261,7 @@ TEST_CASE("bands and sub-sums add up to one mean") {
         film_add(&four.words[((pixel * 4 + i % 4) * 3 + channel) * 2], film_bins(word[0], word[1]));
       }
     double sum = 0;
-    for (int sub = 0; sub < 4; ++sub) sum += four.rows().sub_sum(pixel, sub, 1);
+    for (const auto& colour : four.rows().sub_sums(pixel)) sum += colour[1];
     CHECK(sum == Approx(exact_sum(samples).get_d()).epsilon(1e-12));
   }
   CHECK(one.mean().data == four.mean().data);

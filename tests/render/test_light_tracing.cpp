@@ -394,6 +394,33 @@ TEST_CASE("what light paths cannot have is refused") {
   scene = caustic();
   scene.sampler.kind = SamplerKind::centre;
   CHECK_THAT(why_not(scene), Catch::Contains("another sampler"));
+  scene = caustic();
+  settings = {};
+  settings.disabled = {"PIXEL_FILTER"};
+  CHECK_THAT(why_not(scene, settings), Catch::Contains("--disable PIXEL_FILTER"));
+  scene.film.filter = {FilterKind::box, 1e-4, 0.5};
+  CHECK_THAT(why_not(scene), Catch::Contains("below 1/1024"));
+  scene.film.filter = {FilterKind::gaussian, 2, 1e-5};
+  CHECK_THAT(why_not(scene), Catch::Contains("below 1/1024"));
+  scene = caustic();
+  scene.integrator.name = "bdpt";
+  scene.shapes.front().priority = 1;
+  scene.shapes.front().material = add(scene, Dielectric{});
+  CHECK_THAT(why_not(scene), Catch::Contains("by priority"));
+}
+
+// A table over all of a radius far beyond the bell would have cells as wide as the bell.
+TEST_CASE("a filter that is cut far off has the picture of one that is cut nearer") {
+  require_pocl_and_rusticl();
+  Scene scene = under_lamp(diffuse({0.7, 0.5, 0.3}));
+  scene.integrator.name = "ptracer";
+  scene.sampler.kind = SamplerKind::independent;
+  scene.sampler.sample_count = 16;
+  const auto power = [&](double radius) {
+    scene.film.filter = {FilterKind::gaussian, radius, 0.5};
+    return power_on_floor(render("pocl", scene, {}).color);
+  };
+  CHECK(power(1000) == Approx(power(4)).epsilon(0.02));
 }
 
 }  // namespace

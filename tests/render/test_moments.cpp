@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Second moments (integrator moment): the mean of the squares of each pixel's samples, with the bits of the picture
 // however the samples are split.
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -116,6 +117,17 @@ TEST_CASE("a picture goes on from its film, and films without them do not fit") 
   CHECK(same(whole, renderer.render({}, {}, &keeper)));
   Renderer plain(Device::open("pocl"), lamp_room(), {});
   CHECK_THROWS_WITH(plain.render({}, {}, &keeper), Catch::Contains("of another picture"));
+}
+
+TEST_CASE("squares beyond a float cost neither picture nor told error") {
+  require_pocl_and_rusticl();
+  Scene scene = lamp_room();
+  for (Shape& shape : scene.shapes)
+    if (shape.radiance) shape.radiance = Rgb{1e20, 1e20, 1e20};
+  const RenderResult result = Renderer(Device::open("pocl"), scene, with_moments()).render();
+  CHECK(result.stats.unusual.not_finite() == 0);
+  CHECK(result.error);
+  CHECK(*std::max_element(result.named_aov.data.begin(), result.named_aov.data.end()) > 1e37F);
 }
 
 }  // namespace strahl::test

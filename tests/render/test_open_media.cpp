@@ -90,6 +90,33 @@ TEST_CASE("a sky shows through fog what its own directions bring, by their weigh
   CHECK(mean_of(drawn(even, 256)).r == Approx(expected).epsilon(4e-3));
 }
 
+// With a chance c of drawing the sky q = c / 4 pi. It is 1/2, whatever the sun's power.
+TEST_CASE("a sky beside a sun in fog is drawn as often") {
+  require_pocl_and_rusticl();
+  Scene both = floor_in_fog(5, 0, light(ConstantLight{{1, 0, 0}}));
+  add(both, DirectionalLight{{0, 0, -1}, {0, 0, 20}});
+  const double expected = 0.5 * std::exp(-sigma * (above + 2 * ball_radius(5))) * std::log(65) / 64;
+  CHECK(mean_of(drawn(both, 1024)).r == Approx(expected).epsilon(1e-2));
+}
+
+// A grid ends where its box does; programs with and without the effect agree.
+TEST_CASE("nothing is cut where no medium is without an end") {
+  require_pocl_and_rusticl();
+  Scene scene = floor_in_fog(5, 0, downwards());
+  scene.integrator.name = "volpath";
+  add(scene, Box{{-20, -20, -20}, {20, 20, 20}});
+  scene.shapes.back().material = static_cast<int>(scene.materials.size());
+  scene.materials.emplace_back().opacity = Reflectance{{0, 0, 0}};
+  scene.shapes.back().media = MediumBoundary{0, -1};
+  REQUIRE_FALSE(open_medium(scene));
+  const double expected = 0.5 * 2 / std::acos(-1.0) * std::exp(-sigma * (above + 20));
+  for (const bool generic : {false, true}) {
+    RenderSettings settings;
+    settings.generic = generic;
+    CHECK(static_cast<double>(render("pocl", scene, settings).color.at(20, 25, 0)) == Approx(expected).epsilon(1e-5));
+  }
+}
+
 TEST_CASE("which media may have no end") {
   const Scene fog = floor_in_fog(5, 0.5, downwards());
   CHECK(open_medium(fog));

@@ -54,6 +54,18 @@ TEST_CASE("beams ask for paths from lights, and where the camera looks at mirror
   CHECK(advice("path", dark + floor_shape).empty());
 }
 
+TEST_CASE("nothing that refuses the scene is advised") {
+  const std::string ranked =
+      "<shape type=\"sphere\"><bsdf type=\"dielectric\"/><integer name=\"priority\" value=\"1\"/></shape>";
+  const std::string sun = "<emitter type=\"directional\"/>", ground = "<shape type=\"plane\"/>";
+  CHECK(advice("path", point_lamp + floor_shape + ranked).empty());
+  CHECK(advice("path", sun + ground + glass).empty());
+  CHECK(advice("path", sun + floor_shape + glass).size() == 1);
+  const std::string beam = "<emitter type=\"collimated\"/>";
+  REQUIRE(advice("path", beam + floor_shape + ranked).size() == 1);
+  CHECK(advice("path", beam + floor_shape + ranked)[0].integrator == "ptracer");
+}
+
 TEST_CASE("a lamp that is small beside the scene is found by chance alone") {
   CHECK(advice("path", ball_lamp("0.01") + glass).size() == 1);
   CHECK(advice("path", ball_lamp("0.5") + glass).empty());

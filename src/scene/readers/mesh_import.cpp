@@ -17,14 +17,6 @@ bool emits(const Shape& shape, const Mesh* mesh) {
           std::ranges::any_of(mesh->parts, [](const MeshPart& part) { return part.radiance.has_value(); }));
 }
 
-bool has_glass(const Shape& shape, const Mesh* mesh, const Scene& scene) {
-  const auto is_glass = [&](int material) {
-    return material_facts(scene.materials.at(static_cast<std::size_t>(material))).is_boundary;
-  };
-  if (mesh == nullptr || mesh->parts.empty()) return is_glass(shape.material);
-  return std::ranges::any_of(mesh->parts, [&](const MeshPart& part) { return is_glass(part.material); });
-}
-
 void add_mesh_materials(MeshFile& file, const GivenMaterials& given, const Shape& shape, Scene& scene,
                         ImageFiles& images, Diagnostics& diagnostics) {
   Mesh& mesh = file.mesh;

@@ -15,8 +15,6 @@ namespace strahl {
 
 /// mesh: what is or will be the shape's geometry; null: that is none.
 [[nodiscard]] bool emits(const Shape& shape, const Mesh* mesh);
-/// Whether a priority ranks it as glass; of a mesh with parts, any of them.
-[[nodiscard]] bool has_glass(const Shape& shape, const Mesh* mesh, const Scene& scene);
 
 /// Materials that take the place of a file's.
 struct GivenMaterials {

@@ -11,6 +11,7 @@
 #include "scene/meshes/vertex_normals.h"
 #include "scene/readers/mesh_import.h"
 #include "scene/readers/shape_reader.h"
+#include "scene/unseen.h"
 
 namespace strahl {
 

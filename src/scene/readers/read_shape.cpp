@@ -130,8 +130,7 @@ void read_shape(const XmlElement& element, SceneBuilder& builder, std::vector<Sh
   shape.geometry = (*reader)(input);
   if (input.is_left_out && (shape.radiance || shape.exitance)) builder.lost_emitters.emplace_back("area");
   if (input.is_left_out) return properties.report_unknown();
-  if (shape.priority && !has_glass(shape, std::get_if<Mesh>(&shape.geometry), builder.scene) &&
-      !is_passed_boundary(shape, builder.scene))
+  if (shape.priority && !is_ranked(shape, builder.scene))
     builder.diagnostics.unknown(properties.where("priority"),
                                 "\"priority\" has no effect here: it ranks shapes of bsdf dielectric and "
                                 "roughdielectric, and boundaries of media of bsdf null, mask and thindielectric");
