@@ -183,12 +183,11 @@ class Packing {
   }
 
   int rank_of(const Shape& shape, const MeshPart& look) const {
-    const Material& material = scene_.materials.at(static_cast<std::size_t>(look.material));
     const auto rank = ranks_.find(&shape);
     if (rank == ranks_.end()) return -1;
-    const bool is_boundary = features_.flag("MEDIA") && kinds::integrator(scene_.integrator.name).goes_through &&
-                             is_passed_boundary(shape, scene_);
-    return is_boundary || material_facts(material).is_boundary ? rank->second : -1;
+    const bool has_media = features_.flag("MEDIA") && kinds::integrator(scene_.integrator.name).goes_through;
+    if (has_media && is_passed_boundary(shape, scene_)) return rank->second;
+    return material_facts(scene_.materials.at(static_cast<std::size_t>(look.material))).is_boundary ? rank->second : -1;
   }
 
   void parts() {
