@@ -8,7 +8,7 @@
 namespace strahl::test {
 namespace {
 
-Scene caustic() { return small_scene(scene_folder / "lights/caustic.xml", 29, 23, 16); }
+Scene glass_and_point() { return small_scene(scene_folder / "lights/caustic.xml", 29, 23, 16); }
 
 TEST_CASE("what light paths cannot have is refused") {
   require_pocl_and_rusticl();
@@ -21,7 +21,7 @@ TEST_CASE("what light paths cannot have is refused") {
     }
     return {};
   };
-  Scene scene = caustic();
+  Scene scene = glass_and_point();
   RenderSettings settings;
   settings.aovs = {Aov::depth};
   CHECK_THAT(why_not(scene, settings), Catch::Contains("--aov needs a camera ray"));
@@ -30,15 +30,15 @@ TEST_CASE("what light paths cannot have is refused") {
   CHECK_THAT(why_not(scene, settings), Catch::Contains("--light-choice power"));
   scene.media.emplace_back();
   CHECK_THAT(why_not(scene), Catch::Contains("take integrator volpath"));
-  scene = caustic();
+  scene = glass_and_point();
   scene.shapes.front().geometry = Plane{{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {0, 1, 0}};
   CHECK(why_not(scene).empty());
   add(scene, ConstantLight{{1, 1, 1}});
   CHECK_THAT(why_not(scene), Catch::Contains("a large finite one"));
-  scene = caustic();
+  scene = glass_and_point();
   scene.sampler.kind = SamplerKind::centre;
   CHECK_THAT(why_not(scene), Catch::Contains("another sampler"));
-  scene = caustic();
+  scene = glass_and_point();
   settings = {};
   settings.disabled = {"PIXEL_FILTER"};
   CHECK_THAT(why_not(scene, settings), Catch::Contains("--disable PIXEL_FILTER"));
@@ -46,7 +46,7 @@ TEST_CASE("what light paths cannot have is refused") {
   CHECK_THAT(why_not(scene), Catch::Contains("below 1/1024"));
   scene.film.filter = {FilterKind::gaussian, 2, 1e-5};
   CHECK_THAT(why_not(scene), Catch::Contains("below 1/1024"));
-  scene = caustic();
+  scene = glass_and_point();
   scene.integrator.name = "bdpt";
   scene.shapes.front().priority = 1;
   scene.shapes.front().material = add(scene, Dielectric{});
