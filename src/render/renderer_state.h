@@ -23,6 +23,8 @@
 
 namespace strahl {
 
+/// Of the film on a device with memory of its own. One that shares the host's has all of it: what bands leave would lie
+/// there a second time.
 inline constexpr std::size_t film_buffer_bytes = std::size_t{512} << 20;
 
 /// The window of some of its rows, while this lives.
@@ -110,7 +112,9 @@ struct Renderer::State {
   [[nodiscard]] int band_rows() const {
     if (film_kind() == FilmKind::splats) return window.height();
     const std::size_t row = static_cast<std::size_t>(window.width()) * film_bytes_per_pixel();
-    const std::size_t limit = std::min<std::size_t>(film_buffer_bytes, device.info().max_allocation);
+    const std::size_t allocation = device.info().max_allocation;
+    const std::size_t limit =
+        device.info().shares_host_memory ? allocation : std::min<std::size_t>(film_buffer_bytes, allocation);
     const std::size_t fitting = std::min(limit / row, memory_left() / row_bytes());
     return static_cast<int>(std::clamp<std::size_t>(fitting, 1, static_cast<std::size_t>(window.height())));
   }
