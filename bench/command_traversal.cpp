@@ -10,7 +10,6 @@
 #include "bench/commands.h"
 #include "bench/traversal_report.h"
 #include "image/atomic_file.h"
-#include "image/file_bytes.h"
 #include "study/generated/scenes.h"
 
 namespace strahl::bench {
@@ -93,16 +92,7 @@ Command add_report(CLI::App& app) {
   const auto folder = std::make_shared<std::string>();
   app.add_option("JSON", *json_files, "What traversal --json wrote; of one device")->required();
   app.add_option("-o,--output", *folder, "Tables and plots there")->required()->type_name("FOLDER");
-  return [json_files, folder] {
-    Traversal all;
-    for (const std::string& path : *json_files) {
-      Traversal one = traversal_of_json(read_file(path));
-      one.races.insert(one.races.begin(), all.races.begin(), all.races.end());
-      one.trees.insert(one.trees.begin(), all.trees.begin(), all.trees.end());
-      all = std::move(one);
-    }
-    write_report(all, *folder);
-  };
+  return [json_files, folder] { write_report(traversal_of_files(*json_files), *folder); };
 }
 
 }  // namespace strahl::bench

@@ -50,6 +50,8 @@ def main():
             lost.append(1 - one / told)
             print(f"{scene.parent.name}/{scene.name}: {told / one:.2f} times the squared error, {100 * lost[-1]:.0f} % lost",
                   flush=True)
+    if not lost:
+        raise SystemExit("every picture is the same whatever the seed: there is no error to compare")
     print(f"median of {len(lost)} scenes: {100 * statistics.median(lost):.0f} % lost")
 
 

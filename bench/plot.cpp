@@ -37,8 +37,9 @@ double tick_step(double most) {
 
 class Drawing {
  public:
-  Drawing(const std::string& title, const std::string& y_label, const std::vector<Series>& series, double below) {
-    double most = 0;
+  Drawing(const std::string& title, const std::string& y_label, const std::vector<Series>& series, double below,
+          double reference = 0) {
+    double most = reference;
     for (const Series& one : series)
       for (const double y : one.y)
         if (y > most) most = y;
@@ -122,7 +123,7 @@ std::string line_plot(const std::string& title, const std::string& x_label, cons
 
 std::string bar_plot(const std::string& title, const std::string& y_label, const std::vector<std::string>& groups,
                      const std::vector<Series>& series, double reference) {
-  Drawing drawing(title, y_label, series, 110);
+  Drawing drawing(title, y_label, series, 110, reference);
   const double group = width / static_cast<double>(groups.size()),
                bar = 0.8 * group / static_cast<double>(series.size());
   for (std::size_t g = 0; g < groups.size(); ++g) {

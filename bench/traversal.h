@@ -34,7 +34,7 @@ struct Traversal {
   std::string device;
   std::string machine;
   std::string version;
-  unsigned threads = 0;
+  unsigned threads = 0;  ///< Of the peers.
   int rounds = 0;
   std::vector<Race> races;
   std::vector<Tree> trees;
@@ -50,5 +50,7 @@ struct Traversal {
 /// bench/README.md states the members.
 [[nodiscard]] std::string json(const Traversal& traversal);
 [[nodiscard]] Traversal traversal_of_json(const std::string& text);
+/// Of several such files, in their order. Throws InputError where they are of different devices or machines.
+[[nodiscard]] Traversal traversal_of_files(const std::vector<std::string>& paths);
 
 }  // namespace strahl::bench

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
 #include <nlohmann/json.hpp>
 
 #include "bench/traversal.h"
+#include "errors.h"
+#include "image/file_bytes.h"
 #include "json_text.h"
 
 namespace strahl::bench {
@@ -52,12 +56,36 @@ Traversal traversal_of_json(const std::string& text) try {
       one.entries.push_back({entry.at("program"), entry.at("variant"), entry.at("seconds"), entry.at("build_seconds"),
                              entry.at("hits"), entry.at("differing")});
   }
-  for (const Json& tree : all.at("trees"))
+  // Those of committed files that are older than the measurement of trees.
+  for (const Json& tree : all.value("trees", Json::array()))
     traversal.trees.push_back(
         {tree.at("scene"), tree.at("primitives"), tree.at("program"), tree.at("seconds"), tree.at("sah_cost")});
   return traversal;
 } catch (const nlohmann::json::exception& error) {
   throw InputError(std::string("no measurements of strahl-bench traversal: ") + error.what());
+}
+
+Traversal traversal_of_files(const std::vector<std::string>& paths) {
+  Traversal all;
+  for (const std::string& path : paths) {
+    Traversal one;
+    try {
+      one = traversal_of_json(read_file(path));
+    } catch (const InputError& fault) {
+      throw InputError(fmt::format("{}: {}", path, fault.what()));
+    }
+    if (path == paths.front()) {
+      all = std::move(one);
+      continue;
+    }
+    if (one.device != all.device || one.machine != all.machine)
+      throw InputError(
+          fmt::format("{} is of {} ({}), and {} is of {} ({}); a report is of one device: give each its own", path,
+                      one.device, one.machine, paths.front(), all.device, all.machine));
+    all.races.insert(all.races.end(), one.races.begin(), one.races.end());
+    all.trees.insert(all.trees.end(), one.trees.begin(), one.trees.end());
+  }
+  return all;
 }
 
 }  // namespace strahl::bench

@@ -66,14 +66,32 @@ std::string race_table(const Race& race) {
                      header, rule, peers, rows, off);
 }
 
-/// The tiers that a run has, `fast` first.
+/// The entry of `fast` that has the same width of the tree as this one of single rays: "fast 8 wide" of "robust 8
+/// wide".
+std::string fast_beside(const std::string& variant) {
+  const std::size_t end = variant.find(' ');
+  return "fast" + (end == std::string::npos ? std::string() : variant.substr(end));
+}
+
+/// strahl's variants of single rays that ran beside `fast` with the same width, `fast` first; none where no other did.
 std::vector<std::string> tiers_of(const Traversal& traversal) {
   std::vector<std::string> tiers;
+  bool are_compared = false;
   for (const std::string tier : {"fast", "stable", "robust", "double"})
-    if (std::any_of(traversal.races.begin(), traversal.races.end(),
-                    [&tier](const Race& race) { return find(race, true, tier) != nullptr; }))
-      tiers.push_back(tier);
-  return tiers;
+    for (const Race& race : traversal.races)
+      for (const Entry& entry : race.entries) {
+        const std::string& variant = entry.variant;
+        if (!is_ours(entry) || variant.substr(0, variant.find(' ')) != tier || variant.ends_with(" coherent")) continue;
+        if (find(race, true, fast_beside(variant)) == nullptr) continue;
+        if (std::find(tiers.begin(), tiers.end(), variant) == tiers.end()) tiers.push_back(variant);
+        are_compared = are_compared || tier != "fast";
+      }
+  return are_compared ? tiers : std::vector<std::string>{};
+}
+
+/// How many times as long as `fast` of the same width.
+double tier_cost(const Race& race, const std::string& tier) {
+  return ratio(find(race, true, fast_beside(tier)), find(race, true, tier));
 }
 
 std::string tier_table(const Traversal& traversal, const std::vector<std::string>& tiers) {
@@ -85,8 +103,10 @@ std::string tier_table(const Traversal& traversal, const std::vector<std::string
   text += "\n" + rule + "\n";
   for (const Race& race : traversal.races) {
     text += fmt::format("| {}, {} |", race.scene, race.kind);
-    for (const std::string& tier : tiers)
-      text += fmt::format(" {:.2f} |", ratio(find(race, true, "fast"), find(race, true, tier)));
+    for (const std::string& tier : tiers) {
+      const double cost = tier_cost(race, tier);
+      text += std::isnan(cost) ? " – |" : fmt::format(" {:.2f} |", cost);
+    }
     text += "\n";
   }
   return text + "\n";
@@ -101,6 +121,14 @@ std::string tree_table(const Traversal& traversal) {
                         static_cast<double>(tree.primitives) / seconds / 1e6, tree.sah_cost);
   }
   return text + "\n";
+}
+
+/// --threads is the peers' alone: strahl's are its device's.
+std::string peers_text(const Traversal& traversal) {
+  for (const Race& race : traversal.races)
+    if (!std::all_of(race.entries.begin(), race.entries.end(), is_ours))
+      return fmt::format(", the peers with {} threads", traversal.threads);
+  return {};
 }
 
 std::string family(const std::string& scene) { return scene.substr(0, scene.rfind('-')); }
@@ -135,7 +163,7 @@ std::map<std::string, std::string> traversal_plots(const Traversal& traversal) {
     groups.push_back(race.scene + ", " + race.kind);
     peers[0].y.push_back(ratio(find(race, true, "robust"), fastest_single(race, true)));
     peers[1].y.push_back(ratio(find(race, true, "fast"), fastest_single(race, false)));
-    for (Series& tier : tiers) tier.y.push_back(ratio(find(race, true, "fast"), find(race, true, tier.name)));
+    for (Series& tier : tiers) tier.y.push_back(tier_cost(race, tier.name));
   }
   const auto is_seen = [](const Series& series) {
     return std::any_of(series.y.begin(), series.y.end(), [](double y) { return !std::isnan(y); });
@@ -150,9 +178,9 @@ std::map<std::string, std::string> traversal_plots(const Traversal& traversal) {
 std::string markdown(const Traversal& traversal, const std::map<std::string, std::string>& plots,
                      const std::string& plot_folder) {
   std::string text = fmt::format(
-      "strahl {} on {}; {}, {} threads each side; medians of {} rounds in turns. × n: strahl is n times as fast, the "
-      "median of the rounds' ratios. differ: rays with another answer than the first tier's.\n\n",
-      traversal.version, traversal.device, traversal.machine, traversal.threads, traversal.rounds);
+      "strahl {} on all of {}; {}{}; medians of {} rounds in turns. × n: strahl is n times as fast, the median of the "
+      "rounds' ratios. differ: rays with another answer than the first tier's.\n\n",
+      traversal.version, traversal.device, traversal.machine, peers_text(traversal), traversal.rounds);
   std::string scene;
   for (const Race& race : traversal.races) {
     if (race.scene != scene) {
@@ -162,7 +190,8 @@ std::string markdown(const Traversal& traversal, const std::map<std::string, std
     text += race_table(race);
   }
   if (!traversal.trees.empty()) text += "### Trees\n\n" + tree_table(traversal);
-  text += "### What each tier costs\n\n" + tier_table(traversal, tiers_of(traversal));
+  const std::vector<std::string> tiers = tiers_of(traversal);
+  if (!tiers.empty()) text += "### What each tier costs\n\n" + tier_table(traversal, tiers);
   for (const auto& [name, svg] : plots) text += fmt::format("![{}]({}{})\n", name, plot_folder, name);
   return text;
 }

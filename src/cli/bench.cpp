@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -70,6 +71,8 @@ Json json_of(const DeviceBench& bench) {
           {"program_from_cache", bench.program_from_cache}};
 }
 
+constexpr int least_side = 16, most_side = 8192;
+
 /// An earlier --json, or nothing.
 class Base {
  public:
@@ -79,15 +82,37 @@ class Base {
       json_ = Json::parse(read_file(path));
       device_ = json_.at("device").get<std::string>();
       scene_ = json_.at("scene").get<std::string>();
+      primitives_ = json_.at("primitives").get<std::size_t>();
+      const auto rays = json_.at("rays").at(ray_kind_name(RayKind::primary)).get<double>();
+      side_ = static_cast<int>(std::lround(std::sqrt(std::clamp(rays, 0.0, 1.0 * most_side * most_side))));
+      if (side_ < least_side || 1.0 * side_ * side_ != rays)
+        throw InputError(fmt::format("{}: not what strahl bench --json writes: {} camera rays", path, rays));
     } catch (const Json::exception& error) {
       throw InputError(fmt::format("{}: not what strahl bench --json writes: {}", path, error.what()));
     }
   }
 
-  void require_same_scene(const std::string& scene) const {
-    if (!path_.empty() && scene_ != scene)
+  void require_same_scene(const std::string& scene, std::size_t primitives) const {
+    if (path_.empty()) return;
+    if (scene_ != scene)
       throw InputError(
           fmt::format("{} is of the scene {}; only the same scene compares (--scene {})", path_, scene_, scene_));
+    if (primitives_ != primitives)
+      throw InputError(
+          fmt::format("{} is of another scene called {}, with {} primitives, and this one has {}; only the same scene "
+                      "compares: measure it again with --json",
+                      path_, scene_, primitives_, primitives));
+  }
+
+  /// The side of the picture whose rays both trace: `asked`, or 0 where nobody asked, without a base.
+  [[nodiscard]] int side(int asked) const {
+    if (path_.empty()) return asked;
+    if (asked > 0 && asked != side_)
+      throw InputError(
+          fmt::format("{} is of {} x {} camera rays; only as many compare: leave --pixels out, or choose "
+                      "--pixels {}",
+                      path_, side_, side_, side_));
+    return side_;
   }
   [[nodiscard]] bool is_there() const { return !path_.empty(); }
   [[nodiscard]] const std::string& device() const { return device_; }
@@ -110,6 +135,8 @@ class Base {
 
  private:
   std::string path_, device_, scene_;
+  std::size_t primitives_ = 0;
+  int side_ = 0;  ///< Of the square picture whose camera rays it traced.
   Json json_;
 };
 
@@ -197,12 +224,13 @@ ExitCode bench(const BenchOptions& options) {
   const Base base(options.compare);
   const Scene scene = scene_of(options.scene);
   require_distinct({{"--json", options.json}}, scene_files(options.scene, scene.files));
-  base.require_same_scene(scene.name);
+  base.require_same_scene(scene.name, primitives_of(scene));
+  const int side = base.side(options.pixels);
   const Device device = Device::open(options.device);
   DeviceBench result;
   {
     ProgressBar bar("bench", !options.quiet && !options.no_progress);
-    result = bench_device(device, scene, options.pixels,
+    result = bench_device(device, scene, side,
                           [&bar](int done, int total) { bar.show(static_cast<double>(done) / total, "measuring"); });
   }
   if (options.json != "-") print(table(result, base));
@@ -222,9 +250,10 @@ Command add_bench(CLI::App& app) {
       ->type_name("FILE");
   app.add_option("--compare", options->compare, "An earlier --json: how many times as fast")->type_name("FILE");
   require_whole(app.add_option("--pixels", options->pixels,
-                               "The picture's side; default: what the device does in an eighth of a second"))
+                               "The picture's side; default: that of --compare, else what the device does in an "
+                               "eighth of a second"))
       ->type_name("N")
-      ->check(CLI::Range(16, 8192).description(""));
+      ->check(CLI::Range(least_side, most_side).description(""));
   app.add_flag("--tune", options->tune,
                "Measure widths of the tree instead, and remember the fastest of each precision")
       ->excludes("--json")

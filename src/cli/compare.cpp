@@ -120,7 +120,7 @@ Command add_compare(CLI::App& app) {
           "--ppd", options->pixels_per_degree,
           "Pixels per degree of sight, for flip and hdrflip; default: 67.02, 0.7 m before a display that is 0.7 m "
           "and 3840 pixels wide"),
-      1, 10000)
+      1, 1000)
       ->type_name("X");
   require_finite(app.add_option("--fail-above", options->bound, "Exit with 7 where the metric is worse than X"))
       ->type_name("X");

@@ -119,11 +119,15 @@ double seconds_to_write(const Image& image, const std::filesystem::path& path, c
 
 }  // namespace
 
-double expected_write_seconds(const std::string& path, const PngOptions& png, double pixels, std::size_t channels) {
+double expected_write_seconds(const std::string& path, const PngOptions& png, double pixels, const AovList& aovs) {
+  // An EXR file holds every AOV; in other formats those of --aov have a file each, and a scene's own none.
+  const bool is_one_file = image_format(path) == ImageFormat::exr;
+  const std::size_t channels = is_one_file ? 3 * (1 + aovs.size()) : 3;
+  const double files = is_one_file ? 1 : 1 + static_cast<double>(aovs.plain().size());
   Image sample;
   sample.width = 256;
   sample.height = 32;
-  sample.channels.resize(std::max<std::size_t>(channels, 3));
+  sample.channels.resize(channels);
   for (std::size_t c = 3; c < channels; ++c) sample.channels[c] = "sample." + std::to_string(c);
   // Noise: what compresses worst.
   std::uint32_t bits = 1;
@@ -136,7 +140,7 @@ double expected_write_seconds(const std::string& path, const PngOptions& png, do
                                        target.extension().string());
   std::error_code fault;
   const std::filesystem::path temporary = std::filesystem::temp_directory_path(fault);
-  const double larger = std::max(1.0, pixels / (sample.width * sample.height));
+  const double larger = files * std::max(1.0, pixels / (sample.width * sample.height));
   try {
     if (!fault) return larger * seconds_to_write(sample, temporary / name, png);
   } catch (const Error&) {  // Full or read-only, which does not matter to the picture's own folder.

@@ -42,8 +42,8 @@ Written write(const PictureFiles& files, const RenderResult& result, const std::
 void write_error_map(const std::string& path, const Image& standard_error,
                      const std::map<std::string, std::string>& metadata);
 
-/// Seconds that writing such pictures may take, told from a small one in the same format.
+/// Seconds that write() may take for a picture and its AOVs, told from a small file in the same format.
 [[nodiscard]] double expected_write_seconds(const std::string& path, const PngOptions& png, double pixels,
-                                            std::size_t channels);
+                                            const AovList& aovs = {});
 
 }  // namespace strahl::cli

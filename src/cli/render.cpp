@@ -132,16 +132,16 @@ void say_summary(const RenderOptions& options, const std::string& picture, const
 /// Bytes a second that a disk takes at the least, flushed. What it falls short of makes a picture late, not wrong.
 constexpr double checkpoint_rate = 1e8;
 
-/// What the process may take to end once its picture is done, with a deadline writing it too; 0 where nobody asks.
+/// What the process may take to write its files and to end once its picture is done; 0 where nobody asks.
 double end_seconds(const RenderOptions& options, const PictureFiles& files, const Renderer& renderer,
                    const AovList& aovs, const std::vector<Device>& devices) {
-  if (!options.goal.time) return options.goal.dry_run ? expected_exit_seconds(devices) : 0;
+  if (!options.goal.time && !options.goal.dry_run) return 0;
   const Window window = renderer.scene().film.window();
   const double pixels = static_cast<double>(window.width()) * window.height();
   // The film, and three pictures of floats.
   double seconds = expected_exit_seconds(devices, pixels * (96 + 36));
-  if (!files.path.empty()) seconds += expected_write_seconds(files.path, files.png, pixels, 3 * (1 + aovs.size()));
-  if (!options.error_map.empty()) seconds += expected_write_seconds(options.error_map, {}, pixels, 3);
+  if (!files.path.empty()) seconds += expected_write_seconds(files.path, files.png, pixels, aovs);
+  if (!options.error_map.empty()) seconds += expected_write_seconds(options.error_map, {}, pixels);
   if (!options.keep.target().empty()) {
     const double kept =
         pixels * (static_cast<double>(renderer.film_bytes_per_pixel()) + sizeof(int) +

@@ -261,12 +261,21 @@ void FilmRun::finish() {
   if (has_error) result_.error = error->tell();
 }
 
+void FilmRun::put_aovs(const std::set<Aov>& plain) {
+  const Stopwatch start;
+  const FirstSampleValues values{width_, height_, aov_reals_, aov_ints_, state_.frame, film_.first_sample == 0};
+  result_.aov = aov_image(values, plain);
+  result_.named_aov = aov_image(values, {result_.color, squares_}, state_.settings.aovs.named());
+  result_.stats.seconds.readback += start.seconds();
+}
+
 /// The time to be reserved for the end is measured: the end is run on a black film, as if it had its samples.
 void FilmRun::measure_finish() {
   const Stopwatch start;
   const PhaseSeconds before = result_.stats.seconds;
   std::fill(film_.samples.begin(), film_.samples.end(), layout::FILM_SUBSUMS);
   finish();
+  put_aovs(state_.settings.aovs.plain());
   std::fill(film_.samples.begin(), film_.samples.end(), 0);
   result_.error.reset();
   result_.stats.seconds = before;
@@ -314,7 +323,7 @@ RenderResult FilmRun::run() {
   }
   const Stopwatch finishing;
   finish();
-  state_.finish_seconds = finishing.seconds();
+  const double finish_seconds = finishing.seconds();
 
   RunStats& run = result_.stats;
   const auto [least, most] = std::minmax_element(film_.samples.begin(), film_.samples.end());
@@ -331,12 +340,11 @@ RenderResult FilmRun::run() {
   if (keeper_ != nullptr && keeper_->is_done) keeper_->is_done();
   if (result_.error) run.error = ErrorBudget{*result_.error, 0, 0, std::nullopt};
   std::set<Aov> plain = state_.settings.aovs.plain();
-  const FirstSampleValues values{width_, height_, aov_reals_, aov_ints_, state_.frame, film_.first_sample == 0};
-  if (values.are_there && plain.contains(Aov::numeric_error) && !tell_numeric_error()) plain.erase(Aov::numeric_error);
-  const Stopwatch convert;
-  result_.aov = aov_image(values, plain);
-  result_.named_aov = aov_image(values, {result_.color, squares_}, state_.settings.aovs.named());
-  run.seconds.readback += convert.seconds();
+  if (film_.first_sample == 0 && plain.contains(Aov::numeric_error) && (goal_.is_pilot || !tell_numeric_error()))
+    plain.erase(Aov::numeric_error);
+  const Stopwatch converting;
+  put_aovs(plain);
+  state_.finish_seconds = finish_seconds + converting.seconds();
   return std::move(result_);
 }
 

@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <memory>
+#include <set>
 
 #include "render/device_film.h"
 #include "render/film_state.h"
@@ -81,6 +82,8 @@ class FilmRun {
   /// From the top down.
   void each_part(const std::function<void(std::shared_ptr<const FilmPart>)>& use);
   void finish();
+  /// The AOVs, once finish() has made the picture.
+  void put_aovs(const std::set<Aov>& plain);
   [[nodiscard]] bool tell_numeric_error();
   void measure_finish();
 

@@ -42,6 +42,8 @@ struct RenderGoal {
   std::optional<Rows> rows;           ///< A picture of these rows alone, which it has; none: of all rows.
   /// Only these of the samples: a part that adds up with others to the picture of `spp` samples. Not with an open goal.
   std::optional<SampleRange> samples;
+  /// Nobody looks at its layers: numeric_error is left out, which takes longer than a few rows.
+  bool is_pilot = false;
 
   [[nodiscard]] bool is_open() const { return deadline || max_error; }
 };

@@ -152,7 +152,8 @@ class PilotRun {
     add_whole(timed_render(goal), spp);
   }
 
-  Timed timed_render(const RenderGoal& goal, const ProgressCallback& goes_on = {}) {
+  Timed timed_render(RenderGoal goal, const ProgressCallback& goes_on = {}) {
+    goal.is_pilot = true;
     const Stopwatch watch;
     Timed timed{renderer_.render(goes_on, goal), 0};
     const RunStats& stats = timed.result.stats;

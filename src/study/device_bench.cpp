@@ -35,6 +35,12 @@ std::vector<Precision> tiers_of(const Device& device) {
   return tiers;
 }
 
+std::size_t primitives_of(const Scene& scene) {
+  std::size_t primitives = 0;
+  for_each_shape(scene, [&](const Shape& shape) { primitives += static_cast<std::size_t>(primitive_count(shape)); });
+  return primitives;
+}
+
 BenchRays bench_rays(Intersector& intersector, const Scene& scene, int side) {
   const Scene framed = of_side(scene, side > 0 ? side : fitting_side(intersector, scene));
   const RaySet primary = primary_rays(framed);
@@ -71,8 +77,7 @@ DeviceBench bench_device(const Device& device, const Scene& scene, int side, con
   DeviceBench bench;
   bench.device = device.info().text();
   bench.scene = scene.name;
-  for_each_shape(scene,
-                 [&](const Shape& shape) { bench.primitives += static_cast<std::size_t>(primitive_count(shape)); });
+  bench.primitives = primitives_of(scene);
 
   std::vector<Intersector> intersectors;
   for (const Precision tier : tiers) {

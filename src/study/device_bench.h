@@ -23,6 +23,9 @@ struct DeviceBench {
   Bandwidth bandwidth;
 };
 
+/// Instances count once each.
+[[nodiscard]] std::size_t primitives_of(const Scene& scene);
+
 /// What bench_device and tune (study/tune.h) measure with.
 inline constexpr int bench_rounds = 5;
 using BenchRays = std::array<RaySet, all_ray_kinds.size()>;  ///< In the order of all_ray_kinds.

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "study/effect_costs.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <optional>
 
 #include "kinds/integrators.h"
+#include "packing/cl_layout.h"
 #include "program/disabled.h"
 #include "program/features.h"
 #include "render/median.h"
@@ -34,13 +37,21 @@ std::optional<RenderSettings> without(const std::string& name, RenderSettings se
 
 bool has_shapes(const Features& features) { return !features.entries.at("shapes").empty(); }
 
-EffectCost cost_of(const VariantTimes& all, const VariantTimes& less) {
+/// A film has sub-sums from so many samples on; the time of fewer says nothing of ERROR_SUMS.
+constexpr int least_summed = layout::FILM_SUBSUMS;
+
+EffectCost cost_of(const std::string& name, const VariantStudy& study, const VariantTimes& less) {
+  const VariantTimes& all = study.variants[0];
   EffectCost cost;
   cost.program_bytes = static_cast<double>(all.bytes) - static_cast<double>(less.bytes);
   cost.build_seconds = all.build() - less.build();
   cost.private_bytes = static_cast<double>(all.private_bytes) - static_cast<double>(less.private_bytes);
   if (is_black(less.color) && !is_black(all.color)) {
     cost.frame_needed = "the picture would be black";
+    return cost;
+  }
+  if (name == "ERROR_SUMS" && study.spp < least_summed) {
+    cost.frame_needed = fmt::format("fewer than {} samples a pixel: no sub-sums", least_summed);
     return cost;
   }
   std::vector<double> differences;
@@ -76,9 +87,12 @@ EffectCosts measure_effects(const Device& device, const Scene& scene, const Rend
     variants.push_back(*less);
     names.push_back(row.name);
   }
-  costs.study = time_variants(device, scene, variants, rounds, progress);
+  VariantRounds with_sums = rounds;
+  if (std::find(names.begin(), names.end(), "ERROR_SUMS") != names.end())
+    with_sums.least_samples = std::max(rounds.least_samples, least_summed);
+  costs.study = time_variants(device, scene, variants, with_sums, progress);
   for (std::size_t i = 1; i < names.size(); ++i)
-    costs.effects[names[i]] = cost_of(costs.study.variants[0], costs.study.variants[i]);
+    costs.effects[names[i]] = cost_of(names[i], costs.study, costs.study.variants[i]);
   return costs;
 }
 

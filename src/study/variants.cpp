@@ -23,13 +23,14 @@ double frame(Renderer& renderer, StudyClock clock = StudyClock::wall) {
 }
 
 /// So many that a frame takes about as long as asked for, and no more than the scene has.
-int fitting_spp(const Device& device, Scene scene, const RenderSettings& settings, double seconds) {
-  const int most = resolve_sampling(scene).spp;
-  if (most == 1) return 1;
+int fitting_spp(const Device& device, Scene scene, const RenderSettings& settings, const VariantRounds& rounds) {
+  const int most = resolve_sampling(scene).spp, least = std::min(most, rounds.least_samples);
+  if (most == least) return most;
   scene.sampler.sample_count = 1;
   Renderer renderer(device, std::move(scene), settings);
   static_cast<void>(frame(renderer));
-  return static_cast<int>(std::clamp(seconds / std::max(frame(renderer), 1e-6), 1.0, static_cast<double>(most)));
+  const double fitting = rounds.frame_seconds / std::max(frame(renderer), 1e-6);
+  return static_cast<int>(std::clamp(fitting, static_cast<double>(least), static_cast<double>(most)));
 }
 
 }  // namespace
@@ -56,7 +57,7 @@ VariantStudy time_variants(const Device& device, Scene scene, const std::vector<
   study.width = window.width();
   study.height = window.height();
   study.scene_spp = resolve_sampling(scene).spp;
-  study.spp = fitting_spp(device, scene, variants.at(0), rounds.frame_seconds);
+  study.spp = fitting_spp(device, scene, variants.at(0), rounds);
   study.variants.resize(variants.size());
   if (!scene.sampler.kind) scene.sampler.kind = resolve_sampling(scene).kind;  // Which may follow from the number.
   scene.sampler.sample_count = study.spp;

@@ -41,6 +41,7 @@ struct VariantRounds {
   int builds = 3;
   int frames = 9;
   double frame_seconds = 0.1;  ///< About so long a timed frame takes: samples are added up to those of the scene.
+  int least_samples = 1;       ///< Of a timed frame however long that takes, where the scene has as many.
   StudyClock clock = StudyClock::wall;
 };
 

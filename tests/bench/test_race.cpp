@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <set>
 
+#include "bench/plot.h"
 #include "bench/race.h"
 #include "bench/strahl_contender.h"
 #include "bench/traversal.h"
@@ -83,6 +84,79 @@ TEST_CASE("measurements survive JSON, and the report has them") {
   CHECK(text.find("| strahl robust | 0.00 | 0 | × 2.00 |") != std::string::npos);
   CHECK(text.find("| terrain-10000 | strahl | 0.500 | 0.02 | 7.50 |") != std::string::npos);
   CHECK(text.find("(peers.svg)") != std::string::npos);
+}
+
+Race race_of(const std::vector<std::pair<std::string, double>>& ours, bool has_peer) {
+  Race one{"ten", 11, "primary", 1000, {}};
+  for (const auto& [variant, seconds] : ours) one.entries.push_back({"strahl", variant, {seconds}, 0, 500, 0});
+  if (has_peer) one.entries.push_back({"peer", "1", {1}, 0, 500, 0});
+  return one;
+}
+
+std::string report_of(const Race& race) {
+  const Traversal all{"a device", "a machine", "1.2.3", 7, 1, {race}, {}};
+  return markdown(all, traversal_plots(all), "");
+}
+
+bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+TEST_CASE("the threads that are told are the peers', where there are some") {
+  CHECK(has(report_of(race_of({{"robust", 2}}, true)), "on all of a device; a machine, the peers with 7 threads; "));
+  CHECK_FALSE(has(report_of(race_of({{"robust", 2}}, false)), "threads"));
+}
+
+TEST_CASE("tiers are told beside fast of the same width, and not without it") {
+  const std::string both = report_of(race_of({{"robust", 3}, {"robust coherent", 9}, {"fast", 2}}, false));
+  CHECK(has(both, "| time, `fast` = 1 | fast | robust |\n"));
+  CHECK(has(both, "| ten, primary | 1.00 | 1.50 |\n"));
+  CHECK(has(both, "tiers.svg"));
+  const std::string widths =
+      report_of(race_of({{"robust 4 wide", 3}, {"robust 8 wide", 8}, {"fast 4 wide", 2}, {"fast 8 wide", 2}}, false));
+  CHECK(has(widths, "| fast 4 wide | fast 8 wide | robust 4 wide | robust 8 wide |\n"));
+  CHECK(has(widths, "| ten, primary | 1.00 | 1.00 | 1.50 | 4.00 |\n"));
+  for (const Race& race : {race_of({{"robust", 3}, {"stable", 2}}, false), race_of({{"fast", 2}}, true),
+                           race_of({{"robust 8 wide", 3}, {"fast", 2}}, false)}) {
+    const std::string text = report_of(race);
+    CHECK_FALSE(has(text, "What each tier costs"));
+    CHECK_FALSE(has(text, "tiers.svg"));
+    CHECK_FALSE(has(text, "nan"));
+  }
+}
+
+TEST_CASE("files of one device make one report, those of several none") {
+  const TemporaryFolder folder;
+  const Traversal one{"a device", "a machine", "1.2.3", 2, 1, {race_of({{"robust", 2}}, false)}, {}};
+  Traversal other = one;
+  other.races[0].scene = "terrain-10000";
+  put_bytes(folder / "one.json", json(one));
+  put_bytes(folder / "same.json", json(other));
+  const Traversal both = traversal_of_files({folder / "one.json", folder / "same.json"});
+  REQUIRE(both.races.size() == 2);
+  CHECK(both.races[0].scene == "ten");
+  CHECK(both.races[1].scene == "terrain-10000");
+  other.device = "another device";
+  put_bytes(folder / "other.json", json(other));
+  CHECK_THROWS_WITH(traversal_of_files({folder / "one.json", folder / "other.json"}),
+                    Catch::Contains("other.json is of another device (a machine), and") &&
+                        Catch::Contains("one.json is of a device (a machine)"));
+  put_bytes(folder / "none.json", "{}");
+  CHECK_THROWS_WITH(traversal_of_files({folder / "none.json"}), Catch::Contains("none.json: no measurements"));
+}
+
+TEST_CASE("the measurements that are kept can be read, those without trees too") {
+  const std::string kept = STRAHL_SOURCE_DIR "/docs/performance/";
+  CHECK(traversal_of_files({kept + "traversal.json"}).trees.size() == 6);
+  const Traversal without = traversal_of_files({kept + "traversal_avx2.json"});
+  CHECK(without.trees.empty());
+  CHECK(without.races.size() == 9);
+}
+
+TEST_CASE("the line at 1 lies within bars that are all lower") {
+  const std::string plot = bar_plot("title", "x", {"a"}, {{"low", {}, {0.5}}}, 1);
+  const std::size_t line = plot.rfind("<line ");
+  REQUIRE(line != std::string::npos);
+  const std::size_t y = plot.find("y1=\"", line) + std::string("y1=\"").size();
+  CHECK(std::stod(plot.substr(y)) >= 40);  // The top of the axes.
 }
 
 TEST_CASE("strahl races against itself") {

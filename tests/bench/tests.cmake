@@ -16,4 +16,5 @@ strahl_test(bench/test_ten_million.cpp LABEL slow LIBS strahl_bench SOURCES cli/
 strahl_runs_program(bench_tests)
 set_source_files_properties(bench/test_ten_million.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 add_test(NAME bench_test_pictures COMMAND python3 -B ${CMAKE_CURRENT_LIST_DIR}/test_pictures.py $<TARGET_FILE:strahl-bin>)
-set_tests_properties(bench_test_pictures PROPERTIES LABELS unit TIMEOUT 60)
+add_test(NAME bench_test_scripts COMMAND python3 -B ${CMAKE_CURRENT_LIST_DIR}/test_scripts.py)
+set_tests_properties(bench_test_pictures bench_test_scripts PROPERTIES LABELS unit TIMEOUT 60)

@@ -32,11 +32,12 @@ TEST_CASE("a table, JSON, and both beside an earlier run") {
   for (auto& [kind, tiers] : first["mrays"].items())
     for (auto& [tier, value] : tiers.items()) value = value.get<double>() / 1000;
   folder.file("base.json", first.dump());
-  const Outcome shown = folder.run(
-      {"bench", "-d", "pocl", "--scene", "ten", "--pixels", "64", "--compare", "base.json", "--json", "b.json"});
+  const Outcome shown =
+      folder.run({"bench", "-d", "pocl", "--scene", "ten", "--compare", "base.json", "--json", "b.json"});
   CHECK(contains(shown.out, "times as fast as"));
   // Whatever the second run measured, the ratios are of what it says it did.
   const json second = json::parse(read_text(folder.path("b.json")));
+  CHECK(second["rays"] == first["rays"]);  // As many as the earlier run, unasked.
   for (const std::string kind : {"primary", "shadow", "diffuse"})
     for (const std::string tier : {"fast", "stable", "robust", "double"}) {
       const double ratio = second["mrays"][kind][tier].get<double>() / first["mrays"][kind][tier].get<double>();
@@ -70,10 +71,17 @@ TEST_CASE("what cannot be compared is said before anything is measured") {
   const Folder folder;
   folder.file("text.json", "{\"device\": 1}");
   CHECK(folder.run({"bench", "--compare", "text.json"}).code == 3);
-  folder.file("other.json", R"({"device": "a", "scene": "sphereflake-5"})");
-  const Outcome other = folder.run({"bench", "--scene", "ten", "--pixels", "64", "--compare", "other.json"});
-  CHECK(other.code == 3);
-  CHECK(contains(other.err, "--scene sphereflake-5"));
+  const auto against = [&](const std::string& scene, int primitives, int rays) {
+    const json base{{"device", "a"}, {"scene", scene}, {"primitives", primitives}, {"rays", {{"primary", rays}}}};
+    folder.file("other.json", base.dump());
+    const Outcome outcome = folder.run({"bench", "--scene", "ten", "--pixels", "64", "--compare", "other.json"});
+    CHECK(outcome.code == 3);
+    return outcome.err;
+  };
+  CHECK(contains(against("sphereflake-5", 11, 4096), "--scene sphereflake-5"));
+  CHECK(contains(against("ten", 12, 4096), "another scene called ten, with 12 primitives, and this one has 11"));
+  CHECK(contains(against("ten", 11, 1024), "32 x 32 camera rays; only as many compare"));
+  for (const int none : {-4096, 0, 4095, 2000000000}) CHECK(contains(against("ten", 11, none), "camera rays"));
   CHECK(folder.run({"bench", "--scene", "ten", "--json", "-", "--compare", "none.json"}).code == 3);
   CHECK(folder.run({"bench", "--scene", "teapot"}).code == 2);
   CHECK(folder.run({"bench", "--scene", "missing.ply"}).code == 3);

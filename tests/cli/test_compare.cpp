@@ -139,5 +139,7 @@ TEST_CASE("--ppd says how near the eye is") {
   };
   CHECK(seen("30") < seen("120"));  // More pixels get a share of what the eye blurs.
   CHECK(folder.run({"compare", a, a, "--metric", "flip", "--ppd", "0"}).code == 2);
+  for (const char* most : {"1", "1000"})
+    CHECK(folder.run({"compare", a, a, "--metric", "flip", "--ppd", most}).code == 0);
   CHECK(folder.run({"compare", a, a, "--metric", "mse", "--ppd", "67"}).code == 2);
 }

@@ -7,6 +7,10 @@ strahl_test(cli/test_progress.cpp LABEL unit SOURCES ${PROJECT_SOURCE_DIR}/src/c
             ${PROJECT_SOURCE_DIR}/src/cli/progress_bar.cpp ${PROJECT_SOURCE_DIR}/src/cli/console.cpp ${PROJECT_SOURCE_DIR}/src/cli/printable.cpp LIBS fmt::fmt)
 strahl_test(cli/test_summary.cpp LABEL unit SOURCES ${PROJECT_SOURCE_DIR}/src/cli/summary.cpp
             ${PROJECT_SOURCE_DIR}/src/cli/clipping.cpp LIBS fmt::fmt)
+strahl_test(cli/test_picture_files.cpp LABEL unit SOURCES ${PROJECT_SOURCE_DIR}/src/cli/picture_files.cpp
+            ${PROJECT_SOURCE_DIR}/src/cli/display.cpp ${PROJECT_SOURCE_DIR}/src/cli/output_file.cpp
+            ${PROJECT_SOURCE_DIR}/src/cli/clipping.cpp ${PROJECT_SOURCE_DIR}/src/cli/console.cpp
+            ${PROJECT_SOURCE_DIR}/src/cli/printable.cpp LIBS fmt::fmt)
 strahl_test(cli/test_render_goal.cpp LABEL unit SOURCES ${PROJECT_SOURCE_DIR}/src/cli/render_goal.cpp
             ${PROJECT_SOURCE_DIR}/src/cli/goal_options.cpp ${PROJECT_SOURCE_DIR}/src/cli/keep_options.cpp
             ${PROJECT_SOURCE_DIR}/src/cli/number_options.cpp LIBS fmt::fmt)

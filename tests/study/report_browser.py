@@ -25,6 +25,7 @@ try:
 except ImportError:
     webdriver = None
 
+FORMAT = pathlib.Path(__file__).resolve().parents[2] / "src/study/report/format.js"
 LUMINANCE = """
 const canvas = document.createElement("canvas").getContext("2d", {willReadFrequently: true});
 const bytes = (colour) => {
@@ -336,6 +337,15 @@ class Report(unittest.TestCase):
             self.assertEqual(len(self.find_all("#settings tbody tr")), len(study["points"]))
             self.assertNotIn("NaN", self.find("body").text)
         self.page = whole
+
+    def test_numbers_are_rounded_before_they_are_told(self):
+        text = FORMAT.read_text()
+        told = self.run_script(text + "return [99.6, 1, 9.996e-8, -99.6].map((x) => number(x, 2))"
+                                      ".concat([percent(0.996), times(99.7), number(999.6), number(0.00009996)],"
+                                      " [0.9996, 9.996e-4, 0.0099].map((x) => seconds(x)))")
+        self.assertEqual([part.replace("\u00a0", " ") for part in told],
+                         ["100", "1.0", "10⁻⁷", "−100", "100 %", "100 ×", "1000", "0.000100",
+                          "1.00 s", "1.00 ms", "9.90 ms"])
 
     def test_leaves_no_globals(self):
         names = "return Object.keys(window).sort()"

@@ -3,6 +3,7 @@ strahl_test(study/test_stress.cpp LABEL render)
 strahl_test(study/test_contact_sheet.cpp LABEL unit)
 strahl_test(study/test_generated_scenes.cpp LABEL unit)
 strahl_test(study/test_spd.cpp LABEL device)
+strahl_test(study/test_effect_costs.cpp LABEL device)
 strahl_test(study/test_ray_sets.cpp LABEL device)
 strahl_test(study/test_html_report.cpp LABEL unit LIBS nlohmann_json::nlohmann_json)
 # The report in a browser, a minute: exit 77 without Debian's chromium, chromium-driver and python3-selenium.

@@ -14,9 +14,8 @@ function isNumber(value) {
 function number(value, digits = 3) {
   if (!isNumber(value)) return missing;
   if (value === 0) return "0";
-  const exponent = Math.floor(Math.log10(Math.abs(value)));
+  const [mantissa, exponent] = value.toExponential(digits - 1).split("e").map(Number);  // Of the rounded value.
   if (exponent < -4 || exponent > 5) {
-    const mantissa = Number((value / 10 ** exponent).toPrecision(digits));
     const power = `10${superscript(exponent)}`;
     return (mantissa === 1 ? power : `${mantissa} · ${power}`).replace("-", "−");
   }
@@ -37,7 +36,8 @@ const units = [[1e-6, "µs"], [1e-3, "ms"], [1, "s"], [60, "min"], [3600, "h"]];
 
 function seconds(value, format = number) {
   if (!isNumber(value)) return missing;
-  const [size, unit] = units.findLast(([least]) => value >= least * (least === 60 ? 2 : 1)) ?? units[0];
+  const rounded = Number(value.toPrecision(3));  // 999.6 ms are a second.
+  const [size, unit] = units.findLast(([least]) => rounded >= least * (least === 60 ? 2 : 1)) ?? units[0];
   return `${format(value / size)}\u00a0${unit}`;
 }
 
