@@ -119,11 +119,14 @@ double seconds_to_write(const Image& image, const std::filesystem::path& path, c
 
 }  // namespace
 
-double expected_write_seconds(const std::string& path, const PngOptions& png, double pixels, const AovList& aovs) {
+WrittenFiles written_files(const std::string& path, const AovList& aovs) {
   // An EXR file holds every AOV; in other formats those of --aov have a file each, and a scene's own none.
-  const bool is_one_file = image_format(path) == ImageFormat::exr;
-  const std::size_t channels = is_one_file ? 3 * (1 + aovs.size()) : 3;
-  const double files = is_one_file ? 1 : 1 + static_cast<double>(aovs.plain().size());
+  if (image_format(path) == ImageFormat::exr) return {1, 3 * (1 + aovs.size())};
+  return {1 + aovs.plain().size(), 3};
+}
+
+double expected_write_seconds(const std::string& path, const PngOptions& png, double pixels, const AovList& aovs) {
+  const auto [files, channels] = written_files(path, aovs);
   Image sample;
   sample.width = 256;
   sample.height = 32;
@@ -140,7 +143,7 @@ double expected_write_seconds(const std::string& path, const PngOptions& png, do
                                        target.extension().string());
   std::error_code fault;
   const std::filesystem::path temporary = std::filesystem::temp_directory_path(fault);
-  const double larger = files * std::max(1.0, pixels / (sample.width * sample.height));
+  const double larger = static_cast<double>(files) * std::max(1.0, pixels / (sample.width * sample.height));
   try {
     if (!fault) return larger * seconds_to_write(sample, temporary / name, png);
   } catch (const Error&) {  // Full or read-only, which does not matter to the picture's own folder.

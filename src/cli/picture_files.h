@@ -42,6 +42,13 @@ Written write(const PictureFiles& files, const RenderResult& result, const std::
 void write_error_map(const std::string& path, const Image& standard_error,
                      const std::map<std::string, std::string>& metadata);
 
+/// What write() writes for a picture and its AOVs.
+struct WrittenFiles {
+  std::size_t files = 1;
+  std::size_t channels = 3;  ///< Of each.
+};
+[[nodiscard]] WrittenFiles written_files(const std::string& path, const AovList& aovs);
+
 /// Seconds that write() may take for a picture and its AOVs, told from a small file in the same format.
 [[nodiscard]] double expected_write_seconds(const std::string& path, const PngOptions& png, double pixels,
                                             const AovList& aovs = {});

@@ -279,7 +279,8 @@ ExitCode render(const RenderOptions& options, const Invocation& invocation) {
   // A large scene should not be there twice where nothing is counted.
   const Scene counted = options.stats_detail ? scene : Scene{};
   Renderer::require_samples(scene, settings, goal_of(options, invocation, 0));
-  Renderer renderer(device, std::move(scene), settings);
+  std::optional<Renderer> made(std::in_place, device, std::move(scene), settings);
+  Renderer& renderer = *made;
   const std::vector<SharedDevice> shared = share(renderer, device, selectors, needs, options.kernel, settings);
   const std::vector<Device> devices = devices_of(shared);
   const std::optional<std::string> not_dumped = dump_kernel(options.dump_kernel, renderer);
@@ -330,6 +331,7 @@ ExitCode render(const RenderOptions& options, const Invocation& invocation) {
 
   if (!options.stats.empty()) {
     nlohmann::ordered_json detail;
+    if (options.stats_detail) made.reset();  // A large film should not be there twice.
     if (options.stats_detail && result.complete)
       detail = count_if_possible(last, counted, options, guard, result.stats);
     auto json = nlohmann::ordered_json::parse(result.stats.json());

@@ -9,7 +9,15 @@ namespace {
 /// Smaller parts take less time than the commands for them.
 constexpr std::size_t least_bytes = std::size_t{1} << 20;
 
+/// On a card, and of a helper.
+constexpr std::size_t most_bytes = std::size_t{512} << 20;
+
 }  // namespace
+
+std::size_t largest_film_buffer(const DeviceInfo& device, bool is_helper) {
+  if (device.shares_host_memory && !is_helper) return device.max_allocation;
+  return std::min<std::size_t>(most_bytes, device.max_allocation);
+}
 
 void clear_film(const Device& device, const cl::Buffer& film, std::size_t bytes) {
   constexpr std::size_t word = sizeof(cl_long);

@@ -10,6 +10,10 @@
 
 namespace strahl {
 
+/// Bytes of the film that a device holds at a time. A device that shares the host's memory has all of it where it can,
+/// since what bands leave would lie there a second time; not one of several, whose host keeps the film in any case.
+[[nodiscard]] std::size_t largest_film_buffer(const DeviceInfo& device, bool is_helper);
+
 /// Sets the buffer's first bytes to 0, in as many commands as the device may run at once: the first touch of new memory
 /// takes longer than all else (docs/decisions/0002-film.md). Blocking. Throws DeviceError.
 void clear_film(const Device& device, const cl::Buffer& film, std::size_t bytes);

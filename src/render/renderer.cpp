@@ -190,6 +190,7 @@ void Renderer::share_with(const Device& device, std::optional<std::uint64_t> loo
                     precision_name(settings.precision)));
   settings.loop_turns = loop_turns;
   auto helper = std::make_unique<State>(device, state_->shared_scene, settings);
+  helper->is_helper = true;
   helper->prepare();
   state_->stats.device += " + " + helper->stats.device;
   state_->stats.device_bytes += helper->stats.device_bytes;

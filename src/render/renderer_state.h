@@ -14,6 +14,7 @@
 #include "packing/cl_layout.h"
 #include "packing/scene_buffers.h"
 #include "program/program_text.h"
+#include "render/device_film.h"
 #include "render/film.h"
 #include "render/launch_plan.h"
 #include "render/launch_shape.h"
@@ -22,10 +23,6 @@
 #include "render/traversal_choice.h"
 
 namespace strahl {
-
-/// Of the film on a device with memory of its own. One that shares the host's has all of it: what bands leave would lie
-/// there a second time.
-inline constexpr std::size_t film_buffer_bytes = std::size_t{512} << 20;
 
 /// The window of some of its rows, while this lives.
 class RowsOnly {
@@ -112,10 +109,8 @@ struct Renderer::State {
   [[nodiscard]] int band_rows() const {
     if (film_kind() == FilmKind::splats) return window.height();
     const std::size_t row = static_cast<std::size_t>(window.width()) * film_bytes_per_pixel();
-    const std::size_t allocation = device.info().max_allocation;
-    const std::size_t limit =
-        device.info().shares_host_memory ? allocation : std::min<std::size_t>(film_buffer_bytes, allocation);
-    const std::size_t fitting = std::min(limit / row, memory_left() / row_bytes());
+    const std::size_t fitting =
+        std::min(largest_film_buffer(device.info(), is_helper) / row, memory_left() / row_bytes());
     return static_cast<int>(std::clamp<std::size_t>(fitting, 1, static_cast<std::size_t>(window.height())));
   }
 
@@ -145,6 +140,7 @@ struct Renderer::State {
   int samples_at_once = 1;
   double rate = 0;                              ///< Pixel samples a second beside other devices; 0: not known yet.
   std::string fault;                            ///< Why it takes no part any more; empty: it does.
+  bool is_helper = false;                       ///< Of another device's pictures.
   std::vector<std::unique_ptr<State>> helpers;  ///< Other devices that share this one's pictures.
   cl::Buffer film, aov_reals, aov_ints, counters;
 };

@@ -166,22 +166,6 @@ TEST_CASE("a prediction has intervals and writes no picture") {
   CHECK(json_of(folder, "d.json").at("pilot").at("seconds") > 0);
 }
 
-TEST_CASE("a prediction holds what writing the picture and its layers takes") {
-  const Folder folder;
-  const auto predicted = [&](const std::string& picture) {
-    const Outcome outcome =
-        folder.run({"render", STRAHL_SOURCE_DIR "/scenes/lecture/lit.xml", "--width", "1024", "--spp", "1", "--dry-run",
-                    "--aov", "depth,normal,position,uv,albedo,shape_id,primitive_id", "--png-bits", "16", "-o", picture,
-                    "--stats", "d.json"});
-    INFO(outcome.err);
-    REQUIRE(outcome.code == 0);
-    return json_of(folder, "d.json").at("predicted").at("seconds").get<double>();
-  };
-  // Eight files each, and noise takes a PNG long to compress.
-  CHECK(predicted("a.png") > predicted("a.pfm") + 0.2);
-  CHECK(folder.files() == std::vector<std::string>{"d.json"});
-}
-
 TEST_CASE("a prediction says that it is without numeric_error") {
   const Folder folder;
   const Outcome outcome = folder.run(

@@ -255,6 +255,8 @@ TEST_CASE("what paths from both ends cannot have is refused") {
     return {};
   };
   scene.shapes[1].priority = 1;
+  CHECK(why_not().empty());  // It ranks glass alone.
+  scene.shapes[1].material = add(scene, Dielectric{});
   CHECK_THAT(why_not(), Catch::Contains("overlaps by priority"));
   scene.shapes[1].priority.reset();
   scene.media.emplace_back();

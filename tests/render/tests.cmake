@@ -14,6 +14,7 @@ strahl_test(render/test_row_deal.cpp LABEL unit)
 strahl_test(render/test_launch_shape.cpp LABEL unit)
 strahl_test(render/test_rounding_pilot.cpp LABEL unit)
 strahl_test(render/test_prediction.cpp LABEL unit)
+strahl_test(render/test_device_film.cpp LABEL unit)
 strahl_test(render/test_traversal_choice.cpp LABEL unit)
 # A program for every scene, compiled where nothing is cached yet.
 strahl_test(render/test_generic.cpp LABEL render TIMEOUT 900)
