@@ -13,14 +13,21 @@
 /// floats.
 #define FILM_LARGEST R(0x1.fffffep+127)
 
-/// What one channel of `times` samples adds: 0 for a NaN, at most FILM_LARGEST. Both cases are counted. The bits
-/// decide, because a compiler may assume that there are no NaNs.
-FN real film_value(const Scene* scene, real value, int times) {
+/// What the film holds of a number: 0 of a NaN, at most FILM_LARGEST. The bits decide, because a compiler may assume
+/// that there are no NaNs.
+FN real film_held(real value) {
   bitsr sign = (bitsr)1 << (REAL_BITS - 1), bits = real_to_bits(value), size = bits & ~sign;
   if (size <= real_to_bits(FILM_LARGEST)) return value;
   int is_number = size <= (bitsr)REAL_EXPONENT_MASK << REAL_EXPONENT_SHIFT;
-  count_events(scene, is_number ? COUNT_SATURATED : COUNT_INVALID, (uint)times);
   return is_number ? bits_to_real((bits & sign) | real_to_bits(FILM_LARGEST)) : R(0.0);
+}
+
+/// What one channel of `times` samples adds. What the film does not hold as it is, is counted.
+FN real film_value(const Scene* scene, real value, int times) {
+  real held = film_held(value);
+  bitsr bits = real_to_bits(held);
+  if (bits != real_to_bits(value)) count_events(scene, bits != 0u ? COUNT_SATURATED : COUNT_INVALID, (uint)times);
+  return held;
 }
 
 /// A number's digits, from 2^63 on, and the power of two that 2^63 is worth.

@@ -8,17 +8,10 @@
 #include "film/xyz.h"
 #include "math/vec3.h"
 
-/// A square as the film holds it. What is not finite was counted with the sample itself.
-FN real moment_value(real square) {
-  bitsr size = real_to_bits(square) & ~((bitsr)1 << (REAL_BITS - 1));
-  if (size <= real_to_bits(FILM_LARGEST)) return square;
-  return size <= (bitsr)REAL_EXPONENT_MASK << REAL_EXPONENT_SHIFT ? FILM_LARGEST : R(0.0);
-}
-
-/// Adds `times` equal samples.
+/// Adds `times` equal samples. What is not finite was counted with the samples themselves.
 SELDOM_FN void add_squares(const Scene* scene, GLOBAL long* sum, real3 light, int times) {
   real x = dot3(vec3(XYZ_OF_RGB_X), light), y = dot3(vec3(XYZ_OF_RGB_Y), light), z = dot3(vec3(XYZ_OF_RGB_Z), light);
-  film_add_color_slowly(scene, sum, vec3(moment_value(x * x), moment_value(y * y), moment_value(z * z)), times);
+  film_add_color_slowly(scene, sum, vec3(film_held(x * x), film_held(y * y), film_held(z * z)), times);
 }
 
 #endif

@@ -56,11 +56,7 @@ std::string define_list(const std::vector<std::string>& defines) {
   return sorted_list(std::move(effective));
 }
 
-std::string aov_list(const RenderSettings& settings) {
-  std::vector<std::string> names;
-  for (const Aov aov : settings.aovs.plain()) names.emplace_back(aov_name(aov));
-  return sorted_list(names);
-}
+std::string aov_list(const RenderSettings& settings) { return sorted_list(settings.aovs.plain_names()); }
 
 }  // namespace
 

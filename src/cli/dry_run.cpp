@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "cli/dry_run.h"
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "cli/console.h"
@@ -92,8 +91,7 @@ ExitCode dry_run(Renderer& renderer, const RenderOptions& options, const Invocat
   Prediction prediction = predict(law, costs, goal);
   prediction.has_end = has_end(law);
   if (options.stats != "-") print(prediction_text(prediction, pilot));
-  const std::vector<std::string>& aovs = options.kernel.aovs;
-  if (!options.scene.quiet && std::find(aovs.begin(), aovs.end(), "numeric_error") != aovs.end())
+  if (!options.scene.quiet && options.kernel.asks_for("numeric_error"))
     say("strahl: the prediction is without --aov numeric_error, which is traced once after the last sample");
   if (!options.stats.empty()) write_text(options.stats, json_text(json_of(prediction, pilot, law)));
   return ExitCode::ok;

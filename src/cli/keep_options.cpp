@@ -64,9 +64,8 @@ void check_keeping(const RenderOptions& options) {
   if (options.goal.time || options.goal.max_error)
     throw UsageError(
         "--samples takes a part of a known number of samples (--spp); with --time or --max-error it is not known");
-  for (const std::string& aov : options.kernel.aovs)
-    if (aov == "numeric_error")
-      throw UsageError("--aov numeric_error traces the scene again, which `merge` has not; render it by itself");
+  if (options.kernel.asks_for("numeric_error"))
+    throw UsageError("--aov numeric_error traces the scene again, which `merge` has not; render it by itself");
 }
 
 SampleRange sample_range(const std::string& text) {

@@ -2,9 +2,11 @@
 // Options that say how a scene is computed: precision, lanes, work-groups, passes, AOVs.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "settings/settings.h"
@@ -31,6 +33,9 @@ struct KernelOptions {
   bool texture_lod = false;
   std::optional<std::string> light_choice;
   std::vector<std::string> aovs;
+
+  /// --aov has it.
+  [[nodiscard]] bool asks_for(std::string_view aov) const { return std::ranges::find(aovs, aov) != aovs.end(); }
 };
 
 /// --precision, --lanes, --bvh-width and --accel: what every kernel has.

@@ -205,18 +205,12 @@ Clipping write_outputs(const RenderOptions& options, const PictureFiles& files, 
   return clipping;
 }
 
-std::vector<std::string> names_of(const std::set<Aov>& aovs) {
-  std::vector<std::string> names;
-  for (const Aov aov : aovs) names.emplace_back(aov_name(aov));
-  return names;
-}
-
 /// Of snapshots too. Without a checkpoint nobody asks what it would be of.
 CheckpointHeader checkpoint_header(const RenderOptions& options, const Invocation& invocation, const Device& device,
                                    const Renderer& renderer, const RenderSettings& settings, const RenderGoal& goal) {
   CheckpointHeader header;
   header.metadata = metadata_of(options, invocation, renderer.stats());
-  header.aovs = names_of(settings.aovs.plain());
+  header.aovs = settings.aovs.plain_names();
   header.named_aovs = settings.aovs.named();
   header.is_length = kinds::integrator(renderer.scene().integrator.name).is_length;
   if (goal.samples) header.first_sample = goal.samples->first;
@@ -265,7 +259,7 @@ ExitCode render(const RenderOptions& options, const Invocation& invocation) {
   if (!files.path.empty()) warn_of_later_samples(options.keep, settings.aovs);
   const bool has_first_samples = !options.keep.samples || sample_range(*options.keep.samples).first == 0;
   if (!files.path.empty() && !options.goal.frames && has_first_samples)
-    require_writable_layers(files.path, names_of(settings.aovs.plain()));
+    require_writable_layers(files.path, settings.aovs.plain_names());
 
   std::optional<ProgressBar> bar;
   bar.emplace(options.goal.dry_run ? "dry run" : "render", !options.scene.quiet && !options.scene.no_progress);

@@ -22,7 +22,7 @@ void check_goal(const RenderOptions& options) {
   if (goal.frames && options.stats_detail) throw UsageError("--frames counts no rays, as --stats-detail asks for");
   if (goal.dry_run && (options.stats_detail || !options.error_map.empty()))
     throw UsageError("--dry-run makes no picture: there is nothing for --stats-detail to count, or for --error-map");
-  if (goal.time && std::count(options.kernel.aovs.begin(), options.kernel.aovs.end(), "numeric_error") > 0)
+  if (goal.time && options.kernel.asks_for("numeric_error"))
     throw UsageError(
         "--aov numeric_error traces the scene once more after the last sample, by a program that may have to be built, "
         "and --time leaves no time for it; state --spp or --max-error instead");

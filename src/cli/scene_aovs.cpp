@@ -61,8 +61,7 @@ void add_scene_aovs(const Scene& scene, const RenderOptions& options, const std:
 
 void warn_of_later_samples(const KeepOptions& keep, const AovList& aovs) {
   if (!keep.samples || sample_range(*keep.samples).first == 0) return;
-  std::vector<std::string> names;
-  for (const Aov aov : aovs.plain()) names.emplace_back(aov_name(aov));
+  std::vector<std::string> names = aovs.plain_names();
   for (const NamedAov& named : aovs.named())
     if (is_of_first_sample(named.aov)) names.push_back(named.name);
   if (names.empty()) return;

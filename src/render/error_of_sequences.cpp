@@ -42,13 +42,11 @@ struct Differences {
 PixelError told_by_sequences(const FilmRows& film, std::size_t at, const SubSumCounts& counts,
                              Differences& differences) {
   const double samples = film.samples[at];
-  const std::array<double, layout::FILM_SUBSUMS> count{static_cast<double>(counts[0]), static_cast<double>(counts[1]),
-                                                       static_cast<double>(counts[2]), static_cast<double>(counts[3])};
   const SubSumColours colours = film.sub_sums(at);
-  const double first = count[0] + count[2], second = count[1] + count[3];
+  const double first = counts[0] + counts[2], second = counts[1] + counts[3];
   // 1 but where one sequence is a sample longer.
   const double evenness = 2 * std::sqrt(first * second) / samples;
-  differences.has_halves = std::all_of(count.begin(), count.end(), [](double samples_of) { return samples_of > 0; });
+  differences.has_halves = std::all_of(counts.begin(), counts.end(), [](int count) { return count > 0; });
   PixelError pixel;
   for (int c = 0; c < layout::FILM_CHANNELS; ++c) {
     const std::array<double, layout::FILM_SUBSUMS> sum{colours[0][c], colours[1][c], colours[2][c], colours[3][c]};
@@ -58,7 +56,7 @@ PixelError told_by_sequences(const FilmRows& film, std::size_t at, const SubSumC
     differences.whole[c] = u;
     for (int k = 0; k < sequences; ++k)
       differences.half[k][c] =
-          differences.has_halves ? (sum[k] / count[k] - sum[k + sequences] / count[k + sequences]) / 2 : 0;
+          differences.has_halves ? (sum[k] / counts[k] - sum[k + sequences] / counts[k + sequences]) / 2 : 0;
   }
   return pixel;
 }

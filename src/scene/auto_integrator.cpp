@@ -81,8 +81,7 @@ IntegratorChoice integrator_for(const Scene& scene) {
   });
   const bool is_open = has_masks(scene);
   if (reflecting.empty() && !is_open) return {"emission", "no surface reflects light"};
-  const bool is_spread = scene.sampler.kind != SamplerKind::centre;
-  if (has_beams_alone(scene) && is_spread && !light_path_fault(scene, "ptracer"))
+  if (has_beams_alone(scene) && takes_light_paths(scene, "ptracer"))
     return {"ptracer", "all light leaves its places in one direction each, so that only paths from there find it"};
   if (has_undrawn_lamps(scene))
     return {"path", "a lamp has a sampling_weight of 0, and direct would take it all the same"};

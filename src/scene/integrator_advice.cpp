@@ -78,9 +78,7 @@ std::vector<Advice> integrator_advice(const Scene& scene) {
   const Where mirror = first_mirror(scene);
   const std::vector<SourceLocation> beams = beams_of(scene);
   if (facts.from_lights) return all;
-  const bool is_spread = scene.sampler.kind != SamplerKind::centre;
-  const bool has_bdpt = is_spread && !light_path_fault(scene, "bdpt"),
-             has_ptracer = is_spread && !light_path_fault(scene, "ptracer");
+  const bool has_bdpt = takes_light_paths(scene, "bdpt"), has_ptracer = takes_light_paths(scene, "ptracer");
   if (!beams.empty() && has_ptracer)
     all.push_back({(has_beams_alone(scene) && !mirror) || !has_bdpt ? "ptracer" : "bdpt",
                    "the light of a beam, which no ray from the camera or a surface finds", beams.front()});

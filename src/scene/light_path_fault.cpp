@@ -61,4 +61,8 @@ std::optional<Diagnostic> light_path_fault(const Scene& scene, const std::string
   return infinite_fault(scene, integrator);
 }
 
+bool takes_light_paths(const Scene& scene, const std::string& integrator) {
+  return scene.sampler.kind != SamplerKind::centre && !light_path_fault(scene, integrator);
+}
+
 }  // namespace strahl

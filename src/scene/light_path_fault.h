@@ -14,4 +14,7 @@ namespace strahl {
 /// the options; none where it renders it.
 [[nodiscard]] std::optional<Diagnostic> light_path_fault(const Scene& scene, const std::string& integrator);
 
+/// Whether it renders the scene with the scene's own sampler.
+[[nodiscard]] bool takes_light_paths(const Scene& scene, const std::string& integrator);
+
 }  // namespace strahl

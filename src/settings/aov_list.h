@@ -29,6 +29,7 @@ class AovList {
   [[nodiscard]] bool contains(Aov aov) const;
   [[nodiscard]] bool names_first_samples() const;  ///< Whether the scene's are of first samples, some of them.
   [[nodiscard]] const std::set<Aov>& plain() const { return plain_; }
+  [[nodiscard]] std::vector<std::string> plain_names() const;
   [[nodiscard]] const std::vector<NamedAov>& named() const { return named_; }
 
  private:

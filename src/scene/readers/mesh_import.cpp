@@ -2,10 +2,8 @@
 #include "scene/readers/mesh_import.h"
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 
-#include "kinds/materials.h"
 #include "scene/readers/mtl_materials.h"
 #include "scene/xml/parse_value.h"
 
