@@ -101,7 +101,6 @@ FN void surface_scatter_w(const Scene* scene, Paths_w* path, const Surfaces_w* s
 #if HAS_MEDIA
   if ((next & STEP_THROUGH) != 0) on = on & lt_int_w(path->depth, splat_int_w(scene->index[HEADER_MAX_DEPTH] - 1));
 #endif
-  if (HAS_STRICT_NORMALS && is_lit) on = on_one_side_w(scene, s, on, wo);
   if (any_w(on)) {
     Bsdf_w b = bsdf_at_w(scene, s, &at, wo);
     if (HAS_PANE) b.reflects = reflects;
@@ -116,6 +115,7 @@ FN void surface_scatter_w(const Scene* scene, Paths_w* path, const Surfaces_w* s
       passed = passed | unreal;
       on = on & ~unreal;
     }
+    if (HAS_STRICT_NORMALS && is_lit) on = on_one_side_w(scene, s, on, wo);
     if ((STEPS_w & (STEP_LIGHTS | STEP_OPENNESS)) && (next & (STEP_LIGHTS | STEP_OPENNESS)) != 0)
       add_lights_w(scene, path, s, &b, wo, on, next);
     if (HAS_BRANCHES && (next & STEP_DELTA) != 0)

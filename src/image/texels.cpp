@@ -41,8 +41,9 @@ double value_of_half(std::uint16_t bits) {
   return static_cast<double>(static_cast<float>(value));
 }
 
+/// What a half without a sign holds: kernels read no sign (cl/textures/texels_lanes.h).
 bool is_half(float value) {
-  if (!(std::fabs(value) <= 65504.0F)) return false;
+  if (!(value >= 0 && value <= 65504.0F)) return false;
   return static_cast<float>(Imath::half(value)) == value;
 }
 

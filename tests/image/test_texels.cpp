@@ -164,6 +164,7 @@ TEST_CASE("heights may be of any sign") {
   CHECK(value(heights, 1)[0] == 0.25);
   CHECK(value(heights, 2)[0] == 0);
   CHECK(value(heights, 3)[0] == 1.5);
+  CHECK(heights.format == TexelFormat::real);  // Halves are read without their sign.
   image.data = {0.5F, 0.25F, 3, 4};
   write_image(image, read.folder / "heights.exr");
   CHECK(value(read_texels(read.folder / "heights.exr", TexelUse::heights), 1)[0] == 0.25);

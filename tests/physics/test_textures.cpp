@@ -210,7 +210,7 @@ TEST_CASE("no footprint changes the mean over the whole pattern") {
   });
 }
 
-TEST_CASE("halves and RGBE are computed to the bit, whatever their code") {
+TEST_CASE("halves, floats and RGBE are computed to the bit, whatever their code") {
   std::vector<std::uint16_t> halves(0x7c00);  // Below infinity.
   std::iota(halves.begin(), halves.end(), std::uint16_t{0});
   Texels exponents;
@@ -219,7 +219,8 @@ TEST_CASE("halves and RGBE are computed to the bit, whatever their code") {
   exponents.format = TexelFormat::rgbe;
   for (std::uint32_t e = 0; e < 256; ++e)
     exponents.words.push_back(static_cast<std::int32_t>(e << 24 | 128U << 16 | 1U << 8 | 255U));
-  for (const Texels& texels : {texels_of_words(248, 128, 1, halves.data(), TexelFormat::half), exponents}) {
+  const Texels heights = texels_of_floats(4, 2, 1, {-65504, -1, -0.5F, -0.0F, 0, 0.5F, 1, 65504});
+  for (const Texels& texels : {texels_of_words(248, 128, 1, halves.data(), TexelFormat::half), exponents, heights}) {
     Bitmap bitmap;
     bitmap.texels = std::make_shared<const Texels>(texels);
     bitmap.filter = TextureFilter::nearest;

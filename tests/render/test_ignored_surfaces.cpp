@@ -90,5 +90,33 @@ TEST_CASE("the vertex normals of a mesh of glass say what is within it") {
   }
 }
 
+// Half of the rays see the plate's faces from one side and its vertex normals from the other.
+TEST_CASE("strict_normals does not end paths at a surface that is ignored") {
+  require_pocl_and_rusticl();
+  Mesh plate;
+  plate.positions = {{-9, -9, 0.5},  {9, -9, 0.5},  {9, 9, 0.5},  {-9, 9, 0.5},
+                     {-9, -9, -0.5}, {9, -9, -0.5}, {9, 9, -0.5}, {-9, 9, -0.5}};
+  plate.triangles = {{0, 1, 2}, {0, 2, 3}, {4, 6, 5}, {4, 7, 6}};
+  for (int i = 0; i < 8; ++i) plate.normals.push_back(normalized({1, 0, i < 4 ? 0.01 : -0.01}));
+  Material clear;
+  clear.bsdf = Dielectric{1, 1, {{1, 1, 1}}, {{1, 1, 1}}};
+  Scene scene = stage({});
+  Shape shape;
+  shape.geometry = plate;
+  shape.material = static_cast<int>(scene.materials.size());
+  shape.priority = 1;
+  scene.materials.push_back(clear);
+  add(scene, shape);
+  add_plate(scene, clear, -1, 1, 2);
+  add(scene, ConstantLight{{1, 1, 1}});
+  scene.camera = perspective_camera({0, 0, 4}, {0, 0, 0}, {0, 1, 0}, 60);
+  scene.integrator.strict_normals = true;
+  for (const char* integrator : {"path", "whitted", "volpath"}) {
+    INFO(integrator);
+    scene.integrator.name = integrator;
+    CHECK(lit_pixels(color(scene)) == stage_size * stage_size);
+  }
+}
+
 }  // namespace
 }  // namespace strahl::test
