@@ -174,7 +174,8 @@ TEST_CASE("With instances trees of every width find what lists find, and the hos
       const std::vector<Hit> expected = lists.trace(rays);
       INFO("scene " << number << ", " << precision_name(precision));
       CHECK(std::count_if(expected.begin(), expected.end(), [](const Hit& hit) { return hit.instance >= 0; }) > 100);
-      for (const int tree : precision == Precision::fp64 ? std::vector{8, 2} : std::vector{16, 8, 4, 2}) {
+      // The others in robust: test_trees_equal_lists.
+      for (const int tree : precision == Precision::fp64 ? std::vector{8, 2} : std::vector{16, 4}) {
         INFO("width " << tree);
         Intersector trees(on, q.scene, settings_of(precision, tree, Acceleration::tree));
         CHECK(trees.stats().tree.nodes > 0);

@@ -12,6 +12,7 @@
 #include "cl/instanced_scenes.h"
 #include "cl/same_bits.h"
 #include "program/kernel_files.h"
+#include "support/asked.h"
 #include "support/devices.h"
 
 using namespace strahl;
@@ -22,15 +23,9 @@ namespace {
 constexpr int scenes = 12;
 constexpr std::size_t bundle = 32;
 
-std::size_t rays_asked() {
-  const char* asked = std::getenv("STRAHL_RAYS");
-  return asked != nullptr ? static_cast<std::size_t>(std::atoll(asked)) : 240'000;
-}
+std::size_t rays_asked() { return static_cast<std::size_t>(count_asked_for("STRAHL_RAYS", 240'000)); }
 
-Device device() {
-  const char* asked = std::getenv("STRAHL_DEVICE");
-  return Device::open(asked != nullptr ? asked : "pocl");
-}
+Device device() { return Device::open(device_asked_for()); }
 
 /// What a packet must not be led astray by.
 void spoil(Ray& ray, int how) {

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Long runs that can be stopped: what the environment asks for, and what was done already.
+// Long runs that can be stopped: what was done already.
 //
 // STRAHL_PROGRESS: a file that is told of every finished chunk, and says at the next start what need not be repeated.
-// STRAHL_DEVICE: another device than PoCL.
 #pragma once
 
 #include <cstdint>
@@ -11,6 +10,8 @@
 #include <map>
 #include <sstream>
 #include <string>
+
+#include "support/asked.h"
 
 namespace strahl::test {
 
@@ -38,16 +39,5 @@ class Progress {
   std::string path_;
   std::map<std::string, Count> done_;
 };
-
-inline std::string device_asked_for() {
-  const char* stated = std::getenv("STRAHL_DEVICE");
-  return stated == nullptr ? "pocl" : stated;
-}
-
-/// The number that the variable states, 1e9 for example; else otherwise.
-inline double count_asked_for(const char* variable, double otherwise) {
-  const char* stated = std::getenv(variable);
-  return stated == nullptr ? otherwise : std::stod(stated);
-}
 
 }  // namespace strahl::test

@@ -20,8 +20,8 @@ struct Case {
   const char* integrator;
   int width, height;
   bool is_short;  ///< Asked in the short run, too.
-  /// Median relative half-width of the interval: at the most with independent samples, and what it was with four Sobol
-  /// sequences at 16, 64 and 256 samples.
+  /// Median relative half-width of the interval: at the most with independent samples (of media and paths from lights,
+  /// whatever the samples), and what it was with four Sobol sequences at 16, 64 and 256 samples.
   double independent, four[3];
 };
 
@@ -126,14 +126,14 @@ TEST_CASE("independent samples: the interval holds the true error as often as it
 
 TEST_CASE("media: the interval holds the true error as often as it says") {
   require_pocl_and_rusticl();
-  for (const Case& what :
-       {Case{"media/fog.xml", "volpath", 48, 36, true, 0, {}}, Case{"media/smoke.xml", "volpath", 48, 36, true, 0, {}}})
+  for (const Case& what : {Case{"media/fog.xml", "volpath", 48, 36, true, 0.5, {}},
+                           Case{"media/smoke.xml", "volpath", 48, 36, true, 0.2, {}}})
     for (const SamplerKind sampler : {SamplerKind::sobol, SamplerKind::independent}) {
       const Tally found = tally(what, sampler, 16, 40);
       std::cout << what.file << ", " << (sampler == SamplerKind::sobol ? "sobol" : "independent") << ": "
                 << found.inside << " of 40 inside, ±" << 100 * found.half_width << " %" << std::endl;
       CHECK(found.inside >= 34);
-      CHECK(found.half_width < 0.5);
+      CHECK(found.half_width < what.independent);
     }
 }
 
@@ -141,16 +141,16 @@ TEST_CASE("media: the interval holds the true error as often as it says") {
 /// interval is wide: of a caustic, whose noise is that of few paths, and of an even picture.
 TEST_CASE("paths from lights: the interval holds the true error as often as it says") {
   require_pocl_and_rusticl();
-  for (const Case& what : {Case{"lights/caustic.xml", "ptracer", 48, 48, true, 0, {}},
-                           Case{"cornell/cornell-box.xml", "ptracer", 48, 48, true, 0, {}},
-                           Case{"lights/caustic.xml", "bdpt", 48, 48, true, 0, {}}})
+  for (const Case& what : {Case{"lights/caustic.xml", "ptracer", 48, 48, true, 0.3, {}},
+                           Case{"cornell/cornell-box.xml", "ptracer", 48, 48, true, 0.3, {}},
+                           Case{"lights/caustic.xml", "bdpt", 48, 48, true, 0.3, {}}})
     for (const SamplerKind sampler : {SamplerKind::sobol, SamplerKind::independent}) {
       const Tally found = tally(what, sampler, 64, 40);
       std::cout << what.file << ", " << what.integrator << ", "
                 << (sampler == SamplerKind::sobol ? "sobol" : "independent") << ": " << found.inside
                 << " of 40 inside, ±" << 100 * found.half_width << " %" << std::endl;
       CHECK(found.inside >= 34);
-      CHECK(found.half_width < 0.5);
+      CHECK(found.half_width < what.independent);
     }
 }
 

@@ -101,7 +101,7 @@ TEST_CASE("paths from the light, and from both ends, keep to the same sides") {
   for (const char* integrator : {"ptracer", "bdpt"}) hold_alike(integrator, "path", integrator, scene, 128, 0.01);
 }
 
-TEST_CASE("a program of the scene's own draws the same as the generic one, and flat meshes do not have it") {
+TEST_CASE("a program of the scene's own draws the same as the generic one") {
   const Scene scene = scene_of("path", light(ConstantLight{{1, 1, 1}}), true);
   RenderSettings own = all_aovs();
   CHECK(same_bits(render("pocl", scene, own).color, color(scene, Precision::robust)));

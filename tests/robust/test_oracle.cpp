@@ -12,6 +12,7 @@
 
 #include "program/kernel_source.h"
 #include "robust/ask_host.h"
+#include "support/asked.h"
 
 using namespace strahl;
 using namespace strahl::selftest;
@@ -21,10 +22,7 @@ using oracle::Law;
 namespace {
 
 /// STRAHL_CASES takes the place of what fits a run of all tests.
-int cases_per_law() {
-  const char* stated = std::getenv("STRAHL_CASES");
-  return stated == nullptr ? 20000 : std::stoi(stated);
-}
+int cases_per_law() { return static_cast<int>(count_asked_for("STRAHL_CASES", 20000)); }
 
 void hold(const std::string& kind, int cases) {
   int decided = 0, hits = 0;

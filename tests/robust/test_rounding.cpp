@@ -11,6 +11,7 @@
 
 #include "program/kernel_source.h"
 #include "robust/ask_host.h"
+#include "support/asked.h"
 
 using namespace strahl;
 using namespace strahl::selftest;
@@ -20,10 +21,7 @@ using oracle::Law;
 namespace {
 
 /// STRAHL_CASES, a law, takes the place of what fits a run of all tests.
-int cases_per_law(int usual) {
-  const char* stated = std::getenv("STRAHL_CASES");
-  return stated == nullptr ? usual : std::stoi(stated);
-}
+int cases_per_law(int usual) { return static_cast<int>(count_asked_for("STRAHL_CASES", usual)); }
 
 float nearest_real(const oracle::Exact& t) {
   const auto near = static_cast<float>(t.value);

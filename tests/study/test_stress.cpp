@@ -60,6 +60,7 @@ TEST_CASE("every stress, every tier") {
 void hold_in_double(const std::string& what, const Scene& scene) {
   RenderSettings settings;
   settings.precision = Precision::fp64;
+  settings.generic = true;  // Which other tests have built.
   const Image first = render("pocl", scene, settings).color;
   const auto hold = [&](const std::string& how, const Scene& other, double unit) {
     CAPTURE(what, how);
