@@ -26,7 +26,7 @@ TEST_CASE("what an effect adds to the program and to a frame") {
   const std::string cache = folder.path("cache");
   std::filesystem::create_directory(cache);
   const Outcome outcome = folder.run({"explain", "scene.xml", "--cost", "effects", "--rounds", "1", "--json", "-d",
-                                      "pocl", "--lanes", "1", "--precision", "stable", "--aov", "depth"},
+                                      "pocl", "--precision", "stable", "--aov", "depth"},
                                      {{"POCL_CACHE_DIR", cache}});
   INFO(outcome.err);
   REQUIRE(outcome.code == 0);

@@ -37,7 +37,7 @@ const std::string box =
 std::map<std::string, Json> measured(const Folder& folder, const std::string& scene, const std::string& among) {
   folder.file("scene.xml", scene);
   const Outcome outcome = folder.run({"explain", "scene.xml", "--cost", "integrators", "--among", among, "--pilot",
-                                      "0.3", "--json", "-d", "pocl", "--lanes", "1", "--precision", "stable"});
+                                      "0.3", "--json", "-d", "pocl", "--precision", "stable"});
   INFO(outcome.err);
   REQUIRE(outcome.code == 0);
   const Json report = Json::parse(outcome.out);
@@ -84,8 +84,8 @@ TEST_CASE("a box under a large lamp is had sooner from the camera; what is refus
   // In air of a medium bdpt is not there.
   const std::string fog = "<shape type=\"sphere\"><medium type=\"homogeneous\" name=\"interior\"/></shape></scene>";
   folder.file("fog.xml", before + fog);
-  const Outcome refused = folder.run({"explain", "fog.xml", "--cost", "integrators", "--among", "bdpt", "-d", "pocl",
-                                      "--lanes", "1", "--precision", "stable"});
+  const Outcome refused = folder.run(
+      {"explain", "fog.xml", "--cost", "integrators", "--among", "bdpt", "-d", "pocl", "--precision", "stable"});
   CHECK(refused.code == 0);
   CHECK(refused.out.find("bdpt      refused: integrator bdpt follows light between surfaces only") !=
         std::string::npos);
@@ -99,7 +99,7 @@ TEST_CASE("the error is the scene's own, whichever integrators are compared") {
     <emitter type="point"><point name="position" x="0" y="3" z="0"/></emitter></scene>)");
   const auto all = [&](const std::string& among) {
     const Outcome outcome = folder.run({"explain", "scene.xml", "--cost", "integrators", "--among", among, "--pilot",
-                                        "0.3", "--json", "-d", "pocl", "--lanes", "1", "--precision", "stable"});
+                                        "0.3", "--json", "-d", "pocl", "--precision", "stable"});
     INFO(outcome.err);
     REQUIRE(outcome.code == 0);
     return Json::parse(outcome.out).at("integrators");
@@ -122,7 +122,7 @@ TEST_CASE("what cannot be compared is said") {
   }
   // Without media volpath is path.
   const Outcome same = folder.run({"explain", "scene.xml", "--cost", "integrators", "--among", "volpath", "--pilot",
-                                   "0.1", "-d", "pocl", "--lanes", "1", "--precision", "stable"});
+                                   "0.1", "-d", "pocl", "--precision", "stable"});
   CHECK(same.code == 0);
   CHECK(contains(same.out, "volpath   refused: without media, masks and panes of thin glass it is path"));
 }
@@ -132,9 +132,8 @@ TEST_CASE("samples that are not finite tell no time, which is said") {
   folder.file("scene.xml", before +
                                "<shape type=\"sphere\"><emitter type=\"area\"><rgb name=\"radiance\" "
                                "value=\"3e38, 2, 1\"/></emitter></shape></scene>");
-  const std::vector<std::string> options = {"explain", "scene.xml", "--cost",      "integrators", "--among",
-                                            "path",    "--pilot",   "0.1",         "-d",          "pocl",
-                                            "--lanes", "1",         "--precision", "stable"};
+  const std::vector<std::string> options = {"explain", "scene.xml", "--cost", "integrators", "--among",     "path",
+                                            "--pilot", "0.1",       "-d",     "pocl",        "--precision", "stable"};
   const Outcome said = folder.run(options);
   INFO(said.err);
   CHECK(said.code == 0);
