@@ -145,6 +145,17 @@ TEST_CASE("goals that cannot be reached are refused") {
   CHECK(renderer.render({}, goal).complete);
 
   goal = {};
+  goal.deadline = later(Clock::now(), 60);
+  goal.spp = 1;
+  RenderSettings traced_again;
+  traced_again.aovs = {Aov::numeric_error};
+  Renderer again(device, lit_sphere(), traced_again);
+  refused(again, goal);
+  CHECK_THROWS_WITH(again.render({}, goal), Contains("numeric_error traces the scene once more"));
+  goal.is_pilot = true;
+  CHECK(again.render({}, goal).complete);
+
+  goal = {};
   constexpr int most = std::numeric_limits<int>::max();
   for (const Rows rows : {Rows{1, most}, Rows{-1, 2}, Rows{most, most}, Rows{8, 1}, Rows{0, 0}}) {
     INFO(rows.first << " " << rows.count);
