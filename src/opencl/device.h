@@ -90,7 +90,7 @@ class Device {
   [[nodiscard]] const cl::Context& context() const { return context_; }
   [[nodiscard]] const cl::Device& device() const { return device_; }
   [[nodiscard]] const cl::CommandQueue& queue() const { return queue_; }
-  /// Copies of a device share it.
+  /// Copies of a device share it; its header is not installed (opencl/program_shelf.h).
   [[nodiscard]] ProgramShelf& programs() const { return *programs_; }
 
  private:

@@ -79,8 +79,8 @@ class Renderer {
 
   /// Each call renders the picture from the start. Throws as require_samples, UsageError for a goal that cannot be
   /// reached (RenderGoal), NoDeviceError where the device ends loops before a sample is done
-  /// (RenderSettings::loop_turns). keeper: gets the film now and then, or gives one to go on from; InputError where
-  /// that is of another picture.
+  /// (RenderSettings::loop_turns). keeper, whose header is not installed (render/film_state.h): gets the film now
+  /// and then, or gives one to go on from; InputError where that is of another picture.
   [[nodiscard]] RenderResult render(const ProgressCallback& progress = {}, const RenderGoal& goal = {},
                                     const FilmKeeper* keeper = nullptr);
 
