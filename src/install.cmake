@@ -32,6 +32,7 @@ target_sources(
          src/settings/settings.h
          src/render/stats.h
          src/render/unusual_samples.h
+         src/packing/memory_need.h
          src/packing/tree_stats.h
          src/trust/tier_choice.h
          src/trust/tier_verdict.h

@@ -15,7 +15,8 @@ struct ComparedChannels {
   std::vector<int> reference;
 };
 
-/// Throws InputError where sizes or colour channels differ, or either picture holds NaN or infinities (says where).
+/// Throws InputError where sizes or colour channels differ, there are no pixels or colour channels, or either picture
+/// holds too few values, too many, NaN or infinities (says where).
 [[nodiscard]] ComparedChannels comparable_channels(const Image& a, const Image& reference);
 
 }  // namespace strahl

@@ -28,8 +28,9 @@ void require_map(Metric metric);            ///< Of metric_map and metric_heatma
 /// flip and hdrflip need R, G and B, or one channel of grey.
 [[nodiscard]] std::string metric_obstacle(const Image& image, Metric metric);
 
-/// Throws InputError where sizes or colour channels differ, either holds NaN or infinities (says where), or the metric
-/// has an obstacle; UsageError for pixels per degree outside of 1 ... 1000.
+/// Throws InputError where sizes or colour channels differ, there are none, either holds NaN, infinities (says where)
+/// or another number of values than it has pixels and channels, or the metric has an obstacle; UsageError for pixels
+/// per degree outside of 1 ... 1000.
 [[nodiscard]] double compare_images(const Image& a, const Image& reference, Metric metric,
                                     double pixels_per_degree = default_pixels_per_degree);
 

@@ -31,8 +31,8 @@ void require_light(Faults& faults, const Rgb& c, const char* what) {
 
 void multiply(Rgb& colour, double by) { colour = {by * colour.r, by * colour.g, by * colour.b}; }
 
-bool is_orthonormal(const std::array<Vec3, 3>& axes) {
-  constexpr double rounding = 1e-5;  // Of matrices written with six digits.
+/// rounding: of matrices written with six digits.
+bool is_orthonormal(const std::array<Vec3, 3>& axes, double rounding = 1e-5) {
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t j = 0; j <= i; ++j)
       if (!(std::fabs(dot(axes[i], axes[j]) - (i == j ? 1 : 0)) <= rounding)) return false;
@@ -120,6 +120,10 @@ struct Row<SpotLight> {
     if (light.texture < 0) return;
     faults.require(light.cutoff_degrees < 90, "cutoff_angle of a spot with a texture must be less than 90 degrees");
     faults.require(is_finite(light.x) && is_finite(light.y), "the axes of a spot with a texture must be finite");
+    if (!is_finite(light.x) || !is_finite(light.y) || !is_finite(light.axis) || light.axis == Vec3{}) return;
+    constexpr double four_digits = 2e-3;  // Which files write, and read_spot keeps.
+    faults.require(is_orthonormal({light.x, light.y, normalized(light.axis)}, four_digits),
+                   "x and y of a spot with a texture must be unit vectors, perpendicular to its axis and each other");
   }
 };
 

@@ -164,6 +164,8 @@ RoughBoundary computed(MicrofacetKind kind, double alpha, double eta) {
     const double cosine = std::max(1e-6, i / (cosines - 1.0));
     boundary.inner += 2.0 / cosines * cosine * mean_share(kind, alpha, 1 / eta, cosine, false);
   }
+  // The cosines' weights add up to 1 + 3e-8, which of a very dense inside is more than all.
+  boundary.inner = std::min(boundary.inner, largest_inner_reflectance);
   return boundary;
 }
 

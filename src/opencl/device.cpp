@@ -81,11 +81,6 @@ std::string drivers_not_loaded() {
       others.empty() ? fmt::format("no other device here has it; {}", what_to_install) : "these have it:" + others));
 }
 
-/// PoCL compiles a kernel a second time for the work-group size of its first launch, and that version is not in the
-/// program's binary. The generic version is, and runs as fast where lanes are explicit: 0 % slower at 8 lanes, 15 % for
-/// a scalar loop, against 2.3 s of compilation for a kernel with everything in it (PoCL 3.1).
-void launch_what_the_binary_holds() { setenv("POCL_WORK_GROUP_SPECIALIZATION", "0", 0); }
-
 }  // namespace
 
 Device Device::open(const std::string& selector_text, const DeviceNeeds& needs) {
@@ -105,7 +100,6 @@ Device Device::open(const std::string& selector_text, const DeviceNeeds& needs) 
   });
   if (chosen == matches.end()) throw_no_fp64(matches.front());
 
-  if (chosen->platform == "Portable Computing Language") launch_what_the_binary_holds();
   Device device;
   device.info_ = *chosen;
   if (needs.most_memory) {

@@ -70,8 +70,7 @@ struct DeviceNeeds {
 ///
 /// Before the first of Device::open and list_platforms starts the drivers, it changes this process's environment
 /// (opencl/driver_environment.cpp), so no other thread may read or write it then:
-///  - POCL_WORK_GROUP_SPECIALIZATION becomes 0 where it is not set, so that cached programs are whole (Device::open,
-///    where it opens PoCL).
+///  - POCL_WORK_GROUP_SPECIALIZATION becomes 0 where it is not set, so that PoCL's cached programs are whole.
 ///  - POCL_AFFINITY becomes 1 where it is not set, so that each of PoCL's threads keeps to a processor; not where
 ///    POCL_MAX_PTHREAD_COUNT is set or the process may not run on all processors.
 ///  - POCL_CACHE_DIR names a folder among the temporary files where PoCL could not write its default cache. One that is
@@ -90,7 +89,7 @@ class Device {
   [[nodiscard]] const cl::Context& context() const { return context_; }
   [[nodiscard]] const cl::Device& device() const { return device_; }
   [[nodiscard]] const cl::CommandQueue& queue() const { return queue_; }
-  /// Copies of a device share it.
+  /// Copies of a device share it; its header is not installed (opencl/program_shelf.h).
   [[nodiscard]] ProgramShelf& programs() const { return *programs_; }
 
  private:

@@ -63,9 +63,15 @@ void keep_pocl_threads_apart() {
   if (set_variable("POCL_MAX_PTHREAD_COUNT") == nullptr && may_run_on_all_processors()) setenv("POCL_AFFINITY", "1", 0);
 }
 
+/// PoCL compiles a kernel a second time for the work-group size of its first launch, and that version is not in the
+/// program's binary. The generic version is, and runs as fast where lanes are explicit: 0 % slower at 8 lanes, 15 % for
+/// a scalar loop, against 2.3 s of compilation for a kernel with everything in it (PoCL 3.1).
+void launch_what_the_binary_holds() { setenv("POCL_WORK_GROUP_SPECIALIZATION", "0", 0); }
+
 std::string prepare() {
   ignore_relative_cache_home();
   keep_pocl_threads_apart();
+  launch_what_the_binary_holds();
   if (const char* cache = set_variable("POCL_CACHE_DIR")) {
     const std::string why = unusable_folder(cache);
     return why.empty() ? why : fmt::format("its cache \"{}\" (POCL_CACHE_DIR) cannot be written: {}", cache, why);

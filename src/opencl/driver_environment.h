@@ -12,6 +12,7 @@ namespace strahl {
 ///    and drivers do not.
 ///  - POCL_CACHE_DIR, unless it names something, gets a folder of this user's among the temporary files where PoCL
 ///    could not make its cache. An empty one is removed, for PoCL 3.1 ends the process for it.
+///  - POCL_WORK_GROUP_SPECIALIZATION becomes 0 unless it is set, so that PoCL launches what a program's binary holds.
 ///  - POCL_AFFINITY becomes 1, so that each of PoCL's threads has a processor of its own, unless the environment says
 ///    how many threads there are (POCL_MAX_PTHREAD_COUNT) or where they run, or this process may not run everywhere.
 /// Returns what is to be said about PoCL's cache: empty where it is as PoCL has it by default.

@@ -5,6 +5,7 @@
 
 #include "opencl/program.h"
 #include "opencl/program_cache.h"
+#include "settings/require_settings.h"
 
 namespace strahl {
 namespace {
@@ -21,8 +22,7 @@ std::optional<int> tuned_width(const Device& device, Precision precision) {
   const std::vector<unsigned char> stored = read_cached_binary(tuned, key_of(device, precision));
   if (stored.size() != 1) return std::nullopt;
   const int width = stored[0];
-  const bool is_one = width == 2 || width == 4 || width == 8 || (width == 16 && precision != Precision::fp64);
-  return is_one ? std::optional(width) : std::nullopt;
+  return is_tree_width(width, precision) ? std::optional(width) : std::nullopt;
 }
 
 void remember_width(const Device& device, Precision precision, int width) {

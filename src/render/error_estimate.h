@@ -28,6 +28,8 @@ struct ErrorEstimate {
   double relmse = 0;                   ///< mean(squared error / (mean^2 + 0.01)).
 };
 
+// The rest asks a film, whose headers are not installed (render/film.h); RenderResult has what it tells.
+
 /// Of a film whose rows come in parts, from the top down.
 class ErrorSums {
  public:

@@ -269,8 +269,10 @@ void FilmRun::put_aovs(const std::set<Aov>& plain) {
   result_.stats.seconds.readback += start.seconds();
 }
 
-/// The time to be reserved for the end is measured: the end is run on a black film, as if it had its samples.
-void FilmRun::measure_finish() {
+Renderer::State::End FilmRun::end() const { return {height_, film_.sums.count, is_one_band()}; }
+
+/// The end is run on a black film, as if it had its samples.
+void FilmRun::measure_end() {
   const Stopwatch start;
   const PhaseSeconds before = result_.stats.seconds;
   std::fill(film_.samples.begin(), film_.samples.end(), layout::FILM_SUBSUMS);
@@ -279,7 +281,13 @@ void FilmRun::measure_finish() {
   std::fill(film_.samples.begin(), film_.samples.end(), 0);
   result_.error.reset();
   result_.stats.seconds = before;
-  state_.finish_seconds = start.seconds();
+  state_.end_seconds[end()] = start.seconds();
+}
+
+/// To be reserved for the end. That of a few rows says nothing about that of all.
+double FilmRun::end_seconds() {
+  if (!state_.end_seconds.contains(end())) measure_end();
+  return state_.end_seconds.at(end());
 }
 
 /// false: it could not be told. The picture is done by now, and is what it is without that layer.
@@ -299,8 +307,7 @@ RenderResult FilmRun::run() {
   if (!is_shared()) write_header();
   // Whatever ends the render, there is a film: of one band on the device, of several on the host.
   if (is_one_band()) clear(height_, true);
-  if (goal_.deadline && !state_.finish_seconds) measure_finish();
-  if (goal_.deadline) samples_until_ = later(*goal_.deadline, -state_.finish_seconds.value_or(0));
+  if (goal_.deadline) samples_until_ = later(*goal_.deadline, -end_seconds());
   bool carry_on = true;
   if (keeper_ != nullptr && keeper_->begin_with != nullptr) carry_on = go_on_from(*keeper_->begin_with);
   while (carry_on) {
@@ -344,13 +351,19 @@ RenderResult FilmRun::run() {
     plain.erase(Aov::numeric_error);
   const Stopwatch converting;
   put_aovs(plain);
-  state_.finish_seconds = finish_seconds + converting.seconds();
+  // Without samples, or where they tell no error, it is shorter than another picture's.
+  const bool is_whole = film_.first_sample == 0 && *least >= film_.sums.count && run.unusual.not_finite() == 0;
+  if (is_whole) state_.end_seconds[end()] = finish_seconds + converting.seconds();
   return std::move(result_);
 }
 
 namespace {
 
 void require_reachable(const RenderGoal& goal, const RenderSettings& settings) {
+  if (goal.deadline && !goal.is_pilot && settings.aovs.contains(Aov::numeric_error))
+    throw UsageError(
+        "the AOV numeric_error traces the scene once more after the last sample, and a deadline leaves no time for it: "
+        "leave it out of RenderSettings::aovs, or state spp or max_error in the deadline's place");
   if (!goal.max_error) return;
   if (!(*goal.max_error > 0))
     throw UsageError(fmt::format("an error to reach is greater than 0, and max_error is {}", *goal.max_error));

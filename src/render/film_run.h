@@ -85,7 +85,9 @@ class FilmRun {
   /// The AOVs, once finish() has made the picture.
   void put_aovs(const std::set<Aov>& plain);
   [[nodiscard]] bool tell_numeric_error();
-  void measure_finish();
+  [[nodiscard]] Renderer::State::End end() const;
+  void measure_end();
+  [[nodiscard]] double end_seconds();
 
   Stopwatch construction_;
   Renderer::State& state_;

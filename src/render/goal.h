@@ -33,7 +33,8 @@ struct SampleRange {
 struct RenderGoal {
   /// Samples a pixel; none: the number that the scene states, or with one of the two goals below as many as needed.
   std::optional<int> spp;
-  /// The time by which render() must have returned. Pixels then differ by one sample at the most.
+  /// The time by which render() must have returned. Pixels then differ by one sample at the most. Not with
+  /// Aov::numeric_error, which is traced after the last sample.
   std::optional<Clock::time_point> deadline;
   /// RMSE over linear RGB, all pixels and channels, as the film's sub-sums tell it (error_estimate.h): a number > 0,
   /// and not without RenderSettings::estimate_error, for no sum would tell it.

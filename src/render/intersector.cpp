@@ -20,7 +20,7 @@
 #include "render/median.h"
 #include "render/traversal_choice.h"
 #include "scene/validate.h"
-#include "settings/sampling.h"
+#include "settings/require_settings.h"
 #include "stopwatch.h"
 
 namespace strahl {
@@ -303,6 +303,7 @@ void Intersector::State::take_any(const cl::Buffer& found, std::size_t first, st
 
 Intersector::Intersector(const Device& device, const Scene& scene, const RenderSettings& settings)
     : state_(std::make_unique<State>(device, settings)) {
+  require_settings(settings);
   if (std::vector<Diagnostic> problems = validate(scene); !problems.empty()) throw SceneError(problems);
   State& s = *state_;
   const Width width = wide_enough(width_on(device, settings), scene, settings);
@@ -335,6 +336,7 @@ Intersector::Intersector(const Device& device, const Scene& scene, const RenderS
     if (row.on) s.stats.features.push_back(row.name);
 }
 MemoryNeed Intersector::least_memory(const Device& device, const Scene& scene, const RenderSettings& settings) {
+  require_settings(settings);
   const Features features = intersection_features(scene, settings);
   return strahl::least_memory(scene, features, settings.precision,
                               wide_enough(width_on(device, settings), scene, settings).lanes);

@@ -7,13 +7,12 @@
 #include <vector>
 
 #include "opencl/device.h"
+#include "packing/memory_need.h"
 #include "render/stats.h"
 #include "scene/model/scene.h"
 #include "settings/settings.h"
 
 namespace strahl {
-
-struct MemoryNeed;
 
 /// World frame; direction of any length > 0; t in units of it; t_min <= t <= t_max counts.
 struct Ray {

@@ -15,6 +15,7 @@
 #include "render/renderer_state.h"
 #include "render/shown_scene.h"
 #include "scene/validate.h"
+#include "settings/require_settings.h"
 #include "stopwatch.h"
 
 namespace strahl {
@@ -165,8 +166,9 @@ void Renderer::State::warm_up() {
 
 namespace {
 
-/// What a renderer shows of the scene, which is looked at only where it is valid.
+/// What a renderer shows of the scene, which is looked at only where it and the settings are valid.
 std::shared_ptr<const Scene> shared(Scene scene, const RenderSettings& settings) {
+  require_settings(settings);
   if (std::vector<Diagnostic> problems = validate(scene); !problems.empty()) throw SceneError(problems);
   return std::make_shared<const Scene>(shown_scene(std::move(scene), settings));
 }
@@ -200,6 +202,7 @@ void Renderer::share_with(const Device& device, std::optional<std::uint64_t> loo
 }
 
 void Renderer::require_samples(const Scene& scene, const RenderSettings& settings, const RenderGoal& goal) {
+  require_settings(settings);
   if (std::vector<Diagnostic> problems = validate_picture(scene); !problems.empty()) throw SceneError(problems);
   static_cast<void>(samples_of_film(scene, scene.film.window(), settings, goal));
 }

@@ -53,9 +53,10 @@ class Renderer {
   /// Validates, packs, builds the program and uploads. The device is trusted with settings.precision and
   /// settings.loop_turns: ask choose_tier() (trust/tier_choice.h) for both, else a device whose arithmetic is wrong or
   /// that ends loops makes wrong pictures without a word. Throws SceneError, DeviceError, KernelBuildError; UsageError
-  /// for settings that cannot be (a needed effect in `disabled`, an unknown `light_choice`, a work group that the
-  /// device has not, what light paths do not know); NoDeviceError where the device's memory cannot hold the scene and
-  /// one row of the film, or Aov::numeric_error is asked of a device without fp64 or without room for the scene in it.
+  /// for settings that cannot be (settings/settings.h, a needed effect in `disabled`, an unknown `light_choice`, a work
+  /// group that the device has not, what light paths do not know); NoDeviceError where the device's memory cannot hold
+  /// the scene and one row of the film, or Aov::numeric_error is asked of a device without fp64 or without room for the
+  /// scene in it.
   Renderer(const Device& device, Scene scene, const RenderSettings& settings = {});
   ~Renderer();
   Renderer(Renderer&&) noexcept;
@@ -78,8 +79,8 @@ class Renderer {
 
   /// Each call renders the picture from the start. Throws as require_samples, UsageError for a goal that cannot be
   /// reached (RenderGoal), NoDeviceError where the device ends loops before a sample is done
-  /// (RenderSettings::loop_turns). keeper: gets the film now and then, or gives one to go on from; InputError where
-  /// that is of another picture.
+  /// (RenderSettings::loop_turns). keeper, whose header is not installed (render/film_state.h): gets the film now
+  /// and then, or gives one to go on from; InputError where that is of another picture.
   [[nodiscard]] RenderResult render(const ProgressCallback& progress = {}, const RenderGoal& goal = {},
                                     const FilmKeeper* keeper = nullptr);
 

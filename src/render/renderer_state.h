@@ -3,7 +3,9 @@
 #pragma once
 
 #include <algorithm>
+#include <compare>
 #include <functional>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -133,9 +135,16 @@ struct Renderer::State {
   void warm_up();
 
   LaunchShape shape;
-  double launch_overhead = 0;            ///< Seconds.
-  std::optional<double> finish_seconds;  ///< From the last launch to the picture, as measured last.
-  std::optional<LaunchPlan> last_plan;   ///< Of this picture or an earlier one: it knows the device's rate.
+  double launch_overhead = 0;  ///< Seconds.
+  /// What the time from the last launch to the picture depends on.
+  struct End {
+    int rows = 0;
+    int sums = 1;
+    bool is_on_device = false;  ///< The film.
+    friend auto operator<=>(const End&, const End&) = default;
+  };
+  std::map<End, double> end_seconds;    ///< As measured last, of whole pictures.
+  std::optional<LaunchPlan> last_plan;  ///< Of this picture or an earlier one: it knows the device's rate.
   bool has_tree = true;
   int samples_at_once = 1;
   double rate = 0;                              ///< Pixel samples a second beside other devices; 0: not known yet.

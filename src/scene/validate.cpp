@@ -309,6 +309,8 @@ std::vector<Diagnostic> validate_picture(const Scene& scene) {
   check.require(scene.integrator.max_depth >= -1, "max_depth must be -1 (no limit) or more");
   check.require(scene.integrator.max_distance > 0, "max_distance must be greater than 0");
   check.require(scene.integrator.rr_depth >= 1, "rr_depth must be at least 1");
+  check.at(scene.integrator.aovs_where);
+  for (const std::string& fault : aov_faults(scene.integrator.aovs)) check.require(false, "{}", fault);
   return found;
 }
 

@@ -35,8 +35,8 @@ struct WorkGroup {
 
 struct RenderSettings {
   Precision precision = Precision::robust;  ///< Taken as it is; choose_tier() tells whether the device keeps it.
-  AovList aovs;
-  bool generic = false;  ///< Every entry and flag in the program; the same picture, slower.
+  AovList aovs;                             ///< Of the plain ones none of all samples (xyz), which need a name.
+  bool generic = false;                     ///< Every entry and flag in the program; the same picture, slower.
   /// Effects to leave out, as FeatureReport names them, though the scene calls for them (program/disabled.h).
   std::set<std::string> disabled;
   bool estimate_error = true;  ///< Keeps four sums a pixel apart, whose spread estimates its error.

@@ -110,7 +110,8 @@ class SceneMaker {
       target(at + radius * across);
       return s;
     }
-    if (name == "plane") return Plane{at, random_.integer(0, 1) ? u : Vec3{0, 0, 3}, u, v};
+    if (name == "plane")
+      return random_.integer(0, 1) ? Plane{at, cross(u, v), u, v} : Plane{at, {0, 0, 3}, {1, 0, 0}, {3, -1, 0}};
     if (name == "box") {
       const Vec3 size{std::fabs(u.x), std::fabs(u.y), std::fabs(u.z)};
       target(at + size);

@@ -94,6 +94,11 @@ TEST_CASE("pictures that cannot be compared are unusable input") {
   const std::string nan = picture(folder, "nan.exr", std::numeric_limits<float>::quiet_NaN());
   CHECK(folder.run({"compare", a, nan, "--metric", "mse", "--fail-above", "1"}).code == 3);
   CHECK(folder.run({"compare", a, "missing.exr"}).code == 3);
+  strahl::Image opacity{4, 2, {"A"}, std::vector<float>(8, 0.5F), {}};
+  strahl::write_image(opacity, folder.path("opacity.exr"));
+  const Outcome without_colours = folder.run({"compare", "opacity.exr", "opacity.exr"});
+  CHECK(without_colours.code == 3);
+  CHECK(contains(without_colours.err, "no colour channels to compare: A"));
   CHECK(folder.run({"compare", a, folder.file("text.png", "no picture")}).code == 3);
 }
 

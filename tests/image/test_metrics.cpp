@@ -72,4 +72,19 @@ TEST_CASE("what cannot be compared is refused with the place") {
     CHECK_THROWS_WITH(measure(b, a, Metric::mae), Contains("the picture holds"));
     CHECK_THROWS_AS(difference_heatmap(a, b), InputError);
   }
+  for (const Metric metric : all_metrics()) {
+    INFO(metric_name(metric));
+    const Image large = picture(16, 16, rgb, {0.5F}), alpha = picture(16, 16, {"A"}, {0.5F});
+    const auto refuse = [&](const Image& one, const Image& other, const std::string& words) {
+      CHECK_THROWS_AS(measure(one, other, metric), InputError);
+      CHECK_THROWS_WITH(measure(one, other, metric), Contains(words));
+    };
+    refuse(alpha, alpha, is_seen(metric) ? "there are 0 channels" : "no colour channels to compare: A");
+    refuse(large, alpha, "no colour channels to compare: A");
+    Image cut = large;
+    cut.data.pop_back();
+    refuse(large, cut, "the reference has 16 x 16 pixels with 3 channels, which are 768 values, and holds 767");
+    refuse(cut, large, "the picture has 16 x 16 pixels");
+    if (metric != Metric::ssim) refuse(picture(0, 0, rgb, {1}), picture(0, 0, rgb, {1}), "0 x 0 pixels");
+  }
 }

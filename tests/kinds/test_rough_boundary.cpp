@@ -106,6 +106,17 @@ TEST_CASE("boundaries before something denser keep the polynomial of the cosine"
   CHECK(kinds::share_through(boundary, 1.49, 0.37) == Approx(through(boundary, 0.37)).epsilon(1e-12));
 }
 
+TEST_CASE("of the densest inside some light is let out") {
+  for (const MicrofacetKind kind : {MicrofacetKind::beckmann, MicrofacetKind::ggx})
+    for (const double alpha : {1e-4, 1e-3, 0.1})
+      for (const double eta : {1e3, 1e5, 1e9}) {
+        INFO("alpha " << alpha << ", eta " << eta);
+        const double inner = kinds::rough_boundary(kind, alpha, eta).inner;
+        CHECK(inner > 0.9);
+        CHECK(inner <= kinds::largest_inner_reflectance);
+      }
+}
+
 TEST_CASE("rougher boundaries let more through where light is shallow, less where it is steep") {
   for (const MicrofacetKind kind : {MicrofacetKind::beckmann, MicrofacetKind::ggx}) {
     const RoughBoundary fine = kinds::rough_boundary(kind, 0.05, 1.5), rough = kinds::rough_boundary(kind, 0.5, 1.5);

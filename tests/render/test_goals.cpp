@@ -33,6 +33,33 @@ TEST_CASE("a deadline ends it, pixels at most one sample apart") {
   CHECK_FALSE(nothing.error);
 }
 
+TEST_CASE("a deadline is kept after pictures of few rows, and of no samples") {
+  require_pocl_and_rusticl();
+  Scene scene = cornell();
+  scene.integrator.name = "emission";
+  scene.sampler.kind = SamplerKind::independent;
+  scene.film.width = scene.film.height = 1024;
+  RenderSettings settings;
+  settings.error_map = true;
+  Renderer renderer(Device::open("pocl"), scene, settings);
+  // The end takes hundreds of milliseconds by itself, some more beside other work.
+  const auto seconds_late = [&] {
+    const RenderGoal goal = within(3);
+    const RenderResult result = renderer.render({}, goal);
+    const double late = std::chrono::duration<double>(Clock::now() - *goal.deadline).count();
+    const double end = result.stats.seconds.readback + result.stats.seconds.error;
+    UNSCOPED_INFO("late by " << late << " s, and the end took " << end << " s");
+    return late - 0.5 * end;
+  };
+  RenderGoal row;
+  row.rows = Rows{500, 1};
+  row.spp = 8;
+  static_cast<void>(renderer.render({}, row));
+  CHECK(seconds_late() < 0);
+  static_cast<void>(renderer.render({}, within(-1)));
+  CHECK(seconds_late() < 0);
+}
+
 TEST_CASE("what a deadline ended after n samples is the picture of n samples") {
   require_pocl_and_rusticl();
   Renderer renderer(Device::open("pocl"), cornell());

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Scenes, settings and goals made in C++ that cannot be rendered: each is refused as what it is, before anything is
 // computed from it.
+#include <fmt/format.h>
+
 #include <catch2/catch.hpp>
 #include <limits>
 
@@ -82,6 +84,48 @@ TEST_CASE("a light choice that is none is named, with those that there are") {
   }
 }
 
+TEST_CASE("settings that cannot be are refused, with what may stand") {
+  const Device device = pocl();
+  Scene scene = lit_sphere();
+  const auto refused = [&](const std::string& words, const auto& change) {
+    INFO(words);
+    RenderSettings settings;
+    change(settings);
+    CHECK_THROWS_AS(Renderer(device, scene, settings), UsageError);
+    CHECK_THROWS_WITH(Renderer(device, scene, settings), Contains(words));
+    CHECK_THROWS_AS(Renderer::is_program_cached(device, scene, settings), UsageError);
+    CHECK_THROWS_AS(Renderer::require_samples(scene, settings, {}), UsageError);
+    CHECK_THROWS_AS(Intersector(device, scene, settings), UsageError);
+    CHECK_THROWS_AS(Intersector::least_memory(device, scene, settings), UsageError);
+  };
+  for (const int width : {0, 1, 3, 5, 7, 9, 32, -2})
+    refused(fmt::format("bvh_width is {}; it can be 2, 4, 8 or 16", width),
+            [&](RenderSettings& s) { s.bvh_width = width; });
+  for (const int lanes : {0, 2, 4, 32, -8})
+    refused(fmt::format("lanes is {}; it can be 1, 8 or 16", lanes), [&](RenderSettings& s) { s.lanes = lanes; });
+  refused("lanes is 16 in double; it can be 1 or 8", [](RenderSettings& s) {
+    s.precision = Precision::fp64;
+    s.lanes = 16;
+  });
+  refused("bvh_width is 16 in double; it can be 2, 4 or 8", [](RenderSettings& s) {
+    s.precision = Precision::fp64;
+    s.bvh_width = 16;
+  });
+  refused("a bvh_width of 4 tests 1 at a time, and lanes is 16", [](RenderSettings& s) {
+    s.lanes = 16;
+    s.bvh_width = 4;
+  });
+  refused("passes is 0", [](RenderSettings& s) { s.passes = 0; });
+  for (const Aov aov : {Aov::xyz, Aov::xyz_squared})
+    refused("has a layer only by a name", [&](RenderSettings& s) { s.aovs = {aov, Aov::depth}; });
+  refused("\"a\" and \"a\" have the channel a.X in common", [](RenderSettings& s) {
+    s.aovs.add(NamedAov{"a", Aov::uv});
+    s.aovs.add(NamedAov{"a", Aov::position});
+    s.aovs.add(NamedAov{"b", Aov::xyz});
+    s.aovs.add(NamedAov{"a", Aov::normal});
+  });
+}
+
 TEST_CASE("goals that cannot be reached are refused") {
   const Device device = pocl();
   Renderer renderer(device, lit_sphere());
@@ -99,6 +143,17 @@ TEST_CASE("goals that cannot be reached are refused") {
   goal.spp = 64;  // Else this test would take minutes where it fails.
   refused(without, goal);
   CHECK(renderer.render({}, goal).complete);
+
+  goal = {};
+  goal.deadline = later(Clock::now(), 60);
+  goal.spp = 1;
+  RenderSettings traced_again;
+  traced_again.aovs = {Aov::numeric_error};
+  Renderer again(device, lit_sphere(), traced_again);
+  refused(again, goal);
+  CHECK_THROWS_WITH(again.render({}, goal), Contains("numeric_error traces the scene once more"));
+  goal.is_pilot = true;
+  CHECK(again.render({}, goal).complete);
 
   goal = {};
   constexpr int most = std::numeric_limits<int>::max();

@@ -223,6 +223,18 @@ TEST_CASE("to_world of a spot and a projector may scale, as in Mitsuba") {
     REQUIRE(loaded.warnings.size() == 1);
     CHECK_THAT(loaded.warnings[0].message, Catch::Contains("the cone stays round"));
   }
+  for (const bool is_mirrored : {false, true}) {
+    const std::string steps =
+        "<transform name=\"to_world\">" + shear + (is_mirrored ? "<scale x=\"-1\"/>" : "") + "</transform>";
+    const auto sheared = std::get<SpotLight>(
+        load_body("<emitter type=\"spot\"><texture type=\"checkerboard\" name=\"texture\"/>" + steps + "</emitter>")
+            .scene.lights.at(0)
+            .emitter);
+    const Vec3 axis = normalized(sheared.axis);
+    CHECK(length(sheared.x - Vec3{is_mirrored ? -1.0 : 1.0, 0, 0}) < 1e-15);
+    CHECK(length(sheared.y - normalized(Vec3{0, 1, -0.5})) < 1e-15);
+    CHECK(std::abs(dot(sheared.y, axis)) < 1e-15);
+  }
   // Mitsuba 3.9.1: the middle is 1, 2, 1 and 2 times as bright, and the picture 1, 1, 2 and 1/2 times as wide.
   const auto plain = std::get<ProjectorLight>(emitter("projector", "<scale x=\"-1\"/>"));
   const auto large = std::get<ProjectorLight>(emitter("projector", "<scale value=\"2\"/>"));

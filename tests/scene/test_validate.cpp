@@ -2,6 +2,7 @@
 // Scenes built by hand: every broken invariant is named.
 #include <catch2/catch.hpp>
 #include <limits>
+#include <utility>
 
 #include "scene/model/build.h"
 #include "scene/one_problem.h"
@@ -62,6 +63,11 @@ TEST_CASE("faults of geometry") {
   CHECK(validate(scene_with(Plane{{}, {0, 1e-307, 0}})).empty());
   check_one_problem(scene_with(Disk{{}, {1e-170, 0, 0}, {0, 1e-170, 0}}), "span an area");
   check_one_problem(scene_with(Plane{{}, {0, 1, 0}, {1, 0, 0}, {2, 0, 0}}), "span");
+  // Readers shear planes whose u and v then lie close to each other, and keep them in the plane.
+  check_one_problem(scene_with(Plane{{0, 0, -14}, {0, 0, 1}}), "plane_through()");
+  check_one_problem(scene_with(Plane{{}, {0, 1e-300, 0}, {1, 0.01, 0}, {0, 0, 1}}), "lie in the plane");
+  CHECK(validate(scene_with(Plane{{}, {0, -1e300, 0}, {1e-9, 0, 0}, {1e9, 0, 1e-3}})).empty());
+  CHECK(validate(scene_with(plane_through({1, 2, 3}, {3e5, -4e-5, 7}))).empty());
   check_one_problem(scene_with(Box{{1, 0, 0}, {0, 0, 0}}), "min");
   check_one_problem(scene_with(Triangle{{0, 0, 0}, {1, 1, 1}, {2, 2, 2}}), "line");
   check_one_problem(scene_with(Rectangle{{}, {1, 0, 0}, {1, 0, 0}}), "area");
@@ -106,6 +112,31 @@ TEST_CASE("faults of everything else") {
   });
   check_changed("position", [](Scene& s) { s.lights.push_back({"", PointLight{{nan_value, 0, 0}, {}}, {}}); });
   check_changed("direction", [](Scene& s) { s.lights.push_back({"", DirectionalLight{{0, 0, 0}, {}}, {}}); });
+  const auto spot = [](const Vec3& x, const Vec3& y) {
+    SpotLight light;
+    light.axis = {0, 3, 0};
+    light.texture = 0;
+    light.x = x;
+    light.y = y;
+    return [light](Scene& s) {
+      s.textures.resize(1);
+      s.lights.push_back({"", light, {}});
+    };
+  };
+  for (const auto& [x, y] : {std::pair{Vec3{1, 0, 0}, Vec3{0, 1, 0}},
+                             {{1, 0, 0}, {1, 0, 0}},
+                             {{1, 0, 0}, {0, 0, 2}},
+                             {{1, 0.01, 0}, {0, 0, 1}}})
+    check_changed("perpendicular to its axis", spot(x, y));
+  Scene lit = scene_with(Sphere{});
+  spot({1, 0, 0}, {0, 0, 1})(lit);
+  CHECK(validate(lit).empty());
+  check_changed("\"a\" and \"a\" have the channel a.X in common", [](Scene& s) {
+    s.integrator.aovs = {{"a", Aov::position}, {"b", Aov::normal}, {"a", Aov::normal}};
+  });
+  check_changed("numeric_error, which scenes cannot name", [](Scene& s) {
+    s.integrator.aovs = {{"a", Aov::numeric_error}};
+  });
   check_changed("one constant", [](Scene& s) { s.lights.assign(2, {"", ConstantLight{}, {}}); });
   check_changed("fov", [](Scene& s) { s.camera.fov_degrees = 180; });
   check_changed("singular", [](Scene& s) { s.camera.world_from_camera.m[2] = {0, 0, 0, 0}; });

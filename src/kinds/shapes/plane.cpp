@@ -15,6 +15,14 @@ constexpr double smallest_normal = std::numeric_limits<double>::min();
 
 double largest(const Vec3& v) { return std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}); }
 
+/// Of vectors that are not zero, whatever their lengths. Readers keep u and v at right angles to the normal up to
+/// rounding, which is the larger the nearer u and v are to each other: a cross product of theirs may be the normal.
+bool lie_within(const Vec3& a, const Vec3& b, const Vec3& normal) {
+  const Vec3 u = normalized(near_unit(a)), v = normalized(near_unit(b)), n = normalized(near_unit(normal));
+  const double tolerance = 1e-3 + frame_tolerance / length(cross(u, v));
+  return std::fabs(dot(u, n)) <= tolerance && std::fabs(dot(v, n)) <= tolerance;
+}
+
 /// In a chosen frame the plane's point nearest the frame's origin: cancellation happens here, in double. In the world's
 /// the point as given, which may be exactly representable.
 Vec3 anchor(const UploadFrame& frame, const Plane& p) {
@@ -36,6 +44,10 @@ void check(Faults& faults, const Plane& p) {
                  "the normal's length is {:.3g}; below {:.3g} numbers lose their digits: give it a length near 1",
                  largest(p.normal), smallest_normal);
   faults.require(!is_degenerate(p.u, p.v), "u and v must span the plane");
+  if (!is_finite(p.u) || !is_finite(p.v) || !is_finite(p.normal) || p.normal == Vec3{} || is_degenerate(p.u, p.v))
+    return;
+  faults.require(lie_within(p.u, p.v, p.normal),
+                 "u and v must lie in the plane, at right angles to its normal; plane_through() chooses such u and v");
 }
 
 void pack(const Planes& to, const Plane& p) {

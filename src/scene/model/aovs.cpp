@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <map>
 #include <stdexcept>
 #include <string_view>
 
@@ -38,6 +39,28 @@ std::vector<std::string> channels_of(const NamedAov& named) {
   std::vector<std::string> channels;
   for (const char letter : letters(named.aov)) channels.push_back(fmt::format("{}.{}", named.name, letter));
   return channels;
+}
+
+std::vector<std::string> aov_faults(const std::vector<NamedAov>& aovs) {
+  std::vector<std::string> faults;
+  std::map<std::string, std::string> owners;
+  for (const NamedAov& named : aovs) {
+    if (named.aov == Aov::numeric_error) {
+      faults.push_back(fmt::format(
+          "the AOV \"{}\" is numeric_error, which scenes cannot name: ask for it in RenderSettings::aovs", named.name));
+      continue;
+    }
+    for (const std::string& channel : channels_of(named)) {
+      const auto [owner, is_new] = owners.try_emplace(channel, named.name);
+      if (is_new) continue;
+      faults.push_back(
+          fmt::format("the AOVs \"{}\" and \"{}\" have the channel {} in common: give one of them another "
+                      "name",
+                      owner->second, named.name, channel));
+      break;
+    }
+  }
+  return faults;
 }
 
 }  // namespace strahl

@@ -29,4 +29,8 @@ inline constexpr std::size_t longest_layer_name = 250;
 /// ids.
 [[nodiscard]] std::vector<std::string> channels_of(const NamedAov& named);
 
+/// Why a file could not hold them side by side, a sentence each: two have a channel in common, or one is
+/// numeric_error, which has no such name.
+[[nodiscard]] std::vector<std::string> aov_faults(const std::vector<NamedAov>& aovs);
+
 }  // namespace strahl

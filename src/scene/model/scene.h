@@ -43,7 +43,8 @@ struct SphereCloud {
   std::array<Vec3, 3> frame{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};  ///< As of a Sphere, the same for all.
 };
 
-/// Infinite plane through `point`. `normal` has any length > 0 and is kept as given. `u`, `v` span its 2-D frame.
+/// Infinite plane through `point`. `normal` has any length > 0 and is kept as given. `u`, `v`, at right angles to it,
+/// span its 2-D frame; plane_through() (build.h) chooses them.
 struct Plane {
   Vec3 point;
   Vec3 normal{0, 1, 0};

@@ -48,13 +48,21 @@ std::optional<Emitter> read_point(Properties& properties, SceneBuilder&) {
 /// Whether a transform turns, moves, mirrors and scales all axes alike, and no more.
 bool keeps_angles(const Transform& transform) { return nearest_axes(unscaled_columns(transform)).has_value(); }
 
+/// x and y of a texture: those of to_world, and where it changes angles at right angles to the axis, of its handedness.
+std::array<Vec3, 2> axes_of_texture(const Transform& to_world) {
+  const Vec3 x = normalized(to_world.column(0)), axis = normalized(to_world.column(2));
+  if (keeps_angles(to_world)) return {x, normalized(to_world.column(1))};
+  const Vec3 across = normalized(x - dot(x, axis) * axis);
+  return {across, (to_world.determinant() < 0 ? -1.0 : 1.0) * cross(axis, across)};
+}
+
 std::optional<Emitter> read_spot(Properties& properties, SceneBuilder& builder) {
   SpotLight light;
   const Transform to_world = properties.transform("to_world").value_or(Transform{});
   if (!keeps_angles(to_world))
     properties.diagnostics().warning(properties.where("to_world"),
                                      "to_world changes angles, by which Mitsuba distorts the cone of a spot and its "
-                                     "texture; here the cone stays round");
+                                     "texture; here the cone stays round, and the texture square");
   light.position = to_world.translation();
   light.axis = to_world.column(2);
   light.intensity = emission(properties, "intensity");
@@ -64,8 +72,9 @@ std::optional<Emitter> read_spot(Properties& properties, SceneBuilder& builder) 
     const Emission texture = read_emission(properties, builder, "texture");
     light.intensity = kinds::times(light.intensity, texture.color);
     light.texture = texture.texture;
-    light.x = normalized(to_world.column(0));
-    light.y = normalized(to_world.column(1));
+    const auto [x, y] = axes_of_texture(to_world);
+    light.x = x;
+    light.y = y;
   }
   return light;
 }

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// Settings that no scene and no device could be rendered with.
+#pragma once
+
+#include "settings/settings.h"
+
+namespace strahl {
+
+/// Throws UsageError, with the value and what may stand in its place, where `lanes`, `bvh_width`, both together,
+/// `passes` or `aovs` are none of what RenderSettings states.
+void require_settings(const RenderSettings& settings);
+
+/// Whether nodes have so many children in that precision.
+[[nodiscard]] bool is_tree_width(int width, Precision precision);
+
+}  // namespace strahl
