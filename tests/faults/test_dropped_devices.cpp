@@ -109,6 +109,8 @@ TEST_CASE("a device that is gone at any of its calls is dropped") {
   places["in the midst"] = begin + (calls.size() - begin) / 3;
   for (const auto& [name, call] : places)
     for (const char* devices : {"pocl,llvmpipe", "llvmpipe,pocl"}) {
+      // Which device is the first decides where the film is, not which call may fail.
+      if (devices != std::string("pocl,llvmpipe") && name != "in the midst" && name != "clEnqueueReadBuffer") continue;
       INFO(devices << ", " << name << ", call " << call << " of " << calls.size());
       check_dropped(render, render.run(devices, gone_from(call)));
     }
