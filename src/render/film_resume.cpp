@@ -41,7 +41,7 @@ bool FilmRun::go_on_from(const FilmState& state) {
   run.resumed_samples = static_cast<std::uint64_t>(samples_before_);
   // The pass that was under way may be one of hours; where time or an error ends the render, its rest is no part of it.
   const int level = goal_.is_open() ? film_.first_sample + *most : state.position.done;
-  passes_.go_on_from({level, state.position.check_at});
+  passes_.go_on_from({level, state.position.check_at, state.position.max_error});
   has_first_samples_ = film_.first_sample + *least == 0;
   if (is_one_band()) {
     band_ = {0, height_};

@@ -139,6 +139,25 @@ TEST_CASE("an error as the goal ends it at the same sample") {
   }
 }
 
+TEST_CASE("an error that is reached already ends it at once") {
+  require_pocl_and_rusticl();
+  Renderer renderer(Device::open("pocl"), picture(), settings_of());
+  RenderGoal tight, loose;
+  tight.max_error = 0.03;
+  loose.max_error = 0.06;
+  const int enough = renderer.render({}, loose).stats.spp;
+  int looked_at = 0;
+  for (const FilmState& state : states_of(renderer, tight, 4)) {
+    const int most = *std::max_element(state.film.samples.begin(), state.film.samples.end());
+    if (most < enough) continue;
+    const RenderResult result = resumed(renderer, state, loose);
+    CHECK(result.ending == Ending::error);
+    CHECK(result.stats.spp == most);
+    ++looked_at;
+  }
+  CHECK(looked_at > 0);
+}
+
 TEST_CASE("what is finished is finished, and goes on to more samples") {
   require_pocl_and_rusticl();
   Renderer renderer(Device::open("pocl"), picture(), settings_of());
