@@ -292,7 +292,7 @@ ExitCode render(const RenderOptions& options, const Invocation& invocation) {
   PictureKeeper keeper(options.keep, files, checkpoint_header(options, invocation, device, renderer, settings, goal));
   std::optional<Watchdog> watchdog(std::in_place,
                                    options.keep.watchdog ? duration_seconds(*options.keep.watchdog, "--watchdog") : 0,
-                                   options.keep.target());
+                                   [&keeper] { return keeper.what_is_kept(); });
   FilmKeeper film_keeper = keeper.film_keeper();
   std::optional<std::string> not_kept;  // The picture is written all the same.
   film_keeper.is_done = [&] {

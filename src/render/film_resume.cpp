@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <new>
 #include <numeric>
 
 #include "errors.h"
@@ -107,6 +108,14 @@ void FilmRun::begin_band() {
     const std::vector<float> floats(reals, reals + pixels * layout::AOV_REALS);
     write_buffer(state_.device, state_.aov_reals, floats.data(), state_.aov_real_bytes(pixels));
   }
+}
+
+void FilmRun::give(const std::function<void(FilmState)>& keep, bool is_last) try {
+  keep(state_now());
+} catch (const std::bad_alloc&) {
+  // The film itself is untouched.
+  if (!keeper_->no_memory) throw;
+  keeper_->no_memory(is_last);
 }
 
 FilmState FilmRun::state_now() {

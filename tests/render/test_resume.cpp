@@ -246,6 +246,23 @@ TEST_CASE("no time for a single sample leaves an empty film") {
   for (const std::int64_t word : last->film.words) REQUIRE(word == 0);
 }
 
+TEST_CASE("no memory to keep a film in is told, and the picture is the same") {
+  require_pocl_and_rusticl();
+  Renderer renderer(Device::open("pocl"), picture(8), settings_of());
+  const RenderResult expected = renderer.render();
+  FilmKeeper keeper;
+  int kept = 0, not_kept = 0, not_kept_last = 0;
+  keeper.is_due = [] { return true; };
+  keeper.spare = []() -> FilmState { throw std::bad_alloc(); };
+  keeper.keep = keeper.keep_last = [&](const FilmState&) { ++kept; };
+  CHECK_THROWS_AS(renderer.render({}, {}, &keeper), std::bad_alloc);
+  keeper.no_memory = [&](bool is_last) { ++(is_last ? not_kept_last : not_kept); };
+  CHECK(are_one(expected, renderer.render({}, {}, &keeper)));
+  CHECK(kept == 0);
+  CHECK(not_kept > 1);
+  CHECK(not_kept_last == 1);
+}
+
 TEST_CASE("parts add up in any order") {
   require_pocl_and_rusticl();
   for (const SamplerKind sampler : {SamplerKind::sobol, SamplerKind::independent}) {
