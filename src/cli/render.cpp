@@ -88,6 +88,7 @@ nlohmann::ordered_json count(const Device& device, const Scene& scene, RenderSet
   if (o.keep.samples) goal.samples = sample_range(*o.keep.samples);
   settings.count_rays = true;
   settings.paths_in_lanes = false;
+  settings.passes.reset();  // Launches are short then: what one counts is told in 32 bits.
   settings.acceleration = stats.tree.nodes > 0 ? Acceleration::tree : Acceleration::list;
   Renderer renderer(device, scene, settings);
   ProgressBar bar("count", !o.scene.quiet && !o.scene.no_progress);
