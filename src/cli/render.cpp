@@ -251,7 +251,7 @@ ExitCode render(const RenderOptions& options, const Invocation& invocation) {
   PictureFiles files{options.output, options.png, kinds::integrator(scene.integrator.name).is_length};
   if (options.writes_picture()) {
     if (files.path.empty()) files.path = scene.name + ".png";
-    require_writable(files);
+    if (!options.goal.frames) require_writable(files);
   }
   require_distinct_files(options, files.path, scene.files);
   const bool is_png = !files.path.empty() && image_format(files.path) == ImageFormat::png;
@@ -259,7 +259,9 @@ ExitCode render(const RenderOptions& options, const Invocation& invocation) {
   add_scene_aovs(scene, options, files.path, settings.aovs);
   if (!files.path.empty()) warn_of_later_samples(options.keep, settings.aovs);
   const bool has_first_samples = !options.keep.samples || sample_range(*options.keep.samples).first == 0;
-  if (!files.path.empty() && !options.goal.frames && has_first_samples)
+  if (!files.path.empty() && options.goal.frames)
+    require_writable_frames(files.path, *options.goal.frames, settings.aovs.plain_names());
+  else if (!files.path.empty() && has_first_samples)
     require_writable_layers(files.path, settings.aovs.plain_names());
 
   std::optional<ProgressBar> bar;
