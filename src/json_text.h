@@ -14,4 +14,21 @@ template <class AnyJson>
   return json.dump(2, ' ', false, AnyJson::error_handler_t::replace) + "\n";
 }
 
+/// The same text in UTF-8, so that JSON gives it back as it is and different ones stay different: where some bytes are
+/// not UTF-8, all beyond ASCII are written as \xe4, and a backslash as \x5c.
+[[nodiscard]] inline std::string utf8_text(const std::string& text) {
+  const nlohmann::json json(text);
+  if (nlohmann::json::parse(json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace)) == json) return text;
+  constexpr const char* digits = "0123456789abcdef";
+  std::string escaped;
+  for (const char letter : text) {
+    const auto byte = static_cast<unsigned char>(letter);
+    if (byte < 0x80 && letter != '\\')
+      escaped += letter;
+    else
+      escaped += {'\\', 'x', digits[byte >> 4U], digits[byte & 15U]};
+  }
+  return escaped;
+}
+
 }  // namespace strahl

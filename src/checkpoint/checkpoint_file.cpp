@@ -65,7 +65,10 @@ std::string json_of(const Checkpoint& checkpoint) {
         {"squares", film.has_squares},
         {"own", film.has_own}}},
       {"has_aovs", !state.aov_reals.empty()},
-      {"position", {{"done", state.position.done}, {"check_at", state.position.check_at}}},
+      {"position",
+       {{"done", state.position.done},
+        {"check_at", state.position.check_at},
+        {"max_error", state.position.max_error ? Json(*state.position.max_error) : Json()}}},
       {"unusual",
        {{"saturated", state.unusual.saturated},
         {"invalid", state.unusual.invalid},
@@ -237,8 +240,11 @@ Head head_of(const Json& json) {
   const std::vector<NamedAov>& named_aovs = head.header.named_aovs;
   if (!(head.has_aovs || head.header.aovs.empty()) || !std::all_of(named_aovs.begin(), named_aovs.end(), has))
     throw std::out_of_range("it names AOVs and has none");
-  head.position.done = number(json.at("position").at("done"), 0, max_spp);
-  head.position.check_at = number(json.at("position").at("check_at"), 0, max_spp);
+  const Json& position = json.at("position");
+  head.position.done = number(position.at("done"), 0, max_spp);
+  head.position.check_at = number(position.at("check_at"), 0, max_spp);
+  if (const Json error = position.value("max_error", Json()); !error.is_null())
+    head.position.max_error = error.get<double>();
   const Json& unusual = json.at("unusual");
   head.unusual = {count(unusual.at("saturated")), count(unusual.at("invalid")), count(unusual.at("weak_branches")),
                   count(unusual.value("lost_branches", Json(0))), count(unusual.at("lost_interfaces"))};

@@ -10,6 +10,7 @@
 
 #include "checkpoint/host_sources.h"
 #include "errors.h"
+#include "json_text.h"
 #include "opencl/program.h"
 #include "opencl/program_cache.h"
 #include "program/kernel_files.h"
@@ -76,8 +77,9 @@ PictureIdentity identity_of(const Device& device, const Renderer& renderer, cons
   const Window window = scene.film.window();
   const ResolvedSampling sampling = resolve_sampling(scene);
   PictureIdentity identity;
-  const auto add = [&](std::string name, std::string value, std::string note = {}) {
-    identity.parts.push_back({std::move(name), std::move(value), std::move(note)});
+  const auto add = [&](std::string name, const std::string& value, std::string note = {}) {
+    // As a checkpoint gives it back; a note is only shown.
+    identity.parts.push_back({std::move(name), utf8_text(value), std::move(note)});
   };
   add("the version of strahl", STRAHL_VERSION);
   add("the hash of its kernels", hash_of_kernels());

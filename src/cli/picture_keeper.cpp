@@ -38,17 +38,19 @@ PictureKeeper::PictureKeeper(KeepOptions options, PictureFiles picture, Checkpoi
       snapshot_every_(options_.snapshot_every ? duration_seconds(*options_.snapshot_every, "--snapshot-every")
                                               : std::numeric_limits<double>::infinity()) {
   if (!options_.resume.empty()) {
-    resumed_ = read_checkpoint(options_.resume);
-    const std::string difference = header_.identity.difference_from(resumed_->header.identity);
+    Checkpoint resumed = read_checkpoint(options_.resume);
+    const std::string difference = header_.identity.difference_from(resumed.header.identity);
     if (!difference.empty())
       throw InputError(
           fmt::format("--resume \"{}\": it is of another picture: {}; restore that, or render without "
                       "--resume",
                       options_.resume, difference));
-    if (resumed_->header.first_sample != header_.first_sample)
+    if (resumed.header.first_sample != header_.first_sample)
       throw InputError(fmt::format("--resume \"{}\": its samples begin at {} and not at {}; state the same --samples",
-                                   options_.resume, resumed_->header.first_sample, header_.first_sample));
-    film_keeper_.begin_with = &resumed_->state;
+                                   options_.resume, resumed.header.first_sample, header_.first_sample));
+    // Read before the first launch, and of no use after it.
+    spare_ = std::move(resumed.state);
+    film_keeper_.begin_with = &spare_;
   }
   film_keeper_.is_due = [this] {
     const Due now = due();
@@ -60,6 +62,7 @@ PictureKeeper::PictureKeeper(KeepOptions options, PictureFiles picture, Checkpoi
   };
   film_keeper_.keep = [this](FilmState state) { keep(std::move(state)); };
   if (!options_.target().empty()) film_keeper_.keep_last = [this](FilmState state) { last_ = std::move(state); };
+  film_keeper_.no_memory = [this](bool is_last) { keep_nothing(is_last); };
 }
 
 bool PictureKeeper::is_writing() const {
@@ -80,10 +83,10 @@ void PictureKeeper::wait() {
 void PictureKeeper::keep(FilmState state) {
   wait();
   const Due now = due();
+  const auto checkpoint = std::make_shared<Checkpoint>(Checkpoint{header_, std::move(state)});
   if (now.checkpoint) since_checkpoint_ = {};
   if (now.snapshot) since_snapshot_ = {};
   if (now.snapshot) snapshot_is_taken();
-  const auto checkpoint = std::make_shared<Checkpoint>(Checkpoint{header_, std::move(state)});
   const auto write_now = [this, now, checkpoint] {
     checkpoint->told_of_film();
     write(*checkpoint, now);
@@ -96,22 +99,55 @@ void PictureKeeper::keep(FilmState state) {
   }
 }
 
+/// Tried again when the next one is due: memory may be there by then.
+void PictureKeeper::keep_nothing(bool is_last) {
+  wait();
+  const Due now = is_last ? Due{true, false} : due();
+  const auto fault = [](const std::string& path) {
+    return fmt::format("cannot write \"{}\": no memory is left for a copy of the film; end other programs", path);
+  };
+  if (now.checkpoint) {
+    since_checkpoint_ = {};
+    checkpoint_fault_ = fault(options_.target());
+    if (!is_last) warn_of_checkpoint();
+  }
+  if (!now.snapshot) return;
+  since_snapshot_ = {};
+  snapshot_is_taken();
+  snapshot_fault_ = fault(snapshot_path());
+  warn_of_snapshot();
+}
+
+void PictureKeeper::warn_of_checkpoint() const {
+  say(fmt::format("strahl: warning: {}; an earlier checkpoint stays as it was, and the render goes on",
+                  checkpoint_fault_));
+}
+
+void PictureKeeper::warn_of_snapshot() const {
+  say(fmt::format("strahl: warning: {}; the render goes on", snapshot_fault_));
+}
+
+std::string PictureKeeper::snapshot_path() const { return path_beside(picture_.path, "snapshot"); }
+
+void PictureKeeper::write_kept(const Checkpoint& checkpoint) {
+  checkpoint_fault_ = fault_of([&] { write_checkpoint(options_.target(), checkpoint); });
+  if (checkpoint_fault_.empty()) is_written_ = true;
+}
+
 void PictureKeeper::write(const Checkpoint& checkpoint, Due due) {
-  if (due.checkpoint) checkpoint_fault_ = fault_of([&] { write_checkpoint(options_.target(), checkpoint); });
-  if (due.checkpoint && !checkpoint_fault_.empty())
-    say(fmt::format("strahl: warning: {}; an earlier checkpoint stays as it was, and the render goes on",
-                    checkpoint_fault_));
+  if (due.checkpoint) write_kept(checkpoint);
+  if (due.checkpoint && !checkpoint_fault_.empty()) warn_of_checkpoint();
   if (!due.snapshot) return;
   snapshot_fault_ = fault_of([&] {
     PictureFiles files = picture_;
-    files.path = path_beside(picture_.path, "snapshot");
+    files.path = snapshot_path();
     std::map<std::string, std::string> metadata = header_.metadata;
     metadata["incomplete"] = "snapshot";
     // As of a finished picture: the samples that are asked for, or where their number is open, the most that there are.
     if (checkpoint.header.spp == 0) metadata["spp"] = std::to_string(checkpoint.header.most);
     static_cast<void>(cli::write(files, picture_of(checkpoint), metadata, true));
   });
-  if (!snapshot_fault_.empty()) say(fmt::format("strahl: warning: {}; the render goes on", snapshot_fault_));
+  if (!snapshot_fault_.empty()) warn_of_snapshot();
 }
 
 std::optional<std::string> PictureKeeper::finish() {
@@ -120,11 +156,18 @@ std::optional<std::string> PictureKeeper::finish() {
     Checkpoint checkpoint{header_, std::move(*last_)};
     last_.reset();
     checkpoint.told_of_film();
-    checkpoint_fault_ = fault_of([&] { write_checkpoint(options_.target(), checkpoint); });
+    write_kept(checkpoint);
   }
   if (!checkpoint_fault_.empty()) return checkpoint_fault_;
   if (!snapshot_fault_.empty()) return snapshot_fault_;
   return std::nullopt;
+}
+
+std::string PictureKeeper::what_is_kept() const {
+  if (options_.target().empty()) return "nothing was kept: --checkpoint would have";
+  const std::string& kept = is_written_ ? options_.target() : options_.resume;
+  if (kept.empty()) return "nothing was kept: no checkpoint was written yet (--every)";
+  return fmt::format("\"{}\" has the last checkpoint, --resume goes on from there", kept);
 }
 
 }  // namespace strahl::cli

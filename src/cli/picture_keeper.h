@@ -3,6 +3,7 @@
 // (docs/decisions/0029-checkpoints.md).
 #pragma once
 
+#include <atomic>
 #include <future>
 #include <map>
 #include <optional>
@@ -23,8 +24,8 @@ class PictureKeeper {
 
   /// For Renderer::render; as long as this lives.
   [[nodiscard]] const FilmKeeper& film_keeper() const { return film_keeper_; }
-  /// Samples of a pixel that were there before, the least; 0 where nothing was resumed.
-  [[nodiscard]] int resumed_samples() const { return resumed_ ? resumed_->header.least : 0; }
+  /// To be said where the render ends here and now: where its samples are. From any thread.
+  [[nodiscard]] std::string what_is_kept() const;
   /// Once the film is done: the last checkpoint. What could not be written, or none.
   [[nodiscard]] std::optional<std::string> finish();
 
@@ -34,6 +35,11 @@ class PictureKeeper {
   };
   [[nodiscard]] Due due() const;
   void keep(FilmState state);
+  void keep_nothing(bool is_last);
+  void warn_of_checkpoint() const;
+  void warn_of_snapshot() const;
+  [[nodiscard]] std::string snapshot_path() const;
+  void write_kept(const Checkpoint& checkpoint);
   void write(const Checkpoint& checkpoint, Due due);
   [[nodiscard]] bool is_writing() const;
   void wait();
@@ -42,9 +48,10 @@ class PictureKeeper {
   PictureFiles picture_;
   CheckpointHeader header_;
   double every_, snapshot_every_;  ///< Seconds.
-  std::optional<Checkpoint> resumed_;
   std::optional<FilmState> last_;
-  FilmState spare_;  ///< Written: the next one takes its memory. The system takes long to find as much anew.
+  /// Written, or resumed from: the next one takes its memory. The system takes long to find as much anew.
+  FilmState spare_;
+  std::atomic<bool> is_written_ = false;  ///< A checkpoint, by this run.
   FilmKeeper film_keeper_;
   Stopwatch since_checkpoint_, since_snapshot_;
   std::string checkpoint_fault_, snapshot_fault_;  ///< Of the latest that was written; empty: it is there.

@@ -88,6 +88,7 @@ nlohmann::ordered_json count(const Device& device, const Scene& scene, RenderSet
   if (o.keep.samples) goal.samples = sample_range(*o.keep.samples);
   settings.count_rays = true;
   settings.paths_in_lanes = false;
+  settings.passes.reset();  // Launches are short then: what one counts is told in 32 bits.
   settings.acceleration = stats.tree.nodes > 0 ? Acceleration::tree : Acceleration::list;
   Renderer renderer(device, scene, settings);
   ProgressBar bar("count", !o.scene.quiet && !o.scene.no_progress);
@@ -250,7 +251,7 @@ ExitCode render(const RenderOptions& options, const Invocation& invocation) {
   PictureFiles files{options.output, options.png, kinds::integrator(scene.integrator.name).is_length};
   if (options.writes_picture()) {
     if (files.path.empty()) files.path = scene.name + ".png";
-    require_writable(files);
+    if (!options.goal.frames) require_writable(files);
   }
   require_distinct_files(options, files.path, scene.files);
   const bool is_png = !files.path.empty() && image_format(files.path) == ImageFormat::png;
@@ -258,7 +259,9 @@ ExitCode render(const RenderOptions& options, const Invocation& invocation) {
   add_scene_aovs(scene, options, files.path, settings.aovs);
   if (!files.path.empty()) warn_of_later_samples(options.keep, settings.aovs);
   const bool has_first_samples = !options.keep.samples || sample_range(*options.keep.samples).first == 0;
-  if (!files.path.empty() && !options.goal.frames && has_first_samples)
+  if (!files.path.empty() && options.goal.frames)
+    require_writable_frames(files.path, *options.goal.frames, settings.aovs.plain_names());
+  else if (!files.path.empty() && has_first_samples)
     require_writable_layers(files.path, settings.aovs.plain_names());
 
   std::optional<ProgressBar> bar;
@@ -292,7 +295,7 @@ ExitCode render(const RenderOptions& options, const Invocation& invocation) {
   PictureKeeper keeper(options.keep, files, checkpoint_header(options, invocation, device, renderer, settings, goal));
   std::optional<Watchdog> watchdog(std::in_place,
                                    options.keep.watchdog ? duration_seconds(*options.keep.watchdog, "--watchdog") : 0,
-                                   options.keep.target());
+                                   [&keeper] { return keeper.what_is_kept(); });
   FilmKeeper film_keeper = keeper.film_keeper();
   std::optional<std::string> not_kept;  // The picture is written all the same.
   film_keeper.is_done = [&] {

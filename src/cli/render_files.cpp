@@ -3,11 +3,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <filesystem>
 #include <set>
 
 #include "cli/distinct_files.h"
+#include "cli/output_file.h"
 
 namespace strahl::cli {
 namespace {
@@ -41,6 +43,22 @@ int frame_number(const std::string& picture, const std::string& path) {
 }  // namespace
 
 std::string frame_path(const std::string& path, int frame) { return path_beside(path, fmt::format("{:04}", frame)); }
+
+void require_writable_frames(const std::string& picture, int frames, const std::vector<std::string>& layers) {
+  const auto require_frame = [&](int frame) {
+    const std::string path = frame_path(picture, frame);
+    require_writable(path);
+    require_writable_layers(path, layers);
+  };
+  // Of up to a million frames those whose names are the shortest and the longest, and those that are there already.
+  std::set<int> numbers{1, frames};
+  const std::string folder = fs::path(picture).parent_path().string();
+  std::error_code unknown;
+  for (fs::directory_iterator at(folder.empty() ? "." : folder, unknown), end; !unknown && at != end;
+       at.increment(unknown))
+    numbers.insert(std::clamp(frame_number(picture, at->path().string()), 1, frames));
+  for (const int number : numbers) require_frame(number);
+}
 
 void require_distinct_files(const RenderOptions& options, const std::string& picture,
                             const std::vector<std::string>& scene_files) {

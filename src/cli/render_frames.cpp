@@ -92,7 +92,9 @@ ExitCode render_frames(Renderer& renderer, const RenderOptions& options, const I
     const Clock::time_point start = Clock::now();
     goal.deadline = later(start, time);
     std::optional<Watchdog> watchdog;
-    if (options.keep.watchdog) watchdog.emplace(duration_seconds(*options.keep.watchdog, "--watchdog"), "");
+    if (options.keep.watchdog)
+      watchdog.emplace(duration_seconds(*options.keep.watchdog, "--watchdog"),
+                       [] { return std::string("the frames so far are there"); });
     FilmKeeper film_keeper;
     film_keeper.is_done = [&] { watchdog.reset(); };
     const RenderResult result = renderer.render(

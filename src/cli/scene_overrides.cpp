@@ -43,9 +43,14 @@ std::vector<int> integers(const std::string& option, const std::string& text, st
   return values;
 }
 
-int scaled(int length, int numerator, int denominator) {
-  const double exact = static_cast<double>(length) * numerator / denominator;
-  return static_cast<int>(std::clamp(std::round(exact), 1.0, static_cast<double>(max_size)));
+/// Of the side that no option states. A picture that is so narrow has a pixel all the same.
+int scaled(int length, int numerator, int denominator, const char* side) {
+  const double exact = std::round(static_cast<double>(length) * numerator / denominator);
+  if (exact > max_size)
+    throw UsageError(
+        fmt::format("at the scene's aspect ratio the {} would be {:.0f} pixels, more than {}; state --{} as well", side,
+                    exact, max_size, side));
+  return std::max(static_cast<int>(exact), 1);
 }
 
 void resize(const SceneOverrides& overrides, Film& film) {
@@ -53,8 +58,8 @@ void resize(const SceneOverrides& overrides, Film& film) {
   const int height = film.height;
   if (overrides.width) film.width = *overrides.width;
   if (overrides.height) film.height = *overrides.height;
-  if (overrides.width && !overrides.height) film.height = scaled(height, film.width, width);
-  if (overrides.height && !overrides.width) film.width = scaled(width, film.height, height);
+  if (overrides.width && !overrides.height) film.height = scaled(height, film.width, width, "height");
+  if (overrides.height && !overrides.width) film.width = scaled(width, film.height, height, "width");
 }
 
 void require_inside(const Window& window, const Film& film, const std::string& whose) {
@@ -80,6 +85,15 @@ void crop(const SceneOverrides& overrides, Film& film) {
   } else if (film.crop && (overrides.width || overrides.height)) {
     require_inside(*film.crop, film, "state --crop: the scene's crop window");
   }
+}
+
+/// Paths from lights end anywhere in the picture, so that --pixel takes none, as rays through the pixels' middles do
+/// not.
+void choose(const SceneOverrides& overrides, Scene& scene) {
+  const std::optional<SamplerKind> kind = scene.sampler.kind;
+  if (overrides.pixel) scene.sampler.kind = SamplerKind::centre;
+  choose_integrator(scene);
+  scene.sampler.kind = kind;
 }
 
 }  // namespace
@@ -127,10 +141,11 @@ void add_scene_overrides(CLI::App& app, SceneOverrides& overrides) {
 }
 
 void apply(const SceneOverrides& overrides, Scene& scene) {
+  if (overrides.sampler) scene.sampler.kind = sampler_from_name(*overrides.sampler);
   const bool is_auto = overrides.integrator ? overrides.integrator == "auto" : !scene.integrator.why.empty();
   if (is_auto) {
     scene.integrator.max_depth = overrides.max_depth.value_or(scene.integrator.max_depth);
-    choose_integrator(scene);
+    choose(overrides, scene);
   } else if (overrides.integrator) {
     std::vector<std::string> known = list_entries("integrators");
     known.emplace_back("auto");
@@ -145,7 +160,6 @@ void apply(const SceneOverrides& overrides, Scene& scene) {
   if (overrides.max_depth) scene.integrator.max_depth = *overrides.max_depth;
   if (overrides.spp) scene.sampler.sample_count = *overrides.spp;
   if (overrides.seed) scene.sampler.seed = *overrides.seed;
-  if (overrides.sampler) scene.sampler.kind = sampler_from_name(*overrides.sampler);
   resize(overrides, scene.film);
   crop(overrides, scene.film);
   if (overrides.pixel && kinds::integrator(scene.integrator.name).from_lights)

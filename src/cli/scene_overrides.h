@@ -26,7 +26,8 @@ struct SceneOverrides {
 
 void add_scene_overrides(CLI::App& app, SceneOverrides& overrides);
 
-/// Throws UsageError for an unknown integrator and for a crop window outside the picture.
+/// Throws UsageError for an unknown integrator, for a crop window outside the picture, and for a side that would be too
+/// long.
 void apply(const SceneOverrides& overrides, Scene& scene);
 
 /// For studies at a size of their own: without the scene's crop window, whose pixels would be others there; warns of

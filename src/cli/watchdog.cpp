@@ -13,7 +13,8 @@
 
 namespace strahl::cli {
 
-Watchdog::Watchdog(double seconds, std::string kept) : seconds_(seconds), kept_(std::move(kept)) {
+Watchdog::Watchdog(double seconds, std::function<std::string()> what_is_kept)
+    : seconds_(seconds), what_is_kept_(std::move(what_is_kept)) {
   if (seconds_ > 0) thread_ = std::thread([this] { watch(); });
 }
 
@@ -43,8 +44,7 @@ void Watchdog::watch() {
     is_fed_ = false;
   }
   say(fmt::format("strahl: error: the device has not come back from a launch for {:.6g} s (--watchdog); {}", seconds_,
-                  kept_.empty() ? "nothing was kept: --checkpoint would have"
-                                : fmt::format("\"{}\" has the last checkpoint, --resume goes on from there", kept_)));
+                  what_is_kept_()));
   std::_Exit(static_cast<int>(ExitCode::failure));
 }
 

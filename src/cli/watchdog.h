@@ -3,6 +3,7 @@
 #pragma once
 
 #include <condition_variable>
+#include <functional>
 #include <mutex>
 #include <string>
 #include <thread>
@@ -11,10 +12,10 @@ namespace strahl::cli {
 
 /// Of launches alone: it is to end before programs are built. While one lives, fed() must come at least every
 /// `seconds`; else what happened is said, and the process ends with exit code 1 at once, with its files as they are.
-/// kept: where the samples so far are; empty: nowhere. 0 s: does nothing.
+/// what_is_kept: what is said then of the samples so far; asked by another thread. 0 s: does nothing.
 class Watchdog {
  public:
-  Watchdog(double seconds, std::string kept);
+  Watchdog(double seconds, std::function<std::string()> what_is_kept);
   ~Watchdog();
   Watchdog(const Watchdog&) = delete;
   Watchdog& operator=(const Watchdog&) = delete;
@@ -25,7 +26,7 @@ class Watchdog {
   void watch();
 
   double seconds_;
-  std::string kept_;
+  std::function<std::string()> what_is_kept_;
   std::mutex mutex_;  ///< Of all below.
   std::condition_variable wake_;
   bool is_fed_ = false, is_over_ = false;

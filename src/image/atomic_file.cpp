@@ -13,6 +13,7 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <utility>
 
 #include "errors.h"
 #include "image/temporary_file.h"
@@ -27,6 +28,35 @@ constexpr std::size_t buffer_bytes = std::size_t{1} << 16;
 std::string folder_of(const std::string& path) {
   const std::string folder = fs::path(path).parent_path().string();
   return folder.empty() ? "." : folder;
+}
+
+/// A mount point cannot be replaced. Where the system does not say what is one, commit() finds out.
+bool is_mount_point(const std::string& path) {
+#ifdef STATX_ATTR_MOUNT_ROOT
+  struct statx status {};
+  return ::statx(AT_FDCWD, path.c_str(), AT_SYMLINK_NOFOLLOW, STATX_TYPE, &status) == 0 &&
+         (status.stx_attributes & status.stx_attributes_mask & STATX_ATTR_MOUNT_ROOT) != 0;
+#else
+  static_cast<void>(path);
+  return false;
+#endif
+}
+
+/// In a folder as /tmp only its owner, the file's and root rename or replace a file, whoever may write to it.
+bool is_kept_by_sticky_folder(const std::string& path) {
+  struct stat folder {
+  }, file{};
+  const uid_t user = ::geteuid();
+  return user != 0 && ::stat(folder_of(path).c_str(), &folder) == 0 && (folder.st_mode & S_ISVTX) != 0 &&
+         ::stat(path.c_str(), &file) == 0 && folder.st_uid != user && file.st_uid != user;
+}
+
+/// Why a file that is there, and may be written to, cannot be replaced; empty where nothing is known against it.
+std::string irreplaceable_because(const std::string& path) {
+  if (is_mount_point(path)) return "it is a mount point, which cannot be replaced; mount its folder, or name another";
+  if (is_kept_by_sticky_folder(path))
+    return "it belongs to another user, in a folder whose files their owners alone replace (sticky); name another";
+  return {};
 }
 
 std::string cause_and_remedy(const std::string& path, int error) {
@@ -66,17 +96,25 @@ AtomicFile::AtomicFile(const std::string& path) : path_(path), target_(path) {
   const fs::file_status status = fs::status(path, unknown);
   if (path.empty()) throw Error("cannot write to a file without a name");
   if (fs::is_directory(status)) fail(EISDIR);
-  const bool replaces = fs::is_regular_file(status);
+  bool replaces = fs::is_regular_file(status);
   if (fs::exists(status)) {
     // rename() would replace a write-protected file without asking.
     if (::access(path.c_str(), W_OK) != 0) fail(errno);
-    target_ = fs::canonical(path, unknown).string();
-    if (unknown) fail(unknown.value());
+    // What an open descriptor alone leads to (/dev/stdout, /dev/fd/3) may be a pipe, or a file that was removed: it has
+    // no name that it could be replaced under.
+    if (replaces) {
+      const fs::path named = fs::canonical(path, unknown);
+      if (unknown && unknown != std::errc::no_such_file_or_directory) fail(unknown.value());
+      replaces = !unknown;
+      if (replaces) target_ = named.string();
+    }
     if (!replaces) {
-      descriptor_ = ::open(target_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+      descriptor_ = ::open(path.c_str(), O_WRONLY | O_TRUNC | O_CLOEXEC);
       if (descriptor_ < 0) fail(errno);
       return;
     }
+    if (const std::string why = irreplaceable_because(target_); !why.empty())
+      throw Error(fmt::format("cannot write \"{}\": {}", path_, why));
   } else {
     target_ = end_of_links(path);
     if (fs::is_symlink(fs::symlink_status(target_, unknown))) fail(ELOOP);
@@ -144,10 +182,27 @@ void AtomicFile::commit() {
   const int descriptor = descriptor_;
   descriptor_ = -1;
   int error = ::close(descriptor) == 0 ? 0 : errno;
-  if (error == 0 && !temporary_.empty() && std::rename(temporary_.c_str(), target_.c_str()) != 0) error = errno;
+  std::string aside;
+  if (error == 0 && !temporary_.empty() && std::rename(temporary_.c_str(), target_.c_str()) != 0) {
+    error = errno;
+    aside = set_aside();
+  }
   if (lock >= 0) ::close(lock);
-  if (error != 0) fail(error);
+  if (error != 0) fail(error, aside);
   temporary_.clear();
+}
+
+/// The file is complete, and may be hours of work: it stays under another name, which is returned with what is to be
+/// said of it. The name is of the target and of this process, so that what fails again and again leaves one.
+std::string AtomicFile::set_aside() {
+  constexpr std::size_t most_letters = 200;  // Of the 255 that a name may have.
+  const fs::path target(target_);
+  const std::string name = fmt::format("{}.unplaced-{}{}", target.stem().string().substr(0, most_letters), ::getpid(),
+                                       target.extension().string());
+  const std::string aside = (target.parent_path() / name).string();
+  const std::string temporary = std::exchange(temporary_, {});
+  if (std::rename(temporary.c_str(), aside.c_str()) == 0) return fmt::format("; the complete file is \"{}\"", aside);
+  return fmt::format("; the complete file is \"{}\" until strahl next writes to that folder", temporary);
 }
 
 void AtomicFile::commit_to_disk() {
@@ -171,9 +226,9 @@ void AtomicFile::flush_folder() {
   if (error != 0) fail(error);
 }
 
-void AtomicFile::fail(int error) {
+void AtomicFile::fail(int error, const std::string& what_is_left) {
   if (failure_ == 0) failure_ = error;
-  throw Error(fmt::format("cannot write \"{}\": {}", path_, cause_and_remedy(target_, failure_)));
+  throw Error(fmt::format("cannot write \"{}\": {}{}", path_, cause_and_remedy(target_, failure_), what_is_left));
 }
 
 }  // namespace strahl

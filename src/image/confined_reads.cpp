@@ -36,7 +36,11 @@ std::string outside_because(const std::string& path) {
   if (root().empty()) return {};
   std::error_code fault;
   const fs::path there = fs::canonical(path, fault);
-  if (fault) return {};  // It cannot be read at all.
+  // What is there and has no name is open already: a pipe behind /dev/stdin, a file that was removed. Who opened it may
+  // have had it from anywhere. What is not there cannot be read at all.
+  if (fault)
+    return fs::exists(path, fault) ? "it is a pipe or was removed, which --root does not read; name a file"
+                                   : std::string();
   const auto [of_root, rest] = std::mismatch(root().begin(), root().end(), there.begin(), there.end());
   // Archives hold pipes, too; without a writer an open one is waited for without end.
   if (of_root == root().end())

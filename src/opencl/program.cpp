@@ -8,8 +8,6 @@
 #include <bit>
 #include <chrono>
 #include <cstdlib>
-#include <filesystem>
-#include <fstream>
 #include <optional>
 #include <string_view>
 
@@ -38,15 +36,6 @@ std::optional<cl::Program> build_binary(const Device& device, const ProgramSourc
   }
 }
 
-/// Where the text went, or why it went nowhere.
-std::string dump(const std::string& name, const ProgramSource& source) {
-  const std::string path = failed_program_path(name);
-  std::ofstream out(path, std::ios::binary);
-  out << source.text;
-  out.close();
-  return out ? path : fmt::format("could not be written to {}", path);
-}
-
 /// Whether the robust tier goes beyond single precision in doubles. The bits do not depend on it.
 bool takes_doubles(const Device& device) {
   const char* words = std::getenv("STRAHL_DOUBLE_WORDS");
@@ -62,10 +51,10 @@ cl::Program build_text(const Device& device, const ProgramSource& source, const 
     program.build(device.device(), source.options.c_str());
   } catch (const cl::Error& error) {
     const std::string log = checked(name, [&] { return program.getBuildInfo<CL_PROGRAM_BUILD_LOG>(device.device()); });
-    throw KernelBuildError(
-        fmt::format("{} failed with {} on {}\noptions: {}\nsource: {}\nbuild log:\n{}", error.what(),
-                    cl_code_name(error.err()), name, source.options, dump(program_name, source), log),
-        error.err());
+    throw KernelBuildError(fmt::format("{} failed with {} on {}\noptions: {}\nsource: {}\nbuild log:\n{}", error.what(),
+                                       cl_code_name(error.err()), name, source.options,
+                                       keep_failed_program(program_name, source.text), log),
+                           error.err());
   }
   return program;
 }

@@ -4,11 +4,12 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <stdlib.h>  // NOLINT(modernize-deprecated-headers): mkstemp is POSIX
+#include <stdlib.h>  // NOLINT(modernize-deprecated-headers): mkstemp, mkstemps
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <charconv>
 #include <cstdlib>
 #include <cstring>
@@ -187,11 +188,27 @@ bool write_cached_binary(const std::string& name, const std::string& key, const 
   return is_stored;
 }
 
-std::string failed_program_path(const std::string& name) {
+std::string keep_failed_program(const std::string& name, const std::string& text) {
+  constexpr std::string_view ending = ".failed.cl";
   const fs::path cache = program_cache_directory();
   if (!cache.empty()) make_directory(cache);
-  const bool usable = !cache.empty() && access(cache.c_str(), W_OK) == 0;
-  return ((usable ? cache : fs::temp_directory_path()) / (name + ".failed.cl")).string();
+  std::string path;
+  int descriptor = -1;
+  if (!cache.empty() && access(cache.c_str(), W_OK) == 0) {
+    path = (cache / (name + std::string(ending))).string();
+    descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW | O_CLOEXEC, 0600);
+  } else {
+    std::error_code failed;
+    const fs::path temporary = fs::temp_directory_path(failed);
+    if (failed) return fmt::format("nowhere: neither the program cache nor TMPDIR can be used ({})", failed.message());
+    path = (temporary / (name + "-XXXXXX" + std::string(ending))).string();
+    descriptor = ::mkstemps(path.data(), static_cast<int>(ending.size()));
+  }
+  const bool is_written =
+      descriptor >= 0 && ::write(descriptor, text.data(), text.size()) == static_cast<ssize_t>(text.size());
+  const int error = errno;
+  if (descriptor >= 0) ::close(descriptor);
+  return is_written ? path : fmt::format("could not be written to {} ({})", path, std::strerror(error));
 }
 
 std::size_t clear_program_cache() {

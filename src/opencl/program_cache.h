@@ -31,7 +31,8 @@ namespace strahl {
 /// false: it is not stored, for whatever reason.
 bool write_cached_binary(const std::string& name, const std::string& key, const std::vector<unsigned char>& binary);
 
-/// Where the source of a program that does not build is kept: below the cache, or the directory for temporary files.
-[[nodiscard]] std::string failed_program_path(const std::string& name);
+/// Keeps the source of a program that does not build: below the cache, or in the directory for temporary files under a
+/// name that nobody can foresee. Where it went, or why it went nowhere.
+[[nodiscard]] std::string keep_failed_program(const std::string& name, const std::string& text);
 
 }  // namespace strahl

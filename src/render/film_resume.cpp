@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <new>
 #include <numeric>
 
 #include "errors.h"
@@ -41,7 +42,7 @@ bool FilmRun::go_on_from(const FilmState& state) {
   run.resumed_samples = static_cast<std::uint64_t>(samples_before_);
   // The pass that was under way may be one of hours; where time or an error ends the render, its rest is no part of it.
   const int level = goal_.is_open() ? film_.first_sample + *most : state.position.done;
-  passes_.go_on_from({level, state.position.check_at});
+  passes_.go_on_from({level, state.position.check_at, state.position.max_error});
   has_first_samples_ = film_.first_sample + *least == 0;
   if (is_one_band()) {
     band_ = {0, height_};
@@ -107,6 +108,14 @@ void FilmRun::begin_band() {
     const std::vector<float> floats(reals, reals + pixels * layout::AOV_REALS);
     write_buffer(state_.device, state_.aov_reals, floats.data(), state_.aov_real_bytes(pixels));
   }
+}
+
+void FilmRun::give(const std::function<void(FilmState)>& keep, bool is_last) try {
+  keep(state_now());
+} catch (const std::bad_alloc&) {
+  // The film itself is untouched.
+  if (!keeper_->no_memory) throw;
+  keeper_->no_memory(is_last);
 }
 
 FilmState FilmRun::state_now() {

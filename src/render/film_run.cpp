@@ -80,7 +80,7 @@ double FilmRun::seconds_left() const {
 }
 
 bool FilmRun::report() {
-  if (keeper_ != nullptr && keeper_->is_due && keeper_->is_due()) keeper_->keep(state_now());
+  if (keeper_ != nullptr && keeper_->is_due && keeper_->is_due()) give(keeper_->keep, false);
   if (!progress_) return true;
   const std::uint64_t done = result_.stats.camera_rays + under_way_;
   const double pixels = static_cast<double>(film_.samples.size());
@@ -343,7 +343,7 @@ RenderResult FilmRun::run() {
   result_.complete = result_.ending != Ending::stopped;
 
   run.ending = ending_name(result_.ending);
-  if (keeper_ != nullptr && keeper_->keep_last) keeper_->keep_last(state_now());
+  if (keeper_ != nullptr && keeper_->keep_last) give(keeper_->keep_last, true);
   if (keeper_ != nullptr && keeper_->is_done) keeper_->is_done();
   if (result_.error) run.error = ErrorBudget{*result_.error, 0, 0, std::nullopt};
   std::set<Aov> plain = state_.settings.aovs.plain();

@@ -62,6 +62,8 @@ class FilmRun {
   bool render_missing(int end);
   void begin_band();
   [[nodiscard]] FilmState state_now();
+  /// The film so far, to its keeper.
+  void give(const std::function<void(FilmState)>& keep, bool is_last);
   /// Work-items of a launch whose loops the device has ended; `stuck`: those of them that have no sample more.
   struct Unfinished {
     std::uint32_t cut, stuck;

@@ -11,6 +11,8 @@ namespace {
 
 constexpr int sums_a_pixel = layout::FILM_SUBSUMS;
 
+constexpr int first_look = 2 * sums_a_pixel;
+
 /// A pass of several samples is not ended part-way. The share of the time left that it may take: it would have to take
 /// 2.5 times as long as the one before it says to miss the deadline. Smaller shares make more passes of few samples,
 /// which take longer a sample (docs/decisions/0026-path-pool.md).
@@ -26,11 +28,11 @@ bool is_reached(const ErrorEstimate& error, double wanted) {
 }
 
 PassPlan::PassPlan(const RenderGoal& goal, int end, int first)
-    : goal_(goal), end_(end), done_(first), check_at_(2 * sums_a_pixel) {}
+    : goal_(goal), end_(end), done_(first), check_at_(first_look) {}
 
 void PassPlan::go_on_from(const PassPosition& position) {
   done_ = std::min(position.done, end_);
-  check_at_ = position.check_at;
+  check_at_ = position.max_error == goal_.max_error ? position.check_at : std::max(done_, first_look);
 }
 
 std::optional<Pass> PassPlan::next(double sample_seconds, double seconds_left) {

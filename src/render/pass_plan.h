@@ -17,8 +17,9 @@ struct Pass {
 
 /// How far a plan is.
 struct PassPosition {
-  int done = 0;      ///< Samples of every pixel, those of the pass under way included.
-  int check_at = 0;  ///< Samples at which to look at the error.
+  int done = 0;                       ///< Samples of every pixel, those of the pass under way included.
+  int check_at = 0;                   ///< Samples at which to look at the error.
+  std::optional<double> max_error{};  ///< The error to reach that this look is for.
 };
 
 /// Whether a picture of this error is done: it is no larger than `wanted`, and the interval's upper end hardly is. A
@@ -49,8 +50,9 @@ class PassPlan {
   /// The reason why next() returned none.
   [[nodiscard]] Ending ending() const { return ending_; }
 
-  [[nodiscard]] PassPosition position() const { return {done_, check_at_}; }
-  /// As if an earlier plan's passes had been this one's.
+  [[nodiscard]] PassPosition position() const { return {done_, check_at_, goal_.max_error}; }
+  /// As if an earlier plan's passes had been this one's. Where another error is to be reached, it may be reached
+  /// already: the first look is at once.
   void go_on_from(const PassPosition& position);
 
  private:

@@ -21,7 +21,7 @@ Checkpoint small_checkpoint(int first_sample = 3) {
   film.first_sample = first_sample;
   for (std::size_t i = 0; i < film.words.size(); ++i) film.words[i] = static_cast<std::int64_t>(i * 0x123456789abcdefU);
   film.samples = {5, 5, 5, 5, 4, 4};
-  Checkpoint checkpoint{{}, {film, {8, 12}, {1, 2, 3, 4}, {}, {}, {{0.1, -2e-300, 3}, 0.25}}};
+  Checkpoint checkpoint{{}, {film, {8, 12, 0.1}, {1, 2, 3, 4}, {}, {}, {{0.1, -2e-300, 3}, 0.25}}};
   checkpoint.header.identity.parts = {{"the seed", "7", ""}, {"a file", "abc", " (\xff name)"}};
   checkpoint.header.metadata = {{"scene", "s.xml"}};
   checkpoint.header.aovs = {"depth"};
@@ -53,6 +53,7 @@ TEST_CASE("it comes back to the bit") {
   CHECK(in.state.unusual == out.state.unusual);
   CHECK(in.state.position.done == 8);
   CHECK(in.state.position.check_at == 12);
+  CHECK(in.state.position.max_error == 0.1);
   CHECK(in.state.frame.origin.y == -2e-300);
   CHECK(in.state.frame.scale == 0.25);
   CHECK(in.header.least == 4);

@@ -244,6 +244,22 @@ TEST_CASE("of a value that is defined twice the last one is the picture's") {
   succeed(folder, with({"c=3"}, "--resume"));
 }
 
+TEST_CASE("a value that is not UTF-8 is gone on with, and told apart from others") {
+  const Folder folder;
+  std::string text = glowing_sphere;
+  text.replace(text.find("type=\"sphere\""), 13, "type=\"sphere\" id=\"$name\"");
+  folder.file("s.xml", text);
+  const auto with = [](const std::string& name, const char* keep) {
+    return std::vector<std::string>{"s.xml", "-d", "pocl", "-q", "-o", "x.exr", keep, "c.ckpt", "-D", "name=" + name};
+  };
+  succeed(folder, with("b\xe4ll\\", "--checkpoint"));
+  succeed(folder, with("b\xe4ll\\", "--resume"));
+  refuse(folder, with("b\xf6ll\\", "--resume"), 3, {"-D is name=b\\xe4ll\\x5c there and name=b\\xf6ll\\x5c here"});
+  refuse(folder, with("b\\xe4ll\\", "--resume"), 3, {"-D is"});
+  succeed(folder, with("b\xc3\xa4ll\\", "--checkpoint"));
+  succeed(folder, with("b\xc3\xa4ll\\", "--resume"));
+}
+
 TEST_CASE("usage of what keeps a render") {
   const Folder folder;
   folder.file("s.xml", glowing_sphere);

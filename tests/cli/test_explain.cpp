@@ -54,6 +54,23 @@ TEST_CASE("options decide with the scene") {
   CHECK(feature(explain(folder, {"--generic"}), "shapes/disk").at("on") == true);
 }
 
+TEST_CASE("auto takes paths from lights only where the sampler and --pixel let them through") {
+  const Folder folder;
+  const auto is_on = [&](const std::string& integrator, const std::vector<std::string>& more) {
+    std::vector<std::string> arguments{"explain", STRAHL_SOURCE_DIR "/scenes/lights/beams.xml", "--json",
+                                       "--integrator", "auto"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Outcome outcome = folder.run(arguments);
+    INFO(outcome.err);
+    REQUIRE(outcome.code == 0);
+    return feature(Json::parse(outcome.out), "integrators/" + integrator).at("on").get<bool>();
+  };
+  CHECK(is_on("ptracer", {}));
+  CHECK(is_on("ptracer", {"--sampler", "sobol"}));
+  CHECK(is_on("path", {"--sampler", "centre"}));
+  CHECK(is_on("path", {"--pixel", "3,4"}));
+}
+
 TEST_CASE("the program's name follows what is in it, and nothing else") {
   const Folder folder;
   const auto program = [&](const std::vector<std::string>& more) {

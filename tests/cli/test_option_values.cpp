@@ -50,6 +50,16 @@ TEST_CASE("an option that takes a number takes no NaN, no infinity and nothing o
     CHECK(render_with(folder, right).code == 4);
 }
 
+TEST_CASE("a side that follows from the other is refused where it would be too long") {
+  const Folder folder;
+  CHECK(render_with(folder, {"--height", "49152"}).code == 4);
+  const Outcome outcome = render_with(folder, {"--height", "65536"});
+  CHECK(outcome.code == 2);
+  CHECK(contains(outcome.err, "the width would be 87381 pixels, more than 65536; state --width as well"));
+  CHECK(render_with(folder, {"--height", "65536", "--width", "8"}).code == 4);
+  CHECK(contains(render_with(folder, {"--width", "1", "--pixel", "9,9"}).err, "1 x 1 pixels"));
+}
+
 TEST_CASE("whole numbers are decimal, with zeros in front too, and the intervals of explain hold no NaN") {
   const Folder folder;
   // The picture's size is told where --pixel lies outside of it.

@@ -43,6 +43,24 @@ TEST_CASE("outputs that cannot be written fail before a device is looked for") {
   CHECK(folder.files() == std::vector<std::string>{"folder.png", "layers.depth.png", "scene.xml"});
 }
 
+TEST_CASE("of frames it is each of theirs that must be writable, and not the name that they are made from") {
+  const Folder folder;
+  const std::vector<std::string> frames{"-o", "f.png", "--aov", "depth", "--time", "1s", "--frames", "12"};
+  mkdir(folder.path("f.png").c_str(), 0700);
+  mkdir(folder.path("f.0013.png").c_str(), 0700);
+  mkdir(folder.path("f.0002x.png").c_str(), 0700);
+  CHECK(render_to(folder, frames).code == 4);
+  for (const std::string name : {"f.0002.png", "f.0012.depth.png"}) {
+    INFO(name);
+    mkdir(folder.path(name).c_str(), 0700);
+    const Outcome outcome = render_to(folder, frames);
+    CHECK(outcome.code == 1);
+    CHECK(contains(outcome.err, name + "\": it is a folder"));
+    rmdir(folder.path(name).c_str());
+  }
+  CHECK(render_to(folder, {"-o", "missing/f.png", "--time", "1s", "--frames", "2"}).code == 1);
+}
+
 TEST_CASE("a folder without permission fails before a device is looked for") {
   if (geteuid() == 0) return;  // Root may write anywhere.
   const Folder folder;

@@ -29,6 +29,16 @@ class LateFault {
     return folder_.run(options, environment);
   }
 
+  /// How many launches there were.
+  [[nodiscard]] int launches(const std::vector<std::string>& more) {
+    REQUIRE(run(more).code == 0);
+    std::istringstream log(read_text(folder_.path("calls.log")));
+    int count = 0;
+    for (std::string line; std::getline(log, line);)
+      if (line == "clEnqueueNDRangeKernel") ++count;
+    return count;
+  }
+
   /// Its last launch fails.
   [[nodiscard]] Outcome fail_last_launch(const std::vector<std::string>& more) {
     REQUIRE(run(more).code == 0);
@@ -72,4 +82,13 @@ TEST_CASE("the run that counts rays fails: the statistics of the picture are wri
   const auto stats = nlohmann::json::parse(read_text(late.folder().path("stats.json")));
   CHECK(stats.at("detail").is_null());
   CHECK(stats.at("rays").at("camera") == 32 * 24 * 4);
+}
+
+TEST_CASE("rays are counted in launches of their own, however the picture is divided") {
+  LateFault late;
+  std::vector<std::string> options{"--spp", "128", "--passes", "128", "--stats", "stats.json"};
+  const int of_picture = late.launches(options);
+  CHECK(of_picture >= 128);
+  options.emplace_back("--stats-detail");
+  CHECK(late.launches(options) - of_picture < 64);
 }

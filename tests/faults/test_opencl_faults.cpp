@@ -73,6 +73,27 @@ class FaultyRender {
     CHECK(strahl::read_checkpoint(folder_.path("c.ckpt")).header.least >= 8);
   }
 
+  /// The first launch of a run that has written no checkpoint, whatever an earlier one has left under that name.
+  void hang_before_a_checkpoint() {
+    const std::vector<std::string> options{scene_, "--width", "24",    "--spp",        "9",        "-d",         "pocl",
+                                           "-q",   "-o",      "n.pfm", "--checkpoint", "new.ckpt", "--watchdog", "1s"};
+    fs::remove(folder_.path("calls.log"));
+    std::map<std::string, std::string> environment{{"OPENCL_LAYERS", STRAHL_FAIL_OPENCL},
+                                                   {"STRAHL_CL_FAULT_LOG", folder_.path("calls.log")}};
+    REQUIRE(folder_.run(options, environment).code == 0);
+    const std::string log = read_text(folder_.path("calls.log"));
+    const std::size_t launch = log.find("clEnqueueNDRangeKernel\n", log.find("clEnqueueFillBuffer"));
+    const auto call =
+        std::count(log.begin(), log.begin() + static_cast<std::ptrdiff_t>(log.find("clFinish", launch)), '\n');
+    environment["STRAHL_CL_FAULT_CALL"] = std::to_string(call + 1);
+    environment["STRAHL_CL_FAULT_CODE"] = "hang";
+    const Outcome outcome = folder_.run(options, environment);
+    INFO(outcome.err);
+    CHECK(outcome.code == 1);
+    CHECK(contains(outcome.err, "nothing was kept: no checkpoint was written yet"));
+    CHECK_FALSE(contains(outcome.err, "has the last checkpoint"));
+  }
+
   /// One of --frames, which keep no checkpoint; some call in their midst.
   void hang_in_frames() {
     const Outcome outcome = folder_.run(
@@ -125,6 +146,7 @@ TEST_CASE("each OpenCL call fails in turn") {
 TEST_CASE("a kernel that never ends is left behind") {
   FaultyRender render("lecture/lit.xml");
   render.hang();
+  render.hang_before_a_checkpoint();
   render.hang_in_frames();
 }
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 # Faults that are put into the built program (docs/reliability.md).
-foreach(shim fail_write fail_opencl jump_clock count_memory)
+foreach(shim fail_write fail_opencl fail_memory jump_clock count_memory)
   add_library(${shim} MODULE faults/${shim}.cpp)
   target_link_libraries(${shim} PRIVATE ${CMAKE_DL_LIBS})
   set_target_properties(${shim} PROPERTIES UNITY_BUILD OFF)
@@ -12,12 +12,14 @@ strahl_test(faults/test_after_the_picture.cpp LABEL device TIMEOUT 300)
 strahl_test(faults/test_device_questions.cpp LABEL device TIMEOUT 300)
 strahl_test(faults/test_clock_jumps.cpp LABEL device TIMEOUT 300 LIBS nlohmann_json::nlohmann_json)
 strahl_test(faults/test_memory.cpp LABEL device TIMEOUT 300)
+strahl_test(faults/test_film_copies.cpp LABEL device TIMEOUT 300)
 strahl_runs_program(faults_tests)
-add_dependencies(faults_tests fail_write fail_opencl jump_clock count_memory)
+add_dependencies(faults_tests fail_write fail_opencl fail_memory jump_clock count_memory)
 # Each test file has a render that fails.
 set_target_properties(faults_tests PROPERTIES UNITY_BUILD OFF)
 target_compile_definitions(faults_tests PRIVATE STRAHL_FAIL_WRITE="$<TARGET_FILE:fail_write>"
                                                 STRAHL_FAIL_OPENCL="$<TARGET_FILE:fail_opencl>"
+                                                STRAHL_FAIL_MEMORY="$<TARGET_FILE:fail_memory>"
                                                 STRAHL_JUMP_CLOCK="$<TARGET_FILE:jump_clock>"
                                                 STRAHL_COUNT_MEMORY="$<TARGET_FILE:count_memory>")
 add_test(NAME faults_test_write_faults_all COMMAND faults_tests "-#" "[#test_write_faults]")

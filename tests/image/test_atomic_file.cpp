@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Output files are complete or absent, whatever goes wrong: full disk, missing folder, no permission, an exception.
+#include <fcntl.h>
+#include <sched.h>
+#include <sys/mount.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
@@ -60,6 +63,20 @@ class OrdinaryUser {
  private:
   bool was_root_ = ::geteuid() == 0;
 };
+
+/// What writing to `path` says; empty where it works.
+std::string fault_of_writing(const std::string& path) {
+  try {
+    AtomicFile file(path);
+    file.write("new");
+    file.commit();
+    return {};
+  } catch (const Error& fault) {
+    return fault.what();
+  }
+}
+
+std::string name_of_descriptor(int descriptor) { return "/dev/fd/" + std::to_string(descriptor); }
 
 /// Noise, which no compression brings below the limit that the tests set.
 Image noise() {
@@ -254,4 +271,95 @@ TEST_CASE("pictures go into a pipe as they go into a file") {
     CHECK(read_file(folder / ("read" + extension)) == read_file(file));
     CHECK(fs::is_fifo(pipe));
   }
+}
+
+TEST_CASE("an open pipe is written to by its descriptor's name, through links too") {
+  const TemporaryFolder folder;
+  int ends[2];
+  REQUIRE(::pipe(ends) == 0);
+  const std::string path = name_of_descriptor(ends[1]);
+  fs::create_symlink(path, folder / "link");
+  for (const std::string& name : {path, folder / "link"}) {
+    INFO(name);
+    CHECK(fault_of_writing(name).empty());
+    char read[8] = {};
+    REQUIRE(::read(ends[0], read, sizeof read) == 3);
+    CHECK(std::string(read) == "new");
+  }
+  CHECK(folder.names() == std::set<std::string>{"link"});
+  ::close(ends[0]);
+  ::close(ends[1]);
+}
+
+TEST_CASE("an open file that was removed is written to") {
+  const TemporaryFolder folder;
+  const int file = ::open((folder / "a").c_str(), O_RDWR | O_CREAT, 0600);
+  REQUIRE(file >= 0);
+  fs::remove(folder / "a");
+  CHECK(fault_of_writing(name_of_descriptor(file)).empty());
+  char read[8] = {};
+  REQUIRE(::pread(file, read, sizeof read, 0) == 3);
+  CHECK(std::string(read) == "new");
+  CHECK(folder.names().empty());
+  ::close(file);
+}
+
+TEST_CASE("where the target cannot be replaced at the end, the complete file stays, and is named") {
+  const TemporaryFolder folder;
+  const std::string target = folder / "a.png", aside = folder / ("a.unplaced-" + std::to_string(::getpid()) + ".png");
+  // Again and again leaves one.
+  for (const char* text : {"first", "second"}) {
+    AtomicFile file(target);
+    file.write(std::string(text));
+    fs::create_directory(target);
+    CHECK_THROWS_WITH(file.commit(),
+                      Contains(target + "\": it is a folder") && Contains("the complete file is \"" + aside + "\""));
+    CHECK(bytes_of(aside) == text);
+    fs::remove(target);
+  }
+  CHECK(folder.names().size() == 1);
+  const std::string longest(255, 'x');
+  AtomicFile file(folder / longest);
+  fs::create_directory(folder / longest);
+  CHECK_THROWS_WITH(file.commit(), Contains("the complete file is"));
+  CHECK(folder.names().size() == 3);
+}
+
+TEST_CASE("another user's file in a sticky folder is refused beforehand") {
+  if (::geteuid() != 0) return;  // Only root can give files away.
+  const TemporaryFolder folder;
+  fs::permissions(folder.path(), fs::perms(0755));
+  fs::create_directory(folder / "sticky");
+  put_bytes(folder / "sticky/theirs", "old");
+  fs::permissions(folder / "sticky", fs::perms(01777));
+  fs::permissions(folder / "sticky/theirs", fs::perms(0666));
+  REQUIRE(::chown((folder / "sticky/theirs").c_str(), 1, 1) == 0);
+  {
+    const OrdinaryUser nobody;
+    CHECK_THROWS_WITH(AtomicFile(folder / "sticky/theirs"), Contains("belongs to another user"));
+    CHECK(fault_of_writing(folder / "sticky/ours").empty());
+    CHECK(fault_of_writing(folder / "sticky/ours").empty());
+  }
+  CHECK(bytes_of(folder / "sticky/theirs") == "old");
+  CHECK(fault_of_writing(folder / "sticky/theirs").empty());
+}
+
+TEST_CASE("a mount point is refused beforehand") {
+  const TemporaryFolder folder;
+  put_bytes(folder / "a", "old");
+  put_bytes(folder / "b", "other");
+  constexpr int no_mounts = 77;
+  const pid_t child = ::fork();
+  if (child == 0) {
+    if (::unshare(CLONE_NEWUSER | CLONE_NEWNS) != 0 && ::unshare(CLONE_NEWNS) != 0) ::_exit(no_mounts);
+    ::mount(nullptr, "/", nullptr, MS_REC | MS_PRIVATE, nullptr);
+    if (::mount((folder / "b").c_str(), (folder / "a").c_str(), nullptr, MS_BIND, nullptr) != 0) ::_exit(no_mounts);
+    ::_exit(fault_of_writing(folder / "a").find("it is a mount point") != std::string::npos ? 0 : 1);
+  }
+  int status = 0;
+  REQUIRE(::waitpid(child, &status, 0) == child);
+  if (WEXITSTATUS(status) == no_mounts) return;  // Where nobody may mount anything.
+  CHECK(status == 0);
+  CHECK(folder.names() == std::set<std::string>{"a", "b"});
+  CHECK(bytes_of(folder / "b") == "other");
 }

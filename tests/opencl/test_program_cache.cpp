@@ -99,7 +99,7 @@ TEST_CASE("strahl's own folder in the user's cache is closed to others, one that
   // Where a program that does not build is kept.
   fs::remove_all(own);
   const mode_t mask = umask(2);
-  CHECK(failed_program_path("name") == own / "name.failed.cl");
+  CHECK(keep_failed_program("name", "text") == own / "name.failed.cl");
   umask(mask);
   CHECK(mode_of(own) == fs::perms(0700));
   // A link may lead anywhere.
@@ -116,6 +116,43 @@ TEST_CASE("strahl's own folder in the user's cache is closed to others, one that
     setenv("XDG_CACHE_HOME", cache_home.c_str(), 1);
   else
     unsetenv("XDG_CACHE_HOME");
+}
+
+TEST_CASE("The source of a program that does not build is kept, through no link, or it is said why not") {
+  const OwnCache cache;
+  const auto text_of = [](const fs::path& path) {
+    std::ifstream in(path, std::ios::binary);
+    return std::string(std::istreambuf_iterator<char>(in), {});
+  };
+  const fs::path dumped = cache.directory() / "name.failed.cl", other = cache.directory() / "other";
+  for (const std::string text : {"first and longer", "second"}) {
+    CHECK(keep_failed_program("name", text) == dumped);
+    CHECK(text_of(dumped) == text);
+  }
+  std::ofstream(other) << "kept";
+  fs::remove(dumped);
+  fs::create_symlink(other, dumped);
+  CHECK_THAT(keep_failed_program("name", "text"), Contains("could not be written to"));
+  CHECK(text_of(other) == "kept");
+
+  // Without a cache it is the directory for temporary files, in which others write too.
+  const char* const before = std::getenv("TMPDIR");
+  const std::string temporary = before != nullptr ? before : "";
+  setenv("STRAHL_CACHE_DIR", "/dev/null/none", 1);
+  setenv("TMPDIR", cache.directory().c_str(), 1);
+  const std::string first = keep_failed_program("name", "text"), second = keep_failed_program("name", "text");
+  CHECK(first != second);
+  for (const std::string& path : {first, second}) {
+    CHECK(path.starts_with((cache.directory() / "name-").string()));
+    CHECK(path.ends_with(".failed.cl"));
+    CHECK(text_of(path) == "text");
+  }
+  setenv("TMPDIR", "/dev/null/none", 1);
+  CHECK_THAT(keep_failed_program("name", "text"), Contains("TMPDIR"));
+  if (before != nullptr)
+    setenv("TMPDIR", temporary.c_str(), 1);
+  else
+    unsetenv("TMPDIR");
 }
 
 TEST_CASE("Beyond its limit the cache forgets what was used longest ago") {

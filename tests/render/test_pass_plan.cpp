@@ -73,6 +73,31 @@ TEST_CASE("where no error can be told, time or a number of samples ends it, else
   CHECK(counted.ending() == Ending::samples);
 }
 
+TEST_CASE("the look of an earlier plan is for its own error; another one is looked at at once") {
+  RenderGoal goal;
+  goal.max_error = 0.1;
+  PassPlan plan(goal, 1000);
+  REQUIRE(plan.next(0, 1));
+  plan.estimated(error_of(0.3));
+  const PassPosition position = plan.position();
+  CHECK(position.max_error == 0.1);
+  const PassPosition under_way{20, position.check_at, position.max_error};
+  const auto resumed = [&](std::optional<double> max_error, const PassPosition& from) {
+    RenderGoal other;
+    other.max_error = max_error;
+    PassPlan next(other, 1000);
+    next.go_on_from(from);
+    return next;
+  };
+  CHECK_FALSE(resumed(0.1, under_way).wants_error());
+  CHECK(resumed(0.1, under_way).next(0, 1)->count == position.check_at - 20);
+  CHECK(resumed(0.2, under_way).wants_error());
+  CHECK(resumed(0.2, {20, 900, std::nullopt}).wants_error());
+  CHECK_FALSE(resumed(std::nullopt, under_way).wants_error());
+  // Not before a plan of its own would.
+  CHECK(resumed(0.2, {5, 32, 0.1}).next(0, 1)->count == 3);
+}
+
 TEST_CASE("few pixels do not end it by luck") {
   RenderGoal goal;
   goal.max_error = 0.1;

@@ -139,6 +139,25 @@ TEST_CASE("an error as the goal ends it at the same sample") {
   }
 }
 
+TEST_CASE("an error that is reached already ends it at once") {
+  require_pocl_and_rusticl();
+  Renderer renderer(Device::open("pocl"), picture(), settings_of());
+  RenderGoal tight, loose;
+  tight.max_error = 0.03;
+  loose.max_error = 0.06;
+  const int enough = renderer.render({}, loose).stats.spp;
+  int looked_at = 0;
+  for (const FilmState& state : states_of(renderer, tight, 4)) {
+    const int most = *std::max_element(state.film.samples.begin(), state.film.samples.end());
+    if (most < enough) continue;
+    const RenderResult result = resumed(renderer, state, loose);
+    CHECK(result.ending == Ending::error);
+    CHECK(result.stats.spp == most);
+    ++looked_at;
+  }
+  CHECK(looked_at > 0);
+}
+
 TEST_CASE("what is finished is finished, and goes on to more samples") {
   require_pocl_and_rusticl();
   Renderer renderer(Device::open("pocl"), picture(), settings_of());
@@ -225,6 +244,23 @@ TEST_CASE("no time for a single sample leaves an empty film") {
   REQUIRE(last);
   CHECK(least_of(*last) == 0);
   for (const std::int64_t word : last->film.words) REQUIRE(word == 0);
+}
+
+TEST_CASE("no memory to keep a film in is told, and the picture is the same") {
+  require_pocl_and_rusticl();
+  Renderer renderer(Device::open("pocl"), picture(8), settings_of());
+  const RenderResult expected = renderer.render();
+  FilmKeeper keeper;
+  int kept = 0, not_kept = 0, not_kept_last = 0;
+  keeper.is_due = [] { return true; };
+  keeper.spare = []() -> FilmState { throw std::bad_alloc(); };
+  keeper.keep = keeper.keep_last = [&](const FilmState&) { ++kept; };
+  CHECK_THROWS_AS(renderer.render({}, {}, &keeper), std::bad_alloc);
+  keeper.no_memory = [&](bool is_last) { ++(is_last ? not_kept_last : not_kept); };
+  CHECK(are_one(expected, renderer.render({}, {}, &keeper)));
+  CHECK(kept == 0);
+  CHECK(not_kept > 1);
+  CHECK(not_kept_last == 1);
 }
 
 TEST_CASE("parts add up in any order") {

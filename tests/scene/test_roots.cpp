@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The folder that a load may read below is its own, whatever other threads load, and comes back after a load within it.
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <catch2/catch.hpp>
 #include <thread>
 
@@ -61,4 +64,17 @@ TEST_CASE("a root that is no folder is the caller's error") {
     options.root = root;
     CHECK_THROWS_AS(load_scene(folders.in_a, options), UsageError);
   }
+}
+
+TEST_CASE("what is open and has no name is not read") {
+  const Folders folders;
+  int ends[2];
+  REQUIRE(::pipe(ends) == 0);
+  const int removed = ::open(folders.in_a.c_str(), O_RDONLY);
+  REQUIRE(removed >= 0);
+  std::filesystem::remove(folders.in_a);
+  const ConfinedReads confined(folders.a);
+  for (const int open : {ends[0], removed}) CHECK(is_refused("/dev/fd/" + std::to_string(open)));
+  CHECK_FALSE(is_refused(folders.in_a));  // It is not there: its own message says so.
+  for (const int open : {ends[0], ends[1], removed}) ::close(open);
 }
