@@ -272,6 +272,15 @@ TEST_CASE("more than three alike are one, with a count and the next two places")
   REQUIRE(found.size() == 1);
   CHECK(contains(found[0], "t0.png"));
   CHECK(contains(found[0], "49 more like it"));
+  body.clear();
+  for (int i = 0; i < 25; ++i)
+    body += "<bsdf type=\"diffuse\"><spectrum name=\"reflectance\" filename=\"s" + std::to_string(i) +
+            ".spd\"/></bsdf>\n<include filename=\"i" + std::to_string(i) + ".xml\"/>\n";
+  found = problems(around(body));
+  REQUIRE(found.size() == 1);
+  CHECK(contains(found[0], "2:22: error: cannot read"));
+  CHECK(contains(found[0], "s0.spd"));
+  CHECK(contains(found[0], "49 more like it, the next at "));
 }
 
 TEST_CASE("warnings that differ in numbers alone are alike, those that differ in names are not") {
