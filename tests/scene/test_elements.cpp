@@ -156,6 +156,23 @@ TEST_CASE("lights") {
   CHECK(scene.shapes[0].radiance_where.column == 22);
 }
 
+TEST_CASE(
+    "a scale of to_world makes a directional light brighter, the length of its direction does not, as in Mitsuba") {
+  const auto light = [](const std::string& inside) {
+    const LoadedScene loaded = load_body("<emitter type=\"directional\">" + inside + "</emitter>");
+    CHECK(shortened(loaded.warnings).empty());
+    return std::get<DirectionalLight>(loaded.scene.lights.at(0).emitter);
+  };
+  const auto placed = [&](const std::string& steps) {
+    return light("<rgb name=\"irradiance\" value=\"1 2 3\"/><transform name=\"to_world\">" + steps + "</transform>");
+  };
+  // Mitsuba 3.9.1: a grey rectangle is 0.31831, 0.15915 and 0.07958 bright where it is 0.15915 without a scale.
+  CHECK(placed("<scale value=\"2\"/><rotate y=\"1\" angle=\"90\"/>").irradiance == Rgb{2, 4, 6});
+  CHECK(placed("<scale x=\"2\" y=\"3\"/>").irradiance == Rgb{1, 2, 3});
+  CHECK(placed("<scale x=\"3\" z=\"-0.5\"/>").irradiance == Rgb{0.5, 1, 1.5});
+  CHECK(light("<vector name=\"direction\" value=\"0, 0, 2\"/>").irradiance == Rgb{1, 1, 1});
+}
+
 TEST_CASE("beams") {
   const Scene scene = load_body(
                           "<emitter type=\"collimated\"><transform name=\"to_world\"><rotate y=\"1\" angle=\"90\"/>"

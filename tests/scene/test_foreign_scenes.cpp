@@ -85,8 +85,33 @@ TEST_CASE("in 0.x a metal without a name is copper") {
   };
   CHECK(eta_of(old("<bsdf type=\"conductor\"/>")) == metal_index("Cu")->eta.color);
   CHECK(eta_of(old("<bsdf type=\"conductor\"><string name=\"material\" value=\"none\"/></bsdf>")) == Rgb{0, 0, 0});
+  CHECK(eta_of(old("<bsdf type=\"conductor\"><string name=\"material\" value=\"None\"/></bsdf>")) == Rgb{0, 0, 0});
   CHECK(std::get<Conductor>(load_body("<bsdf type=\"conductor\"/>").scene.materials.at(1).bsdf).index.eta.color ==
         Rgb{0, 0, 0});
+  CHECK(contains(problems(around("<bsdf type=\"conductor\"><string name=\"material\" value=\"None\"/></bsdf>")).at(0),
+                 "\"None\" is no metal"));
+}
+
+TEST_CASE("in 0.x eta and k replace those of the metal, each by itself") {
+  const std::string gold = "<string name=\"material\" value=\"Au\"/>", eta = "<float name=\"eta\" value=\"2\"/>",
+                    k = "<float name=\"k\" value=\"3\"/>";
+  const auto index_of = [](const std::string& type, const std::string& inside) {
+    const LoadedScene loaded = load_text(old("<bsdf type=\"" + type + "\">" + inside + "</bsdf>"));
+    CHECK(shortened(loaded.warnings).empty());
+    const auto& bsdf = loaded.scene.materials.at(1).bsdf;
+    const auto* rough = std::get_if<RoughConductor>(&bsdf);
+    return rough != nullptr ? rough->index : std::get<Conductor>(bsdf).index;
+  };
+  for (const char* type : {"conductor", "roughconductor"}) {
+    CHECK(index_of(type, eta).eta.color == Rgb{2, 2, 2});
+    CHECK(index_of(type, eta).k.color == metal_index("Cu")->k.color);
+    CHECK(index_of(type, k).eta.color == metal_index("Cu")->eta.color);
+    CHECK(index_of(type, gold + k).eta.color == metal_index("Au")->eta.color);
+    CHECK(index_of(type, gold + k).k.color == Rgb{3, 3, 3});
+    CHECK(index_of(type, eta + k).eta.color == Rgb{2, 2, 2});
+  }
+  CHECK(contains(problems(around("<bsdf type=\"conductor\">" + gold + k + "</bsdf>")).at(0),
+                 "either a material or eta and k"));
 }
 
 TEST_CASE("integrators around others take the one inside; unknown ones become path") {
@@ -272,6 +297,15 @@ TEST_CASE("more than three alike are one, with a count and the next two places")
   REQUIRE(found.size() == 1);
   CHECK(contains(found[0], "t0.png"));
   CHECK(contains(found[0], "49 more like it"));
+  body.clear();
+  for (int i = 0; i < 25; ++i)
+    body += "<bsdf type=\"diffuse\"><spectrum name=\"reflectance\" filename=\"s" + std::to_string(i) +
+            ".spd\"/></bsdf>\n<include filename=\"i" + std::to_string(i) + ".xml\"/>\n";
+  found = problems(around(body));
+  REQUIRE(found.size() == 1);
+  CHECK(contains(found[0], "2:22: error: cannot read"));
+  CHECK(contains(found[0], "s0.spd"));
+  CHECK(contains(found[0], "49 more like it, the next at "));
 }
 
 TEST_CASE("warnings that differ in numbers alone are alike, those that differ in names are not") {

@@ -173,8 +173,7 @@ TEST_CASE("an environment has scale, turn and compensation") {
   const ImageFolder folder;
   const LoadedScene loaded = folder.load(
       "<emitter type=\"envmap\"><string name=\"filename\" value=\"a.png\"/><float name=\"scale\" value=\"3\"/><boolean "
-      "name=\"mis_compensation\" value=\"true\"/><transform name=\"to_world\"><scale value=\"2\"/><scale "
-      "x=\"-1\"/><rotate "
+      "name=\"mis_compensation\" value=\"true\"/><transform name=\"to_world\"><scale x=\"-1\"/><rotate "
       "y=\"1\" angle=\"90\"/></transform></emitter>");
   CHECK(loaded.warnings.empty());
   const auto& light = std::get<EnvironmentLight>(loaded.scene.lights.at(0).emitter);
@@ -183,6 +182,24 @@ TEST_CASE("an environment has scale, turn and compensation") {
   CHECK(light.axes[0].z == Approx(1));
   CHECK(light.axes[1].y == Approx(1));
   CHECK(light.axes[2].x == Approx(1));
+}
+
+TEST_CASE("an environment that to_world scales is shown as if it did not, with a warning") {
+  const ImageFolder folder;
+  const auto load = [&](const std::string& scale) {
+    return folder.load(
+        "<emitter type=\"envmap\"><string name=\"filename\" value=\"a.png\"/><transform name=\"to_world\"><scale "
+        "value=\"" +
+        scale + "\"/></transform></emitter>");
+  };
+  for (const char* scale : {"2", "0.5", "1.002"}) {
+    INFO(scale);
+    const LoadedScene loaded = load(scale);
+    REQUIRE(loaded.warnings.size() == 1);
+    CHECK_THAT(loaded.warnings[0].message, Contains("here the scale has no effect"));
+    CHECK(std::get<EnvironmentLight>(loaded.scene.lights.at(0).emitter).axes[1].y == Approx(1));
+  }
+  for (const char* scale : {"-1", "1.0004"}) CHECK(load(scale).warnings.empty());
 }
 
 TEST_CASE("a map_Kd of an MTL file is a texture, times Kd; one that is not there is warned of") {
@@ -234,7 +251,7 @@ TEST_CASE("an environment turned by a matrix with four digits has the nearest ro
   const ImageFolder folder;
   const LoadedScene loaded = folder.load(
       "<emitter type=\"envmap\"><string name=\"filename\" value=\"a.png\"/><transform name=\"to_world\"><matrix "
-      "value=\"0.7071 0 0.7071 0 1 0 -0.7071 0 0.7071\"/><scale value=\"3\"/></transform></emitter>");
+      "value=\"0.7071 0 0.7071 0 1 0 -0.7071 0 0.7071\"/></transform></emitter>");
   CHECK(loaded.warnings.empty());
   const auto light = std::get<EnvironmentLight>(loaded.scene.lights.at(0).emitter);
   const double half = std::sqrt(0.5);

@@ -64,6 +64,26 @@ TEST_CASE("0.x: of what a shape or a parameter has once the last counts") {
   CHECK(balls.shapes.size() == 2);
 }
 
+TEST_CASE("0.x: of several bsdfs of a shape the last counts, and the others are named; a second emitter is an error") {
+  const std::string conductor = "<bsdf type=\"conductor\" id=\"b\"/>";
+  for (const char* last : {"<bsdf type=\"conductor\"/>", "<bsdf type=\"conductor\" name=\"x\"/>", "<ref id=\"b\"/>"}) {
+    INFO(last);
+    const std::string shape =
+        conductor + "\n<shape type=\"sphere\"><bsdf type=\"diffuse\" name=\"x\"/>" + last + "</shape>";
+    const LoadedScene found = load_text(old(shape));
+    const int shown = found.scene.shapes.back().material;
+    CHECK(std::holds_alternative<Conductor>(found.scene.materials.at(static_cast<std::size_t>(shown)).bsdf));
+    REQUIRE(found.warnings.size() == 1);
+    CHECK(shortened(found.warnings)[0].find(
+              "3:22: warning: <shape type=\"sphere\"> has more than one <bsdf>; the last counts, at ") == 0);
+    CHECK(problems(around(shape)).at(0).find(": error: ") != std::string::npos);
+  }
+  const std::string lamp = "<emitter type=\"area\"/>";
+  CHECK(problems(old("<shape type=\"sphere\">" + lamp + lamp + "</shape>")).at(0).find("more than one <emitter>") !=
+        std::string::npos);
+  CHECK(loaded(conductor + "<shape type=\"sphere\"><ref id=\"b\"/></shape>").shapes.size() == 1);
+}
+
 TEST_CASE("0.x: of two textures of one name the last counts, and the other is named") {
   const LoadedScene found = load_text(
       old("<texture type=\"checkerboard\" id=\"t\"/><texture type=\"checkerboard\" id=\"u\"><rgb name=\"color0\" "

@@ -197,3 +197,21 @@ TEST_CASE("spectra that cannot be are errors at their place") {
     CHECK(problem(huge).find("\"reflectance\" is not finite: the numbers of its <") != std::string::npos);
   CHECK(problem("<blackbody name=\"reflectance\" temperature=\"0\"/>").find("greater than 0") != std::string::npos);
 }
+
+TEST_CASE("a chain of spectra is read to a depth of 256") {
+  const auto chain = [](int length) {
+    std::string text = "<bsdf type=\"diffuse\"><ref id=\"s0\" name=\"reflectance\"/></bsdf>";
+    for (int i = 0; i < length; ++i) {
+      const std::string within = i + 1 < length ? "<ref id=\"s" + std::to_string(i + 1) + "\" name=\"color\"/>"
+                                                : "<rgb name=\"color\" value=\"0.25\"/>";
+      text += "<spectrum type=\"srgb\" id=\"s" + std::to_string(i) + "\">" + within + "</spectrum>";
+    }
+    return around(text);
+  };
+  CHECK(std::get<Diffuse>(load_text(chain(256)).scene.materials.at(1).bsdf).reflectance.color == Rgb{0.25, 0.25, 0.25});
+  for (const int length : {257, 20000}) {
+    const std::vector<std::string> found = problems(chain(length));
+    REQUIRE(found.size() == 1);
+    CHECK(found[0].find("error: spectra are nested deeper than 256") != std::string::npos);
+  }
+}

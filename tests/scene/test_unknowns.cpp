@@ -38,6 +38,21 @@ const Unknown unknowns[] = {
      "cannot be part of a shape"},
     {"<integrator type=\"pth\"/>", "2:1", "unknown integrator \"pth\" (did you mean \"path\"?); \"path\" takes"},
     {"<integrator type=\"path\"><integrator type=\"direct\"/></integrator>", "2:25", "has no use for a <integrator>"},
+    {"<integrator type=\"path\"><float name=\"max_distance\" value=\"3\"/></integrator>", "2:25",
+     "\"max_distance\" has no effect on integrator \"path\""},
+    {"<integrator type=\"auto\"><float name=\"max_distance\" value=\"3\"/></integrator>", "2:25",
+     "\"max_distance\" has no effect on integrator \"auto\""},
+    {"<integrator type=\"depth\"><integer name=\"max_depth\" value=\"5\"/></integrator>", "2:26",
+     "\"max_depth\" has no effect on integrator \"depth\""},
+    {"<integrator type=\"ao\"><integer name=\"max_depth\" value=\"0\"/></integrator>", "2:23",
+     "\"max_depth\" has no effect on integrator \"ao\""},
+    {"<integrator type=\"direct\"><integer name=\"rr_depth\" value=\"5\"/></integrator>", "2:27",
+     "\"rr_depth\" has no effect on integrator \"direct\""},
+    {"<integrator type=\"direct\"><integer name=\"max_depth\" value=\"3\"/></integrator>", "2:27",
+     "\"max_depth\" has no effect on integrator \"direct\", whose light goes no deeper than 2"},
+    {"<integrator type=\"direct\"><integer name=\"max_depth\" value=\"-1\"/></integrator>", "2:27", "no deeper than 2"},
+    {"<integrator type=\"emission\"><integer name=\"max_depth\" value=\"2\"/></integrator>", "2:29",
+     "no deeper than 1"},
     {"<texture type=\"bitmap\"/>", "2:1", "without an id"},
     {"<bsdf type=\"diffuse\"><texture type=\"volume\" name=\"reflectance\"/></bsdf>", "2:22",
      "the constant 0.5 takes its place"},
@@ -94,6 +109,43 @@ TEST_CASE("unknown things warn with their place; strict makes them errors") {
       CHECK(found[0].find(unknown.words) != std::string::npos);
     }
   }
+}
+
+TEST_CASE("parameters of integrators count where they change the picture") {
+  const auto integer = [](const char* name, int value) {
+    return "<integer name=\"" + std::string(name) + "\" value=\"" + std::to_string(value) + "\"/>";
+  };
+  const auto told = [](const std::string& type, const std::string& inside) {
+    LoadOptions strict;
+    strict.strict = true;
+    return problems(around("<integrator type=\"" + type + "\">" + inside + "</integrator>"), strict);
+  };
+  for (const char* type : {"auto", "path", "volpath", "volpathmis", "ptracer", "bdpt"})
+    CHECK(told(type, integer("max_depth", -1) + integer("rr_depth", 7)).empty());
+  CHECK(told("whitted", integer("max_depth", 7)).empty());
+  for (const int depth : {0, 1, 2}) CHECK(told("direct", integer("max_depth", depth)).empty());
+  CHECK(told("direct", integer("shading_samples", 4) + integer("emitter_samples", 4)).empty());
+  CHECK(told("ao", "<float name=\"max_distance\" value=\"3\"/>").empty());
+  CHECK(told("direct", integer("max_depth", -2)).size() == 1);
+}
+
+TEST_CASE("what Mitsuba takes and strahl does not need is refused by --strict neither") {
+  LoadOptions strict;
+  strict.strict = true;
+  const std::string timeout = "<float name=\"timeout\" value=\"90\"/>";
+  for (const std::string& integrator :
+       {"<integrator type=\"path\">" + timeout + "</integrator>",
+        "<integrator type=\"moment\"><integrator type=\"path\"/>" + timeout + "</integrator>"}) {
+    const std::vector<std::string> found = problems(around(integrator), strict);
+    REQUIRE(found.size() == 1);
+    CHECK(found[0].find("warning: \"timeout\" has no effect; --time 90 limits the run") != std::string::npos);
+  }
+  CHECK(problems(around("<integrator type=\"path\"><float name=\"timeout\" value=\"-1\"/></integrator>"), strict)
+            .empty());
+  CHECK(problems(around("<emitter type=\"constant\"><transform name=\"to_world\"><scale value=\"2\"/></transform>"
+                        "</emitter>"),
+                 strict)
+            .empty());
 }
 
 TEST_CASE("substitutes keep what they can") {

@@ -2,11 +2,12 @@
 // <integrator type="aov">: values of each pixel's first sample, beside the picture of the integrator inside it.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <map>
 #include <optional>
 #include <set>
 #include <sstream>
+#include <string>
+#include <utility>
 
 #include "did_you_mean.h"
 #include "scene/readers/readers.h"
@@ -54,7 +55,10 @@ std::vector<std::string> parts_of(const std::string& list) {
 class AovReader {
  public:
   AovReader(Properties& properties, std::vector<NamedAov>& aovs) : properties_(properties), aovs_(aovs) {
-    for (const NamedAov& named : aovs) take_channels(named);
+    for (const NamedAov& named : aovs) {
+      taken_.emplace(named.name, named.aov);
+      take_channels(named);
+    }
   }
 
   void read(const std::string& list) {
@@ -82,11 +86,11 @@ class AovReader {
       return;
     }
     const NamedAov named{name, *found->second};
-    // Once more the same.
-    if (std::find(aovs_.begin(), aovs_.end(), named) != aovs_.end()) return;
+    if (taken_.contains({named.name, named.aov})) return;  // Once more the same.
     if (const std::string taken = take_channels(named); !taken.empty())
       return unknown(
           fmt::format("\"{}\" is left out: one before it has the channel {}; give it another name", part, taken));
+    taken_.emplace(named.name, named.aov);
     aovs_.push_back(named);
   }
 
@@ -108,6 +112,7 @@ class AovReader {
 
   Properties& properties_;
   std::vector<NamedAov>& aovs_;
+  std::set<std::pair<std::string, Aov>> taken_;
   std::set<std::string> channels_;
   std::vector<std::string> missing_;
 };

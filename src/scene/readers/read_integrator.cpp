@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <string>
 
 #include "kinds/integrators.h"
 #include "scene/readers/foreign_plugins.h"
@@ -42,11 +44,40 @@ double reach_of_0x(Properties& properties, const Scene& scene) {
   return reach > 0 && std::isfinite(reach) ? reach : IntegratorSettings{}.max_distance;
 }
 
+/// Parameters that other integrators have. name: of the one that renders; max_depth: none where none is given, or a
+/// faulty one.
+void report_without_effect(Properties& properties, const std::string& name, std::optional<int> max_depth) {
+  const auto report = [&](const char* parameter, const std::string& why) {
+    if (properties.has(parameter))
+      properties.diagnostics().unknown(
+          properties.where(parameter),
+          fmt::format("\"{}\" has no effect on integrator \"{}\"{}", parameter, properties.type(), why));
+  };
+  if (name == "auto") return report("max_distance", "");  // It never is ao.
+  const kinds::IntegratorFacts& facts = kinds::integrator(name);
+  if (!facts.asks_openness) report("max_distance", "");
+  if (facts.follows != kinds::Follows::paths) report("rr_depth", "");
+  if (!max_depth || facts.has_depth()) return;
+  if (!facts.shows_emission) return report("max_depth", "");
+  const int deepest = facts.follows == kinds::Follows::one_way ? 2 : 1;
+  if (*max_depth < 0 || *max_depth > deepest)
+    report("max_depth", fmt::format(", whose light goes no deeper than {}", deepest));
+}
+
+/// Mitsuba's limit in seconds; here the run has one.
+void read_timeout(Properties& properties) {
+  const std::optional<double> seconds = properties.number("timeout");
+  if (seconds && *seconds > 0)
+    properties.diagnostics().warning(properties.where("timeout"),
+                                     fmt::format("\"timeout\" has no effect; --time {} limits the run", *seconds));
+}
+
 }  // namespace
 
 IntegratorSettings read_inner_integrator(Properties& properties, SceneBuilder& builder, std::string* name) {
   // Of the integrator inside, where Mitsuba heeds them.
   properties.accept({"samples_per_pass", "block_size", "hide_emitters"});
+  read_timeout(properties);
   const std::vector<const XmlElement*> inside = properties.objects("integrator");
   for (std::size_t i = 1; i < inside.size(); ++i)
     builder.diagnostics.unknown(
@@ -87,8 +118,8 @@ IntegratorSettings read_integrator(const XmlElement& element, SceneBuilder& buil
   }
   IntegratorSettings integrator;
   integrator.where = element.where;
-  integrator.max_depth =
-      properties.integer_in("max_depth", -1, std::numeric_limits<int>::max()).value_or(integrator.max_depth);
+  const std::optional<int> max_depth = properties.integer_in("max_depth", -1, std::numeric_limits<int>::max());
+  integrator.max_depth = max_depth.value_or(integrator.max_depth);
   integrator.rr_depth =
       properties.integer_in("rr_depth", 1, std::numeric_limits<int>::max()).value_or(integrator.rr_depth);
   integrator.max_distance = properties.positive("max_distance").value_or(integrator.max_distance);
@@ -103,7 +134,9 @@ IntegratorSettings read_integrator(const XmlElement& element, SceneBuilder& buil
   properties.accept({"shading_samples", "emitter_samples", "bsdf_samples", "samples_per_pass", "block_size"});
   // Of 0.x: which techniques it takes. strahl takes all, and the picture is the same but for its noise.
   if (type == "bdpt") properties.accept({"light_image", "sample_direct"});
+  read_timeout(properties);
   integrator.name = is_known ? std::string(type) : substitute_of(properties);
+  if (is_known || integrator.name == "volpath") report_without_effect(properties, integrator.name, max_depth);
   properties.report_unknown();
   return integrator;
 }

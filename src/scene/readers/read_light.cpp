@@ -109,12 +109,16 @@ std::optional<Emitter> read_projector(Properties& properties, SceneBuilder& buil
   return light;
 }
 
+/// As in Mitsuba 3.9 a scale of to_world along z makes the light as much brighter; the length of `direction` does not.
 std::optional<Emitter> read_directional(Properties& properties, SceneBuilder&) {
   const Vec3 direction = properties.vector("direction").value_or(Vec3{0, 0, 1});
   const std::optional<Transform> to_world = transform_instead_of("direction", properties);
   if (direction == Vec3{})
     properties.diagnostics().error(properties.where("direction"), "the direction is zero; light must travel somewhere");
-  return DirectionalLight{to_world ? to_world->column(2) : direction, emission(properties, "irradiance")};
+  const Rgb irradiance = emission(properties, "irradiance");
+  if (!to_world) return DirectionalLight{direction, irradiance};
+  const Vec3 axis = to_world->column(2);
+  return DirectionalLight{axis, kinds::times(length(axis), irradiance)};
 }
 
 std::optional<Emitter> read_collimated(Properties& properties, SceneBuilder&) {
@@ -123,6 +127,7 @@ std::optional<Emitter> read_collimated(Properties& properties, SceneBuilder&) {
 }
 
 std::optional<Emitter> read_constant(Properties& properties, SceneBuilder&) {
+  properties.accept({"to_world"});  // Alike from everywhere.
   return ConstantLight{emission(properties, "radiance")};
 }
 
@@ -134,7 +139,13 @@ std::optional<Emitter> read_envmap(Properties& properties, SceneBuilder& builder
   light.mis_compensation = properties.boolean("mis_compensation").value_or(light.mis_compensation);
   if (const std::optional<Transform> to_world = properties.transform("to_world")) {
     const std::array<Vec3, 3> axes = unscaled_columns(*to_world);
-    light.axes = nearest_axes(axes).value_or(axes);
+    const std::optional<std::array<Vec3, 3>> nearest = nearest_axes(axes);
+    light.axes = nearest.value_or(axes);
+    // Lengths count as kept as far as nearest_axes() takes them so.
+    if (nearest && !nearest_axes({to_world->column(0), to_world->column(1), to_world->column(2)}))
+      properties.diagnostics().warning(properties.where("to_world"),
+                                       "to_world scales, by which Mitsuba shows the rows of an envmap at other heights "
+                                       "above the horizon; here the scale has no effect");
   }
   return light.texels ? std::optional<Emitter>(light) : std::nullopt;
 }

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 // The index of refraction of metals: by name, or by eta and k. Mitsuba 0.x has ext_eta as well, the index of what is
-// outside, by which both are divided.
+// outside, by which both are divided; and there eta and k may stand beside a name.
 #include <fmt/format.h>
 
 #include "did_you_mean.h"
 #include "scene/readers/metals.h"
 #include "scene/readers/read_parts.h"
 #include "scene/readers/read_texture.h"
+#include "scene/xml/parse_value.h"
 
 namespace strahl {
 namespace {
@@ -18,9 +19,12 @@ Varying divided(const Varying& value, double by) {
 }  // namespace
 
 MetalIndex read_metal_index(Properties& properties, SceneBuilder& builder) {
-  const std::string name = properties.string("material").value_or("none");
+  std::string name = properties.string("material").value_or("none");
+  // Written by the upgrade from 0.x, where none may be in capitals, too.
+  const bool is_old = properties.boolean("eta_and_k_replace_named").value_or(false);
+  if (is_old && lower_case(name) == "none") name = "none";
   const bool is_named = name != "none", has_values = properties.has("eta") || properties.has("k");
-  if (is_named && has_values)
+  if (is_named && has_values && !is_old)
     properties.diagnostics().error(properties.where("material"), "either a material or eta and k can be given");
   const std::optional<MetalIndex> named = metal_index(name);
   if (!named)

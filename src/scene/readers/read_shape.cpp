@@ -73,6 +73,15 @@ const XmlElement* only_one(const std::vector<const XmlElement*>& objects, const 
   return objects.empty() ? nullptr : objects.front();
 }
 
+/// The last of them, as 0.x has it; the others are named.
+const XmlElement* last_bsdf(const std::vector<const XmlElement*>& bsdfs, const Properties& properties) {
+  for (std::size_t i = 0; i + 1 < bsdfs.size(); ++i)
+    properties.diagnostics().warning(
+        bsdfs[i]->where, fmt::format("{} has more than one <bsdf>; the last counts, at {}", properties.title(),
+                                     SourceLocation(bsdfs.back()->where).text()));
+  return bsdfs.empty() ? nullptr : bsdfs.back();
+}
+
 /// Of an OBJ of 0.x, as its upgrade says.
 std::vector<NamedMaterial> read_named_materials(Properties& properties, SceneBuilder& builder) {
   std::vector<NamedMaterial> named;
@@ -114,7 +123,9 @@ void read_shape(const XmlElement& element, SceneBuilder& builder, std::vector<Sh
   shape.priority = properties.integer("priority");
   properties.accept({silhouette_weight});
   std::vector<NamedMaterial> named_materials = read_named_materials(properties, builder);
-  const XmlElement* bsdf = only_one(properties.objects("bsdf"), properties);
+  const bool takes_last = properties.boolean("takes_last_bsdf").value_or(false);  // Of 0.x.
+  const std::vector<const XmlElement*> bsdfs = properties.objects("bsdf");
+  const XmlElement* bsdf = takes_last ? last_bsdf(bsdfs, properties) : only_one(bsdfs, properties);
   const XmlElement* emitter = only_one(properties.objects("emitter"), properties);
   if (bsdf != nullptr) shape.material = material_index(*bsdf, builder);
   if (emitter != nullptr) builder.emitters_of_shapes.insert(emitter);

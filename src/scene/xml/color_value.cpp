@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "image/file_bytes.h"
 #include "scene/readers/foreign_plugins.h"
 #include "scene/spectra/observer.h"
 #include "scene/xml/parse_value.h"
@@ -62,9 +63,14 @@ std::optional<Rgb> read_spectrum(const XmlElement& element, ColorUse use, Diagno
                                                    "ascend",
                                                    *value));
   } else {
+    const std::string path(*file);
+    if (const std::string obstacle = unreadable_because(path); !obstacle.empty()) {
+      diagnostics.unreadable(element.where, path, obstacle);
+      return std::nullopt;
+    }
+    diagnostics.opened(path);
     try {
-      diagnostics.opened(std::string(*file));
-      curve = curve_of_file(std::string(*file));
+      curve = curve_of_file(path);
     } catch (const InputError& fault) {
       diagnostics.error(element.where, fault.what());
     }

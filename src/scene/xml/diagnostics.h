@@ -2,8 +2,8 @@
 // Collects every problem of a scene, so that all are reported at once and in file order. Like ones become one.
 #pragma once
 
-#include <algorithm>
 #include <string>
+#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -26,9 +26,9 @@ class Diagnostics {
   void append(const std::vector<Diagnostic>& others) {
     for (const Diagnostic& other : others) add(other.severity, other.where, other.message);
   }
-  /// Files are reported in the order in which they were first opened.
+  /// Files are reported in the order in which they were first opened. To be called for those that are there.
   void opened(const std::string& file) {
-    if (std::find(files_.begin(), files_.end(), file) == files_.end()) files_.push_back(file);
+    if (known_files_.insert(file).second) files_.push_back(file);
   }
   [[nodiscard]] const std::vector<std::string>& files() const { return files_; }
 
@@ -47,6 +47,7 @@ class Diagnostics {
 
   bool strict_;
   std::vector<std::string> files_;
+  std::unordered_set<std::string> known_files_;
   std::vector<Problem> all_;
 };
 

@@ -18,6 +18,13 @@
 
 namespace strahl {
 
+namespace {
+
+/// So many are within each other at the most: they are read recursively.
+constexpr int deepest_spectrum = 256;
+
+}  // namespace
+
 Properties::Properties(const XmlElement& element, const ElementIds& ids, Diagnostics& diagnostics)
     : element_(element), ids_(ids), diagnostics_(diagnostics) {
   std::size_t count = 0;
@@ -147,11 +154,16 @@ std::optional<Rgb> Properties::color(std::string_view name, ColorUse use, const 
   if (given == nullptr) return std::nullopt;
   std::optional<Rgb> value;
   if (is_typed_spectrum(*given)) {
-    for (const Properties* around = this; around != nullptr; around = around->around_)
+    int depth = 0;
+    for (const Properties* around = this; around != nullptr; around = around->around_, ++depth)
       if (&around->element_ == given) {
         diagnostics_.error(given->where, fmt::format("{} contains itself", around->title()));
         return std::nullopt;
       }
+    if (depth > deepest_spectrum) {
+      diagnostics_.error(given->where, fmt::format("spectra are nested deeper than {}", deepest_spectrum));
+      return std::nullopt;
+    }
     Properties spectrum(*given, ids_, diagnostics_);
     spectrum.around_ = this;
     value = read_typed_spectrum(spectrum, use);

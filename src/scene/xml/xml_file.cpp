@@ -123,7 +123,15 @@ class TreeBuilder {
 
 std::optional<std::string> file_text(const std::string& path, const SourceLocation& referrer,
                                      Diagnostics& diagnostics) {
-  const SourceLocation where = referrer.file.empty() ? SourceLocation{path} : referrer;
+  const bool is_included = !referrer.file.empty();
+  const SourceLocation where = is_included ? referrer : SourceLocation{path};
+  if (is_included) {
+    if (const std::string obstacle = unreadable_because(path); !obstacle.empty()) {
+      diagnostics.unreadable(where, path, obstacle);
+      return std::nullopt;
+    }
+  }
+  diagnostics.opened(path);
   std::string text;
   try {
     text = read_file(path, largest_text);
@@ -142,7 +150,6 @@ std::optional<std::string> file_text(const std::string& path, const SourceLocati
 
 XmlElement* read_xml_file(const std::string& path, const SourceLocation& referrer, XmlPool& pool,
                           Diagnostics& diagnostics) {
-  diagnostics.opened(path);
   std::optional<std::string> read = file_text(path, referrer, diagnostics);
   if (!read) return nullptr;
   std::string& text = pool.keep(std::move(*read));

@@ -88,12 +88,21 @@ void add_parameter(XmlElement& element, XmlPool& pool, const char* tag, const ch
   element.first_child = &parameter;
 }
 
-/// In 0.x a metal without a name is copper, in Mitsuba 3 the ideal mirror.
+/// In 0.x a metal without a name is copper, and eta and k replace its own, each by itself. In Mitsuba 3 it is the ideal
+/// mirror, and a name excludes eta and k.
 void name_copper(XmlElement& element, XmlPool& pool) {
   if (!is_a(element, "bsdf", "conductor") && !is_a(element, "bsdf", "roughconductor")) return;
-  for (const char* given : {"material", "eta", "k"})
-    if (has_child(element, given)) return;
-  add_parameter(element, pool, "string", "material", "Cu");
+  if (!has_child(element, "material")) add_parameter(element, pool, "string", "material", "Cu");
+  add_parameter(element, pool, "boolean", "eta_and_k_replace_named", "true");
+}
+
+/// In 0.x the last bsdf of a shape counts, in Mitsuba 3 more than one is an error. Which <ref>s are bsdfs shows later.
+void take_last_bsdf(XmlElement& element, XmlPool& pool) {
+  if (element.tag != "shape" || has_parts(element) || is_a(element, "shape", "instance")) return;
+  int count = 0;
+  for (const XmlElement* child = element.first_child; child != nullptr; child = child->next_sibling)
+    if (child->tag == "bsdf" || child->tag == "ref") ++count;
+  if (count > 1) add_parameter(element, pool, "boolean", "takes_last_bsdf", "true");
 }
 
 /// In 0.x a sky's zenith is y, in Mitsuba 3 it is z.
@@ -168,6 +177,7 @@ void rename(XmlElement& element, const XmlElement* parent, bool parameters, XmlP
     rename(*child, &element, parameters, pool, diagnostics);
   if (!parameters) return;
   drop_repeated(element, diagnostics);
+  take_last_bsdf(element, pool);
   name_copper(element, pool);
   call_reflectance(element);
   open_boundary(element, pool);
