@@ -28,7 +28,7 @@ struct Ray {
 struct Hit {
   double t = std::numeric_limits<double>::infinity();
   int instance = -1;   ///< -1 where the shape is not instanced.
-  int shape = -1;      ///< Index in Scene::shapes.
+  int shape = -1;      ///< Index in Scene::shapes; where instance >= 0, in the Group::shapes of its group. As in Ray.
   int primitive = -1;  ///< Within the shape.
   double u = 0, v = 0;
   Vec3 normal;  ///< Unit, as built, not flipped towards the ray.

@@ -15,7 +15,7 @@ namespace strahl {
 namespace {
 
 /// GPUs run the work-items of a group in lockstep, some 32 at a time: rays of a square of pixels are more alike than
-/// those of a row (measured in docs/devices.md).
+/// those of a row (measured in docs/decisions/0034-gpus.md).
 constexpr WorkGroup square{8, 8};
 
 /// A CPU's threads take groups in chunks, of PoCL half of those that are left: with work-items that fill the

@@ -36,11 +36,12 @@ struct WorkGroup {
 struct RenderSettings {
   Precision precision = Precision::robust;  ///< Taken as it is; choose_tier() tells whether the device keeps it.
   AovList aovs;                             ///< Of the plain ones none of all samples (xyz), which need a name.
-  bool generic = false;                     ///< Every entry and flag in the program; the same picture, slower.
+  bool generic = false;                     ///< All that the integrator's kernel may have; the same picture, slower.
   /// Effects to leave out, as FeatureReport names them, though the scene calls for them (program/disabled.h).
   std::set<std::string> disabled;
   bool estimate_error = true;  ///< Keeps four sums a pixel apart, whose spread estimates its error.
-  /// An entry of cl/choosers/choosers.def, by which points choose among several lights; none: by their number.
+  /// An entry of cl/choosers/choosers.def, by which points choose among several lights; none: as --light-choice by
+  /// default (program/light_choice.h).
   std::optional<std::string> light_choice;
   bool texture_lod = false;    ///< Images are filtered to the pixel's width where they are colours of surfaces.
   bool cached_program = true;  ///< false: builds it whatever strahl's cache holds, to see how long that takes.

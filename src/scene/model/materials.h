@@ -40,7 +40,7 @@ struct Conductor {
 
 enum class MicrofacetKind { beckmann, ggx };
 
-/// Rough surfaces: the root mean square slope of microfacets along u and v.
+/// Rough surfaces: alpha along u and v. Alike in both, that of Beckmann is the root mean square slope of microfacets.
 struct Microfacets {
   MicrofacetKind kind = MicrofacetKind::beckmann;
   Varying alpha_u{{0.1, 0.1, 0.1}};

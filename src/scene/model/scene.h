@@ -121,7 +121,9 @@ struct Shape {
   int radiance_texture = -1;    ///< Index into Scene::textures, of one that multiplies either; -1: none.
   double sampling_weight = 1;   ///< As a Light's, of what it emits.
   bool flip_normals = false;    ///< Mitsuba's flip_normals: reverses the normal as built.
-  std::optional<int> priority;  ///< Of glass: where such shapes overlap the highest one is there. None: not tracked.
+  /// Of glass, and of boundaries of media that light passes as it came: where such shapes overlap the highest one is
+  /// there. None: not tracked.
+  std::optional<int> priority;
   std::optional<MediumBoundary> media;  ///< None: the shape is no boundary of media.
   SourceLocation where;                 ///< The <shape> element.
   SourceLocation radiance_where;        ///< The <emitter> element inside it.
