@@ -15,10 +15,12 @@ template <class AnyJson>
 }
 
 /// The same text in UTF-8, so that JSON gives it back as it is and different ones stay different: where some bytes are
-/// not UTF-8, all beyond ASCII are written as \xe4, and a backslash as \x5c.
+/// not UTF-8, or it could be taken for such a text, all beyond ASCII are written as \xe4, and a backslash as \x5c.
 [[nodiscard]] inline std::string utf8_text(const std::string& text) {
   const nlohmann::json json(text);
-  if (nlohmann::json::parse(json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace)) == json) return text;
+  if (text.find("\\x") == std::string::npos &&
+      nlohmann::json::parse(json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace)) == json)
+    return text;
   constexpr const char* digits = "0123456789abcdef";
   std::string escaped;
   for (const char letter : text) {

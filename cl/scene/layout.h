@@ -26,7 +26,7 @@ enum {
   HEADER_SAMPLER,       // SAMPLER_independent, ...
   HEADER_CAMERA,        // -> shading
   HEADER_SENSOR,        // -> shading, SENSOR_REALS and a table, where light paths end on the sensor; else -1
-  HEADER_FILTER,        // -> shading, FILTER_CELLS + 1 quantiles
+  HEADER_FILTER,        // -> shading, FILTER_CELLS + 1 quantiles: |offset| beyond which (i / FILTER_CELLS)^2 lies
   HEADER_PARTS,         // -> index, PART_INTS a part
   HEADER_MATERIALS,     // -> index, MATERIAL_INTS a material
   HEADER_TEXTURES,      // -> index, TEXTURE_INTS a texture

@@ -17,11 +17,17 @@
 namespace strahl::cli {
 namespace {
 
-/// What an action threw; empty: nothing.
-template <class Action>
-std::string fault_of(const Action& action) {
+std::string no_memory_for(const std::string& path, const char* what) {
+  return fmt::format("cannot write \"{}\": no memory is left for {}; end other programs", path, what);
+}
+
+/// What writing a file threw; empty: nothing.
+template <class Write>
+std::string fault_of(const std::string& path, const Write& write) {
   try {
-    action();
+    write();
+  } catch (const std::bad_alloc&) {
+    return no_memory_for(path, "the picture");
   } catch (const std::exception& fault) {
     return fault.what();
   }
@@ -103,18 +109,15 @@ void PictureKeeper::keep(FilmState state) {
 void PictureKeeper::keep_nothing(bool is_last) {
   wait();
   const Due now = is_last ? Due{true, false} : due();
-  const auto fault = [](const std::string& path) {
-    return fmt::format("cannot write \"{}\": no memory is left for a copy of the film; end other programs", path);
-  };
   if (now.checkpoint) {
     since_checkpoint_ = {};
-    checkpoint_fault_ = fault(options_.target());
+    checkpoint_fault_ = no_memory_for(options_.target(), "a copy of the film");
     if (!is_last) warn_of_checkpoint();
   }
   if (!now.snapshot) return;
   since_snapshot_ = {};
   snapshot_is_taken();
-  snapshot_fault_ = fault(snapshot_path());
+  snapshot_fault_ = no_memory_for(snapshot_path(), "a copy of the film");
   warn_of_snapshot();
 }
 
@@ -130,7 +133,7 @@ void PictureKeeper::warn_of_snapshot() const {
 std::string PictureKeeper::snapshot_path() const { return path_beside(picture_.path, "snapshot"); }
 
 void PictureKeeper::write_kept(const Checkpoint& checkpoint) {
-  checkpoint_fault_ = fault_of([&] { write_checkpoint(options_.target(), checkpoint); });
+  checkpoint_fault_ = fault_of(options_.target(), [&] { write_checkpoint(options_.target(), checkpoint); });
   if (checkpoint_fault_.empty()) is_written_ = true;
 }
 
@@ -138,7 +141,7 @@ void PictureKeeper::write(const Checkpoint& checkpoint, Due due) {
   if (due.checkpoint) write_kept(checkpoint);
   if (due.checkpoint && !checkpoint_fault_.empty()) warn_of_checkpoint();
   if (!due.snapshot) return;
-  snapshot_fault_ = fault_of([&] {
+  snapshot_fault_ = fault_of(snapshot_path(), [&] {
     PictureFiles files = picture_;
     files.path = snapshot_path();
     std::map<std::string, std::string> metadata = header_.metadata;

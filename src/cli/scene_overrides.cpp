@@ -48,8 +48,8 @@ int scaled(int length, int numerator, int denominator, const char* side) {
   const double exact = std::round(static_cast<double>(length) * numerator / denominator);
   if (exact > max_size)
     throw UsageError(
-        fmt::format("at the scene's aspect ratio the {} would be {:.0f} pixels, more than {}; state --{} as well", side,
-                    exact, max_size, side));
+        fmt::format("at the scene's aspect ratio the {} would be {:.0f} pixels, more than {}; ask for fewer", side,
+                    exact, max_size));
   return std::max(static_cast<int>(exact), 1);
 }
 

@@ -10,6 +10,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <charconv>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
@@ -89,6 +90,27 @@ std::string end_of_links(fs::path path) {
   return path.string();
 }
 
+/// The open descriptor of this process that a path names (/dev/stdout, /dev/fd/3, a link to them); else -1.
+int own_descriptor(fs::path path) {
+  std::error_code unknown;
+  const fs::path descriptors = fs::canonical("/proc/self/fd", unknown);
+  if (unknown) return -1;
+  constexpr int most_links = 40;  // As the system.
+  for (int i = 0; i < most_links; ++i) {
+    const fs::path folder = fs::canonical(path.has_parent_path() ? path.parent_path() : fs::path("."), unknown);
+    if (unknown) return -1;
+    if (folder == descriptors) {
+      const std::string name = path.filename().string();
+      int number = -1;
+      const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), number);
+      return error == std::errc() && end == name.data() + name.size() ? number : -1;
+    }
+    if (!fs::is_symlink(fs::symlink_status(path, unknown))) return -1;
+    path = folder / fs::read_symlink(path, unknown);
+  }
+  return -1;
+}
+
 }  // namespace
 
 AtomicFile::AtomicFile(const std::string& path) : path_(path), target_(path) {
@@ -96,12 +118,20 @@ AtomicFile::AtomicFile(const std::string& path) : path_(path), target_(path) {
   const fs::file_status status = fs::status(path, unknown);
   if (path.empty()) throw Error("cannot write to a file without a name");
   if (fs::is_directory(status)) fail(EISDIR);
+  // What is open already is written on: opened anew, a file that others append to would begin anew.
+  if (const int open = own_descriptor(path); open >= 0) {
+    if ((::fcntl(open, F_GETFL) & O_ACCMODE) == O_RDONLY) fail(EACCES);
+    descriptor_ = ::fcntl(open, F_DUPFD_CLOEXEC, 0);
+    if (descriptor_ < 0) fail(errno);
+    begins_anew_ = false;
+    return;
+  }
   bool replaces = fs::is_regular_file(status);
   if (fs::exists(status)) {
     // rename() would replace a write-protected file without asking.
     if (::access(path.c_str(), W_OK) != 0) fail(errno);
-    // What an open descriptor alone leads to (/dev/stdout, /dev/fd/3) may be a pipe, or a file that was removed: it has
-    // no name that it could be replaced under.
+    // What another process's descriptor leads to may be a file that was removed: it has no name that it could be
+    // replaced under.
     if (replaces) {
       const fs::path named = fs::canonical(path, unknown);
       if (unknown && unknown != std::errc::no_such_file_or_directory) fail(unknown.value());
@@ -161,7 +191,7 @@ void AtomicFile::write(const void* data, std::size_t size) {
     buffer_.append(bytes);
 }
 
-bool AtomicFile::can_seek() const { return ::lseek(descriptor_, 0, SEEK_CUR) >= 0; }
+bool AtomicFile::can_seek() const { return begins_anew_ && ::lseek(descriptor_, 0, SEEK_CUR) >= 0; }
 
 void AtomicFile::seek(std::uint64_t position) {
   flush_buffer();
@@ -202,6 +232,7 @@ std::string AtomicFile::set_aside() {
   const std::string aside = (target.parent_path() / name).string();
   const std::string temporary = std::exchange(temporary_, {});
   if (std::rename(temporary.c_str(), aside.c_str()) == 0) return fmt::format("; the complete file is \"{}\"", aside);
+  if (::access(temporary.c_str(), F_OK) != 0) return {};
   return fmt::format("; the complete file is \"{}\" until strahl next writes to that folder", temporary);
 }
 

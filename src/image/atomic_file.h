@@ -23,7 +23,7 @@ class AtomicFile {
 
   void write(const void* data, std::size_t size);
   void write(const std::string& bytes) { write(bytes.data(), bytes.size()); }
-  /// false: a pipe or a terminal, whose bytes must come in their order.
+  /// false: a pipe, a terminal or what was open already, whose bytes must come in their order.
   [[nodiscard]] bool can_seek() const;
   void seek(std::uint64_t position);
   [[nodiscard]] std::uint64_t tell();
@@ -44,8 +44,9 @@ class AtomicFile {
   std::string target_;     // The same with a symbolic link resolved.
   std::string temporary_;  // Empty where target_ is written to directly.
   int descriptor_ = -1;
-  std::string buffer_;  // Behind what is in the file.
-  int failure_ = 0;     // The first errno.
+  bool begins_anew_ = true;  // false: something may be in the file already.
+  std::string buffer_;       // Behind what is in the file.
+  int failure_ = 0;          // The first errno.
 };
 
 }  // namespace strahl

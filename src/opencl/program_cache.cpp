@@ -204,11 +204,18 @@ std::string keep_failed_program(const std::string& name, const std::string& text
     path = (temporary / (name + "-XXXXXX" + std::string(ending))).string();
     descriptor = ::mkstemps(path.data(), static_cast<int>(ending.size()));
   }
-  const bool is_written =
-      descriptor >= 0 && ::write(descriptor, text.data(), text.size()) == static_cast<ssize_t>(text.size());
-  const int error = errno;
+  int error = descriptor < 0 ? errno : 0;
+  for (std::string_view rest = text; error == 0 && !rest.empty();) {
+    const ssize_t count = ::write(descriptor, rest.data(), rest.size());
+    if (count > 0)
+      rest.remove_prefix(static_cast<std::size_t>(count));
+    else if (count == 0 || errno != EINTR)
+      error = count == 0 ? ENOSPC : errno;
+  }
   if (descriptor >= 0) ::close(descriptor);
-  return is_written ? path : fmt::format("could not be written to {} ({})", path, std::strerror(error));
+  if (error == 0) return path;
+  if (descriptor >= 0) ::unlink(path.c_str());
+  return fmt::format("could not be written to {} ({})", path, std::strerror(error));
 }
 
 std::size_t clear_program_cache() {

@@ -20,16 +20,30 @@ double gaussian_integral(double x, double radius, double stddev) {
   return stddev * std::sqrt(std::acos(-1.0) / 2) * std::erf(x / (stddev * std::sqrt(2.0))) - floor * x;
 }
 
-/// x >= 0 with P(|X| <= x) = p.
-double gaussian_quantile(double p, double radius, double stddev) {
+/// From x to the radius: of tails the difference of two integrals has few digits.
+double gaussian_tail(double x, double radius, double stddev) {
+  if (is_parabola(radius, stddev)) return (radius - x) * (radius - x) * (2 * radius + x) / (3 * radius * radius);
+  const double floor = std::exp(-radius * radius / (2 * stddev * stddev)), unit = stddev * std::sqrt(2.0);
+  // Near the radius both differences are small beside their terms: there the bell is a line and a parabola.
+  const double rest = radius - x, slope = radius / (stddev * stddev) * floor;
+  if (slope * rest < 1e-3 * floor)
+    return slope * rest * rest / 2 * (1 + rest * (radius / (stddev * stddev) - 1 / radius) / 3);
+  return stddev * std::sqrt(std::acos(-1.0) / 2) * (std::erfc(x / unit) - std::erfc(radius / unit)) - floor * rest;
+}
+
+/// x >= 0 with P(|X| > x) = tail.
+double gaussian_quantile(double tail, double radius, double stddev) {
   const double whole = gaussian_integral(radius, radius, stddev);
   double low = 0, high = radius;
   for (int i = 0; i < 100; ++i) {
     const double middle = 0.5 * (low + high);
-    (gaussian_integral(middle, radius, stddev) < p * whole ? low : high) = middle;
+    (gaussian_tail(middle, radius, stddev) > tail * whole ? low : high) = middle;
   }
   return 0.5 * (low + high);
 }
+
+/// Beyond so many deviations a gaussian is 1e-14 of its height.
+constexpr double most_deviations = 8;
 
 double half_width(const Filter& filter) {
   if (filter.radius > 0) return filter.radius;
@@ -44,14 +58,16 @@ double half_width(const Filter& filter) {
   return 0;
 }
 
-double upper_quantile(const Filter& filter, double p) {
+/// x >= 0 with P(|X| > x) = share^2.
+double quantile(const Filter& filter, double share) {
   switch (filter.kind) {
     case FilterKind::box:
-      return p * half_width(filter);
+      return (1 - share * share) * half_width(filter);
     case FilterKind::tent:
-      return (1 - std::sqrt(1 - p)) * half_width(filter);
+      return (1 - share) * half_width(filter);
     case FilterKind::gaussian:
-      return gaussian_quantile(p, half_width(filter), filter.stddev);
+      return std::min(gaussian_quantile(share * share, half_width(filter), filter.stddev),
+                      most_deviations * filter.stddev);
   }
   return 0;
 }
@@ -79,19 +95,17 @@ double density(const Filter& filter, double offset) {
 std::vector<double> filter_quantiles(const Filter& filter, SamplerKind sampler) {
   std::vector<double> quantiles(layout::FILTER_CELLS + 1, 0.0);
   if (sampler == SamplerKind::centre) return quantiles;
-  const int half = layout::FILTER_CELLS / 2;
-  for (int i = 1; i <= half; ++i) {
-    const double q = upper_quantile(filter, static_cast<double>(i) / half);
-    quantiles[static_cast<std::size_t>(half + i)] = q;
-    quantiles[static_cast<std::size_t>(half - i)] = -q;
-  }
+  constexpr int cells = layout::FILTER_CELLS;
+  for (int i = 0; i < cells; ++i)
+    quantiles[static_cast<std::size_t>(i)] = quantile(filter, static_cast<double>(i) / cells);
   return quantiles;
 }
 
 FilterDensities filter_densities(const Filter& filter) {
   FilterDensities densities{half_width(filter), {}};
-  // Cells stay narrow beside the bell however far off it is cut; beyond 8 deviations it is 1e-14 of its height.
-  if (filter.kind == FilterKind::gaussian) densities.half_width = std::min(densities.half_width, 8 * filter.stddev);
+  // Cells stay narrow beside the bell however far off it is cut.
+  if (filter.kind == FilterKind::gaussian)
+    densities.half_width = std::min(densities.half_width, most_deviations * filter.stddev);
   constexpr int cells = layout::FILTER_CELLS;
   for (int i = 0; i <= cells; ++i)
     densities.values.push_back(density(filter, (2.0 * i / cells - 1) * densities.half_width));

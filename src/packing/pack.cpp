@@ -80,7 +80,7 @@ class Packing {
     index(layout::HEADER_SAMPLER) = features_.entry_index("samplers", sampler_entry(sampling.kind));
     index(layout::HEADER_HIDE_EMITTERS) = scene_.integrator.hide_emitters ? 1 : 0;
     index(layout::HEADER_STRICT_NORMALS) = scene_.integrator.strict_normals ? 1 : 0;
-    index(layout::HEADER_CAMERA) = packed_.put_shading(camera_reals(scene_.camera, scene_.film, options_.frame));
+    index(layout::HEADER_CAMERA) = packed_.put_shading(camera_reals(scene_, sampling.kind, options_.frame));
     index(layout::HEADER_FILM_ROWS) = scene_.film.window().height();
     index(layout::HEADER_SENSOR) = -1;
     if (kinds::integrator(scene_.integrator.name).from_lights)

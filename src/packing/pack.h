@@ -28,7 +28,8 @@ struct PackOptions {
 template <typename Real>
 [[nodiscard]] PackedScene<Real> pack_scene(const Scene& scene, const Features& features, const PackOptions& options);
 
-/// FILM_CELLS + 1 quantiles of a pixel filter in pixels, antisymmetric; all 0 for the centre sampler.
+/// FILTER_CELLS + 1 distances in pixels from a filter's middle, from half its width down to 0: beyond the i-th lies a
+/// share of (i / FILTER_CELLS)^2 on both sides together. All 0 for the centre sampler.
 [[nodiscard]] std::vector<double> filter_quantiles(const Filter& filter, SamplerKind sampler);
 
 /// FILTER_CELLS + 1 densities per pixel of a filter along one axis, from one end to the other, and half its width: at

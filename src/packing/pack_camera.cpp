@@ -49,6 +49,12 @@ std::vector<double> camera_reals(const Camera& camera, const Film& film, const U
   return reals;
 }
 
+std::vector<double> camera_reals(const Scene& scene, SamplerKind sampler, const UploadFrame& frame) {
+  Camera camera = scene.camera;
+  if (sampler == SamplerKind::centre) camera.aperture_radius = 0;
+  return camera_reals(camera, scene.film, frame);
+}
+
 std::vector<double> sensor_reals(const Camera& camera, const Film& film, const UploadFrame& frame) {
   const std::vector<double> reals = camera_reals(camera, film, frame);
   const auto vector_at = [&](int at) {

@@ -256,6 +256,8 @@ TEST_CASE("a value that is not UTF-8 is gone on with, and told apart from others
   succeed(folder, with("b\xe4ll\\", "--resume"));
   refuse(folder, with("b\xf6ll\\", "--resume"), 3, {"-D is name=b\\xe4ll\\x5c there and name=b\\xf6ll\\x5c here"});
   refuse(folder, with("b\\xe4ll\\", "--resume"), 3, {"-D is"});
+  succeed(folder, with("b\xe4ll", "--checkpoint"));
+  refuse(folder, with("b\\xe4ll", "--resume"), 3, {"-D is"});
   succeed(folder, with("b\xc3\xa4ll\\", "--checkpoint"));
   succeed(folder, with("b\xc3\xa4ll\\", "--resume"));
 }

@@ -77,7 +77,8 @@ class FaultyRender {
     // What is complete and only has no name yet is set aside, or named where even that fails.
     const bool is_set_aside = contains(outcome.err, "the complete file is");
     if (calls_[call - 1] == "rename" && kind != "short") CHECK(is_set_aside);
-    if (!is_set_aside) CHECK(leftovers() == 0);
+    hold_set_aside(outcome.err);
+    CHECK(leftovers() == 0);
   }
 
   /// And tried again, as a script would. Whether there was a temporary file in between.
@@ -117,6 +118,19 @@ class FaultyRender {
   [[nodiscard]] std::ptrdiff_t leftovers() const {
     const std::vector<std::string> names = folder_.files();
     return std::count_if(names.begin(), names.end(), [](const std::string& name) { return name.ends_with(".tmp"); });
+  }
+  /// Each file that the message says is complete.
+  void hold_set_aside(const std::string& message) const {
+    const std::string before = "the complete file is \"";
+    for (std::size_t at = message.find(before); at != std::string::npos; at = message.find(before, at)) {
+      at += before.size();
+      const std::string path = folder_.path(message.substr(at, message.find('"', at) - at));
+      INFO(path);
+      REQUIRE(fs::exists(path));
+      if (path.ends_with(".exr")) CHECK(strahl::read_image(path).data == picture_.data);
+      if (path.ends_with(".ckpt")) CHECK(strahl::read_checkpoint(path).header.least >= 32);
+      fs::remove(path);
+    }
   }
   [[nodiscard]] strahl::Image read_picture() const { return strahl::read_image(folder_.path("out.exr")); }
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# The readers under libFuzzer, which tests/fuzz/run builds with the preset `fuzz`.
+# The readers under libFuzzer, which tests/fuzz/run builds with the presets `fuzz` and `fuzz-quick`.
 if(STRAHL_FUZZ)
   # The readers and what they need, not all of libstrahl: sanitizers and coverage make the compiler slow.
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/scene/*.cpp ${PROJECT_SOURCE_DIR}/src/image/*.cpp

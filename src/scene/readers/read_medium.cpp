@@ -23,6 +23,17 @@ double share_in(Properties& properties, const char* name, double low, double hig
 /// Of a medium, whose draws walk along them; blends are within each other no deeper.
 constexpr std::size_t most_phases = 256;
 
+/// A number, or the mean of a colour or of a constvolume.
+double weight_of_blend(Properties& properties, SceneBuilder& builder) {
+  constexpr double even = 0.5;
+  const XmlElement* given = properties.peek("weight");
+  if (given == nullptr || given->tag == "float" || given->tag == "integer")
+    return properties.number("weight").value_or(even);
+  const std::optional<Volume> volume =
+      read_volume(properties, builder, "weight", ColorUse::value, {even, even, even}, false);
+  return volume ? (volume->value.r + volume->value.g + volume->value.b) / 3 : even;
+}
+
 /// Adds what `element` is, with a share, to `phases`. within: the blends that hold it, outermost first. False after an
 /// error, which ends the walk: references make a small file a large tree.
 bool read_phase(const XmlElement& element, double share, std::vector<const XmlElement*>& within, SceneBuilder& builder,
@@ -38,7 +49,7 @@ bool read_phase(const XmlElement& element, double share, std::vector<const XmlEl
   const std::string_view type = properties.type();
   const std::vector<const XmlElement*> inside = properties.objects("phase");
   if (type == "blendphase") {
-    const double given = properties.number("weight").value_or(0.5);  // Mitsuba clamps it, too.
+    const double given = weight_of_blend(properties, builder);
     const double weight =
         clamped_reflectance({given, given, given}, properties.where("weight"), "weight", builder.diagnostics).r;
     if (inside.size() != 2) return fail("a blendphase has two <phase> inside it");

@@ -49,6 +49,7 @@ std::vector<std::string> shape_types() {
 void read_area_emitter(const XmlElement& element, Shape& shape, SceneBuilder& builder) {
   Properties properties(element, builder.ids, builder.diagnostics);
   const bool is_beam = properties.type() == "directionalarea";
+  static_cast<void>(properties.objects("medium"));  // What surrounds it is told by the boundaries of media.
   if (properties.type() != "area" && !is_beam) {
     builder.diagnostics.unknown(
         element.where, fmt::format("{} cannot be part of a shape{}; the shape does not emit", properties.title(),
@@ -65,21 +66,20 @@ void read_area_emitter(const XmlElement& element, Shape& shape, SceneBuilder& bu
 }
 
 /// The first of the objects; more are reported.
-const XmlElement* only_one(const std::vector<const XmlElement*>& objects, const Properties& properties) {
+const XmlElement* only_one(const std::vector<NamedObject>& objects, const Properties& properties) {
   for (std::size_t i = 1; i < objects.size(); ++i) {
-    properties.diagnostics().error(objects[i]->where,
-                                   fmt::format("{} has more than one <{}>", properties.title(), objects[i]->tag));
+    properties.diagnostics().error(
+        objects[i].where, fmt::format("{} has more than one <{}>", properties.title(), objects[i].object->tag));
   }
-  return objects.empty() ? nullptr : objects.front();
+  return objects.empty() ? nullptr : objects.front().object;
 }
 
 /// The last of them, as 0.x has it; the others are named.
-const XmlElement* last_bsdf(const std::vector<const XmlElement*>& bsdfs, const Properties& properties) {
+const XmlElement* last_bsdf(const std::vector<NamedObject>& bsdfs, const Properties& properties) {
   for (std::size_t i = 0; i + 1 < bsdfs.size(); ++i)
-    properties.diagnostics().warning(
-        bsdfs[i]->where, fmt::format("{} has more than one <bsdf>; the last counts, at {}", properties.title(),
-                                     SourceLocation(bsdfs.back()->where).text()));
-  return bsdfs.empty() ? nullptr : bsdfs.back();
+    properties.diagnostics().warning(bsdfs[i].where, fmt::format("{} has more than one <bsdf>; the last counts, at {}",
+                                                                 properties.title(), bsdfs.back().where.text()));
+  return bsdfs.empty() ? nullptr : bsdfs.back().object;
 }
 
 /// Of an OBJ of 0.x, as its upgrade says.
@@ -124,9 +124,9 @@ void read_shape(const XmlElement& element, SceneBuilder& builder, std::vector<Sh
   properties.accept({silhouette_weight});
   std::vector<NamedMaterial> named_materials = read_named_materials(properties, builder);
   const bool takes_last = properties.boolean("takes_last_bsdf").value_or(false);  // Of 0.x.
-  const std::vector<const XmlElement*> bsdfs = properties.objects("bsdf");
+  const std::vector<NamedObject> bsdfs = properties.placed_objects("bsdf");
   const XmlElement* bsdf = takes_last ? last_bsdf(bsdfs, properties) : only_one(bsdfs, properties);
-  const XmlElement* emitter = only_one(properties.objects("emitter"), properties);
+  const XmlElement* emitter = only_one(properties.placed_objects("emitter"), properties);
   if (bsdf != nullptr) shape.material = material_index(*bsdf, builder);
   if (emitter != nullptr) builder.emitters_of_shapes.insert(emitter);
   if (emitter != nullptr) read_area_emitter(*emitter, shape, builder);

@@ -196,10 +196,16 @@ std::optional<std::vector<double>> Properties::numbers(std::string_view name) {
 
 std::vector<const XmlElement*> Properties::objects(std::string_view tag) {
   std::vector<const XmlElement*> found;
+  for (const NamedObject& placed : placed_objects(tag)) found.push_back(placed.object);
+  return found;
+}
+
+std::vector<NamedObject> Properties::placed_objects(std::string_view tag) {
+  std::vector<NamedObject> found;
   for (Entry& entry : entries_) {
     if (entry.used || entry.meant->tag != tag) continue;
     entry.used = true;
-    found.push_back(entry.meant);
+    found.push_back({std::string(entry.name), entry.meant, entry.given->where});
   }
   return found;
 }

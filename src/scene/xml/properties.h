@@ -58,6 +58,8 @@ class Properties {
   [[nodiscard]] const XmlElement* peek(std::string_view name) const;
   /// Nested objects of a kind ("bsdf"), references resolved.
   [[nodiscard]] std::vector<const XmlElement*> objects(std::string_view tag);
+  /// The same with the places that give them, a reference's where it is one.
+  [[nodiscard]] std::vector<NamedObject> placed_objects(std::string_view tag);
   /// Those of them that have a name, as theirs or their reference's.
   [[nodiscard]] std::vector<NamedObject> named_objects(std::string_view tag);
   /// Parameters that are known and have no effect on what strahl computes.

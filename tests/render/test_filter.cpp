@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+// Where samples are drawn: what a lamp's straight edge leaves in the pixels beside it is the filter's tail, however
+// little that is; one ray through a pixel's middle goes through the lens's middle. 2 s.
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <functional>
+
+#include "render/stage.h"
+#include "scene/model/build.h"
+
+namespace strahl::test {
+namespace {
+
+constexpr double pixel = 2 * half_width / stage_size;
+constexpr int samples = 16384;
+
+/// Of the gaussian, lowered so that it ends in 0 at the radius: the share beyond x pixels, on one side.
+double tail(double x, double radius, double stddev) {
+  const double unit = stddev * std::sqrt(2.0), floor = std::exp(-radius * radius / (unit * unit));
+  const auto beyond = [&](double from) {
+    return 0.5 * std::sqrt(std::acos(-1.0)) * unit * (std::erfc(from / unit) - std::erfc(radius / unit)) -
+           floor * (radius - from);
+  };
+  return x < radius ? beyond(x) / (2 * beyond(0)) : 0;
+}
+
+/// edge: where the lamp ends, in pixels right of the picture's middle.
+void hold(const Filter& filter, const std::function<double(double)>& share, double edge) {
+  Scene scene = stage({});
+  add(scene, emitting(Rectangle{{edge * pixel - 9, -9, 0}, {9, 0, 0}, {0, 18, 0}}, {1, 1, 1}));
+  scene.integrator.name = "emission";
+  scene.sampler.kind = SamplerKind::independent;
+  scene.sampler.sample_count = samples;
+  scene.film.filter = filter;
+  scene.film.crop = Window{stage_size / 2, 0, stage_size / 2 + 4, stage_size};
+  const Image image = color(scene, Precision::robust);
+  for (int x = 0; x < image.width; ++x) {
+    double lit = 0;
+    for (int y = 0; y < image.height; ++y) lit += samples * static_cast<double>(image.at(x, y, 0));
+    const double distance = x + 0.5 - edge, expected = samples * image.height * share(distance);
+    INFO(distance << " pixels off");
+    CHECK(std::fabs(lit - expected) < 5 * std::sqrt(expected) + 3);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("a lamp's edge shows the filter's tail") {
+  require_pocl_and_rusticl();
+  for (const double edge : {0.0, -0.25, -0.5}) {
+    for (const double radius : {2.0, 3.0, 30.0})
+      hold(
+          {FilterKind::gaussian, radius, 0.5}, [&](double x) { return tail(x, radius, 0.5); }, edge);
+    hold(
+        {FilterKind::tent, 1, 0.5}, [](double x) { return x < 1 ? (1 - x) * (1 - x) / 2 : 0; }, edge);
+    hold(
+        {FilterKind::box, 1.2, 0.5}, [](double x) { return x < 1.2 ? (1.2 - x) / 2.4 : 0; }, edge);
+  }
+}
+
+TEST_CASE("by default depth is seen through the middle of a lens, as from pixels' centres") {
+  require_pocl_and_rusticl();
+  Scene scene;
+  scene.materials = {Material{}};
+  add(scene, Sphere{{0, 0, 0}, 1});
+  scene.camera = perspective_camera({0, -6, 2}, {0, 0, 0}, {0, 0, 1}, 40);
+  scene.camera.aperture_radius = 0.5;
+  scene.camera.focus_distance = 2;
+  scene.film.width = scene.film.height = 32;
+  scene.integrator.name = "depth";
+  const Image found = color(scene);
+  scene.sampler.kind = SamplerKind::centre;
+  CHECK(lit_pixels(found) > 100);
+  CHECK(found.data == color(scene).data);
+}
+
+}  // namespace strahl::test
