@@ -110,7 +110,8 @@ Clipping clipping_of(const Image& color, double exposure, const std::vector<Rgb>
   const auto last = overexposed.end() - 1 - static_cast<std::ptrdiff_t>(may_stay);
   std::nth_element(overexposed.begin(), last, overexposed.end());
   constexpr int most_stops = 64;  // That --exposure takes.
-  clipping.stops = std::max(static_cast<int>(std::floor(-std::log2(*last))), -most_stops);
+  const int stops = static_cast<int>(std::floor(-std::log2(*last)));
+  if (stops >= -most_stops) clipping.stops = stops;
   return clipping;
 }
 

@@ -15,7 +15,7 @@ void require_writable(const std::string& path) {
   const fs::file_status status = fs::status(path, unknown);
   // A pipe's reader would take opening and closing it for the whole of what comes.
   const bool is_stream = fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
-  if (!is_stream) const AtomicFile never_committed(path);
+  if (!is_stream || is_open_already(path)) const AtomicFile never_committed(path);
 }
 
 void write_text(const std::string& path, const std::string& text) {

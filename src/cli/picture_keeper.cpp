@@ -27,7 +27,7 @@ std::string fault_of(const std::string& path, const Write& write) {
   try {
     write();
   } catch (const std::bad_alloc&) {
-    return no_memory_for(path, "the picture");
+    return no_memory_for(path, "its bytes");
   } catch (const std::exception& fault) {
     return fault.what();
   }

@@ -25,6 +25,7 @@
 #include "cli/shared_devices.h"
 #include "cli/summary.h"
 #include "cli/watchdog.h"
+#include "image/atomic_file.h"
 #include "json_text.h"
 #include "kinds/integrators.h"
 #include "render/limitations.h"
@@ -66,8 +67,9 @@ void require_writable_outputs(const RenderOptions& options) {
   std::error_code unknown;
   // Written again and again, each in the place of the one before.
   const std::filesystem::file_status status = std::filesystem::status(options.keep.target(), unknown);
-  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status) &&
-      !std::filesystem::is_directory(status))
+  if ((std::filesystem::exists(status) && !std::filesystem::is_regular_file(status) &&
+       !std::filesystem::is_directory(status)) ||
+      is_open_already(options.keep.target()))
     throw UsageError(
         fmt::format("a checkpoint is a file, and \"{}\" is none; choose another name", options.keep.target()));
   require_writable(options.keep.target());

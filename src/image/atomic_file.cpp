@@ -6,6 +6,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <poll.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -120,7 +121,8 @@ AtomicFile::AtomicFile(const std::string& path) : path_(path), target_(path) {
   if (fs::is_directory(status)) fail(EISDIR);
   // What is open already is written on: opened anew, a file that others append to would begin anew.
   if (const int open = own_descriptor(path); open >= 0) {
-    if ((::fcntl(open, F_GETFL) & O_ACCMODE) == O_RDONLY) fail(EACCES);
+    if ((::fcntl(open, F_GETFL) & O_ACCMODE) == O_RDONLY)
+      throw Error(fmt::format("cannot write \"{}\": it is not open for writing", path_));
     descriptor_ = ::fcntl(open, F_DUPFD_CLOEXEC, 0);
     if (descriptor_ < 0) fail(errno);
     begins_anew_ = false;
@@ -172,6 +174,10 @@ void AtomicFile::put(std::string_view bytes) {
   while (!bytes.empty()) {
     const ssize_t count = ::write(descriptor_, bytes.data(), bytes.size());
     if (count < 0 && errno == EINTR) continue;
+    if (count < 0 && (errno == EAGAIN || errno == EWOULDBLOCK)) {  // A pipe of others, who do not wait for its reader.
+      pollfd ready{descriptor_, POLLOUT, 0};
+      if (::poll(&ready, 1, -1) >= 0 || errno == EINTR) continue;
+    }
     if (count <= 0) fail(count < 0 ? errno : EIO);
     bytes.remove_prefix(static_cast<std::size_t>(count));
   }
@@ -256,6 +262,8 @@ void AtomicFile::flush_folder() {
   ::close(folder);
   if (error != 0) fail(error);
 }
+
+bool is_open_already(const std::string& path) { return own_descriptor(path) >= 0; }
 
 void AtomicFile::fail(int error, const std::string& what_is_left) {
   if (failure_ == 0) failure_ = error;

@@ -49,4 +49,8 @@ class AtomicFile {
   int failure_ = 0;          // The first errno.
 };
 
+/// Whether the path names a descriptor that this process has open (/dev/stdout, /dev/fd/3, a link to them): what is
+/// written there comes behind what is there.
+[[nodiscard]] bool is_open_already(const std::string& path);
+
 }  // namespace strahl

@@ -86,6 +86,8 @@ WriteReport write_exr(const Image& image, const std::string& path) {
     }
   } catch (const Error&) {
     throw;
+  } catch (const std::bad_alloc&) {
+    throw;
   } catch (const std::exception& e) {
     throw Error(fmt::format("cannot write \"{}\": {}", path, e.what()));
   }

@@ -131,6 +131,8 @@ WriteReport write_png(const Image& image, const std::string& path, const PngOpti
     png_write_end(writer.png, writer.info);
   } catch (const Error&) {
     throw;
+  } catch (const std::bad_alloc&) {
+    throw;
   } catch (const std::exception& e) {
     throw Error(fmt::format("cannot write \"{}\": {}", path, e.what()));
   }

@@ -26,7 +26,7 @@ double gaussian_tail(double x, double radius, double stddev) {
   const double floor = std::exp(-radius * radius / (2 * stddev * stddev)), unit = stddev * std::sqrt(2.0);
   // Near the radius both differences are small beside their terms: there the bell is a line and a parabola.
   const double rest = radius - x, slope = radius / (stddev * stddev) * floor;
-  if (slope * rest < 1e-3 * floor)
+  if (slope * rest < 1e-3 * floor && rest < 0.1 * radius)
     return slope * rest * rest / 2 * (1 + rest * (radius / (stddev * stddev) - 1 / radius) / 3);
   return stddev * std::sqrt(std::acos(-1.0) / 2) * (std::erfc(x / unit) - std::erfc(radius / unit)) - floor * rest;
 }
@@ -44,6 +44,9 @@ double gaussian_quantile(double tail, double radius, double stddev) {
 
 /// Beyond so many deviations a gaussian is 1e-14 of its height.
 constexpr double most_deviations = 8;
+/// Its samples end earlier, in the midst of the last cell, which holds a millionth of them: it begins at 4.9
+/// deviations.
+constexpr double most_drawn_deviations = 5.5;
 
 double half_width(const Filter& filter) {
   if (filter.radius > 0) return filter.radius;
@@ -67,7 +70,7 @@ double quantile(const Filter& filter, double share) {
       return (1 - share) * half_width(filter);
     case FilterKind::gaussian:
       return std::min(gaussian_quantile(share * share, half_width(filter), filter.stddev),
-                      most_deviations * filter.stddev);
+                      most_drawn_deviations * filter.stddev);
   }
   return 0;
 }

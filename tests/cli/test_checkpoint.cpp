@@ -283,6 +283,7 @@ TEST_CASE("usage of what keeps a render") {
   REQUIRE(::mkfifo(folder.path("pipe").c_str(), 0600) == 0);
   refuse(folder, {"s.xml", "--checkpoint", "pipe"}, 2, {"a checkpoint is a file", "pipe"});
   refuse(folder, {"s.xml", "--checkpoint", "/dev/null"}, 2, {"a checkpoint is a file"});
+  refuse(folder, {"s.xml", "--checkpoint", "/dev/stdout"}, 2, {"a checkpoint is a file"});
   refuse(folder, {"s.xml", "--resume", "pipe"}, 3, {"a checkpoint is a file"});
   refuse(folder, {"merge", "-o", "x.exr"}, 2, {"parts is required"});
 }
