@@ -11,16 +11,19 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// The kernels, changed.
-std::string kernels_with_contraction(const Folder& folder) {
+/// The kernels, with one text of one file replaced.
+std::string changed_kernels(const Folder& folder, const char* file, const std::string& from, const std::string& to) {
   const fs::path copy = folder.path("cl");
   fs::copy(fs::path(STRAHL_SOURCE_DIR) / "cl", copy, fs::copy_options::recursive);
-  std::string text = read_text((copy / "portable.h").string());
-  const std::string pragma = "#pragma OPENCL FP_CONTRACT OFF";
-  const std::size_t at = text.find(pragma);
+  std::string text = read_text((copy / file).string());
+  const std::size_t at = text.find(from);
   REQUIRE(at != std::string::npos);
-  std::ofstream(copy / "portable.h") << text.replace(at, pragma.size(), "#pragma OPENCL FP_CONTRACT ON");
+  std::ofstream(copy / file) << text.replace(at, from.size(), to);
   return copy.string();
+}
+
+std::string kernels_with_contraction(const Folder& folder) {
+  return changed_kernels(folder, "portable.h", "#pragma OPENCL FP_CONTRACT OFF", "#pragma OPENCL FP_CONTRACT ON");
 }
 
 }  // namespace
@@ -58,4 +61,21 @@ TEST_CASE("a precision that the device cannot keep is refused by name, and repla
   CHECK(sound.code == 0);
   CHECK(sound.err.empty());
   CHECK(nlohmann::json::parse(sound.out).at("precision") == "robust");
+}
+
+TEST_CASE("a program that does not build ends with 5, the driver's words and the source") {
+  const Folder folder;
+  const std::string kernels =
+      changed_kernels(folder, "kernels/render.cl", "KERNEL", "#error broken on purpose\nKERNEL");
+  const Outcome outcome = folder.run(
+      {"render", folder.file("scene.xml", glowing_sphere), "-d", "pocl", "--no-canary", "-q", "-o", "out.pfm"},
+      {{"STRAHL_KERNEL_DIR", kernels}, {"STRAHL_CACHE_DIR", folder.path("cache")}});
+  INFO(outcome.err);
+  CHECK(outcome.code == 5);
+  CHECK(contains(outcome.err, "broken on purpose"));
+  CHECK_FALSE(fs::exists(folder.path("out.pfm")));
+  const std::size_t at = outcome.err.find("source: ");
+  REQUIRE(at != std::string::npos);
+  const std::string source = outcome.err.substr(at + 8, outcome.err.find('\n', at) - at - 8);
+  CHECK(contains(read_text(source), "#error broken on purpose"));
 }

@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "cli/program.h"
 
@@ -31,6 +32,22 @@ TEST_CASE("the statistics have every documented key") {
     INFO(key);
     CHECK(contains(documentation, "`" + key + "`"));
   }
+  // And every one of the page's first table.
+  std::istringstream lines(documentation.substr(0, documentation.find("\n## ")));
+  int documented = 0;
+  for (std::string line; std::getline(lines, line);) {
+    if (!line.starts_with("| `")) continue;
+    std::istringstream names(line.substr(2, line.find(" |", 2) - 2));
+    for (std::string name; std::getline(names, name, ',');) {
+      const std::size_t begin = name.find('`') + 1;
+      const std::string key = name.substr(begin, name.find('`', begin) - begin);
+      INFO(key);
+      if (key == "detail") continue;  // Only with --stats-detail.
+      ++documented;
+      CHECK(json.contains(key));
+    }
+  }
+  CHECK(documented > 30);
   double sum = 0;
   for (const char* phase : {"start", "device", "load", "bvh", "program", "upload", "kernel", "readback", "error",
                             "encode", "exit", "other"}) {
