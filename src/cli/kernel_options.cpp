@@ -11,7 +11,7 @@
 #include "cli/number_options.h"
 #include "errors.h"
 #include "program/disabled.h"
-#include "program/program_text.h"
+#include "settings/require_settings.h"
 
 namespace strahl::cli {
 namespace {
@@ -144,14 +144,14 @@ RenderSettings settings_of(const KernelOptions& options) {
   RenderSettings settings;
   settings.precision = precision_from_name(options.precision.value_or("robust"));
   settings.lanes = options.lanes;
-  if (settings.precision == Precision::fp64 && options.lanes && *options.lanes == 16)
+  if (options.lanes && !is_lane_count(*options.lanes, settings.precision))
     throw UsageError("--precision double has 1 or 8 lanes, not 16");
   settings.bvh_width = options.bvh_width;
-  if (settings.precision == Precision::fp64 && options.bvh_width && *options.bvh_width == 16)
+  if (options.bvh_width && !is_tree_width(*options.bvh_width, settings.precision))
     throw UsageError("--precision double has trees of width 2, 4 or 8, not 16");
-  if (options.lanes && options.bvh_width && width_of(settings, 1).lanes != *options.lanes)
+  if (options.lanes && options.bvh_width && lanes_of_tree(*options.bvh_width) != *options.lanes)
     throw UsageError(fmt::format("--bvh-width {} tests {} at a time, not --lanes {}: state one of them",
-                                 *options.bvh_width, width_of(settings, 1).lanes, *options.lanes));
+                                 *options.bvh_width, lanes_of_tree(*options.bvh_width), *options.lanes));
   if (options.paths) settings.paths_in_lanes = *options.paths == "lanes";
   if (options.acceleration == "list") settings.acceleration = Acceleration::list;
   if (options.acceleration == "tree") settings.acceleration = Acceleration::tree;

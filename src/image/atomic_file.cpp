@@ -6,7 +6,6 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <poll.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -19,6 +18,7 @@
 
 #include "errors.h"
 #include "image/temporary_file.h"
+#include "write_all.h"
 
 namespace strahl {
 namespace fs = std::filesystem;
@@ -169,18 +169,8 @@ AtomicFile::~AtomicFile() {
   if (!temporary_.empty()) ::unlink(temporary_.c_str());
 }
 
-/// A signal, or a disk that is nearly full, may end a write part-way.
 void AtomicFile::put(std::string_view bytes) {
-  while (!bytes.empty()) {
-    const ssize_t count = ::write(descriptor_, bytes.data(), bytes.size());
-    if (count < 0 && errno == EINTR) continue;
-    if (count < 0 && (errno == EAGAIN || errno == EWOULDBLOCK)) {  // A pipe of others, who do not wait for its reader.
-      pollfd ready{descriptor_, POLLOUT, 0};
-      if (::poll(&ready, 1, -1) >= 0 || errno == EINTR) continue;
-    }
-    if (count <= 0) fail(count < 0 ? errno : EIO);
-    bytes.remove_prefix(static_cast<std::size_t>(count));
-  }
+  if (const int error = write_all(descriptor_, bytes); error != 0) fail(error);
 }
 
 void AtomicFile::flush_buffer() {

@@ -18,6 +18,7 @@
 #include <string_view>
 
 #include "opencl/program.h"
+#include "write_all.h"
 
 namespace strahl {
 
@@ -204,14 +205,7 @@ std::string keep_failed_program(const std::string& name, const std::string& text
     path = (temporary / (name + "-XXXXXX" + std::string(ending))).string();
     descriptor = ::mkstemps(path.data(), static_cast<int>(ending.size()));
   }
-  int error = descriptor < 0 ? errno : 0;
-  for (std::string_view rest = text; error == 0 && !rest.empty();) {
-    const ssize_t count = ::write(descriptor, rest.data(), rest.size());
-    if (count > 0)
-      rest.remove_prefix(static_cast<std::size_t>(count));
-    else if (count == 0 || errno != EINTR)
-      error = count == 0 ? ENOSPC : errno;
-  }
+  const int error = descriptor < 0 ? errno : write_all(descriptor, text);
   if (descriptor >= 0) ::close(descriptor);
   if (error == 0) return path;
   if (descriptor >= 0) ::unlink(path.c_str());

@@ -10,37 +10,54 @@
 namespace strahl {
 namespace {
 
-/// So wide a gaussian is 1 - (x / radius)^2 to 3e-7 of itself, while the difference of its two terms has fewer digits.
-bool is_parabola(double radius, double stddev) { return stddev > 1024 * radius; }
-
-/// Unnormalised integral of the gaussian, lowered by its value at the radius as in Mitsuba, from 0 to x.
-double gaussian_integral(double x, double radius, double stddev) {
-  if (is_parabola(radius, stddev)) return x - x * x * x / (3 * radius * radius);
-  const double floor = std::exp(-radius * radius / (2 * stddev * stddev));
-  return stddev * std::sqrt(std::acos(-1.0) / 2) * std::erf(x / (stddev * std::sqrt(2.0))) - floor * x;
-}
-
-/// From x to the radius: of tails the difference of two integrals has few digits.
-double gaussian_tail(double x, double radius, double stddev) {
-  if (is_parabola(radius, stddev)) return (radius - x) * (radius - x) * (2 * radius + x) / (3 * radius * radius);
-  const double floor = std::exp(-radius * radius / (2 * stddev * stddev)), unit = stddev * std::sqrt(2.0);
-  // Near the radius both differences are small beside their terms: there the bell is a line and a parabola.
-  const double rest = radius - x, slope = radius / (stddev * stddev) * floor;
-  if (slope * rest < 1e-3 * floor && rest < 0.1 * radius)
-    return slope * rest * rest / 2 * (1 + rest * (radius / (stddev * stddev) - 1 / radius) / 3);
-  return stddev * std::sqrt(std::acos(-1.0) / 2) * (std::erfc(x / unit) - std::erfc(radius / unit)) - floor * rest;
-}
-
-/// x >= 0 with P(|X| > x) = tail.
-double gaussian_quantile(double tail, double radius, double stddev) {
-  const double whole = gaussian_integral(radius, radius, stddev);
-  double low = 0, high = radius;
-  for (int i = 0; i < 100; ++i) {
-    const double middle = 0.5 * (low + high);
-    (gaussian_tail(middle, radius, stddev) > tail * whole ? low : high) = middle;
+/// The gaussian, lowered by its value at the radius as in Mitsuba; not normalised.
+class LoweredGaussian {
+ public:
+  LoweredGaussian(double radius, double stddev)
+      : radius_(radius),
+        stddev_(stddev),
+        // So wide a gaussian is 1 - (x / radius)^2 to 3e-7 of itself, while its two terms differ by fewer digits.
+        is_parabola_(stddev > 1024 * radius),
+        floor_(std::exp(-radius * radius / (2 * stddev * stddev))),
+        unit_(stddev * std::sqrt(2.0)),
+        area_(stddev * std::sqrt(std::acos(-1.0) / 2)),
+        beyond_(std::erfc(radius / unit_)) {
+    whole_ = is_parabola_ ? radius - radius * radius * radius / (3 * radius * radius)
+                          : area_ * std::erf(radius / unit_) - floor_ * radius;
   }
-  return 0.5 * (low + high);
-}
+
+  [[nodiscard]] double density(double x) const {
+    const double height =
+        is_parabola_ ? 1 - x * x / (radius_ * radius_) : std::exp(-x * x / (2 * stddev_ * stddev_)) - floor_;
+    return height / (2 * whole_);
+  }
+
+  /// x >= 0 with P(|X| > x) = share.
+  [[nodiscard]] double quantile(double share) const {
+    double low = 0, high = radius_;
+    for (;;) {
+      const double middle = 0.5 * (low + high);
+      if (middle == low || middle == high) return middle;
+      (tail(middle) > share * whole_ ? low : high) = middle;
+    }
+  }
+
+ private:
+  /// The integral from x to the radius: of tails the difference of two from 0 has few digits.
+  [[nodiscard]] double tail(double x) const {
+    const double rest = radius_ - x;
+    if (is_parabola_) return rest * rest * (2 * radius_ + x) / (3 * radius_ * radius_);
+    // Near the radius both differences are small beside their terms: there the bell is a line and a parabola.
+    const double slope = radius_ / (stddev_ * stddev_) * floor_;
+    if (slope * rest < 1e-3 * floor_ && rest < 0.1 * radius_)
+      return slope * rest * rest / 2 * (1 + rest * (radius_ / (stddev_ * stddev_) - 1 / radius_) / 3);
+    return area_ * (std::erfc(x / unit_) - beyond_) - floor_ * rest;
+  }
+
+  double radius_, stddev_;
+  bool is_parabola_;
+  double floor_, unit_, area_, beyond_, whole_ = 0;
+};
 
 /// Beyond so many deviations a gaussian is 1e-14 of its height.
 constexpr double most_deviations = 8;
@@ -61,57 +78,49 @@ double half_width(const Filter& filter) {
   return 0;
 }
 
-/// x >= 0 with P(|X| > x) = share^2.
-double quantile(const Filter& filter, double share) {
-  switch (filter.kind) {
-    case FilterKind::box:
-      return (1 - share * share) * half_width(filter);
-    case FilterKind::tent:
-      return (1 - share) * half_width(filter);
-    case FilterKind::gaussian:
-      return std::min(gaussian_quantile(share * share, half_width(filter), filter.stddev),
-                      most_drawn_deviations * filter.stddev);
-  }
-  return 0;
-}
-
-double density(const Filter& filter, double offset) {
-  const double half = half_width(filter), x = std::fabs(offset);
-  switch (filter.kind) {
-    case FilterKind::box:
-      return 0.5 / half;
-    case FilterKind::tent:
-      return (1 - x / half) / half;
-    case FilterKind::gaussian: {
-      if (is_parabola(half, filter.stddev))
-        return (1 - x * x / (half * half)) / (2 * gaussian_integral(half, half, filter.stddev));
-      const double variance = filter.stddev * filter.stddev;
-      const double lowered = std::exp(-x * x / (2 * variance)) - std::exp(-half * half / (2 * variance));
-      return lowered / (2 * gaussian_integral(half, half, filter.stddev));
-    }
-  }
-  return 0;
-}
-
 }  // namespace
 
 std::vector<double> filter_quantiles(const Filter& filter, SamplerKind sampler) {
   std::vector<double> quantiles(layout::FILTER_CELLS + 1, 0.0);
   if (sampler == SamplerKind::centre) return quantiles;
+  const double half = half_width(filter);
+  const LoweredGaussian gaussian(half, filter.stddev);
+  const auto quantile = [&](double share) {
+    switch (filter.kind) {
+      case FilterKind::box:
+        return (1 - share * share) * half;
+      case FilterKind::tent:
+        return (1 - share) * half;
+      case FilterKind::gaussian:
+        return std::min(gaussian.quantile(share * share), most_drawn_deviations * filter.stddev);
+    }
+    return 0.0;
+  };
   constexpr int cells = layout::FILTER_CELLS;
-  for (int i = 0; i < cells; ++i)
-    quantiles[static_cast<std::size_t>(i)] = quantile(filter, static_cast<double>(i) / cells);
+  for (int i = 0; i < cells; ++i) quantiles[static_cast<std::size_t>(i)] = quantile(static_cast<double>(i) / cells);
   return quantiles;
 }
 
 FilterDensities filter_densities(const Filter& filter) {
-  FilterDensities densities{half_width(filter), {}};
+  const double half = half_width(filter);
+  const LoweredGaussian gaussian(half, filter.stddev);
+  const auto density = [&](double offset) {
+    switch (filter.kind) {
+      case FilterKind::box:
+        return 0.5 / half;
+      case FilterKind::tent:
+        return (1 - std::fabs(offset) / half) / half;
+      case FilterKind::gaussian:
+        return gaussian.density(offset);
+    }
+    return 0.0;
+  };
+  FilterDensities densities{half, {}};
   // Cells stay narrow beside the bell however far off it is cut.
   if (filter.kind == FilterKind::gaussian)
     densities.half_width = std::min(densities.half_width, most_deviations * filter.stddev);
   constexpr int cells = layout::FILTER_CELLS;
-  for (int i = 0; i <= cells; ++i)
-    densities.values.push_back(density(filter, (2.0 * i / cells - 1) * densities.half_width));
+  for (int i = 0; i <= cells; ++i) densities.values.push_back(density((2.0 * i / cells - 1) * densities.half_width));
   return densities;
 }
 

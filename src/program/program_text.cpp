@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include "settings/require_settings.h"
+
 namespace strahl {
 
 ProgramSource program_source(const std::string& root, const Features& features, Precision precision, int lanes,
@@ -29,7 +31,7 @@ ProgramSource program_source(const KernelFiles& files, const std::string& root, 
 }
 
 Width width_of(const RenderSettings& settings, unsigned native_vector_width) {
-  if (settings.bvh_width) return {*settings.bvh_width >= 8 ? *settings.bvh_width : 1, *settings.bvh_width};
+  if (settings.bvh_width) return {lanes_of_tree(*settings.bvh_width), *settings.bvh_width};
   const int lanes = settings.lanes.value_or(default_lanes(native_vector_width, settings.precision));
   return {lanes, lanes == 1 ? 4 : lanes};
 }

@@ -8,18 +8,14 @@
 namespace strahl {
 namespace {
 
-bool is_lanes(int lanes, Precision precision) {
-  return lanes == 1 || lanes == 8 || (lanes == 16 && precision != Precision::fp64);
-}
-
 void require_widths(const RenderSettings& settings) {
   const bool is_double = settings.precision == Precision::fp64;
   const char* const in_double = is_double ? " in double" : "";
-  if (settings.lanes && !is_lanes(*settings.lanes, settings.precision))
+  if (settings.lanes && !is_lane_count(*settings.lanes, settings.precision))
     throw UsageError(
         fmt::format("lanes is {}{}; it can be {}", *settings.lanes, in_double, is_double ? "1 or 8" : "1, 8 or 16"));
   if (!settings.bvh_width) return;
-  const int width = *settings.bvh_width, tested = width >= 8 ? width : 1;
+  const int width = *settings.bvh_width, tested = lanes_of_tree(width);
   if (!is_tree_width(width, settings.precision))
     throw UsageError(
         fmt::format("bvh_width is {}{}; it can be {}", width, in_double, is_double ? "2, 4 or 8" : "2, 4, 8 or 16"));
@@ -29,6 +25,10 @@ void require_widths(const RenderSettings& settings) {
 }
 
 }  // namespace
+
+bool is_lane_count(int lanes, Precision precision) {
+  return lanes == 1 || lanes == 8 || (lanes == 16 && precision != Precision::fp64);
+}
 
 bool is_tree_width(int width, Precision precision) {
   return width == 2 || width == 4 || width == 8 || (width == 16 && precision != Precision::fp64);

@@ -202,7 +202,7 @@ void read_light(const XmlElement& element, SceneBuilder& builder) {
     builder.lost_emitters.emplace_back(type);
     return;
   }
-  static_cast<void>(properties.objects("medium"));  // What surrounds it is told by the boundaries of media.
+  static_cast<void>(properties.objects("medium"));  // The boundaries of media define what surrounds it.
   const std::optional<Emitter> emitter = (*reader)(properties, builder);
   if (!emitter) return;
   Light light{properties.id(), *emitter, element.where, read_sampling_weight(properties)};

@@ -49,7 +49,7 @@ std::vector<std::string> shape_types() {
 void read_area_emitter(const XmlElement& element, Shape& shape, SceneBuilder& builder) {
   Properties properties(element, builder.ids, builder.diagnostics);
   const bool is_beam = properties.type() == "directionalarea";
-  static_cast<void>(properties.objects("medium"));  // What surrounds it is told by the boundaries of media.
+  static_cast<void>(properties.objects("medium"));  // The boundaries of media define what surrounds it.
   if (properties.type() != "area" && !is_beam) {
     builder.diagnostics.unknown(
         element.where, fmt::format("{} cannot be part of a shape{}; the shape does not emit", properties.title(),
