@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <random>
 
@@ -19,7 +20,7 @@ Mesh corner_of_a_box() {
   mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 0, 1}, {0, 0, 0}, {0, 0, 1}, {0, 1, 0}};
   mesh.triangles = {{0, 1, 2}, {3, 4, 5}};
   mesh.normals.assign(6, Vec3{1, 0, 0});
-  mesh.attributes = {{"vertex_color", {{0, 0, 0}, {1, 1, 1}, {2, 2, 2}, {3, 3, 3}, {4, 4, 4}, {5, 5, 5}}},
+  mesh.attributes = {{"vertex_color", {{0, 0, 0}, {1, 1, 1}, {2, 2, 2}, {0, 0, 0}, {2, 2, 2}, {5, 5, 5}}},
                      {"face_color", {{7, 7, 7}, {8, 8, 8}}}};
   return mesh;
 }
@@ -102,6 +103,24 @@ TEST_CASE("vertices take along what the mesh has at them, and other texture coor
   CHECK(parted.positions.size() == 6);
   CHECK(parted.uvs.size() == 6);
   CHECK(normal_at(parted, 1, 0) == Vec3{-1, 0, 0});
+}
+
+/// One vertex for both would show the first triangle's colour on the second one.
+TEST_CASE("other attributes part vertices as well, also such as nothing shows for they are not finite") {
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  Mesh mesh = corner_of_a_box();
+  const Rgb red{1, 0, 0}, green{0, 1, 0};
+  mesh.attributes[0].values = {red, red, red, green, green, green};
+  mesh.attributes.push_back({"vertex_heat", std::vector<Rgb>(6, {none, none, none})});
+  make_creased_normals(mesh, 180);
+  REQUIRE(mesh.positions.size() == 6);
+  for (std::size_t triangle = 0; triangle < 2; ++triangle)
+    for (const int vertex : mesh.triangles[triangle])
+      CHECK(mesh.attributes[0].values.at(static_cast<std::size_t>(vertex)) == (triangle == 0 ? red : green));
+  mesh = corner_of_a_box();
+  mesh.attributes.push_back({"vertex_heat", std::vector<Rgb>(6, {none, none, none})});
+  make_creased_normals(mesh, 180);
+  CHECK(mesh.positions.size() == 4);
 }
 
 TEST_CASE("around a vertex of many triangles groups are those that a look at every pair finds") {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <compare>
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -30,16 +31,43 @@ std::vector<Vec3> normals_of_faces(const Mesh& mesh) {
   return normals;
 }
 
+/// Orders vertices by what tells them apart, in which 0 and -0 are alike. Attributes need not be finite.
+class VertexOrder {
+ public:
+  explicit VertexOrder(const Mesh& mesh) : mesh_(mesh) {}
+
+  bool operator()(std::size_t a, std::size_t b) const {
+    const auto value = [](const auto& values, std::size_t vertex) { return numbers_of(values[vertex]); };
+    const auto order_by = [&](const auto& values) { return order_of(value(values, a), value(values, b)); };
+    std::weak_ordering order = order_by(mesh_.positions);
+    if (order == 0 && !mesh_.uvs.empty()) order = order_by(mesh_.uvs);
+    for (const MeshAttribute& attribute : mesh_.attributes)
+      if (order == 0 && !attribute.is_of_faces()) order = order_by(attribute.values);
+    return order < 0;
+  }
+
+ private:
+  using Numbers = std::array<double, 3>;
+  static Numbers numbers_of(const Vec3& v) { return {v.x, v.y, v.z}; }
+  static Numbers numbers_of(const Vec2& v) { return {v.x, v.y, 0}; }
+  static Numbers numbers_of(const Rgb& c) { return {c.r, c.g, c.b}; }
+  static std::weak_ordering order_of(const Numbers& a, const Numbers& b) {
+    for (std::size_t i = 0; i < a.size(); ++i)
+      if (const std::weak_ordering order = std::weak_order(a.at(i), b.at(i)); order != 0) return order;
+    return std::weak_ordering::equivalent;
+  }
+
+  const Mesh& mesh_;
+};
+
 /// The corners that are one vertex, in the order of the triangles.
 std::vector<std::vector<Corner>> corners_by_place(const Mesh& mesh) {
-  std::map<std::array<double, 5>, std::size_t> places;
+  std::map<std::size_t, std::size_t, VertexOrder> places{VertexOrder(mesh)};
   std::vector<std::vector<Corner>> corners;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
     for (std::size_t i = 0; i < 3; ++i) {
       const auto vertex = static_cast<std::size_t>(mesh.triangles[t].at(i));
-      const Vec3& p = mesh.positions[vertex];
-      const Vec2 uv = mesh.uvs.empty() ? Vec2{} : mesh.uvs[vertex];
-      const auto [place, is_new] = places.try_emplace({p.x, p.y, p.z, uv.x, uv.y}, corners.size());
+      const auto [place, is_new] = places.try_emplace(vertex, corners.size());
       if (is_new) corners.emplace_back();
       corners[place->second].emplace_back(t, i);
     }
