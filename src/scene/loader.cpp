@@ -9,6 +9,7 @@
 
 #include "image/confined_reads.h"
 #include "scene/auto_integrator.h"
+#include "scene/meshes/material_warnings.h"
 #include "scene/meshes/mesh_file.h"
 #include "scene/model/framing.h"
 #include "scene/readers/mesh_import.h"
@@ -49,7 +50,7 @@ Scene scene_of_mesh(const std::string& path, const LoadOptions& options, Diagnos
   MeshFile file = read_mesh(path, progress_of(path, options.progress));
   for (const std::string& library : file.libraries) diagnostics.opened(library);
   diagnostics.append(file.warnings);
-  diagnostics.append(file.material_warnings);
+  diagnostics.append(material_warnings(file));
   Scene scene;
   scene.integrator.name = "normals";
   Shape shape;

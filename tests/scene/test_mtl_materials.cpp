@@ -173,3 +173,43 @@ TEST_CASE("map_Kd and map_d of floats are cut at 1, a bump map is not") {
   CHECK(heights.warnings.empty());
   CHECK(kinds::brightest(heights.scene, 0) == Rgb{2, 2, 2});
 }
+
+/// As a shape without a file's materials is: Mitsuba's OBJ has none.
+TEST_CASE("faces whose material no library defines are black where the shape shines, and open in 0.x around a medium") {
+  const SceneFolder folder;
+  folder.write("a.mtl", "newmtl a\nKd 0.25\n");
+  folder.write("a.obj", "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nusemtl a\nf 1 2 3\nusemtl gone\nf 1 2 3\n");
+  const auto load = [&](const char* version, const std::string& inside) {
+    const std::string shape = "<shape type=\"obj\"><string name=\"filename\" value=\"a.obj\"/>" + inside + "</shape>";
+    return load_scene(
+        folder.write("scene.xml", "<scene version=\"" + std::string(version) + "\">" + shape + "</scene>"));
+  };
+  const auto of_face = [](const LoadedScene& loaded, std::size_t face) {
+    const auto& mesh = std::get<Mesh>(loaded.scene.shapes.at(0).geometry);
+    const MeshPart& part = mesh.parts.at(static_cast<std::size_t>(mesh.part_of_triangle.at(face)));
+    return loaded.scene.materials.at(static_cast<std::size_t>(part.material));
+  };
+  const auto kd = [&](const LoadedScene& loaded, std::size_t face) {
+    return std::get<Diffuse>(of_face(loaded, face).bsdf).reflectance.color.g;
+  };
+  const auto is_told = [](const LoadedScene& loaded, const std::string& fate) {
+    return std::ranges::any_of(loaded.warnings, [&](const Diagnostic& one) {
+      return one.message == "materials that no library defines: 1; " + fate + "; the first is \"gone\"";
+    });
+  };
+  const std::string medium = "<medium name=\"interior\" type=\"homogeneous\"/>";
+  const LoadedScene lamp = load("3.0.0", "<emitter type=\"area\"/>"), fog = load("0.6.0", medium),
+                    own = load("3.0.0", medium), plain = load("3.0.0", "");
+  CHECK(is_told(lamp, "they are black, as the shape shines"));
+  CHECK(is_told(fog, "they let all light pass, as the shape bounds media"));
+  CHECK(is_told(plain, "they become the default diffuse"));
+  for (const std::size_t face : {0, 2}) {
+    CHECK(kd(lamp, face) == 0);
+    REQUIRE(of_face(fog, face).opacity);
+    CHECK(of_face(fog, face).opacity->color == Rgb{0, 0, 0});
+    CHECK(kd(own, face) == 0.5);
+    CHECK(kd(plain, face) == 0.5);
+  }
+  for (const LoadedScene* loaded : {&lamp, &fog, &own, &plain}) CHECK(kd(*loaded, 1) == 0.25);
+  CHECK_FALSE(of_face(fog, 1).opacity);
+}

@@ -190,6 +190,13 @@ TEST_CASE("0.x: a bsdf by the name of an OBJ's material covers its faces") {
   const LoadedScene wrong = load("<bsdf type=\"dielectric\" name=\"greenglass\"/>" + glass);
   REQUIRE(wrong.warnings.size() == 1);
   CHECK_THAT(wrong.warnings[0].message, Catch::Contains("no face of the file has the material \"greenglass\""));
+  // Without its library: what has a bsdf by name lacks nothing.
+  std::filesystem::remove(folder.path("a.mtl"));
+  CHECK(shortened(load(glass + "<ref name=\"red\" id=\"m\"/>").warnings).empty());
+  const LoadedScene lacking = load(glass);
+  REQUIRE(lacking.warnings.size() == 2);
+  CHECK_THAT(lacking.warnings[1].message,
+             Catch::Contains("defines: 1; they become the default diffuse; the first is \"red\""));
 }
 
 TEST_CASE("0.x: a serialized file may say that it is shaded flat, which Mitsuba 3 ignores and face_normals overrules") {

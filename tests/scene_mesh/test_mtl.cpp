@@ -2,6 +2,7 @@
 // Materials of OBJ files: usemtl, mtllib in all its spellings, the values that are read.
 #include <fmt/format.h>
 
+#include "scene/meshes/material_warnings.h"
 #include "scene_mesh/temp_folder.h"
 
 namespace strahl {
@@ -46,7 +47,7 @@ TEST_CASE("values of highlights, mirrors and glass") {
   REQUIRE(a.opacity_map);
   CHECK(a.opacity_map->is_clamped);
   folder.write("m.mtl", "newmtl a\nNi\nNs -4\nillum many\nd 3\n");
-  CHECK(text_of(read_mesh(folder.path() + "/a.obj").material_warnings) ==
+  CHECK(text_of(material_warnings(read_mesh(folder.path() + "/a.obj"))) ==
         "m.mtl:2:1: warning: Ni: \"\" is not a number; the line is ignored\n"
         "m.mtl:3:1: warning: Ns -4 is outside [0, inf] and is clamped\n"
         "m.mtl:4:1: warning: illum: \"many\" is not a number; the line is ignored\n"
@@ -87,13 +88,20 @@ TEST_CASE("a missing library and unknown materials are warnings") {
   const MeshFile file =
       read_mesh(folder.write("a.obj", "mtllib gone.mtl also gone.mtl\n" + obj_square +
                                           "usemtl x\nf 1 2 3\nusemtl y\nf 1 2 3\nusemtl x\nf 1 2 3\n"));
-  CHECK(text_of(file.material_warnings) ==
-        "a.obj:1:8: warning: material library \"gone.mtl\" cannot be opened; its materials become the default diffuse\n"
-        "a.obj:1:8: warning: material library \"also\" cannot be opened; its materials become the default diffuse\n"
+  CHECK(text_of(material_warnings(file)) ==
+        "a.obj:1:8: warning: material library \"gone.mtl\" cannot be opened\n"
+        "a.obj:1:8: warning: material library \"also\" cannot be opened\n"
         "a.obj:6:1: warning: materials that no library defines: 2; they become the default diffuse; the first is "
         "\"x\"\n");
   REQUIRE(file.materials.size() == 2);
   CHECK(file.materials[1].reflectance == Rgb{0.5, 0.5, 0.5});
+  // Beside materials that are given in place of some of them, or of all.
+  CHECK(text_of(material_warnings(
+            file, [](const std::string& name) { return name == "x"; }, "they shine")) ==
+        "a.obj:1:8: warning: material library \"gone.mtl\" cannot be opened\n"
+        "a.obj:1:8: warning: material library \"also\" cannot be opened\n"
+        "a.obj:8:1: warning: materials that no library defines: 1; they shine; the first is \"y\"\n");
+  CHECK(material_warnings(file, [](const std::string&) { return true; }).empty());
 }
 
 TEST_CASE("of very many missing libraries a few are named: lines are counted from the top") {
@@ -101,9 +109,10 @@ TEST_CASE("of very many missing libraries a few are named: lines are counted fro
   std::string text = obj_square;
   for (int i = 0; i < 300000; ++i) text += fmt::format("mtllib {}.mtl\n", i);
   const MeshFile file = read_mesh(folder.write("a.obj", text + "f 1 2 3\n"));
-  REQUIRE(file.material_warnings.size() == 9);
-  CHECK(text_of(file.material_warnings).find("\"7.mtl\"") != std::string::npos);
-  CHECK(text_of(file.material_warnings).find("from here on") != std::string::npos);
+  const std::vector<Diagnostic> warnings = material_warnings(file);
+  REQUIRE(warnings.size() == 9);
+  CHECK(text_of(warnings).find("\"7.mtl\"") != std::string::npos);
+  CHECK(text_of(warnings).find("from here on") != std::string::npos);
 }
 
 TEST_CASE("what an MTL file gets wrong") {
@@ -112,7 +121,7 @@ TEST_CASE("what an MTL file gets wrong") {
   const auto read = [&](const std::string& text) {
     folder.write("m.mtl", text);
     const MeshFile file = read_mesh(obj);
-    return std::pair(file.materials.at(0), text_of(file.material_warnings));
+    return std::pair(file.materials.at(0), text_of(material_warnings(file)));
   };
   SECTION("other colour spaces") {
     const auto [material, warnings] = read("newmtl a\nKd xyz 1 1 1\nKe spectral x.rfl\n");
@@ -159,7 +168,7 @@ TEST_CASE("what an MTL file gets wrong") {
   }
   SECTION("numbers that are not finite") {
     folder.write("m.mtl", "newmtl a\nKd 1 nan 1\n");
-    CHECK(text_of(read_mesh(obj).material_warnings) == "m.mtl:2:6: error: Kd: \"nan\" is not finite\n");
+    CHECK(text_of(material_warnings(read_mesh(obj))) == "m.mtl:2:6: error: Kd: \"nan\" is not finite\n");
   }
 }
 

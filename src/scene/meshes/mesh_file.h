@@ -37,8 +37,8 @@ struct MeshFile {
   bool face_normals = false;           ///< The file says to shade it flat (serialized).
   std::size_t skipped_faces = 0;
   std::vector<Diagnostic> warnings;              ///< Skipped faces (counted, with the first one's place), ...
-  std::vector<Diagnostic> material_warnings;     ///< Of MTL files and what they lack, errors too: for who uses
-                                                 ///< `materials`.
+  std::vector<Diagnostic> missing_libraries;     ///< Warnings, for material_warnings.h, as the next.
+  std::vector<Diagnostic> library_problems;      ///< Of MTL files, errors too.
   std::vector<AttributeFault> attribute_faults;  ///< Of mesh.attributes, errors: for who shows one.
 };
 

@@ -21,6 +21,8 @@ struct MeshTexture {
 
 struct MeshMaterial {
   std::string name;
+  bool is_defined = true;          ///< By a library; else a face has it that the file names none for, or ...
+  SourceLocation where;            ///< ... one that no library defines, first used here.
   Rgb reflectance{0.5, 0.5, 0.5};  ///< Kd.
   std::optional<MeshTexture>
       reflectance_map;                     ///< map_Kd; multiplied by Kd, which is 1 where the file gives only the map.

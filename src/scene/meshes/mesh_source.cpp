@@ -89,10 +89,20 @@ Diagnostic MeshSource::diagnostic(const Note& note) const {
   return {note.severity, place(note.at), note.message};
 }
 
-SourceLocation MeshSource::place(const char* at) const {
-  const char* line_begin = at;
-  while (line_begin > begin() && line_begin[-1] != '\n') --line_begin;
-  return {path_, line(at), 1 + static_cast<int>(at - line_begin)};
+SourceLocation MeshSource::place(const char* at) const { return places({&at, 1}).front(); }
+
+std::vector<SourceLocation> MeshSource::places(std::span<const char* const> at) const {
+  std::vector<SourceLocation> places;
+  const char* counted = begin();
+  int row = 1;
+  for (const char* place : at) {
+    row += static_cast<int>(std::count(counted, place, '\n'));
+    counted = place;
+    const char* line_begin = place;
+    while (line_begin > begin() && line_begin[-1] != '\n') --line_begin;
+    places.push_back({path_, row, 1 + static_cast<int>(place - line_begin)});
+  }
+  return places;
 }
 
 std::vector<Diagnostic> MeshSource::all() const {

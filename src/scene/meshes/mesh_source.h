@@ -10,6 +10,7 @@
 #include <functional>
 #include <limits>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -72,6 +73,8 @@ class MeshSource {
   /// Line of a place in the text part.
   [[nodiscard]] int line(const char* at) const;
   [[nodiscard]] SourceLocation place(const char* at) const;
+  /// Of places in ascending order, with one look at the text.
+  [[nodiscard]] std::vector<SourceLocation> places(std::span<const char* const> at) const;
   /// Everything reported, in file order.
   [[nodiscard]] std::vector<Diagnostic> all() const;
   /// The same; thrown as SceneError where there is an error in it, as EmptyMeshError where that is the only one.

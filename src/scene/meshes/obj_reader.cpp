@@ -93,11 +93,10 @@ class ObjReader {
   void warn_of_library(const std::string& name, const char* at) {
     constexpr std::size_t most_named = 8;
     if (missing_libraries_.size() > most_named || !missing_libraries_.insert(name).second) return;
-    material_warnings_.push_back(source_.warning_at(
-        at, missing_libraries_.size() > most_named
-                ? "material libraries from here on that cannot be opened are not named"
-                : fmt::format("material library {} cannot be opened; its materials become the default diffuse",
-                              in_quotes(name))));
+    library_warnings_.push_back(
+        source_.warning_at(at, missing_libraries_.size() > most_named
+                                   ? "material libraries from here on that cannot be opened are not named"
+                                   : fmt::format("material library {} cannot be opened", in_quotes(name))));
   }
 
   /// What follows them on the line (a weight w, vertex colours) is not read.
@@ -197,15 +196,20 @@ class ObjReader {
     if (is_new) {
       const auto known = library_.materials.find(material_.name);
       if (known == library_.materials.end()) {
-        if (unknown_materials_.count == 0) first_unknown_material_ = material_.name;
-        unknown_materials_.add(material_.at);
-        materials_.push_back({});
+        materials_.push_back(undefined_material());
         materials_.back().name = material_.name;
+        undefined_materials_.push_back(material_.at);
       } else {
         materials_.push_back(known->second);
       }
     }
     return material_.index = entry->second;
+  }
+
+  static MeshMaterial undefined_material() {
+    MeshMaterial material;
+    material.is_defined = false;
+    return material;
   }
 
   // ---- result
@@ -233,21 +237,11 @@ class ObjReader {
     for (const std::string& warning : builder_->warnings()) source_.warn(nullptr, warning);
     file.skipped_faces = malformed_.count + degenerate_.count;
     file.warnings = source_.finish();
-    file.material_warnings = material_warnings();
+    file.missing_libraries = std::move(library_warnings_);
+    file.library_problems = std::move(library_.diagnostics);
     file.libraries = library_.files;
     set_materials(file);
     return file;
-  }
-
-  std::vector<Diagnostic> material_warnings() {
-    std::vector<Diagnostic> all = std::move(material_warnings_);
-    if (unknown_materials_.count > 0)
-      all.push_back(source_.warning_at(
-          unknown_materials_.first,
-          fmt::format("materials that no library defines: {}; they become the default diffuse; the first is {}",
-                      unknown_materials_.count, in_quotes(first_unknown_material_))));
-    all.insert(all.end(), library_.diagnostics.begin(), library_.diagnostics.end());
-    return all;
   }
 
   /// Faces before the first usemtl get a default material without a name, but only where others have one.
@@ -256,6 +250,11 @@ class ObjReader {
       file.mesh.part_of_triangle.clear();
       return;
     }
+    // In the order of the file, as materials are.
+    const std::vector<SourceLocation> places = source_.places(undefined_materials_);
+    auto place = places.begin();
+    for (MeshMaterial& material : materials_)
+      if (!material.is_defined) material.where = *place++;
     const int unnamed = static_cast<int>(materials_.size());
     bool uses_unnamed = false;
     for (int& part : file.mesh.part_of_triangle) {
@@ -263,7 +262,7 @@ class ObjReader {
       part = unnamed;
       uses_unnamed = true;
     }
-    if (uses_unnamed) materials_.push_back({});
+    if (uses_unnamed) materials_.push_back(undefined_material());
     file.materials = std::move(materials_);
   }
 
@@ -290,9 +289,10 @@ class ObjReader {
   std::map<std::string, int> index_of_material_;
   std::vector<MeshMaterial> materials_;
   std::set<std::string> missing_libraries_;
-  Tally malformed_, degenerate_, lines_and_points_, unknown_, unknown_materials_;
-  std::string first_unknown_, first_unknown_material_;
-  std::vector<Diagnostic> material_warnings_;
+  std::vector<const char*> undefined_materials_;
+  Tally malformed_, degenerate_, lines_and_points_, unknown_;
+  std::string first_unknown_;
+  std::vector<Diagnostic> library_warnings_;
 };
 
 }  // namespace

@@ -15,6 +15,8 @@ bool emits(const Shape& shape, const Mesh* mesh) {
           std::ranges::any_of(mesh->parts, [](const MeshPart& part) { return part.radiance.has_value(); }));
 }
 
+bool has_stand_in(const Shape& shape) { return shape.material != 0; }
+
 void add_mesh_materials(MeshFile& file, const GivenMaterials& given, const Shape& shape, Scene& scene,
                         ImageFiles& images, Diagnostics& diagnostics) {
   Mesh& mesh = file.mesh;
@@ -26,7 +28,8 @@ void add_mesh_materials(MeshFile& file, const GivenMaterials& given, const Shape
     const auto named = given.by_name.find(from.name);
     const bool is_named = named != given.by_name.end(), is_of_file = !is_named && !given.of_shape;
     MeshPart part{is_named ? named->second : shape.material, shape.radiance, shape.radiance_texture};
-    if (is_of_file) part.material = added_material(from, shape, scene, images, diagnostics);
+    if (is_of_file && (from.is_defined || !has_stand_in(shape)))
+      part.material = added_material(from, shape, scene, images, diagnostics);
     if (is_of_file && !shape.radiance && !shape.exitance) part.radiance = from.radiance;
     mesh.parts.push_back(part);
   }

@@ -22,9 +22,12 @@ struct GivenMaterials {
   std::map<std::string, int> by_name;  ///< Of the faces that have this material in the file: index in Scene::materials.
 };
 
+/// Whether a shape without a <bsdf> has a material for what it is: black where it shines, open where it bounds media.
+[[nodiscard]] bool has_stand_in(const Shape& shape);
+
 /// Fills file.mesh.parts from file.materials and appends what is used to scene.materials. What is given wins over what
-/// the file says, its light too, and an <emitter> of the shape over all its light. An image that cannot be read is
-/// warned of.
+/// the file says, its light too, and an <emitter> of the shape over all its light. Materials that no library defines
+/// are what the shape's stands in for. An image that cannot be read is warned of.
 void add_mesh_materials(MeshFile& file, const GivenMaterials& given, const Shape& shape, Scene& scene,
                         ImageFiles& images, Diagnostics& diagnostics);
 

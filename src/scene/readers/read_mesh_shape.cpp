@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "scene/meshes/creased_normals.h"
+#include "scene/meshes/material_warnings.h"
 #include "scene/meshes/mesh_file.h"
 #include "scene/meshes/vertex_normals.h"
 #include "scene/readers/mesh_import.h"
@@ -60,6 +61,15 @@ GivenMaterials given_materials(const ShapeInput& input, const MeshFile& file, bo
   return given;
 }
 
+std::vector<Diagnostic> material_warnings_beside(const GivenMaterials& given, const MeshFile& file,
+                                                 const Shape& shape) {
+  const std::string fate = emits(shape, nullptr) ? "they are black, as the shape shines"
+                           : has_stand_in(shape) ? "they let all light pass, as the shape bounds media"
+                                                 : "they become the default diffuse";
+  return material_warnings(
+      file, [&](const std::string& name) { return given.by_name.contains(name); }, fate);
+}
+
 /// In a shapegroup nothing shines.
 void drop_light_of_file(const ShapeInput& input, Mesh& mesh) {
   if (!input.builder.is_in_group || emits(input.shape, nullptr) || !emits(input.shape, &mesh)) return;
@@ -105,7 +115,7 @@ Geometry read_geometry(ShapeInput& input, const Mesh&) {
     for (AttributeFault& fault : file.attribute_faults) input.builder.attribute_faults.push_back(std::move(fault));
     take_only_material(input, file);
     const GivenMaterials given = given_materials(input, file, loads_materials);
-    if (!given.of_shape) diagnostics.append(file.material_warnings);
+    if (!given.of_shape) diagnostics.append(material_warnings_beside(given, file, input.shape));
     if (file.mesh.triangles.empty())
       diagnostics.error(properties.where("filename"), fmt::format("\"{}\" has no triangles", *path));
     add_mesh_materials(file, given, input.shape, input.builder.scene, input.builder.images, diagnostics);
