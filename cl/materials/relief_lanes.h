@@ -35,7 +35,8 @@ FN real3w raised_normal_w(const Surfaces_w* s, const Frame_w* f, Real2_w slope) 
   realw lean = dot3_w(s->normal, s->shading);
   realw off = dot3_w(rise, s->shading) / sel_w(lt_w(zero, abs_w(lean)), lean, one);
   rise = fma3_w(-off, s->normal, rise);
-  maskw is_turned = lt_w(lean - dot3_w(s->normal, rise), zero);
+  // Raised beyond the geometric normal's plane: vertex normals may lie on either side of it.
+  maskw is_turned = lt_w(lean * (lean - dot3_w(s->normal, rise)), zero);
   real3w n = vec3_w(-dot3_w(rise, f->x), -dot3_w(rise, f->y), one);
   return sel3_w(is_turned, negate3_w(n), n);
 }

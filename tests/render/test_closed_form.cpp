@@ -283,5 +283,36 @@ TEST_CASE("phong and ward are scaled by what their textures reflect at most") {
   check(Ward{});
 }
 
+/// Heights of 0.3 u over a square 4 wide: a plane of slope 0.075. The mesh is mirrored, or wound against its normals.
+TEST_CASE("a bump map rises along vertex normals, whichever way the triangles face") {
+  require_pocl_and_rusticl();
+  Mesh square;
+  square.positions = {{-2, -2, 0}, {2, -2, 0}, {2, 2, 0}, {-2, 2, 0}};
+  square.uvs = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  square.normals.assign(4, Vec3{0, 0, 1});
+  Bitmap ramp;
+  ramp.texels = std::make_shared<const Texels>(texels_of_floats(2, 1, 1, {0, 0.15F}));
+  ramp.wrap = TextureWrap::clamp;
+  Relief relief;
+  relief.kind = Relief::Kind::heights;
+  relief.use_shadowing_function = false;
+  relief.map.texture = 0;
+  relief.nested = 0;
+  for (const bool faces_away : {false, true}) {
+    INFO("faces away: " << faces_away);
+    square.triangles = {{0, 1, 2}, {0, 2, 3}};
+    if (faces_away) square.triangles = {{0, 2, 1}, {0, 3, 2}};
+    Scene scene = stage({square}, diffuse({1, 1, 1}, true));
+    scene.textures.push_back({"", ramp, {}, true});
+    scene.shapes[0].material = add(scene, relief);
+    scene.lights = {light(DirectionalLight{{0.6, 0, -0.8}, {std::numbers::pi, 1, 1}})};
+    // Texels' middles lie a quarter of the width from the edges, and beyond them a clamped ramp is flat.
+    const Image image = color(scene);
+    const double slope = 0.075, wanted = (0.8 + 0.6 * slope) / std::sqrt(1 + slope * slope);
+    CHECK(image.at(stage_size / 2, stage_size / 2, 0) == Approx(wanted).epsilon(1e-4));
+    CHECK(image.at(1, stage_size / 2, 0) == Approx(0.8).epsilon(1e-4));
+  }
+}
+
 }  // namespace
 }  // namespace strahl::test
