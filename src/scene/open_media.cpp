@@ -2,6 +2,7 @@
 #include "scene/open_media.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <vector>
 
@@ -23,10 +24,25 @@ bool is_closed(const Geometry& geometry) {
          std::holds_alternative<Mesh>(geometry);
 }
 
+/// Whether a closed shape has its inside before it. Of a mesh its triangles say so, as flip_normals may have been
+/// changed for one that is mirrored.
+bool is_turned(const Shape& shape) {
+  const auto* mesh = std::get_if<Mesh>(&shape.geometry);
+  if (mesh == nullptr || mesh->triangles.empty()) return shape.flip_normals;
+  const auto corner = [&](const std::array<int, 3>& triangle, std::size_t i) {
+    return mesh->positions.at(static_cast<std::size_t>(triangle.at(i)));
+  };
+  const Vec3 origin = corner(mesh->triangles.front(), 0);
+  double volume = 0;
+  for (const std::array<int, 3>& triangle : mesh->triangles)
+    volume += dot(corner(triangle, 0) - origin, cross(corner(triangle, 1) - origin, corner(triangle, 2) - origin));
+  return shape.flip_normals != (volume < 0);
+}
+
 std::vector<Body> bodies_of(const Scene& scene) {
   std::vector<Body> bodies;
   for (const Shape& shape : scene.shapes) {
-    if (!shape.media || shape.media->inside < 0 || shape.flip_normals || !is_closed(shape.geometry)) continue;
+    if (!shape.media || shape.media->inside < 0 || !is_closed(shape.geometry) || is_turned(shape)) continue;
     if (const std::optional<Box> box = bounds(shape)) bodies.push_back({&shape, shape.media->inside, *box});
   }
   return bodies;
@@ -58,9 +74,9 @@ std::optional<SourceLocation> open_medium(const Scene& scene) {
   const auto is_open_at = [&](const Shape& shape, const std::optional<Box>& around) {
     if (!shape.media) return false;
     const auto [behind, before] = *shape.media;
-    const bool is_turned = shape.flip_normals;
-    return is_open(is_turned ? behind : before, around, &shape) ||
-           (!is_closed(shape.geometry) && is_open(is_turned ? before : behind, around, &shape));
+    const bool turned = is_turned(shape);
+    return is_open(turned ? behind : before, around, &shape) ||
+           (!is_closed(shape.geometry) && is_open(turned ? before : behind, around, &shape));
   };
   constexpr double far = std::numeric_limits<double>::max();
   const Box everywhere{{-far, -far, -far}, {far, far, far}};

@@ -133,6 +133,19 @@ TEST_CASE("which media may have no end") {
   CHECK_FALSE(open_medium(lake));
   lake.shapes.front().flip_normals = true;
   CHECK(open_medium(lake));
+  // Meshes face outwards where their triangles, turned or not by flip_normals, do.
+  Mesh body;
+  body.positions = {{9, 9, 9}, {10, 9, 9}, {9, 10, 9}, {9, 9, 10}};
+  body.triangles = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
+  for (const bool is_mirrored : {false, true}) {
+    if (is_mirrored)
+      for (Vec3& p : body.positions) p.x = -p.x;
+    lake.shapes.front().geometry = body;
+    for (const bool is_flipped : {false, true}) {
+      lake.shapes.front().flip_normals = is_flipped;
+      CHECK(open_medium(lake).has_value() == (is_mirrored != is_flipped));
+    }
+  }
   // Within a box of fog, and in one that does not reach as far.
   Scene boxed = fog;
   add(boxed, Box{{-5, -5, 0}, {5, 5, 6}});

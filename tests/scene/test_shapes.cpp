@@ -183,7 +183,7 @@ TEST_CASE("a mesh without normals is shaded smoothly, unless it says otherwise")
 }
 
 /// Two triangles with normals in the file that point to +z: the second one's winding says -z.
-TEST_CASE("meshes that shine, and glass with a priority, face where the vertex normals of their files point") {
+TEST_CASE("meshes that shine, bound media or are glass with a priority face where their files' vertex normals point") {
   const SceneFolder folder;
   folder.write("turned.ply",
                "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
@@ -195,11 +195,11 @@ TEST_CASE("meshes that shine, and glass with a priority, face where the vertex n
   const std::string flat = "<boolean name=\"face_normals\" value=\"true\"/>", end = "<emitter type=\"area\"/></shape>";
   const std::string priority = "<integer name=\"priority\" value=\"1\"/>";
   const std::string glass = "<bsdf type=\"dielectric\"/></shape>",
-                    inside = "<medium name=\"interior\" type=\"homogeneous\"/>";
+                    fog = "<medium name=\"interior\" type=\"homogeneous\"/><bsdf type=\"null\"/></shape>";
   const Scene scene =
       load_scene(folder.write("scene.xml", around(file + end + file + mirrored + end + file + flat + end + file +
                                                   "</shape>" + file + mirrored + priority + glass + file + mirrored +
-                                                  glass + file + priority + inside + "<bsdf type=\"null\"/></shape>")))
+                                                  glass + file + priority + fog + file + flat + fog)))
           .scene;
   const auto facing = [&](std::size_t i) {
     std::vector<double> all;
@@ -215,9 +215,34 @@ TEST_CASE("meshes that shine, and glass with a priority, face where the vertex n
   CHECK(facing(2) == std::vector<double>{1, -1});
   CHECK(facing(3) == std::vector<double>{1, -1});
   CHECK(facing(4) == std::vector<double>{1, 1});
-  // What does not go by the vertex normals, or is nothing but a medium, stays as in Mitsuba.
+  // What does not go by the vertex normals stays as in Mitsuba.
   CHECK(facing(5) == std::vector<double>{-1, 1});
-  CHECK(facing(6) == std::vector<double>{1, -1});
+  CHECK(facing(6) == std::vector<double>{1, 1});
+  CHECK(facing(7) == std::vector<double>{1, -1});
+  for (const Shape& shape : scene.shapes) CHECK_FALSE(shape.flip_normals);
+}
+
+/// All the corners say the same of both triangles, and by their order u and v run.
+TEST_CASE("where all triangles face away from their vertex normals they are turned with their corners as they are") {
+  const SceneFolder folder;
+  folder.write("square.obj", square_obj);
+  const std::string file = "<shape type=\"obj\"><string name=\"filename\" value=\"square.obj\"/>";
+  const std::string mirrored = "<transform name=\"to_world\"><scale x=\"-1\"/></transform>";
+  const std::string flipped = "<boolean name=\"flip_normals\" value=\"true\"/>";
+  const std::string end = "<emitter type=\"area\"/></shape>";
+  const Scene scene = load_scene(folder.write("scene.xml", around(file + end + file + mirrored + end + file + mirrored +
+                                                                  flipped + end + file + mirrored + "</shape>")))
+                          .scene;
+  const std::vector<double> sides{1, -1, -1, 1};
+  const std::vector<bool> are_flipped{false, true, false, false};
+  for (std::size_t i = 0; i < sides.size(); ++i) {
+    INFO("shape " << i);
+    const Shape& shape = scene.shapes.at(i);
+    const Mesh& mesh = std::get<Mesh>(shape.geometry);
+    CHECK(mesh.triangles == std::vector<std::array<int, 3>>{{0, 1, 2}, {0, 2, 3}});
+    for (const Vec3& normal : mesh.normals) check_close(normal, {0, 0, sides[i]});
+    CHECK(shape.flip_normals == are_flipped[i]);
+  }
 }
 
 TEST_CASE("meshes") {

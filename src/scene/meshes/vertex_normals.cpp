@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <utility>
+#include <vector>
 
 namespace strahl {
 
@@ -38,12 +39,23 @@ void make_vertex_normals(Mesh& mesh) {
   for (Vec3& normal : mesh.normals) normal = normal == Vec3{} ? Vec3{1, 0, 0} : normalized(normal);
 }
 
-void turn_to_vertex_normals(Mesh& mesh) {
-  for (std::array<int, 3>& triangle : mesh.triangles) {
+bool turn_to_vertex_normals(Mesh& mesh) {
+  std::vector<std::size_t> averted;
+  bool agrees_somewhere = false;
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const std::array<int, 3>& triangle = mesh.triangles[i];
     Vec3 sum;
     for (const int vertex : triangle) sum = sum + mesh.normals[static_cast<std::size_t>(vertex)];
-    if (dot(across(mesh, triangle), sum) < 0) std::swap(triangle[1], triangle[2]);
+    const double agreement = dot(across(mesh, triangle), sum);
+    if (agreement < 0) averted.push_back(i);
+    agrees_somewhere = agrees_somewhere || agreement > 0;
   }
+  if (!averted.empty() && !agrees_somewhere) {
+    for (Vec3& normal : mesh.normals) normal = -normal;
+    return true;
+  }
+  for (const std::size_t i : averted) std::swap(mesh.triangles[i][1], mesh.triangles[i][2]);
+  return false;
 }
 
 }  // namespace strahl

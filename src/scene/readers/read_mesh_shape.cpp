@@ -80,9 +80,10 @@ void drop_light_of_file(const ShapeInput& input, Mesh& mesh) {
 }
 
 /// As in Mitsuba, light goes where the vertex normals point. They also say what is outside of glass, and where such
-/// bodies overlap the triangles must say the same.
+/// bodies overlap, or media are within them, the triangles must say the same.
 bool goes_by_vertex_normals(const ShapeInput& input, const Mesh& mesh) {
-  return emits(input.shape, &mesh) || (input.shape.priority && has_glass(input.shape, &mesh, input.builder.scene));
+  return emits(input.shape, &mesh) || input.shape.media ||
+         (input.shape.priority && has_glass(input.shape, &mesh, input.builder.scene));
 }
 
 }  // namespace
@@ -127,8 +128,9 @@ Geometry read_geometry(ShapeInput& input, const Mesh&) {
       make_creased_normals(file.mesh, *smooth_angle);
     else if (file.mesh.normals.empty() && !face_normals && !(obeys_file && file.face_normals))
       make_vertex_normals(file.mesh);
-    else if (!file.mesh.normals.empty() && goes_by_vertex_normals(input, file.mesh))
-      turn_to_vertex_normals(file.mesh);
+    else if (!file.mesh.normals.empty() && goes_by_vertex_normals(input, file.mesh) &&
+             turn_to_vertex_normals(file.mesh))
+      input.shape.flip_normals = !input.shape.flip_normals;
     return std::move(file.mesh);
   } catch (const EmptyMeshError&) {
     diagnostics.unknown(properties.where("filename"),
