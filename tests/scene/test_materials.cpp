@@ -303,6 +303,45 @@ TEST_CASE("a mask around two sides is on both") {
   CHECK(back.opacity->color.r == 0.25);
 }
 
+/// The opacities on the way to the material that is seen, by their red; -1 of a texture.
+std::vector<double> opacities_of(const Scene& scene, Material at, bool is_behind) {
+  std::vector<double> found;
+  for (;;) {
+    if (is_behind && at.back >= 0) at = scene.materials.at(static_cast<std::size_t>(at.back));
+    if (at.opacity) found.push_back(at.opacity->texture < 0 ? at.opacity->color.r : -1);
+    const auto* blend = std::get_if<Blend>(&at.bsdf);
+    if (blend == nullptr) return found;
+    at = scene.materials.at(static_cast<std::size_t>(blend->first));
+  }
+}
+
+TEST_CASE("masks in masks around two sides count once from either, and one of a side on that side") {
+  const auto mask = [](const std::string& opacity, const std::string& inside) {
+    return "<bsdf type=\"mask\">" + opacity + inside + "</bsdf>";
+  };
+  const std::string half = "<float name=\"opacity\" value=\"0.5\"/>",
+                    quarter = "<float name=\"opacity\" value=\"0.25\"/>",
+                    board = "<texture type=\"checkerboard\" name=\"opacity\"/>", front = "<bsdf type=\"plastic\"/>",
+                    back = "<bsdf type=\"diffuse\"/>";
+  const auto sides = [](const std::string& both) { return "<bsdf type=\"twosided\">" + both + "</bsdf>"; };
+  struct Case {
+    std::string bsdf;
+    std::vector<double> before, behind;
+  };
+  for (const Case& one : {Case{mask(half, mask(board, sides(front + back))), {0.5, -1}, {0.5, -1}},
+                          Case{mask(board, mask(half, sides(front + back))), {-1, 0.5}, {-1, 0.5}},
+                          Case{mask(half, mask(quarter, sides(front + back))), {0.125}, {0.125}},
+                          Case{mask(board, sides(mask(board, front) + back)), {-1, -1}, {-1}},
+                          Case{mask(half, sides(mask(board, front) + back)), {0.5, -1}, {0.5}},
+                          Case{mask(half, sides(mask(quarter, front) + back)), {0.125}, {0.5}},
+                          Case{mask(half, sides(front + mask(board, back))), {0.5}, {0.5, -1}}}) {
+    INFO(one.bsdf);
+    const Scene scene = load_body(one.bsdf).scene;
+    CHECK(opacities_of(scene, scene.materials.back(), false) == one.before);
+    CHECK(opacities_of(scene, scene.materials.back(), true) == one.behind);
+  }
+}
+
 TEST_CASE("textures of what is no share of light are not cut at 1, and numbers are means of colours") {
   const std::string values = "<float name=\"color0\" value=\"2\"/><float name=\"color1\" value=\"4\"/></texture>";
   const LoadedScene loaded = load_body(

@@ -23,15 +23,15 @@ Material of_its_own_row(const Material& mask, SceneBuilder& builder) {
 
 /// The material behind the mask of that opacity.
 Material masked(Material material, Reflectance opacity, SceneBuilder& builder) {
-  // The mask is on both sides, whichever is seen.
-  if (material.back >= 0) {
+  // The mask is on both sides, whichever is seen, and a row of its own comes before they are told apart.
+  const bool needs_row = material.opacity && (material.opacity->texture >= 0 || opacity.texture >= 0);
+  if (needs_row) {
+    material = of_its_own_row(material, builder);
+  } else if (material.back >= 0) {
     const Material back = masked(builder.scene.materials[static_cast<std::size_t>(material.back)], opacity, builder);
     material.back = add_material(back, builder);
   }
-  if (material.opacity && material.opacity->texture < 0 && opacity.texture < 0)
-    opacity.color = kinds::times(opacity.color, material.opacity->color);
-  else if (material.opacity)
-    material = of_its_own_row(material, builder);
+  if (material.opacity) opacity.color = kinds::times(opacity.color, material.opacity->color);
   material.opacity = opacity;
   return material;
 }
