@@ -43,6 +43,28 @@ TEST_CASE("sphere") {
   CHECK_NOTHROW(shape("sphere", "", "<matrix value=\"0.707107 -0.707107 0 0.707107 0.707107 0 0 0 1\"/>"));
 }
 
+/// Six decimals of a rotation times 0.05, as scenes have them: entries are off by 1e-5 of the scale.
+TEST_CASE("round shapes of rounded matrices stay round, with a warning that says by how much they are off") {
+  const std::string rounded =
+      "<transform name=\"to_world\"><matrix value=\"0.035355 0.020412 0.028868 0 -0.035355 0.020412 0.028868 0 "
+      "0 -0.040825 0.028868 0 0 0 0 1\"/>";
+  for (const char* type : {"sphere", "cylinder"}) {
+    INFO(type);
+    const LoadedScene loaded =
+        load_body("<shape type=\"" + std::string(type) + "\">" + rounded + "</transform></shape>");
+    REQUIRE(loaded.warnings.size() == 1);
+    CHECK(loaded.warnings[0].message.find("e-05, as rounded numbers do; it stays round") != std::string::npos);
+  }
+  const Sphere s = std::get<Sphere>(
+      load_body("<shape type=\"sphere\">" + rounded + "</transform></shape>").scene.shapes.at(0).geometry);
+  CHECK(s.radius == Approx(0.05).epsilon(1e-4));
+  check_close(cross(s.frame[0], s.frame[1]), s.frame[2]);
+  CHECK_NOTHROW(shape("sphere", "", "<scale x=\"1.0009\"/>"));
+  CHECK(std::holds_alternative<Disk>(shape("disk", "", "<scale x=\"1.0009\"/>").geometry));
+  CHECK(std::holds_alternative<Mesh>(shape("disk", "", "<scale x=\"1.0011\"/>").geometry));
+  for (const char* type : {"sphere", "cylinder"}) CHECK_THROWS_AS(shape(type, "", "<scale x=\"1.0011\"/>"), SceneError);
+}
+
 TEST_CASE("rectangle and disk keep facing their +z when mirrored") {
   const Rectangle r = std::get<Rectangle>(shape("rectangle", "", "<translate z=\"3\"/>").geometry);
   CHECK(r.corner == Vec3{-1, -1, 3});
@@ -290,4 +312,28 @@ TEST_CASE("an elliptic disk has the texture coordinates of a disk") {
     CHECK(std::cos(2 * std::acos(-1) * mesh.uvs[i].y) == Approx(p.x / 3 / mesh.uvs[i].x).margin(1e-12));
     CHECK(std::sin(2 * std::acos(-1) * mesh.uvs[i].y) == Approx(p.y / mesh.uvs[i].x).margin(1e-12));
   }
+}
+
+/// Along v a step of the triangle's is 1 / 256, over a length that the ring has.
+TEST_CASE("on an elliptic disk with a relief v grows along the rings as it does around a disk") {
+  const LoadedScene loaded = load_body(
+      "<shape type=\"disk\"><bsdf type=\"bumpmap\"><texture type=\"checkerboard\"/><bsdf type=\"diffuse\"/></bsdf>"
+      "<transform name=\"to_world\"><scale x=\"3\"/></transform></shape>");
+  const auto& mesh = std::get<Mesh>(loaded.scene.shapes.at(0).geometry);
+  double area = 0;
+  for (const std::array<int, 3>& triangle : mesh.triangles) {
+    std::array<Vec3, 3> at;
+    double least = 1e9, most = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Vec3& p = mesh.positions.at(static_cast<std::size_t>(triangle.at(i)));
+      at.at(i) = {p.x / 3, p.y, 0};
+      least = std::min(least, length(at.at(i))), most = std::max(most, length(at.at(i)));
+    }
+    const Vec3 across = cross(at[1] - at[0], at[2] - at[0]);
+    CHECK(across.z > 0);
+    area += 1.5 * across.z;
+    if (most < 1.0 / 60) continue;
+    CHECK(least > 0.83 * most);
+  }
+  CHECK(area == Approx(3 * std::acos(-1)).epsilon(1e-12));
 }

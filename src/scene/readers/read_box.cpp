@@ -11,7 +11,8 @@ namespace {
 /// Along a coordinate axis, within shape_tolerance.
 bool is_axis_aligned(const Vec3& v) {
   const Vec3 axes[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-  return std::count_if(std::begin(axes), std::end(axes), [&](const Vec3& a) { return are_perpendicular(v, a); }) == 2;
+  return std::count_if(std::begin(axes), std::end(axes),
+                       [&](const Vec3& a) { return off_right_angle(v, a) <= shape_tolerance; }) == 2;
 }
 
 }  // namespace

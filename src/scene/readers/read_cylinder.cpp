@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // <shape type="cylinder">: open, around p0 -> p1 in object space; to_world may also stretch along the axis.
+#include <algorithm>
+
 #include "scene/model/perpendicular.h"
 #include "scene/readers/shape_reader.h"
 
@@ -18,8 +20,9 @@ Geometry read_geometry(ShapeInput& input, const Cylinder&) {
   const Transform& t = input.world_from_object;
   const auto [across_u, across_v] = orthonormal_basis(normalized(p1 - p0));
   const Vec3 u = t.vector(across_u), v = t.vector(across_v), axis = t.vector(p1 - p0);
-  if (!are_equally_long(u, v) || !are_perpendicular(u, v) || !are_perpendicular(axis, u) ||
-      !are_perpendicular(axis, v)) {
+  const double deviation =
+      std::max({unlike_lengths(u, v), off_right_angle(u, v), off_right_angle(axis, u), off_right_angle(axis, v)});
+  if (!keeps_round(input, deviation)) {
     report_distortion(input, "a cylinder can be rotated, moved, scaled uniformly and stretched along its axis only");
     return cylinder;
   }

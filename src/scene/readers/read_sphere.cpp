@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // <shape type="sphere">: center and radius in object space; to_world may turn, move, mirror and scale uniformly.
+#include <algorithm>
+
 #include "scene/readers/shape_reader.h"
 
 namespace strahl {
@@ -8,9 +10,9 @@ std::optional<Sphere> placed_sphere(Sphere sphere, ShapeInput& input) {
   sphere.center = input.world_from_object.point(sphere.center);
   const Vec3 x = input.world_from_object.column(0), y = input.world_from_object.column(1),
              z = input.world_from_object.column(2);
-  const bool is_round = are_equally_long(x, y) && are_equally_long(x, z) && are_perpendicular(x, y) &&
-                        are_perpendicular(y, z) && are_perpendicular(z, x);
-  if (!is_round) {
+  const double deviation = std::max({unlike_lengths(x, y), unlike_lengths(x, z), off_right_angle(x, y),
+                                     off_right_angle(y, z), off_right_angle(z, x)});
+  if (!keeps_round(input, deviation)) {
     report_distortion(input, "a sphere can be rotated, moved and scaled uniformly only");
     return std::nullopt;
   }

@@ -58,11 +58,15 @@ void read_instance(const XmlElement& element, SceneBuilder& builder);
 /// Relative deviation from equal lengths and right angles up to which a transform counts as rotation and uniform
 /// scale. Files carry matrices with six decimals: entries are off by 5e-7, sums of three products by less than 1e-5.
 constexpr double shape_tolerance = 1e-5;
+/// Up to here it does so with a warning: of a small scale six decimals keep few digits.
+constexpr double widest_shape_tolerance = 1e-3;
 
-/// Equal lengths, within shape_tolerance.
-[[nodiscard]] bool are_equally_long(const Vec3& a, const Vec3& b);
-/// A right angle, within shape_tolerance.
-[[nodiscard]] bool are_perpendicular(const Vec3& a, const Vec3& b);
+/// The relative deviation from equal lengths.
+[[nodiscard]] double unlike_lengths(const Vec3& a, const Vec3& b);
+/// The cosine of the angle between them.
+[[nodiscard]] double off_right_angle(const Vec3& a, const Vec3& b);
+/// Whether to_world, of that deviation, keeps the shape round; a warning where it nearly does.
+[[nodiscard]] bool keeps_round(const ShapeInput& input, double deviation);
 /// Reports that to_world would make something else of the shape.
 void report_distortion(const ShapeInput& input, const char* remedy);
 

@@ -9,13 +9,21 @@
 
 namespace strahl {
 
-bool are_equally_long(const Vec3& a, const Vec3& b) {
+double unlike_lengths(const Vec3& a, const Vec3& b) {
   const double la = length(a), lb = length(b);
-  return std::abs(la - lb) <= shape_tolerance * std::max(la, lb);
+  return std::abs(la - lb) / std::max(la, lb);
 }
 
-bool are_perpendicular(const Vec3& a, const Vec3& b) {
-  return std::abs(dot(normalized(a), normalized(b))) <= shape_tolerance;
+double off_right_angle(const Vec3& a, const Vec3& b) { return std::abs(dot(normalized(a), normalized(b))); }
+
+bool keeps_round(const ShapeInput& input, double deviation) {
+  if (deviation <= shape_tolerance) return true;
+  if (!(deviation <= widest_shape_tolerance)) return false;
+  input.builder.diagnostics.warning(
+      input.properties.where("to_world"),
+      fmt::format("to_world distorts {} by a share of {:.1g}, as rounded numbers do; it stays round",
+                  input.properties.title(), deviation));
+  return true;
 }
 
 void report_distortion(const ShapeInput& input, const char* remedy) {
