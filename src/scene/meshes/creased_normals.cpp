@@ -40,10 +40,10 @@ class VertexOrder {
     const auto value = [](const auto& values, std::size_t vertex) { return numbers_of(values[vertex]); };
     const auto order_by = [&](const auto& values) { return order_of(value(values, a), value(values, b)); };
     std::weak_ordering order = order_by(mesh_.positions);
-    if (order == 0 && !mesh_.uvs.empty()) order = order_by(mesh_.uvs);
+    if (std::is_eq(order) && !mesh_.uvs.empty()) order = order_by(mesh_.uvs);
     for (const MeshAttribute& attribute : mesh_.attributes)
-      if (order == 0 && !attribute.is_of_faces()) order = order_by(attribute.values);
-    return order < 0;
+      if (std::is_eq(order) && !attribute.is_of_faces()) order = order_by(attribute.values);
+    return std::is_lt(order);
   }
 
  private:
@@ -53,7 +53,7 @@ class VertexOrder {
   static Numbers numbers_of(const Rgb& c) { return {c.r, c.g, c.b}; }
   static std::weak_ordering order_of(const Numbers& a, const Numbers& b) {
     for (std::size_t i = 0; i < a.size(); ++i)
-      if (const std::weak_ordering order = std::weak_order(a.at(i), b.at(i)); order != 0) return order;
+      if (const std::weak_ordering order = std::weak_order(a.at(i), b.at(i)); std::is_neq(order)) return order;
     return std::weak_ordering::equivalent;
   }
 
