@@ -13,7 +13,6 @@
 #include "scene/xml/color_value.h"
 #include "scene/xml/parse_value.h"
 #include "scene/xml/typed_spectrum.h"
-#include "scene/xml/xml_transform.h"
 #include "scene/xml/xml_vocabulary.h"
 
 namespace strahl {
@@ -143,9 +142,9 @@ std::optional<Vec3> Properties::required_vector(std::string_view name) {
   return vector(name);
 }
 
-std::optional<Transform> Properties::transform(std::string_view name) {
+std::optional<Transform> Properties::transform(std::string_view name, TransformUse use) {
   const XmlElement* given = take(name, {"transform"});
-  return given == nullptr ? std::nullopt : read_transform(*given, diagnostics_);
+  return given == nullptr ? std::nullopt : read_transform(*given, diagnostics_, use);
 }
 
 std::optional<Rgb> Properties::color(std::string_view name, ColorUse use, const Rgb& substitute) {

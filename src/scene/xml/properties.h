@@ -14,6 +14,7 @@
 #include "scene/xml/diagnostics.h"
 #include "scene/xml/element_ids.h"
 #include "scene/xml/xml_element.h"
+#include "scene/xml/xml_transform.h"
 
 namespace strahl {
 
@@ -45,7 +46,7 @@ class Properties {
   [[nodiscard]] std::optional<std::string> string(std::string_view name);
   [[nodiscard]] std::optional<std::vector<double>> numbers(std::string_view name);
   [[nodiscard]] std::optional<Vec3> vector(std::string_view name);
-  [[nodiscard]] std::optional<Transform> transform(std::string_view name);
+  [[nodiscard]] std::optional<Transform> transform(std::string_view name, TransformUse use = TransformUse::space);
   /// A colour; what strahl cannot read as one is replaced by `substitute` with a warning.
   [[nodiscard]] std::optional<Rgb> color(std::string_view name, ColorUse use, const Rgb& substitute);
 
