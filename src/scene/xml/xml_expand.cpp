@@ -231,7 +231,7 @@ class Expander {
   void report_undefined(const std::string& name, const XmlPlace& where) {
     diagnostics_.error(
         where, fmt::format("${} is not defined{}; give it a <default name=\"{}\"> before this place or -D {}=...", name,
-                           did_you_mean(name, names_of(values_)), name, name));
+                           suggestions_(name, values_.size(), [this] { return names_of(values_); }), name, name));
   }
 
   std::string main_file_;
@@ -246,6 +246,7 @@ class Expander {
   XmlPool& pool_;
   Diagnostics& diagnostics_;
 };
+  Suggestions suggestions_;  ///< For undefined names.
 
 void find_spectra(XmlElement& element, const SearchPath& search_path, XmlPool& pool) {
   for (XmlAttribute& attribute : element.attributes)
