@@ -317,4 +317,16 @@ TEST_CASE("textures of what is no share of light are not cut at 1, and numbers a
   CHECK(board.color1 == Rgb{4, 4, 4});
   CHECK(metal.microfacets.alpha_u.color.r == Approx(0.3));
   CHECK(metal.microfacets.alpha_v.color.b == Approx(0.3));
+  // Of Mitsuba 0.x's, too, but that a checkerboard's colours stay in their places.
+  const auto colour = [](const char* name) {
+    return std::string("<rgb name=\"") + name + "\" value=\"0.1, 0.1, 0.7\"/></bsdf>";
+  };
+  CHECK(read_as<Phong>("<bsdf type=\"phong\">" + colour("exponent")).exponent.color.r == Approx(0.3));
+  CHECK(read_as<RoughDiffuse>("<bsdf type=\"roughdiffuse\">" + colour("alpha")).alpha.color.g == Approx(0.3));
+  CHECK(read_as<Ward>("<bsdf type=\"ward\">" + colour("alpha")).alpha_v.color.b == Approx(0.3));
+  CHECK(read_as<Ward>("<bsdf type=\"ward\">" + colour("alpha_u")).alpha_u.color.b == Approx(0.3));
+  CHECK(read_as<Ward>("<bsdf type=\"ward\">" + colour("alpha_v")).alpha_v.color.r == Approx(0.3));
+  const Scene phong =
+      load_body("<bsdf type=\"phong\"><texture type=\"checkerboard\" name=\"exponent\">" + values + "</bsdf>").scene;
+  CHECK(std::get<Checkerboard>(phong.textures.at(0).pattern).color0 == Rgb{2, 2, 2});
 }

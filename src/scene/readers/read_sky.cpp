@@ -80,7 +80,7 @@ Daylight read_daylight(Properties& properties, bool is_y_up) {
   if (light.sun.y <= 0)
     properties.diagnostics().warning(properties.where(), "the sun is below the horizon: there is no light of the day");
   // Without a counterpart: light that the ground throws back, how the sky is stretched and stored, limb darkening.
-  properties.accept({"albedo", "stretch", "resolution", "extend", "complex_sun", "sky_scale", "sun_scale", "scale"});
+  properties.accept({"albedo", "stretch", "resolution", "extend", "complex_sun", "scale"});
   return light;
 }
 
