@@ -32,6 +32,10 @@ Properties::Properties(const XmlElement& element, const ElementIds& ids, Diagnos
   known_.reserve(8);
   for (const XmlElement* child = element.first_child; child != nullptr; child = child->next_sibling) {
     if (child->tag == "alias") continue;
+    if (child->tag == old_rule_tag) {
+      old_rules_.push_back(child->text("name"));
+      continue;
+    }
     const XmlElement* meant = child->tag == "ref" ? ids.resolve(*child, diagnostics) : child;
     if (meant != nullptr) entries_.push_back({child, meant, child->text("name")});
   }
@@ -59,6 +63,10 @@ SourceLocation Properties::where(std::string_view name) const {
 
 bool Properties::has(std::string_view name) const {
   return std::any_of(entries_.begin(), entries_.end(), [&](const Entry& entry) { return entry.name == name; });
+}
+
+bool Properties::has_old_rule(std::string_view name) const {
+  return std::find(old_rules_.begin(), old_rules_.end(), name) != old_rules_.end();
 }
 
 const XmlElement* Properties::peek(std::string_view name) const {

@@ -55,6 +55,8 @@ class Properties {
   [[nodiscard]] std::optional<Vec3> required_vector(std::string_view name);  ///< Reports a missing one.
 
   [[nodiscard]] bool has(std::string_view name) const;
+  /// Whether xml_upgrade.h wrote that this rule of Mitsuba 0.x holds here; no file can.
+  [[nodiscard]] bool has_old_rule(std::string_view name) const;
   /// The element that gives a parameter, references resolved; null where it is absent. Does not count as asked for.
   [[nodiscard]] const XmlElement* peek(std::string_view name) const;
   /// Nested objects of a kind ("bsdf"), references resolved.
@@ -86,6 +88,7 @@ class Properties {
   const ElementIds& ids_;
   Diagnostics& diagnostics_;
   std::vector<Entry> entries_;
+  std::vector<std::string_view> old_rules_;
   std::vector<std::string> known_;
 };
 
