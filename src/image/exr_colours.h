@@ -8,8 +8,9 @@
 
 namespace strahl {
 
-/// Colours by the primaries of Rec. 709, as Mitsuba 3 converts those of textures: of X, Y and Z, and of R, G and B
-/// whose header states other `chromaticities`. Whites are not adapted. Other channels stay.
+/// The colours that named_colours() finds, by the primaries of Rec. 709, as Mitsuba 3 converts those of textures: of X,
+/// Y and Z, and of R, G and B whose header states other `chromaticities`. Whites are not adapted. Names and other
+/// channels stay.
 void convert_to_rec_709(Image& image, const Imf::Header& header);
 
 }  // namespace strahl

@@ -5,11 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string_view>
 
 #include "errors.h"
 #include "image/codecs.h"
 #include "image/file_bytes.h"
+#include "image/named_colours.h"
 #include "image/png_codes.h"
 #include "image/texels_files.h"
 
@@ -37,23 +39,15 @@ Texels read_png_texels(const std::string& path, const std::string& bytes) {
   return texels_of_bytes(png.width, png.height, channels, narrow.data());
 }
 
-/// R, G, B, or those of the first layer; else Y.
+/// The three that have a colour's names; else Y.
 std::vector<std::size_t> colours_of(const Image& image, const std::string& path) {
-  const auto find = [&](const std::string& name) {
-    return static_cast<std::size_t>(std::find(image.channels.begin(), image.channels.end(), name) -
-                                    image.channels.begin());
-  };
-  std::string layer;
-  for (const std::string& name : image.channels)
-    if (find("R") == image.channels.size() && layer.empty() && name.ends_with(".R"))
-      layer = name.substr(0, name.size() - 1);
-  std::vector<std::size_t> rgb = {find(layer + "R"), find(layer + "G"), find(layer + "B")};
-  const bool has_all = std::all_of(rgb.begin(), rgb.end(), [&](std::size_t c) { return c < image.channels.size(); });
-  if (has_all) return rgb;
-  if (find("Y") < image.channels.size()) return {find("Y")};
+  if (const std::optional<NamedColours> colours = named_colours(image.channels))
+    return {colours->places.begin(), colours->places.end()};
+  const auto y = std::find(image.channels.begin(), image.channels.end(), "Y");
+  if (y != image.channels.end()) return {static_cast<std::size_t>(y - image.channels.begin())};
   if (image.channels.size() == 1) return {0};
-  throw InputError(
-      fmt::format("\"{}\" has the channels {}; an image has R, G and B, or Y", path, fmt::join(image.channels, ", ")));
+  throw InputError(fmt::format("\"{}\" has the channels {}; an image has R, G and B, or X, Y and Z, or Y", path,
+                               fmt::join(image.channels, ", ")));
 }
 
 Texels texels_of_image(Image image, const std::string& path, TexelUse use) {

@@ -101,16 +101,37 @@ std::optional<Header> header_of(Source& source) {
 /// What a byte stands for at the most: runs of 128 in TGA and HDR. A few bytes must not take seconds and a gigabyte.
 constexpr std::int64_t most_texels_a_byte = 128;
 
-/// The bytes of a TGA without runs, whose rows stb_image reads without a look at how many there were; else 0.
-std::size_t bytes_of_plain_tga(const std::string& bytes, const Header& header) {
+/// What a TGA's header says beside the picture's size; of other files nothing.
+struct TgaHeader {
+  std::size_t plain_bytes = 0;  ///< Of a file without runs, whose rows stb_image reads without a look at how many there
+                                ///< were; else 0.
+  std::size_t first_colour = 0;    ///< The number of the palette's first one, which stb_image takes for bytes to skip.
+  bool is_from_the_right = false;  ///< The order of columns, which stb_image does not read.
+};
+
+TgaHeader tga_header(const std::string& bytes, const Header& header) {
   constexpr std::size_t header_bytes = 18;
-  if (bytes.size() < header_bytes || bytes.starts_with("BM") || bytes.starts_with("#?")) return 0;
+  TgaHeader tga;
+  if (bytes.size() < header_bytes || bytes.starts_with("BM") || bytes.starts_with("#?")) return tga;
   const auto byte = [&](std::size_t i) { return static_cast<std::size_t>(static_cast<unsigned char>(bytes[i])); };
+  const bool has_palette = byte(1) != 0;
+  if (has_palette) tga.first_colour = byte(3) + 256 * byte(4);
+  tga.is_from_the_right = (byte(17) & 0x10U) != 0;
   constexpr std::size_t first_with_runs = 8;
-  if (byte(2) >= first_with_runs) return 0;
-  const std::size_t palette = byte(1) != 0 ? (byte(5) + 256 * byte(6)) * ((byte(7) + 7) / 8) : 0;
+  if (byte(2) >= first_with_runs) return tga;
+  const std::size_t palette = has_palette ? (byte(5) + 256 * byte(6)) * ((byte(7) + 7) / 8) : 0;
   const std::size_t count = static_cast<std::size_t>(header.width) * static_cast<std::size_t>(header.height);
-  return header_bytes + byte(0) + palette + count * ((byte(16) + 7) / 8);
+  tga.plain_bytes = header_bytes + byte(0) + palette + count * ((byte(16) + 7) / 8);
+  return tga;
+}
+
+template <class Value>
+void mirror_columns(Value* values, int width, int height, int channels) {
+  for (std::ptrdiff_t y = 0; y < height; ++y) {
+    Value* row = values + y * width * channels;
+    for (std::ptrdiff_t left = 0, right = width - 1; left < right; ++left, --right)
+      std::swap_ranges(row + left * channels, row + (left + 1) * channels, row + right * channels);
+  }
 }
 
 /// stb_image tells the reason of the last format alone that it tried.
@@ -136,9 +157,13 @@ Texels read_stb_texels(const std::string& path, const std::string& bytes) {
   if (!header) refuse(path, reason_of(bytes));
   check_texel_count(path, header->width, header->height);
   const std::int64_t texels = std::int64_t{header->width} * header->height;
-  if (texels / most_texels_a_byte > static_cast<std::int64_t>(bytes.size()) ||
-      bytes_of_plain_tga(bytes, *header) > bytes.size())
+  const TgaHeader tga = tga_header(bytes, *header);
+  if (texels / most_texels_a_byte > static_cast<std::int64_t>(bytes.size()) || tga.plain_bytes > bytes.size())
     refuse_cut(path, bytes, *header);
+  if (tga.first_colour > 0)
+    refuse(path, fmt::format("a TGA file whose palette begins with colour {}; save it with all colours from 0 on, or "
+                             "as PNG",
+                             tga.first_colour));
   const auto decode = [&](const auto& read, int channels) {
     Header decoded;
     auto* values = source(
@@ -146,6 +171,7 @@ Texels read_stb_texels(const std::string& path, const std::string& bytes) {
     const Pixels<std::remove_pointer_t<decltype(values)>> owner(values, stbi_image_free);
     if (source.is_short()) refuse_cut(path, bytes, *header);
     if (!values) refuse(path, stbi_failure_reason());
+    if (tga.is_from_the_right) mirror_columns(values, decoded.width, decoded.height, channels);
     if constexpr (std::is_same_v<decltype(values), float*>)
       return texels_of_rgbe(decoded.width, decoded.height, values);
     else

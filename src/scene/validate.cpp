@@ -16,6 +16,7 @@
 #include "kinds/entries.h"
 #include "kinds/integrators.h"
 #include "kinds/lights.h"
+#include "kinds/lobes_inside.h"
 #include "kinds/materials.h"
 #include "kinds/reflectance.h"
 #include "kinds/textures.h"
@@ -223,12 +224,13 @@ void check_nested(const Scene& scene, Checker& check) {
     are_deep = are_deep || depths[i] > deepest_material;
   }
   if (!are_before || are_deep) return;
+  LobesInside lobes;
   for (const Material& material : scene.materials) {
     check.at(material.where);
-    check.require(!material_facts(material).is_coat || !transmits(scene, material),
+    check.require(!material_facts(material).is_coat || !lobes.transmits(scene, material),
                   "what lies under a coating must not let light through");
     const bool has_nested = !material_facts(material).nested.empty();
-    check.require(!has_nested || !material.twosided || !transmits(scene, material),
+    check.require(!has_nested || !material.twosided || !lobes.transmits(scene, material),
                   "what is twosided must not let light through");
   }
 }

@@ -26,7 +26,7 @@ namespace {
 using Value = std::array<double, 3>;
 
 /// One pixel at (3, 5) of a larger display window.
-Value read_back(const std::array<const char*, 3>& names, std::array<float, 3> values,
+Value read_back(const std::vector<const char*>& names, std::vector<float> values,
                 const std::optional<Imf::Chromaticities>& primaries = {}) {
   const TemporaryFolder folder;
   const std::string path = folder / "a.exr";
@@ -34,7 +34,7 @@ Value read_back(const std::array<const char*, 3>& names, std::array<float, 3> va
   Imf::Header header(Imath::Box2i({0, 0}, {9, 9}), data);
   if (primaries) Imf::addChromaticities(header, *primaries);
   Imf::FrameBuffer pixels;
-  for (std::size_t c = 0; c < 3; ++c) {
+  for (std::size_t c = 0; c < names.size(); ++c) {
     header.channels().insert(names.at(c), Imf::Channel(Imf::FLOAT));
     pixels.insert(names.at(c), Imf::Slice::Make(Imf::FLOAT, &values.at(c), data));
   }
@@ -112,4 +112,26 @@ TEST_CASE("other primaries are converted, those of Rec. 709 kept to the bit") {
   require_close(read_back({"R", "G", "B"}, {0.5F, 0.4F, 0.3F}, wide),
                 {1.6605 * 0.5 - 0.5876 * 0.4 - 0.0728 * 0.3, -0.1246 * 0.5 + 1.1329 * 0.4 - 0.0083 * 0.3,
                  -0.0182 * 0.5 - 0.1006 * 0.4 + 1.1187 * 0.3});
+}
+
+TEST_CASE("colours of a layer are converted as those of the file are") {
+  const Imf::Chromaticities wide({0.708F, 0.292F}, {0.170F, 0.797F}, {0.131F, 0.046F}, {0.3127F, 0.3290F});
+  const Value expected = read_back({"R", "G", "B"}, {0.5F, 0.4F, 0.3F}, wide);
+  require_close(expected, {0.5734, 0.3884, 0.2863});
+  CHECK(read_back({"L.R", "L.G", "L.B"}, {0.5F, 0.4F, 0.3F}, wide) == expected);
+  CHECK(read_back({"l.r", "l.g", "l.b"}, {0.5F, 0.4F, 0.3F}, wide) == expected);
+  require_close(read_back({"L.X", "L.Y", "L.Z"}, {0.41239F, 0.21264F, 0.01933F}), {1, 0, 0});
+  require_close(read_back({"L.X", "L.Y", "L.Z"}, {0.41239F, 0.21264F, 0.01933F}, wide), {1, 0, 0});
+}
+
+TEST_CASE("of several layers the first with all three colours is the image, but for colours of the file itself") {
+  const Value found{0.5, 0.25, 0.75};
+  CHECK(read_back({"AO.R", "D.R", "D.G", "D.B"}, {9, 0.5F, 0.25F, 0.75F}) == found);
+  CHECK(read_back({"C.R", "C.G", "C.B", "D.R", "D.G", "D.B"}, {0.5F, 0.25F, 0.75F, 9, 9, 9}) == found);
+  CHECK(read_back({"A.R", "A.G", "A.B", "R", "G", "B"}, {9, 9, 9, 0.5F, 0.25F, 0.75F}) == found);
+  CHECK(read_back({"A.R", "A.G", "A.B", "R"}, {0.5F, 0.25F, 0.75F, 9}) == found);
+  CHECK(read_back({"N.X", "N.Y", "N.Z", "Z.R", "Z.G", "Z.B"}, {9, 9, 9, 0.5F, 0.25F, 0.75F}) == found);
+  CHECK(read_back({"N.X", "N.Y", "N.Z", "Y"}, {9, 9, 9, 0.5F}) == Value{0.5, 0.5, 0.5});
+  CHECK(read_back({"A.X", "A.Y", "A.Z", "A.R", "A.G", "A.B"}, {9, 9, 9, 0.5F, 0.25F, 0.75F}) == found);
+  CHECK_THROWS_WITH(read_back({"A.R", "B.G"}, {1, 1}), Catch::Contains("an image has R, G and B, or X, Y and Z, or Y"));
 }

@@ -279,6 +279,31 @@ TEST_CASE("a wide TGA that was cut off within a row is refused") {
     CHECK_THROWS_WITH(Read()("a.tga", whole.substr(0, whole.size() - missing)), Contains("is it cut off?"));
 }
 
+TEST_CASE("a TGA may have its columns from the right, and no palette that begins behind colour 0") {
+  const Read read;
+  // Green, red; grey 128, blue, told as from the right and from the top.
+  const std::string colours = std::string("\0\0\x02\0\0\0\0\0\0\0\0\0", 12) + le16(2) + le16(2) +
+                              std::string("\x18\x30", 2) +
+                              std::string("\x00\xff\x00\x00\x00\xff\x80\x80\x80\xff\x00\x00", 12);
+  require_colours(read("a.tga", colours));
+  // Three texels, of runs.
+  const std::string row = std::string("\0\0\x0b\0\0\0\0\0\0\0\0\0", 12) + le16(3) + le16(1) +
+                          std::string("\x08\x30", 2) + std::string("\x02\x07\x08\x09", 4);
+  const Texels grey = read("b.tga", row);
+  for (std::size_t n = 0; n < 3; ++n) CHECK(value(grey, n)[0] == (9.0 - static_cast<double>(n)) / 255);
+
+  const auto palette = [](const std::string& first) {  // Of two colours: 2 x 1, both.
+    return std::string("\0\x01\x01", 3) + first + std::string("\x02\0\x18\0\0\0\0", 7) + le16(2) + le16(1) +
+           std::string("\x08\x20", 2) + std::string("\x00\x00\xff\x00\xff\x00", 6) + first.substr(0, 1) +
+           static_cast<char>(first[0] + 1);
+  };
+  const Texels from_0 = read("c.tga", palette(le16(0)));
+  CHECK(value(from_0, 0) == Value{1, 0, 0});
+  CHECK(value(from_0, 1) == Value{0, 1, 0});
+  CHECK_THROWS_WITH(read("d.tga", palette(le16(4))), Contains("whose palette begins with colour 4; save it"));
+  CHECK_THROWS_WITH(read("d.tga", palette(le16(256))), Contains("begins with colour 256"));
+}
+
 TEST_CASE("runs of Radiance HDR") {
   const Texels texels = Read()("a.hdr", packed_hdr_file());
   REQUIRE(texels.width == 8);

@@ -90,6 +90,26 @@ TEST_CASE("very many parameters of one object are read in no time") {
   CHECK(std::chrono::steady_clock::now() - begin < std::chrono::seconds(20));
 }
 
+TEST_CASE("very many undefined names and ids are told in no time") {
+  std::string many;
+  for (int i = 0; i < 15000; ++i) {
+    const std::string number = std::to_string(i);
+    many +=
+        "<default name=\"default_" + number + "\" value=\"1\"/><bsdf type=\"diffuse\" id=\"material_" + number + "\"/>";
+  }
+  std::string lacking;
+  for (int i = 0; i < 15000; ++i) lacking += "<float name=\"x\" value=\"$defualt_" + std::to_string(i) + "\"/>";
+  const auto begin = std::chrono::steady_clock::now();
+  const std::vector<std::string> names = problems(around(many + lacking));
+  CHECK_THAT(names.at(0), Catch::Contains("$defualt_0 is not defined (did you mean \"default_0\"?)"));
+  std::string references;
+  for (int i = 0; i < 15000; ++i) references += "<ref id=\"matreial_" + std::to_string(i) + "\"/>";
+  const std::vector<std::string> ids = problems(around(many + "<shape type=\"sphere\">" + references + "</shape>"));
+  CHECK_THAT(ids.at(0), Catch::Contains("nothing has the id \"matreial_0\" (did you mean \"material_0\"?)"));
+  // A quadratic one takes minutes.
+  CHECK(std::chrono::steady_clock::now() - begin < std::chrono::seconds(40));
+}
+
 TEST_CASE("files are looked for in the current folder last, within --root") {
   const SceneFolder folder;
   const std::filesystem::path before = std::filesystem::current_path();

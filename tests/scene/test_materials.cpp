@@ -2,6 +2,7 @@
 // Metals and rough materials as scene files have them.
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <chrono>
 #include <cmath>
 
 #include "kinds/materials.h"
@@ -146,6 +147,22 @@ TEST_CASE("a blend has two materials, each read once, and blends, masks and side
         "2:1: error: <bsdf type=\"blendbsdf\"> needs two <bsdf> inside");
   CHECK(problems(around("<bsdf type=\"blendbsdf\" id=\"x\"><ref id=\"x\"/>" + white + "</bsdf>")).at(0) ==
         "2:1: error: bsdf \"x\" contains itself");
+}
+
+TEST_CASE("very many materials around one of very many are read in no time") {
+  std::string all = "<bsdf type=\"diffuse\" id=\"0\"/>";
+  constexpr int count = 8191;
+  for (int i = count; i > 0; --i) {
+    const int first = 2 * i < count ? 2 * i : 0, second = first > 0 ? first + 1 : 0;
+    const auto half = [](int id) { return "<ref id=\"" + std::to_string(id) + "\"/>"; };
+    all += "<bsdf type=\"blendbsdf\" id=\"" + std::to_string(i) + "\">" + half(first) + half(second) + "</bsdf>";
+  }
+  for (int i = 0; i < count; ++i) all += "<bsdf type=\"twosided\"><ref id=\"1\"/></bsdf>";
+  const auto begin = std::chrono::steady_clock::now();
+  const Scene scene = load_body(all).scene;
+  CHECK(scene.materials.back().twosided);
+  // A quadratic one takes a minute.
+  CHECK(std::chrono::steady_clock::now() - begin < std::chrono::seconds(10));
 }
 
 TEST_CASE("reliefs have a map, Mitsuba's options and a material inside") {
@@ -356,4 +373,16 @@ TEST_CASE("textures of what is no share of light are not cut at 1, and numbers a
   CHECK(board.color1 == Rgb{4, 4, 4});
   CHECK(metal.microfacets.alpha_u.color.r == Approx(0.3));
   CHECK(metal.microfacets.alpha_v.color.b == Approx(0.3));
+  // Of Mitsuba 0.x's, too, but that a checkerboard's colours stay in their places.
+  const auto colour = [](const char* name) {
+    return std::string("<rgb name=\"") + name + "\" value=\"0.1, 0.1, 0.7\"/></bsdf>";
+  };
+  CHECK(read_as<Phong>("<bsdf type=\"phong\">" + colour("exponent")).exponent.color.r == Approx(0.3));
+  CHECK(read_as<RoughDiffuse>("<bsdf type=\"roughdiffuse\">" + colour("alpha")).alpha.color.g == Approx(0.3));
+  CHECK(read_as<Ward>("<bsdf type=\"ward\">" + colour("alpha")).alpha_v.color.b == Approx(0.3));
+  CHECK(read_as<Ward>("<bsdf type=\"ward\">" + colour("alpha_u")).alpha_u.color.b == Approx(0.3));
+  CHECK(read_as<Ward>("<bsdf type=\"ward\">" + colour("alpha_v")).alpha_v.color.r == Approx(0.3));
+  const Scene phong =
+      load_body("<bsdf type=\"phong\"><texture type=\"checkerboard\" name=\"exponent\">" + values + "</bsdf>").scene;
+  CHECK(std::get<Checkerboard>(phong.textures.at(0).pattern).color0 == Rgb{2, 2, 2});
 }

@@ -220,3 +220,84 @@ TEST_CASE("0.x: a serialized file may say that it is shaded flat, which Mitsuba 
     CHECK_FALSE(has_normals(false, "<boolean name=\"face_normals\" value=\"true\"/>"));
   }
 }
+
+TEST_CASE("0.x: hexadecimal digits of an <rgb> are linear, of an <srgb> encoded") {
+  const auto seen = [](const std::string& version, const std::string& tag) {
+    const Scene scene =
+        load_text("<scene version=\"" + version + "\"><sensor type=\"perspective\"/><bsdf type=\"diffuse\"><" + tag +
+                  " name=\"reflectance\" value=\" #80ff00\"/></bsdf></scene>")
+            .scene;
+    return std::get<Diffuse>(scene.materials.at(1).bsdf).reflectance.color;
+  };
+  CHECK(seen("0.6.0", "rgb") == Rgb{128.0 / 255, 1, 0});
+  const double decoded = std::pow((128.0 / 255 + 0.055) / 1.055, 2.4);
+  for (const char* version : {"0.6.0", "3.0.0"}) {
+    CHECK(seen(version, "srgb").r == Approx(decoded));
+    CHECK(seen(version, "srgb").g == 1);
+  }
+  CHECK(seen("2.1.0", "rgb").r == Approx(decoded));
+}
+
+TEST_CASE("0.x: rules that go by a type know it where it is a $name, or has parameters in another file") {
+  const auto with = [](const std::string& type, const std::string& body) {
+    return "<default name=\"t\" value=\"" + type + "\"/>" + body;
+  };
+  const auto eta = [](const Scene& scene) { return std::get<Conductor>(scene.materials.at(1).bsdf).index.eta.color; };
+  const Rgb copper = eta(loaded("<bsdf type=\"conductor\"/>"));
+  CHECK(eta(loaded(with("conductor", "<bsdf type=\"$t\"/>"))) == copper);
+  const LoadedScene ao = load_text(old(with("ao", "<shape type=\"cube\"/><integrator type=\"$t\"/>")));
+  CHECK(std::isfinite(ao.scene.integrator.max_distance));
+  const Scene sky = loaded(
+      with("sunsky", "<emitter type=\"$t\"><vector name=\"sunDirection\" x=\"0\" y=\"1\" z=\"0.5\"/></emitter>"));
+  CHECK(std::get<EnvironmentLight>(sky.lights.at(1).emitter).axes[1] == Vec3{0, 1, 0});
+
+  const Rgb gold = eta(loaded("<bsdf type=\"conductor\"><string name=\"material\" value=\"Au\"/></bsdf>"));
+  const SceneFolder folder;
+  folder.write("gold.xml", "<scene version=\"0.6.0\"><string name=\"material\" value=\"Au\"/></scene>");
+  const auto load = [&](const std::string& text) { return load_scene(folder.write("scene.xml", text)); };
+  CHECK(eta(load(old("<bsdf type=\"conductor\"><include filename=\"gold.xml\"/></bsdf>")).scene) == gold);
+  folder.write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl GreenGlass\nf 1 2 3\n");
+  const Scene obj = load(old(with("obj",
+                                  "<shape type=\"$t\"><string name=\"filename\" value=\"a.obj\"/><bsdf "
+                                  "type=\"dielectric\" name=\"GreenGlass\"/></shape>")))
+                        .scene;
+  CHECK_FALSE(std::get<Mesh>(obj.shapes.at(0).geometry).parts.empty());
+}
+
+TEST_CASE("a file of one object without a version has that of the file that includes it, others their own") {
+  const SceneFolder folder;
+  folder.write("bare.xml", "<bsdf type=\"conductor\"/>");
+  folder.write("of_3.xml", "<bsdf version=\"3.0.0\" type=\"conductor\"/>");
+  folder.write("of_0.xml", "<bsdf version=\"0.6.0\" type=\"conductor\"/>");
+  folder.write("map.xml", "<texture type=\"checkerboard\"/>");
+  const auto is_copper = [&](const std::string& version, const std::string& file) {
+    const std::string text =
+        "<scene version=\"" + version + "\"><sensor type=\"perspective\"/><include filename=\"" + file + "\"/></scene>";
+    const LoadedScene found = load_scene(folder.write("scene.xml", text), {{}, true});
+    return std::get<Conductor>(found.scene.materials.at(1).bsdf).index.eta.color != Rgb{0, 0, 0};
+  };
+  CHECK(is_copper("0.6.0", "bare.xml"));
+  CHECK_FALSE(is_copper("3.0.0", "bare.xml"));
+  CHECK_FALSE(is_copper("0.6.0", "of_3.xml"));
+  CHECK(is_copper("3.0.0", "of_0.xml"));
+  // The name is the includer's, too.
+  const std::string plastic =
+      old("<bsdf type=\"plastic\"><include filename=\"map.xml\" name=\"diffuseReflectance\"/></bsdf>");
+  const LoadedScene named = load_scene(folder.write("scene.xml", plastic), {{}, true});
+  CHECK(std::get<Plastic>(named.scene.materials.at(1).bsdf).diffuse_reflectance.texture == 0);
+}
+
+TEST_CASE("0.x: what the rules write is no parameter of a file, nor unknown where nobody asks for it") {
+  const std::string group =
+      "<medium type=\"homogeneous\" id=\"fog\"/><shape type=\"shapegroup\" id=\"g\"><shape type=\"sphere\"/></shape>"
+      "<shape type=\"instance\"><ref id=\"g\"/><ref name=\"interior\" id=\"fog\"/></shape>";
+  for (const std::string& problem : problems(old(group))) {
+    CAPTURE(problem);
+    CHECK(problem.find("is_open") == std::string::npos);
+  }
+  const std::vector<std::string> own =
+      problems(around("<emitter type=\"sunsky\"><boolean name=\"is_y_up\" value=\"true\"/></emitter>"));
+  REQUIRE(own.size() == 1);
+  CHECK_THAT(own[0], Catch::Contains("warning: unknown parameter \"is_y_up\""));
+  CHECK_THAT(problems(around("<0.x name=\"is_y_up\"/>")).at(0), Catch::Contains("malformed XML"));
+}

@@ -235,6 +235,13 @@ TEST_CASE("what a sky would drop is told") {
   REQUIRE(dark.size() == 1);
   CHECK_THAT(dark[0], Catch::Contains("error: \"sun_scale\" must not be negative"));
   CHECK(problems(around(sky + "<float name=\"sun_scale\" value=\"0\"/></emitter>")).empty());
+  for (const char* type : {"sky", "sun"})
+    for (const char* scale : {"sky_scale", "sun_scale"}) {
+      const std::vector<std::string> found = problems(
+          around(std::string("<emitter type=\"") + type + "\"><float name=\"" + scale + "\" value=\"3\"/></emitter>"));
+      REQUIRE(found.size() == 1);
+      CHECK_THAT(found[0], Catch::Contains(std::string("warning: unknown parameter \"") + scale + "\""));
+    }
 }
 
 }  // namespace

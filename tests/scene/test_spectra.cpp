@@ -152,6 +152,22 @@ TEST_CASE("a d65 around a texture is that texture, as in Mitsuba's RGB variants"
   CHECK(two[0] == "2:22: error: <spectrum type=\"d65\"> takes one <texture> inside");
 }
 
+TEST_CASE("a d65 is clamped once it is scaled, and a uniform spectrum may have ends") {
+  const auto d65 = [](const char* scale, const char* color) {
+    return std::string("<spectrum type=\"d65\" name=\"reflectance\"><float name=\"scale\" value=\"") + scale +
+           "\"/><rgb name=\"color\" value=\"" + color + "\"/></spectrum>";
+  };
+  check_near(seen_reflectance(d65("0.1", "2, 3, 4")), {0.2, 0.3, 0.4}, 1e-15);
+  const std::vector<std::string> found =
+      problems(around("<bsdf type=\"diffuse\">" + d65("2", "0.25, 1, 0") + "</bsdf>"));
+  REQUIRE(found.size() == 1);
+  CHECK_THAT(found[0], Catch::Contains("warning: \"reflectance\" is 0.5, 2, 0, outside [0, 1]; 0.5, 1, 0 is used"));
+  const std::string uniform =
+      "<spectrum type=\"uniform\" name=\"reflectance\"><float name=\"wavelength_min\" value=\"400\"/><float "
+      "name=\"wavelength_max\" value=\"700\"/><float name=\"value\" value=\"0.25\"/></spectrum>";
+  CHECK(seen_reflectance(uniform) == Rgb{0.25, 0.25, 0.25});
+}
+
 TEST_CASE("a checkerboard takes its colours alike in a light, as Mitsuba's") {
   const Scene scene =
       load_body(

@@ -23,7 +23,7 @@ Material read_coating(Properties& properties, SceneBuilder& builder) {
   }
   coat.nested = material_index(*inside.front(), builder);
   const Material& nested = builder.scene.materials.at(static_cast<std::size_t>(coat.nested));
-  if (transmits(builder.scene, nested)) {
+  if (builder.lobes_inside.transmits(builder.scene, nested)) {
     builder.diagnostics.unknown(inside.front()->where,
                                 "a coating over what lets light through is not supported yet; it is left out");
     return nested;

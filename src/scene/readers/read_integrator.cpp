@@ -124,7 +124,7 @@ IntegratorSettings read_integrator(const XmlElement& element, SceneBuilder& buil
       properties.integer_in("rr_depth", 1, std::numeric_limits<int>::max()).value_or(integrator.rr_depth);
   integrator.max_distance = properties.positive("max_distance").value_or(integrator.max_distance);
   // Written by the upgrade from 0.x.
-  if (properties.boolean("looks_as_far_as_0x").value_or(false)) {
+  if (properties.has_old_rule("looks_as_far_as_0x")) {
     integrator.max_distance = reach_of_0x(properties, builder.scene);
     builder.diagnostics.warning(element.where,
                                 "integrator ao is black where nothing is hit, which is white in Mitsuba 0.x");

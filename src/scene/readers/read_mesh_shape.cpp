@@ -94,8 +94,8 @@ Geometry read_geometry(ShapeInput& input, const Mesh&) {
   const std::optional<bool> given_face_normals = properties.boolean("face_normals");
   const bool face_normals = given_face_normals.value_or(false);
   // Written by the upgrade from 0.x.
-  const bool obeys_file = properties.type() == "serialized" &&
-                          properties.boolean("obeys_file_on_face_normals").value_or(false) && !given_face_normals;
+  const bool obeys_file =
+      properties.type() == "serialized" && properties.has_old_rule("obeys_file_on_face_normals") && !given_face_normals;
   const std::optional<double> smooth_angle = max_smooth_angle(properties);
   const bool flip_v = properties.boolean("flip_tex_coords").value_or(properties.type() == "obj");
   const int index = properties.type() == "serialized" ? shape_index(properties) : 0;

@@ -21,7 +21,7 @@ Varying divided(const Varying& value, double by) {
 MetalIndex read_metal_index(Properties& properties, SceneBuilder& builder) {
   std::string name = properties.string("material").value_or("none");
   // Written by the upgrade from 0.x, where none may be in capitals, too.
-  const bool is_old = properties.boolean("eta_and_k_replace_named").value_or(false);
+  const bool is_old = properties.has_old_rule("eta_and_k_replace_named");
   if (is_old && lower_case(name) == "none") name = "none";
   const bool is_named = name != "none", has_values = properties.has("eta") || properties.has("k");
   if (is_named && has_values && !is_old)

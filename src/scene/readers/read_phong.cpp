@@ -11,7 +11,7 @@ Material read_phong(Properties& properties, SceneBuilder& builder) {
       read_reflectance(properties, builder, "diffuse_reflectance", bsdf.diffuse_reflectance.color);
   bsdf.specular_reflectance =
       read_reflectance(properties, builder, "specular_reflectance", bsdf.specular_reflectance.color);
-  bsdf.exponent = read_varying(properties, builder, "exponent", bsdf.exponent.color);
+  bsdf.exponent = read_number(properties, builder, "exponent", bsdf.exponent.color, TextureUse::value);
   Material material;
   material.bsdf = bsdf;
   return material;

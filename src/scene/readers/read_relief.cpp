@@ -51,7 +51,7 @@ const XmlElement* scaled_texture(const XmlElement& texture, SceneBuilder& builde
 Material read_normalmap(Properties& properties, SceneBuilder& builder) {
   Relief relief;
   // Written by the upgrade from 0.x.
-  if (properties.boolean("takes_any_texture").value_or(false)) {
+  if (properties.has_old_rule("takes_any_texture")) {
     if (const XmlElement* normals = only_texture(properties))
       relief.map = read_nested_texture(*normals, builder, TextureUse::value);
     return relief_of(properties, builder, relief);

@@ -8,7 +8,7 @@ namespace strahl {
 Material read_roughdiffuse(Properties& properties, SceneBuilder& builder) {
   RoughDiffuse bsdf;
   bsdf.reflectance = read_reflectance(properties, builder, "reflectance", bsdf.reflectance.color);
-  bsdf.alpha = read_varying(properties, builder, "alpha", bsdf.alpha.color);
+  bsdf.alpha = read_number(properties, builder, "alpha", bsdf.alpha.color, TextureUse::value);
   bsdf.use_fast_approx = properties.boolean("use_fast_approx").value_or(false);
   Material material;
   material.bsdf = bsdf;

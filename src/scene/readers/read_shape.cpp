@@ -85,7 +85,7 @@ const XmlElement* last_bsdf(const std::vector<NamedObject>& bsdfs, const Propert
 /// Of an OBJ of 0.x, as its upgrade says.
 std::vector<NamedMaterial> read_named_materials(Properties& properties, SceneBuilder& builder) {
   std::vector<NamedMaterial> named;
-  if (!properties.boolean("has_named_bsdfs").value_or(false)) return named;
+  if (!properties.has_old_rule("has_named_bsdfs")) return named;
   for (const NamedObject& bsdf : properties.named_objects("bsdf"))
     named.push_back({bsdf.name, material_index(*bsdf.object, builder), bsdf.where});
   return named;
@@ -123,7 +123,7 @@ void read_shape(const XmlElement& element, SceneBuilder& builder, std::vector<Sh
   shape.priority = properties.integer("priority");
   properties.accept({silhouette_weight});
   std::vector<NamedMaterial> named_materials = read_named_materials(properties, builder);
-  const bool takes_last = properties.boolean("takes_last_bsdf").value_or(false);  // Of 0.x.
+  const bool takes_last = properties.has_old_rule("takes_last_bsdf");  // Of 0.x.
   const std::vector<NamedObject> bsdfs = properties.placed_objects("bsdf");
   const XmlElement* bsdf = takes_last ? last_bsdf(bsdfs, properties) : only_one(bsdfs, properties);
   const XmlElement* emitter = only_one(properties.placed_objects("emitter"), properties);
@@ -131,7 +131,7 @@ void read_shape(const XmlElement& element, SceneBuilder& builder, std::vector<Sh
   if (emitter != nullptr) builder.emitters_of_shapes.insert(emitter);
   if (emitter != nullptr) read_area_emitter(*emitter, shape, builder);
   shape.media = read_boundary(properties, builder);
-  const bool is_open = properties.boolean("is_open_without_bsdf").value_or(false) && shape.media;  // Of 0.x.
+  const bool is_open = properties.has_old_rule("is_open_without_bsdf") && shape.media;  // Of 0.x.
   if (bsdf == nullptr && (shape.radiance || shape.exitance))
     shape.material = index_of(black(), builder.black_material, builder);  // As in Mitsuba it reflects nothing.
   else if (bsdf == nullptr && is_open)

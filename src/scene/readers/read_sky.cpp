@@ -80,7 +80,7 @@ Daylight read_daylight(Properties& properties, bool is_y_up) {
   if (light.sun.y <= 0)
     properties.diagnostics().warning(properties.where(), "the sun is below the horizon: there is no light of the day");
   // Without a counterpart: light that the ground throws back, how the sky is stretched and stored, limb darkening.
-  properties.accept({"albedo", "stretch", "resolution", "extend", "complex_sun", "sky_scale", "sun_scale", "scale"});
+  properties.accept({"albedo", "stretch", "resolution", "extend", "complex_sun", "scale"});
   return light;
 }
 
@@ -134,7 +134,7 @@ std::optional<Emitter> read_sun(Properties& properties, SceneBuilder&) {
 
 std::optional<Emitter> read_sunsky(Properties& properties, SceneBuilder& builder) {
   // Written by the upgrade from 0.x.
-  const Daylight light = read_daylight(properties, properties.boolean("is_y_up").value_or(false));
+  const Daylight light = read_daylight(properties, properties.has_old_rule("is_y_up"));
   const double scale = properties.number("scale").value_or(1);
   const double sun_scale = properties.number("sun_scale").value_or(1), sun = scale * sun_scale;
   if (!(sun_scale >= 0))

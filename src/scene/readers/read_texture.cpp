@@ -104,7 +104,7 @@ void clamp_to_one(Bitmap& bitmap, const SourceLocation& where, Diagnostics& diag
 }
 
 std::array<double, 6> read_uv_map(Properties& properties) {
-  if (const auto t = properties.transform("to_uv"))
+  if (const auto t = properties.transform("to_uv", TransformUse::uv))
     return {t->m[0][0], t->m[0][1], t->m[0][3], t->m[1][0], t->m[1][1], t->m[1][3]};
   const double scale = properties.number("uvscale").value_or(1);
   const double u = properties.number("uscale").value_or(scale), v = properties.number("vscale").value_or(scale);

@@ -56,7 +56,8 @@ struct Emission {
 [[nodiscard]] Varying read_varying(Properties& properties, SceneBuilder& builder, const std::string& name,
                                    const Rgb& absent);
 
-/// The same of one number. use: `number` or `quantity`, whether those of a texture lie in [0, 1].
+/// The same of one number: the mean of a colour. use: `number` or `quantity`, whether those of a texture lie in [0, 1];
+/// `value` for materials of Mitsuba 0.x, in which a checkerboard's colours stay where they are.
 [[nodiscard]] Varying read_number(Properties& properties, SceneBuilder& builder, const std::string& name,
                                   const Rgb& absent, TextureUse use);
 

@@ -29,9 +29,12 @@ Material read_ward(Properties& properties, SceneBuilder& builder) {
       read_reflectance(properties, builder, "diffuse_reflectance", bsdf.diffuse_reflectance.color);
   bsdf.specular_reflectance =
       read_reflectance(properties, builder, "specular_reflectance", bsdf.specular_reflectance.color);
-  const Varying both = read_varying(properties, builder, "alpha", bsdf.alpha_u.color);
-  bsdf.alpha_u = properties.has("alpha_u") ? read_varying(properties, builder, "alpha_u", both.color) : both;
-  bsdf.alpha_v = properties.has("alpha_v") ? read_varying(properties, builder, "alpha_v", both.color) : both;
+  const auto read_one = [&](const char* name, const Varying& absent) {
+    return properties.has(name) ? read_number(properties, builder, name, absent.color, TextureUse::value) : absent;
+  };
+  const Varying both = read_one("alpha", bsdf.alpha_u);
+  bsdf.alpha_u = read_one("alpha_u", both);
+  bsdf.alpha_v = read_one("alpha_v", both);
   Material material;
   material.bsdf = bsdf;
   return material;

@@ -4,8 +4,6 @@
 
 #include <fmt/format.h>
 
-#include "did_you_mean.h"
-
 namespace strahl {
 
 ElementIds::ElementIds(const XmlElement& root, Diagnostics& diagnostics) {
@@ -38,16 +36,9 @@ const XmlElement* ElementIds::resolve(const XmlElement& ref, Diagnostics& diagno
   const std::string_view id = ref.text("id");
   const auto found = elements_.find(id);
   if (found != elements_.end()) return found->second;
-  diagnostics.error(ref.where, fmt::format("nothing has the id \"{}\"{}", id, suggestion(id)));
+  diagnostics.error(ref.where, fmt::format("nothing has the id \"{}\"{}", id,
+                                           suggestions_(id, elements_.size(), [this] { return names(); })));
   return nullptr;
-}
-
-std::string ElementIds::suggestion(std::string_view id) const {
-  constexpr std::size_t most = 100;  // Each is compared with all ids.
-  const auto known = suggestions_.find(id);
-  if (known != suggestions_.end()) return known->second;
-  if (suggestions_.size() == most) return {};
-  return suggestions_[id] = did_you_mean(id, names());
 }
 
 std::vector<std::string> ElementIds::names() const {

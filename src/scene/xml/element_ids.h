@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "did_you_mean.h"
 #include "scene/xml/diagnostics.h"
 #include "scene/xml/xml_element.h"
 
@@ -24,10 +25,9 @@ class ElementIds {
   void collect(const XmlElement& element, std::vector<const XmlElement*>& aliases, Diagnostics& diagnostics);
   void add(std::string_view id, const XmlElement& named, const XmlPlace& where, Diagnostics& diagnostics);
   [[nodiscard]] std::vector<std::string> names() const;
-  [[nodiscard]] std::string suggestion(std::string_view id) const;
 
   std::map<std::string_view, const XmlElement*> elements_;
-  mutable std::map<std::string_view, std::string> suggestions_;  ///< For ids that nothing has.
+  mutable Suggestions suggestions_;  ///< For ids that nothing has.
 };
 
 }  // namespace strahl

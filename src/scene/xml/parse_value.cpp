@@ -90,15 +90,22 @@ double linear_from_srgb(double encoded) {
   return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
 }
 
-std::optional<Rgb> parse_hex_color(std::string_view text) {
+std::optional<std::array<int, 3>> parse_hex(std::string_view text) {
   const std::string_view word = trimmed(text);
   if (word.size() != 7 || word[0] != '#') return std::nullopt;
   unsigned bits = 0;
   const char* end = word.data() + word.size();
   const auto [rest, fault] = std::from_chars(word.data() + 1, end, bits, 16);
   if (fault != std::errc{} || rest != end) return std::nullopt;
-  const auto component = [bits](unsigned shift) { return linear_from_srgb((bits >> shift & 0xFFU) / 255.0); };
-  return Rgb{component(16), component(8), component(0)};
+  const auto component = [bits](unsigned shift) { return static_cast<int>(bits >> shift & 0xFFU); };
+  return std::array{component(16), component(8), component(0)};
+}
+
+std::optional<Rgb> parse_hex_color(std::string_view text) {
+  const std::optional<std::array<int, 3>> hex = parse_hex(text);
+  if (!hex) return std::nullopt;
+  return Rgb{linear_from_srgb((*hex)[0] / 255.0), linear_from_srgb((*hex)[1] / 255.0),
+             linear_from_srgb((*hex)[2] / 255.0)};
 }
 
 }  // namespace strahl

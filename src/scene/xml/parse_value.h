@@ -2,6 +2,7 @@
 // Numbers, lists and switches from the text of an attribute; independent of the locale.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -23,7 +24,9 @@ namespace strahl {
 [[nodiscard]] std::vector<std::string_view> split_list(std::string_view text);
 /// Numbers separated by commas and white space.
 [[nodiscard]] std::optional<std::vector<double>> parse_numbers(std::string_view text);
-/// "#rrggbb", sRGB-encoded, as linear RGB.
+/// The three numbers of "#rrggbb", from 0 to 255.
+[[nodiscard]] std::optional<std::array<int, 3>> parse_hex(std::string_view text);
+/// The same, sRGB-encoded, as linear RGB.
 [[nodiscard]] std::optional<Rgb> parse_hex_color(std::string_view text);
 /// One sRGB-encoded component as linear light (IEC 61966-2-1).
 [[nodiscard]] double linear_from_srgb(double encoded);

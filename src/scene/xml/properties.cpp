@@ -13,7 +13,6 @@
 #include "scene/xml/color_value.h"
 #include "scene/xml/parse_value.h"
 #include "scene/xml/typed_spectrum.h"
-#include "scene/xml/xml_transform.h"
 #include "scene/xml/xml_vocabulary.h"
 
 namespace strahl {
@@ -33,6 +32,10 @@ Properties::Properties(const XmlElement& element, const ElementIds& ids, Diagnos
   known_.reserve(8);
   for (const XmlElement* child = element.first_child; child != nullptr; child = child->next_sibling) {
     if (child->tag == "alias") continue;
+    if (child->tag == old_rule_tag) {
+      old_rules_.push_back(child->text("name"));
+      continue;
+    }
     const XmlElement* meant = child->tag == "ref" ? ids.resolve(*child, diagnostics) : child;
     if (meant != nullptr) entries_.push_back({child, meant, child->text("name")});
   }
@@ -60,6 +63,10 @@ SourceLocation Properties::where(std::string_view name) const {
 
 bool Properties::has(std::string_view name) const {
   return std::any_of(entries_.begin(), entries_.end(), [&](const Entry& entry) { return entry.name == name; });
+}
+
+bool Properties::has_old_rule(std::string_view name) const {
+  return std::find(old_rules_.begin(), old_rules_.end(), name) != old_rules_.end();
 }
 
 const XmlElement* Properties::peek(std::string_view name) const {
@@ -143,9 +150,9 @@ std::optional<Vec3> Properties::required_vector(std::string_view name) {
   return vector(name);
 }
 
-std::optional<Transform> Properties::transform(std::string_view name) {
+std::optional<Transform> Properties::transform(std::string_view name, TransformUse use) {
   const XmlElement* given = take(name, {"transform"});
-  return given == nullptr ? std::nullopt : read_transform(*given, diagnostics_);
+  return given == nullptr ? std::nullopt : read_transform(*given, diagnostics_, use);
 }
 
 std::optional<Rgb> Properties::color(std::string_view name, ColorUse use, const Rgb& substitute) {

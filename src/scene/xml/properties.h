@@ -14,6 +14,7 @@
 #include "scene/xml/diagnostics.h"
 #include "scene/xml/element_ids.h"
 #include "scene/xml/xml_element.h"
+#include "scene/xml/xml_transform.h"
 
 namespace strahl {
 
@@ -45,7 +46,7 @@ class Properties {
   [[nodiscard]] std::optional<std::string> string(std::string_view name);
   [[nodiscard]] std::optional<std::vector<double>> numbers(std::string_view name);
   [[nodiscard]] std::optional<Vec3> vector(std::string_view name);
-  [[nodiscard]] std::optional<Transform> transform(std::string_view name);
+  [[nodiscard]] std::optional<Transform> transform(std::string_view name, TransformUse use = TransformUse::space);
   /// A colour; what strahl cannot read as one is replaced by `substitute` with a warning.
   [[nodiscard]] std::optional<Rgb> color(std::string_view name, ColorUse use, const Rgb& substitute);
 
@@ -54,6 +55,8 @@ class Properties {
   [[nodiscard]] std::optional<Vec3> required_vector(std::string_view name);  ///< Reports a missing one.
 
   [[nodiscard]] bool has(std::string_view name) const;
+  /// Whether xml_upgrade.h wrote that this rule of Mitsuba 0.x holds here; no file can.
+  [[nodiscard]] bool has_old_rule(std::string_view name) const;
   /// The element that gives a parameter, references resolved; null where it is absent. Does not count as asked for.
   [[nodiscard]] const XmlElement* peek(std::string_view name) const;
   /// Nested objects of a kind ("bsdf"), references resolved.
@@ -85,6 +88,7 @@ class Properties {
   const ElementIds& ids_;
   Diagnostics& diagnostics_;
   std::vector<Entry> entries_;
+  std::vector<std::string_view> old_rules_;
   std::vector<std::string> known_;
 };
 

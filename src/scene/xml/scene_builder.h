@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "kinds/lobes_inside.h"
 #include "scene/loader.h"
 #include "scene/meshes/mesh_file.h"
 #include "scene/model/scene.h"
@@ -41,6 +42,7 @@ struct SceneBuilder {
   // read_material.cpp: a bsdf that several shapes refer to is read once.
   std::map<const XmlElement*, Material> materials{};
   std::map<const XmlElement*, int> material_indices{};
+  LobesInside lobes_inside{};
   std::set<const XmlElement*> materials_being_read{};
   std::set<const XmlElement*> integrators_being_read{};                       ///< Those around others.
   std::set<const XmlElement*> emitters_of_shapes{};                           ///< Those that shapes hold or refer to.

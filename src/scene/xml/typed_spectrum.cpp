@@ -18,6 +18,7 @@ namespace {
 using SpectrumReader = std::optional<Rgb> (*)(Properties&, ColorUse);
 
 std::optional<Rgb> read_uniform(Properties& properties, ColorUse) {
+  properties.accept({"wavelength_min", "wavelength_max"});  // Which Mitsuba's RGB variants leave out.
   return grey(properties.number("value").value_or(1));
 }
 
@@ -26,7 +27,9 @@ std::optional<Rgb> read_d65(Properties& properties, ColorUse use) {
   if (const std::vector<const XmlElement*> textures = properties.objects("texture"); !textures.empty())
     return read_color(*textures.front(), use, grey(use == ColorUse::emission ? 1 : 0.5), properties.diagnostics());
   const double scale = properties.number("scale").value_or(1);
-  const Rgb color = properties.color("color", use, grey(1)).value_or(grey(1));
+  // Whoever asked clamps a reflectance, once it is scaled.
+  const ColorUse unclamped = use == ColorUse::reflectance ? ColorUse::value : use;
+  const Rgb color = properties.color("color", unclamped, grey(1)).value_or(grey(1));
   return Rgb{scale * color.r, scale * color.g, scale * color.b};
 }
 

@@ -29,6 +29,10 @@ struct XmlAttribute {
   const char* value;
 };
 
+/// The tag of elements that no file has, as no name in XML begins with a digit: what xml_upgrade.h writes into an
+/// element of Mitsuba 0.x to say which of its rules hold there. Their one attribute is a name.
+constexpr std::string_view old_rule_tag = "0.x";
+
 struct XmlElement {
   std::string_view tag;
   std::span<XmlAttribute> attributes;

@@ -75,11 +75,14 @@ class Expander {
     }
     XmlElement* root = read_xml_file(path, referrer, pool_, diagnostics_);
     if (root == nullptr) return nullptr;
-    upgrade_to_version_3(*root, pool_, diagnostics_);
+    const int includers_version = version_;
+    const int version = version_ = major_version(*root, includers_version, diagnostics_);
     open_.push_back(canonical);
     static_cast<void>(substitute_attributes(*root));
     expand_children(*root);
     open_.pop_back();
+    version_ = includers_version;
+    upgrade_to_version_3(*root, version, pool_, diagnostics_);
     return root;
   }
 
@@ -107,7 +110,7 @@ class Expander {
       if (child.tag == "default") {
         add_default(child);
       } else if (child.tag == "include") {
-        *end = include(child);
+        *end = include(child, element);
       } else if (child.tag == "path") {
         add_folder(child);
       } else {
@@ -140,8 +143,8 @@ class Expander {
     diagnostics_.unknown(element.where, fmt::format("\"{}\" is no folder; <path> is ignored", path));
   }
 
-  /// The first of those that take the place of an <include>; null where none do.
-  [[nodiscard]] XmlElement* include(const XmlElement& element) {
+  /// The first of those that take the place of an <include> within parent; null where none do.
+  [[nodiscard]] XmlElement* include(const XmlElement& element, const XmlElement& parent) {
     check_expanded(element, diagnostics_);
     const std::optional<std::string_view> name = element.attribute("filename");
     if (!name) {
@@ -156,21 +159,22 @@ class Expander {
     XmlElement* root = read(search_path_.find(*name, *element.where.file), element.where);
     if (root == nullptr) return nullptr;
     if (root->tag == "scene") return root->first_child;
-    take_place(*root, element);
+    take_place(*root, element, parent);
     return root;
   }
 
   /// The root of a file that holds one object becomes a part of the scene: its version has been obeyed, and it has the
   /// name that the <include> gives it.
-  void take_place(XmlElement& root, const XmlElement& include) {
+  void take_place(XmlElement& root, const XmlElement& include, const XmlElement& parent) {
     const std::optional<std::string_view> name = include.attribute("name");
+    const bool is_renamed = name && is_of_0x(version_) && !has_own_name(root, &parent);
     const std::span<XmlAttribute> all = pool_.row<XmlAttribute>(root.attributes.size() + 1);
     std::size_t count = 0;
     for (const XmlAttribute& attribute : root.attributes) {
       const std::string_view key = attribute.name;
       if (key != "version" && !(name && key == "name")) all[count++] = attribute;
     }
-    if (name) all[count++] = {"name", name->data()};
+    if (name) all[count++] = {"name", is_renamed ? pool_.keep(snake_case(*name)).c_str() : name->data()};
     root.attributes = all.first(count);
   }
 
@@ -231,7 +235,7 @@ class Expander {
   void report_undefined(const std::string& name, const XmlPlace& where) {
     diagnostics_.error(
         where, fmt::format("${} is not defined{}; give it a <default name=\"{}\"> before this place or -D {}=...", name,
-                           did_you_mean(name, names_of(values_)), name, name));
+                           suggestions_(name, values_.size(), [this] { return names_of(values_); }), name, name));
   }
 
   std::string main_file_;
@@ -240,7 +244,9 @@ class Expander {
   std::set<std::string> used_;
   std::set<std::string> defaults_;
   std::vector<std::string> open_;  ///< Canonical paths of the files being expanded, outermost first.
+  int version_ = 3;                ///< Major, of the innermost of them.
   int includes_ = 0;
+  Suggestions suggestions_;  ///< For undefined names.
   std::size_t growth_ = 0;
   SearchPath& search_path_;
   XmlPool& pool_;

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -47,10 +48,6 @@ std::optional<Transform> read_translate(const XmlElement& element, Diagnostics& 
 std::optional<Transform> read_scale(const XmlElement& element, Diagnostics& diagnostics) {
   const std::optional<Vec3> s = read_components(element, 1, diagnostics);
   if (!s) return std::nullopt;
-  if (s->x == 0 || s->y == 0 || s->z == 0) {
-    diagnostics.error(element.where, "a scale of 0 is singular; every factor must differ from 0");
-    return std::nullopt;
-  }
   return Transform{{{{s->x, 0, 0, 0}, {0, s->y, 0, 0}, {0, 0, s->z, 0}}}};
 }
 
@@ -112,10 +109,23 @@ std::optional<Transform> read_matrix(const XmlElement& element, Diagnostics& dia
       return std::nullopt;
     }
   }
-  const std::string why = singular_because(transform);
-  if (why.empty()) return transform;
-  diagnostics.error(element.where, fmt::format("the <matrix> is singular: {}", why));
-  return std::nullopt;
+  return transform;
+}
+
+/// The map of x and y alone, with a z that is as long as the longer of both.
+Transform of_uv(const Transform& t) {
+  const double longer = std::max(std::hypot(t.m[0][0], t.m[1][0]), std::hypot(t.m[0][1], t.m[1][1]));
+  return {{{{t.m[0][0], t.m[0][1], 0, t.m[0][3]}, {t.m[1][0], t.m[1][1], 0, t.m[1][3]}, {0, 0, longer, 0}}}};
+}
+
+/// Why a step has no inverse; empty where it has one. Of `uv` the composed map alone counts: a step may flatten z.
+std::string fault_of_step(const XmlElement& element, const Transform& step, TransformUse use) {
+  if (use == TransformUse::uv) return {};
+  if (element.tag == "scale" && (step.m[0][0] == 0 || step.m[1][1] == 0 || step.m[2][2] == 0))
+    return "a scale of 0 is singular; every factor must differ from 0";
+  if (element.tag != "matrix") return {};
+  const std::string why = singular_because(step);
+  return why.empty() ? why : fmt::format("the <matrix> is singular: {}", why);
 }
 
 Step step_of(std::string_view tag) {
@@ -149,7 +159,7 @@ std::optional<Vec3> read_components(const XmlElement& element, double missing, D
   return ok ? std::optional(Vec3{components[0], components[1], components[2]}) : std::nullopt;
 }
 
-std::optional<Transform> read_transform(const XmlElement& element, Diagnostics& diagnostics) {
+std::optional<Transform> read_transform(const XmlElement& element, Diagnostics& diagnostics, TransformUse use) {
   Transform transform;
   bool ok = true;
   for (const XmlElement* child = element.first_child; child != nullptr; child = child->next_sibling) {
@@ -160,10 +170,12 @@ std::optional<Transform> read_transform(const XmlElement& element, Diagnostics& 
       continue;
     }
     const std::optional<Transform> next = step(*child, diagnostics);
-    ok = ok && next.has_value();
+    const std::string fault = next ? fault_of_step(*child, *next, use) : "";
+    if (!fault.empty()) diagnostics.error(child->where, fault);
+    ok = ok && next && fault.empty();
     if (next) transform = *next * transform;
   }
-  const std::string why = singular_because(transform);
+  const std::string why = singular_because(use == TransformUse::uv ? of_uv(transform) : transform);
   if (ok && !transform.is_finite()) {
     diagnostics.error(element.where, "the composed transform leaves the range of double");
     ok = false;

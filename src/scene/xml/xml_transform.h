@@ -15,7 +15,11 @@ namespace strahl {
 /// None after an error.
 [[nodiscard]] std::optional<Vec3> read_components(const XmlElement& element, double missing, Diagnostics& diagnostics);
 
+/// Of `uv` the first two coordinates alone count, and must not be singular.
+enum class TransformUse { space, uv };
+
 /// Each element is applied after those before it: T = new * T. None after an error.
-[[nodiscard]] std::optional<Transform> read_transform(const XmlElement& element, Diagnostics& diagnostics);
+[[nodiscard]] std::optional<Transform> read_transform(const XmlElement& element, Diagnostics& diagnostics,
+                                                      TransformUse use = TransformUse::space);
 
 }  // namespace strahl

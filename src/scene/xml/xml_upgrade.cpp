@@ -12,6 +12,7 @@
 #include <unordered_set>
 #include <vector>
 
+#include "scene/xml/parse_value.h"
 #include "scene/xml/xml_vocabulary.h"
 
 namespace strahl {
@@ -77,7 +78,7 @@ bool has_child(const XmlElement& element, std::string_view name) {
 }
 
 /// Before the others. tag, name and value outlive the document.
-void add_parameter(XmlElement& element, XmlPool& pool, const char* tag, const char* name, const char* value) {
+void add_parameter(XmlElement& element, XmlPool& pool, std::string_view tag, const char* name, const char* value) {
   XmlElement& parameter = pool.row<XmlElement>(1).front();
   parameter.tag = tag;
   parameter.attributes = pool.row<XmlAttribute>(2);
@@ -88,12 +89,17 @@ void add_parameter(XmlElement& element, XmlPool& pool, const char* tag, const ch
   element.first_child = &parameter;
 }
 
+/// Properties::has_old_rule() finds it.
+void add_rule(XmlElement& element, XmlPool& pool, const char* name) {
+  add_parameter(element, pool, old_rule_tag, name, "true");
+}
+
 /// In 0.x a metal without a name is copper, and eta and k replace its own, each by itself. In Mitsuba 3 it is the ideal
 /// mirror, and a name excludes eta and k.
 void name_copper(XmlElement& element, XmlPool& pool) {
   if (!is_a(element, "bsdf", "conductor") && !is_a(element, "bsdf", "roughconductor")) return;
   if (!has_child(element, "material")) add_parameter(element, pool, "string", "material", "Cu");
-  add_parameter(element, pool, "boolean", "eta_and_k_replace_named", "true");
+  add_rule(element, pool, "eta_and_k_replace_named");
 }
 
 /// In 0.x the last bsdf of a shape counts, in Mitsuba 3 more than one is an error. Which <ref>s are bsdfs shows later.
@@ -102,13 +108,13 @@ void take_last_bsdf(XmlElement& element, XmlPool& pool) {
   int count = 0;
   for (const XmlElement* child = element.first_child; child != nullptr; child = child->next_sibling)
     if (child->tag == "bsdf" || child->tag == "ref") ++count;
-  if (count > 1) add_parameter(element, pool, "boolean", "takes_last_bsdf", "true");
+  if (count > 1) add_rule(element, pool, "takes_last_bsdf");
 }
 
 /// In 0.x a sky's zenith is y, in Mitsuba 3 it is z.
 void turn_sky(XmlElement& element, XmlPool& pool) {
   if (!is_a(element, "emitter", "sunsky")) return;
-  add_parameter(element, pool, "boolean", "is_y_up", "true");
+  add_rule(element, pool, "is_y_up");
 }
 
 /// In 0.x a grid lies in the box that its file states, in Mitsuba 3 in the unit cube.
@@ -120,8 +126,7 @@ void fill_box(XmlElement& element, XmlPool& pool) {
 /// In 0.x a boundary of media without a bsdf is a mere boundary, in Mitsuba 3 it is diffuse.
 void open_boundary(XmlElement& element, XmlPool& pool) {
   if (element.tag != "shape") return;
-  if (has_child(element, "interior") || has_child(element, "exterior"))
-    add_parameter(element, pool, "boolean", "is_open_without_bsdf", "true");
+  if (has_child(element, "interior") || has_child(element, "exterior")) add_rule(element, pool, "is_open_without_bsdf");
 }
 
 /// 0.x takes diffuseReflectance, too, where there is no reflectance.
@@ -137,46 +142,53 @@ void call_reflectance(XmlElement& element) {
 /// In 0.x a normal map is the texture inside, whatever its name.
 void take_normals(XmlElement& element, XmlPool& pool) {
   if (is_a(element, "bsdf", "normalmap") && !has_child(element, "normalmap"))
-    add_parameter(element, pool, "boolean", "takes_any_texture", "true");
+    add_rule(element, pool, "takes_any_texture");
 }
 
 /// 0.x shades a serialized mesh flat where its file says so, which Mitsuba 3 ignores.
 void obey_serialized_file(XmlElement& element, XmlPool& pool) {
-  if (is_a(element, "shape", "serialized"))
-    add_parameter(element, pool, "boolean", "obeys_file_on_face_normals", "true");
+  if (is_a(element, "shape", "serialized")) add_rule(element, pool, "obeys_file_on_face_normals");
 }
 
 /// 0.x has a default of its own for how far ambient occlusion looks.
 void limit_occlusion(XmlElement& element, XmlPool& pool) {
   if (is_a(element, "integrator", "ao") && !has_child(element, "max_distance"))
-    add_parameter(element, pool, "boolean", "looks_as_far_as_0x", "true");
-}
-
-/// In 0.x a bsdf of an OBJ has the name of one of the file's materials, which stays as it is.
-bool has_own_name(const XmlElement& element, const XmlElement* parent) {
-  return parent != nullptr && is_a(*parent, "shape", "obj") && (element.tag == "bsdf" || element.tag == "ref");
+    add_rule(element, pool, "looks_as_far_as_0x");
 }
 
 void name_materials(XmlElement& element, XmlPool& pool) {
   for (const XmlElement* child = element.first_child; child != nullptr; child = child->next_sibling)
     if (has_own_name(*child, &element) && !child->text("name").empty())
-      return add_parameter(element, pool, "boolean", "has_named_bsdfs", "true");
+      return add_rule(element, pool, "has_named_bsdfs");
 }
 
-void rename(XmlElement& element, const XmlElement* parent, bool parameters, XmlPool& pool, Diagnostics& diagnostics) {
-  if (element.tag == "lookAt") element.tag = "lookat";
-  if (parameters && element.tag != "default" && !has_own_name(element, parent)) {
-    for (XmlAttribute& attribute : element.attributes) {
-      const std::string_view value = attribute.value;
-      const bool is_camel_case = std::any_of(value.begin(), value.end(), is_upper);
-      if (is_camel_case && attribute.name == std::string_view("name"))
-        attribute.value = pool.keep(snake_case(value)).c_str();
-    }
+/// In 0.x the hexadecimal digits of an <rgb> are linear, those of an <srgb> alone are encoded.
+void write_out_hex(XmlElement& element, XmlPool& pool) {
+  if (element.tag != "rgb") return;
+  for (XmlAttribute& attribute : element.attributes)
+    if (const auto hex = parse_hex(attribute.value); hex && attribute.name == std::string_view("value"))
+      attribute.value =
+          pool.keep(fmt::format("{}, {}, {}", (*hex)[0] / 255.0, (*hex)[1] / 255.0, (*hex)[2] / 255.0)).c_str();
+}
+
+void rename_parameter(XmlElement& element, const XmlElement* parent, XmlPool& pool) {
+  if (has_own_name(element, parent)) return;
+  for (XmlAttribute& attribute : element.attributes) {
+    const std::string_view value = attribute.value;
+    const bool is_camel_case = std::any_of(value.begin(), value.end(), is_upper);
+    if (is_camel_case && attribute.name == std::string_view("name"))
+      attribute.value = pool.keep(snake_case(value)).c_str();
   }
+}
+
+void upgrade(XmlElement& element, const XmlElement* parent, bool is_old, XmlPool& pool, Diagnostics& diagnostics) {
+  if (element.tag == "lookAt") element.tag = "lookat";
+  if (is_old) rename_parameter(element, parent, pool);
   for (XmlElement* child = element.first_child; child != nullptr; child = child->next_sibling)
-    rename(*child, &element, parameters, pool, diagnostics);
-  if (!parameters) return;
+    if (child->where.file == element.where.file) upgrade(*child, &element, is_old, pool, diagnostics);
+  if (!is_old) return;
   drop_repeated(element, diagnostics);
+  write_out_hex(element, pool);
   take_last_bsdf(element, pool);
   name_copper(element, pool);
   call_reflectance(element);
@@ -202,21 +214,31 @@ std::string snake_case(std::string_view name) {
   return snake;
 }
 
-void upgrade_to_version_3(XmlElement& root, XmlPool& pool, Diagnostics& diagnostics) {
-  int major = 3;
-  if (const std::optional<std::string_view> version = root.attribute("version")) {
-    const char* end = version->data() + version->size();
-    const auto [rest, fault] = std::from_chars(version->data(), end, major);
-    if (fault != std::errc{} || (rest != end && *rest != '.') || major < 0) {
-      diagnostics.error(root.where, fmt::format("version \"{}\" is not a version such as \"3.0.0\"", *version));
-      major = 3;
-    } else if (major > 3) {
-      diagnostics.unknown(root.where, fmt::format("version \"{}\" is newer than 3.x, as which it is read", *version));
-    }
-  } else if (root.tag == "scene") {
+bool has_own_name(const XmlElement& element, const XmlElement* parent) {
+  return parent != nullptr && is_a(*parent, "shape", "obj") && (element.tag == "bsdf" || element.tag == "ref");
+}
+
+int major_version(const XmlElement& root, int inherited, Diagnostics& diagnostics) {
+  const std::optional<std::string_view> version = root.attribute("version");
+  if (!version && root.tag != "scene") return inherited;
+  if (!version) {
     diagnostics.warning(root.where, "<scene> has no version; it is read as version=\"3.0.0\"");
+    return 3;
   }
-  rename(root, nullptr, major < 2, pool, diagnostics);
+  int major = 3;
+  const char* end = version->data() + version->size();
+  const auto [rest, fault] = std::from_chars(version->data(), end, major);
+  if (fault != std::errc{} || (rest != end && *rest != '.') || major < 0) {
+    diagnostics.error(root.where, fmt::format("version \"{}\" is not a version such as \"3.0.0\"", *version));
+    return 3;
+  }
+  if (major > 3)
+    diagnostics.unknown(root.where, fmt::format("version \"{}\" is newer than 3.x, as which it is read", *version));
+  return major;
+}
+
+void upgrade_to_version_3(XmlElement& root, int major, XmlPool& pool, Diagnostics& diagnostics) {
+  upgrade(root, nullptr, is_of_0x(major), pool, diagnostics);
 }
 
 }  // namespace strahl

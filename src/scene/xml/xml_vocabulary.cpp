@@ -106,6 +106,7 @@ void check_spectrum(XmlElement& element, Diagnostics& diagnostics) {
 
 /// False: the element is to be removed.
 bool check(XmlElement& element, Diagnostics& diagnostics) {
+  if (element.tag == old_rule_tag) return true;
   const Tag* tag = find_tag(element.tag);
   if (tag == nullptr) {
     diagnostics.unknown(element.where, unknown_tag(element.tag));
