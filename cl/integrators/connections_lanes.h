@@ -76,7 +76,9 @@ FN Rays_w rays_between_w(const Vertex_w* x, const Vertex_w* y, maskw which, real
   towards = fma3_w(sel_w(is_behind, -bound, bound), y->s.normal, towards);
 #endif
   rays_leaving_w(&x->s, which, towards, t_max, &rays);
-  rays.aim = sel_int_w(lt_int_w(y->s.instance, splat_int_w(0)), y->s.id, splat_int_w(-1));
+  // The fast tier leaves the primitive that is aimed at out, and a round one has a near side that may be in the way.
+  maskw is_flat = ~nonzero_w(y->s.is_round), is_aimed = is_flat & lt_int_w(y->s.instance, splat_int_w(0));
+  rays.aim = sel_int_w(is_aimed, y->s.id, splat_int_w(-1));
   return rays;
 }
 

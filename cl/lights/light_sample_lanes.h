@@ -53,6 +53,25 @@ FN LightSample_w no_light_w(void) {
   return s;
 }
 
+/// How near to a lamp at a point shadow rays end, and light rays begin: a bound on the rounding of both ends and of the
+/// t at which the ray hits a surface. So a lamp that lies on a surface, in a ceiling, is not hidden by it. Ample, since
+/// a ray may meet that surface at a shallow angle.
+FN realw lamp_clearance_w(real3w lamp, real3w from) {
+#if TIER_FAST
+  (void)lamp;
+  (void)from;
+  return splat_w(FAST_EPSILON);
+#else
+  return splat_w(R(64.0) * real_roundoff()) * (max3_w(abs3_w(lamp)) + max3_w(abs3_w(from)));
+#endif
+}
+
+/// LightSample.t_max of a lamp at a point. length: of the way from there to it.
+FN realw way_to_lamp_w(real3w lamp, real3w from, realw length) {
+  realw zero = splat_w(R(0.0)), one = splat_w(R(1.0));
+  return max_w(one - lamp_clearance_w(lamp, from) / sel_w(lt_w(zero, length), length, one), zero);
+}
+
 /// m ? a : b.
 INLINE_FN LightSample_w sel_light_w(maskw m, LightSample_w a, LightSample_w b) {
   a.towards = sel3_w(m, a.towards, b.towards);

@@ -7,9 +7,10 @@ FN LightSample_w point_sample_w(const Scene* scene, GLOBAL const int* row, real3
   GLOBAL const real* params = scene->shading + row[LIGHT_REALS];
   (void)numbers;
   LightSample_w s = no_light_w();
-  s.towards = sub3_w(splat3_w(load3(params)), from);
-  s.t_max = splat_w(R(1.0));
-  realw inverse = splat_w(R(1.0)) / length3_w(s.towards);
+  real3w lamp = splat3_w(load3(params));
+  s.towards = sub3_w(lamp, from);
+  realw length = length3_w(s.towards), inverse = splat_w(R(1.0)) / length;
+  s.t_max = way_to_lamp_w(lamp, from, length);
   s.radiance = scale3_w(inverse, scale3_w(inverse, splat3_w(load3(params + 3))));
   s.is_delta = ~none_w();
   return s;

@@ -11,8 +11,10 @@ FN LightSample_w projector_sample_w(const Scene* scene, GLOBAL const int* row, r
   (void)numbers;
   realw zero = splat_w(R(0.0)), one = splat_w(R(1.0)), half_one = splat_w(R(0.5));
   LightSample_w s = no_light_w();
-  s.towards = sub3_w(splat3_w(load3(params)), from);
-  s.t_max = one;
+  real3w lamp = splat3_w(load3(params));
+  s.towards = sub3_w(lamp, from);
+  realw length = length3_w(s.towards);
+  s.t_max = way_to_lamp_w(lamp, from, length);
   realw along = -dot3_w(splat3_w(load3(params + 9)), s.towards);
   maskw is_before = lt_w(zero, along);
   along = sel_w(is_before, along, one);
@@ -21,7 +23,7 @@ FN LightSample_w projector_sample_w(const Scene* scene, GLOBAL const int* row, r
   maskw is_lit = is_before & le_w(abs_w(x), one) & le_w(abs_w(y), one);
   // Over the cosine from the axis, and the square of the distance along it.
   realw inverse = one / along;
-  real3w radiance = scale3_w(length3_w(s.towards) * inverse * inverse, splat3_w(load3(params + 12)));
+  real3w radiance = scale3_w(length * inverse * inverse, splat3_w(load3(params + 12)));
   radiance = scale3_w(inverse, radiance);
   if (HAS_LIGHT_TEXTURE && row[LIGHT_TEXTURE] >= 0) {
     TexturePlace_w at = texture_at_w(fma_w(half_one, x, half_one), fma_w(half_one, y, half_one));

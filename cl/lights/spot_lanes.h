@@ -12,9 +12,10 @@ FN LightSample_w spot_sample_w(const Scene* scene, GLOBAL const int* row, real3w
   GLOBAL const real* params = scene->shading + row[LIGHT_REALS];
   (void)numbers;
   LightSample_w s = no_light_w();
-  s.towards = sub3_w(splat3_w(load3(params)), from);
-  s.t_max = splat_w(R(1.0));
-  realw inverse = splat_w(R(1.0)) / length3_w(s.towards);
+  real3w lamp = splat3_w(load3(params));
+  s.towards = sub3_w(lamp, from);
+  realw length = length3_w(s.towards), inverse = splat_w(R(1.0)) / length;
+  s.t_max = way_to_lamp_w(lamp, from, length);
   real3w out = scale3_w(-inverse, s.towards), axis = splat3_w(load3(params + 3));
   realw turns = atan2_turns_w(length3_w(cross3_w(axis, out)), dot3_w(axis, out));
   realw falloff = (splat_w(params[9]) - turns) * splat_w(params[10]);

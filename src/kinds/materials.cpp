@@ -51,12 +51,15 @@ MaterialFacts facts(const char* kind, std::vector<MaterialSlot> slots, std::vect
 
 bool is_at_least(double least, const Rgb& c) { return is_finite(c) && c.r >= least && c.g >= least && c.b >= least; }
 
+/// From 0 to 10^6: the fourth powers of more are lost to single precision.
+bool is_within_limits(const Rgb& c) { return is_at_least(0, c) && std::max({c.r, c.g, c.b}) <= 1e6; }
+
 /// Whether it reflects everything at every angle.
 bool is_ideal(const MetalIndex& index) { return index.eta.texture < 0 && index.eta.color == Rgb{0, 0, 0}; }
 
 void require_index(const MetalIndex& index, MaterialFacts& facts) {
-  if (!is_at_least(0, index.eta.color) || !is_at_least(0, index.k.color))
-    facts.faults.emplace_back("eta and k must be finite and not negative");
+  if (!is_within_limits(index.eta.color) || !is_within_limits(index.k.color))
+    facts.faults.emplace_back("eta and k must be from 0 to 1e6");
 }
 
 void add_microfacets(const Microfacets& microfacets, MaterialFacts& facts) {
@@ -67,8 +70,8 @@ void add_microfacets(const Microfacets& microfacets, MaterialFacts& facts) {
   facts.flags.emplace_back(is_ggx ? "GGX" : "BECKMANN");
   const Varying &u = microfacets.alpha_u, &v = microfacets.alpha_v;
   facts.has_along = u.color != v.color || u.texture != v.texture;
-  if (!is_at_least(0, microfacets.alpha_u.color) || !is_at_least(0, microfacets.alpha_v.color))
-    facts.faults.emplace_back("alpha must be finite and not negative");
+  if (!is_within_limits(microfacets.alpha_u.color) || !is_within_limits(microfacets.alpha_v.color))
+    facts.faults.emplace_back("alpha must be from 0 to 1e6");
 }
 
 /// Beyond 10^6 what is transmitted, 4 / index at normal incidence, is lost to single precision.

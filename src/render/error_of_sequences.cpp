@@ -17,6 +17,7 @@
 // A part of a picture may have nothing of the second halves. Then u by itself tells all, pixel by pixel.
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include "render/error_law.h"
@@ -25,7 +26,7 @@
 namespace strahl {
 namespace {
 
-constexpr int sequences = layout::SOBOL_SEQUENCES;
+constexpr std::size_t sequences = layout::SOBOL_SEQUENCES;
 static_assert(sequences == 2 && layout::FILM_SUBSUMS == 2 * sequences);
 
 /// Products that share a pixel are not independent, so the parts of a sum are square tiles; this is their side in
@@ -39,24 +40,40 @@ struct Differences {
   bool has_halves = false;
 };
 
-PixelError told_by_sequences(const FilmRows& film, std::size_t at, const SubSumCounts& counts,
-                             Differences& differences) {
-  const double samples = film.samples[at];
-  const SubSumColours colours = film.sub_sums(at);
-  const double first = counts[0] + counts[2], second = counts[1] + counts[3];
-  // 1 but where one sequence is a sample longer.
-  const double evenness = 2 * std::sqrt(first * second) / samples;
-  differences.has_halves = std::all_of(counts.begin(), counts.end(), [](int count) { return count > 0; });
+/// What the sums of pixels of so many samples are multiplied by. Products with counts, not quotients: of a noiseless
+/// pixel both are the same number, and divisions take most of the time.
+struct Weights {
+  explicit Weights(const SubSumCounts& counts) {
+    for (std::size_t sub = 0; sub < number.size(); ++sub) number[sub] = counts[sub];
+    first = number[0] + number[2];
+    second = number[1] + number[3];
+    per_sample = 1 / (first + second);
+    // 1 but where one sequence is a sample longer.
+    const double evenness = 2 * std::sqrt(first * second) * per_sample;
+    per_whole = evenness / (first * second);
+    has_halves = std::all_of(counts.begin(), counts.end(), [](int count) { return count > 0; });
+    for (std::size_t k = 0; k < sequences; ++k)
+      per_half[k] = has_halves ? 0.5 / (number[k] * number[k + sequences]) : 0;
+  }
+
+  std::array<double, layout::FILM_SUBSUMS> number{};
+  double first, second, per_sample, per_whole;
+  std::array<double, sequences> per_half{};
+  bool has_halves;
+};
+
+PixelError told_by_sequences(const SubSumColours& colours, const Weights& by, Differences& differences) {
+  differences.has_halves = by.has_halves;
   PixelError pixel;
-  for (int c = 0; c < layout::FILM_CHANNELS; ++c) {
+  for (std::size_t c = 0; c < layout::FILM_CHANNELS; ++c) {
     const std::array<double, layout::FILM_SUBSUMS> sum{colours[0][c], colours[1][c], colours[2][c], colours[3][c]};
-    const double u = evenness * ((sum[0] + sum[2]) / first - (sum[1] + sum[3]) / second);
-    pixel.mean[c] = (sum[0] + sum[1] + sum[2] + sum[3]) / samples;
+    const double first = sum[0] + sum[2], second = sum[1] + sum[3];
+    const double u = (first * by.second - second * by.first) * by.per_whole;
+    pixel.mean[c] = (first + second) * by.per_sample;
     pixel.squared[c] = u * u / 4;
     differences.whole[c] = u;
-    for (int k = 0; k < sequences; ++k)
-      differences.half[k][c] =
-          differences.has_halves ? (sum[k] / counts[k] - sum[k + sequences] / counts[k + sequences]) / 2 : 0;
+    for (std::size_t k = 0; k < sequences; ++k)
+      differences.half[k][c] = (sum[k] * by.number[k + sequences] - sum[k + sequences] * by.number[k]) * by.per_half[k];
   }
   return pixel;
 }
@@ -152,7 +169,7 @@ class LawOfSequences final : public ErrorLaw {
     for (int y = 0; y < rows.height; ++y, ++y_) {
       for (int x = 0; x < rows.width; ++x, ++at) {
         Differences& here = row_[static_cast<std::size_t>(x)];
-        picture_.add(told_by_sequences(rows, at, counts_.of(rows, at), here));
+        picture_.add(told_by_sequences(rows.sub_sums(at), weights_of(rows, at), here));
         add_products(here, x, rows.width);
       }
       above_.swap(row_);
@@ -161,7 +178,7 @@ class LawOfSequences final : public ErrorLaw {
   }
   PixelError pixel_error(const FilmRows& rows, std::size_t at) const override {
     Differences unused;
-    return told_by_sequences(rows, at, rows.sub_sum_counts(rows.samples[at]), unused);
+    return told_by_sequences(rows.sub_sums(at), Weights(rows.sub_sum_counts(rows.samples[at])), unused);
   }
   PictureError tell() const override {
     PictureError picture = picture_;
@@ -170,6 +187,13 @@ class LawOfSequences final : public ErrorLaw {
   }
 
  private:
+  /// Nearly all pixels have equally many samples.
+  const Weights& weights_of(const FilmRows& rows, std::size_t at) {
+    const int samples = rows.samples[at];
+    if (!weights_ || samples != samples_) weights_.emplace(rows.sub_sum_counts(samples_ = samples));
+    return *weights_;
+  }
+
   /// Of a pixel of row y_ by itself and with its neighbours to the left and above.
   void add_products(const Differences& here, int x, int width) {
     if (!here.has_halves) products_.lacks_halves();
@@ -186,7 +210,8 @@ class LawOfSequences final : public ErrorLaw {
   }
 
   PictureError picture_;
-  CountsOfSamples counts_;
+  int samples_ = 0;  ///< Of weights_.
+  std::optional<Weights> weights_;
   TiledProducts products_;
   std::vector<Differences> above_, row_;
   int y_ = 0;  ///< The next row.

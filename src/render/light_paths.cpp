@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 
 #include "errors.h"
 #include "kinds/integrators.h"
@@ -15,8 +16,13 @@
 namespace strahl {
 namespace {
 
-/// In pixels: what a float still tells apart beyond 4096 columns.
-constexpr double least_splat_radius = 0x1p-10;
+/// In pixels: 64 steps of the numbers that tell where light paths end, at the picture's far end. Of fewer, which lie on
+/// both borders, a narrow filter would take too many.
+double least_splat_radius(const Film& film, Precision precision) {
+  if (precision == Precision::fp64) return 0x1p-10;
+  const auto side = std::bit_ceil(static_cast<unsigned>(std::max({1, film.width, film.height})));
+  return std::max(0x1p-10, 64 * 0x1p-24 * side);
+}
 
 }  // namespace
 
@@ -34,11 +40,12 @@ void require_light_paths(const Scene& scene, const RenderSettings& settings) {
     refuse("they never meet the pixels' centres alone; take another sampler");
   if (settings.disabled.contains("PIXEL_FILTER"))
     refuse("they never meet the pixels' centres alone; leave --disable PIXEL_FILTER out");
-  if (const double radius = filter_densities(scene.film.filter).half_width; radius < least_splat_radius)
+  const double radius = filter_densities(scene.film.filter).half_width;
+  if (const double least = least_splat_radius(scene.film, settings.precision); radius < least)
     throw SceneError({{Severity::error, scene.film.where,
                        fmt::format("integrator {} draws each path's pixel by the filter's density, and a radius of {} "
-                                   "pixels is below 1/1024: widen the rfilter, or take integrator path",
-                                   name, radius)}});
+                                   "pixels is below 1/{}: widen the rfilter, or take integrator path",
+                                   name, radius, 1 / least)}});
   if (const std::optional<Diagnostic> fault = light_path_fault(scene, name)) throw SceneError({*fault});
 }
 

@@ -46,6 +46,13 @@ TEST_CASE("what light paths cannot have is refused") {
   CHECK_THAT(why_not(scene), Catch::Contains("below 1/1024"));
   scene.film.filter = {FilterKind::gaussian, 2, 1e-5};
   CHECK_THAT(why_not(scene), Catch::Contains("below 1/1024"));
+  scene.film.filter = {FilterKind::box, 0.1, 0.5};
+  CHECK(why_not(scene).empty());
+  scene.film.width = 40'000;  // Where numbers in single precision are 1/256 of a pixel apart.
+  CHECK_THAT(why_not(scene), Catch::Contains("below 1/4:"));
+  settings = {};
+  settings.precision = Precision::fp64;
+  CHECK(why_not(scene, settings).empty());
   scene = glass_and_point();
   scene.integrator.name = "bdpt";
   scene.shapes.front().priority = 1;

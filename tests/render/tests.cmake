@@ -24,6 +24,7 @@ set_tests_properties(render_test_generic_all_tiers PROPERTIES LABELS slow TIMEOU
 strahl_test(render/test_devices.cpp LABEL render TIMEOUT 900)
 strahl_test(render/test_loop_limit.cpp LABEL render TIMEOUT 300)
 strahl_test(render/test_light_tracing.cpp LABEL render TIMEOUT 600)
+strahl_test(render/test_lamp_on_surface.cpp LABEL render TIMEOUT 600)
 strahl_test(render/test_light_path_limits.cpp LABEL render)
 strahl_test(render/test_bidirectional.cpp LABEL render TIMEOUT 600)
 
