@@ -295,18 +295,15 @@ ExitCode render(const RenderOptions& options, const Invocation& invocation) {
   }
   const RenderGoal goal = goal_of(options, invocation, end());
   PictureKeeper keeper(options.keep, files, checkpoint_header(options, invocation, device, renderer, settings, goal));
-  std::optional<Watchdog> watchdog(std::in_place,
-                                   options.keep.watchdog ? duration_seconds(*options.keep.watchdog, "--watchdog") : 0,
-                                   [&keeper] { return keeper.what_is_kept(); });
+  Watchdog watchdog(options.keep.watchdog ? duration_seconds(*options.keep.watchdog, "--watchdog") : 0,
+                    [&keeper] { return keeper.what_is_kept(); });
   FilmKeeper film_keeper = keeper.film_keeper();
+  film_keeper.launches = [&](bool are_under_way) { are_under_way ? watchdog.fed() : watchdog.rest(); };
   std::optional<std::string> not_kept;  // The picture is written all the same.
-  film_keeper.is_done = [&] {
-    watchdog.reset();
-    not_kept = keeper.finish();
-  };
+  film_keeper.is_done = [&] { not_kept = keeper.finish(); };
   RenderResult result = renderer.render(
       [&](const Progress& progress) {
-        watchdog->fed();
+        watchdog.fed();
         bar->show(progress);
         return !guard.interrupted();
       },
