@@ -174,12 +174,14 @@ void add_rounding(const RenderOptions& options, const Invocation& invocation, co
   const Stopwatch start;
   std::optional<double> most;
   if (!options.scene.verbose) most = rounding_share * invocation.seconds();
+  std::string fault;
   try {
     stats.error->rounding = rounding_rmse(device, scene, settings, stats, most, [&] { return !guard.interrupted(); });
-  } catch (const std::exception& fault) {  // The picture is written by now, and is what it is.
-    say(fmt::format("strahl: warning: float rounding is not measured: {}", fault.what()));
+  } catch (const std::exception& thrown) {  // The picture is written by now, and is what it is.
+    fault = thrown.what();
+    say("strahl: warning: float rounding is not measured: " + fault);
   }
-  stats.error->unmeasured = why_unmeasured(options, device, settings, guard);
+  stats.error->unmeasured = fault.empty() ? why_unmeasured(options, device, settings, guard) : fault;
   stats.seconds.error += start.seconds();
 }
 
