@@ -201,7 +201,8 @@ Clipping write_outputs(const RenderOptions& options, const PictureFiles& files, 
   }
   if (!options.error_map.empty()) {
     if (!result.error)
-      say(fmt::format("strahl: warning: {} not written: {}", options.error_map, why_no_error(result.stats)));
+      say(fmt::format("strahl: error: --error-map \"{}\" is not written: {}", options.error_map,
+                      why_no_error(result.stats)));
     else
       write_error_map(options.error_map, result.standard_error, metadata);
   }
@@ -248,6 +249,7 @@ ExitCode render(const RenderOptions& options, const Invocation& invocation) {
   double load_seconds = 0;
   Scene scene = load(options.scene, load_seconds);
   apply(options.overrides, scene);
+  require_map_samples(options, scene);
   for (const Diagnostic& warning : limitations(scene)) say(warning.text());
   const bool is_scaled_single = settings.precision == Precision::stable || settings.precision == Precision::robust;
   if (const auto warning = too_wide_for_single(scene); warning && is_scaled_single) say(warning->text());
@@ -336,7 +338,8 @@ ExitCode render(const RenderOptions& options, const Invocation& invocation) {
     if (options.stats_detail) json["detail"] = detail;
     write_text(options.stats, json_text(json));
   }
-  if (not_kept) return ExitCode::failure;
+  const bool lacks_map = !options.error_map.empty() && !result.error;
+  if (not_kept || (lacks_map && result.complete)) return ExitCode::failure;
   // A complete picture is what was asked for: a signal that came later has ended what is measured beside it alone.
   if (!result.complete) {
     if (!options.keep.target().empty() && !options.scene.quiet)
