@@ -263,6 +263,7 @@ ExitCode render(const RenderOptions& options, const Invocation& invocation) {
   const bool is_png = !files.path.empty() && image_format(files.path) == ImageFormat::png;
   if (is_png && !options.scene.quiet && !options.goal.frames) files.lamps = lamps_of(scene);
   add_scene_aovs(scene, options, files.path, settings.aovs);
+  warn_of_rounded_ids(scene, settings.aovs);
   if (!files.path.empty()) warn_of_later_samples(options.keep, settings.aovs);
   const bool has_first_samples = !options.keep.samples || sample_range(*options.keep.samples).first == 0;
   if (!files.path.empty() && options.goal.frames)
