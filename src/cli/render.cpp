@@ -18,6 +18,7 @@
 #include "cli/picture_metadata.h"
 #include "cli/process_clock.h"
 #include "cli/progress_bar.h"
+#include "cli/ray_counts.h"
 #include "cli/render_files.h"
 #include "cli/render_frames.h"
 #include "cli/render_goal.h"
@@ -78,43 +79,6 @@ void require_writable_outputs(const RenderOptions& options) {
 void print_pixel(const Image& color) {
   const auto channel = [&color](int c) { return color.at(0, 0, c); };
   print(fmt::format("{} {} {}\n", channel(0), channel(1), channel(2)));
-}
-
-/// Renders the same samples again with the instrumented program and takes only its counts, so that counting costs the
-/// timed one nothing: where time or error ended the run, as many in all pixels as it had in one. Rays that go through
-/// the scene together cannot say what each of them visits, so that each goes by itself.
-nlohmann::ordered_json count(const Device& device, const Scene& scene, RenderSettings settings, const RenderOptions& o,
-                             const InterruptGuard& guard, RunStats& stats) {
-  RenderGoal goal;
-  goal.spp = o.goal.time || o.goal.max_error ? std::optional(stats.most_spp) : o.overrides.spp;
-  if (o.keep.samples) goal.samples = sample_range(*o.keep.samples);
-  settings.count_rays = true;
-  settings.paths_in_lanes = false;
-  settings.passes.reset();  // Launches are short then: what one counts is told in 32 bits.
-  settings.acceleration = stats.tree.nodes > 0 ? Acceleration::tree : Acceleration::list;
-  Renderer renderer(device, scene, settings);
-  ProgressBar bar("count", !o.scene.quiet && !o.scene.no_progress);
-  const RenderResult counted = renderer.render(
-      [&](const Progress& progress) {
-        bar.show(progress);
-        return !guard.interrupted();
-      },
-      goal);
-  if (!counted.complete) return nullptr;
-  stats.shadow_rays = counted.stats.shadow_rays;
-  stats.bounce_rays = counted.stats.bounce_rays;
-  stats.nodes_visited = counted.stats.nodes_visited;
-  stats.primitives_tested = counted.stats.primitives_tested;
-  return {{"program", counted.stats.program}, {"kernel", counted.stats.seconds.kernel}};
-}
-
-/// Null where that fails: the picture is written by now, and the statistics of its run are what they are.
-nlohmann::ordered_json count_if_possible(const SharedDevice& on, const Scene& scene, const RenderOptions& options,
-                                         const InterruptGuard& guard, RunStats& stats) try {
-  return count(on.device, scene, on.settings, options, guard, stats);
-} catch (const std::exception& fault) {
-  say(fmt::format("strahl: warning: --stats-detail counts nothing: {}", fault.what()));
-  return nullptr;
 }
 
 void say_summary(const RenderOptions& options, const std::string& picture, const RenderResult& result,

@@ -103,6 +103,34 @@ TEST_CASE("detail counts what rays visit: all that is listed; of a tree less, an
   CHECK(together.at("visits") == list.at("visits"));
 }
 
+TEST_CASE("detail counts the samples of a run that a time ended, however few they were") {
+  const Folder folder;
+  const std::vector<std::string> look{"render", STRAHL_SOURCE_DIR "/scenes/cornell/cornell-box.xml",
+                                      "-d",     "pocl",
+                                      "-q",     "-o",
+                                      "a.pfm",  "--stats",
+                                      "s.json", "--stats-detail"};
+  const auto run = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> arguments = look;
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    static_cast<void>(folder.run(arguments));
+    return Json::parse(read_text(folder.path("s.json")));
+  };
+  int side = 128, samples = 0;
+  Json counted;
+  for (; (samples < 1 || samples > 3) && side <= 4096; side *= 2) {  // So large that there are few on any machine.
+    counted = run({"--width", std::to_string(side), "--height", std::to_string(side), "--time", "1s"});
+    samples = counted.at("most_spp");
+  }
+  REQUIRE(samples >= 1);
+  REQUIRE(samples <= 3);
+  side /= 2;
+  const Json same = run({"--width", std::to_string(side), "--height", std::to_string(side), "--spp", "8", "--samples",
+                         "0:" + std::to_string(samples), "--checkpoint", "c"});
+  CHECK(counted.at("rays").at("bounce") == same.at("rays").at("bounce"));
+  CHECK(counted.at("visits") == same.at("visits"));
+}
+
 TEST_CASE("- is standard output, with nothing else on it") {
   const Folder folder;
   folder.file("scene.xml", glowing_sphere);
