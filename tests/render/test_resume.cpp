@@ -277,6 +277,12 @@ TEST_CASE("launches are told apart from what the host does alone") {
   // Each look at the error, each film that is kept, is followed by launches; the last pass by none.
   CHECK(passes >= kept);
   CHECK_FALSE(are_under_way);
+  // Whatever ends it.
+  kept = 0;
+  keeper.is_due = {};
+  const auto stop = [&](const Progress&) { return false; };
+  CHECK(renderer.render(stop, goal, &keeper).ending == Ending::stopped);
+  CHECK(kept == 1);
 }
 
 TEST_CASE("no memory to keep a film in is told, and the picture is the same") {
