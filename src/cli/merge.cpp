@@ -72,7 +72,7 @@ RenderResult result_of(const Checkpoint& sum) {
   return result;
 }
 
-void write_picture(const MergeOptions& options, const Checkpoint& sum, const Invocation& invocation) {
+ExitCode write_picture(const MergeOptions& options, const Checkpoint& sum, const Invocation& invocation) {
   const RenderResult result = result_of(sum);
   if (!sum.header.named_aovs.empty() && image_format(options.output) != ImageFormat::exr && !options.quiet)
     say_unwritten(sum.header.named_aovs, options.output);
@@ -82,16 +82,16 @@ void write_picture(const MergeOptions& options, const Checkpoint& sum, const Inv
   if (result.error) metadata["rmse"] = rmse_text(*result.error);
   warn_of_samples(sum.state.unusual);
   static_cast<void>(write({options.output, options.png, sum.header.is_length, {}}, result, metadata, options.quiet));
-  if (!options.error_map.empty()) {
-    if (!result.error)
-      say(fmt::format("strahl: warning: {} not written: the error is not known", options.error_map));
-    else
-      write_error_map(options.error_map, standard_error(sum.state.film), metadata);
-  }
+  const bool lacks_map = !options.error_map.empty() && !result.error;
+  if (lacks_map)
+    say(fmt::format("strahl: error: --error-map \"{}\" is not written: the error is not known", options.error_map));
+  else if (!options.error_map.empty())
+    write_error_map(options.error_map, standard_error(sum.state.film), metadata);
   if (!options.quiet)
     say(fmt::format("{} {}×{} · {} spp of {} part{} · {}", options.output, result.color.width, result.color.height,
                     sum.header.most, options.parts.size(), options.parts.size() == 1 ? "" : "s",
                     result.error ? "RMSE " + rmse_text(*result.error) : "error not known"));
+  return lacks_map ? ExitCode::failure : ExitCode::ok;
 }
 
 ExitCode merge(const MergeOptions& options, const Invocation& invocation) {
@@ -105,10 +105,7 @@ ExitCode merge(const MergeOptions& options, const Invocation& invocation) {
     require_writable_layers(options.output, layers);
   }
   const Checkpoint sum = merged(options.parts, !is_part);
-  if (!is_part) {
-    write_picture(options, sum, invocation);
-    return ExitCode::ok;
-  }
+  if (!is_part) return write_picture(options, sum, invocation);
   write_checkpoint(options.output, sum);
   if (!options.quiet)
     say(fmt::format("{}: samples {}:{} of {}", options.output, sum.header.first_sample,

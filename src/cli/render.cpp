@@ -18,6 +18,7 @@
 #include "cli/picture_metadata.h"
 #include "cli/process_clock.h"
 #include "cli/progress_bar.h"
+#include "cli/ray_counts.h"
 #include "cli/render_files.h"
 #include "cli/render_frames.h"
 #include "cli/render_goal.h"
@@ -80,43 +81,6 @@ void print_pixel(const Image& color) {
   print(fmt::format("{} {} {}\n", channel(0), channel(1), channel(2)));
 }
 
-/// Renders the same samples again with the instrumented program and takes only its counts, so that counting costs the
-/// timed one nothing: where time or error ended the run, as many in all pixels as it had in one. Rays that go through
-/// the scene together cannot say what each of them visits, so that each goes by itself.
-nlohmann::ordered_json count(const Device& device, const Scene& scene, RenderSettings settings, const RenderOptions& o,
-                             const InterruptGuard& guard, RunStats& stats) {
-  RenderGoal goal;
-  goal.spp = o.goal.time || o.goal.max_error ? std::optional(stats.most_spp) : o.overrides.spp;
-  if (o.keep.samples) goal.samples = sample_range(*o.keep.samples);
-  settings.count_rays = true;
-  settings.paths_in_lanes = false;
-  settings.passes.reset();  // Launches are short then: what one counts is told in 32 bits.
-  settings.acceleration = stats.tree.nodes > 0 ? Acceleration::tree : Acceleration::list;
-  Renderer renderer(device, scene, settings);
-  ProgressBar bar("count", !o.scene.quiet && !o.scene.no_progress);
-  const RenderResult counted = renderer.render(
-      [&](const Progress& progress) {
-        bar.show(progress);
-        return !guard.interrupted();
-      },
-      goal);
-  if (!counted.complete) return nullptr;
-  stats.shadow_rays = counted.stats.shadow_rays;
-  stats.bounce_rays = counted.stats.bounce_rays;
-  stats.nodes_visited = counted.stats.nodes_visited;
-  stats.primitives_tested = counted.stats.primitives_tested;
-  return {{"program", counted.stats.program}, {"kernel", counted.stats.seconds.kernel}};
-}
-
-/// Null where that fails: the picture is written by now, and the statistics of its run are what they are.
-nlohmann::ordered_json count_if_possible(const SharedDevice& on, const Scene& scene, const RenderOptions& options,
-                                         const InterruptGuard& guard, RunStats& stats) try {
-  return count(on.device, scene, on.settings, options, guard, stats);
-} catch (const std::exception& fault) {
-  say(fmt::format("strahl: warning: --stats-detail counts nothing: {}", fault.what()));
-  return nullptr;
-}
-
 void say_summary(const RenderOptions& options, const std::string& picture, const RenderResult& result,
                  const Clipping& clipping) {
   if (options.scene.verbose) say(kernel_summary(result.stats));
@@ -174,12 +138,14 @@ void add_rounding(const RenderOptions& options, const Invocation& invocation, co
   const Stopwatch start;
   std::optional<double> most;
   if (!options.scene.verbose) most = rounding_share * invocation.seconds();
+  std::string fault;
   try {
     stats.error->rounding = rounding_rmse(device, scene, settings, stats, most, [&] { return !guard.interrupted(); });
-  } catch (const std::exception& fault) {  // The picture is written by now, and is what it is.
-    say(fmt::format("strahl: warning: float rounding is not measured: {}", fault.what()));
+  } catch (const std::exception& thrown) {  // The picture is written by now, and is what it is.
+    fault = thrown.what();
+    say("strahl: warning: float rounding is not measured: " + fault);
   }
-  stats.error->unmeasured = why_unmeasured(options, device, settings, guard);
+  stats.error->unmeasured = fault.empty() ? why_unmeasured(options, device, settings, guard) : fault;
   stats.seconds.error += start.seconds();
 }
 
@@ -199,7 +165,8 @@ Clipping write_outputs(const RenderOptions& options, const PictureFiles& files, 
   }
   if (!options.error_map.empty()) {
     if (!result.error)
-      say(fmt::format("strahl: warning: {} not written: {}", options.error_map, why_no_error(result.stats)));
+      say(fmt::format("strahl: error: --error-map \"{}\" is not written: {}", options.error_map,
+                      why_no_error(result.stats)));
     else
       write_error_map(options.error_map, result.standard_error, metadata);
   }
@@ -246,6 +213,7 @@ ExitCode render(const RenderOptions& options, const Invocation& invocation) {
   double load_seconds = 0;
   Scene scene = load(options.scene, load_seconds);
   apply(options.overrides, scene);
+  require_map_samples(options, scene);
   for (const Diagnostic& warning : limitations(scene)) say(warning.text());
   const bool is_scaled_single = settings.precision == Precision::stable || settings.precision == Precision::robust;
   if (const auto warning = too_wide_for_single(scene); warning && is_scaled_single) say(warning->text());
@@ -259,6 +227,7 @@ ExitCode render(const RenderOptions& options, const Invocation& invocation) {
   const bool is_png = !files.path.empty() && image_format(files.path) == ImageFormat::png;
   if (is_png && !options.scene.quiet && !options.goal.frames) files.lamps = lamps_of(scene);
   add_scene_aovs(scene, options, files.path, settings.aovs);
+  warn_of_rounded_ids(scene, settings.aovs);
   if (!files.path.empty()) warn_of_later_samples(options.keep, settings.aovs);
   const bool has_first_samples = !options.keep.samples || sample_range(*options.keep.samples).first == 0;
   if (!files.path.empty() && options.goal.frames)
@@ -295,18 +264,15 @@ ExitCode render(const RenderOptions& options, const Invocation& invocation) {
   }
   const RenderGoal goal = goal_of(options, invocation, end());
   PictureKeeper keeper(options.keep, files, checkpoint_header(options, invocation, device, renderer, settings, goal));
-  std::optional<Watchdog> watchdog(std::in_place,
-                                   options.keep.watchdog ? duration_seconds(*options.keep.watchdog, "--watchdog") : 0,
-                                   [&keeper] { return keeper.what_is_kept(); });
+  Watchdog watchdog(options.keep.watchdog ? duration_seconds(*options.keep.watchdog, "--watchdog") : 0,
+                    [&keeper] { return keeper.what_is_kept(); });
   FilmKeeper film_keeper = keeper.film_keeper();
+  film_keeper.launches = [&](bool are_under_way) { are_under_way ? watchdog.fed() : watchdog.rest(); };
   std::optional<std::string> not_kept;  // The picture is written all the same.
-  film_keeper.is_done = [&] {
-    watchdog.reset();
-    not_kept = keeper.finish();
-  };
+  film_keeper.is_done = [&] { not_kept = keeper.finish(); };
   RenderResult result = renderer.render(
       [&](const Progress& progress) {
-        watchdog->fed();
+        watchdog.fed();
         bar->show(progress);
         return !guard.interrupted();
       },
@@ -337,7 +303,8 @@ ExitCode render(const RenderOptions& options, const Invocation& invocation) {
     if (options.stats_detail) json["detail"] = detail;
     write_text(options.stats, json_text(json));
   }
-  if (not_kept) return ExitCode::failure;
+  const bool lacks_map = !options.error_map.empty() && !result.error;
+  if (not_kept || (lacks_map && result.complete)) return ExitCode::failure;
   // A complete picture is what was asked for: a signal that came later has ended what is measured beside it alone.
   if (!result.complete) {
     if (!options.keep.target().empty() && !options.scene.quiet)

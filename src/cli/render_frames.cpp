@@ -91,15 +91,13 @@ ExitCode render_frames(Renderer& renderer, const RenderOptions& options, const I
     goal.seed = first_seed + static_cast<std::uint32_t>(frame);
     const Clock::time_point start = Clock::now();
     goal.deadline = later(start, time);
-    std::optional<Watchdog> watchdog;
-    if (options.keep.watchdog)
-      watchdog.emplace(duration_seconds(*options.keep.watchdog, "--watchdog"),
-                       [] { return std::string("the frames so far are there"); });
+    Watchdog watchdog(options.keep.watchdog ? duration_seconds(*options.keep.watchdog, "--watchdog") : 0,
+                      [] { return std::string("the frames so far are there"); });
     FilmKeeper film_keeper;
-    film_keeper.is_done = [&] { watchdog.reset(); };
+    film_keeper.launches = [&](bool are_under_way) { are_under_way ? watchdog.fed() : watchdog.rest(); };
     const RenderResult result = renderer.render(
         [&](const Progress&) {
-          if (watchdog) watchdog->fed();
+          watchdog.fed();
           return !guard.interrupted();
         },
         goal, &film_keeper);

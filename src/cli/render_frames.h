@@ -2,6 +2,7 @@
 // `render --frames N --time 16ms`: scene, program and buffers are there, and the clock starts anew for each picture.
 #pragma once
 
+#include "cli/commands.h"
 #include "cli/interrupt.h"
 #include "cli/render_options.h"
 #include "render/renderer.h"

@@ -6,7 +6,9 @@
 #include <algorithm>
 
 #include "cli/summary.h"
+#include "packing/cl_layout.h"
 #include "render/pass_plan.h"
+#include "settings/sampling.h"
 
 namespace strahl::cli {
 double latest_seconds(double time) { return time + std::max(0.02 * time, 0.02); }
@@ -28,6 +30,17 @@ void check_goal(const RenderOptions& options) {
         "and --time leaves no time for it; state --spp or --max-error instead");
   if (goal.time) static_cast<void>(duration_seconds(*goal.time));
   check_keeping(options);
+}
+
+void require_map_samples(const RenderOptions& options, const Scene& scene) {
+  // With a time or an error as the goal the scene's own number does not count.
+  const GoalOptions& goal = options.goal;
+  if (options.error_map.empty() || ((goal.time || goal.max_error) && !options.overrides.spp)) return;
+  const int spp = resolve_sampling(scene).spp;
+  if (spp < layout::FILM_SUBSUMS)
+    throw UsageError(
+        fmt::format("--error-map: the error is told from {} samples a pixel or more, not from {}; state --spp",
+                    int{layout::FILM_SUBSUMS}, spp));
 }
 
 RenderGoal goal_of(const RenderOptions& options, const Invocation& invocation, double end_seconds) {

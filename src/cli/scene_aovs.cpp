@@ -71,6 +71,15 @@ void warn_of_later_samples(const KeepOptions& keep, const AovList& aovs) {
       *keep.samples, fmt::join(names, ", "), names.size() == 1 ? "it" : "them"));
 }
 
+void warn_of_rounded_ids(const Scene& scene, const AovList& aovs) {
+  if (!aovs.contains(Aov::shape_id) && !aovs.contains(Aov::primitive_id)) return;
+  for (const Aov aov : rounded_ids(id_counts(scene), aovs))
+    say(fmt::format(
+        "strahl: warning: the AOV {} rounds numbers above 16777216, of which the scene has some: files hold "
+        "them as floats",
+        aov_name(aov)));
+}
+
 void say_unwritten(const std::vector<NamedAov>& aovs, const std::string& picture) {
   std::vector<std::string> names;
   std::set<std::string> kinds;

@@ -19,6 +19,9 @@ void add_scene_aovs(const Scene& scene, const RenderOptions& options, const std:
 /// Says that the picture of --samples has no layers of first samples, where it begins behind them.
 void warn_of_later_samples(const KeepOptions& keep, const AovList& aovs);
 
+/// Says which ids a file of floats rounds: of shapes, or of primitives in a shape, of more than 2^24.
+void warn_of_rounded_ids(const Scene& scene, const AovList& aovs);
+
 /// What is said where `picture` is no EXR file and so lacks these.
 void say_unwritten(const std::vector<NamedAov>& aovs, const std::string& picture);
 

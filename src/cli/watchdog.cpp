@@ -27,11 +27,15 @@ Watchdog::~Watchdog() {
   if (thread_.joinable()) thread_.join();
 }
 
-void Watchdog::fed() {
+void Watchdog::fed() { heed(false); }
+void Watchdog::rest() { heed(true); }
+
+void Watchdog::heed(bool is_resting) {
   if (seconds_ <= 0) return;
   {
     const std::scoped_lock lock(mutex_);
-    is_fed_ = true;
+    has_news_ = true;
+    is_resting_ = is_resting;
   }
   wake_.notify_one();
 }
@@ -39,9 +43,11 @@ void Watchdog::fed() {
 void Watchdog::watch() {
   std::unique_lock lock(mutex_);
   const std::chrono::duration<double> patience(std::min(seconds_, 1e9));
-  while (wake_.wait_for(lock, patience, [this] { return is_fed_ || is_over_; })) {
+  const auto has_news = [this] { return has_news_ || is_over_; };
+  while (is_resting_ || wake_.wait_for(lock, patience, has_news)) {
+    if (is_resting_) wake_.wait(lock, [this] { return !is_resting_ || is_over_; });
     if (is_over_) return;
-    is_fed_ = false;
+    has_news_ = false;
   }
   say(fmt::format("strahl: error: the device has not come back from a launch for {:.6g} s (--watchdog); {}", seconds_,
                   what_is_kept_()));

@@ -10,9 +10,10 @@
 
 namespace strahl::cli {
 
-/// Of launches alone: it is to end before programs are built. While one lives, fed() must come at least every
-/// `seconds`; else what happened is said, and the process ends with exit code 1 at once, with its files as they are.
-/// what_is_kept: what is said then of the samples so far; asked by another thread. 0 s: does nothing.
+/// Of launches alone: while the host works, or programs are built, it is to rest. From the beginning, and after fed(),
+/// another fed() or rest() must come within `seconds`; else what happened is said, and the process ends with exit code
+/// 1 at once, with its files as they are. what_is_kept: what is said then of the samples so far; asked by another
+/// thread. 0 s: does nothing.
 class Watchdog {
  public:
   Watchdog(double seconds, std::function<std::string()> what_is_kept);
@@ -21,15 +22,18 @@ class Watchdog {
   Watchdog& operator=(const Watchdog&) = delete;
 
   void fed();
+  /// Until it is fed again.
+  void rest();
 
  private:
+  void heed(bool is_resting);
   void watch();
 
   double seconds_;
   std::function<std::string()> what_is_kept_;
   std::mutex mutex_;  ///< Of all below.
   std::condition_variable wake_;
-  bool is_fed_ = false, is_over_ = false;
+  bool has_news_ = false, is_resting_ = false, is_over_ = false;
   std::thread thread_;
 };
 

@@ -42,6 +42,8 @@ struct Texels {
 
 /// The most texels that an image may have; larger ones are refused before they are unpacked.
 constexpr std::int64_t most_texels = std::int64_t{1} << 28;
+/// The most along a side of an image or of a grid: kernels find places along it as a float, which has 24 bits.
+constexpr std::int64_t longest_side = std::int64_t{1} << 24;
 
 /// Light by code: 256 or 65536 values; of rgbe what the exponent multiplies by; of `real` none.
 [[nodiscard]] std::vector<double> decoding_table(TexelFormat format, const TexelCurve& curve);
@@ -85,7 +87,7 @@ struct Clamped {
 /// PNG, JPEG, OpenEXR, Radiance HDR, TGA, BMP or PFM, told by the first bytes; alpha is left out. Throws InputError.
 [[nodiscard]] Texels read_texels(const std::string& path, TexelUse use = TexelUse::light);
 
-/// Throws InputError where an image is too large to be unpacked, with its numbers.
+/// Throws InputError where an image is too large to be unpacked, or a side of it too long, with its numbers.
 void check_texel_count(const std::string& path, std::int64_t width, std::int64_t height);
 
 }  // namespace strahl

@@ -86,9 +86,12 @@ Texels read_by_first_bytes(const std::string& path, TexelUse use) {
 }  // namespace
 
 void check_texel_count(const std::string& path, std::int64_t width, std::int64_t height) {
-  if (width > 0 && height > 0 && width <= most_texels / height) return;
-  throw InputError(fmt::format("\"{}\" has {} x {} texels; an image has at most {} (16384 x 16384), and at least one",
-                               path, width, height, most_texels));
+  if (width < 1 || height < 1 || width > most_texels / height)
+    throw InputError(fmt::format("\"{}\" has {} x {} texels; an image has at most {} (16384 x 16384), and at least one",
+                                 path, width, height, most_texels));
+  if (std::max(width, height) > longest_side)
+    throw InputError(
+        fmt::format("\"{}\" has {} x {} texels; a side of an image has at most {}", path, width, height, longest_side));
 }
 
 Texels read_texels(const std::string& path, TexelUse use) {

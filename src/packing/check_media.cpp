@@ -14,11 +14,12 @@ void check_volume(PackedRanges<Real>& ranges, std::int64_t row, std::int64_t med
   ranges.shading(ranges.at(row + layout::VOLUME_REALS), layout::VOLUME_REAL_COUNT, "a volume of medium", medium);
   const std::int64_t image = ranges.at(row + layout::VOLUME_IMAGE);
   if (image == -1) return;
-  check_image(ranges, image);
+  // The image has its layers one below the other.
+  check_image(ranges, image, most_texels);
   if (!ranges.fault().empty()) return;
   const std::int64_t height = ranges.at(row + layout::VOLUME_HEIGHT), depth = ranges.at(row + layout::VOLUME_DEPTH);
-  // The image has its layers one below the other.
-  if (ranges.require(height >= 1 && depth >= 1, "the size of a volume of medium", medium))
+  if (ranges.within(height, 1, longest_side + 1, "the size of a volume of medium", medium) &&
+      ranges.within(depth, 1, longest_side + 1, "the size of a volume of medium", medium))
     ranges.require(height * depth <= ranges.at(image + layout::IMAGE_HEIGHT), "the size of a volume of medium", medium);
 }
 

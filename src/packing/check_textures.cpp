@@ -10,9 +10,6 @@
 namespace strahl {
 namespace {
 
-/// The greatest side of an image whose places a float tells apart.
-constexpr std::int64_t most_side = std::int64_t{1} << 24;
-
 struct Kind {
   std::int64_t reals;
   bool is_bitmap, is_attribute;
@@ -49,12 +46,12 @@ void check_attributes(PackedRanges<Real>& ranges, const PackedFacts& facts, std:
 }  // namespace
 
 template <typename Real>
-void check_image(PackedRanges<Real>& ranges, std::int64_t row) {
+void check_image(PackedRanges<Real>& ranges, std::int64_t row, std::int64_t most_rows) {
   if (!ranges.index(row, layout::IMAGE_INTS, "an image at", row)) return;
   const std::int64_t width = ranges.at(row + layout::IMAGE_WIDTH), height = ranges.at(row + layout::IMAGE_HEIGHT);
   const std::int64_t texels = ranges.at(row + layout::IMAGE_TEXELS), table = ranges.at(row + layout::IMAGE_TABLE);
-  if (!ranges.within(width, 1, most_side + 1, "the width of the image at", row) ||
-      !ranges.within(height, 1, most_side + 1, "the height of the image at", row))
+  if (!ranges.within(width, 1, longest_side + 1, "the width of the image at", row) ||
+      !ranges.within(height, 1, most_rows + 1, "the height of the image at", row))
     return;
   const std::int64_t count = width * height;
   const auto ints = [&](std::int64_t size, std::int64_t codes) {
@@ -117,8 +114,8 @@ void check_textures(PackedRanges<Real>& ranges, const PackedFacts& facts) {
   if (ranges.fault().empty()) check_attributes(ranges, facts, attributes);
 }
 
-template void check_image(PackedRanges<float>&, std::int64_t);
-template void check_image(PackedRanges<double>&, std::int64_t);
+template void check_image(PackedRanges<float>&, std::int64_t, std::int64_t);
+template void check_image(PackedRanges<double>&, std::int64_t, std::int64_t);
 template void check_textures(PackedRanges<float>&, const PackedFacts&);
 template void check_textures(PackedRanges<double>&, const PackedFacts&);
 

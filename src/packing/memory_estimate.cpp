@@ -37,7 +37,8 @@ MemoryNeed least_memory(const Scene& scene, const Features& features, Precision 
   const auto block = static_cast<std::uint64_t>(lanes);
   std::map<std::string, std::uint64_t> primitives;
   MemoryNeed need;
-  for_each_shape(scene, [&](const Shape& shape) {
+  const auto add_shape = [&](const Shape& shape) {
+    if (!features.has("shapes", shape_kind(shape))) return;
     const auto count = static_cast<std::uint64_t>(primitive_count(shape));
     primitives[shape_kind(shape)] += count;
     const auto* mesh = std::get_if<Mesh>(&shape.geometry);
@@ -47,7 +48,12 @@ MemoryNeed least_memory(const Scene& scene, const Features& features, Precision 
     if (!features.has("textures", "mesh_attribute")) return;
     for (const MeshAttribute& attribute : mesh->attributes)
       if (is_shown(scene, attribute.name)) need.shading += count * (attribute.is_of_faces() ? 3 : 9) * real;
-  });
+  };
+  const bool has_instances = features.flag("INSTANCES");
+  for (const Shape& shape : scene.shapes) add_shape(shape);
+  if (has_instances)
+    for (const Group& group : scene.groups)
+      for (const Shape& shape : group.shapes) add_shape(shape);
   std::set<const Texels*> images;
   const auto add_image = [&](const Texels& texels) {
     if (!images.insert(&texels).second) return;
@@ -81,7 +87,7 @@ MemoryNeed least_memory(const Scene& scene, const Features& features, Precision 
     need.geometry += slots * static_cast<std::uint64_t>(planes_of(kind)) * real;
     need.index += slots * bytes_of_ids;
   }
-  const std::uint64_t instances = scene.instances.size();
+  const std::uint64_t instances = has_instances ? scene.instances.size() : 0;
   need.geometry += instances * layout::INSTANCE_REALS * real;
   need.index += instances * sizeof(std::int32_t);
   return need;

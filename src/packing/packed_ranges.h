@@ -8,6 +8,7 @@
 #include <span>
 #include <string>
 
+#include "image/texels.h"
 #include "packing/pack.h"
 #include "packing/packed_scene.h"
 
@@ -73,8 +74,9 @@ struct PackedFacts {
 
   [[nodiscard]] std::int64_t count(const std::string& list) const;  ///< Of active entries.
 };
+/// most_rows: of a grid, whose layers lie one below the other, as many as there may be texels.
 template <typename Real>
-void check_image(PackedRanges<Real>& ranges, std::int64_t row);
+void check_image(PackedRanges<Real>& ranges, std::int64_t row, std::int64_t most_rows = longest_side);
 template <typename Real>
 void check_textures(PackedRanges<Real>& ranges, const PackedFacts& facts);
 template <typename Real>

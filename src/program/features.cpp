@@ -89,8 +89,10 @@ void shape_causes(const Scene& scene, const RenderSettings& settings, Causes& ca
   const bool lit = integrator.shows_emission;
   const bool reflects = integrator.is_lit();
   const bool reads_materials = reflects || settings.aovs.contains(Aov::albedo);
-  // Normals interpolated over a mesh reach the picture through lighting, the normals picture and its AOV.
-  const bool shading = integrator.reads_shading || settings.aovs.contains(Aov::normal);
+  // Normals interpolated over a mesh reach the picture through lighting, the normals picture and its AOV, and the
+  // albedo's: they say which side of a material is seen.
+  const bool shading =
+      integrator.reads_shading || settings.aovs.contains(Aov::normal) || settings.aovs.contains(Aov::albedo);
   std::map<int, bool> used;  // Whether it reads texture coordinates, of each material that has been looked at.
   std::function<bool(int, const SourceLocation&)> use_material = [&](int index, const SourceLocation& where) {
     const auto [known, is_new] = used.try_emplace(index, false);

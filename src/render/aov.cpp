@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 #include "packing/cl_layout.h"
 
@@ -94,6 +95,23 @@ std::vector<std::string> aov_channels(const std::set<Aov>& aovs) {
   for (const AovChannel& channel : known_channels)
     if (aovs.contains(channel.aov)) names.emplace_back(channel.name);
   return names;
+}
+
+IdCounts id_counts(const Scene& scene) {
+  IdCounts counts;
+  for_each_shape(scene, [&](const Shape& shape) {
+    ++counts.shapes;
+    counts.primitives = std::max<std::int64_t>(counts.primitives, primitive_count(shape));
+  });
+  return counts;
+}
+
+std::set<Aov> rounded_ids(const IdCounts& counts, const AovList& aovs) {
+  constexpr std::int64_t last_exact = std::int64_t{1} << std::numeric_limits<float>::digits;
+  std::set<Aov> rounded;
+  if (counts.shapes - 1 > last_exact && aovs.contains(Aov::shape_id)) rounded.insert(Aov::shape_id);
+  if (counts.primitives - 1 > last_exact && aovs.contains(Aov::primitive_id)) rounded.insert(Aov::primitive_id);
+  return rounded;
 }
 
 Image aov_image(const FirstSampleValues& values, const std::set<Aov>& aovs) {

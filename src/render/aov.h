@@ -10,6 +10,8 @@
 #include "image/image.h"
 #include "kinds/upload_frame.h"
 #include "scene/model/aovs.h"
+#include "scene/model/scene.h"
+#include "settings/aov_list.h"
 
 namespace strahl {
 
@@ -40,5 +42,14 @@ struct SampleMeans {
 /// The same under a scene's names: channels_of() each.
 [[nodiscard]] Image aov_image(const FirstSampleValues& values, const SampleMeans& means,
                               const std::vector<NamedAov>& aovs);
+
+/// What is counted in ids.
+struct IdCounts {
+  std::int64_t shapes = 0, primitives = 0;  ///< Of the scene; of the shape that has the most.
+};
+[[nodiscard]] IdCounts id_counts(const Scene& scene);
+
+/// Those of `aovs` whose ids are so many that floats, as all channels are, do not tell them apart.
+[[nodiscard]] std::set<Aov> rounded_ids(const IdCounts& counts, const AovList& aovs);
 
 }  // namespace strahl

@@ -80,7 +80,11 @@ double FilmRun::seconds_left() const {
 }
 
 bool FilmRun::report() {
-  if (keeper_ != nullptr && keeper_->is_due && keeper_->is_due()) give(keeper_->keep, false);
+  if (keeper_ != nullptr && keeper_->is_due && keeper_->is_due()) {
+    tell_launches(false);
+    give(keeper_->keep, false);
+    tell_launches(true);
+  }
   if (!progress_) return true;
   const std::uint64_t done = result_.stats.camera_rays + under_way_;
   const double pixels = static_cast<double>(film_.samples.size());
@@ -311,6 +315,7 @@ RenderResult FilmRun::run() {
   bool carry_on = true;
   if (keeper_ != nullptr && keeper_->begin_with != nullptr) carry_on = go_on_from(*keeper_->begin_with);
   while (carry_on) {
+    tell_launches(false);
     if (passes_.wants_error() && result_.stats.unusual.not_finite() > 0) {
       passes_.cannot_estimate();
     } else if (passes_.wants_error()) {
@@ -324,10 +329,12 @@ RenderResult FilmRun::run() {
     }
     const std::optional<Pass> pass = passes_.next(sample_seconds_, seconds_left());
     if (!pass) break;
+    tell_launches(true);
     const Stopwatch start;
     carry_on = render_pass(*pass);
     sample_seconds_ = start.seconds() / pass->count;
   }
+  tell_launches(false);
   const Stopwatch finishing;
   finish();
   const double finish_seconds = finishing.seconds();

@@ -33,6 +33,9 @@ class FilmRun {
   [[nodiscard]] int end_of_samples() const;
   [[nodiscard]] double seconds_left() const;
   [[nodiscard]] bool report();
+  void tell_launches(bool are_under_way) const {
+    if (keeper_ != nullptr && keeper_->launches) keeper_->launches(are_under_way);
+  }
   void clear(int rows, bool aovs_too);
   void write_header();
   bool render_pass(const Pass& pass);

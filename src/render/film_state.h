@@ -26,10 +26,11 @@ struct FilmState {
 /// Who keeps the film of a picture while it is rendered.
 struct FilmKeeper {
   const FilmState* begin_with = nullptr;  ///< What an earlier run has kept, read before the first launch; none: black.
-  std::function<bool()> is_due;           ///< Asked after each launch.
-  std::function<void(FilmState)> keep;    ///< Then, with what there is. The render waits for it.
-  std::function<FilmState()> spare;       ///< Whose memory the next film to be kept takes; none: new memory.
-  std::function<void(FilmState)> keep_last;     ///< At the end, whatever ended the render.
+  std::function<void(bool are_under_way)> launches;  ///< Told before launches, and before the host goes on alone.
+  std::function<bool()> is_due;                      ///< Asked after each launch.
+  std::function<void(FilmState)> keep;               ///< Then, with what there is. The render waits for it.
+  std::function<FilmState()> spare;                  ///< Whose memory the next film to be kept takes; none: new memory.
+  std::function<void(FilmState)> keep_last;          ///< At the end, whatever ended the render.
   std::function<void(bool is_last)> no_memory;  ///< Instead of keep or keep_last; none: std::bad_alloc ends the render.
   std::function<void()> is_done;                ///< Then: no launch fills the film any more, and it has been read.
 };

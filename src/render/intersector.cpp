@@ -133,7 +133,13 @@ const ShapeRange& Intersector::State::shapes_beside(const Ray& ray, std::size_t 
 }
 
 std::int32_t Intersector::State::left_id(const Ray& ray, std::size_t row) const {
-  if (ray.shape == -1) return -1;
+  if (ray.shape == -1) {
+    if (ray.instance != -1 || ray.primitive != -1)
+      throw InputError(
+          fmt::format("ray {}: instance {} and primitive {} of no shape; where shape is -1 they are -1 too", row,
+                      ray.instance, ray.primitive));
+    return -1;
+  }
   const ShapeRange& shapes = shapes_beside(ray, row);
   const auto shape = shapes.first + static_cast<std::size_t>(ray.shape);
   if (ray.shape < 0 || static_cast<std::size_t>(ray.shape) >= shapes.count)

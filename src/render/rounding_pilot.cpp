@@ -93,6 +93,15 @@ int rounding_pilot_side(const RunStats& run, bool is_built, std::optional<double
   return pixel > 0 ? static_cast<int>(std::min<double>(most_side, std::sqrt(left / pixel))) : most_side;
 }
 
+RenderSettings in_double_precision(RenderSettings settings) {
+  settings.precision = Precision::fp64;
+  settings.lanes.reset();
+  settings.bvh_width.reset();
+  settings.work_group.reset();
+  settings.generic = false;
+  return settings;
+}
+
 std::optional<double> rounding_rmse(const Device& device, const Scene& scene, const RenderSettings& settings,
                                     const RunStats& run, std::optional<double> most_seconds,
                                     const std::function<bool()>& goes_on) {
@@ -103,11 +112,7 @@ std::optional<double> rounding_rmse(const Device& device, const Scene& scene, co
   RenderSettings tier = settings;
   tier.aovs.clear();
   tier.error_map = false;
-  RenderSettings exact = tier;
-  exact.precision = Precision::fp64;
-  exact.lanes.reset();
-  exact.bvh_width.reset();
-  exact.generic = false;
+  const RenderSettings exact = in_double_precision(tier);
   const int side =
       rounding_pilot_side(run, most_seconds && Renderer::is_program_cached(device, scene, exact), most_seconds);
   if (side == 0) return std::nullopt;

@@ -20,6 +20,9 @@ inline constexpr double rounding_share = 0.05;
 /// it does not fit. none: no limit. is_built: the double program is in the cache.
 [[nodiscard]] int rounding_pilot_side(const RunStats& run, bool is_built, std::optional<double> most_seconds);
 
+/// The settings of the reference: what was chosen for the tier's program may be too much for its own.
+[[nodiscard]] RenderSettings in_double_precision(RenderSettings settings);
+
 /// RMSE over linear RGB that rounding adds to a picture of run.spp samples a pixel. Differences that are the same for
 /// all seeds count fully; those that average out over samples count as they would with run.spp samples. None where the
 /// device has no double precision, the tier is double already, the scene is too large to be uploaded once more, or the

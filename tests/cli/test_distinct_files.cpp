@@ -60,7 +60,7 @@ TEST_CASE("two outputs of a render are two files") {
     check_refused(folder, arguments, "are one file, \"");
   }
   const std::vector<std::vector<std::string>> different{
-      {"-o", "x.png", "--stats", "x.json", "--dump-kernel", "x.cl", "--error-map", "y.png"},
+      {"-o", "x.png", "--stats", "x.json", "--dump-kernel", "x.cl", "--error-map", "y.png", "--spp", "4"},
       {"-o", "x.png", "--stats", "sub/x.png"},
       {"-o", "x.exr", "--aov", "depth,depth", "--stats", "x.depth.exr"},  // EXR holds its layers itself.
       {"-o", "x.png", "--frames", "11", "--time", "1s", "--stats", "x.0012.png"},

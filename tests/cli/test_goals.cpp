@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // --time, --max-error, --frames, --dry-run and --error-map as a user meets them: exit codes, files, what is said.
 #include <catch2/catch.hpp>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "cli/program.h"
@@ -53,6 +54,46 @@ TEST_CASE("the bill: an error with its interval and its causes") {
   for (const auto& [phase, value] : seconds.items())
     if (phase != "total") sum += value.get<double>();
   CHECK(sum == Approx(seconds.at("total").get<double>()));
+}
+
+TEST_CASE("a map of the error that is asked for is there, or the exit code says so") {
+  const Folder folder;
+  folder.file("s.xml", glowing_sphere);  // Of one sample.
+  const auto run = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> arguments{"s.xml", "-d", "pocl", "-q", "-o", "a.pfm", "--error-map", "e.pfm"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return folder.run(arguments);
+  };
+  const auto has = [&](const char* name) { return std::filesystem::exists(folder.path(name)); };
+  for (const std::vector<std::string>& few : std::vector<std::vector<std::string>>{{}, {"--spp", "3"}}) {
+    const Outcome refused = run(few);
+    INFO(refused.err);
+    CHECK(refused.code == 2);
+    CHECK(contains(refused.err, "--error-map: the error is told from 4 samples a pixel or more"));
+    CHECK_FALSE(has("a.pfm"));
+  }
+  // Known at the end: of a part.
+  const Outcome part = run({"--spp", "8", "--samples", "0:2", "--checkpoint", "a.ckpt"});
+  INFO(part.err);
+  CHECK(part.code == 1);
+  CHECK(contains(part.err, "strahl: error: --error-map \"e.pfm\" is not written: a pixel has fewer than 4 samples"));
+  CHECK(has("a.pfm"));
+  CHECK_FALSE(has("e.pfm"));
+  CHECK(run({"--spp", "4"}).code == 0);
+  CHECK(has("e.pfm"));
+  CHECK(run({"--max-error", "1"}).code == 0);
+
+  for (const char* range : {"0:1", "1:3"})
+    REQUIRE(folder
+                .run({"s.xml", "-d", "pocl", "-q", "--spp", "3", "--samples", range, "--checkpoint",
+                      std::string(range).substr(0, 1) + ".ckpt"})
+                .code == 0);
+  const Outcome merged = folder.run({"merge", "0.ckpt", "1.ckpt", "-o", "m.pfm", "--error-map", "m-e.pfm"});
+  INFO(merged.err);
+  CHECK(merged.code == 1);
+  CHECK(contains(merged.err, "strahl: error: --error-map \"m-e.pfm\" is not written"));
+  CHECK(has("m.pfm"));
+  CHECK_FALSE(has("m-e.pfm"));
 }
 
 TEST_CASE("an error that is reached, one that is not, and one that nothing tells") {

@@ -100,7 +100,8 @@ TEST_CASE("no rays give no hits") {
 TEST_CASE("a shape that does not exist is unusable input") {
   const Folder folder;
   folder.file("scene.xml", glowing_sphere);
-  for (const std::vector<double>& left : std::vector<std::vector<double>>{{-1, 1, 0}, {-1, 0, 1}, {0, 0, 0}}) {
+  for (const std::vector<double>& left :
+       std::vector<std::vector<double>>{{-1, 1, 0}, {-1, 0, 1}, {0, 0, 0}, {-1, -1, 0}, {0, -1, -1}}) {
     Matrix rays{1, 11, {0, 0, 5, 0, 0, -1, 0, inf}};
     rays.data.insert(rays.data.end(), left.begin(), left.end());
     strahl::write_npy(rays, folder.path("rays.npy"));

@@ -4,6 +4,7 @@
 //   STRAHL_CL_FAULT_LOG    a line for each call: its name
 //   STRAHL_CL_FAULT_CALL   n, from 1; without it all calls go through
 //   STRAHL_CL_FAULT_CODE   what it returns, as -5; "hang": it never returns
+//   STRAHL_CL_FAULT_NAME   only calls of this name count
 //   STRAHL_CL_FAULT_QUEUE  only calls with a queue of the platform of this name count ("*": of any), and from the n-th
 //                          on all fail: a device that is gone
 #define CL_TARGET_OPENCL_VERSION 300
@@ -50,6 +51,7 @@ std::string platform_of(const First& /*no queue*/) {
 cl_int fault_of(const char* call, const std::string& platform) {
   const std::string of_queue = text_of("STRAHL_CL_FAULT_QUEUE");
   if (!of_queue.empty() && (of_queue == "*" ? platform.empty() : platform != of_queue)) return CL_SUCCESS;
+  if (const std::string only = text_of("STRAHL_CL_FAULT_NAME"); !only.empty() && only != call) return CL_SUCCESS;
   const long number = ++calls;
   if (const std::string log = text_of("STRAHL_CL_FAULT_LOG"); !log.empty()) {
     const std::string line = std::string(call) + "\n";

@@ -6,7 +6,8 @@
 //   STRAHL_FAULT_LOG      a line for each call that counts: its name
 //   STRAHL_FAULT_CALL     n, from 1; without it all calls succeed
 //   STRAHL_FAULT_KIND     "EIO" (this call), "ENOSPC" (this one and all later ones), "short" (a write writes half),
-//                         "kill" (the process is killed before the call)
+//                         "kill" (the process is killed before the call), "slow" (it succeeds after 2 s)
+//   STRAHL_FAULT_NAME     only calls of this name count
 #include <dlfcn.h>
 #include <fcntl.h>
 #include <sys/syscall.h>
@@ -14,11 +15,13 @@
 
 #include <atomic>
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <cstdarg>
 #include <cstdlib>
 #include <cstring>
 #include <string>
+#include <thread>
 
 namespace {
 
@@ -46,6 +49,7 @@ enum class Fault { none, error, half };
 
 /// What shall become of this call, which counts; errno is set for an error.
 Fault fault_of(const char* call) {
+  if (const std::string only = text_of("STRAHL_FAULT_NAME"); !only.empty() && only != call) return Fault::none;
   const long number = ++calls;
   const std::string log = text_of("STRAHL_FAULT_LOG"), line = std::string(call) + "\n";
   const long file = ::syscall(SYS_openat, AT_FDCWD, log.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0600);
@@ -57,6 +61,10 @@ Fault fault_of(const char* call) {
   if (at.empty()) return Fault::none;
   const long wanted = std::atol(at.c_str());
   if (kind == "ENOSPC" ? number < wanted : number != wanted) return Fault::none;
+  if (kind == "slow") {
+    std::this_thread::sleep_for(std::chrono::seconds(2));
+    return Fault::none;
+  }
   if (kind == "kill") ::kill(::getpid(), SIGKILL);
   if (kind == "short") return std::strcmp(call, "write") == 0 ? Fault::half : Fault::none;
   errno = kind == "ENOSPC" ? ENOSPC : EIO;

@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// A picture without an error, so that no pilot measures its rounding at the end.
+/// A picture without an error, so that no pilot measures its rounding at the end, if not asked for in `base`.
 class LateFault {
  public:
   LateFault() { folder_.file("s.xml", glowing_sphere); }
@@ -24,7 +24,7 @@ class LateFault {
     for (const char* name : {"out.exr", "calls.log", "stats.json"}) fs::remove(folder_.path(name));
     environment["OPENCL_LAYERS"] = STRAHL_FAIL_OPENCL;
     environment["STRAHL_CL_FAULT_LOG"] = folder_.path("calls.log");
-    std::vector<std::string> options{"s.xml", "--spp", "4", "--no-error", "-d", "pocl", "-q", "-o", "out.exr"};
+    std::vector<std::string> options = base;
     options.insert(options.end(), more.begin(), more.end());
     return folder_.run(options, environment);
   }
@@ -54,6 +54,8 @@ class LateFault {
 
   [[nodiscard]] const Folder& folder() const { return folder_; }
 
+  std::vector<std::string> base{"s.xml", "--spp", "4", "--no-error", "-d", "pocl", "-q", "-o", "out.exr"};
+
  private:
   Folder folder_;
 };
@@ -69,6 +71,18 @@ TEST_CASE("numeric_error fails after the last sample: the picture is there witho
   CHECK(contains(outcome.err, "CL_OUT_OF_RESOURCES"));
   CHECK(strahl::read_image(late.folder().path("out.exr")).channels ==
         std::vector<std::string>{"R", "G", "B", "depth.Z"});
+}
+
+TEST_CASE("the pilot of float rounding fails: the bill says why it tells none") {
+  LateFault late;
+  late.base = {"s.xml", "--spp", "4", "-v", "--no-progress", "-d", "pocl", "-o", "out.exr"};
+  const Outcome outcome = late.fail_last_launch({});
+  INFO(outcome.err);
+  CHECK(outcome.code == 0);
+  const std::size_t bill = outcome.err.find("float rounding not measured (");
+  REQUIRE(bill != std::string::npos);
+  CHECK(contains(outcome.err.substr(bill), "CL_OUT_OF_RESOURCES"));
+  CHECK_FALSE(contains(outcome.err, "too large to be there twice"));
 }
 
 TEST_CASE("the run that counts rays fails: the statistics of the picture are written") {

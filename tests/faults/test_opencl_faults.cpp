@@ -94,12 +94,14 @@ class FaultyRender {
     CHECK_FALSE(contains(outcome.err, "has the last checkpoint"));
   }
 
-  /// One of --frames, which keep no checkpoint; some call in their midst.
+  /// One of --frames, which keep no checkpoint; some launch in their midst.
   void hang_in_frames() {
-    const Outcome outcome = folder_.run(
-        {scene_, "--width", "24", "--frames", "1000", "--time", "20ms", "-d", "pocl", "-q", "-o", "f.pfm", "--watchdog",
-         "1s"},
-        {{"OPENCL_LAYERS", STRAHL_FAIL_OPENCL}, {"STRAHL_CL_FAULT_CALL", "2000"}, {"STRAHL_CL_FAULT_CODE", "hang"}});
+    const Outcome outcome = folder_.run({scene_, "--width", "24", "--frames", "1000", "--time", "20ms", "-d", "pocl",
+                                         "-q", "-o", "f.pfm", "--watchdog", "1s"},
+                                        {{"OPENCL_LAYERS", STRAHL_FAIL_OPENCL},
+                                         {"STRAHL_CL_FAULT_NAME", "clEnqueueNDRangeKernel"},
+                                         {"STRAHL_CL_FAULT_CALL", "100"},
+                                         {"STRAHL_CL_FAULT_CODE", "hang"}});
     INFO(outcome.err);
     CHECK(outcome.code == 1);
     CHECK(contains(outcome.err, "has not come back from a launch for 1 s"));

@@ -3,6 +3,7 @@
 // than the last checkpoint is lost (docs/reliability.md).
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
@@ -169,4 +170,34 @@ TEST_CASE("killed at each call that writes, and tried again") {
   for (std::size_t call = 1; call <= faulty.calls().size(); call += is_long ? 1 : 3)
     left += faulty.kill_at(call) ? 1 : 0;
   CHECK(left > 0);
+}
+
+TEST_CASE("a watchdog of launches leaves a slow disk its time") {
+  const Folder folder;
+  const auto run = [&](const char* every, const std::map<std::string, std::string>& fault) {
+    for (const std::string& name : folder.files())
+      if (name != "cache") fs::remove(folder.path(name));
+    std::map<std::string, std::string> environment{{"LD_PRELOAD", STRAHL_FAIL_WRITE},
+                                                   {"STRAHL_FAULT_FOLDER", folder.path("")},
+                                                   {"STRAHL_FAULT_LOG", folder.path("calls.log")},
+                                                   {"STRAHL_FAULT_NAME", "fsync"},
+                                                   {"STRAHL_FAULT_KIND", "slow"}};
+    environment.insert(fault.begin(), fault.end());
+    const Outcome outcome = folder.run(
+        with(render, {"--spp", "64", "--checkpoint", "c.ckpt", "--every", every, "--watchdog", "1s", "-o", "out.exr"}),
+        environment);
+    INFO("--every " << every << ": " << outcome.err);
+    CHECK(outcome.code == 0);
+    CHECK(fs::exists(folder.path("out.exr")));
+  };
+  const auto seconds_of = [&](const char* every, std::size_t call) {
+    const auto start = std::chrono::steady_clock::now();
+    run(every, {{"STRAHL_FAULT_CALL", std::to_string(call)}});
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  };
+  run("1h", {});  // Also fills the cache of programs.
+  const std::size_t calls = lines_of(read_text(folder.path("calls.log"))).size();
+  REQUIRE(calls >= 2);
+  CHECK(seconds_of("1ms", 1) > 2);     // The first checkpoint, which the last one has to wait for.
+  CHECK(seconds_of("1h", calls) > 2);  // The picture.
 }

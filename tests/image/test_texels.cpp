@@ -218,6 +218,14 @@ TEST_CASE("images of too many texels are refused before they are unpacked") {
   CHECK_THROWS_WITH(read("bomb.jpg", jpeg), Contains("65500 x 65500 texels"));
 }
 
+TEST_CASE("images with a side that kernels cannot tell the places of are refused") {
+  constexpr int longest = 1 << 24;
+  CHECK_NOTHROW(check_texel_count("a.pfm", longest, 1));
+  CHECK_NOTHROW(check_texel_count("a.pfm", 1, longest));
+  for (const auto& [width, height] : {std::pair(longest + 1, 1), {1, longest + 1}})
+    CHECK_THROWS_WITH(check_texel_count("a.pfm", width, height), Contains("a side of an image has at most 16777216"));
+}
+
 TEST_CASE("a file of another kind says which are read") {
   CHECK_THROWS_WITH(Read()("a.png", "GIF89a and more, a good deal more than a header of a TGA"),
                     Contains("PNG, JPEG, OpenEXR, Radiance HDR, TGA, BMP and PFM"));

@@ -73,6 +73,28 @@ TEST_CASE("what no kernel asks for is not counted") {
   CHECK(least_memory(scene, features_of(scene, settings), Precision::robust, 1).shading == 10 * 6 * 4);
 }
 
+TEST_CASE("what --disable leaves out is not counted") {
+  Scene scene;
+  add(scene, Sphere{});
+  Mesh mesh = strip(10);
+  mesh.normals.assign(mesh.positions.size(), {0, 0, 1});
+  add(scene, mesh);
+  Group group;
+  group.shapes.emplace_back().geometry = strip(100);
+  add_instance(scene, add(scene, group), {});
+  const auto need_without = [&](const std::set<std::string>& disabled) {
+    RenderSettings settings;
+    settings.disabled = disabled;
+    return least_memory(scene, features_of(scene, settings), Precision::robust, 1);
+  };
+  const std::uint64_t sphere = need_of(scene).geometry - (110 * 9 + layout::INSTANCE_REALS) * 4;
+  CHECK(need_without({"INSTANCES"}).geometry == sphere + 10 * 9 * 4);
+  CHECK(need_without({"INSTANCES"}).index == 11 * 8);
+  CHECK(need_without({"shapes/triangle"}).geometry == sphere + layout::INSTANCE_REALS * 4);
+  CHECK(need_without({"shapes/triangle"}).shading == 0);
+  CHECK(need_without({"shapes/sphere"}).geometry == need_of(scene).geometry - sphere);
+}
+
 TEST_CASE("a group counts once, however often it is placed") {
   Scene scene;
   Group group;

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 strahl_test(packing/test_memory_estimate.cpp LABEL unit)
 strahl_test(packing/test_pack.cpp LABEL unit)
+strahl_test(packing/test_check_packed.cpp LABEL unit)
 strahl_test(packing/test_pack_materials.cpp LABEL unit)
 strahl_test(packing/test_pack_shapes.cpp LABEL unit)
 strahl_test(packing/test_shape_parts.cpp LABEL unit)

@@ -101,6 +101,30 @@ TEST_CASE("each material has the albedo that the docs say") {
     }
 }
 
+/// Whose triangles face +z, and whose vertex normals do not.
+TEST_CASE("the side that is seen is the one that the shading normals say, whatever the integrator") {
+  const Rgb red{0.75, 0.5, 0.25}, blue{0.125, 0.25, 0.5};
+  Mesh mesh;
+  mesh.positions = {{-3, -3, 0}, {3, -3, 0}, {0, 6, 0}};
+  mesh.triangles = {{0, 1, 2}};
+  mesh.normals.assign(3, {0, 0, -1});
+  Material front = of(Diffuse{{red}});
+  front.twosided = true;
+  front.back = 1;
+  for (const char* integrator : {"path", "depth", "emission"}) {
+    INFO(integrator);
+    Scene scene = stage({mesh}, front);
+    scene.materials.push_back(of(Diffuse{{blue}}));
+    scene.integrator.name = integrator;
+    RenderSettings settings;
+    settings.aovs = {Aov::albedo};
+    const Image image = render("pocl", scene, settings).aov;
+    const float* pixel = &image.data[image.index(stage_size / 2, stage_size / 2, 0)];
+    CHECK(pixel[0] == Approx(blue.r));
+    CHECK(pixel[2] == Approx(blue.b));
+  }
+}
+
 /// Every kind of material that the kernels have is asked for above.
 TEST_CASE("no material is without an albedo") {
   std::set<std::string> kinds;

@@ -4,6 +4,7 @@
 #include <array>
 #include <catch2/catch.hpp>
 
+#include "render/aov.h"
 #include "render/limitations.h"
 
 using namespace strahl;
@@ -264,4 +265,23 @@ TEST_CASE("a shape too far off for single precision is named, with the remedy") 
   REQUIRE(warning);
   CHECK(warning->text().find("far.xml:7:3: warning: this shape reaches to 4e+28") != std::string::npos);
   CHECK(warning->message.find("--precision double") != std::string::npos);
+}
+
+TEST_CASE("ids that floats do not tell apart are told") {
+  constexpr std::int64_t exact = (std::int64_t{1} << 24) + 1;  // From 0.
+  const AovList both{Aov::shape_id, Aov::primitive_id};
+  CHECK(rounded_ids({exact, exact}, both).empty());
+  CHECK(rounded_ids({exact + 1, exact}, both) == std::set{Aov::shape_id});
+  CHECK(rounded_ids({exact, exact + 1}, both) == std::set{Aov::primitive_id});
+  CHECK(rounded_ids({exact + 1, exact + 1}, {Aov::depth}).empty());
+  AovList named;
+  named.add(NamedAov{"id", Aov::primitive_id});
+  CHECK(rounded_ids({1, exact + 1}, named) == std::set{Aov::primitive_id});
+
+  Scene scene = scene_of("path");
+  Mesh mesh;
+  mesh.triangles.resize(7);
+  scene.groups.emplace_back().shapes.emplace_back().geometry = mesh;
+  CHECK(id_counts(scene).shapes == 2);
+  CHECK(id_counts(scene).primitives == 7);
 }

@@ -246,6 +246,45 @@ TEST_CASE("no time for a single sample leaves an empty film") {
   for (const std::int64_t word : last->film.words) REQUIRE(word == 0);
 }
 
+TEST_CASE("launches are told apart from what the host does alone") {
+  require_pocl_and_rusticl();
+  Renderer renderer(Device::open("pocl"), picture(), settings_of());
+  FilmKeeper keeper;
+  bool are_under_way = false;
+  int kept = 0, told = 0, passes = 0;
+  keeper.launches = [&](bool now) {
+    passes += now && !are_under_way ? 1 : 0;
+    are_under_way = now;
+  };
+  keeper.is_due = [&] {
+    CHECK(are_under_way);
+    return ++told % 2 == 0;
+  };
+  keeper.keep = keeper.keep_last = [&](const FilmState&) {
+    CHECK_FALSE(are_under_way);
+    ++kept;
+  };
+  keeper.is_done = [&] { CHECK_FALSE(are_under_way); };
+  RenderGoal goal;
+  goal.max_error = 1e-9;
+  goal.spp = 32;
+  const auto progress = [&](const Progress&) {
+    CHECK(are_under_way);
+    return true;
+  };
+  CHECK(renderer.render(progress, goal, &keeper).ending == Ending::samples);
+  CHECK(kept > 1);
+  // Each look at the error, each film that is kept, is followed by launches; the last pass by none.
+  CHECK(passes >= kept);
+  CHECK_FALSE(are_under_way);
+  // Whatever ends it.
+  kept = 0;
+  keeper.is_due = {};
+  const auto stop = [&](const Progress&) { return false; };
+  CHECK(renderer.render(stop, goal, &keeper).ending == Ending::stopped);
+  CHECK(kept == 1);
+}
+
 TEST_CASE("no memory to keep a film in is told, and the picture is the same") {
   require_pocl_and_rusticl();
   Renderer renderer(Device::open("pocl"), picture(8), settings_of());

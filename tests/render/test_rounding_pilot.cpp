@@ -46,5 +46,22 @@ TEST_CASE("who asks for it gets it whatever it takes; a picture without samples 
   CHECK(rounding_pilot_side({}, true, 100.0) == 0);
 }
 
+TEST_CASE("the reference takes nothing over that was chosen for the tier's program") {
+  RenderSettings settings;
+  settings.precision = Precision::stable;
+  settings.work_group = WorkGroup{32, 32};
+  settings.lanes = 16;
+  settings.bvh_width = 8;
+  settings.generic = true;
+  settings.disabled = {"EMISSION"};
+  const RenderSettings exact = in_double_precision(settings);
+  CHECK(exact.precision == Precision::fp64);
+  CHECK_FALSE(exact.work_group);
+  CHECK_FALSE(exact.lanes);
+  CHECK_FALSE(exact.bvh_width);
+  CHECK_FALSE(exact.generic);
+  CHECK(exact.disabled == settings.disabled);
+}
+
 }  // namespace
 }  // namespace strahl

@@ -84,6 +84,11 @@ TEST_CASE("what is no .vol says why") {
   CHECK_THAT(folder.fault(header(1, 1 << 30, 1 << 30, 1 << 30, 1)), Contains("a grid has at most"));
   CHECK_THAT(folder.fault(header(1, 0, 1, 1, 1)), Contains("0 x 1 x 1 texels"));
   CHECK_THAT(folder.fault(header(1, 10, 10, 10, 1)), Contains("has 48 bytes; its header promises 10 x 10 x 10"));
+  for (const int axis : {0, 1, 2}) {
+    const auto side = [&](int which) { return which == axis ? (1 << 24) + 1 : 1; };
+    CHECK_THAT(folder.fault(header(3, side(0), side(1), side(2), 1)),
+               Contains("a side of a grid has at most 16777216"));
+  }
 }
 
 TEST_CASE("a heterogeneous medium has Mitsuba's parameters") {

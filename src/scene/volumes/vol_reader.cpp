@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string_view>
@@ -41,6 +42,8 @@ VolumeGrid read_vol(const std::string& path) {
   if (width < 1 || height < 1 || depth < 1 || height > most_texels / width || depth > most_texels / width / height)
     fail(fmt::format("has {} x {} x {} texels; a grid has at most {}, and at least one", width, height, depth,
                      most_texels));
+  if (std::max({width, height, depth}) > longest_side)
+    fail(fmt::format("has {} x {} x {} texels; a side of a grid has at most {}", width, height, depth, longest_side));
   const std::size_t count = static_cast<std::size_t>(width) * static_cast<std::size_t>(height) *
                             static_cast<std::size_t>(depth) * static_cast<std::size_t>(channels);
   const std::size_t expected = header_bytes + count * (encoding == of_floats ? sizeof(float) : 1);
