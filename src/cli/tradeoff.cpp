@@ -81,6 +81,12 @@ std::string why_untrusted(const Device& device, Precision precision) {
   return fmt::format("cannot keep what precision {} promises", precision_name(precision));
 }
 
+Device open_device(const TradeoffCommand& command) {
+  bool needs_fp64 = false;
+  for (const std::string& name : command.precisions) needs_fp64 |= precision_from_name(name) == Precision::fp64;
+  return Device::open(command.device, {needs_fp64});
+}
+
 Tiers tiers_of(const Device& device, const TradeoffCommand& command) {
   Tiers tiers;
   for (const std::string& name : command.precisions) {
@@ -98,9 +104,15 @@ Tiers tiers_of(const Device& device, const TradeoffCommand& command) {
   }
   if (command.reference.empty() && !is_trusted(device, Precision::fp64, command.no_canary, tiers)) {
     tiers.reference = Precision::robust;
-    if (!is_trusted(device, tiers.reference, command.no_canary, tiers)) static_cast<void>(trusted_tier(device, {}));
-    say(fmt::format("strahl: warning: {} {}: the reference is robust", device.info().text(),
-                    why_untrusted(device, Precision::fp64)));
+    std::string more;
+    if (!command.no_canary) {
+      const TierChoice choice = trusted_tier(device, {});
+      tiers.reference = choice.tier.precision;
+      tiers.loop_turns[tiers.reference] = choice.tier.loop_turns;
+      if (!choice.instead.empty()) more = "; " + choice.instead;
+    }
+    say(fmt::format("strahl: warning: {} {}: the reference is {}{}", device.info().text(),
+                    why_untrusted(device, Precision::fp64), precision_name(tiers.reference), more));
   }
   return tiers;
 }
@@ -167,7 +179,7 @@ ExitCode tradeoff(const TradeoffCommand& command, const Invocation& invocation) 
   require_distinct_study(command, folder, scene);
   resize(command, scene);
   for (const Diagnostic& warning : limitations(scene)) say(warning.text());
-  const Device device = Device::open(command.device);
+  const Device device = open_device(command);
   const Tiers tiers = tiers_of(device, command);
   TradeoffOptions options;
   options.plan = plan_of(command, scene, tiers);

@@ -63,6 +63,21 @@ TEST_CASE("a precision that the device cannot keep is refused by name, and repla
   CHECK(nlohmann::json::parse(sound.out).at("precision") == "robust");
 }
 
+TEST_CASE("tradeoff measures against nothing in a precision that the device cannot keep") {
+  const Folder folder;
+  folder.file("scene.xml", glowing_sphere);
+  const std::map<std::string, std::string> changed{{"STRAHL_KERNEL_DIR", kernels_with_contraction(folder)}};
+  const Outcome outcome = folder.run({"tradeoff", "scene.xml", "-d", "pocl", "--spp", "1,2", "--seeds", "2", "--width",
+                                      "16", "--sampler", "independent", "--no-generic", "--json"},
+                                     changed);
+  INFO(outcome.err);
+  REQUIRE(outcome.code == 0);
+  CHECK(contains(outcome.err, "the reference is fast; robust is refused"));
+  const auto study = nlohmann::json::parse(outcome.out);
+  CHECK(study.at("reference").at("precision") == "fast");
+  for (const auto& point : study.at("points")) CHECK(point.at("precision") == "fast");
+}
+
 TEST_CASE("a program that does not build ends with 5, the driver's words and the source") {
   const Folder folder;
   const std::string kernels =

@@ -81,6 +81,50 @@ TEST_CASE("what is refused") {
   CHECK_FALSE(std::filesystem::exists(folder.path("scene.tradeoff/tradeoff.json")));
 }
 
+TEST_CASE("what no point can be measured with is told before the folder is made") {
+  const Folder folder;
+  folder.file("scene.xml", glowing_sphere);
+  std::string lit = glowing_sphere;
+  lit.replace(lit.find("\"emission\""), 10, "\"ptracer\"");
+  folder.file("lit.xml", lit);
+  const std::string one(4, '\0'), nan("\0\0\xc0\x7f", 4);  // Floats, the low byte first.
+  const auto pixels = [](const std::string& value, int count) {
+    std::string all;
+    for (int i = 0; i < count; ++i) all += value;
+    return all;
+  };
+  folder.file("small.pfm", "PF\n2 2\n-1.0\n" + pixels(one, 12));
+  folder.file("grey.pfm", "Pf\n2 2\n-1.0\n" + pixels(one, 4));
+  folder.file("nan.pfm", "PF\n2 2\n-1.0\n" + pixels(one, 11) + nan);
+  const auto refusal = [&](std::vector<std::string> words, int code) {
+    words.insert(words.begin(), "tradeoff");
+    const Outcome outcome = folder.run(words);
+    INFO(outcome.err);
+    CHECK(outcome.code == code);
+    return outcome.err;
+  };
+  CHECK(contains(refusal({"scene.xml", "--width", "24", "--reference", "small.pfm"}, 3),
+                 "\"small.pfm\" (--reference) has 2 x 2 pixels and the study's pictures 24 x 18: leave --width out"));
+  CHECK(contains(refusal({"scene.xml", "--reference", "grey.pfm"}, 3), "\"grey.pfm\" (--reference): colour channels"));
+  CHECK(
+      contains(refusal({"scene.xml", "--reference", "nan.pfm"}, 3), "\"nan.pfm\" (--reference): the reference holds"));
+  CHECK(contains(refusal({"lit.xml", "--sampler", "sobol,centre"}, 2), "centres alone"));
+  CHECK(contains(refusal({"lit.xml", "--width", "128", "--spp", "1,2000000"}, 2), "--spp 2000000: the film holds"));
+  CHECK(contains(refusal({"lit.xml", "--width", "128", "--reference-spp", "2000000"}, 2), "--reference-spp 2000000: "));
+  CHECK(folder.files() == std::vector<std::string>{"grey.pfm", "lit.xml", "nan.pfm", "scene.xml", "small.pfm"});
+}
+
+TEST_CASE("double is asked for by name: a device without it is refused, whatever else is trusted") {
+  const Folder folder;
+  folder.file("scene.xml", glowing_sphere);
+  const Outcome outcome =
+      folder.run({"tradeoff", "scene.xml", "-d", "llvmpipe", "--precision", "double", "--no-canary"});
+  INFO(outcome.err);
+  CHECK(outcome.code == 4);
+  CHECK_FALSE(contains(outcome.err, "canary"));
+  CHECK_FALSE(contains(outcome.err, "cannot keep"));
+}
+
 TEST_CASE("Ctrl-C: what was measured stays measured") {
   const Folder folder;
   folder.file("scene.xml", glowing_sphere);

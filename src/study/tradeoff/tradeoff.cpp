@@ -12,6 +12,7 @@
 #include "image/metrics.h"
 #include "kinds/integrators.h"
 #include "opencl/program_cache.h"
+#include "render/light_paths.h"
 #include "stopwatch.h"
 #include "study/tradeoff/json.h"
 #include "study/tradeoff/measure.h"
@@ -24,6 +25,39 @@ namespace {
 std::string reference_identity(const TradeoffOptions& options) {
   if (options.reference_file.empty()) return options.plan.reference.id();
   return fmt::format("file {:016x}", fnv1a(read_file(options.reference_file)));
+}
+
+/// Throws what the renderer would throw in the middle of the study of any of its settings.
+void require_measurable(const Scene& scene, const TradeoffOptions& options) {
+  const int most = Renderer::most_samples(scene, {});
+  const auto require = [&](const TradeoffSetting& setting, const char* option) {
+    require_light_paths(scene_of(scene, setting), settings_of(setting));
+    if (setting.spp > most)
+      throw UsageError(fmt::format("{} {}: the film holds 1 to {} samples per pixel", option, setting.spp, most));
+  };
+  for (const TradeoffSetting& setting : options.plan.settings) require(setting, "--spp");
+  if (options.reference_file.empty()) require(options.plan.reference, "--reference-spp");
+}
+
+/// Somebody's reference, if there is one. Throws InputError where the study's pictures cannot be held against it.
+std::optional<Image> given_reference(const Film& film, const TradeoffOptions& options) {
+  if (options.reference_file.empty()) return std::nullopt;
+  Image reference = read_image(options.reference_file);
+  if (reference.width != film.width || reference.height != film.height)
+    throw InputError(
+        fmt::format("\"{}\" (--reference) has {} x {} pixels and the study's pictures {} x {}: leave "
+                    "--width out, and they get the reference's size",
+                    options.reference_file, reference.width, reference.height, film.width, film.height));
+  Image like_the_studys;
+  like_the_studys.width = film.width;
+  like_the_studys.height = film.height;
+  like_the_studys.data.resize(like_the_studys.index(0, film.height, 0));
+  try {
+    static_cast<void>(comparable_channels(like_the_studys, reference));
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("\"{}\" (--reference): {}", options.reference_file, error.what()));
+  }
+  return reference;
 }
 
 /// Distances are shown divided by the largest; light as it is.
@@ -40,6 +74,7 @@ class Sweep {
         scene_(scene),
         options_(options),
         progress_(progress),
+        given_reference_(given_reference(scene.film, options)),
         store_(options.folder, identity_of(device, scene, options.seeds, reference_identity(options)),
                options.restart) {}
 
@@ -57,7 +92,6 @@ class Sweep {
   [[nodiscard]] RenderSettings render_settings(const TradeoffSetting& setting) const;
   bool report(const std::string& what, const WorkEstimate& work) const;
   Renderer& renderer_for(const TradeoffSetting& setting);
-  void require_fitting(const Image& reference) const;
   bool find_reference(TradeoffStudy& study);
   bool measure(const TradeoffSetting& setting, TradeoffStudy& study);
 
@@ -65,6 +99,7 @@ class Sweep {
   const Scene& scene_;
   const TradeoffOptions& options_;
   const TradeoffCallback& progress_;
+  std::optional<Image> given_reference_;  ///< Checked before the store writes its first file.
   TradeoffStore store_;
   Stopwatch watch_;
   WorkEstimate work_;
@@ -99,20 +134,11 @@ Renderer& Sweep::renderer_for(const TradeoffSetting& setting) {
   return *renderer_;
 }
 
-void Sweep::require_fitting(const Image& reference) const {
-  const Film& film = scene_.film;
-  if (reference.width != film.width || reference.height != film.height)
-    throw InputError(fmt::format("\"{}\" has {} x {} pixels and the study's pictures {} x {}: state its --width",
-                                 options_.reference_file, reference.width, reference.height, film.width, film.height));
-  static_cast<void>(comparable_channels(reference, reference));
-}
-
 bool Sweep::find_reference(TradeoffStudy& study) {
   const TradeoffSetting& setting = options_.plan.reference;
-  if (!options_.reference_file.empty()) {
-    study.reference.picture = read_image(options_.reference_file);
+  if (given_reference_) {
+    study.reference.picture = std::move(*given_reference_);
     study.reference.source = options_.reference_file;
-    require_fitting(study.reference.picture);
     return true;
   }
   if (std::optional<TradeoffReference> kept = store_.reference(setting)) {
@@ -218,6 +244,7 @@ TradeoffStudy Sweep::run() {
 
 TradeoffStudy study_tradeoff(const Device& device, const Scene& scene, const TradeoffOptions& options,
                              const TradeoffCallback& progress) {
+  require_measurable(scene, options);
   return Sweep(device, scene, options, progress).run();
 }
 

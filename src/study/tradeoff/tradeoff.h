@@ -33,7 +33,8 @@ using TradeoffCallback = std::function<bool(const TradeoffProgress&)>;
 
 /// Takes over what an earlier run of the same study measured, measures the rest, and once it is complete writes
 /// tradeoff.json, tradeoff.csv and report.html. The scene's film is that of every picture, without a crop window.
-/// Throws UsageError where the folder holds another study, InputError where the reference does not fit.
+/// Throws UsageError where the folder holds another study or a setting cannot be rendered, and InputError where the
+/// reference does not fit: both before anything is written.
 [[nodiscard]] TradeoffStudy study_tradeoff(const Device& device, const Scene& scene, const TradeoffOptions& options,
                                            const TradeoffCallback& progress = {});
 
