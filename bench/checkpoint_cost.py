@@ -22,7 +22,9 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 
 def count_versions(path, is_over, seen):
     """Of a file that is replaced now and then."""
-    while not is_over.wait(0.02):
+    ends = False
+    while not ends:
+        ends = is_over.wait(0.02)  # And once more behind the end: the last version may be younger than the last look.
         try:
             status = os.stat(path)
             seen.add((status.st_ino, status.st_mtime_ns))
@@ -41,6 +43,8 @@ def seconds_of(command, kept=None):
     _, status, usage = os.wait4(process.pid, 0)
     wall = time.perf_counter() - start
     is_over.set()
+    if kept:
+        watcher.join()
     if status != 0:
         raise SystemExit(f"{command[0]} ended with {os.waitstatus_to_exitcode(status)}")
     return wall, usage.ru_utime + usage.ru_stime, len(seen)
@@ -68,6 +72,8 @@ def main():
                 keep = ["--checkpoint", kept, "--every", arguments.every] if keeps else []
                 taken[keeps] = seconds_of([*render, arguments.spp, *keep], kept if keeps else None)
             (plain_wall, plain, _), (wall, processor, count) = taken[False], taken[True]
+            if count == 0:
+                raise SystemExit(f"no checkpoint was written in {wall:.1f} s: nothing can be told of its cost")
             ratios.append((wall / plain_wall, processor / plain))
             each.append(((wall - plain_wall) / count, (processor - plain) / count))
             print(f"without {plain_wall:.1f} s ({plain:.2f} of a processor), with {count} checkpoints {wall:.1f} s"

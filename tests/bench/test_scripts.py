@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""bench/deadlines.py and bench/error_cost.py with a program that only pretends to render."""
+"""Scripts in bench/ with a program that only pretends to render."""
 import os
 import pathlib
 import subprocess
@@ -9,13 +9,15 @@ import tempfile
 import unittest
 
 BENCH = pathlib.Path(__file__).resolve().parents[2] / "bench"
-# Writes what the scripts read, and fails with FAKE_CODE where that is set and the time is not the warm-up's.
+# Writes what the scripts read (a checkpoint with FAKE_KEEPS alone), and fails with FAKE_CODE where that is set and the
+# time is not the warm-up's.
 FAKE = """#!/bin/sh
 if [ "$1" = compare ]; then echo "mse $FAKE_MSE"; exit 0; fi
 while [ $# -gt 1 ]; do
   if [ "$1" = --stats ]; then
     echo '{"seconds": {"total": 0.001, "other": 0}, "least_spp": 1, "most_spp": 1}' >"$2"
   fi
+  if [ "$1" = --checkpoint ] && [ -n "$FAKE_KEEPS" ]; then echo film >"$2"; fi
   if [ "$1" = --time ]; then asked=$2; fi
   shift
 done
@@ -66,6 +68,19 @@ class ErrorCost(unittest.TestCase):
         told = script("error_cost.py", "a/b.xml", "--pairs", "1", FAKE_MSE="0")
         self.assertEqual(told.returncode, 1)
         self.assertIn("no error to compare", told.stderr)
+        self.assertNotIn("Traceback", told.stderr)
+
+
+class CheckpointCost(unittest.TestCase):
+    def test_one_that_is_written_last_counts(self):
+        told = script("checkpoint_cost.py", "--pairs", "2", FAKE_KEEPS="1")
+        self.assertEqual(told.stderr, "")
+        self.assertEqual(told.stdout.count("with 1 checkpoints"), 2)
+
+    def test_none_is_told(self):
+        told = script("checkpoint_cost.py", "--pairs", "2")
+        self.assertEqual(told.returncode, 1)
+        self.assertIn("no checkpoint was written", told.stderr)
         self.assertNotIn("Traceback", told.stderr)
 
 
