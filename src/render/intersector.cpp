@@ -211,11 +211,17 @@ std::vector<std::size_t> Intersector::State::trace_chunk(const std::vector<Ray>&
     to[layout::DEPARTED_INSTANCE * lanes] = rays[first + i].instance;
   }
 
+  std::uint64_t bytes = buffers.bytes;
+  const auto counted = [&](std::size_t size, const char* what) {
+    bytes += size;
+    stats.device_bytes = std::max(stats.device_bytes, bytes);
+    return allocate(device, size, what);
+  };
   const Stopwatch upload;
-  const cl::Buffer ray_buffer = allocate(device, ray_reals.size() * sizeof(Real), "the rays");
-  const cl::Buffer left_buffer = allocate(device, left.size() * sizeof(std::int32_t), "the rays");
-  const cl::Buffer t_buffer = allocate(device, count * sizeof(Real), "the hits");
-  const cl::Buffer found_buffer = allocate(device, count * layout::FOUND_INTS * sizeof(std::int32_t), "the hits");
+  const cl::Buffer ray_buffer = counted(ray_reals.size() * sizeof(Real), "the rays");
+  const cl::Buffer left_buffer = counted(left.size() * sizeof(std::int32_t), "the rays");
+  const cl::Buffer t_buffer = counted(count * sizeof(Real), "the hits");
+  const cl::Buffer found_buffer = counted(count * layout::FOUND_INTS * sizeof(std::int32_t), "the hits");
   write_buffer(device, ray_buffer, ray_reals.data(), ray_reals.size() * sizeof(Real));
   write_buffer(device, left_buffer, left.data(), left.size() * sizeof(std::int32_t));
   stats.seconds.upload += upload.seconds();
@@ -234,8 +240,8 @@ std::vector<std::size_t> Intersector::State::trace_chunk(const std::vector<Ray>&
   }
 
   const Stopwatch surface;
-  const cl::Buffer hit_buffer = allocate(device, count * layout::HIT_REALS * sizeof(Real), "the hits");
-  const cl::Buffer id_buffer = allocate(device, count * layout::HIT_INTS * sizeof(std::int32_t), "the hits");
+  const cl::Buffer hit_buffer = counted(count * layout::HIT_REALS * sizeof(Real), "the hits");
+  const cl::Buffer id_buffer = counted(count * layout::HIT_INTS * sizeof(std::int32_t), "the hits");
   run(describe, {ray_buffer, left_buffer, t_buffer, found_buffer, hit_buffer, id_buffer}, count, 1);
   stats.seconds.surface += surface.seconds();
 
@@ -331,7 +337,7 @@ Intersector::Intersector(const Device& device, const Scene& scene, const RenderS
   for (const Instance& instance : scene.instances) s.group_of_instance.push_back(instance.group);
   s.stats.seconds.bvh = s.buffers.tree.seconds;
   s.stats.seconds.upload = upload.seconds() - s.stats.seconds.bvh;
-  s.stats.device_bytes = s.stats.host_bytes = s.buffers.bytes;
+  s.stats.device_bytes = s.stats.scene_bytes = s.stats.host_bytes = s.buffers.bytes;
   s.stats.device = device.info().text();
   s.stats.precision = precision_name(settings.precision);
   s.stats.lanes = width.lanes;

@@ -92,6 +92,26 @@ TEST_CASE("--coherent, --lanes and --repeat do not change the hits; --repeat is 
   CHECK(stats.at("seconds").at("kernel").get<double>() == Approx(runs[2]));
 }
 
+TEST_CASE("the device's bytes are those of the scene and of the largest launch's rays and hits") {
+  const Folder folder;
+  const auto bytes = [&](std::size_t rays, const std::vector<std::string>& more) {
+    std::vector<double> rows;
+    for (std::size_t i = 0; i < rays; ++i) rows.insert(rows.end(), {0, 0, 5, 0, 0, -1, 0, inf});
+    std::vector<std::string> words{"--lanes", "1", "--stats", "stats.json"};
+    words.insert(words.end(), more.begin(), more.end());
+    static_cast<void>(trace(folder, 8, rows, words));
+    return nlohmann::json::parse(read_text(folder.path("stats.json"))).at("bytes").at("device").get<std::uint64_t>();
+  };
+  // A ray: eight floats, the primitive and instance left; t, then the hit's kind and ids; with its surface twice that.
+  const std::uint64_t one = bytes(1, {}), thousand = bytes(1001, {}), any = bytes(1001, {"--any-hit"});
+  CHECK((thousand - one) % 1000 == 0);
+  CHECK(thousand - one > 1000 * 16 * 4);
+  CHECK(any < thousand);
+  CHECK(any > 1000 * 10 * 4);
+  // Launches take turns with the same memory.
+  CHECK(bytes((1 << 18) + 1, {"--any-hit"}) == bytes(1 << 18, {"--any-hit"}));
+}
+
 TEST_CASE("no rays give no hits") {
   const Folder folder;
   CHECK(trace(folder, 8, {}).data.empty());
