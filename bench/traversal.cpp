@@ -95,16 +95,18 @@ RaySet rays_of(RayKind kind, const Scene& scene, const RaySet& primary, const st
 
 }  // namespace
 
-Scene bench_scene(const std::string& name) {
+Scene bench_scene(const std::string& name, const std::function<void(const std::string&)>& say) {
   if (name.find_first_of("./") == std::string::npos) return generated_scene(name);
-  Scene scene = load_scene(name).scene;
+  LoadedScene loaded = load_scene(name);
+  for (const Diagnostic& warning : loaded.warnings) say(warning.text());
+  Scene& scene = loaded.scene;
   if (!scene.instances.empty())
     throw SceneError(
         {{Severity::error, scene.instances.front().where,
           "the programs that strahl is compared with are given shapes, not instances; choose a scene without"}});
   scene.film.width = scene.film.height = 1024;
   add_missing_point_light(scene);
-  return scene;
+  return std::move(loaded.scene);
 }
 
 Traversal measure_traversal(const Device& device, const TraversalOptions& asked,
@@ -117,7 +119,7 @@ Traversal measure_traversal(const Device& device, const TraversalOptions& asked,
   if (options.threads == 0) options.threads = std::max(1U, std::thread::hardware_concurrency());
   Traversal all{device.info().text(), machine(), STRAHL_VERSION, options.threads, options.rounds, {}, {}};
   for (const std::string& name : options.scenes) {
-    Scene scene = bench_scene(name);
+    Scene scene = bench_scene(name, say);
     scene.film.width = scene.film.height = options.pixels;
     std::size_t primitives = 0;
     for (const Shape& shape : scene.shapes) primitives += static_cast<std::size_t>(primitive_count(shape));

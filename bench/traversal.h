@@ -40,8 +40,9 @@ struct Traversal {
   std::vector<Tree> trees;
 };
 
-/// A scene by the name of generated_scene or, where there is a dot or a slash in it, from a file.
-[[nodiscard]] Scene bench_scene(const std::string& name);
+/// A scene by the name of generated_scene or, where there is a dot or a slash in it, from a file, whose warnings `say`
+/// hears.
+[[nodiscard]] Scene bench_scene(const std::string& name, const std::function<void(const std::string&)>& say);
 
 /// `say` hears what goes on: a line a race.
 [[nodiscard]] Traversal measure_traversal(const Device& device, const TraversalOptions& options,

@@ -53,9 +53,15 @@ struct BenchOptions {
 
 Scene scene_of(const std::string& name) {
   if (name.find_first_of("./") == std::string::npos) return generated_scene(name);
-  Scene scene = load_scene(name).scene;
-  add_missing_point_light(scene);
-  return scene;
+  LoadedScene loaded = load_scene(name);
+  for (const Diagnostic& warning : loaded.warnings) say(warning.text());
+  add_missing_point_light(loaded.scene);
+  return std::move(loaded.scene);
+}
+
+/// How --scene asks for what an earlier run calls `name`, in which a file's folder and ending are missing.
+std::string scene_option(const std::string& name) {
+  return is_generated_scene(name) ? "--scene " + name : "--scene with its file";
 }
 
 Json json_of(const DeviceBench& bench) {
@@ -96,7 +102,7 @@ class Base {
     if (path_.empty()) return;
     if (scene_ != scene)
       throw InputError(
-          fmt::format("{} is of the scene {}; only the same scene compares (--scene {})", path_, scene_, scene_));
+          fmt::format("{} is of the scene {}; only the same scene compares ({})", path_, scene_, scene_option(scene_)));
     if (primitives_ != primitives)
       throw InputError(
           fmt::format("{} is of another scene called {}, with {} primitives, and this one has {}; only the same scene "
@@ -251,7 +257,7 @@ Command add_bench(CLI::App& app) {
   app.add_option("--compare", options->compare, "An earlier --json: how many times as fast")->type_name("FILE");
   require_whole(app.add_option("--pixels", options->pixels,
                                "The picture's side; default: that of --compare, else what the device does in an "
-                               "eighth of a second"))
+                               "eighth of a second, 1024 at the most"))
       ->type_name("N")
       ->check(CLI::Range(least_side, most_side).description(""));
   app.add_flag("--tune", options->tune,

@@ -186,12 +186,14 @@ TEST_CASE("strahl races against itself") {
   }
 }
 
-TEST_CASE("a scene whose lights are no points gets a lamp for its shadow rays") {
+TEST_CASE("a scene whose lights are no points gets a lamp for its shadow rays; warnings of its file are told") {
   const TemporaryFolder folder;
   put_bytes(folder / "sky.xml", R"(<scene version="3.0.0"><sensor type="perspective"><transform name="to_world">
     <lookat origin="0, 0, 5" target="0, 0, 0" up="0, 1, 0"/></transform></sensor>
-    <emitter type="constant"/><shape type="sphere"/></scene>)");
-  const Scene scene = bench_scene(folder / "sky.xml");
+    <emitter type="constant"/><shape type="sphere"><float name="raduis" value="2"/></shape></scene>)");
+  std::string told;
+  const Scene scene = bench_scene(folder / "sky.xml", [&](const std::string& line) { told += line; });
+  CHECK(told.find("raduis") != std::string::npos);
   CHECK(scene.lights.size() == 2);
   CHECK_NOTHROW(shadow_rays(scene, {}, {}));
 }

@@ -96,6 +96,7 @@ TEST_CASE("what cannot be compared is said before anything is measured") {
     return outcome.err;
   };
   CHECK(contains(against("sphereflake-5", 11, 4096), "--scene sphereflake-5"));
+  CHECK(contains(against("lit", 11, 4096), "(--scene with its file)"));
   CHECK(contains(against("ten", 12, 4096), "another scene called ten, with 12 primitives, and this one has 11"));
   CHECK(contains(against("ten", 11, 1024), "32 x 32 camera rays; only as many compare"));
   for (const int none : {-4096, 0, 4095, 2000000000}) CHECK(contains(against("ten", 11, none), "camera rays"));
@@ -105,13 +106,19 @@ TEST_CASE("what cannot be compared is said before anything is measured") {
   CHECK(folder.run({"bench", "--json", "nowhere/a.json"}).code == 1);
 }
 
-TEST_CASE("a scene whose lights are no points gets a lamp for its shadow rays; a name that is no UTF-8 is told") {
+TEST_CASE(
+    "a scene whose lights are no points gets a lamp for its shadow rays; its warnings are told, a name that is no "
+    "UTF-8 too") {
   const Folder folder;
   const std::string room = "r\xfcm.xml";  // ISO 8859-1
-  std::filesystem::copy_file(STRAHL_SOURCE_DIR "/scenes/cornell/cornell-box.xml", folder.path(room));
+  std::string text = read_text(STRAHL_SOURCE_DIR "/scenes/cornell/cornell-box.xml");
+  folder.file(
+      room, text.insert(text.rfind("</scene>"), "<shape type=\"sphere\"><float name=\"raduis\" value=\"2\"/></shape>"));
   const Outcome outcome = folder.run({"bench", "-d", "pocl", "--scene", room, "--pixels", "32", "--json", "a.json"});
   INFO(outcome.err);
   REQUIRE(outcome.code == 0);
+  CHECK(contains(outcome.err, "warning: "));
+  CHECK(contains(outcome.err, "raduis"));
   const json numbers = json::parse(read_text(folder.path("a.json")));
   CHECK(numbers["rays"]["shadow"] > 100);
   CHECK(numbers["scene"] == "r\uFFFDm");

@@ -23,6 +23,13 @@ constexpr Form forms[] = {
     {"lattice", "N", 1, 128, box_lattice},
 };
 
+/// Whose name and a hyphen `scene` begins with; null: none.
+const Form* form_of(const std::string& scene) {
+  for (const Form& form : forms)
+    if (scene.starts_with(fmt::format("{}-", form.name))) return &form;
+  return nullptr;
+}
+
 }  // namespace
 
 const std::vector<std::string>& generated_scene_forms() {
@@ -35,20 +42,20 @@ const std::vector<std::string>& generated_scene_forms() {
   return all;
 }
 
+bool is_generated_scene(const std::string& name) { return name == "ten" || form_of(name) != nullptr; }
+
 Scene generated_scene(const std::string& name) {
   if (name == "ten") return ten_spheres();
-  for (const Form& form : forms) {
-    const std::string start = fmt::format("{}-", form.name);
-    if (!name.starts_with(start)) continue;
-    int size = 0;
-    const char* end = name.data() + name.size();
-    const auto [rest, error] = std::from_chars(name.data() + start.size(), end, size);
-    if (error != std::errc{} || rest != end || size < form.least || size > form.most)
-      throw UsageError(
-          fmt::format("scene \"{}\": {} is a number from {} to {}", name, form.size, form.least, form.most));
-    return form.make(size);
-  }
-  throw UsageError(fmt::format("unknown scene \"{}\"; there are {}", name, fmt::join(generated_scene_forms(), ", ")));
+  const Form* const form = form_of(name);
+  if (form == nullptr)
+    throw UsageError(fmt::format("unknown scene \"{}\"; there are {}", name, fmt::join(generated_scene_forms(), ", ")));
+  int size = 0;
+  const char* end = name.data() + name.size();
+  const auto [rest, error] = std::from_chars(name.data() + name.find('-') + 1, end, size);
+  if (error != std::errc{} || rest != end || size < form->least || size > form->most)
+    throw UsageError(
+        fmt::format("scene \"{}\": {} is a number from {} to {}", name, form->size, form->least, form->most));
+  return form->make(size);
 }
 
 }  // namespace strahl

@@ -31,6 +31,9 @@ namespace strahl {
 /// "sphereflake-5", "terrain-1000000", "tetra-6", "lattice-32", "ten". Throws UsageError that says what there is.
 [[nodiscard]] Scene generated_scene(const std::string& name);
 
+/// Whether the name is of one of its forms, of whatever size.
+[[nodiscard]] bool is_generated_scene(const std::string& name);
+
 /// What generated_scene understands, for a person: "sphereflake-DEPTH", ...
 [[nodiscard]] const std::vector<std::string>& generated_scene_forms();
 
