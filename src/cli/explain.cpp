@@ -64,6 +64,7 @@ struct ExplainOptions {
   double error_share = 0.01;
   std::vector<std::string> among;
   bool json = false;
+  std::vector<const CLI::Option*> of_effects, of_integrators;  ///< Without effect where the other alone is measured.
 };
 
 struct Lanes {
@@ -205,6 +206,13 @@ EffectCosts costs_of(const ExplainOptions& options, const Scene& scene, const Re
   return measure_effects(device, scene, settings, rounds, [&](double share) { bar.show(share, "building"); });
 }
 
+void require_used(const std::vector<const CLI::Option*>& given, const char* measured) {
+  for (const CLI::Option* option : given)
+    if (option->count() > 0)
+      throw UsageError(fmt::format("{}: nothing of that is measured by --cost {}; leave one of both out",
+                                   option->get_name(), measured));
+}
+
 /// What light does not decide has no error to be compared at.
 void require_light_transport(const std::vector<std::string>& among) {
   const std::vector<std::string> known = light_transport_names();
@@ -220,6 +228,8 @@ ExitCode explain(const ExplainOptions& options) {
   const auto is_asked = [&](const char* of) {
     return options.cost && (*options.cost == of || *options.cost == "both");
   };
+  if (options.cost && !is_asked("effects")) require_used(options.of_effects, "integrators");
+  if (options.cost && !is_asked("integrators")) require_used(options.of_integrators, "effects");
   if (is_asked("effects")) keep_drivers_from_caching();
   Explained all;
   all.settings = settings_of(options.kernel);
@@ -255,29 +265,24 @@ Command add_explain(CLI::App& app) {
           ->expected(0, 1)
           ->default_str("both")
           ->check(CLI::IsMember({"both", "effects", "integrators"}).description(""));
-  require_whole(app.add_option("--rounds", options->rounds, "Builds of every program, and a third of the frames"))
-      ->needs(cost)
-      ->type_name("N")
-      ->capture_default_str()
-      ->check(CLI::Range(1, 100).description(""));
-  require_between(
-      app.add_option("--pilot", options->pilot_seconds, "Seconds of each integrator's pilot, building aside"), 0.01,
-      3600)
-      ->needs(cost)
-      ->type_name("SECONDS")
-      ->capture_default_str();
-  app.add_option("--among", options->among, "Integrators to compare, of light transport; all of them by default")
-      ->needs(cost)
+  CLI::Option* rounds =
+      app.add_option("--rounds", options->rounds, "Builds of every program, and a third of the frames");
+  require_whole(rounds)->needs(cost)->type_name("N")->capture_default_str()->check(CLI::Range(1, 100).description(""));
+  CLI::Option* pilot =
+      app.add_option("--pilot", options->pilot_seconds, "Seconds of each integrator's pilot, building aside");
+  require_between(pilot, 0.01, 3600)->needs(cost)->type_name("SECONDS")->capture_default_str();
+  CLI::Option* among =
+      app.add_option("--among", options->among, "Integrators to compare, of light transport; all of them by default");
+  among->needs(cost)
       ->type_name("NAME,...")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->check(CLI::IsMember(kinds::integrator_names()).description(""));
-  require_between(app.add_option("--error-share", options->error_share,
-                                 "The error that integrators are compared at, over the mean"),
-                  1e-6, 1)
-      ->needs(cost)
-      ->type_name("SHARE")
-      ->capture_default_str();
+  CLI::Option* share = app.add_option("--error-share", options->error_share,
+                                      "The error that integrators are compared at, over the mean");
+  require_between(share, 1e-6, 1)->needs(cost)->type_name("SHARE")->capture_default_str();
+  options->of_effects = {rounds};
+  options->of_integrators = {pilot, among, share};
   add_scene_overrides(app, options->overrides);
   add_kernel_options(app, options->kernel);
   add_program_options(app, options->kernel);

@@ -36,6 +36,7 @@ struct MergeOptions {
   std::string output;
   std::string error_map;
   PngOptions png;
+  std::vector<const CLI::Option*> of_pictures;  ///< Without effect where a larger part is written.
   bool quiet = false;
 };
 
@@ -97,8 +98,9 @@ ExitCode write_picture(const MergeOptions& options, const Checkpoint& sum, const
 ExitCode merge(const MergeOptions& options, const Invocation& invocation) {
   require_outputs(options);
   const bool is_part = is_checkpoint(options.output);
-  if (is_part && !options.error_map.empty())
-    throw UsageError("--error-map is of a picture; name one with -o (.exr, .png or .pfm)");
+  for (const CLI::Option* option : options.of_pictures)
+    if (is_part && option->count() > 0)
+      throw UsageError(option->get_name() + " is of a picture; name one with -o (.exr, .png or .pfm)");
   if (!is_part) {
     const std::vector<std::string> layers = read_checkpoint_header(options.parts.front()).aovs;
     require_distinct_layers(options, layers);
@@ -121,13 +123,14 @@ Command add_merge(CLI::App& app, const Invocation& invocation) {
   app.add_option("-o,--output", options->output, "Picture (.png, .exr or .pfm), or a larger part (.ckpt)")
       ->required()
       ->type_name("FILE");
-  app.add_option("--error-map", options->error_map, "Standard error of each pixel, as of `render`")->type_name("FILE");
-  require_between(app.add_option("--exposure", options->png.exposure, "PNG: brighter by so many stops"), -64, 64)
-      ->type_name("STOPS");
-  require_whole(app.add_option("--png-bits", options->png.bits, "PNG: 8 or 16 bits a channel"))
-      ->type_name("N")
-      ->check(CLI::IsMember({8, 16}))
-      ->capture_default_str();
+  CLI::Option* error_map =
+      app.add_option("--error-map", options->error_map, "Standard error of each pixel, as of `render`");
+  error_map->type_name("FILE");
+  CLI::Option* exposure = app.add_option("--exposure", options->png.exposure, "PNG: brighter by so many stops");
+  require_between(exposure, -64, 64)->type_name("STOPS");
+  CLI::Option* bits = app.add_option("--png-bits", options->png.bits, "PNG: 8 or 16 bits a channel");
+  options->of_pictures = {error_map, exposure, bits};
+  require_whole(bits)->type_name("N")->check(CLI::IsMember({8, 16}))->capture_default_str();
   app.add_flag("-q", options->quiet, "Say nothing but warnings and errors");
   app.footer(merge_footer);
   return [options, &invocation] { return merge(*options, invocation); };

@@ -27,7 +27,8 @@ void add_scene_options(CLI::App& app, SceneOptions& options) {
          "Read none of the scene's files but those below this folder, links resolved: for other people's scenes")
       ->type_name("DIR");
   CLI::Option* quiet = app.add_flag("-q", options.quiet, "Say nothing but warnings and errors");
-  app.add_flag("-v", options.verbose, "Say more: device, program, cache, launches")->excludes(quiet);
+  app.add_flag("-v", options.verbose, "Say more: device, program, cache, launches (render, intersect)")
+      ->excludes(quiet);
   app.add_flag("--no-progress", options.no_progress, "No progress bar");
 }
 

@@ -100,7 +100,8 @@ void choose(const SceneOverrides& overrides, Scene& scene) {
 
 void add_scene_overrides(CLI::App& app, SceneOverrides& overrides) {
   const std::string group = "Instead of what the scene says";
-  app.add_option("--integrator", overrides.integrator, fmt::format("{}", fmt::join(list_entries("integrators"), ", ")))
+  app.add_option("--integrator", overrides.integrator,
+                 fmt::format("auto, {}", fmt::join(list_entries("integrators"), ", ")))
       ->type_name("NAME")
       ->group(group);
   require_whole(
@@ -134,7 +135,8 @@ void add_scene_overrides(CLI::App& app, SceneOverrides& overrides) {
       app.add_option("--crop", overrides.crop, "Only the pixels x0 <= x < x1, y0 <= y < y1; the picture is that large")
           ->type_name("x0,y0,x1,y1")
           ->group(group);
-  app.add_option("--pixel", overrides.pixel, "Only this pixel; prints its linear R G B; a picture only with -o")
+  app.add_option("--pixel", overrides.pixel,
+                 "Only this pixel; `render` prints its linear R G B, and writes a picture only with -o")
       ->type_name("x,y")
       ->excludes(crop_option)
       ->group(group);

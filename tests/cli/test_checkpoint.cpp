@@ -324,6 +324,9 @@ TEST_CASE("parts become the picture of one run; what overlaps or is missing is n
          {"not of one picture", "the seed is 0 there and 3"});
   refuse(folder, {"merge", "a.ckpt", "one.exr", "-o", "x.exr"}, 3, {"one.exr", "is no checkpoint"});
   refuse(folder, {"merge", "a.ckpt", "bc.ckpt", "-o", "a.ckpt"}, 2, {"written over"});
+  refuse(folder, {"merge", "a.ckpt", "bc.ckpt", "-o", "x.ckpt", "--error-map", "x.exr"}, 2, {"--error-map is of a"});
+  refuse(folder, {"merge", "a.ckpt", "bc.ckpt", "-o", "x.ckpt", "--exposure", "3"}, 2, {"--exposure is of a picture"});
+  refuse(folder, {"merge", "a.ckpt", "bc.ckpt", "-o", "x.ckpt", "--png-bits", "8"}, 2, {"--png-bits is of a picture"});
   const std::vector<std::string> all{"merge", "a.ckpt", "bc.ckpt", "d.ckpt", "-o", "out.png"};
   refuse(folder, all + std::vector<std::string>{"--error-map", "out.normal.png"}, 2,
          {"--error-map", "the picture of the AOV normal", "are one file"});

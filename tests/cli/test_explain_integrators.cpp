@@ -146,10 +146,20 @@ TEST_CASE("samples that are not finite tell no time, which is said") {
   CHECK(row.at("seconds").is_null());
 }
 
-TEST_CASE("options of the pilots mean nothing without --cost") {
+TEST_CASE("options of the pilots mean nothing without --cost, nor options of what is not measured") {
   const Folder folder;
   folder.file("scene.xml", box);
   CHECK(folder.run({"explain", "scene.xml", "--pilot", "1"}).code == 2);
   CHECK(folder.run({"explain", "scene.xml", "--cost", "everything"}).code == 2);
   CHECK(folder.run({"explain", "scene.xml", "--cost", "integrators", "--among", "pat"}).code == 2);
+  const auto refusal = [&](const char* measured, std::vector<std::string> more) {
+    more.insert(more.begin(), {"explain", "scene.xml", "--cost", measured});
+    const Outcome outcome = folder.run(more);
+    CHECK(outcome.code == 2);
+    return outcome.err;
+  };
+  CHECK(contains(refusal("effects", {"--pilot", "2"}), "--pilot: nothing of that is measured by --cost effects"));
+  CHECK(contains(refusal("effects", {"--among", "path"}), "--among: "));
+  CHECK(contains(refusal("effects", {"--error-share", "0.01"}), "--error-share: "));
+  CHECK(contains(refusal("integrators", {"--rounds", "3"}), "--rounds: "));
 }

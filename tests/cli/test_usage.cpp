@@ -36,6 +36,14 @@ TEST_CASE("tradeoff's help names every integrator whose depth can be varied") {
   CHECK(contains(folder.run({"tradeoff", "--help"}).out, "max_depth of whitted, path, volpath, ptracer, bdpt;"));
 }
 
+TEST_CASE("help says which commands an option has an effect in") {
+  const Folder folder;
+  const std::string explain = folder.run({"explain", "--help"}).out;
+  CHECK(contains(explain, "auto, "));
+  CHECK(contains(explain, "`render` prints its linear R G B"));
+  CHECK(contains(explain, "(render, intersect)"));
+}
+
 TEST_CASE("render's help names every option that the documentation has") {
   const Folder folder;
   const std::string help = folder.run({"render", "--help"}).out;
