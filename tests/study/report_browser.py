@@ -6,6 +6,7 @@ PROGRAM writes a page to the path that it is given (sample_report). Needs Debian
 python3-selenium; exits 77 where one of them is missing. SCREENSHOTS: a folder for pictures to be looked at.
 """
 import base64
+import contextlib
 import json
 import os
 import pathlib
@@ -97,6 +98,21 @@ class Report(unittest.TestCase):
     def open_page(self, page):
         self.opened.add(page.as_uri())
         self.browser.get(page.as_uri())
+
+    @contextlib.contextmanager
+    def page_of(self, study):
+        """The page with another study in it."""
+        text, whole = self.page.read_text(), self.page
+        start = text.index(">", text.index('<script type="application/json" id="study"')) + 1
+        with tempfile.NamedTemporaryFile("w", suffix=".html") as part:
+            part.write(text[:start] + json.dumps(study) + text[text.index("</script>", start):])
+            part.flush()
+            self.page = pathlib.Path(part.name)
+            try:
+                self.show(1280, "light")
+                yield
+            finally:
+                self.page = whole
 
     def run_script(self, script, *arguments):
         return self.browser.execute_script(script, *arguments)
@@ -320,14 +336,7 @@ class Report(unittest.TestCase):
         study["points"][0].update({"rmse": 0, "rmse_low": 0, "rmse_high": 0, "mse": 0})
         study["reference"] = {key: None for key in study["reference"]} | {
             "file": "reference.exr", "picture": study["reference"]["picture"]}
-        text = self.page.read_text()
-        start = text.index(">", text.index('<script type="application/json" id="study"')) + 1
-        whole = self.page
-        with tempfile.NamedTemporaryFile("w", suffix=".html") as part:
-            part.write(text[:start] + json.dumps(study) + text[text.index("</script>", start):])
-            part.flush()
-            self.page = pathlib.Path(part.name)
-            self.show(1280, "light")
+        with self.page_of(study):
             self.assertEqual(len(self.find_all("#drawing [data-id]")), len(study["points"]) - 1)
             self.assertIn("1 of the settings", self.texts("#plot-note")[0])
             self.assertIn("reference.exr", self.texts("#made")[0])
@@ -336,7 +345,27 @@ class Report(unittest.TestCase):
             self.find('#settings th[data-key="flip"] button').click()
             self.assertEqual(len(self.find_all("#settings tbody tr")), len(study["points"]))
             self.assertNotIn("NaN", self.find("body").text)
-        self.page = whole
+
+    def test_three_samplers_look_different(self):
+        study = self.study()
+        study["fits"] = []
+        study["points"] = [point for point in study["points"] if point["id"].startswith("robust-")
+                           and not point["generic"]]
+        for point in study["points"]:
+            if point["max_depth"] == 2 and point["sampler"] == "sobol":
+                point["sampler"] = "centre"
+        with self.page_of(study):
+            looks = self.run_script("""
+                const looks = {};
+                for (const point of JSON.parse(document.getElementById("study").textContent).points) {
+                  const mark = document.querySelector(`#drawing [data-id="${point.id}"]`);
+                  (looks[point.sampler] ??= []).push([...mark.querySelectorAll("*")].map((part) =>
+                    part.tagName + " " + getComputedStyle(part).fill).join());
+                }
+                return looks;""")
+            self.assertEqual({sampler: len(set(all)) for sampler, all in looks.items()},
+                             {"centre": 1, "independent": 1, "sobol": 1})
+            self.assertEqual(len({all[0] for all in looks.values()}), 3)
 
     def test_numbers_are_rounded_before_they_are_told(self):
         text = FORMAT.read_text()
