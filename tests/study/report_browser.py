@@ -355,17 +355,11 @@ class Report(unittest.TestCase):
             if point["max_depth"] == 2 and point["sampler"] == "sobol":
                 point["sampler"] = "centre"
         with self.page_of(study):
-            looks = self.run_script("""
-                const looks = {};
-                for (const point of JSON.parse(document.getElementById("study").textContent).points) {
-                  const mark = document.querySelector(`#drawing [data-id="${point.id}"]`);
-                  (looks[point.sampler] ??= []).push([...mark.querySelectorAll("*")].map((part) =>
-                    part.tagName + " " + getComputedStyle(part).fill).join());
-                }
-                return looks;""")
-            self.assertEqual({sampler: len(set(all)) for sampler, all in looks.items()},
-                             {"centre": 1, "independent": 1, "sobol": 1})
-            self.assertEqual(len({all[0] for all in looks.values()}), 3)
+            look = """return [...arguments[0].querySelectorAll("*")].map(
+                (part) => part.tagName + " " + getComputedStyle(part).fill).join()"""
+            looks = {(point["sampler"], self.run_script(look, self.mark(point))) for point in study["points"]}
+            self.assertEqual([len(set(column)) for column in zip(*looks)], [3, 3])
+            self.assertEqual(len(looks), 3)
 
     def test_numbers_are_rounded_before_they_are_told(self):
         text = FORMAT.read_text()
