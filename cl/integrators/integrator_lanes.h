@@ -78,8 +78,8 @@ FN void surface_scatter_w(const Scene* scene, Paths_w* path, const Surfaces_w* s
   real3w wo = unit3_w(negate3_w(d));
   realw number = splat_w(R(0.0));
   if (HAS_BLEND) number = random_between_w(blend_number_w(scene, path, next));
-#if HAS_PRIORITY && HAS_MEDIA
-  if ((next & STEP_THROUGH) != 0)
+#if HAS_MEDIA
+  if (HAS_PRIORITY && (next & STEP_THROUGH) != 0)
     last = last | (at_surface & on & ~lt_int_w(path->depth, splat_int_w(scene->index[HEADER_MAX_DEPTH] - 1)));
 #endif
   MaterialRows_w at = rows_at_w(scene, s, on | last, wo, number);
