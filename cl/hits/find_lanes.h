@@ -46,9 +46,10 @@ FN maskw meets_any_w(const Scene* scene, Rays_w* rays, maskw which) {
   return which & -(int)(SCENE_LANED(any_hit)(scene, &ray) != 0);
 }
 #else
-/// As widened_w of accel/traverse.h.
+/// As widened_w of accel/traverse.h. A list of media's boundaries is no tree, but the rays may have been widened for
+/// the scene's own, which reaches less far, and packets reject a list's polygons by their boxes.
 FN void widen_w(const Scene* scene, Rays_w* rays) {
-  int is_walked = HAS_INSTANCES || scene_root(scene) != NO_REFERENCE;
+  int is_walked = HAS_INSTANCES || scene_met(scene) != 0 || scene_root(scene) != NO_REFERENCE;
   GLOBAL const real* reach = scene_reach(scene);
   maskw has_departed = nonzero_w(rays->departed + splat_int_w(1));
   if (HAS_TREE && is_walked) widen_rays_w(has_departed, rays->planes, reach);

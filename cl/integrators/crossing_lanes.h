@@ -31,3 +31,14 @@ SELDOM_FN void pass_holes_w(const Scene* scene, Paths_w* path, const Surfaces_w*
   Crossing_w c = crossing_at_w(scene, &path->within, s, which, ior);
   cross_interface_w(scene, &c, which & goes_through_w(&c, s, d), &path->within);
 }
+
+/// Of lanes at their last depth, those whose surface is ignored: they go on along d, as lanes that have depth left do.
+SELDOM_FN maskw pass_ignored_w(const Scene* scene, Paths_w* path, const Surfaces_w* s, const MaterialRows_w* at,
+                               maskw which, real3w d) {
+  Crossing_w c = crossing_at_w(scene, &path->within, s, which, splat_w(R(0.0)));
+  maskw ignored = c.which & ~c.is_real;
+  pass_holes_w(scene, path, s, at, ignored, d);
+  path->within.ignored = path->within.ignored + sel_int_w(ignored, splat_int_w(1), splat_int_w(0));
+  path->density = sel_w(ignored, splat_w(R(0.0)), path->density);
+  return ignored;
+}

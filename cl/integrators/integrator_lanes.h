@@ -51,7 +51,7 @@ FN uintw blend_number_w(const Scene* scene, const Paths_w* path, int next) {
 /// As surface_step, without the waiting branches going on.
 FN void surface_scatter_w(const Scene* scene, Paths_w* path, const Surfaces_w* s, Branches_w* branches) {
   int next = 0;
-  maskw on = none_w();
+  maskw on = none_w(), last = path->alive & at_surfaces_w(s);
   switch (scene->index[HEADER_INTEGRATOR]) {
 #define INTEGRATOR(name)                       \
   case INTEGRATOR_##name:                      \
@@ -64,7 +64,9 @@ FN void surface_scatter_w(const Scene* scene, Paths_w* path, const Surfaces_w* s
   }
   path->alive = on;
   if (!STEPS_w) return;
-  if (next == 0 || !any_w(on)) return;
+  // Lanes at their last depth, which pass surfaces that are ignored.
+  last = HAS_PRIORITY ? last & ~on : none_w();
+  if (next == 0 || !any_w(on | last)) return;
   real3w d = real3_at_w(path->rays.planes + RAY_PLANE_D), way = d;
   realw t_max = path->rays.planes[RAY_PLANE_T_MAX] - s->t;
   maskw at_surface = on & at_surfaces_w(s);
@@ -76,7 +78,16 @@ FN void surface_scatter_w(const Scene* scene, Paths_w* path, const Surfaces_w* s
   real3w wo = unit3_w(negate3_w(d));
   realw number = splat_w(R(0.0));
   if (HAS_BLEND) number = random_between_w(blend_number_w(scene, path, next));
-  MaterialRows_w at = rows_at_w(scene, s, on, wo, number);
+#if HAS_MEDIA
+  if (HAS_PRIORITY && (next & STEP_THROUGH) != 0)
+    last = last | (at_surface & on & ~lt_int_w(path->depth, splat_int_w(scene->index[HEADER_MAX_DEPTH] - 1)));
+#endif
+  MaterialRows_w at = rows_at_w(scene, s, on | last, wo, number);
+  if (HAS_PRIORITY && any_w(last)) {
+    maskw ignored = pass_ignored_w(scene, path, s, &at, last, d);
+    passed = passed | ignored;
+    on = on & ~ignored;
+  }
   if (HAS_MASK && is_lit) {
     maskw open = none_w();
 #if HAS_MEDIA

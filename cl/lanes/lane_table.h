@@ -737,6 +737,7 @@
 #define parameter_of_w LANED(parameter_of_w)
 #define part_entry_w LANED(part_entry_w)
 #define pass_holes_w LANED(pass_holes_w)
+#define pass_ignored_w LANED(pass_ignored_w)
 #define pass_ranked_w LANED(pass_ranked_w)
 #define passed_share_w LANED(passed_share_w)
 #define passes_masks_w LANED(passes_masks_w)

@@ -18,25 +18,43 @@ struct Body {
   Box box;
 };
 
+/// Of a mesh's triangles. Without a border they have no area on the whole, as a vector.
+struct Hull {
+  Vec3 area;           ///< Twice the sum of the areas along their normals,
+  double surface = 0;  ///< and of the areas.
+  double volume = 0;   ///< Six times; negative where they face inwards.
+};
+
+Hull hull_of(const Mesh& mesh) {
+  Hull hull;
+  if (mesh.triangles.empty()) return hull;
+  const auto corner = [&](const std::array<int, 3>& triangle, std::size_t i) {
+    return mesh.positions.at(static_cast<std::size_t>(triangle.at(i)));
+  };
+  const Vec3 origin = corner(mesh.triangles.front(), 0);
+  for (const std::array<int, 3>& triangle : mesh.triangles) {
+    const Vec3 a = corner(triangle, 0), across = cross(corner(triangle, 1) - a, corner(triangle, 2) - a);
+    hull.area = hull.area + across;
+    hull.surface += length(across);
+    hull.volume += dot(a - origin, across);
+  }
+  return hull;
+}
+
 bool is_closed(const Geometry& geometry) {
+  if (const auto* mesh = std::get_if<Mesh>(&geometry)) {
+    const Hull hull = hull_of(*mesh);
+    return length(hull.area) <= 1e-6 * hull.surface;
+  }
   return std::holds_alternative<Sphere>(geometry) || std::holds_alternative<SphereCloud>(geometry) ||
-         std::holds_alternative<Box>(geometry) || std::holds_alternative<Cube>(geometry) ||
-         std::holds_alternative<Mesh>(geometry);
+         std::holds_alternative<Box>(geometry) || std::holds_alternative<Cube>(geometry);
 }
 
 /// Whether a closed shape has its inside before it. Of a mesh its triangles say so, as flip_normals may have been
 /// changed for one that is mirrored.
 bool is_turned(const Shape& shape) {
   const auto* mesh = std::get_if<Mesh>(&shape.geometry);
-  if (mesh == nullptr || mesh->triangles.empty()) return shape.flip_normals;
-  const auto corner = [&](const std::array<int, 3>& triangle, std::size_t i) {
-    return mesh->positions.at(static_cast<std::size_t>(triangle.at(i)));
-  };
-  const Vec3 origin = corner(mesh->triangles.front(), 0);
-  double volume = 0;
-  for (const std::array<int, 3>& triangle : mesh->triangles)
-    volume += dot(corner(triangle, 0) - origin, cross(corner(triangle, 1) - origin, corner(triangle, 2) - origin));
-  return shape.flip_normals != (volume < 0);
+  return shape.flip_normals != (mesh != nullptr && hull_of(*mesh).volume < 0);
 }
 
 std::vector<Body> bodies_of(const Scene& scene) {

@@ -267,6 +267,38 @@ TEST_CASE("a shape too far off for single precision is named, with the remedy") 
   CHECK(warning->message.find("--precision double") != std::string::npos);
 }
 
+TEST_CASE("a body too dense for single precision is named, placed by an instance, too") {
+  for (const bool is_placed : {false, true}) {
+    Scene scene = scene_of("volpath");
+    Medium marble;
+    marble.sigma_t = Rgb{10, 2600, 10};
+    scene.media = {marble};
+    Shape ball;
+    ball.geometry = Sphere{{0, 0, 0}, 0.3, {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}};
+    ball.media = MediumBoundary{0, -1};
+    Transform place;
+    const auto warning_at = [&](double distance) {
+      place.m = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 4 - distance}}};
+      scene.shapes.clear(), scene.groups.clear(), scene.instances.clear();
+      if (is_placed) {
+        scene.groups.emplace_back().shapes = {ball};
+        scene.instances.emplace_back().world_from_group = place;
+      } else {
+        scene.shapes = {ball};
+        std::get<Sphere>(scene.shapes.front().geometry).center = place.point({0, 0, 0});
+      }
+      return too_dense_for_single(scene);
+    };
+    CHECK_FALSE(warning_at(100));
+    const std::optional<Diagnostic> warning = warning_at(1000);
+    REQUIRE(warning);
+    CHECK(warning->message.find("light goes 0.00038 on average") != std::string::npos);
+    CHECK(warning->message.find("--precision double") != std::string::npos);
+    scene.integrator.name = "path";
+    CHECK_FALSE(warning_at(1000));
+  }
+}
+
 TEST_CASE("ids that floats do not tell apart are told") {
   constexpr std::int64_t exact = (std::int64_t{1} << 24) + 1;  // From 0.
   const AovList both{Aov::shape_id, Aov::primitive_id};

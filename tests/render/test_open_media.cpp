@@ -2,6 +2,7 @@
 // Media without an end: what they leave of light from infinitely far away, in closed form. As in Mitsuba 3.9.1 the way
 // of a direction that is drawn for such a light ends at twice the radius of the ball around the scene, or twice the
 // distance from its middle; other ways have no end, and bring no light. 10 s.
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -145,6 +146,14 @@ TEST_CASE("which media may have no end") {
       lake.shapes.front().flip_normals = is_flipped;
       CHECK(open_medium(lake).has_value() == (is_mirrored != is_flipped));
     }
+  }
+  // One with a border has the medium on both sides of it, in whatever order its triangles are.
+  body.triangles.pop_back();
+  for (int turn = 0; turn < 3; ++turn) {
+    std::ranges::rotate(body.triangles, body.triangles.begin() + 1);
+    lake.shapes.front().geometry = body;
+    lake.shapes.front().flip_normals = turn == 0;
+    CHECK(open_medium(lake));
   }
   // Within a box of fog, and in one that does not reach as far.
   Scene boxed = fog;

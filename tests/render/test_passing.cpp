@@ -52,6 +52,30 @@ TEST_CASE("a lamp in ignored glass lights as if the glass were not there") {
         Approx(mean_in(lamp_in_ignored_glass(false), 256, "path")).epsilon(0.02));
 }
 
+/// The camera's ray enters the ball of rank 2, is scattered by the floor and meets the ignored glass at its last depth.
+TEST_CASE("at the last depth, too, ignored glass is passed") {
+  require_pocl_and_rusticl();
+  for (const char* integrator : {"path", "volpath"}) {
+    INFO(integrator);
+    const auto mean = [&](bool is_there, int samples) {
+      Scene scene = lamp_in_ignored_glass(is_there);
+      scene.integrator.max_depth = 3;
+      return mean_in(scene, samples, integrator);
+    };
+    const double expected = mean(false, 256);
+    REQUIRE(expected > 0.001);
+    CHECK(mean(true, 1024) == Approx(expected).epsilon(0.02));
+  }
+  for (const bool is_there : {false, true}) {
+    Scene scene = stage({ball({0, 0, 0}, 3)}, glass(1));
+    scene.shapes.front().priority = 2;
+    add_shape(scene, Rectangle{{-3, -3, 0}, {6, 0, 0}, {0, 6, 0}}, diffuse({0, 0, 0}));
+    scene.shapes.back().radiance = Rgb{3, 3, 3};
+    if (is_there) add_shape(scene, ball({0, 0, 0}, 2.9), glass(1.5), 1);
+    CHECK(mean_in(scene, 4, "direct") == Approx(3));
+  }
+}
+
 /// `front` before a ball of glass, and a wall behind, half of which shines.
 Scene before_a_ball(const Geometry& geometry, const Material& front, bool ranked) {
   Scene scene = stage({Rectangle{{-9, -9, -3}, {18, 0, 0}, {0, 18, 0}}}, diffuse({0.2, 0.2, 0.2}));

@@ -40,22 +40,19 @@ void make_vertex_normals(Mesh& mesh) {
 }
 
 bool turn_to_vertex_normals(Mesh& mesh) {
-  std::vector<std::size_t> averted;
-  bool agrees_somewhere = false;
+  std::vector<std::size_t> averted, agreeing;
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     const std::array<int, 3>& triangle = mesh.triangles[i];
     Vec3 sum;
     for (const int vertex : triangle) sum = sum + mesh.normals[static_cast<std::size_t>(vertex)];
     const double agreement = dot(across(mesh, triangle), sum);
-    if (agreement < 0) averted.push_back(i);
-    agrees_somewhere = agrees_somewhere || agreement > 0;
+    if (agreement != 0) (agreement < 0 ? averted : agreeing).push_back(i);
   }
-  if (!averted.empty() && !agrees_somewhere) {
+  const bool is_turned = averted.size() > agreeing.size();
+  if (is_turned)
     for (Vec3& normal : mesh.normals) normal = -normal;
-    return true;
-  }
-  for (const std::size_t i : averted) std::swap(mesh.triangles[i][1], mesh.triangles[i][2]);
-  return false;
+  for (const std::size_t i : is_turned ? agreeing : averted) std::swap(mesh.triangles[i][1], mesh.triangles[i][2]);
+  return is_turned;
 }
 
 }  // namespace strahl

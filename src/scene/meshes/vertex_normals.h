@@ -11,10 +11,10 @@ namespace strahl {
 /// 1998). Where the sum is zero, the x axis, as Mitsuba has it. Replaces what `normals` holds.
 void make_vertex_normals(Mesh& mesh);
 
-/// Turns triangles to the side of the normals of their vertices, which the mesh has. Where all of them face the other
-/// way, as on mirrored meshes, the vertex normals are negated instead, so that corners, which u, v and directions along
-/// them go by, keep their order: true, and the shape's flip_normals, which turns both, is to change. Where only some
-/// do, two of their corners are swapped.
+/// Turns triangles to the side of the normals of their vertices, which the mesh has. Where most of them face the other
+/// way, as on mirrored meshes, the vertex normals are negated first, so that corners, which u, v and directions along
+/// them go by, keep their order: true, and the shape's flip_normals, which turns both, is to change. Of those that face
+/// otherwise than most two corners are swapped.
 [[nodiscard]] bool turn_to_vertex_normals(Mesh& mesh);
 
 }  // namespace strahl

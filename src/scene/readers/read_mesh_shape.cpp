@@ -82,8 +82,7 @@ void drop_light_of_file(const ShapeInput& input, Mesh& mesh) {
 /// As in Mitsuba, light goes where the vertex normals point. They also say what is outside of glass, and where such
 /// bodies overlap, or media are within them, the triangles must say the same.
 bool goes_by_vertex_normals(const ShapeInput& input, const Mesh& mesh) {
-  return emits(input.shape, &mesh) || input.shape.media ||
-         (input.shape.priority && has_glass(input.shape, &mesh, input.builder.scene));
+  return emits(input.shape, &mesh) || (input.shape.priority && has_glass(input.shape, &mesh, input.builder.scene));
 }
 
 }  // namespace
