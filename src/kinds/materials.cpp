@@ -317,7 +317,8 @@ struct Facts {
     facts.flags = {"RELIEF"};
     facts.nested = {relief.nested};
     facts.has_along = true;
-    if (!std::isfinite(relief.scale)) facts.faults.emplace_back("scale must be finite");
+    // Slopes of far more overflow single precision, where surfaces are flat.
+    if (!(std::abs(relief.scale) <= 1e12)) facts.faults.emplace_back("scale must be from -1e12 to 1e12");
     if (!is_finite(relief.map.color)) facts.faults.emplace_back("normalmap must be finite");
     return facts;
   }

@@ -68,12 +68,12 @@ template <typename IsSo>
                              [&](int inside) { return is_so(scene.materials[static_cast<std::size_t>(inside)]); });
 }
 
-/// Whether a material of the scene, or one inside it, is a Bsdf.
+/// Whether a material of the scene, or one inside it or behind, is a Bsdf.
 template <typename Bsdf>
 [[nodiscard]] bool is_or_holds(const Scene& scene, int index) {
   const Material& material = scene.materials.at(static_cast<std::size_t>(index));
   const auto is_one = [](const Material& each) { return std::holds_alternative<Bsdf>(each.bsdf); };
-  return is_one(material) || any_inside(scene, material, is_one);
+  return is_one(material) || any_inside(scene, material, is_one, true);
 }
 
 /// Lobes of the material, or of those inside it.

@@ -195,11 +195,18 @@ TEST_CASE("reliefs have a map, Mitsuba's options and a material inside") {
       letter + "</texture>" + white + "</bsdf>");
   CHECK(scaled.scale == 1.5);
   CHECK(scaled.map.texture == 0);
+  for (const char* steep : {"1.1e12", "-1e38"})
+    CHECK(problem("<bsdf type=\"bumpmap\"><texture type=\"scale\"><float name=\"scale\" value=\"" + std::string(steep) +
+                  "\"/>" + letter + "</texture>" + white + "</bsdf>")
+              .find("scale must be from -1e12 to 1e12") != std::string::npos);
   CHECK(problem("<bsdf type=\"bumpmap\"><texture type=\"scale\"/>" + white + "</bsdf>").find("needs one <texture>") !=
         std::string::npos);
   CHECK(problem("<bsdf type=\"bumpmap\">" + white + "</bsdf>").find("needs one <texture>") != std::string::npos);
   CHECK(problem("<bsdf type=\"bumpmap\">" + letter + "</bsdf>").find("needs one <bsdf>") != std::string::npos);
   CHECK(problem("<bsdf type=\"normalmap\">" + map + "<bsdf type=\"normalmap\">" + map + white + "</bsdf></bsdf>")
+            .find("bent twice") != std::string::npos);
+  CHECK(problem("<bsdf type=\"normalmap\">" + map + "<bsdf type=\"twosided\">" + white + "<bsdf type=\"normalmap\">" +
+                map + white + "</bsdf></bsdf></bsdf>")
             .find("bent twice") != std::string::npos);
 }
 

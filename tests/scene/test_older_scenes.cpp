@@ -262,6 +262,18 @@ TEST_CASE("0.x: rules that go by a type know it where it is a $name, or has para
                                   "type=\"dielectric\" name=\"GreenGlass\"/></shape>")))
                         .scene;
   CHECK_FALSE(std::get<Mesh>(obj.shapes.at(0).geometry).parts.empty());
+  // The shape around an <include> is that of what it includes.
+  const std::string glass = "<bsdf type=\"dielectric\" name=\"GreenGlass\"/>";
+  const auto scene_of = [](const std::string& inside) { return "<scene version=\"0.6.0\">" + inside + "</scene>"; };
+  folder.write("bare.xml", glass);
+  for (const std::string& included : {glass, scene_of(glass), scene_of("<include filename=\"bare.xml\"/>")}) {
+    CAPTURE(included);
+    folder.write("glass.xml", included);
+    const LoadedScene found = load(old(
+        "<shape type=\"obj\"><string name=\"filename\" value=\"a.obj\"/><include filename=\"glass.xml\"/></shape>"));
+    CHECK(shortened(found.warnings).empty());
+    CHECK_FALSE(std::get<Mesh>(found.scene.shapes.at(0).geometry).parts.empty());
+  }
 }
 
 TEST_CASE("a file of one object without a version has that of the file that includes it, others their own") {

@@ -162,6 +162,20 @@ TEST_CASE("a d65 is clamped once it is scaled, and a uniform spectrum may have e
       problems(around("<bsdf type=\"diffuse\">" + d65("2", "0.25, 1, 0") + "</bsdf>"));
   REQUIRE(found.size() == 1);
   CHECK_THAT(found[0], Catch::Contains("warning: \"reflectance\" is 0.5, 2, 0, outside [0, 1]; 0.5, 1, 0 is used"));
+  const std::string nested =
+      "<spectrum type=\"d65\" name=\"reflectance\"><spectrum type=\"srgb\" name=\"color\"><rgb "
+      "name=\"color\" value=\"-0.25, 0.5, 1\"/></spectrum></spectrum>";
+  for (const std::string& negative : {d65("1", "-0.25, 0.5, 1"), nested}) {
+    const std::vector<std::string> below = problems(around("<bsdf type=\"diffuse\">" + negative + "</bsdf>"));
+    REQUIRE(below.size() == 1);
+    CHECK_THAT(below[0],
+               Catch::Contains("warning: \"reflectance\" is -0.25, 0.5, 1, outside [0, 1]; 0, 0.5, 1 is used"));
+  }
+  const std::vector<std::string> lamp =
+      problems(around("<emitter type=\"constant\"><spectrum type=\"d65\" name=\"radiance\"><rgb name=\"color\" "
+                      "value=\"-0.25, 0.5, 1\"/></spectrum></emitter>"));
+  REQUIRE(lamp.size() == 1);
+  CHECK_THAT(lamp[0], Catch::Contains("error: \"color\" is negative; light cannot be"));
   const std::string uniform =
       "<spectrum type=\"uniform\" name=\"reflectance\"><float name=\"wavelength_min\" value=\"400\"/><float "
       "name=\"wavelength_max\" value=\"700\"/><float name=\"value\" value=\"0.25\"/></spectrum>";

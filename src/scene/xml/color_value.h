@@ -17,6 +17,7 @@ struct SpectrumCurve;
 /// What a colour is for: it decides what values are possible, and how a spectrum becomes one.
 enum class ColorUse {
   reflectance,  ///< A share of the light, within [0, 1].
+  unclamped,    ///< A part of a reflectance, which is clamped as a whole: of any sign.
   emission,     ///< Not negative.
   value,        ///< Of refraction or roughness: not negative.
   height        ///< Of a texture alone: of any sign.

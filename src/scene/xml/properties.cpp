@@ -185,7 +185,7 @@ std::optional<Rgb> Properties::color(std::string_view name, ColorUse use, const 
     return std::nullopt;
   }
   if (use == ColorUse::reflectance) return clamped_reflectance(*value, given->where, name, diagnostics_);
-  if (value->r >= 0 && value->g >= 0 && value->b >= 0) return value;
+  if (use == ColorUse::unclamped || (value->r >= 0 && value->g >= 0 && value->b >= 0)) return value;
   const char* what = use == ColorUse::emission ? "is negative; light cannot be" : "must not be negative";
   diagnostics_.error(where(name), fmt::format("\"{}\" {}", name, what));
   return std::nullopt;

@@ -28,8 +28,8 @@ std::optional<Rgb> read_d65(Properties& properties, ColorUse use) {
     return read_color(*textures.front(), use, grey(use == ColorUse::emission ? 1 : 0.5), properties.diagnostics());
   const double scale = properties.number("scale").value_or(1);
   // Whoever asked clamps a reflectance, once it is scaled.
-  const ColorUse unclamped = use == ColorUse::reflectance ? ColorUse::value : use;
-  const Rgb color = properties.color("color", unclamped, grey(1)).value_or(grey(1));
+  const ColorUse of_color = use == ColorUse::reflectance ? ColorUse::unclamped : use;
+  const Rgb color = properties.color("color", of_color, grey(1)).value_or(grey(1));
   return Rgb{scale * color.r, scale * color.g, scale * color.b};
 }
 

@@ -30,7 +30,7 @@ struct XmlAttribute {
 };
 
 /// The tag of elements that no file has, as no name in XML begins with a digit: what xml_upgrade.h writes into an
-/// element of Mitsuba 0.x to say which of its rules hold there. Their one attribute is a name.
+/// element of Mitsuba 0.x to say which of its rules hold there. They have a name, and the value "true".
 constexpr std::string_view old_rule_tag = "0.x";
 
 struct XmlElement {

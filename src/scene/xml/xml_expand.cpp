@@ -63,7 +63,8 @@ class Expander {
         pool_(pool),
         diagnostics_(diagnostics) {}
 
-  [[nodiscard]] XmlElement* read(const std::string& path, const SourceLocation& referrer) {
+  /// parent: of the <include>; null of the main file.
+  [[nodiscard]] XmlElement* read(const std::string& path, const SourceLocation& referrer, const XmlElement* parent) {
     const std::string canonical = canonical_path(path);
     if (std::find(open_.begin(), open_.end(), canonical) != open_.end()) {
       diagnostics_.error(referrer, fmt::format("\"{}\" includes itself; break the cycle", path));
@@ -79,10 +80,11 @@ class Expander {
     const int version = version_ = major_version(*root, includers_version, diagnostics_);
     open_.push_back(canonical);
     static_cast<void>(substitute_attributes(*root));
-    expand_children(*root);
+    // What a <scene> holds takes the place of the <include>.
+    expand_children(*root, root->tag == "scene" && parent != nullptr ? *parent : *root);
     open_.pop_back();
     version_ = includers_version;
-    upgrade_to_version_3(*root, version, pool_, diagnostics_);
+    upgrade_to_version_3(*root, parent, version, pool_, diagnostics_);
     return root;
   }
 
@@ -100,7 +102,8 @@ class Expander {
   }
 
  private:
-  void expand_children(XmlElement& element) {
+  /// around: what they come to lie in, once includes are replaced.
+  void expand_children(XmlElement& element, const XmlElement& around) {
     XmlElement* given = std::exchange(element.first_child, nullptr);
     XmlElement** end = &element.first_child;
     while (given != nullptr) {
@@ -110,11 +113,11 @@ class Expander {
       if (child.tag == "default") {
         add_default(child);
       } else if (child.tag == "include") {
-        *end = include(child, element);
+        *end = include(child, around);
       } else if (child.tag == "path") {
         add_folder(child);
       } else {
-        expand_children(child);
+        expand_children(child, child);
         *end = &child;
       }
       while (*end != nullptr) end = &(*end)->next_sibling;
@@ -156,7 +159,7 @@ class Expander {
         diagnostics_.error(element.where, fmt::format("more than {} includes", most_includes));
       return nullptr;
     }
-    XmlElement* root = read(search_path_.find(*name, *element.where.file), element.where);
+    XmlElement* root = read(search_path_.find(*name, *element.where.file), element.where, &parent);
     if (root == nullptr) return nullptr;
     if (root->tag == "scene") return root->first_child;
     take_place(*root, element, parent);
@@ -266,7 +269,7 @@ void find_spectra(XmlElement& element, const SearchPath& search_path, XmlPool& p
 XmlElement* read_expanded_xml(const std::string& path, const std::map<std::string, std::string>& defines,
                               SearchPath& search_path, XmlPool& pool, Diagnostics& diagnostics) {
   Expander expander(path, defines, search_path, pool, diagnostics);
-  XmlElement* root = expander.read(path, {});
+  XmlElement* root = expander.read(path, {}, nullptr);
   if (root == nullptr) return nullptr;
   expander.report_unused_defines();
   find_spectra(*root, search_path, pool);

@@ -41,7 +41,7 @@ bool has_parts(const XmlElement& element) {
 void drop_repeated(XmlElement& element, Diagnostics& diagnostics) {
   std::vector<XmlElement*> children;
   for (XmlElement* child = element.first_child; child != nullptr; child = child->next_sibling)
-    if (child->tag != "default" && !child->text("name").empty()) children.push_back(child);
+    if (!child->text("name").empty()) children.push_back(child);
   std::unordered_map<std::string_view, const XmlElement*> later;
   std::unordered_set<const XmlElement*> dropped;
   for (std::size_t i = children.size(); i-- > 0;) {
@@ -181,11 +181,14 @@ void rename_parameter(XmlElement& element, const XmlElement* parent, XmlPool& po
   }
 }
 
+/// parent: what it is within; null of the main file's root.
 void upgrade(XmlElement& element, const XmlElement* parent, bool is_old, XmlPool& pool, Diagnostics& diagnostics) {
   if (element.tag == "lookAt") element.tag = "lookat";
   if (is_old) rename_parameter(element, parent, pool);
+  // An included <scene> goes: what it holds takes the place of the <include>.
+  const XmlElement& around = element.tag == "scene" && parent != nullptr ? *parent : element;
   for (XmlElement* child = element.first_child; child != nullptr; child = child->next_sibling)
-    if (child->where.file == element.where.file) upgrade(*child, &element, is_old, pool, diagnostics);
+    if (child->where.file == element.where.file) upgrade(*child, &around, is_old, pool, diagnostics);
   if (!is_old) return;
   drop_repeated(element, diagnostics);
   write_out_hex(element, pool);
@@ -237,8 +240,9 @@ int major_version(const XmlElement& root, int inherited, Diagnostics& diagnostic
   return major;
 }
 
-void upgrade_to_version_3(XmlElement& root, int major, XmlPool& pool, Diagnostics& diagnostics) {
-  upgrade(root, nullptr, is_of_0x(major), pool, diagnostics);
+void upgrade_to_version_3(XmlElement& root, const XmlElement* parent, int major, XmlPool& pool,
+                          Diagnostics& diagnostics) {
+  upgrade(root, parent, is_of_0x(major), pool, diagnostics);
 }
 
 }  // namespace strahl

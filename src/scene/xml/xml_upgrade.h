@@ -22,9 +22,10 @@ namespace strahl {
 [[nodiscard]] bool has_own_name(const XmlElement& element, const XmlElement* parent);
 
 /// Of one file, in place, once its $names and includes are replaced, so that every type is known; what was included
-/// stays, as it has a version of its own. Of any version <lookAt> is renamed. Below 2 so are all camelCase parameters,
-/// the last of a parameter that is given several times is left, with a warning, and the other rules that differ are
-/// written into the elements.
-void upgrade_to_version_3(XmlElement& root, int major, XmlPool& pool, Diagnostics& diagnostics);
+/// stays, as it has a version of its own. parent: where the file is included; null of the main file. Of any version
+/// <lookAt> is renamed. Below 2 so are all camelCase parameters, the last of a parameter that is given several times is
+/// left, with a warning, and the other rules that differ are written into the elements.
+void upgrade_to_version_3(XmlElement& root, const XmlElement* parent, int major, XmlPool& pool,
+                          Diagnostics& diagnostics);
 
 }  // namespace strahl
