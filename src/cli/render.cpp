@@ -306,15 +306,16 @@ ExitCode render(const RenderOptions& options, const Invocation& invocation) {
     write_text(options.stats, json_text(json));
   }
   const bool lacks_map = !options.error_map.empty() && !result.error;
-  if (not_kept || (lacks_map && result.complete)) return ExitCode::failure;
   // A complete picture is what was asked for: a signal that came later has ended what is measured beside it alone.
   if (!result.complete) {
+    if (not_kept) return ExitCode::failure;
     if (!options.keep.target().empty() && !options.scene.quiet)
       say(fmt::format("strahl: the samples so far are in {}; --resume goes on from there", options.keep.target()));
     return guard.exit_code();
   }
   const std::optional<std::string> missed = missed_goal(options, result);
   if (missed) say("strahl: " + *missed);
+  if (not_kept || lacks_map) return ExitCode::failure;
   return ended(missed ? ExitCode::target_missed : ExitCode::ok);
 }
 

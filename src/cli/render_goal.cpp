@@ -36,11 +36,12 @@ void require_map_samples(const RenderOptions& options, const Scene& scene) {
   // With a time or an error as the goal the scene's own number does not count.
   const GoalOptions& goal = options.goal;
   if (options.error_map.empty() || ((goal.time || goal.max_error) && !options.overrides.spp)) return;
-  const int spp = resolve_sampling(scene).spp;
-  if (spp < layout::FILM_SUBSUMS)
-    throw UsageError(
-        fmt::format("--error-map: the error is told from {} samples a pixel or more, not from {}; state --spp",
-                    int{layout::FILM_SUBSUMS}, spp));
+  const bool is_part = options.keep.samples.has_value();
+  const int count = is_part ? sample_range(*options.keep.samples).count : resolve_sampling(scene).spp;
+  if (count < layout::FILM_SUBSUMS)
+    throw UsageError(fmt::format("--error-map: the error is told from {} samples a pixel or more, not from {}; {}",
+                                 int{layout::FILM_SUBSUMS}, count,
+                                 is_part ? "take more of them with --samples" : "state --spp"));
 }
 
 RenderGoal goal_of(const RenderOptions& options, const Invocation& invocation, double end_seconds) {

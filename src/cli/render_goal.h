@@ -14,7 +14,8 @@ namespace strahl::cli {
 /// Throws UsageError for options that contradict each other.
 void check_goal(const RenderOptions& options);
 
-/// Throws UsageError where the scene's number of samples tells no error, and --error-map asks for one.
+/// Throws UsageError where the scene's number of samples, or that of the part, tells no error, and --error-map asks for
+/// one.
 void require_map_samples(const RenderOptions& options, const Scene& scene);
 
 /// end_seconds: what writing the picture and ending the process will take. The deadline counts from the start of the

@@ -10,9 +10,9 @@
 
 namespace strahl::cli {
 
-/// Of launches alone: while the host works, or programs are built, it is to rest. From the beginning, and after fed(),
-/// another fed() or rest() must come within `seconds`; else what happened is said, and the process ends with exit code
-/// 1 at once, with its files as they are. what_is_kept: what is said then of the samples so far; asked by another
+/// Of launches alone: while the host works, or programs are built, it is to rest. It begins so. After fed(), another
+/// fed() or rest() must come within `seconds`; else what happened is said, and the process ends with exit code 1 at
+/// once, with its files as they are. what_is_kept: what is said then of the samples so far; asked by another
 /// thread. 0 s: does nothing.
 class Watchdog {
  public:
@@ -33,7 +33,7 @@ class Watchdog {
   std::function<std::string()> what_is_kept_;
   std::mutex mutex_;  ///< Of all below.
   std::condition_variable wake_;
-  bool has_news_ = false, is_resting_ = false, is_over_ = false;
+  bool has_news_ = false, is_resting_ = true, is_over_ = false;
   std::thread thread_;
 };
 

@@ -63,6 +63,7 @@ bool FilmRun::catch_up(int least, int level) {
     const Stopwatch start;
     const std::uint64_t before = result_.stats.camera_rays;
     has_first_samples_ = pass->first == 0;
+    tell_launches(true);
     if (!render_missing(pass->first + pass->count)) return false;
     // As if all pixels had taken part: the next pass may be of more of them.
     const auto rendered = static_cast<double>(std::max<std::uint64_t>(result_.stats.camera_rays - before, 1));

@@ -160,29 +160,6 @@ TEST_CASE("a snapshot of a picture whose samples nobody knows beforehand states 
   CHECK(std::stoi(strahl::read_image(folder.path("out.snapshot.exr")).metadata.at("spp")) > 8);
 }
 
-TEST_CASE("a watchdog does not count what comes after the last launch") {
-  const Folder folder;
-  const std::vector<std::string> options{"render", cornell, "--width", "8",  "--spp", "1",
-                                         "-d",     "pocl",  "-q",      "-o", "a.exr"};
-  // The picture's own program is cached; that of numeric_error, in double precision, is built by nobody before.
-  const std::map<std::string, std::string> caches{{"STRAHL_CACHE_DIR", folder.path("cache")},
-                                                  {"POCL_CACHE_DIR", folder.path("pocl")}};
-  REQUIRE(folder.run(options + std::vector<std::string>{"--aov", "depth"}, caches).code == 0);
-  fs::remove(folder.path("a.exr"));
-  std::chrono::steady_clock::time_point kept;
-  const Outcome outcome = folder.run(
-      options + std::vector<std::string>{"--aov", "numeric_error", "--watchdog", "800ms", "--checkpoint", "c.ckpt"},
-      caches, [&](pid_t) {
-        wait_for(folder.path("c.ckpt"));
-        CHECK_FALSE(fs::exists(folder.path("a.exr")));  // What comes then may hang: the last checkpoint is there.
-        kept = std::chrono::steady_clock::now();
-      });
-  INFO(outcome.err);
-  CHECK(std::chrono::steady_clock::now() - kept > 800ms);  // Else the build was too short to tell.
-  CHECK(outcome.code == 0);
-  CHECK(fs::exists(folder.path("a.exr")));
-}
-
 TEST_CASE("what does not fit is refused, and named") {
   const Folder folder;
   const std::string text = read_text(cornell);

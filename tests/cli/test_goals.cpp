@@ -65,18 +65,20 @@ TEST_CASE("a map of the error that is asked for is there, or the exit code says 
     return folder.run(arguments);
   };
   const auto has = [&](const char* name) { return std::filesystem::exists(folder.path(name)); };
-  for (const std::vector<std::string>& few : std::vector<std::vector<std::string>>{{}, {"--spp", "3"}}) {
+  for (const std::vector<std::string>& few : std::vector<std::vector<std::string>>{
+           {}, {"--spp", "3"}, {"--spp", "64", "--samples", "0:2", "--checkpoint", "a.ckpt"}}) {
     const Outcome refused = run(few);
     INFO(refused.err);
     CHECK(refused.code == 2);
     CHECK(contains(refused.err, "--error-map: the error is told from 4 samples a pixel or more"));
     CHECK_FALSE(has("a.pfm"));
   }
-  // Known at the end: of a part.
-  const Outcome part = run({"--spp", "8", "--samples", "0:2", "--checkpoint", "a.ckpt"});
-  INFO(part.err);
-  CHECK(part.code == 1);
-  CHECK(contains(part.err, "strahl: error: --error-map \"e.pfm\" is not written: a pixel has fewer than 4 samples"));
+  // Known at the end, and so is that the goal was missed.
+  const Outcome black = run({"--time", "1ms"});
+  INFO(black.err);
+  CHECK(black.code == 1);
+  CHECK(contains(black.err, "strahl: error: --error-map \"e.pfm\" is not written: a pixel has fewer than 4 samples"));
+  CHECK(contains(black.err, "strahl: --time 1ms: some pixels have no sample and are black"));
   CHECK(has("a.pfm"));
   CHECK_FALSE(has("e.pfm"));
   CHECK(run({"--spp", "4"}).code == 0);

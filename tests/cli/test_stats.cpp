@@ -103,39 +103,6 @@ TEST_CASE("detail counts what rays visit: all that is listed; of a tree less, an
   CHECK(together.at("visits") == list.at("visits"));
 }
 
-TEST_CASE("detail counts the samples of a run that a time ended, however few they were") {
-  const Folder folder;
-  const std::vector<std::string> look{"render", STRAHL_SOURCE_DIR "/scenes/cornell/cornell-box.xml",
-                                      "-d",     "pocl",
-                                      "-q",     "-o",
-                                      "a.pfm",  "--stats",
-                                      "s.json", "--stats-detail"};
-  const auto run = [&](const std::vector<std::string>& more) {
-    std::vector<std::string> arguments = look;
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    static_cast<void>(folder.run(arguments));
-    return Json::parse(read_text(folder.path("s.json")));
-  };
-  // So large, and so long, that there are few on any machine.
-  int side = 128, seconds = 1, samples = 0;
-  Json counted;
-  std::vector<std::string> size;
-  for (int attempt = 0; attempt < 10 && (samples < 1 || samples > 3); ++attempt) {
-    size = {"--width", std::to_string(side), "--height", std::to_string(side)};
-    std::vector<std::string> timed = size;
-    timed.insert(timed.end(), {"--time", std::to_string(seconds)});
-    counted = run(timed);
-    samples = counted.at("most_spp");
-    (samples < 1 ? seconds : side) *= 2;
-  }
-  REQUIRE(samples >= 1);
-  REQUIRE(samples <= 3);
-  size.insert(size.end(), {"--spp", "8", "--samples", "0:" + std::to_string(samples), "--checkpoint", "c"});
-  const Json same = run(size);
-  CHECK(counted.at("rays").at("bounce") == same.at("rays").at("bounce"));
-  CHECK(counted.at("visits") == same.at("visits"));
-}
-
 TEST_CASE("- is standard output, with nothing else on it") {
   const Folder folder;
   folder.file("scene.xml", glowing_sphere);

@@ -3,7 +3,8 @@
 //
 //   STRAHL_CL_FAULT_LOG    a line for each call: its name
 //   STRAHL_CL_FAULT_CALL   n, from 1; without it all calls go through
-//   STRAHL_CL_FAULT_CODE   what it returns, as -5; "hang": it never returns
+//   STRAHL_CL_FAULT_CODE   what it returns, as -5; "hang": it never returns; "slow": it and those that
+//                          follow, STRAHL_CL_FAULT_TIMES in all, go through after STRAHL_CL_FAULT_SECONDS each
 //   STRAHL_CL_FAULT_NAME   only calls of this name count
 //   STRAHL_CL_FAULT_QUEUE  only calls with a queue of the platform of this name count ("*": of any), and from the n-th
 //                          on all fail: a device that is gone
@@ -15,9 +16,11 @@
 #include <unistd.h>
 
 #include <atomic>
+#include <chrono>
 #include <cstdlib>
 #include <cstring>
 #include <string>
+#include <thread>
 #include <tuple>
 #include <type_traits>
 
@@ -59,11 +62,15 @@ cl_int fault_of(const char* call, const std::string& platform) {
     if (file < 0 || ::write(file, line.data(), line.size()) < 0) std::abort();
     ::close(file);
   }
-  const std::string at = text_of("STRAHL_CL_FAULT_CALL");
-  if (!at.empty() && number == std::atol(at.c_str()) && text_of("STRAHL_CL_FAULT_CODE") == "hang")
+  const std::string at = text_of("STRAHL_CL_FAULT_CALL"), code = text_of("STRAHL_CL_FAULT_CODE");
+  if (at.empty()) return CL_SUCCESS;
+  const long since = number - std::atol(at.c_str());
+  if (code == "hang" && since == 0)
     while (true) ::pause();
-  const bool is_it = of_queue.empty() ? number == std::atol(at.c_str()) : number >= std::atol(at.c_str());
-  return !at.empty() && is_it ? std::atoi(text_of("STRAHL_CL_FAULT_CODE").c_str()) : CL_SUCCESS;
+  if (code == "slow" && since >= 0 && since < std::stol(text_of("STRAHL_CL_FAULT_TIMES")))
+    std::this_thread::sleep_for(std::chrono::seconds(std::stoi(text_of("STRAHL_CL_FAULT_SECONDS"))));
+  const bool is_it = of_queue.empty() ? since == 0 : since >= 0;
+  return is_it ? std::atoi(code.c_str()) : CL_SUCCESS;  // 0 where the code is a word.
 }
 
 /// In place of a function of the dispatch: the code is returned, or goes where the last argument points.

@@ -1,16 +1,23 @@
 // SPDX-License-Identifier: MIT
 // What is computed once the last sample is there fails: the picture and its statistics are written without it, with a
-// warning that says why.
+// warning that says why. Where it takes long, that is no launch that hangs, and what it counts is what there is.
+#include <algorithm>
 #include <catch2/catch.hpp>
+#include <chrono>
+#include <csignal>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <sstream>
+#include <thread>
 
 #include "cli/program.h"
 #include "image/image_io.h"
 
 using namespace strahl_test;
+using namespace std::chrono_literals;
+using Json = nlohmann::json;
 namespace fs = std::filesystem;
 
 namespace {
@@ -20,40 +27,51 @@ class LateFault {
  public:
   LateFault() { folder_.file("s.xml", glowing_sphere); }
 
-  [[nodiscard]] Outcome run(const std::vector<std::string>& more, std::map<std::string, std::string> environment = {}) {
-    for (const char* name : {"out.exr", "calls.log", "stats.json"}) fs::remove(folder_.path(name));
+  [[nodiscard]] Outcome run(const std::vector<std::string>& more, std::map<std::string, std::string> environment = {},
+                            const std::function<void(pid_t)>& while_running = {}) const {
+    for (const char* name : {"out.exr", "calls.log", "stats.json", "c.ckpt"}) fs::remove(folder_.path(name));
     environment["OPENCL_LAYERS"] = STRAHL_FAIL_OPENCL;
     environment["STRAHL_CL_FAULT_LOG"] = folder_.path("calls.log");
     std::vector<std::string> options = base;
     options.insert(options.end(), more.begin(), more.end());
-    return folder_.run(options, environment);
+    return folder_.run(options, environment, while_running);
+  }
+
+  /// The names of a run's calls, in order.
+  [[nodiscard]] std::vector<std::string> calls(const std::vector<std::string>& more) const {
+    const Outcome outcome = run(more);
+    INFO(outcome.err);
+    REQUIRE(outcome.code == 0);
+    std::istringstream log(read_text(folder_.path("calls.log")));
+    std::vector<std::string> names;
+    for (std::string line; std::getline(log, line);) names.push_back(line);
+    return names;
   }
 
   /// How many launches there were.
-  [[nodiscard]] int launches(const std::vector<std::string>& more) {
-    REQUIRE(run(more).code == 0);
-    std::istringstream log(read_text(folder_.path("calls.log")));
-    int count = 0;
-    for (std::string line; std::getline(log, line);)
-      if (line == "clEnqueueNDRangeKernel") ++count;
-    return count;
+  [[nodiscard]] int launches(const std::vector<std::string>& more) const {
+    const std::vector<std::string> all = calls(more);
+    return static_cast<int>(std::count(all.begin(), all.end(), launch));
   }
 
   /// Its last launch fails.
-  [[nodiscard]] Outcome fail_last_launch(const std::vector<std::string>& more) {
-    REQUIRE(run(more).code == 0);
-    std::istringstream log(read_text(folder_.path("calls.log")));
-    std::size_t last = 0, call = 0;
-    for (std::string line; std::getline(log, line);) {
-      ++call;
-      if (line == "clEnqueueNDRangeKernel") last = call;
-    }
-    REQUIRE(last > 0);
-    return run(more, {{"STRAHL_CL_FAULT_CALL", std::to_string(last)}, {"STRAHL_CL_FAULT_CODE", "-5"}});
+  [[nodiscard]] Outcome fail_last_launch(const std::vector<std::string>& more) const {
+    const std::string last = std::to_string(last_of(launch, calls(more)));
+    return run(more, {{"STRAHL_CL_FAULT_CALL", last}, {"STRAHL_CL_FAULT_CODE", "-5"}});
   }
+
+  /// Counts from 1.
+  [[nodiscard]] static std::ptrdiff_t last_of(const std::string& name, const std::vector<std::string>& calls) {
+    const auto last = std::find(calls.rbegin(), calls.rend(), name);
+    REQUIRE(last != calls.rend());
+    return calls.rend() - last;
+  }
+
+  [[nodiscard]] Json stats() const { return Json::parse(read_text(folder_.path("stats.json"))); }
 
   [[nodiscard]] const Folder& folder() const { return folder_; }
 
+  static constexpr const char* launch = "clEnqueueNDRangeKernel";
   std::vector<std::string> base{"s.xml", "--spp", "4", "--no-error", "-d", "pocl", "-q", "-o", "out.exr"};
 
  private:
@@ -93,7 +111,7 @@ TEST_CASE("the run that counts rays fails: the statistics of the picture are wri
   CHECK(contains(outcome.err, "strahl: warning: --stats-detail counts nothing: "));
   CHECK(contains(outcome.err, "CL_OUT_OF_RESOURCES"));
   CHECK(fs::exists(late.folder().path("out.exr")));
-  const auto stats = nlohmann::json::parse(read_text(late.folder().path("stats.json")));
+  const Json stats = late.stats();
   CHECK(stats.at("detail").is_null());
   CHECK(stats.at("rays").at("camera") == 32 * 24 * 4);
 }
@@ -105,4 +123,69 @@ TEST_CASE("rays are counted in launches of their own, however the picture is div
   CHECK(of_picture >= 128);
   options.emplace_back("--stats-detail");
   CHECK(late.launches(options) - of_picture < 64);
+}
+
+TEST_CASE("rays are counted of the samples of a run that a time ended, however few they were") {
+  LateFault late;
+  late.base = {STRAHL_SOURCE_DIR "/scenes/cornell/cornell-box.xml",
+               "--width",
+               "8",
+               "-d",
+               "pocl",
+               "-q",
+               "-o",
+               "out.exr",
+               "--stats",
+               "stats.json",
+               "--stats-detail"};
+  REQUIRE(late.run({"--spp", "8"}).code == 0);  // Fills the cache of programs, and asks the canary.
+  const std::vector<std::string> calls = late.calls({"--spp", "8"});
+  const auto cleared = std::find(calls.begin(), calls.end(), "clEnqueueFillBuffer");
+  REQUIRE(cleared != calls.end());
+  const std::string first = std::to_string(std::count(calls.begin(), cleared, LateFault::launch) + 1);
+  // Two launches take all of the time, on any machine where the start takes less than one of them: the first is of one
+  // sample of all pixels, the second of one more of some.
+  Json counted;
+  for (int seconds = 1; seconds <= 16 && (counted.is_null() || counted.at("most_spp") < 2); seconds *= 2) {
+    const Outcome outcome =
+        late.run({"--time", std::to_string(2 * seconds) + "s"}, {{"STRAHL_CL_FAULT_NAME", LateFault::launch},
+                                                                 {"STRAHL_CL_FAULT_CALL", first},
+                                                                 {"STRAHL_CL_FAULT_CODE", "slow"},
+                                                                 {"STRAHL_CL_FAULT_TIMES", "2"},
+                                                                 {"STRAHL_CL_FAULT_SECONDS", std::to_string(seconds)}});
+    INFO(outcome.err);
+    REQUIRE((outcome.code == 0 || outcome.code == 6));
+    counted = late.stats();
+  }
+  REQUIRE(counted.at("ending") == "deadline");
+  REQUIRE(counted.at("most_spp") == 2);
+  REQUIRE(late.run({"--spp", "8", "--samples", "0:2", "--checkpoint", "c.ckpt"}).code == 0);
+  const Json same = late.stats();
+  CHECK(counted.at("rays").at("bounce") == same.at("rays").at("bounce"));
+  CHECK(counted.at("visits") == same.at("visits"));
+}
+
+TEST_CASE("a watchdog does not count what is built and traced after the last sample") {
+  const LateFault late;
+  const std::vector<std::string> options{"--aov", "numeric_error", "--watchdog", "1s", "--checkpoint", "c.ckpt"};
+  REQUIRE(late.run(options).code == 0);  // Fills the cache of programs, and asks the canary.
+  // The last program is that of numeric_error, in double precision.
+  const std::string build = std::to_string(LateFault::last_of("clBuildProgram", late.calls(options)));
+  const Outcome slow = late.run(options, {{"STRAHL_CL_FAULT_CALL", build},
+                                          {"STRAHL_CL_FAULT_CODE", "slow"},
+                                          {"STRAHL_CL_FAULT_TIMES", "1"},
+                                          {"STRAHL_CL_FAULT_SECONDS", "2"}});
+  INFO(slow.err);
+  CHECK(slow.code == 0);
+  CHECK(fs::exists(late.folder().path("out.exr")));
+  // Where it hangs, the last checkpoint is there.
+  const Outcome hung =
+      late.run(options, {{"STRAHL_CL_FAULT_CALL", build}, {"STRAHL_CL_FAULT_CODE", "hang"}}, [&late](pid_t child) {
+        const std::string kept = late.folder().path("c.ckpt");
+        for (int i = 0; i < 6000 && !fs::exists(kept); ++i) std::this_thread::sleep_for(5ms);
+        CHECK(fs::exists(kept));
+        CHECK_FALSE(fs::exists(late.folder().path("out.exr")));
+        kill(child, SIGKILL);
+      });
+  CHECK(hung.signal == SIGKILL);
 }

@@ -107,6 +107,20 @@ class FaultyRender {
     CHECK(contains(outcome.err, "has not come back from a launch for 1 s"));
   }
 
+  /// Clearing the film takes longer than a launch may.
+  void clear_slowly() {
+    const auto cleared = std::find(calls_.begin(), calls_.end(), "clEnqueueFillBuffer");
+    REQUIRE(cleared != calls_.end());
+    const Outcome outcome = run({{"STRAHL_CL_FAULT_CALL", std::to_string(cleared - calls_.begin() + 1)},
+                                 {"STRAHL_CL_FAULT_CODE", "slow"},
+                                 {"STRAHL_CL_FAULT_TIMES", "1"},
+                                 {"STRAHL_CL_FAULT_SECONDS", "2"}},
+                                {"--watchdog", "1s"});
+    INFO(outcome.err);
+    CHECK(outcome.code == 0);
+    CHECK(strahl::read_image(folder_.path("out.pfm")).data == picture_.data);
+  }
+
   int successes = 0, failures = 0;
 
  private:
@@ -150,6 +164,10 @@ TEST_CASE("a kernel that never ends is left behind") {
   render.hang();
   render.hang_before_a_checkpoint();
   render.hang_in_frames();
+}
+
+TEST_CASE("a watchdog does not count what comes before the first launch") {
+  FaultyRender("lecture/lit.xml").clear_slowly();
 }
 
 TEST_CASE("each OpenCL call fails in turn, all of them, and each function with each code") {

@@ -283,6 +283,12 @@ TEST_CASE("launches are told apart from what the host does alone") {
   const auto stop = [&](const Progress&) { return false; };
   CHECK(renderer.render(stop, goal, &keeper).ending == Ending::stopped);
   CHECK(kept == 1);
+  // In a pass that an earlier run began, too.
+  const FilmState state = stopped_after(renderer, 1, 32);
+  REQUIRE(least_of(state) < state.position.done);
+  keeper.begin_with = &state;
+  CHECK(renderer.render(progress, {}, &keeper).ending == Ending::samples);
+  CHECK_FALSE(are_under_way);
 }
 
 TEST_CASE("no memory to keep a film in is told, and the picture is the same") {
