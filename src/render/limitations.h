@@ -16,8 +16,8 @@ namespace strahl {
 /// does not hold the squares of the smallest shape as well.
 [[nodiscard]] std::optional<Diagnostic> too_wide_for_single(const Scene& scene);
 
-/// For the same tiers: a body so far away, for how dense its medium is, that the places where its light scatters are not
-/// told apart from its boundary, so that light is lost.
+/// For the same tiers: a body so far away, for how dense its medium is, that the places where its light scatters are
+/// not told apart from its boundary, so that light is lost.
 [[nodiscard]] std::optional<Diagnostic> too_dense_for_single(const Scene& scene);
 
 }  // namespace strahl
