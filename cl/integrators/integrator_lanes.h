@@ -78,16 +78,7 @@ FN void surface_scatter_w(const Scene* scene, Paths_w* path, const Surfaces_w* s
   real3w wo = unit3_w(negate3_w(d));
   realw number = splat_w(R(0.0));
   if (HAS_BLEND) number = random_between_w(blend_number_w(scene, path, next));
-#if HAS_MEDIA
-  if (HAS_PRIORITY && (next & STEP_THROUGH) != 0)
-    last = last | (at_surface & on & ~lt_int_w(path->depth, splat_int_w(scene->index[HEADER_MAX_DEPTH] - 1)));
-#endif
   MaterialRows_w at = rows_at_w(scene, s, on | last, wo, number);
-  if (HAS_PRIORITY && any_w(last)) {
-    maskw ignored = pass_ignored_w(scene, path, s, &at, last, d);
-    passed = passed | ignored;
-    on = on & ~ignored;
-  }
   if (HAS_MASK && is_lit) {
     maskw open = none_w();
 #if HAS_MEDIA
@@ -110,8 +101,13 @@ FN void surface_scatter_w(const Scene* scene, Paths_w* path, const Surfaces_w* s
   }
 #endif
 #if HAS_MEDIA
-  if ((next & STEP_THROUGH) != 0) on = on & lt_int_w(path->depth, splat_int_w(scene->index[HEADER_MAX_DEPTH] - 1));
+  if ((next & STEP_THROUGH) != 0) {
+    maskw below = lt_int_w(path->depth, splat_int_w(scene->index[HEADER_MAX_DEPTH] - 1));
+    if (HAS_PRIORITY) last = last | (at_surface & on & ~below);
+    on = on & below;
+  }
 #endif
+  if (HAS_PRIORITY && any_w(last)) passed = passed | pass_ignored_w(scene, path, s, &at, last, d);
   if (any_w(on)) {
     Bsdf_w b = bsdf_at_w(scene, s, &at, wo);
     if (HAS_PANE) b.reflects = reflects;

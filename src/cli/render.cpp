@@ -216,9 +216,10 @@ ExitCode render(const RenderOptions& options, const Invocation& invocation) {
   require_map_samples(options, scene);
   for (const Diagnostic& warning : limitations(scene)) say(warning.text());
   const bool is_scaled_single = settings.precision == Precision::stable || settings.precision == Precision::robust;
-  if (is_scaled_single)
-    for (const auto& warning : {too_wide_for_single(scene), too_dense_for_single(scene)})
-      if (warning) say(warning->text());
+  if (const auto warning = too_wide_for_single(scene); warning && is_scaled_single) say(warning->text());
+  if (settings.precision != Precision::fp64)
+    if (const auto warning = too_dense_for_single(scene, is_scaled_single ? camera_frame(scene).origin : Vec3{}))
+      say(warning->text());
 
   PictureFiles files{options.output, options.png, kinds::integrator(scene.integrator.name).is_length};
   if (options.writes_picture()) {

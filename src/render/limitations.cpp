@@ -206,32 +206,50 @@ std::optional<Diagnostic> too_wide_for_single(const Scene& scene) {
                                 reach, smallest)};
 }
 
-std::optional<Diagnostic> too_dense_for_single(const Scene& scene) {
+namespace {
+
+/// How far away it begins; 0: the place is within.
+double distance_to(const Box& box, const Vec3& place) {
+  const Vec3 before = box.min - place, behind = place - box.max;
+  return std::max({0.0, before.x, before.y, before.z, behind.x, behind.y, behind.z});
+}
+
+/// Of light within the medium that the shape is full of; none: there is no such medium.
+std::optional<double> free_path_within(const Scene& scene, const Shape& shape) {
+  if (!shape.media || shape.media->inside < 0) return std::nullopt;
+  const Rgb dense = scene.media.at(static_cast<std::size_t>(shape.media->inside)).sigma_t.largest();
+  return 1 / std::max({dense.r, dense.g, dense.b});
+}
+
+}  // namespace
+
+std::optional<Diagnostic> too_dense_for_single(const Scene& scene, const Vec3& origin) {
   if (!kinds::integrator(scene.integrator.name).goes_through) return std::nullopt;
   // Of a ball 1,000 units away whose mean free path is 6.5 steps, a twentieth of the light is lost; at 65 none is.
   constexpr double least_steps = 50;
-  const Vec3 origin = camera_frame(scene).origin;
-  std::optional<Diagnostic> found;
-  const auto look_at = [&](const Shape& shape, const std::optional<Box>& box) {
-    if (found || !box || !shape.media || shape.media->inside < 0) return;
-    const Medium& medium = scene.media.at(static_cast<std::size_t>(shape.media->inside));
-    const Rgb dense = medium.sigma_t.largest();
-    const double free_path = 1 / std::max({dense.r, dense.g, dense.b});
-    const double reach = std::max(largest_component(box->min - origin), largest_component(box->max - origin));
-    const double step = 0x1p-24 * reach;
-    if (free_path >= least_steps * step) return;
-    found = {
+  const auto warning = [&](const Shape& shape, double free_path, const Box& box) -> std::optional<Diagnostic> {
+    const double distance = distance_to(box, origin), step = 0x1p-24 * distance;
+    if (free_path >= least_steps * step) return std::nullopt;
+    return Diagnostic{
         Severity::warning, shape.where,
-        fmt::format("light goes {:.2g} on average within this body's medium, and single precision tells its places "
-                    "{:.2g} apart, {:.2g} from the camera: light is lost; bring the camera nearer, or take "
-                    "--precision double",
-                    free_path, step, reach)};
+        fmt::format("light goes {:.2g} on average within this body's medium, and single precision tells "
+                    "its places {:.2g} apart, {:.2g} away: light is lost; bring it nearer, or take --precision double",
+                    free_path, step, distance)};
   };
-  for (const Shape& shape : scene.shapes) look_at(shape, bounds(shape));
-  for (const Instance& instance : scene.instances)
-    for (const Shape& shape : scene.groups.at(static_cast<std::size_t>(instance.group)).shapes)
-      if (const std::optional<Box> box = bounds(shape)) look_at(shape, bounds(*box, instance.world_from_group));
-  return found;
+  for (const Shape& shape : scene.shapes)
+    if (const auto free_path = free_path_within(scene, shape))
+      if (const std::optional<Box> box = bounds(shape))
+        if (auto found = warning(shape, *free_path, *box)) return found;
+  for (std::size_t g = 0; g < scene.groups.size(); ++g)
+    for (const Shape& shape : scene.groups[g].shapes) {
+      const std::optional<double> free_path = free_path_within(scene, shape);
+      const std::optional<Box> box = free_path ? bounds(shape) : std::nullopt;
+      if (!box) continue;
+      for (const Instance& instance : scene.instances)
+        if (static_cast<std::size_t>(instance.group) == g)
+          if (auto found = warning(shape, *free_path, bounds(*box, instance.world_from_group))) return found;
+    }
+  return std::nullopt;
 }
 
 }  // namespace strahl

@@ -16,8 +16,9 @@ namespace strahl {
 /// does not hold the squares of the smallest shape as well.
 [[nodiscard]] std::optional<Diagnostic> too_wide_for_single(const Scene& scene);
 
-/// For the same tiers: a body so far away, for how dense its medium is, that the places where its light scatters are
-/// not told apart from its boundary, so that light is lost.
-[[nodiscard]] std::optional<Diagnostic> too_dense_for_single(const Scene& scene);
+/// A body so far away, for how dense its medium is, that single precision does not tell the places where its light
+/// scatters from its boundary, so that light is lost. origin: where the tier's numbers begin, the camera or, of `fast`,
+/// the world's origin.
+[[nodiscard]] std::optional<Diagnostic> too_dense_for_single(const Scene& scene, const Vec3& origin);
 
 }  // namespace strahl

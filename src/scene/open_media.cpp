@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <vector>
 
@@ -18,11 +19,14 @@ struct Body {
   Box box;
 };
 
-/// Of a mesh's triangles. Without a border they have no area on the whole, as a vector.
+/// Integrals over a mesh's triangles. Of one without a border the area, as a vector, is zero, and the moments of
+/// position by area are its volume along each axis and zero between two (the divergence theorem).
 struct Hull {
-  Vec3 area;           ///< Twice the sum of the areas along their normals,
-  double surface = 0;  ///< and of the areas.
-  double volume = 0;   ///< Six times; negative where they face inwards.
+  Vec3 area;                                       ///< Twice.
+  std::array<std::array<double, 3>, 3> moments{};  ///< Six times; about the first corner.
+  double surface = 0, moment = 0;  ///< Of the same, the sums of what the triangles contribute at the most.
+
+  [[nodiscard]] double volume() const { return (moments[0][0] + moments[1][1] + moments[2][2]) / 3; }
 };
 
 Hull hull_of(const Mesh& mesh) {
@@ -33,19 +37,29 @@ Hull hull_of(const Mesh& mesh) {
   };
   const Vec3 origin = corner(mesh.triangles.front(), 0);
   for (const std::array<int, 3>& triangle : mesh.triangles) {
-    const Vec3 a = corner(triangle, 0), across = cross(corner(triangle, 1) - a, corner(triangle, 2) - a);
+    const Vec3 a = corner(triangle, 0) - origin, b = corner(triangle, 1) - origin, c = corner(triangle, 2) - origin;
+    const Vec3 across = cross(b - a, c - a), sum = a + b + c;
     hull.area = hull.area + across;
     hull.surface += length(across);
-    hull.volume += dot(a - origin, across);
+    hull.moment += length(across) * length(sum);
+    const std::array<double, 3> along{sum.x, sum.y, sum.z}, normal{across.x, across.y, across.z};
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t j = 0; j < 3; ++j) hull.moments[i][j] += along[i] * normal[j];
   }
   return hull;
 }
 
+bool is_closed(const Hull& hull) {
+  constexpr double slack = 1e-6;
+  double most = 0;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j)
+      most = std::max(most, std::fabs(hull.moments[i][j] - (i == j ? hull.volume() : 0)));
+  return length(hull.area) <= slack * hull.surface && most <= slack * hull.moment;
+}
+
 bool is_closed(const Geometry& geometry) {
-  if (const auto* mesh = std::get_if<Mesh>(&geometry)) {
-    const Hull hull = hull_of(*mesh);
-    return length(hull.area) <= 1e-6 * hull.surface;
-  }
+  if (const auto* mesh = std::get_if<Mesh>(&geometry)) return is_closed(hull_of(*mesh));
   return std::holds_alternative<Sphere>(geometry) || std::holds_alternative<SphereCloud>(geometry) ||
          std::holds_alternative<Box>(geometry) || std::holds_alternative<Cube>(geometry);
 }
@@ -54,7 +68,7 @@ bool is_closed(const Geometry& geometry) {
 /// changed for one that is mirrored.
 bool is_turned(const Shape& shape) {
   const auto* mesh = std::get_if<Mesh>(&shape.geometry);
-  return shape.flip_normals != (mesh != nullptr && hull_of(*mesh).volume < 0);
+  return shape.flip_normals != (mesh != nullptr && hull_of(*mesh).volume() < 0);
 }
 
 std::vector<Body> bodies_of(const Scene& scene) {

@@ -287,7 +287,7 @@ TEST_CASE("a body too dense for single precision is named, placed by an instance
         scene.shapes = {ball};
         std::get<Sphere>(scene.shapes.front().geometry).center = place.point({0, 0, 0});
       }
-      return too_dense_for_single(scene);
+      return too_dense_for_single(scene, {0, 0, 4});
     };
     CHECK_FALSE(warning_at(100));
     const std::optional<Diagnostic> warning = warning_at(1000);
@@ -297,6 +297,12 @@ TEST_CASE("a body too dense for single precision is named, placed by an instance
     scene.integrator.name = "path";
     CHECK_FALSE(warning_at(1000));
   }
+  // Fog that ends far behind what is seen.
+  Scene fog = scene_of("volpath");
+  fog.media.emplace_back().sigma_t = Rgb{0.5, 0.5, 0.5};
+  fog.shapes.emplace_back().geometry = Sphere{{0, 0, 0}, 1e6, {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}};
+  fog.shapes.back().media = MediumBoundary{0, -1};
+  CHECK_FALSE(too_dense_for_single(fog, {0, 0, 4}));
 }
 
 TEST_CASE("ids that floats do not tell apart are told") {

@@ -155,6 +155,22 @@ TEST_CASE("which media may have no end") {
     lake.shapes.front().flip_normals = turn == 0;
     CHECK(open_medium(lake));
   }
+  // A tube, whose borders cancel each other's area.
+  Mesh tube;
+  for (const double z : {9.0, 10.0})
+    for (const auto& [x, y] : {std::pair{0.0, 0.0}, {1.0, 0.0}, {0.0, 1.0}}) tube.positions.push_back({x, y, z});
+  for (int side = 0; side < 3; ++side) {
+    const int next = (side + 1) % 3;
+    tube.triangles.push_back({side, next, next + 3});
+    tube.triangles.push_back({side, next + 3, side + 3});
+  }
+  lake.shapes.front().flip_normals = false;
+  lake.shapes.front().geometry = tube;
+  CHECK(open_medium(lake));
+  tube.triangles.push_back({0, 2, 1});
+  tube.triangles.push_back({3, 4, 5});
+  lake.shapes.front().geometry = tube;
+  CHECK_FALSE(open_medium(lake));
   // Within a box of fog, and in one that does not reach as far.
   Scene boxed = fog;
   add(boxed, Box{{-5, -5, 0}, {5, 5, 6}});

@@ -66,6 +66,18 @@ TEST_CASE("at the last depth, too, ignored glass is passed") {
     REQUIRE(expected > 0.001);
     CHECK(mean(true, 1024) == Approx(expected).epsilon(0.02));
   }
+  // volpath sees lamps through panes and masks, too, and weighs them against what its rays find.
+  Scene without = lamp_in_ignored_glass(false), around = lamp_in_ignored_glass(true);
+  without.integrator.max_depth = around.integrator.max_depth = 3;
+  around.media.emplace_back().sigma_t = Rgb{1e-6, 1e-6, 1e-6};
+  around.shapes.back().media = MediumBoundary{0, -1};
+  Material& ignored = around.materials.back();
+  const double expected = mean_in(without, 256, "volpath");
+  ignored.opacity = Reflectance{{0.5, 0.5, 0.5}};
+  CHECK(mean_in(around, 1024, "volpath") == Approx(expected).epsilon(0.02));
+  ignored.opacity = {};
+  ignored.bsdf = ThinDielectric{Dielectric{1.5, 1, Reflectance{{1, 1, 1}}, Reflectance{{1, 1, 1}}}};
+  CHECK(mean_in(around, 1024, "volpath") == Approx(expected).epsilon(0.02));
   for (const bool is_there : {false, true}) {
     Scene scene = stage({ball({0, 0, 0}, 3)}, glass(1));
     scene.shapes.front().priority = 2;

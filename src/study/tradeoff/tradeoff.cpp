@@ -30,8 +30,9 @@ std::string reference_identity(const TradeoffOptions& options) {
 /// Throws what the renderer would throw in the middle of the study of any of its settings.
 void require_measurable(const Scene& scene, const TradeoffOptions& options) {
   const int most = Renderer::most_samples(scene, {});
+  const bool is_from_lights = kinds::integrator(scene.integrator.name).from_lights;
   const auto require = [&](const TradeoffSetting& setting, const char* option) {
-    require_light_paths(scene_of(scene, setting), settings_of(setting));
+    if (is_from_lights) require_light_paths(scene_of(scene, setting), settings_of(setting));
     if (setting.spp > most)
       throw UsageError(fmt::format("{} {}: the film holds 1 to {} samples per pixel", option, setting.spp, most));
   };
