@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Every use of random numbers, stated once. A number is used for one thing only, but that the two branches that leave
-// one surface of glass in whitted share theirs, and ptracer draws parts of blends for light that masks let through to
-// the sensor by those of the path's next vertex: of what is added up, no factor of one product has another's. Numbers
-// come in pairs that are spread evenly over the unit square together; pairs are independent of each other. A vertex of
-// a path has the same pairs regardless of what happened before it, so that a sample can be drawn in any order.
+// one surface of glass in whitted share theirs, and light tracing draws parts of blends for light that masks let
+// through to the sensor by those of the path's next vertex: of what is added up, no factor of one product has
+// another's. Numbers come in pairs that are spread evenly over the unit square together; pairs are independent of each
+// other. A vertex of a path has the same pairs regardless of what happened before it, so that a sample can be drawn in
+// any order.
 //
 // The counts below leave room: a new use takes a free number, and every picture keeps its bits
 // (docs/decisions/0019-numbers-and-lights.md). Changing a number or a count changes every picture.
