@@ -112,13 +112,7 @@ std::optional<Transform> read_matrix(const XmlElement& element, Diagnostics& dia
   return transform;
 }
 
-/// The map of x and y alone, with a z that is as long as the longer of both.
-Transform of_uv(const Transform& t) {
-  const double longer = std::max(std::hypot(t.m[0][0], t.m[1][0]), std::hypot(t.m[0][1], t.m[1][1]));
-  return {{{{t.m[0][0], t.m[0][1], 0, t.m[0][3]}, {t.m[1][0], t.m[1][1], 0, t.m[1][3]}, {0, 0, longer, 0}}}};
-}
-
-/// Why a step has no inverse; empty where it has one. Of `uv` the composed map alone counts: a step may flatten z.
+/// Why a step has no inverse; empty where it has one, or needs none.
 std::string fault_of_step(const XmlElement& element, const Transform& step, TransformUse use) {
   if (use == TransformUse::uv) return {};
   if (element.tag == "scale" && (step.m[0][0] == 0 || step.m[1][1] == 0 || step.m[2][2] == 0))
@@ -175,7 +169,7 @@ std::optional<Transform> read_transform(const XmlElement& element, Diagnostics& 
     ok = ok && next && fault.empty();
     if (next) transform = *next * transform;
   }
-  const std::string why = singular_because(use == TransformUse::uv ? of_uv(transform) : transform);
+  const std::string why = use == TransformUse::uv ? "" : singular_because(transform);
   if (ok && !transform.is_finite()) {
     diagnostics.error(element.where, "the composed transform leaves the range of double");
     ok = false;

@@ -15,7 +15,7 @@ namespace strahl {
 /// None after an error.
 [[nodiscard]] std::optional<Vec3> read_components(const XmlElement& element, double missing, Diagnostics& diagnostics);
 
-/// Of `uv` the first two coordinates alone count, and must not be singular.
+/// Of `uv` the first two coordinates alone count, and the map needs no inverse.
 enum class TransformUse { space, uv };
 
 /// Each element is applied after those before it: T = new * T. None after an error.
