@@ -102,6 +102,14 @@ FN void rays_leaving_w(const Surfaces_w* s, maskw which, real3w d, realw t_max, 
   rays->is_outward = sel_int_w(is_outward, splat_int_w(1), splat_int_w(0));
 }
 
+/// The rays of `which` begin `off` farther along their prepared directions.
+FN void rays_begin_later_w(Rays_w* rays, maskw which, realw off) {
+  for (int k = 0; k < 3; ++k) {
+    PRIVATE realw* o = rays->planes + RAY_PLANE_O + k;
+    *o = sel_w(which, fma_w(off, rays->planes[RAY_PLANE_D + k], *o), *o);
+  }
+}
+
 /// How far apart two surfaces at p are at the most that lie on one another but for the rounding of their points: ample,
 /// but for shapes that are thirty times as large as their way from the camera.
 FN realw twins_apart_w(real3w p) {
@@ -116,9 +124,5 @@ FN void rays_passing_w(const Surfaces_w* s, maskw which, maskw passed, real3w d,
   if (!any_w(passed)) return;
   realw off = twins_apart_w(s->position);
   maskw is_at_once = passed & le_w(s->t, off);
-  if (!any_w(is_at_once)) return;
-  for (int k = 0; k < 3; ++k) {
-    PRIVATE realw* o = rays->planes + RAY_PLANE_O + k;
-    *o = sel_w(is_at_once, fma_w(off, rays->planes[RAY_PLANE_D + k], *o), *o);
-  }
+  if (any_w(is_at_once)) rays_begin_later_w(rays, is_at_once, off);
 }

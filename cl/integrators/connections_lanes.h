@@ -69,9 +69,7 @@ FN Rays_w rays_between_w(const Vertex_w* x, const Vertex_w* y, maskw which, real
   t_max = t_max - splat_w(FAST_EPSILON) / length3_w(towards);
   (void)way;
 #else
-  // As area_rounding_w of lights/area_places_lanes.h, which programs without areas do not have.
-  realw reach = max3_w(abs3_w(y->s.position)) + max3_w(abs3_w(x->s.position));
-  realw bound = max_w(splat_w(R(16.0) * real_roundoff()) * reach, abs_w(y->s.bound));
+  realw bound = max_w(places_rounding_w(y->s.position, x->s.position), abs_w(y->s.bound));
   maskw is_behind = lt_w(splat_w(R(0.0)), dot3_w(way, y->s.normal));
   towards = fma3_w(sel_w(is_behind, -bound, bound), y->s.normal, towards);
 #endif

@@ -22,23 +22,34 @@ FN Crossing_w crossing_of_w(const Scene* scene, const Interfaces_w* within, cons
   return c;
 }
 
-/// The paths of `which` go on along d through holes of masks: lists are kept.
-SELDOM_FN void pass_holes_w(const Scene* scene, Paths_w* path, const Surfaces_w* s, const MaterialRows_w* at,
-                            maskw which, real3w d) {
+/// Of crossings whose material is not evaluated: the index within, 0 of what is no glass.
+FN realw index_within_w(const Scene* scene, const Surfaces_w* s, const MaterialRows_w* at, maskw which) {
   maskw is_glass = which & has_indices_w(scene, at->rows, INDICES_OF_GLASS);
   realw ior = splat_w(R(0.0));
   if (any_w(is_glass)) ior = sel_w(is_glass, parameter_at_w(scene, s, is_glass, at->rows, TRACKED_INDICES_w).y, ior);
-  Crossing_w c = crossing_at_w(scene, &path->within, s, which, ior);
+  return ior;
+}
+
+/// The paths of `which` go on along d through holes of masks: lists are kept.
+SELDOM_FN void pass_holes_w(const Scene* scene, Paths_w* path, const Surfaces_w* s, const MaterialRows_w* at,
+                            maskw which, real3w d) {
+  Crossing_w c = crossing_at_w(scene, &path->within, s, which, index_within_w(scene, s, at, which));
   cross_interface_w(scene, &c, which & goes_through_w(&c, s, d), &path->within);
 }
 
-/// Of lanes at their last depth, those whose surface is ignored: they go on along d, as lanes that have depth left do.
-SELDOM_FN maskw pass_ignored_w(const Scene* scene, Paths_w* path, const Surfaces_w* s, const MaterialRows_w* at,
-                               maskw which, real3w d) {
-  Crossing_w c = crossing_at_w(scene, &path->within, s, which, splat_w(R(0.0)));
-  maskw ignored = c.which & ~c.is_real;
-  pass_holes_w(scene, path, s, at, ignored, d);
-  path->within.ignored = path->within.ignored + sel_int_w(ignored, splat_int_w(1), splat_int_w(0));
-  path->density = sel_w(ignored, splat_w(R(0.0)), path->density);
-  return ignored;
+/// Paths pass the surfaces that are ignored; which these are. Shadow rays end at them, so what emits behind is found by
+/// the path alone.
+FN maskw pass_unreal_w(const Scene* scene, Paths_w* path, const Crossing_w* c) {
+  maskw unreal = c->which & ~c->is_real;
+  cross_interface_w(scene, c, unreal, &path->within);
+  path->within.ignored = path->within.ignored + sel_int_w(unreal, splat_int_w(1), splat_int_w(0));
+  path->density = sel_w(unreal, splat_w(R(0.0)), path->density);
+  return unreal;
+}
+
+/// The same of lanes at their last depth.
+SELDOM_FN maskw pass_last_unreal_w(const Scene* scene, Paths_w* path, const Surfaces_w* s, const MaterialRows_w* at,
+                                   maskw which) {
+  Crossing_w c = crossing_at_w(scene, &path->within, s, which, index_within_w(scene, s, at, which));
+  return pass_unreal_w(scene, path, &c);
 }

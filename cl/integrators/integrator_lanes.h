@@ -107,18 +107,14 @@ FN void surface_scatter_w(const Scene* scene, Paths_w* path, const Surfaces_w* s
     on = on & below;
   }
 #endif
-  if (HAS_PRIORITY && any_w(last)) passed = passed | pass_ignored_w(scene, path, s, &at, last, d);
+  if (HAS_PRIORITY && any_w(last)) passed = passed | pass_last_unreal_w(scene, path, s, &at, last);
   if (any_w(on)) {
     Bsdf_w b = bsdf_at_w(scene, s, &at, wo);
     if (HAS_PANE) b.reflects = reflects;
     Crossing_w crossing;
     if (HAS_PRIORITY) {
       crossing = crossing_of_w(scene, &path->within, s, &at, on & at_surface, &b);
-      maskw unreal = crossing.which & ~crossing.is_real;
-      cross_interface_w(scene, &crossing, unreal, &path->within);
-      path->within.ignored = path->within.ignored + sel_int_w(unreal, splat_int_w(1), splat_int_w(0));
-      // Shadow rays end at it, so what emits behind it is found by the path alone.
-      path->density = sel_w(unreal, splat_w(R(0.0)), path->density);
+      maskw unreal = pass_unreal_w(scene, path, &crossing);
       passed = passed | unreal;
       on = on & ~unreal;
     }

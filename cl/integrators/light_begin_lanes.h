@@ -62,11 +62,7 @@ FN LightRay_w light_paths_leave_w(const Scene* scene, Paths_w* path, maskw which
   Rays_w rays;
   rays_leaving_w(s, follows, ray.way, splat_w(REAL_MAX), &rays);
   maskw is_lamp = follows & ~ray.is_surface & ~ray.is_far;
-  for (int k = 0; k < 3 && any_w(is_lamp); ++k) {
-    PRIVATE realw* o = rays.planes + RAY_PLANE_O + k;
-    realw moved = fma_w(lamp_clearance_w(ray.from, ray.from), rays.planes[RAY_PLANE_D + k], *o);
-    *o = sel_w(is_lamp, moved, *o);
-  }
+  if (any_w(is_lamp)) rays_begin_later_w(&rays, is_lamp, lamp_clearance_w(ray.from, ray.from));
   paths_begin_w(scene, path, follows, &rays);
   path->radiance = sel3_w(follows, ray.flux, path->radiance);
   return ray;

@@ -53,13 +53,12 @@ FN AreaPoint_w area_point_w(const Scene* scene, GLOBAL const int* row, real3w fr
   return p;
 }
 
-/// A bound on the rounding of a place, of the point that sees it, and of the t at which a ray hits it. Shadow rays end
-/// this far before a surface, as rays begin off one (hits/departure.h). A point that is not this far in front of the
-/// emitter's plane is not lit by it. Otherwise a flat emitter would light itself, by a rounding error divided by the
-/// square of a distance of the same size. reach: of the item. A place near the origin on an emitter that reaches far is
-/// rounded by that.
+/// As places_rounding_w, of a place and the point that sees it. Shadow rays end this far before a surface, as rays
+/// begin off one (hits/departure.h). A point that is not this far in front of the emitter's plane is not lit by it.
+/// Otherwise a flat emitter would light itself, by a rounding error divided by the square of a distance of the same
+/// size. reach: of the item. A place near the origin on an emitter that reaches far is rounded by that.
 FN realw area_rounding_w(real3w position, real3w from, realw reach) {
-  return splat_w(R(16.0) * real_roundoff()) * max_w(max3_w(abs3_w(position)) + max3_w(abs3_w(from)), reach);
+  return max_w(places_rounding_w(position, from), splat_w(R(16.0) * real_roundoff()) * reach);
 }
 
 /// Of a place that a ray has found.

@@ -53,16 +53,20 @@ FN LightSample_w no_light_w(void) {
   return s;
 }
 
-/// How near to a lamp at a point shadow rays end, and light rays begin: a bound on the rounding of both ends and of the
-/// t at which the ray hits a surface. So a lamp that lies on a surface, in a ceiling, is not hidden by it. Ample, since
-/// a ray may meet that surface at a shallow angle.
+/// A bound on the rounding of two places and of the t at which a ray from one hits a surface at the other.
+FN realw places_rounding_w(real3w a, real3w b) {
+  return splat_w(R(16.0) * real_roundoff()) * (max3_w(abs3_w(a)) + max3_w(abs3_w(b)));
+}
+
+/// How near to a lamp at a point shadow rays end, and light rays begin, so that a lamp that lies on a surface, in a
+/// ceiling, is not hidden by it. Ample, since a ray may meet that surface at a shallow angle.
 FN realw lamp_clearance_w(real3w lamp, real3w from) {
 #if TIER_FAST
   (void)lamp;
   (void)from;
   return splat_w(FAST_EPSILON);
 #else
-  return splat_w(R(64.0) * real_roundoff()) * (max3_w(abs3_w(lamp)) + max3_w(abs3_w(from)));
+  return splat_w(R(4.0)) * places_rounding_w(lamp, from);
 #endif
 }
 

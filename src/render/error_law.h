@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <memory>
+#include <optional>
 
 #include "packing/cl_layout.h"
 #include "render/film_rows.h"
@@ -15,18 +16,21 @@ struct FilmSums;
 
 using Colour = std::array<double, layout::FILM_CHANNELS>;
 
-/// How many samples pixels have in each sub-sum. Nearly all have equally many, and to divide for each takes long.
-class CountsOfSamples {
+/// What follows from how many samples a pixel has in each sub-sum. Nearly all have equally many, and to divide for each
+/// takes long.
+template <class Value>
+class OfSamples {
  public:
-  [[nodiscard]] const SubSumCounts& of(const FilmRows& rows, std::size_t at) {
-    if (rows.samples[at] != samples_) counts_ = rows.sub_sum_counts(samples_ = rows.samples[at]);
-    return counts_;
+  [[nodiscard]] const Value& of(const FilmRows& rows, std::size_t at) {
+    if (!value_ || rows.samples[at] != samples_) value_.emplace(rows.sub_sum_counts(samples_ = rows.samples[at]));
+    return *value_;
   }
 
  private:
-  int samples_ = -1;
-  SubSumCounts counts_{};
+  int samples_ = 0;
+  std::optional<Value> value_;
 };
+using CountsOfSamples = OfSamples<SubSumCounts>;
 
 /// One pixel: mean, and estimated squared error of the mean.
 struct PixelError {

@@ -17,7 +17,6 @@
 // A part of a picture may have nothing of the second halves. Then u by itself tells all, pixel by pixel.
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <vector>
 
 #include "render/error_law.h"
@@ -169,7 +168,7 @@ class LawOfSequences final : public ErrorLaw {
     for (int y = 0; y < rows.height; ++y, ++y_) {
       for (int x = 0; x < rows.width; ++x, ++at) {
         Differences& here = row_[static_cast<std::size_t>(x)];
-        picture_.add(told_by_sequences(rows.sub_sums(at), weights_of(rows, at), here));
+        picture_.add(told_by_sequences(rows.sub_sums(at), weights_.of(rows, at), here));
         add_products(here, x, rows.width);
       }
       above_.swap(row_);
@@ -187,13 +186,6 @@ class LawOfSequences final : public ErrorLaw {
   }
 
  private:
-  /// Nearly all pixels have equally many samples.
-  const Weights& weights_of(const FilmRows& rows, std::size_t at) {
-    const int samples = rows.samples[at];
-    if (!weights_ || samples != samples_) weights_.emplace(rows.sub_sum_counts(samples_ = samples));
-    return *weights_;
-  }
-
   /// Of a pixel of row y_ by itself and with its neighbours to the left and above.
   void add_products(const Differences& here, int x, int width) {
     if (!here.has_halves) products_.lacks_halves();
@@ -210,8 +202,7 @@ class LawOfSequences final : public ErrorLaw {
   }
 
   PictureError picture_;
-  int samples_ = 0;  ///< Of weights_.
-  std::optional<Weights> weights_;
+  OfSamples<Weights> weights_;
   TiledProducts products_;
   std::vector<Differences> above_, row_;
   int y_ = 0;  ///< The next row.

@@ -58,23 +58,30 @@ bool is_closed(const Hull& hull) {
   return length(hull.area) <= slack * hull.surface && most <= slack * hull.moment;
 }
 
-bool is_closed(const Geometry& geometry) {
-  if (const auto* mesh = std::get_if<Mesh>(&geometry)) return is_closed(hull_of(*mesh));
-  return std::holds_alternative<Sphere>(geometry) || std::holds_alternative<SphereCloud>(geometry) ||
-         std::holds_alternative<Box>(geometry) || std::holds_alternative<Cube>(geometry);
-}
+/// Which sides of a shape are which.
+struct Sides {
+  bool are_two = false;    ///< It is closed: one is its inside.
+  bool is_turned = false;  ///< That one is before it.
+};
 
-/// Whether a closed shape has its inside before it. Of a mesh its triangles say so, as flip_normals may have been
-/// changed for one that is mirrored.
-bool is_turned(const Shape& shape) {
-  const auto* mesh = std::get_if<Mesh>(&shape.geometry);
-  return shape.flip_normals != (mesh != nullptr && hull_of(*mesh).volume() < 0);
+/// Of a mesh its triangles say so, as flip_normals may have been changed for one that is mirrored.
+Sides sides_of(const Shape& shape) {
+  if (const auto* mesh = std::get_if<Mesh>(&shape.geometry)) {
+    const Hull hull = hull_of(*mesh);
+    return {is_closed(hull), shape.flip_normals != (hull.volume() < 0)};
+  }
+  const bool is_closed = std::holds_alternative<Sphere>(shape.geometry) ||
+                         std::holds_alternative<SphereCloud>(shape.geometry) ||
+                         std::holds_alternative<Box>(shape.geometry) || std::holds_alternative<Cube>(shape.geometry);
+  return {is_closed, shape.flip_normals};
 }
 
 std::vector<Body> bodies_of(const Scene& scene) {
   std::vector<Body> bodies;
   for (const Shape& shape : scene.shapes) {
-    if (!shape.media || shape.media->inside < 0 || !is_closed(shape.geometry) || is_turned(shape)) continue;
+    if (!shape.media || shape.media->inside < 0) continue;
+    const Sides sides = sides_of(shape);
+    if (!sides.are_two || sides.is_turned) continue;
     if (const std::optional<Box> box = bounds(shape)) bodies.push_back({&shape, shape.media->inside, *box});
   }
   return bodies;
@@ -106,9 +113,9 @@ std::optional<SourceLocation> open_medium(const Scene& scene) {
   const auto is_open_at = [&](const Shape& shape, const std::optional<Box>& around) {
     if (!shape.media) return false;
     const auto [behind, before] = *shape.media;
-    const bool turned = is_turned(shape);
-    return is_open(turned ? behind : before, around, &shape) ||
-           (!is_closed(shape.geometry) && is_open(turned ? before : behind, around, &shape));
+    const auto [are_two, is_turned] = sides_of(shape);
+    return is_open(is_turned ? behind : before, around, &shape) ||
+           (!are_two && is_open(is_turned ? before : behind, around, &shape));
   };
   constexpr double far = std::numeric_limits<double>::max();
   const Box everywhere{{-far, -far, -far}, {far, far, far}};

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "scene/meshes/vertex_normals.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <utility>
-#include <vector>
 
 namespace strahl {
 
@@ -40,18 +41,20 @@ void make_vertex_normals(Mesh& mesh) {
 }
 
 bool turn_to_vertex_normals(Mesh& mesh) {
-  std::vector<std::size_t> averted, agreeing;
-  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-    const std::array<int, 3>& triangle = mesh.triangles[i];
+  const auto agreement = [&](const std::array<int, 3>& triangle) {
     Vec3 sum;
     for (const int vertex : triangle) sum = sum + mesh.normals[static_cast<std::size_t>(vertex)];
-    const double agreement = dot(across(mesh, triangle), sum);
-    if (agreement != 0) (agreement < 0 ? averted : agreeing).push_back(i);
-  }
-  const bool is_turned = averted.size() > agreeing.size();
+    return dot(across(mesh, triangle), sum);
+  };
+  const auto averted = std::ranges::count_if(
+      mesh.triangles, [](double a) { return a < 0; }, agreement);
+  const auto agreeing = std::ranges::count_if(
+      mesh.triangles, [](double a) { return a > 0; }, agreement);
+  const bool is_turned = averted > agreeing;
   if (is_turned)
     for (Vec3& normal : mesh.normals) normal = -normal;
-  for (const std::size_t i : is_turned ? agreeing : averted) std::swap(mesh.triangles[i][1], mesh.triangles[i][2]);
+  for (std::array<int, 3>& triangle : mesh.triangles)
+    if (agreement(triangle) < 0) std::swap(triangle[1], triangle[2]);
   return is_turned;
 }
 
