@@ -13,6 +13,7 @@
 #include "scene/meshes/mesh_file.h"
 #include "scene/model/framing.h"
 #include "scene/readers/mesh_import.h"
+#include "scene/readers/number_suffixes.h"
 #include "scene/readers/other_names.h"
 #include "scene/validate.h"
 #include "scene/xml/diagnostics.h"
@@ -36,6 +37,7 @@ Scene scene_of_xml(const std::string& path, const LoadOptions& options, Diagnost
   XmlElement* root = read_expanded_xml(path, options.defines, search_path, pool, diagnostics);
   if (root == nullptr || !check_vocabulary(*root, diagnostics)) return {};
   use_mitsuba_names(*root, pool);
+  drop_number_suffixes(*root, pool, diagnostics);
   const ElementIds ids(*root, diagnostics);
   SceneBuilder builder{{}, search_path, ids, diagnostics, options.progress};
   read_scene(*root, builder);

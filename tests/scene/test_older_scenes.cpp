@@ -221,6 +221,37 @@ TEST_CASE("0.x: a serialized file may say that it is shaded flat, which Mitsuba 
   }
 }
 
+TEST_CASE("0.x: a mixture is a chain of blends; what its weights lack of 1 is black, what is beyond is scaled") {
+  const auto mixture = [](const std::string& weights, int bsdfs) {
+    std::string text =
+        "<scene version=\"0.6.0\"><bsdf type=\"mixturebsdf\"><string name=\"weights\" value=\"" + weights + "\"/>";
+    for (int i = 1; i <= bsdfs; ++i)
+      text += "<bsdf type=\"diffuse\"><spectrum name=\"reflectance\" value=\"0." + std::to_string(i) + "\"/></bsdf>";
+    return load_text(text + "</bsdf><sensor type=\"perspective\"/></scene>");
+  };
+  // The light that surfaces reflect: the sum of weights times reflectances.
+  const auto reflected = [](const LoadedScene& loaded) {
+    CHECK(loaded.warnings.empty());
+    const auto of = [&](const auto& self, const Material& material) -> double {
+      if (const auto* diffuse = std::get_if<Diffuse>(&material.bsdf)) return diffuse->reflectance.color.g;
+      const Blend& blend = std::get<Blend>(material.bsdf);
+      const double weight = blend.weight.color.g;
+      const auto at = [&](int i) { return self(self, loaded.scene.materials.at(static_cast<std::size_t>(i))); };
+      return (1 - weight) * at(blend.first) + weight * at(blend.second);
+    };
+    return of(of, loaded.scene.materials.back());
+  };
+  CHECK(reflected(mixture("0.7, 0.3", 2)) == Approx(.7 * .1 + .3 * .2));
+  CHECK(reflected(mixture("0.5 0 0.25", 3)) == Approx(.5 * .1 + .25 * .3));
+  CHECK(reflected(mixture("1, 2, 1", 3)) == Approx(.25 * .1 + .5 * .2 + .25 * .3));
+  CHECK(reflected(mixture("0", 1)) == 0);
+  CHECK(reflected(mixture("1", 1)) == Approx(.1));
+  for (const char* faulty : {"0.5", "0.5, -1", "0.5, x", ""}) {
+    INFO(faulty);
+    CHECK_THROWS_WITH(mixture(faulty, 2), Catch::Contains("needs 1 to 64 <bsdf> and in \"weights\" a number for each"));
+  }
+}
+
 TEST_CASE("0.x: hexadecimal digits of an <rgb> are linear, of an <srgb> encoded") {
   const auto seen = [](const std::string& version, const std::string& tag) {
     const Scene scene =

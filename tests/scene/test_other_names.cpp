@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Types in capitals, mirrors and glass by the names of other formats: as Mitsuba's plugins, without a warning.
+// Types in capitals, mirrors and glass by the names of other formats: as Mitsuba's plugins, without a warning. Numbers
+// with an f behind them, with one.
 #include <catch2/catch.hpp>
 
 #include "scene/scene_text.h"
@@ -62,3 +63,26 @@ TEST_CASE("names that no format has stay unknown, as they were written") {
 }
 
 }  // namespace strahl::test
+
+TEST_CASE("an f behind a number is dropped with a warning; other texts are no numbers") {
+  const LoadedScene loaded = load_body(
+      "<shape type=\"sphere\"><float name=\"radius\" value=\"2.5f\"/><transform name=\"to_world\">"
+      "<translate x=\"1F\" y=\"-2e1f\"/></transform>\n<bsdf type=\"diffuse\"><rgb name=\"reflectance\" "
+      "value=\"0.25f, .5 1f\"/></bsdf></shape><shape type=\"sphere\"><bsdf type=\"diffuse\"><rgb name=\"reflectance\" "
+      "value=\"#ffffff\"/></bsdf></shape>");
+  CHECK(shortened(loaded.warnings) ==
+        std::vector<std::string>{
+            "2:22: warning: \"2.5f\" in <float> is read without its f, which Mitsuba 3.9 refuses",
+            "2:84: warning: \"1F\" in <translate> is read without its f, which Mitsuba 3.9 refuses",
+            "2:84: warning: \"-2e1f\" in <translate> is read without its f, which Mitsuba 3.9 refuses",
+            "3:22: warning: \"0.25f, .5 1f\" in <rgb> is read without its f, which Mitsuba 3.9 refuses"});
+  const auto sphere = std::get<Sphere>(loaded.scene.shapes.at(0).geometry);
+  CHECK(sphere.radius == 2.5);
+  CHECK(sphere.center == Vec3{1, -20, 0});
+  CHECK(std::get<Diffuse>(loaded.scene.materials.at(1).bsdf).reflectance.color == Rgb{.25, .5, 1});
+  for (const char* text : {"f", "1ff", "0x1f", "1 f", "2f3"}) {
+    INFO(text);
+    CHECK_THROWS(
+        load_body("<shape type=\"sphere\"><float name=\"radius\" value=\"" + std::string(text) + "\"/></shape>"));
+  }
+}

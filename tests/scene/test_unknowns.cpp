@@ -148,19 +148,6 @@ TEST_CASE("what Mitsuba takes and strahl does not need is refused by --strict ne
             .empty());
 }
 
-TEST_CASE("substitutes keep what they can") {
-  const Scene scene =
-      load_body(
-          "<bsdf type=\"hk\"><rgb name=\"diffuse_reflectance\" value=\".1 .2 .3\"/></bsdf>"
-          "<bsdf type=\"roughcoating\"><bsdf type=\"diffuse\"><rgb name=\"reflectance\" value=\".4\"/></bsdf>"
-          "</bsdf><bsdf type=\"hair\"/>")
-          .scene;
-  REQUIRE(scene.materials.size() == 4);
-  CHECK(std::get<Diffuse>(scene.materials[1].bsdf).reflectance.color == Rgb{.1, .2, .3});
-  CHECK(std::get<Diffuse>(scene.materials[2].bsdf).reflectance.color == Rgb{.4, .4, .4});
-  CHECK(std::get<Diffuse>(scene.materials[3].bsdf).reflectance.color == Rgb{.5, .5, .5});
-}
-
 TEST_CASE("a reflectance outside [0, 1] is clamped with a warning, strict or not") {
   const LoadedScene loaded = load_body("<bsdf type=\"diffuse\"><rgb name=\"reflectance\" value=\"2, .5, -1\"/></bsdf>");
   CHECK(std::get<Diffuse>(loaded.scene.materials[1].bsdf).reflectance.color == Rgb{1, .5, 0});

@@ -20,16 +20,20 @@ namespace {
 /// So many are within each other at the most.
 constexpr std::size_t deepest_integrator = 256;
 
-/// What takes the place of those that strahl does not have.
-std::string substitute_of(Properties& properties) {
+/// Other ways to draw the picture of volpath.
+bool draws_as_volpath(std::string_view type) {
+  return type == "volpathmis" || type == "volpath_simple" || type == "prbvolpath";
+}
+
+/// What takes the place of those that strahl does not have. The scene's shapes and sensors have been read.
+std::string substitute_of(Properties& properties, const Scene& scene) {
   const std::string_view type = properties.type();
-  // Ways to draw the same picture.
-  if (type == "volpathmis" || type == "volpath_simple" || type == "prbvolpath") return "volpath";
+  const char* name = scene.media.empty() ? "path" : "volpath";
   properties.diagnostics().unknown(
       properties.where(),
-      fmt::format("{}; \"path\" takes its place", not_available("integrator", type, kinds::integrator_names())));
+      fmt::format("{}; \"{}\" takes its place", not_available("integrator", type, kinds::integrator_names()), name));
   properties.accept_all();
-  return "path";
+  return name;
 }
 
 /// Of Mitsuba 0.x: half the radius of the sphere around the scene's box, where rayLength says nothing else.
@@ -135,8 +139,9 @@ IntegratorSettings read_integrator(const XmlElement& element, SceneBuilder& buil
   // Of 0.x: which techniques it takes. strahl takes all, and the picture is the same but for its noise.
   if (type == "bdpt") properties.accept({"light_image", "sample_direct"});
   read_timeout(properties);
-  integrator.name = is_known ? std::string(type) : substitute_of(properties);
-  if (is_known || integrator.name == "volpath") report_without_effect(properties, integrator.name, max_depth);
+  const bool is_alias = draws_as_volpath(type);
+  integrator.name = is_known ? std::string(type) : is_alias ? "volpath" : substitute_of(properties, builder.scene);
+  if (is_known || is_alias) report_without_effect(properties, integrator.name, max_depth);
   properties.report_unknown();
   return integrator;
 }

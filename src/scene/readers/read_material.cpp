@@ -6,6 +6,7 @@
 
 #include "kinds/materials.h"
 #include "scene/readers/plugin_table.h"
+#include "scene/readers/read_texture.h"
 
 namespace strahl {
 
@@ -16,15 +17,28 @@ const PluginTable<MaterialReader>& material_readers() {
 #define MATERIAL(name, reals, lobes) {#name, read_##name},
 #include "../../../cl/materials/materials.def"
 #undef MATERIAL
-      {"twosided", read_twosided},   {"mask", read_mask},       {"null", read_null},      {"blendbsdf", read_blend},
-      {"normalmap", read_normalmap}, {"bumpmap", read_bumpmap}, {"coating", read_coating}};
+      {"twosided", read_twosided}, {"mask", read_mask},           {"null", read_null},
+      {"blendbsdf", read_blend},   {"mixturebsdf", read_mixture}, {"normalmap", read_normalmap},
+      {"bumpmap", read_bumpmap},   {"coating", read_coating}};
   return table;
+}
+
+/// A colour of light, or a texture of it. What is not known may call something else so, such as a vector.
+bool gives_reflectance(const Properties& properties, const char* name) {
+  const XmlElement* given = properties.peek(name);
+  return given != nullptr && (given->tag == "rgb" || given->tag == "srgb" || given->tag == "spectrum" ||
+                              given->tag == "blackbody" || given->tag == "texture");
 }
 
 /// Two-sided, since most of what is missing (rough glass, masks, radio materials) is seen from both sides.
 Material substitute_for(Properties& properties, SceneBuilder& builder) {
   const std::string what = not_available("bsdf", properties.type(), types_of(material_readers()));
   const std::vector<const XmlElement*> nested = properties.objects("bsdf");
+  if (properties.type() == "pplastic") {
+    // The same layers with the polarization of light, which strahl does not follow; a few per cent apart.
+    builder.diagnostics.unknown(properties.where(), what + "; \"roughplastic\" takes its place");
+    return read_roughplastic(properties, builder);
+  }
   properties.accept_all();
   if (!nested.empty()) {
     builder.diagnostics.unknown(properties.where(), what + "; the bsdf inside it takes its place");
@@ -33,11 +47,10 @@ Material substitute_for(Properties& properties, SceneBuilder& builder) {
   Material material;
   material.twosided = true;
   for (const char* name : {"reflectance", "diffuse_reflectance", "base_color"}) {
-    const std::optional<Rgb> own = properties.color(name, ColorUse::reflectance, {0.5, 0.5, 0.5});
-    if (!own) continue;
+    if (!gives_reflectance(properties, name)) continue;
     builder.diagnostics.unknown(properties.where(),
                                 fmt::format("{}; a two-sided diffuse one with its {} takes its place", what, name));
-    material.bsdf = Diffuse{{*own}};
+    material.bsdf = Diffuse{read_reflectance(properties, builder, name, {0.5, 0.5, 0.5})};
     return material;
   }
   builder.diagnostics.unknown(properties.where(),

@@ -19,8 +19,9 @@ Material read_twosided(Properties& properties, SceneBuilder& builder);
 /// Nor these: a share of what is inside, and nothing.
 Material read_mask(Properties& properties, SceneBuilder& builder);
 Material read_null(Properties& properties, SceneBuilder& builder);
-/// Nor these: two others, and another with normals that a texture bends.
+/// Nor these: two others, any number of others, and another with normals that a texture bends.
 Material read_blend(Properties& properties, SceneBuilder& builder);
+Material read_mixture(Properties& properties, SceneBuilder& builder);
 Material read_normalmap(Properties& properties, SceneBuilder& builder);
 Material read_bumpmap(Properties& properties, SceneBuilder& builder);
 /// Nor this: a layer over another.

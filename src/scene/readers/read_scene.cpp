@@ -98,8 +98,8 @@ void read_scene(const XmlElement& root, SceneBuilder& builder) {
   for (const XmlElement* shape : shapes) read_one_shape(*shape, builder);
   for (const XmlElement* emitter : properties.objects("emitter")) read_light(*emitter, builder);
   report_lost_lights(root, builder);
-  read_integrators(properties.objects("integrator"), builder);
   read_sensors(properties.objects("sensor"), root, builder);
+  read_integrators(properties.objects("integrator"), builder);
   for (const char* tag : {"texture", "spectrum", "rgb", "film", "sampler", "rfilter", "medium", "phase", "volume"})
     read_definitions(properties.objects(tag), builder);
   drop_unused_attributes(builder);

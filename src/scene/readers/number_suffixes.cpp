@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+// A scene may have a million elements, so texts without an f cost one look.
+#include "scene/readers/number_suffixes.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cctype>
+#include <string>
+#include <string_view>
+
+#include "scene/xml/parse_value.h"
+
+namespace strahl {
+
+namespace {
+
+bool is_between_numbers(char c) { return c == ',' || std::isspace(static_cast<unsigned char>(c)) != 0; }
+
+/// Every word a number, of which some have an f behind them; else empty.
+std::string without_suffixes(std::string_view text) {
+  std::string plain;
+  bool has_suffix = false;
+  for (std::size_t at = 0; at < text.size();) {
+    if (is_between_numbers(text[at])) {
+      plain += text[at++];
+      continue;
+    }
+    std::size_t end = at;
+    while (end < text.size() && !is_between_numbers(text[end])) ++end;
+    std::string_view word = text.substr(at, end - at);
+    const bool has_own = word.size() > 1 && (word.back() == 'f' || word.back() == 'F');
+    if (has_own) word.remove_suffix(1);
+    if (!parse_number(word)) return {};
+    has_suffix = has_suffix || has_own;
+    plain += word;
+    at = end;
+  }
+  return has_suffix ? plain : std::string();
+}
+
+/// Those that hold numbers, of whatever element.
+bool may_be_numbers(const XmlElement& element, std::string_view attribute) {
+  constexpr std::array names{"value", "x", "y", "z", "angle", "origin", "target", "up"};
+  for (const std::string_view name : names)
+    if (attribute == name) return element.tag != "string";
+  return false;
+}
+
+}  // namespace
+
+void drop_number_suffixes(XmlElement& element, XmlPool& pool, Diagnostics& diagnostics) {
+  for (XmlElement* child = element.first_child; child != nullptr; child = child->next_sibling)
+    drop_number_suffixes(*child, pool, diagnostics);
+  for (XmlAttribute& attribute : element.attributes) {
+    const std::string_view text = attribute.value;
+    if (text.find_first_of("fF") == std::string_view::npos || !may_be_numbers(element, attribute.name)) continue;
+    std::string plain = without_suffixes(text);
+    if (plain.empty()) continue;
+    diagnostics.warning(element.where, fmt::format("\"{}\" in <{}> is read without its f, which Mitsuba 3.9 refuses",
+                                                   text, element.tag));
+    attribute.value = pool.keep(std::move(plain)).c_str();
+  }
+}
+
+}  // namespace strahl
