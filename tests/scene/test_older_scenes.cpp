@@ -244,6 +244,7 @@ TEST_CASE("0.x: a mixture is a chain of blends; what its weights lack of 1 is bl
   CHECK(reflected(mixture("0.7, 0.3", 2)) == Approx(.7 * .1 + .3 * .2));
   CHECK(reflected(mixture("0.5 0 0.25", 3)) == Approx(.5 * .1 + .25 * .3));
   CHECK(reflected(mixture("1, 2, 1", 3)) == Approx(.25 * .1 + .5 * .2 + .25 * .3));
+  CHECK(mixture(".7 .2 .1", 3).scene.materials.size() == mixture(".5 .25 .25", 3).scene.materials.size());
   CHECK(reflected(mixture("0", 1)) == 0);
   CHECK(reflected(mixture("1", 1)) == Approx(.1));
   for (const char* faulty : {"0.5", "0.5, -1", "0.5, x", ""}) {

@@ -15,6 +15,8 @@ namespace {
 
 /// Bsdfs of a mixture, which becomes a chain of blends.
 constexpr std::size_t most_mixed = 64;
+/// Weights of few digits whose sum is 1 are off by so much at the most.
+constexpr double summed_exactly = 1e-6;
 
 }  // namespace
 
@@ -53,7 +55,7 @@ Material read_mixture(Properties& properties, SceneBuilder& builder) {
   Material mixture;
   mixture.where = properties.where();
   mixture.bsdf = Diffuse{{{0, 0, 0}}};
-  double behind = std::max(1 - sum, 0.0);  // The weight of `mixture` so far.
+  double behind = sum < 1 - summed_exactly ? 1 - sum : 0;  // The weight of `mixture` so far.
   for (std::size_t i = inside.size(); i-- > 0;) {
     const double all = behind + weights[i];
     if (all == 0) continue;
