@@ -62,8 +62,6 @@ TEST_CASE("names that no format has stay unknown, as they were written") {
   CHECK(found[0].find("unknown shape \"Torus\"") != std::string::npos);
 }
 
-}  // namespace strahl::test
-
 TEST_CASE("an f behind a number is dropped with a warning; other texts are no numbers") {
   const LoadedScene loaded = load_body(
       "<shape type=\"sphere\"><float name=\"radius\" value=\"2.5f\"/><transform name=\"to_world\">"
@@ -86,3 +84,5 @@ TEST_CASE("an f behind a number is dropped with a warning; other texts are no nu
         load_body("<shape type=\"sphere\"><float name=\"radius\" value=\"" + std::string(text) + "\"/></shape>"));
   }
 }
+
+}  // namespace strahl::test

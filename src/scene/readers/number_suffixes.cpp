@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <cctype>
 #include <string>
 #include <string_view>
 
@@ -15,26 +14,18 @@ namespace strahl {
 
 namespace {
 
-bool is_between_numbers(char c) { return c == ',' || std::isspace(static_cast<unsigned char>(c)) != 0; }
-
 /// Every word a number, of which some have an f behind them; else empty.
 std::string without_suffixes(std::string_view text) {
   std::string plain;
   bool has_suffix = false;
-  for (std::size_t at = 0; at < text.size();) {
-    if (is_between_numbers(text[at])) {
-      plain += text[at++];
-      continue;
+  for (std::string_view word : split_list(text)) {
+    if (word.size() > 1 && (word.back() == 'f' || word.back() == 'F')) {
+      word.remove_suffix(1);
+      has_suffix = true;
     }
-    std::size_t end = at;
-    while (end < text.size() && !is_between_numbers(text[end])) ++end;
-    std::string_view word = text.substr(at, end - at);
-    const bool has_own = word.size() > 1 && (word.back() == 'f' || word.back() == 'F');
-    if (has_own) word.remove_suffix(1);
     if (!parse_number(word)) return {};
-    has_suffix = has_suffix || has_own;
     plain += word;
-    at = end;
+    plain += ' ';
   }
   return has_suffix ? plain : std::string();
 }
