@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "render/error_law.h"
 #include "render/film.h"
@@ -11,12 +12,26 @@
 namespace strahl {
 namespace {
 
+constexpr double normal_quantile = 1.959964;  ///< Two-sided 95 %.
+
 /// Two-sided 95 % of Student's distribution: expansion about the normal's, Abramowitz and Stegun 1964, 26.7.5.
 double quantile(double degrees_of_freedom) {
-  constexpr double z = 1.959964;
+  constexpr double z = normal_quantile;
   const double per = 1 / std::max(degrees_of_freedom, 2.0);
   return z + (z * z * z + z) / 4 * per + (5 * std::pow(z, 5) + 16 * z * z * z + 3 * z) / 96 * per * per +
          (3 * std::pow(z, 7) + 19 * std::pow(z, 5) + 17 * z * z * z - 15 * z) / 384 * per * per * per;
+}
+
+/// Half-width of the squared error's interval, relative to it, from which on the RMSE's begins at 0.
+constexpr double widest = 2;
+
+/// Ends of the RMSE's interval, relative to the RMSE; half_width: of the squared error's, relative to it. The realised
+/// squared error over the estimated one is distributed as a ratio of two sums of squares, F, which reaches further up
+/// than down. An interval about the squared error is too wide below and too narrow above; one about its root fits
+/// (docs/decisions/0011-error.md). Beyond `widest` the upper end goes on as the root.
+std::pair<double, double> relative_interval(double half_width) {
+  if (half_width < widest) return {1 - half_width / 2, 1 + half_width / 2};
+  return {0, std::sqrt(widest * half_width)};
 }
 
 bool is_told(const FilmShape& film, int samples) { return std::min(samples, film.sums.count) >= layout::FILM_SUBSUMS; }
@@ -32,6 +47,14 @@ std::unique_ptr<ErrorLaw> law_of(const FilmSums& film) {
 }
 
 }  // namespace
+
+double squared_spread(const ErrorEstimate& error) {
+  if (!(error.rmse > 0)) return 0;
+  const double high = error.rmse_high / error.rmse;
+  return (error.rmse_low > 0 ? 2 * (high - 1) : high * high / widest) / normal_quantile;
+}
+
+double relative_upper(double squared_spread) { return relative_interval(normal_quantile * squared_spread).second; }
 
 void PictureError::add(const PixelError& pixel) {
   for (int c = 0; c < layout::FILM_CHANNELS; ++c) {
@@ -56,10 +79,11 @@ void ErrorSums::add(const FilmRows& rows) {
 std::optional<ErrorEstimate> ErrorSums::tell() const {
   if (!is_told_) return std::nullopt;
   const PictureError picture = law_->tell();
-  const double mse = picture.squared / values_;
-  const double half_width = quantile(picture.freedom) * std::sqrt(picture.variance) / values_;
-  return ErrorEstimate{std::sqrt(mse), std::sqrt(std::max(0.0, mse - half_width)), std::sqrt(mse + half_width),
-                       picture.relative / values_};
+  const double rmse = std::sqrt(picture.squared / values_);
+  if (!(rmse > 0)) return ErrorEstimate{0, 0, 0, 0};
+  const double half_width = quantile(picture.freedom) * std::sqrt(picture.variance) / picture.squared;
+  const auto [low, high] = relative_interval(half_width);
+  return ErrorEstimate{rmse, rmse * low, rmse * high, picture.relative / values_};
 }
 
 void ErrorSums::put_standard_error(const FilmRows& rows, std::size_t first, Image& image) const {

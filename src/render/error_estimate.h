@@ -28,6 +28,11 @@ struct ErrorEstimate {
   double relmse = 0;                   ///< mean(squared error / (mean^2 + 0.01)).
 };
 
+/// Relative standard deviation of the squared error, as the interval tells it; and what rmse_high is over the RMSE with
+/// such a deviation.
+[[nodiscard]] double squared_spread(const ErrorEstimate& error);
+[[nodiscard]] double relative_upper(double squared_spread);
+
 // The rest asks a film, whose headers are not installed (render/film.h); RenderResult has what it tells.
 
 /// Of a film whose rows come in parts, from the top down.

@@ -12,7 +12,7 @@
 //
 // Where one pixel or a few are all of the noise, these products are small by chance as often as the estimate is. So the
 // largest upper estimate of a pixel by itself is added, |S|^2 with S the mean of the three differences' squares, times
-// that pixel's share of the noise. Among many noisy pixels it does not count.
+// half of that pixel's share of the noise. Among many noisy pixels it does not count.
 //
 // A part of a picture may have nothing of the second halves. Then u by itself tells all, pixel by pixel.
 #include <algorithm>
@@ -86,13 +86,15 @@ double squared_product(const Colour& a, const Colour& b) {
 /// Sums of products; each estimates |S|^2 as described above.
 struct Products {
   double whole_beside = 0, half = 0, half_beside = 0;
-  double spread = 0;  ///< The trace of S by the pixel itself,
-  double alone = 0;   ///< and its square: an overestimate, the only one where neighbours have no noise.
+  double squared = 0;  ///< The squared error itself.
+  double spread = 0;   ///< The trace of S by the pixel itself,
+  double alone = 0;    ///< and its square: an overestimate, the only one where neighbours have no noise.
 
   void operator+=(const Products& other) {
     whole_beside += other.whole_beside;
     half += other.half;
     half_beside += other.half_beside;
+    squared += other.squared;
     spread += other.spread;
     alone += other.alone;
   }
@@ -108,7 +110,7 @@ Products own_products(const Differences& p) {
   const double by_whole = squared_length(p.whole) / 2;
   const double spread =
       p.has_halves ? (by_whole + squared_length(p.half[0]) + squared_length(p.half[1])) / 3 : by_whole;
-  return {0, squared_product(p.half[0], p.half[1]), 0, spread, spread * spread};
+  return {0, squared_product(p.half[0], p.half[1]), 0, by_whole / 2, spread, spread * spread};
 }
 
 /// One pixel's half of a pair's product; the other half belongs to the other pixel.
@@ -116,7 +118,7 @@ Products pair_products(const Differences& p, const Differences& q) {
   double halves = 0;
   for (const Colour& a : p.half)
     for (const Colour& b : q.half) halves += squared_product(a, b);
-  return {squared_product(p.whole, q.whole) / 8, 0, halves / 8, 0, 0};
+  return {squared_product(p.whole, q.whole) / 8, 0, halves / 8, 0, 0, 0};
 }
 
 class TiledProducts {
@@ -134,18 +136,19 @@ class TiledProducts {
     most_alone_ = std::max(most_alone_, products.alone);
   }
 
-  /// The variance and its degrees of freedom, from the change that each tile makes. Zero where there is no noise.
+  /// The variance; and degrees of freedom, from the change that each tile makes to its ratio to the squared error's
+  /// square, which the interval goes by. Zero where there is no noise.
   void tell(PictureError& picture) const {
     Products all;
     for (const Products& tile : tiles_) all += tile;
     if (!(all.alone > 0)) return;
     const bool has_neighbours = has_halves_ && all.whole_beside > 0 && all.half > 0 && all.half_beside > 0;
-    const double by_one = most_alone_ * (std::sqrt(most_alone_) / all.spread);
+    const double by_one = most_alone_ * (std::sqrt(most_alone_) / all.spread) / 2;
     picture.variance = has_neighbours ? all.half * (all.whole_beside / all.half_beside) + by_one : all.alone;
     double squares = 0;
     for (const Products& tile : tiles_) {
       const double share = has_neighbours ? tile.half / all.half + tile.whole_beside / all.whole_beside -
-                                                tile.half_beside / all.half_beside
+                                                tile.half_beside / all.half_beside - 2 * tile.squared / all.squared
                                           : tile.alone / all.alone;
       squares += share * share;
     }

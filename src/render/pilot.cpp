@@ -25,9 +25,6 @@ constexpr int least_strips = 16;
 constexpr std::size_t least_seen = 3;
 constexpr double unseen_spread = 0.5;
 
-/// Two-sided 95 % of the normal distribution, which ErrorEstimate's interval is of.
-constexpr double normal_quantile = 1.96;
-
 struct Timed {
   RenderResult result;
   double seconds = 0;  ///< Without what comes after the last sample.
@@ -36,7 +33,7 @@ struct Timed {
 Look look_of(int spp, const ErrorEstimate& error) {
   const double mse = error.rmse * error.rmse;
   if (!(mse > 0)) return {static_cast<double>(spp), 0, 0, 1, 0};
-  const double spread = (error.rmse_high * error.rmse_high / mse - 1) / normal_quantile;
+  const double spread = squared_spread(error);
   return {static_cast<double>(spp), mse, spread, error.rmse_high / error.rmse, spread};
 }
 
@@ -229,7 +226,7 @@ class PilotRun {
     if (few.errors.empty()) return;
     // Of the whole picture, which has more pixels than were looked at.
     const double mse = mean_of(few.errors), own = few.own_spread(), told = own * std::sqrt(pilot_.share);
-    const double upper = std::sqrt(1 + normal_quantile * told);
+    const double upper = relative_upper(told);
     pilot_.common_spread = spread_of(few.errors, pilot_.share);
     pilot_.looks.push_back({static_cast<double>(few.spp), mse, own, upper, told});
     const double before = mean_of(paired.errors);

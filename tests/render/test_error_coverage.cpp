@@ -35,7 +35,7 @@ constexpr int numbers[] = {16, 64, 256, 1024};
 
 /// How much wider than with four sequences the interval of two may be. Two say less of themselves: sqrt(3 / 2) at the
 /// least.
-constexpr double tolerated = 1.6;
+constexpr double tolerated = 1.5;
 
 const char* asked_run() { return std::getenv("STRAHL_COVERAGE"); }
 bool is_long() { return asked_run() != nullptr; }

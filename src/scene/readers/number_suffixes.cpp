@@ -48,8 +48,9 @@ void drop_number_suffixes(XmlElement& element, XmlPool& pool, Diagnostics& diagn
     if (text.find_first_of("fF") == std::string_view::npos || !may_be_numbers(element, attribute.name)) continue;
     std::string plain = without_suffixes(text);
     if (plain.empty()) continue;
-    diagnostics.warning(element.where, fmt::format("\"{}\" in <{}> is read without its f, which Mitsuba 3.9 refuses",
-                                                   text, element.tag));
+    // Without quotes, so that many that differ in their digits alone are one warning with a count.
+    diagnostics.warning(element.where, fmt::format("{} in <{}> is read without its f, which Mitsuba 3.9 refuses", text,
+                                                   element.tag));
     attribute.value = pool.keep(std::move(plain)).c_str();
   }
 }
