@@ -43,7 +43,7 @@ bool is_told(const FilmSums& film) {
 std::unique_ptr<ErrorLaw> law_of(const FilmSums& film) {
   if (film.kind == FilmKind::splats) return law_of_replicates(film);
   if (film.sums.sequences == layout::SOBOL_SEQUENCES) return law_of_sequences(film.width, film.height);
-  return law_of_turns();
+  return law_of_turns(film.height);
 }
 
 }  // namespace
@@ -63,6 +63,12 @@ void PictureError::add(const PixelError& pixel) {
   }
 }
 
+void PictureError::operator+=(const PictureError& other) {
+  squared += other.squared;
+  relative += other.relative;
+  variance += other.variance;
+}
+
 double satterthwaite(double sum, double squares) { return squares > 0 ? 2 * sum * sum / squares : 1; }
 
 ErrorSums::ErrorSums(const FilmSums& film)
@@ -72,8 +78,8 @@ ErrorSums::ErrorSums(const FilmSums& film)
 
 ErrorSums::~ErrorSums() = default;
 
-void ErrorSums::add(const FilmRows& rows) {
-  if (is_told_) law_->add(rows);
+void ErrorSums::add(const FilmRows& rows, int first) {
+  if (is_told_) law_->add(rows, first);
 }
 
 std::optional<ErrorEstimate> ErrorSums::tell() const {
@@ -98,7 +104,7 @@ void ErrorSums::put_standard_error(const FilmRows& rows, std::size_t first, Imag
 
 std::optional<ErrorEstimate> estimate_error(const FilmSums& film) {
   ErrorSums sums(film);
-  sums.add(film.rows());
+  sums.add(film.rows(), 0);
   return sums.tell();
 }
 

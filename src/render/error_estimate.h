@@ -35,14 +35,14 @@ struct ErrorEstimate {
 
 // The rest asks a film, whose headers are not installed (render/film.h); RenderResult has what it tells.
 
-/// Of a film whose rows come in parts, from the top down.
+/// Of a film whose rows come in parts.
 class ErrorSums {
  public:
   /// Of the film its shape and numbers of samples are looked at, not its words.
   explicit ErrorSums(const FilmSums& film);
   ~ErrorSums();
-  /// The next rows.
-  void add(const FilmRows& rows);
+  /// As ErrorLaw::add (render/error_law.h): rows from `first` on, behind the one above them.
+  void add(const FilmRows& rows, int first);
   /// Of all rows; none where a pixel has fewer samples than there are sub-sums.
   [[nodiscard]] std::optional<ErrorEstimate> tell() const;
   /// Standard error of each channel of these rows into the pixels from `first` on; NaN where a pixel has too few

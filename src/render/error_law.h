@@ -46,25 +46,32 @@ struct PictureError {
   double freedom = 1;   ///< Degrees of freedom of `variance`.
 
   void add(const PixelError& pixel);
+  void operator+=(const PictureError& other);
 };
 
-/// Adds up a picture whose rows come in parts, from the top down: a film may lie on the device, and only a part of it
-/// here. Every pixel has at least four samples.
+/// Rows that are added up by themselves. So the sums of a picture do not depend on who adds which of its rows.
+constexpr int rows_per_band = 4;
+[[nodiscard]] inline std::size_t band_of(int row) { return static_cast<std::size_t>(row / rows_per_band); }
+
+/// Adds up a picture whose rows come in parts: a film may lie on the device, and only a part of it here. Every pixel
+/// has at least four samples.
 class ErrorLaw {
  public:
   ErrorLaw() = default;
   ErrorLaw(const ErrorLaw&) = delete;
   ErrorLaw& operator=(const ErrorLaw&) = delete;
   virtual ~ErrorLaw() = default;
-  /// The next rows.
-  virtual void add(const FilmRows& rows) = 0;
+  /// Rows of the picture from `first` on; where that is not its first row, the one above them comes before them, which
+  /// is only looked at. Threads may add rows of different bands at the same time; those of a band come from the top
+  /// down.
+  virtual void add(const FilmRows& rows, int first) = 0;
   /// at: index within the rows.
   [[nodiscard]] virtual PixelError pixel_error(const FilmRows& rows, std::size_t at) const = 0;
   [[nodiscard]] virtual PictureError tell() const = 0;
 };
 
-/// Four independent sums.
-[[nodiscard]] std::unique_ptr<ErrorLaw> law_of_turns();
+/// Four independent sums; of a picture of so many rows.
+[[nodiscard]] std::unique_ptr<ErrorLaw> law_of_turns(int height);
 /// Two sequences, each in two sums; of a picture of width x height pixels.
 [[nodiscard]] std::unique_ptr<ErrorLaw> law_of_sequences(int width, int height);
 /// Splats: four independent replicates of the whole picture, whose pixels are not independent. Of the film only the

@@ -62,41 +62,54 @@ std::vector<double> replicate_sizes(const FilmSums& film) {
 
 class LawOfReplicates final : public ErrorLaw {
  public:
-  explicit LawOfReplicates(const FilmSums& film) : sizes_(replicate_sizes(film)) {}
+  explicit LawOfReplicates(const FilmSums& film)
+      : sizes_(replicate_sizes(film)), bands_(band_of(film.height - 1) + 1) {}
 
-  void add(const FilmRows& rows) override {
-    for (std::size_t at = 0; at < rows.samples.size(); ++at) {
-      const Replicated pixel = replicated_at(rows, sizes_, at, counts_.of(rows, at));
-      picture_.add(pixel.error);
+  void add(const FilmRows& rows, int first) override {
+    CountsOfSamples counts;
+    const auto width = static_cast<std::size_t>(rows.width), above = first > 0 ? width : 0;
+    for (std::size_t at = above; at < rows.samples.size(); ++at) {
+      Band& band = bands_[band_of(first + static_cast<int>((at - above) / width))];
+      const Replicated pixel = replicated_at(rows, sizes_, at, counts.of(rows, at));
+      band.picture.add(pixel.error);
       for (std::size_t i = 0; i < replicates; ++i)
         for (std::size_t j = 0; j < replicates; ++j)
           for (std::size_t c = 0; c < layout::FILM_CHANNELS; ++c)
-            products_[i][j] += pixel.deviation[i][c] * pixel.deviation[j][c];
+            band.products[i][j] += pixel.deviation[i][c] * pixel.deviation[j][c];
     }
   }
   PixelError pixel_error(const FilmRows& rows, std::size_t at) const override {
     return replicated_at(rows, sizes_, at, rows.sub_sum_counts(rows.samples[at])).error;
   }
   PictureError tell() const override {
+    PictureError picture;
+    Products products{};
+    for (const Band& band : bands_) {
+      picture += band.picture;
+      for (std::size_t i = 0; i < replicates; ++i)
+        for (std::size_t j = 0; j < replicates; ++j) products[i][j] += band.products[i][j];
+    }
     double trace = 0, norm = 0, samples = 0;
     for (std::size_t i = 0; i < replicates; ++i) {
-      trace += products_[i][i];
+      trace += products[i][i];
       samples += sizes_[i];
-      for (std::size_t j = 0; j < replicates; ++j) norm += products_[i][j] * products_[i][j];
+      for (std::size_t j = 0; j < replicates; ++j) norm += products[i][j] * products[i][j];
     }
     constexpr double between = replicates - 1, freedom = between * replicates / 2 - 1;
     const double squares = std::max(0.0, norm - trace * trace / between) / (2 * freedom);  // tr(S^2) of one path
-    PictureError picture = picture_;
     picture.variance = 2 * replicates / (between * samples * samples) * squares;
     picture.freedom = freedom;
     return picture;
   }
 
  private:
+  using Products = std::array<std::array<double, replicates>, replicates>;
+  struct Band {
+    PictureError picture;
+    Products products{};
+  };
   std::vector<double> sizes_;
-  CountsOfSamples counts_;
-  PictureError picture_;
-  std::array<std::array<double, replicates>, replicates> products_{};
+  std::vector<Band> bands_;
 };
 
 }  // namespace

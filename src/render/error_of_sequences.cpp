@@ -28,9 +28,9 @@ namespace {
 constexpr std::size_t sequences = layout::SOBOL_SEQUENCES;
 static_assert(sequences == 2 && layout::FILM_SUBSUMS == 2 * sequences);
 
-/// Products that share a pixel are not independent, so the parts of a sum are square tiles; this is their side in
-/// pixels.
-constexpr int tile_side = 4;
+/// Products that share a pixel are not independent, so the parts of a sum are square tiles of a band; this is their
+/// side in pixels.
+constexpr int tile_side = rows_per_band;
 
 /// The differences between a pixel's sums.
 struct Differences {
@@ -77,10 +77,35 @@ PixelError told_by_sequences(const SubSumColours& colours, const Weights& by, Di
   return pixel;
 }
 
-double squared_product(const Colour& a, const Colour& b) {
-  double product = 0;
-  for (int c = 0; c < layout::FILM_CHANNELS; ++c) product += a[c] * b[c];
-  return product * product;
+/// A sum of matrices a a^T, the upper triangle row by row. The scalar product of two of them is the sum of the squared
+/// scalar products of their vectors, of which there would be more.
+using Outer = std::array<double, 6>;
+static_assert(layout::FILM_CHANNELS == 3);
+
+void add_outer(const Colour& a, Outer& sum) {
+  for (std::size_t i = 0, at = 0; i < a.size(); ++i)
+    for (std::size_t j = i; j < a.size(); ++j, ++at) sum[at] += a[i] * a[j];
+}
+double dot(const Outer& a, const Outer& b) {
+  return a[0] * b[0] + a[3] * b[3] + a[5] * b[5] + 2 * (a[1] * b[1] + a[2] * b[2] + a[4] * b[4]);
+}
+double trace(const Outer& a) { return a[0] + a[3] + a[5]; }
+
+/// Of u, and of w_1 and w_2 together; of a pixel, or of its neighbours.
+struct Noise {
+  Outer whole{}, half{};
+
+  void operator+=(const Noise& other) {
+    for (std::size_t i = 0; i < whole.size(); ++i) whole[i] += other.whole[i];
+    for (std::size_t i = 0; i < half.size(); ++i) half[i] += other.half[i];
+  }
+};
+
+Noise noise_of(const Differences& pixel) {
+  Noise noise;
+  add_outer(pixel.whole, noise.whole);
+  for (const Colour& half : pixel.half) add_outer(half, noise.half);
+  return noise;
 }
 
 /// Sums of products; each estimates |S|^2 as described above.
@@ -100,116 +125,104 @@ struct Products {
   }
 };
 
-double squared_length(const Colour& a) {
-  double sum = 0;
-  for (const double value : a) sum += value * value;
-  return sum;
-}
-
-Products own_products(const Differences& p) {
-  const double by_whole = squared_length(p.whole) / 2;
-  const double spread =
-      p.has_halves ? (by_whole + squared_length(p.half[0]) + squared_length(p.half[1])) / 3 : by_whole;
-  return {0, squared_product(p.half[0], p.half[1]), 0, by_whole / 2, spread, spread * spread};
-}
-
-/// One pixel's half of a pair's product; the other half belongs to the other pixel.
-Products pair_products(const Differences& p, const Differences& q) {
+/// beside: of those of its neighbours that no other pair is made with.
+Products products_of(const Differences& pixel, const Noise& noise, const Noise& beside) {
   double halves = 0;
-  for (const Colour& a : p.half)
-    for (const Colour& b : q.half) halves += squared_product(a, b);
-  return {squared_product(p.whole, q.whole) / 8, 0, halves / 8, 0, 0, 0};
+  for (std::size_t c = 0; c < pixel.whole.size(); ++c) halves += pixel.half[0][c] * pixel.half[1][c];
+  const double by_whole = trace(noise.whole) / 2;
+  const double spread = pixel.has_halves ? (by_whole + trace(noise.half)) / 3 : by_whole;
+  return {dot(noise.whole, beside.whole) / 4,
+          halves * halves,
+          dot(noise.half, beside.half) / 4,
+          by_whole / 2,
+          spread,
+          spread * spread};
 }
-
-class TiledProducts {
- public:
-  TiledProducts(int width, int height)
-      : across_((width + tile_side - 1) / tile_side),
-        tiles_(static_cast<std::size_t>(across_) * static_cast<std::size_t>((height + tile_side - 1) / tile_side)) {}
-
-  /// Of a pixel that has no halves.
-  void lacks_halves() { has_halves_ = false; }
-
-  void add(int x, int y, const Products& products) {
-    tiles_[static_cast<std::size_t>(y / tile_side) * static_cast<std::size_t>(across_) +
-           static_cast<std::size_t>(x / tile_side)] += products;
-    most_alone_ = std::max(most_alone_, products.alone);
-  }
-
-  /// The variance; and degrees of freedom, from the change that each tile makes to its ratio to the squared error's
-  /// square, which the interval goes by. Zero where there is no noise.
-  void tell(PictureError& picture) const {
-    Products all;
-    for (const Products& tile : tiles_) all += tile;
-    if (!(all.alone > 0)) return;
-    const bool has_neighbours = has_halves_ && all.whole_beside > 0 && all.half > 0 && all.half_beside > 0;
-    const double by_one = most_alone_ * (std::sqrt(most_alone_) / all.spread) / 2;
-    picture.variance = has_neighbours ? all.half * (all.whole_beside / all.half_beside) + by_one : all.alone;
-    double squares = 0;
-    for (const Products& tile : tiles_) {
-      const double share = has_neighbours ? tile.half / all.half + tile.whole_beside / all.whole_beside -
-                                                tile.half_beside / all.half_beside - 2 * tile.squared / all.squared
-                                          : tile.alone / all.alone;
-      squares += share * share;
-    }
-    picture.freedom = satterthwaite(1, squares);
-  }
-
- private:
-  int across_;
-  std::vector<Products> tiles_;
-  double most_alone_ = 0;
-  bool has_halves_ = true;
-};
 
 class LawOfSequences final : public ErrorLaw {
  public:
-  LawOfSequences(int width, int height) : products_(width, height), row_(static_cast<std::size_t>(width)) {}
+  LawOfSequences(int width, int height) : bands_(band_of(height - 1) + 1) {
+    for (Band& band : bands_) band.tiles.resize(static_cast<std::size_t>((width + tile_side - 1) / tile_side));
+  }
 
-  void add(const FilmRows& rows) override {
-    std::size_t at = 0;
-    for (int y = 0; y < rows.height; ++y, ++y_) {
-      for (int x = 0; x < rows.width; ++x, ++at) {
-        Differences& here = row_[static_cast<std::size_t>(x)];
-        picture_.add(told_by_sequences(rows.sub_sums(at), weights_.of(rows, at), here));
-        add_products(here, x, rows.width);
+  void add(const FilmRows& rows, int first) override {
+    OfSamples<Weights> weights;
+    const auto width = static_cast<std::size_t>(rows.width);
+    std::vector<Noise> above(width), row(width);
+    for (std::size_t at = 0; at < rows.samples.size(); above.swap(row)) {
+      const int y = first + static_cast<int>(at / width) - (first > 0 ? 1 : 0);
+      Band* const band = y < first ? nullptr : &bands_[band_of(y)];
+      for (std::size_t x = 0; x < width; ++x, ++at) {
+        Differences here;
+        const PixelError pixel = told_by_sequences(rows.sub_sums(at), weights.of(rows, at), here);
+        row[x] = noise_of(here);
+        if (band == nullptr) continue;
+        band->picture.add(pixel);
+        band->add(x, products_of(here, row[x], beside(row, above, x)), here.has_halves);
       }
-      above_.swap(row_);
-      row_.resize(above_.size());
     }
   }
   PixelError pixel_error(const FilmRows& rows, std::size_t at) const override {
     Differences unused;
     return told_by_sequences(rows.sub_sums(at), Weights(rows.sub_sum_counts(rows.samples[at])), unused);
   }
-  PictureError tell() const override {
-    PictureError picture = picture_;
-    products_.tell(picture);
-    return picture;
-  }
+  PictureError tell() const override;
 
  private:
-  /// Of a pixel of row y_ by itself and with its neighbours to the left and above.
-  void add_products(const Differences& here, int x, int width) {
-    if (!here.has_halves) products_.lacks_halves();
-    Products all = own_products(here);
-    const auto pair = [&](int other_x, int other_y, const Differences& other) {
-      const Products shared = pair_products(here, other);
-      all += shared;
-      products_.add(other_x, other_y, shared);
-    };
-    if (x > 0) pair(x - 1, y_, row_[static_cast<std::size_t>(x) - 1]);
-    for (int other = std::max(0, x - 1); y_ > 0 && other <= std::min(width - 1, x + 1); ++other)
-      pair(other, y_ - 1, above_[static_cast<std::size_t>(other)]);
-    products_.add(x, y_, all);
+  struct Band {
+    PictureError picture;
+    std::vector<Products> tiles;
+    double most_alone = 0;
+    bool has_halves = true;
+
+    void add(std::size_t x, const Products& products, bool pixel_has_halves) {
+      tiles[x / tile_side] += products;
+      most_alone = std::max(most_alone, products.alone);
+      has_halves = has_halves && pixel_has_halves;
+    }
+  };
+
+  /// Of the neighbours to the left and above.
+  static Noise beside(const std::vector<Noise>& row, const std::vector<Noise>& above, std::size_t x) {
+    Noise sum = above[x];
+    if (x + 1 < row.size()) sum += above[x + 1];
+    if (x == 0) return sum;
+    sum += above[x - 1];
+    sum += row[x - 1];
+    return sum;
   }
 
-  PictureError picture_;
-  OfSamples<Weights> weights_;
-  TiledProducts products_;
-  std::vector<Differences> above_, row_;
-  int y_ = 0;  ///< The next row.
+  std::vector<Band> bands_;
 };
+
+/// The variance; and degrees of freedom, from the change that each tile makes to its ratio to the squared error's
+/// square, which the interval goes by. Zero where there is no noise.
+PictureError LawOfSequences::tell() const {
+  PictureError picture;
+  Products all;
+  double most_alone = 0;
+  bool has_halves = true;
+  for (const Band& band : bands_) {
+    picture += band.picture;
+    for (const Products& tile : band.tiles) all += tile;
+    most_alone = std::max(most_alone, band.most_alone);
+    has_halves = has_halves && band.has_halves;
+  }
+  if (!(all.alone > 0)) return picture;
+  const bool has_neighbours = has_halves && all.whole_beside > 0 && all.half > 0 && all.half_beside > 0;
+  const double by_one = most_alone * (std::sqrt(most_alone) / all.spread) / 2;
+  picture.variance = has_neighbours ? all.half * (all.whole_beside / all.half_beside) + by_one : all.alone;
+  double squares = 0;
+  for (const Band& band : bands_)
+    for (const Products& tile : band.tiles) {
+      const double share = has_neighbours ? tile.half / all.half + tile.whole_beside / all.whole_beside -
+                                                tile.half_beside / all.half_beside - 2 * tile.squared / all.squared
+                                          : tile.alone / all.alone;
+      squares += share * share;
+    }
+  picture.freedom = satterthwaite(1, squares);
+  return picture;
+}
 
 }  // namespace
 

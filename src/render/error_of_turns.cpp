@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "render/error_law.h"
 #include "render/film.h"
@@ -68,35 +69,48 @@ double squared_error(const Turns& pixel) {
 
 class LawOfTurns final : public ErrorLaw {
  public:
-  void add(const FilmRows& rows) override {
-    for (std::size_t at = 0; at < rows.samples.size(); ++at) {
-      const Turns pixel = turns_of(rows, at, counts_.of(rows, at));
+  explicit LawOfTurns(int height) : bands_(band_of(height - 1) + 1) {}
+
+  void add(const FilmRows& rows, int first) override {
+    CountsOfSamples counts;
+    const auto width = static_cast<std::size_t>(rows.width), above = first > 0 ? width : 0;
+    for (std::size_t at = above; at < rows.samples.size(); ++at) {
+      Band& band = bands_[band_of(first + static_cast<int>((at - above) / width))];
+      const Turns pixel = turns_of(rows, at, counts.of(rows, at));
       const double variance = difference_variance(pixel, rows.samples[at]);
-      picture_.add(pixel.error);
-      picture_.variance += variance;
-      squares_ += variance * variance;
-      most_ = std::max(most_, squared_error(pixel));
+      band.picture.add(pixel.error);
+      band.picture.variance += variance;
+      band.squares += variance * variance;
+      band.most = std::max(band.most, squared_error(pixel));
     }
   }
   PixelError pixel_error(const FilmRows& rows, std::size_t at) const override {
     return turns_of(rows, at, rows.sub_sum_counts(rows.samples[at])).error;
   }
   PictureError tell() const override {
-    PictureError picture = picture_;
-    picture.freedom = satterthwaite(picture.variance, squares_);
+    PictureError picture;
+    double squares = 0, most = 0;
+    for (const Band& band : bands_) {
+      picture += band.picture;
+      squares += band.squares;
+      most = std::max(most, band.most);
+    }
+    picture.freedom = satterthwaite(picture.variance, squares);
     // By the pixel that has most of the noise alone, times its share (error_of_sequences.cpp).
-    if (picture.squared > 0) picture.variance += to_difference * std::pow(most_, 3) / picture.squared;
+    if (picture.squared > 0) picture.variance += to_difference * std::pow(most, 3) / picture.squared;
     return picture;
   }
 
  private:
-  PictureError picture_;
-  CountsOfSamples counts_;
-  double squares_ = 0, most_ = 0;
+  struct Band {
+    PictureError picture;
+    double squares = 0, most = 0;
+  };
+  std::vector<Band> bands_;
 };
 
 }  // namespace
 
-std::unique_ptr<ErrorLaw> law_of_turns() { return std::make_unique<LawOfTurns>(); }
+std::unique_ptr<ErrorLaw> law_of_turns(int height) { return std::make_unique<LawOfTurns>(height); }
 
 }  // namespace strahl

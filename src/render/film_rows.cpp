@@ -28,6 +28,13 @@ std::size_t FilmShape::words_of_sums() const {
   return static_cast<std::size_t>(sums.count) * channels * words_per_sum(kind);
 }
 
+FilmRows FilmRows::below_first() const {
+  const auto columns = static_cast<std::size_t>(width);
+  FilmRows below{*this, words.subspan(columns * words_per_pixel()), samples.subspan(columns)};
+  --below.height;
+  return below;
+}
+
 SubSumColours FilmRows::sub_sums(std::size_t pixel) const {
   const std::size_t step = words_per_sum(kind);
   const std::int64_t* at = &words[pixel * words_per_pixel()];

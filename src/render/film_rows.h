@@ -49,6 +49,8 @@ struct FilmRows : FilmShape {
   std::span<const std::int64_t> words;
   std::span<const int> samples;
 
+  /// Without the first row.
+  [[nodiscard]] FilmRows below_first() const;
   /// The sum of the samples of a pixel in each of FILM_SUBSUMS sub-sums, in radiance; of splats without its own. pixel:
   /// index along these rows.
   [[nodiscard]] SubSumColours sub_sums(std::size_t pixel) const;

@@ -4,24 +4,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <future>
 #include <limits>
 #include <set>
 #include <utility>
 
 #include "errors.h"
-#include "render/aov.h"
-#include "render/numeric_error.h"
 
 namespace strahl {
 namespace {
 
 /// Shorter launches cost more than they gain.
 constexpr double least_launch_seconds = 0.0005;
-
-/// A part of the film that stays in a processor's cache.
-constexpr std::size_t part_bytes = std::size_t{2} << 20;
 
 }  // namespace
 
@@ -205,108 +198,6 @@ void FilmRun::end_band() {
   result_.stats.seconds.readback += start.seconds();
 }
 
-void FilmRun::each_part(const std::function<void(std::shared_ptr<const FilmPart>)>& use) {
-  const auto width = static_cast<std::size_t>(width_);
-  const auto most = static_cast<int>(std::clamp<std::size_t>(part_bytes / film_bytes(width), 1, height_));
-  const std::size_t per_pixel = film_.words_per_pixel();
-  for (int row = 0; row < height_; row += most) {
-    const Stopwatch start;
-    auto part = std::make_shared<FilmPart>();
-    part->first = static_cast<std::size_t>(row) * width;
-    part->rows = film_.rows(row, std::min(most, height_ - row));
-    if (is_one_band()) {
-      part->on_device = std::make_unique<MappedWords>(state_.device, state_.film, part->first * per_pixel,
-                                                      part->rows.samples.size() * per_pixel);
-      part->rows.words = part->on_device->words();
-    }
-    result_.stats.seconds.readback += start.seconds();
-    use(std::move(part));
-  }
-}
-
-void FilmRun::finish() {
-  PhaseSeconds& seconds = result_.stats.seconds;
-  // The error of samples that were clamped to the largest float, or set to 0, is unknown.
-  const bool is_whole = result_.stats.unusual.not_finite() == 0;
-  const bool has_error = state_.settings.estimate_error && is_whole, has_map = state_.settings.error_map;
-  const Stopwatch beginning;
-  std::optional<ErrorSums> error;
-  if (has_error || has_map) error.emplace(film_);
-  result_.standard_error = has_map ? film_.black() : Image{};
-  if (!has_map) result_.standard_error.channels.clear();
-  seconds.error += beginning.seconds();
-  result_.color = film_.black();
-  if (film_.has_squares) squares_ = film_.black();
-  const double paths = film_.paths_a_pixel();
-  // The error of a part is told while the mean of the next is taken; where no thread can be begun, after it: a picture
-  // is not lost for want of one.
-  constexpr auto beside_if_possible = std::launch::async | std::launch::deferred;
-  std::future<void> telling;
-  const auto wait = [&] {
-    const Stopwatch waiting;
-    if (telling.valid()) telling.get();
-    seconds.error += waiting.seconds();
-  };
-  each_part([&](std::shared_ptr<const FilmPart> part) {
-    const Stopwatch taking;
-    part->rows.put_mean(part->first, paths, result_.color);
-    if (film_.has_squares) part->rows.put_squares(part->first, squares_);
-    seconds.readback += taking.seconds();
-    wait();
-    if (!error) return;
-    // Copied: libstdc++ has moved from a temporary by the time that it finds no thread.
-    const auto tell = [&error, part = std::move(part), has_error, has_map, this] {
-      if (has_error) error->add(part->rows);
-      if (has_map) error->put_standard_error(part->rows, part->first, result_.standard_error);
-    };
-    telling = std::async(beside_if_possible, tell);
-  });
-  wait();
-  if (has_error) result_.error = error->tell();
-}
-
-void FilmRun::put_aovs(const std::set<Aov>& plain) {
-  const Stopwatch start;
-  const FirstSampleValues values{width_, height_, aov_reals_, aov_ints_, state_.frame, film_.first_sample == 0};
-  result_.aov = aov_image(values, plain);
-  result_.named_aov = aov_image(values, {result_.color, squares_}, state_.settings.aovs.named());
-  result_.stats.seconds.readback += start.seconds();
-}
-
-Renderer::State::End FilmRun::end() const { return {height_, film_.sums.count, is_one_band()}; }
-
-/// The end is run on a black film, as if it had its samples.
-void FilmRun::measure_end() {
-  const Stopwatch start;
-  const PhaseSeconds before = result_.stats.seconds;
-  std::fill(film_.samples.begin(), film_.samples.end(), layout::FILM_SUBSUMS);
-  finish();
-  put_aovs(state_.settings.aovs.plain());
-  std::fill(film_.samples.begin(), film_.samples.end(), 0);
-  result_.error.reset();
-  result_.stats.seconds = before;
-  state_.end_seconds[end()] = start.seconds();
-}
-
-/// To be reserved for the end. That of a few rows says nothing about that of all.
-double FilmRun::end_seconds() {
-  if (!state_.end_seconds.contains(end())) measure_end();
-  return state_.end_seconds.at(end());
-}
-
-/// false: it could not be told. The picture is done by now, and is what it is without that layer.
-bool FilmRun::tell_numeric_error() {
-  const Stopwatch start;
-  const Renderer::State& device = living_device();
-  try {
-    replace_t_by_its_error(device.device, state_.scene, state_.frame, device.settings, aov_reals_, aov_ints_);
-  } catch (const std::exception& fault) {
-    result_.numeric_error_fault = fault.what();
-  }
-  result_.stats.seconds.error += start.seconds();
-  return result_.numeric_error_fault.empty();
-}
-
 RenderResult FilmRun::run() {
   if (!is_shared()) write_header();
   // Whatever ends the render, there is a film: of one band on the device, of several on the host.
@@ -319,13 +210,11 @@ RenderResult FilmRun::run() {
     if (passes_.wants_error() && result_.stats.unusual.not_finite() > 0) {
       passes_.cannot_estimate();
     } else if (passes_.wants_error()) {
+      const Stopwatch estimating;
       ErrorSums error(film_);
-      each_part([&](const std::shared_ptr<const FilmPart>& part) {
-        const Stopwatch estimating;
-        error.add(part->rows);
-        result_.stats.seconds.error += estimating.seconds();
-      });
+      each_part([&](const FilmPart& part) { error.add(part.rows, part.first); });
       passes_.estimated(error.tell());
+      result_.stats.seconds.error += estimating.seconds();
     }
     const std::optional<Pass> pass = passes_.next(sample_seconds_, seconds_left());
     if (!pass) break;

@@ -78,14 +78,15 @@ class FilmRun {
   /// What the device has of a band that is not fetched yet.
   [[nodiscard]] std::vector<std::int64_t> band_words() const;
   void read_aovs(int row, int rows);
-  /// Rows of the film, and where they begin.
+  /// Rows of the film from `first` on, behind the one above them where there is one.
   struct FilmPart {
     std::unique_ptr<const MappedWords> on_device;  ///< Their words; none: they are in film_.
     FilmRows rows;
-    std::size_t first = 0;  ///< The number of their first pixel.
+    int first = 0;
   };
-  /// From the top down.
-  void each_part(const std::function<void(std::shared_ptr<const FilmPart>)>& use);
+  [[nodiscard]] FilmPart part_at(int first, int count) const;
+  /// In any order, several at a time, on as many threads; each of whole bands of an ErrorLaw.
+  void each_part(const std::function<void(const FilmPart&)>& use) const;
   void finish();
   /// The AOVs, once finish() has made the picture.
   void put_aovs(const std::set<Aov>& plain);

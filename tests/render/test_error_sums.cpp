@@ -8,6 +8,7 @@
 
 #include "packing/cl_layout.h"
 #include "render/error_estimate.h"
+#include "render/error_law.h"
 #include "render/film.h"
 #include "render/film_sum.h"
 
@@ -42,9 +43,10 @@ void hold(const FilmSums& film) {
     ErrorSums sums(film);
     Image map = film.black(), mean = film.black();
     for (int row = 0; row < height; row += most) {
-      const FilmRows part = film.rows(row, std::min(most, height - row));
+      const int above = row > 0 ? 1 : 0, count = std::min(most, height - row);
+      sums.add(film.rows(row - above, above + count), row);
+      const FilmRows part = film.rows(row, count);
       const auto first = static_cast<std::size_t>(row) * width;
-      sums.add(part);
       sums.put_standard_error(part, first, map);
       part.put_mean(first, film.paths_a_pixel(), mean);
     }
@@ -57,6 +59,28 @@ void hold(const FilmSums& film) {
     CHECK(map.data == standard_error(film).data);
     CHECK(mean.data == film.mean().data);
   }
+}
+
+/// As threads may take them.
+void hold_in_any_order(const FilmSums& film) {
+  const std::optional<ErrorEstimate> whole = estimate_error(film);
+  ErrorSums sums(film);
+  for (int row = (height - 1) / rows_per_band * rows_per_band; row >= 0; row -= rows_per_band) {
+    const int above = row > 0 ? 1 : 0;
+    sums.add(film.rows(row - above, above + std::min(rows_per_band, height - row)), row);
+  }
+  const std::optional<ErrorEstimate> told = sums.tell();
+  REQUIRE((whole && told));
+  CHECK(told->rmse == whole->rmse);
+  CHECK(told->rmse_low == whole->rmse_low);
+  CHECK(told->rmse_high == whole->rmse_high);
+  CHECK(told->relmse == whole->relmse);
+}
+
+TEST_CASE("bands may come in any order") {
+  hold_in_any_order(noisy_film(FilmKind::pixels, {layout::FILM_SUBSUMS, 2, 4}));
+  hold_in_any_order(noisy_film(FilmKind::pixels, {layout::FILM_SUBSUMS, 4, 0}));
+  hold_in_any_order(noisy_film(FilmKind::splats, {layout::FILM_SUBSUMS, 4, 0}, true));
 }
 
 TEST_CASE("two sequences, in parts") { hold(noisy_film(FilmKind::pixels, {layout::FILM_SUBSUMS, 2, 4})); }
