@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 #include "render/error_law.h"
 #include "render/film.h"
@@ -25,12 +24,17 @@ double quantile(double degrees_of_freedom) {
 /// Half-width of the squared error's interval, relative to it, from which on the RMSE's begins at 0.
 constexpr double widest = 2;
 
-/// Ends of the RMSE's interval, relative to the RMSE; half_width: of the squared error's, relative to it. The realised
-/// squared error over the estimated one is distributed as a ratio of two sums of squares, F, which reaches further up
-/// than down. An interval about the squared error is too wide below and too narrow above; one about its root fits
-/// (docs/decisions/0011-error.md). Beyond `widest` the upper end goes on as the root.
-std::pair<double, double> relative_interval(double half_width) {
-  if (half_width < widest) return {1 - half_width / 2, 1 + half_width / 2};
+struct Interval {
+  double low, high;
+};
+
+/// Of the RMSE, whose square is known to half_width. The realised squared error over the estimated one is distributed
+/// as a ratio of two sums of squares, F, which reaches further up than down. An interval about the squared error is too
+/// wide below and too narrow above; one about its root fits (docs/decisions/0011-error.md). Beyond `widest` the upper
+/// end goes on as the root, also where the estimate is 0 by chance.
+Interval interval_of(double rmse, double half_width) {
+  const double mse = rmse * rmse;
+  if (half_width < widest * mse) return {rmse - half_width / (2 * rmse), rmse + half_width / (2 * rmse)};
   return {0, std::sqrt(widest * half_width)};
 }
 
@@ -54,7 +58,7 @@ double squared_spread(const ErrorEstimate& error) {
   return (error.rmse_low > 0 ? 2 * (high - 1) : high * high / widest) / normal_quantile;
 }
 
-double relative_upper(double squared_spread) { return relative_interval(normal_quantile * squared_spread).second; }
+double relative_upper(double squared_spread) { return interval_of(1, normal_quantile * squared_spread).high; }
 
 void PictureError::add(const PixelError& pixel) {
   for (int c = 0; c < layout::FILM_CHANNELS; ++c) {
@@ -86,10 +90,9 @@ std::optional<ErrorEstimate> ErrorSums::tell() const {
   if (!is_told_) return std::nullopt;
   const PictureError picture = law_->tell();
   const double rmse = std::sqrt(picture.squared / values_);
-  if (!(rmse > 0)) return ErrorEstimate{0, 0, 0, 0};
-  const double half_width = quantile(picture.freedom) * std::sqrt(picture.variance) / picture.squared;
-  const auto [low, high] = relative_interval(half_width);
-  return ErrorEstimate{rmse, rmse * low, rmse * high, picture.relative / values_};
+  const double half_width = quantile(picture.freedom) * std::sqrt(picture.variance) / values_;
+  const auto [low, high] = interval_of(rmse, half_width);
+  return ErrorEstimate{rmse, low, high, picture.relative / values_};
 }
 
 void ErrorSums::put_standard_error(const FilmRows& rows, std::size_t first, Image& image) const {

@@ -195,8 +195,9 @@ class LawOfSequences final : public ErrorLaw {
   std::vector<Band> bands_;
 };
 
-/// The variance; and degrees of freedom, from the change that each tile makes to its ratio to the squared error's
-/// square, which the interval goes by. Zero where there is no noise.
+/// The variance; zero where there is no noise. Its degrees of freedom go by the change that each tile makes to its
+/// ratio to the squared error's square, which the interval is of; without neighbours, to the variance itself. The
+/// changes of the ratio add up to -1, so that tiles count as those of a sum.
 PictureError LawOfSequences::tell() const {
   PictureError picture;
   Products all;

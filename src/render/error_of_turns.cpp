@@ -96,7 +96,8 @@ class LawOfTurns final : public ErrorLaw {
       most = std::max(most, band.most);
     }
     picture.freedom = satterthwaite(picture.variance, squares);
-    // By the pixel that has most of the noise alone, times its share (error_of_sequences.cpp).
+    // By the pixel that has most of the noise alone (error_of_sequences.cpp), times its whole share: the four sums'
+    // spread says less than three differences of sequences.
     if (picture.squared > 0) picture.variance += to_difference * std::pow(most, 3) / picture.squared;
     return picture;
   }

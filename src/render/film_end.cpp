@@ -1,27 +1,15 @@
 // SPDX-License-Identifier: MIT
 // The end of a picture: what the film says, as an image, its error and AOVs, and how long that takes.
 #include <algorithm>
-#include <future>
 #include <mutex>
 #include <optional>
-#include <thread>
 
 #include "render/aov.h"
-#include "render/error_law.h"
+#include "render/film_parts.h"
 #include "render/film_run.h"
 #include "render/numeric_error.h"
 
 namespace strahl {
-namespace {
-
-/// A part of the film that stays in a processor's cache.
-constexpr std::size_t part_bytes = std::size_t{2} << 20;
-
-/// More threads than that wait for the memory.
-constexpr unsigned most_threads = 8;
-
-}  // namespace
-
 FilmRun::FilmPart FilmRun::part_at(int first, int count) const {
   const int above = first > 0 ? 1 : 0;
   FilmPart part{nullptr, film_.rows(first - above, count + above), first};
@@ -35,33 +23,18 @@ FilmRun::FilmPart FilmRun::part_at(int first, int count) const {
 }
 
 void FilmRun::each_part(const std::function<void(const FilmPart&)>& use) const {
-  const std::size_t row_bytes = film_bytes(static_cast<std::size_t>(width_));
-  const int most = static_cast<int>(std::max<std::size_t>(1, part_bytes / row_bytes / rows_per_band)) * rows_per_band;
-  const int parts = (height_ + most - 1) / most;
   std::mutex device;  // One command at a time: not every runtime takes several.
-  int row = 0;
-  const auto next = [&]() -> std::optional<FilmPart> {
+  const auto release = [&device](const FilmPart* part) {
     const std::lock_guard lock(device);
-    if (row >= height_) return std::nullopt;
-    const int first = row, count = std::min(most, height_ - first);
-    row += count;
-    return part_at(first, count);
+    delete part;
   };
-  const auto work = [&] {
-    while (std::optional<FilmPart> part = next()) {
-      use(*part);
-      const std::lock_guard lock(device);
-      part.reset();
-    }
+  const auto take = [&](const Rows& rows) {
+    const std::lock_guard lock(device);
+    return std::unique_ptr<const FilmPart, decltype(release)>(new FilmPart(part_at(rows.first, rows.count)), release);
   };
-  // Where no thread can be begun this one does it all: a picture is not lost for want of one.
-  constexpr auto beside_if_possible = std::launch::async | std::launch::deferred;
-  std::vector<std::future<void>> others;
-  const unsigned threads = std::min(std::thread::hardware_concurrency(), most_threads);
-  for (unsigned i = 1; i < std::min(threads, static_cast<unsigned>(parts)); ++i)
-    others.push_back(std::async(beside_if_possible, work));
-  work();
-  for (std::future<void>& other : others) other.get();
+  const unsigned threads = film_threads();
+  const std::vector<Rows> parts = film_parts(height_, film_bytes(static_cast<std::size_t>(width_)), threads);
+  on_threads(parts.size(), threads, [&](std::size_t i) { use(*take(parts[i])); });
 }
 
 void FilmRun::finish() {

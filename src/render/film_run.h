@@ -85,7 +85,7 @@ class FilmRun {
     int first = 0;
   };
   [[nodiscard]] FilmPart part_at(int first, int count) const;
-  /// In any order, several at a time, on as many threads; each of whole bands of an ErrorLaw.
+  /// In any order, several at a time, on as many threads (render/film_parts.h).
   void each_part(const std::function<void(const FilmPart&)>& use) const;
   void finish();
   /// The AOVs, once finish() has made the picture.

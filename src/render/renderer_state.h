@@ -3,11 +3,11 @@
 #pragma once
 
 #include <algorithm>
-#include <compare>
 #include <functional>
 #include <map>
 #include <memory>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "kinds/integrators.h"
@@ -141,7 +141,9 @@ struct Renderer::State {
     int rows = 0;
     int sums = 1;
     bool is_on_device = false;  ///< The film.
-    friend auto operator<=>(const End&, const End&) = default;
+    friend bool operator<(const End& a, const End& b) {
+      return std::tie(a.rows, a.sums, a.is_on_device) < std::tie(b.rows, b.sums, b.is_on_device);
+    }
   };
   std::map<End, double> end_seconds;    ///< As measured last, of whole pictures.
   std::optional<LaunchPlan> last_plan;  ///< Of this picture or an earlier one: it knows the device's rate.

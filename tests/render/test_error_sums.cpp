@@ -2,6 +2,7 @@
 // A film that is told of part by part tells the same picture, error and map of errors, bit for bit, as one that is
 // there as a whole.
 #include <algorithm>
+#include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <random>
@@ -107,6 +108,20 @@ TEST_CASE("a pixel's own light is a mean over its own samples") {
   const std::optional<ErrorEstimate> told = estimate_error(film);
   REQUIRE(told);
   CHECK(told->rmse == 0);
+}
+
+TEST_CASE("two sequences that agree by chance do not say that there is no error") {
+  FilmSums film({FilmKind::pixels, 1, 1, {layout::FILM_SUBSUMS, 2, 4}, 0, 1, false, false});
+  film.samples = {samples};
+  // Of 16 samples each; the first sequence has sums 0 and 2.
+  const std::array<int, layout::FILM_SUBSUMS> hits{16, 8, 0, 8};
+  for (std::size_t sub = 0; sub < hits.size(); ++sub)
+    film_add(&film.words[sub * layout::FILM_CHANNELS * layout::FILM_SUM_WORDS], {FILM_USUAL_TOP, hits[sub] << 20, 0});
+  const std::optional<ErrorEstimate> told = estimate_error(film);
+  REQUIRE(told);
+  CHECK(told->rmse == 0);
+  CHECK(told->rmse_low == 0);
+  CHECK(told->rmse_high > 0.1);
 }
 
 TEST_CASE("one pixel with too few samples, and nothing is told") {

@@ -6,6 +6,7 @@
 #include <system_error>
 #include <thread>
 
+#include "render/film_parts.h"
 #include "render/pictures.h"
 
 namespace strahl::test {
@@ -39,7 +40,8 @@ TEST_CASE("a finished picture needs no thread more") {
   require_pocl_and_rusticl();
   RenderSettings settings;
   settings.error_map = true;
-  Renderer renderer(Device::open("pocl"), small_scene(scene_folder / "cornell/cornell-box.xml", 32, 32, 8), settings);
+  Renderer renderer(Device::open("pocl"), small_scene(scene_folder / "cornell/cornell-box.xml", 128, 128, 8), settings);
+  REQUIRE(film_parts(128, std::size_t{128} * 24 * sizeof(std::int64_t), 2).size() > 1);
   const RenderResult expected = renderer.render();
   const NoThreads none;
   REQUIRE_THROWS_AS(std::thread([] {}), std::system_error);

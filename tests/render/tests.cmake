@@ -3,7 +3,7 @@ foreach(name first_principles large_ground invariance launches closed_form termi
              mirror_box numeric_error accuracy_scenes area_lights many_lights path paths_in_lanes ao disabled error_coverage
              goals resume several_devices sphere_cloud film filter glass
              ignored_surfaces albedo media media_edges open_media ranked_media grids scattering
-             strict_normals panes passing coincident moments last_rays refused without_threads)
+             strict_normals panes passing coincident moments last_rays refused without_threads film_parts)
   strahl_test(render/test_${name}.cpp LABEL render)
 endforeach()
 strahl_test(render/test_limitations.cpp LABEL unit)
