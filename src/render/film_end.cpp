@@ -10,6 +10,7 @@
 #include "render/numeric_error.h"
 
 namespace strahl {
+
 FilmRun::FilmPart FilmRun::part_at(int first, int count) const {
   const int above = first > 0 ? 1 : 0;
   FilmPart part{nullptr, film_.rows(first - above, count + above), first};

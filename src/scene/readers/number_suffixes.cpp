@@ -49,8 +49,8 @@ void drop_number_suffixes(XmlElement& element, XmlPool& pool, Diagnostics& diagn
     std::string plain = without_suffixes(text);
     if (plain.empty()) continue;
     // Without quotes, so that many that differ in their digits alone are one warning with a count.
-    diagnostics.warning(element.where, fmt::format("{} in <{}> is read without its f, which Mitsuba 3.9 refuses", text,
-                                                   element.tag));
+    diagnostics.warning(element.where,
+                        fmt::format("{} in <{}> is read without its f, which Mitsuba 3.9 refuses", text, element.tag));
     attribute.value = pool.keep(std::move(plain)).c_str();
   }
 }
