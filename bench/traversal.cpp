@@ -5,13 +5,13 @@
 
 #include <algorithm>
 #include <fstream>
-#include <thread>
 
 #include "bench/peers/embree.h"
 #include "bench/peers/embree_tree.h"
 #include "bench/strahl_contender.h"
 #include "errors.h"
 #include "kinds/entries.h"
+#include "on_threads.h"
 #include "program/features.h"
 #include "scene/loader.h"
 #include "study/generated/scenes.h"
@@ -116,7 +116,7 @@ Traversal measure_traversal(const Device& device, const TraversalOptions& asked,
     options.tiers = {Precision::robust, Precision::stable, Precision::fast};
     if (device.info().fp64) options.tiers.push_back(Precision::fp64);
   }
-  if (options.threads == 0) options.threads = std::max(1U, std::thread::hardware_concurrency());
+  if (options.threads == 0) options.threads = hardware_threads();
   Traversal all{device.info().text(), machine(), STRAHL_VERSION, options.threads, options.rounds, {}, {}};
   for (const std::string& name : options.scenes) {
     Scene scene = bench_scene(name, say);

@@ -4,12 +4,11 @@
 // below it are taken by all threads.
 #include "accel/binary_tree.h"
 
-#include <atomic>
 #include <bit>
 #include <cmath>
-#include <thread>
 
 #include "accel/sah_split.h"
+#include "on_threads.h"
 
 namespace strahl::accel {
 namespace {
@@ -81,17 +80,11 @@ BinaryTree build_binary_tree(std::vector<Primitive> primitives, const BuildOptio
   const auto count = static_cast<std::uint32_t>(tree.primitives.size());
   if (count == 0) return tree;
   tree.nodes = std::make_unique_for_overwrite<BinaryNode[]>(2 * std::size_t{count} - 1);
-  const unsigned threads = options.threads > 0 ? options.threads : std::max(std::thread::hardware_concurrency(), 1U);
+  const unsigned threads = options.threads > 0 ? options.threads : hardware_threads();
 
   std::vector<Range> tasks;
   build_below(tree, {0, 0, count, 0}, options, threads, &tasks);
-  std::atomic<std::size_t> next = 0;
-  const auto work = [&] {
-    for (std::size_t i = next++; i < tasks.size(); i = next++) build_below(tree, tasks[i], options, 1, nullptr);
-  };
-  std::vector<std::jthread> helpers;
-  for (unsigned i = 1; i < threads && i < tasks.size(); ++i) helpers.emplace_back(work);
-  work();
+  on_threads(tasks.size(), threads, [&](std::size_t i) { build_below(tree, tasks[i], options, 1, nullptr); });
   return tree;
 }
 

@@ -7,7 +7,8 @@
 #include <array>
 #include <limits>
 #include <optional>
-#include <thread>
+
+#include "on_threads.h"
 
 namespace strahl::accel {
 namespace {
@@ -76,10 +77,7 @@ bool is_worth_threads(std::size_t size, unsigned threads) {
 template <typename F>
 void in_parts(std::size_t size, unsigned threads, const F& f) {
   if (!is_worth_threads(size, threads)) return f(std::size_t{0}, std::size_t{0}, size);
-  std::vector<std::jthread> helpers;
-  for (unsigned i = 1; i < threads; ++i)
-    helpers.emplace_back([&f, i, size, threads] { f(i, size * i / threads, size * (i + 1) / threads); });
-  f(std::size_t{0}, std::size_t{0}, size / threads);
+  on_threads(threads, threads, [&](std::size_t i) { f(i, size * i / threads, size * (i + 1) / threads); });
 }
 
 Extent extent_of(std::span<const Primitive> primitives, unsigned threads) {

@@ -53,6 +53,15 @@ struct PictureError {
 constexpr int rows_per_band = 4;
 [[nodiscard]] inline std::size_t band_of(int row) { return static_cast<std::size_t>(row / rows_per_band); }
 
+/// use(at, band) for each pixel of rows as ErrorLaw::add has them, without the row above; at: index within the rows.
+template <class Use>
+void each_pixel(const FilmRows& rows, int first, const Use& use) {
+  const auto width = static_cast<std::size_t>(rows.width);
+  std::size_t at = first > 0 ? width : 0;
+  for (int y = first; at < rows.samples.size(); ++y)
+    for (const std::size_t end = at + width; at < end; ++at) use(at, band_of(y));
+}
+
 /// Adds up a picture whose rows come in parts: a film may lie on the device, and only a part of it here. Every pixel
 /// has at least four samples.
 class ErrorLaw {

@@ -67,16 +67,15 @@ class LawOfReplicates final : public ErrorLaw {
 
   void add(const FilmRows& rows, int first) override {
     CountsOfSamples counts;
-    const auto width = static_cast<std::size_t>(rows.width), above = first > 0 ? width : 0;
-    for (std::size_t at = above; at < rows.samples.size(); ++at) {
-      Band& band = bands_[band_of(first + static_cast<int>((at - above) / width))];
+    each_pixel(rows, first, [&](std::size_t at, std::size_t band_number) {
+      Band& band = bands_[band_number];
       const Replicated pixel = replicated_at(rows, sizes_, at, counts.of(rows, at));
       band.picture.add(pixel.error);
       for (std::size_t i = 0; i < replicates; ++i)
         for (std::size_t j = 0; j < replicates; ++j)
           for (std::size_t c = 0; c < layout::FILM_CHANNELS; ++c)
             band.products[i][j] += pixel.deviation[i][c] * pixel.deviation[j][c];
-    }
+    });
   }
   PixelError pixel_error(const FilmRows& rows, std::size_t at) const override {
     return replicated_at(rows, sizes_, at, rows.sub_sum_counts(rows.samples[at])).error;

@@ -73,16 +73,15 @@ class LawOfTurns final : public ErrorLaw {
 
   void add(const FilmRows& rows, int first) override {
     CountsOfSamples counts;
-    const auto width = static_cast<std::size_t>(rows.width), above = first > 0 ? width : 0;
-    for (std::size_t at = above; at < rows.samples.size(); ++at) {
-      Band& band = bands_[band_of(first + static_cast<int>((at - above) / width))];
+    each_pixel(rows, first, [&](std::size_t at, std::size_t band_number) {
+      Band& band = bands_[band_number];
       const Turns pixel = turns_of(rows, at, counts.of(rows, at));
       const double variance = difference_variance(pixel, rows.samples[at]);
       band.picture.add(pixel.error);
       band.picture.variance += variance;
       band.squares += variance * variance;
       band.most = std::max(band.most, squared_error(pixel));
-    }
+    });
   }
   PixelError pixel_error(const FilmRows& rows, std::size_t at) const override {
     return turns_of(rows, at, rows.sub_sum_counts(rows.samples[at])).error;

@@ -4,6 +4,7 @@
 #include <mutex>
 #include <optional>
 
+#include "on_threads.h"
 #include "render/aov.h"
 #include "render/film_parts.h"
 #include "render/film_run.h"

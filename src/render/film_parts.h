@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 #include <vector>
 
 #include "render/goal.h"
@@ -17,10 +16,5 @@ namespace strahl {
 
 /// Of this machine, as far as they help: more of them wait for the memory.
 [[nodiscard]] unsigned film_threads();
-
-/// use(i) for each i below `count`, in any order, on up to so many threads, of which the calling one is one; on fewer
-/// where no other can be begun. Returns, or throws what the first failed use threw, once none is under way: those not
-/// begun by then are left out.
-void on_threads(std::size_t count, unsigned threads, const std::function<void(std::size_t)>& use);
 
 }  // namespace strahl

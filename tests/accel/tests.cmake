@@ -4,6 +4,7 @@ add_test(NAME accel_test_trees_equal_lists_all COMMAND accel_tests "-#" "[#test_
 set_tests_properties(accel_test_trees_equal_lists_all PROPERTIES LABELS slow TIMEOUT 1800 ENVIRONMENT STRAHL_RAYS=10000000)
 strahl_test(accel/test_instances.cpp LABEL device LIBS strahl_host_kernels strahl_selftest TIMEOUT 600)
 strahl_test(accel/test_wide_tree.cpp LABEL unit)
+strahl_test(accel/test_on_threads.cpp LABEL unit)
 strahl_test(accel/test_packets.cpp LABEL device LIBS strahl_host_kernels strahl_selftest TIMEOUT 300)
 
 # Names of their own mean something else in each.

@@ -35,6 +35,12 @@ FilmSums noisy_film(FilmKind kind, SubSums sums, bool has_own = false) {
   return film;
 }
 
+/// So many rows from `row` on, behind the one above them.
+void add_rows(const FilmSums& film, int row, int count, ErrorSums& sums) {
+  const int above = row > 0 ? 1 : 0;
+  sums.add(film.rows(row - above, above + count), row);
+}
+
 void hold(const FilmSums& film) {
   const std::optional<ErrorEstimate> whole = estimate_error(film);
   REQUIRE(whole);
@@ -44,8 +50,8 @@ void hold(const FilmSums& film) {
     ErrorSums sums(film);
     Image map = film.black(), mean = film.black();
     for (int row = 0; row < height; row += most) {
-      const int above = row > 0 ? 1 : 0, count = std::min(most, height - row);
-      sums.add(film.rows(row - above, above + count), row);
+      const int count = std::min(most, height - row);
+      add_rows(film, row, count, sums);
       const FilmRows part = film.rows(row, count);
       const auto first = static_cast<std::size_t>(row) * width;
       sums.put_standard_error(part, first, map);
@@ -66,10 +72,8 @@ void hold(const FilmSums& film) {
 void hold_in_any_order(const FilmSums& film) {
   const std::optional<ErrorEstimate> whole = estimate_error(film);
   ErrorSums sums(film);
-  for (int row = (height - 1) / rows_per_band * rows_per_band; row >= 0; row -= rows_per_band) {
-    const int above = row > 0 ? 1 : 0;
-    sums.add(film.rows(row - above, above + std::min(rows_per_band, height - row)), row);
-  }
+  for (int row = (height - 1) / rows_per_band * rows_per_band; row >= 0; row -= rows_per_band)
+    add_rows(film, row, std::min(rows_per_band, height - row), sums);
   const std::optional<ErrorEstimate> told = sums.tell();
   REQUIRE((whole && told));
   CHECK(told->rmse == whole->rmse);

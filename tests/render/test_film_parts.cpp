@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
 // How threads share a film: all of its rows once, in whole bands; and that neither they nor parts decide bits.
 #include <algorithm>
-#include <array>
-#include <atomic>
 #include <catch2/catch.hpp>
-#include <stdexcept>
 #include <vector>
 
 #include "render/error_law.h"
@@ -45,28 +42,6 @@ TEST_CASE("parts are as many for each thread, and as high") {
   CHECK(film_parts(32, 32 * pixel_bytes, 8).size() == 1);
 }
 
-TEST_CASE("each number is used once, on however many threads") {
-  for (const unsigned threads : {1U, 2U, 8U}) {
-    std::array<std::atomic<int>, 100> used{};
-    on_threads(used.size(), threads, [&](std::size_t i) { ++used[i]; });
-    CHECK(std::all_of(used.begin(), used.end(), [](const std::atomic<int>& times) { return times == 1; }));
-  }
-  on_threads(0, 2, [](std::size_t) { FAIL(); });
-}
-
-TEST_CASE("what fails in a thread is thrown, and those not begun are left out") {
-  for (const unsigned threads : {1U, 2U, 8U}) {
-    std::atomic<int> used = 0;
-    CHECK_THROWS_AS(on_threads(100000, threads,
-                               [&](std::size_t) {
-                                 ++used;
-                                 throw std::runtime_error("no");
-                               }),
-                    std::runtime_error);
-    CHECK(used <= static_cast<int>(threads));
-  }
-}
-
 /// All of a picture's rows by one render, whose parts are for several threads, and by several renders of one part each.
 TEST_CASE("a picture of several parts is what its strips are") {
   require_pocl_and_rusticl();
@@ -84,6 +59,9 @@ TEST_CASE("a picture of several parts is what its strips are") {
     goal.rows = Rows{row, std::min(strip, height - row)};
     const RenderResult part = renderer.render({}, goal);
     const auto first = static_cast<std::ptrdiff_t>(row) * width * 3;
+    const std::size_t values = static_cast<std::size_t>(goal.rows->count) * width * 3;
+    REQUIRE(part.color.data.size() == values);
+    REQUIRE(part.standard_error.data.size() == values);
     CHECK(std::equal(part.color.data.begin(), part.color.data.end(), whole.color.data.begin() + first));
     CHECK(std::equal(part.standard_error.data.begin(), part.standard_error.data.end(),
                      whole.standard_error.data.begin() + first));
