@@ -35,15 +35,15 @@ TEST_CASE("a row for each effect: from the scene of its name, else from the firs
   test::require_pocl_and_rusticl();
   bench::EffectsOptions options;
   options.folder = STRAHL_SOURCE_DIR "/scenes/";
-  for (const char* name : {"shapes/disk.xml", "shapes/rectangle.xml"}) options.scenes.push_back(options.folder + name);
+  for (const char* name : {"shapes/disk.xml", "shapes/plane.xml"}) options.scenes.push_back(options.folder + name);
   options.rounds = 1;
   options.frame_seconds = 0.001;
   const std::vector<bench::EffectRow> rows =
       bench::measure_effect_rows(Device::open("pocl"), options, [](const std::string& line) { UNSCOPED_INFO(line); });
   std::map<std::string, const bench::EffectRow*> of;
   for (const bench::EffectRow& row : rows) CHECK(of.emplace(row.effect, &row).second);
-  REQUIRE(of.contains("shapes/rectangle"));
-  CHECK(of["shapes/rectangle"]->scene == "shapes/rectangle.xml");
+  REQUIRE(of.contains("shapes/plane"));
+  CHECK(of["shapes/plane"]->scene == "shapes/plane.xml");
   CHECK(of["shapes/disk"]->cost.program_bytes > 0);
   CHECK(of["lights/point"]->scene == "shapes/disk.xml");
   CHECK_FALSE(of.contains("integrators/direct"));
