@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Surfaces in lanes, for the kinds and cases that have a body: surface_at of shapes/shape.h, operation by operation.
+// Surfaces in lanes, for the cases that have a body: surface_at of shapes/shape.h, operation by operation.
 // One width; no guard.
 #include "hits/surface_hits_lanes.h"
 #include "hits/surface_tangents_lanes.h"
 #include "textures/footprint_lanes.h"
-#include "shapes/polygon/flat_surfaces_lanes.h"
-#include "shapes/sphere/sphere_surfaces_lanes.h"
+#include "shapes/all_surfaces_lanes.h"
 
 /// Three reals of each of a primitive's corners.
 FN real3w interpolate_each_w(GLOBAL const real* corners, intw at, realw u, realw v) {
@@ -59,26 +58,33 @@ FN void texture_each_w(const Scene* scene, Paths_w* path, const SurfaceHits_w* h
   s->footprint = sel_w(which, width, s->footprint);
 }
 
+/// NAME_SURFACES of a shape whose surfaces are computed one by one.
+FN maskw alone_surfaces_w(const Scene* scene, const SurfaceHits_w* hits, maskw which, int kind, int planes,
+                          Surfaces_w* s, HitParameters_w* parameters) {
+  (void)scene;
+  (void)hits;
+  (void)which;
+  (void)kind;
+  (void)planes;
+  (void)s;
+  (void)parameters;
+  return none_w();
+}
+
 /// Fills the surfaces that can be computed in lanes, and returns the lanes that are complete.
 FN maskw plain_surfaces_w(const Scene* scene, Paths_w* path, const NearestEach_w* each, Surfaces_w* s) {
   SurfaceHits_w hits = surface_hits_w(scene, &path->rays, each, s->hit);
   HitParameters_w at;
-  maskw plain, flat = none_w(), round = none_w();
+  maskw plain = none_w();
   at.u = at.v = splat_w(R(0.0));
+  at.has_edges = none_w();
   at.edge_u = at.edge_v = hits.o;
   (void)hits;  // A scene without shapes.
-#define SHAPE(name, planes)                                                       \
-  if (PACKET_BODY_##name##_w == PACKET_BODY_TRIANGLE)                             \
-    flat = flat | flat_surfaces_w(scene, &hits, s->hit, SHAPE_##name, 3, s, &at); \
-  else if (PACKET_BODY_##name##_w == PACKET_BODY_PARALLELOGRAM)                   \
-    flat = flat | flat_surfaces_w(scene, &hits, s->hit, SHAPE_##name, 4, s, &at); \
-  else if (PACKET_BODY_##name##_w == PACKET_BODY_SPHERE)                          \
-    round = round | sphere_surfaces_w(scene, &hits, s->hit, SHAPE_##name, planes, s, &at);
+#define SHAPE(name, planes) plain = plain | name##_SURFACES(scene, &hits, s->hit, SHAPE_##name, planes, s, &at);
 #include "shapes/shapes.def"
 #undef SHAPE
-  plain = flat | round;
   if (HAS_SMOOTH_NORMALS) smooth_each_w(scene, &hits, plain, &at, s);
-  if (HAS_TANGENT + HAS_RELIEF > 0) tangents_each_w(scene, &hits, plain, flat, &at, s);
+  if (HAS_TANGENT + HAS_RELIEF > 0) tangents_each_w(scene, &hits, plain, &at, s);
   if (TEXTURE_COUNT > 0) texture_each_w(scene, path, &hits, plain, &at, s);
   return plain | ~s->hit;
 }

@@ -68,12 +68,21 @@ FN maskw finite3_w(real3w v) { return finite_w(v.x) & finite_w(v.y) & finite_w(v
 /// u, v of the hits, for smooth normals and textures.
 typedef struct {
   realw u, v;
-  real3w edge_u, edge_v;  ///< Along which they grow, in the frame of the group; kept only with TANGENT or RELIEF.
+  maskw has_edges;        ///< Lanes of polygons,
+  real3w edge_u, edge_v;  ///< along whose edges they grow, in the frame of the group; kept only with TANGENT or RELIEF.
 } HitParameters_w;
+
+/// As in surface_keep_finite of hits/surface.h.
+FN void take_coordinates_w(maskw plain, realw u, realw v, HitParameters_w* to) {
+  realw zero = splat_w(R(0.0));
+  to->u = sel_w(plain, sel_w(finite_w(u), u, zero), to->u);
+  to->v = sel_w(plain, sel_w(finite_w(v), v, zero), to->v);
+}
 
 FN void take_parameters_w(maskw plain, realw u, realw v, real3w edge_u, real3w edge_v, HitParameters_w* to) {
   to->u = sel_w(plain, u, to->u);
   to->v = sel_w(plain, v, to->v);
+  to->has_edges = to->has_edges | plain;
   if (HAS_TANGENT + HAS_RELIEF == 0) return;
   to->edge_u = sel3_w(plain, edge_u, to->edge_u);
   to->edge_v = sel3_w(plain, edge_v, to->edge_v);
@@ -125,4 +134,32 @@ INLINE_FN void take_surfaces_w(const Scene* scene, const SurfaceHits_w* hits, ma
   s->is_flipped = sel_int_w(plain & is_flipped, splat_int_w(1), s->is_flipped);
   s->point = sel3_w(plain, position, s->point);
   s->bound = sel_w(plain, bound, s->bound);
+}
+
+/// The same, of points and normals in the frame of the group. Returns the lanes of `which` where all of it is finite.
+INLINE_FN maskw take_own_surfaces_w(const Scene* scene, const SurfaceHits_w* hits, maskw which, real3w position,
+                                    real3w normal, realw facing, realw bound, Surfaces_w* s) {
+  position = hit_point_to_world_w(scene, hits, position);
+  normal = hit_normal_to_world_w(scene, hits, normal);
+#if TIER_FAST
+  position = fma3_w(hits->world_t, hits->world_d, hits->world_o);
+#endif
+  maskw plain = which & finite3_w(position) & finite3_w(normal) & finite_w(facing);
+  take_surfaces_w(scene, hits, plain, position, normal, facing, bound, s);
+  return plain;
+}
+
+/// As round_departure_bound of hits/departure.h, of a round shape of that size.
+FN realw round_departure_bound_w(const Scene* scene, const SurfaceHits_w* hits, realw size) {
+  realw zero = splat_w(R(0.0)), off = splat_w(round_off(R(1.0))) * size;
+  if (TIER_FAST) return zero;
+  if (!HAS_INSTANCES) return off;
+  realw shrink = gather_w(scene->geometry + INSTANCE_SHRINK, hits->placed);
+  return sel_w(hits->is_placed, off / shrink + departure_bound_w(scene, hits, zero), off);
+}
+
+/// The first reals of the frames of the lanes' shapes, 4 at least.
+FN void gather_frame_w(const Scene* scene, const Surfaces_w* s, int reals, PRIVATE realw* frame) {
+  intw at = part_entry_w(scene, s, PART_AXES), zero = splat_int_w(0);
+  gather_row_w(scene->shading, sel_int_w(lt_int_w(at, zero), zero, at), reals, frame);
 }

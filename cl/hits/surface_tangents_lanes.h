@@ -37,9 +37,10 @@ FN void edge_gradients_w(real3w edge_u, real3w edge_v, PRIVATE real3w* grad_u, P
   *grad_v = scale3_w(inverse, cross3_w(unit, edge_u));
 }
 
-/// flat: the lanes of `plain` that have hit polygons; the along of the others is there, in the frame of their group.
-FN void tangents_each_w(const Scene* scene, const SurfaceHits_w* hits, maskw plain, maskw flat,
-                        const HitParameters_w* at, Surfaces_w* s) {
+/// Of polygons; those of other shapes are there already, in the frame of their group.
+FN void tangents_each_w(const Scene* scene, const SurfaceHits_w* hits, maskw plain, const HitParameters_w* at,
+                        Surfaces_w* s) {
+  maskw flat = at->has_edges;
   if (HAS_TANGENT) s->along = sel3_w(flat, at->edge_u, s->along);
   if (HAS_RELIEF) {
     real3w grad_u, grad_v;

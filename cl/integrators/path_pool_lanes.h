@@ -47,8 +47,8 @@ typedef struct {
 
 typedef struct {
   int count;                                      ///< Paths that go on. Those that ended keep their places.
-  uchar order[POOL_PATHS];                        ///< Their places, in the order in which they are taken.
-  uchar places[SECTORS_w][POOL_PATHS];            ///< Places of the paths that are put back, by sector,
+  int order[POOL_PATHS + LANES];                  ///< Their places, in the order in which they are taken.
+  int places[SECTORS_w][POOL_PATHS];              ///< Places of the paths that are put back, by sector,
   int counts[SECTORS_w];                          ///< and their number.
   realw kept[(POOL_PATHS + 1) * KEPT_VECTORS_w];  ///< The last place takes what is not kept.
 } PathPool_w;
@@ -178,12 +178,12 @@ FN void pool_put_w(PathPool_w* pool, int first, int are_new, int count, const Pa
   int places[LANES];
   for (int lane = 0; lane < LANES; ++lane) {
     int i = first + lane;
-    places[lane] = i >= count ? (int)POOL_PATHS : are_new ? i : (int)pool->order[i];
+    places[lane] = i >= count ? (int)POOL_PATHS : are_new ? i : pool->order[i];
   }
   for (uint alive = bits_w(path->alive); alive != 0u; alive &= alive - 1u) {
     int lane = first_bit(alive);
     int sector = (int)((x >> lane & 1u) | (y >> lane & 1u) << 1 | (z >> lane & 1u) << 2);
-    pool->places[sector][pool->counts[sector]++] = (uchar)places[lane];
+    pool->places[sector][pool->counts[sector]++] = places[lane];
   }
   KeptPaths_w kept;
   kept_of_paths_w(path, &kept);
@@ -209,7 +209,10 @@ FN void pool_put_w(PathPool_w* pool, int first, int are_new, int count, const Pa
 FN void pool_turn_w(PathPool_w* pool) {
   pool->count = 0;
   for (int sector = 0; sector < SECTORS_w; ++sector) {
-    for (int i = 0; i < pool->counts[sector]; ++i) pool->order[pool->count++] = pool->places[sector][i];
+    // LANES at a time: what is copied beyond a sector's number is overwritten by the next.
+    for (int i = 0; i < pool->counts[sector]; i += LANES)
+      store_int_w(read_int_w(pool->places[sector] + i), pool->order + pool->count + i);
+    pool->count += pool->counts[sector];
     pool->counts[sector] = 0;
   }
 }

@@ -33,6 +33,12 @@ FN real3w load_planes3_w(GLOBAL const real* planes) {
   return vec3_w(load_w(planes), load_w(planes + LANES), load_w(planes + 2 * LANES));
 }
 
+/// Of each lane's primitive, planes first, first + 1 and first + 2, `lanes` reals each. at: its place among them.
+FN real3w gather_planes3_w(GLOBAL const real* planes, intw at, int first, int lanes) {
+  planes += first * lanes;
+  return vec3_w(gather_w(planes, at), gather_w(planes + lanes, at), gather_w(planes + 2 * lanes, at));
+}
+
 FN real3 get3_w(PRIVATE const real3w* v, int lane) {
   return vec3(get_w(&v->x, lane), get_w(&v->y, lane), get_w(&v->z, lane));
 }

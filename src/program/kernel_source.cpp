@@ -79,7 +79,7 @@ class Expander {
     const std::string name = path.substr(path.rfind('/') + 1);
     if (path.ends_with(".def")) {
       add_def(path, lines);
-    } else if (name == "all.h" || name == "all_lanes.h") {
+    } else if (name == "all.h" || name == "all_lanes.h" || name == "all_surfaces_lanes.h") {
       add_include_list(path, lines, guard);
     } else {
       add_code(path, lines);
@@ -130,7 +130,7 @@ class Expander {
       } else if (!guard.empty() && (step != 0 || lines[i].bare.ends_with(guard))) {
         text_ += lines[i].bare + '\n';
       } else {
-        fail(path, i + 1, "all.h and all_lanes.h hold comments and includes only");
+        fail(path, i + 1, "a list file holds comments and includes only");
       }
     }
   }
@@ -170,7 +170,7 @@ class Expander {
     if (present_.contains(include)) return false;
     // An entry's own files: shapes/sphere/sphere.h as well as materials/diffuse.h.
     const std::string folder = folder_of(include), parent = folder_of(folder);
-    for (const std::string ending : {"_lanes.h", ".h"}) {
+    for (const std::string ending : {"_surfaces_lanes.h", "_lanes.h", ".h"}) {
       if (!include.ends_with(ending)) continue;
       const std::string entry = include.substr(folder.size() + 1, include.size() - folder.size() - 1 - ending.size());
       const std::string owner = folder == parent + '/' + entry ? parent : folder;

@@ -104,12 +104,17 @@ TEST_CASE("The lanes of an entry that is not active are dropped; files that are 
   files["shapes/all_lanes.h"] =
       "#include \"shapes/sphere/sphere_lanes.h\"\n#include \"shapes/plane/plane_lanes.h\"\n#include "
       "\"shapes/block.h\"\n";
+  files["shapes/all_surfaces_lanes.h"] =
+      "#include \"shapes/sphere/sphere_surfaces_lanes.h\"\n#include \"shapes/plane/plane_surfaces_lanes.h\"\n";
+  files["shapes/sphere/sphere_surfaces_lanes.h"] = "SPHERE_SURFACES\n";
+  files["shapes/plane/plane_surfaces_lanes.h"] = "PLANE_SURFACES\n";
   files["shapes/sphere/sphere_lanes.h"] = "SPHERE_LANES\n";
   files["shapes/plane/plane_lanes.h"] = "PLANE_LANES\n";
   files["shapes/block.h"] = "BLOCK\n";
-  files["kernels/render.cl"] = "#include \"shapes/all_lanes.h\"\n";
+  files["kernels/render.cl"] = "#include \"shapes/all_lanes.h\"\n#include \"shapes/all_surfaces_lanes.h\"\n";
   const std::string text = expand(files, {{"shapes", {"plane"}}});
   CHECK_THAT(text, !Contains("SPHERE_LANES") && Contains("PLANE_LANES") && Contains("BLOCK"));
+  CHECK_THAT(text, !Contains("SPHERE_SURFACES") && Contains("PLANE_SURFACES"));
 }
 
 TEST_CASE("What entries share stands in the text where one of them is active") {
@@ -184,7 +189,7 @@ TEST_CASE("Faults name the file and the line") {
   CHECK_THROWS_WITH(expand(files), Contains("shapes/shapes.def:2: a list holds comments and entries"));
   files = shape_files();
   files["shapes/all.h"] += "int a;\n";
-  CHECK_THROWS_WITH(expand(files), Contains("shapes/all.h:4: all.h and all_lanes.h hold comments and includes only"));
+  CHECK_THROWS_WITH(expand(files), Contains("shapes/all.h:4: a list file holds comments and includes only"));
 }
 
 TEST_CASE("Lists name their entries in file order") {

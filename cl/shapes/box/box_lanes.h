@@ -7,6 +7,7 @@
 // only at its far side, and not at all where the ray leaves through the face that the origin lies on.
 
 enum { PACKET_BODY_box_w = PACKET_BODY_NONE };
+#define box_SURFACES box_surfaces_w
 
 /// prim: its reals, LANES apart.
 FN Ball box_ball_w(GLOBAL const real* prim) {

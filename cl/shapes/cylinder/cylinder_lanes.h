@@ -5,6 +5,7 @@
 // cylinder just left: the other root, -2 (f.d) / (d.d).
 
 enum { PACKET_BODY_cylinder_w = PACKET_BODY_NONE };
+#define cylinder_SURFACES cylinder_surfaces_w
 
 /// prim: its reals, LANES apart.
 FN Ball cylinder_ball_w(GLOBAL const real* prim) {

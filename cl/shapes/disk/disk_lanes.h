@@ -2,6 +2,7 @@
 // Ray against LANES disks: the anchored plane (plane_lanes.h), then |p - c|^2 <= r^2.
 
 enum { PACKET_BODY_disk_w = PACKET_BODY_NONE };
+#define disk_SURFACES disk_surfaces_w
 
 /// prim: its reals, LANES apart.
 FN Ball disk_ball_w(GLOBAL const real* prim) {

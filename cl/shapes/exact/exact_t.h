@@ -155,7 +155,12 @@ FN void range_narrow(PRIVATE ExactRange* range, int at, int side) {
     range->most = at;
 }
 
-FN int range_middle(ExactRange range) { return (int)(((long)range.least + (long)range.most) >> 1); }
+/// Where the range is divided next. 0 is told from its neighbours first: rays that begin on the primitive have it, and
+/// millions of reals are nearer to it than what is known.
+FN int range_middle(ExactRange range) {
+  if (range.least <= 0 && 0 <= range.most) return range.least < 0 ? -1 : 0;
+  return (int)(((long)range.least + (long)range.most) >> 1);
+}
 
 FN int exact_is_finite(PRIVATE const ExactCase* c) {
   return is_finite3(c->o) & is_finite3(c->d) & is_finite3(c->a) & is_finite3(c->b) & is_finite3(c->c) &

@@ -28,33 +28,23 @@ FN void exact_rays_w(const Rays_w* rays, ExactRays_w* exact) {
   exact->is_y = eq_w(planes[RAY_PLANE_SHEAR], splat_w(R(1.0)));
 }
 
-FN real3w read3_w(PRIVATE const real* planes) {
-  return vec3_w(read_w(planes), read_w(planes + LANES), read_w(planes + 2 * LANES));
-}
-
 /// t of one kind. put_off->which: its lanes, not none; other lanes are undefined.
 FN realw settled_kind_w(const Scene* scene, const Rays_w* rays, const PutOff_w* put_off, int kind, int body,
                         int planes) {
   maskw which = put_off->which, plain;
-  uint lanes = bits_w(which);
   GLOBAL const real* geometry = scene->geometry + scene_shape_row(scene, kind)[SHAPE_GEOMETRY];
-  real each[12 * LANES];
-  int slots[LANES], first = first_bit(lanes);
-  store_int_w(put_off->slot, slots);
-  for (int i = 0; i < LANES; ++i) {
-    int slot = slots[(lanes >> i & 1u) != 0u ? i : first];
-    GLOBAL const real* prim = geometry + (ulong)(slot / LANES) * (ulong)(planes * LANES) + slot % LANES;
-    for (int k = 0; k < planes; ++k) each[k * LANES + i] = prim[k * LANES];
-  }
+  // Lanes besides `which` take the first primitive.
+  intw slot = sel_int_w(which, put_off->slot, splat_int_w(0)), lane = slot % LANES, at = (slot - lane) * planes + lane;
   ExactRays_w exact;
   exact_rays_w(rays, &exact);
   realw approximate = put_off->approximate, t;
-  real3w a = read3_w(each);
+  real3w a = gather_planes3_w(geometry, at, 0, LANES);
   if (SPHERES_ARE_PUT_OFF && body == PACKET_BODY_SPHERE) {
-    t = sphere_root_w(&exact, a, read_w(each + 3 * LANES), which, &plain);
+    t = sphere_root_w(&exact, a, gather_w(geometry + 3 * LANES, at), which, &plain);
   } else {
     int last = body == PACKET_BODY_TRIANGLE ? 2 : 3;
-    real3w b = read3_w(each + 3 * LANES), c = read3_w(each + 6 * LANES), d = read3_w(each + 3 * last * LANES);
+    real3w b = gather_planes3_w(geometry, at, 3, LANES), c = gather_planes3_w(geometry, at, 6, LANES);
+    real3w d = last == 2 ? c : gather_planes3_w(geometry, at, 9, LANES);
     realw least, most;
     polygon_range_w(&exact, a, b, d, &least, &most);
     plain = eq_w(least, most) & is_plain_w(&exact, a, b, d);
@@ -63,6 +53,8 @@ FN realw settled_kind_w(const Scene* scene, const Rays_w* rays, const PutOff_w* 
   uint others = body == PACKET_BODY_SPHERE ? 0u : bits_w(which & ~plain);
   if (others == 0u) return t;
   real ts[LANES], approximates[LANES];
+  int slots[LANES];
+  store_int_w(slot, slots);
   store_w(t, ts);
   store_w(approximate, approximates);
   int points = body == PACKET_BODY_TRIANGLE ? 3 : 4;

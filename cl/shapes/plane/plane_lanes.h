@@ -4,6 +4,7 @@
 // Parallel rays, those in the plane included, miss: n.d = 0 gives an infinite or NaN t.
 
 enum { PACKET_BODY_plane_w = PACKET_BODY_PLANE };
+#define plane_SURFACES plane_surfaces_w
 
 /// prim: its reals, LANES apart.
 FN Ball plane_ball_w(GLOBAL const real* prim) { return ball_of_all(vec3(prim[0], prim[LANES], prim[2 * LANES])); }

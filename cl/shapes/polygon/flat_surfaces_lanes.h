@@ -3,12 +3,6 @@
 // the plain case, operation by operation. Those functions handle all other cases: near an edge, not finite. One width;
 // no guard.
 
-/// Reals of a plane, LANES apart, of each lane's polygon.
-FN real3w gather_corner_w(GLOBAL const real* polygons, intw at, int corner) {
-  GLOBAL const real* planes = polygons + 3 * corner * SCENE_LANES;
-  return vec3_w(gather_w(planes, at), gather_w(planes + SCENE_LANES, at), gather_w(planes + 2 * SCENE_LANES, at));
-}
-
 /// shear_point of shapes/polygon/edges.h.
 FN Real2_w shear_each_w(const SurfaceHits_w* hits, real3w p) {
   Real2_w v;
@@ -63,15 +57,16 @@ FN realw edges_size_w(real3w e, real3w f) {
   return sel_w(lt_w(size_f, size_e), size_e, size_f);
 }
 
-/// Fills the lanes of `which`, whose polygons have so many corners, and returns those of them that were plain.
-FN maskw flat_surfaces_w(const Scene* scene, const SurfaceHits_w* hits, maskw which, int kind, int corners,
+/// Fills the lanes of `which` that have hit a polygon of the kind, and returns those of them that were plain.
+FN maskw flat_surfaces_w(const Scene* scene, const SurfaceHits_w* hits, maskw which, int kind, int planes,
                          Surfaces_w* s, HitParameters_w* parameters) {
+  int corners = planes / 3;
   which = which & ~nonzero_w(hits->kind - splat_int_w(kind));
   if (!any_w(which)) return which;
   GLOBAL const real* polygons = scene->geometry + scene_shape_row(scene, kind)[SHAPE_GEOMETRY];
-  intw at = hit_places_w(scene, hits, which, kind, 3 * corners, s);
-  real3w a = gather_corner_w(polygons, at, 0), b = gather_corner_w(polygons, at, 1);
-  real3w last = gather_corner_w(polygons, at, corners - 1), e = sub3_w(b, a), f = sub3_w(last, a);
+  intw at = hit_places_w(scene, hits, which, kind, planes, s);
+  real3w a = gather_planes3_w(polygons, at, 0, SCENE_LANES), b = gather_planes3_w(polygons, at, 3, SCENE_LANES);
+  real3w last = gather_planes3_w(polygons, at, 3 * (corners - 1), SCENE_LANES), e = sub3_w(b, a), f = sub3_w(last, a);
   Real2_w sa = shear_each_w(hits, a), sb = shear_each_w(hits, b), sl = shear_each_w(hits, last);
   realw ea = edge_each_w(sb, sl), eb = edge_each_w(sl, sa), el = edge_each_w(sa, sb), sum = ea + eb + el;
   realw u = within_one_w(eb / sum), v = within_one_w(el / sum), one = splat_w(R(1.0)), zero = splat_w(R(0.0));

@@ -16,12 +16,12 @@ FN real sphere_t_of(const Ray* ray, GLOBAL const real* prim, int stride, int is_
   ExactRays_w one;
   exact_ray(ray, &one);
   real3 c = center_of(prim, stride);
+  maskw met, which = ~none_w();
   if (is_departed) {
-    real across = sphere_root_across_w(&one, c);
+    real across = sphere_root_across_w(&one, c, which);
     *hit = sphere_is_left_at(ray, prim, stride, across);
     return across;
   }
-  maskw met, which = ~none_w();
   real t = sphere_root_w(&one, c, prim[3 * stride], which, &met);
   *hit = met != 0;
   return t;

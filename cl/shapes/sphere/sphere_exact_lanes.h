@@ -132,10 +132,10 @@ ONCE_FN realw sphere_root_w(const ExactRays_w* rays, real3w c, realw r, maskw wh
   return t;
 }
 
-/// -2 (f.d) / (d.d), correctly rounded: the second root of a ray that begins on the sphere.
-FN realw sphere_root_across_w(const ExactRays_w* ray, real3w c) {
+/// -2 (f.d) / (d.d), correctly rounded: the second root of a ray that begins on the sphere. which: lanes to compute.
+FN realw sphere_root_across_w(const ExactRays_w* ray, real3w c, maskw which) {
   realw most = splat_w(REAL_MAX);
-  return splat_w(R(2.0)) * plane_t_w(ray->o, ray->d, c, ray->d, -most, most, ~none_w());
+  return splat_w(R(2.0)) * plane_t_w(ray->o, ray->d, c, ray->d, -most, most, which);
 }
 
 /// The approximate first root from t_min on, for a sphere that the line certainly passes through, and in *about a bound

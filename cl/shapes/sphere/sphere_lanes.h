@@ -5,6 +5,7 @@
 // The sphere just left is met again only at its other root, -2 (f.d) / (d.d): the known root is exactly 0.
 
 enum { PACKET_BODY_sphere_w = PACKET_BODY_SPHERE };
+#define sphere_SURFACES sphere_surfaces_w
 
 /// prim: its reals, LANES apart.
 FN Ball sphere_ball_w(GLOBAL const real* prim) {

@@ -48,7 +48,7 @@ SELDOM_FN void left_sphere_w(Packet_w* p, GLOBAL const real* prim, int id, int k
   real x = prim[0], y = prim[LANES], z = prim[2 * LANES];
   ExactRays_w exact;
   exact_rays_w(p->rays, &exact);
-  realw t = sphere_root_across_w(&exact, splat3_w(vec3(x, y, z)));
+  realw t = sphere_root_across_w(&exact, splat3_w(vec3(x, y, z)), departed);
   real box[6];
   sphere_box_w(prim, box);
   Interval_w slabs = box_interval_w(p, box);

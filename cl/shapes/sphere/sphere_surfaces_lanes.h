@@ -22,11 +22,9 @@ FN real3w sphere_outward_each_w(const SurfaceHits_w* hits, real3w center, real3w
 FN void sphere_coordinates_w(const Scene* scene, maskw which, real3w normal, realw radius, Surfaces_w* s,
                              HitParameters_w* parameters) {
   realw zero = splat_w(R(0.0)), one = splat_w(R(1.0)), two = splat_w(R(2.0)), turn = splat_w(ONE_OVER_TWO_PI);
-  intw axes = part_entry_w(scene, s, PART_AXES);
-  axes = sel_int_w(lt_int_w(axes, splat_int_w(0)), splat_int_w(0), axes);
-  realw row[9];
-  gather_row_w(scene->shading, axes, 9, row);
-  real3w axis_x = real3_at_w(row), axis_y = real3_at_w(row + 3), axis_z = real3_at_w(row + 6);
+  realw frame[9];
+  gather_frame_w(scene, s, 9, frame);
+  real3w axis_x = real3_at_w(frame), axis_y = real3_at_w(frame + 3), axis_z = real3_at_w(frame + 6);
   realw x = dot3_w(normal, axis_x), y = dot3_w(normal, axis_y), z = dot3_w(normal, axis_z);
   real3w around = fma3_w(x, axis_y, scale3_w(-y, axis_x));
   if (HAS_TANGENT) s->along = sel3_w(which, around, s->along);
@@ -40,18 +38,7 @@ FN void sphere_coordinates_w(const Scene* scene, maskw which, real3w normal, rea
     s->grad_u = sel3_w(is_off_pole, grad_u, s->grad_u);
     s->grad_v = sel3_w(is_off_pole, grad_v, s->grad_v);
   }
-  if (TEXTURE_COUNT == 0) return;
-  parameters->u = sel_w(which, atan2_turns_w(y, x), parameters->u);
-  parameters->v = sel_w(which, two * atan2_turns_w(sine, z), parameters->v);
-}
-
-/// As round_departure_bound of hits/departure.h.
-FN realw round_departure_bound_w(const Scene* scene, const SurfaceHits_w* hits, realw radius) {
-  realw zero = splat_w(R(0.0)), off = splat_w(round_off(R(1.0))) * radius;
-  if (TIER_FAST) return zero;
-  if (!HAS_INSTANCES) return off;
-  realw shrink = gather_w(scene->geometry + INSTANCE_SHRINK, hits->placed);
-  return sel_w(hits->is_placed, off / shrink + departure_bound_w(scene, hits, zero), off);
+  if (TEXTURE_COUNT > 0) take_coordinates_w(which, atan2_turns_w(y, x), two * atan2_turns_w(sine, z), parameters);
 }
 
 /// As flat_surfaces_w.
@@ -61,7 +48,7 @@ FN maskw sphere_surfaces_w(const Scene* scene, const SurfaceHits_w* hits, maskw 
   if (!any_w(which)) return which;
   GLOBAL const real* spheres = scene->geometry + scene_shape_row(scene, kind)[SHAPE_GEOMETRY];
   intw at = hit_places_w(scene, hits, which, kind, planes, s);
-  real3w center = gather_corner_w(spheres, at, 0);
+  real3w center = gather_planes3_w(spheres, at, 0, SCENE_LANES);
   realw radius = gather_w(spheres + 3 * SCENE_LANES, at), t = hits->t;
   real3w f = sub3_w(hits->o, center), out = fma3_w(t, hits->d, f);
   realw facing = dot3_w(out, hits->d);
@@ -74,15 +61,10 @@ FN maskw sphere_surfaces_w(const Scene* scene, const SurfaceHits_w* hits, maskw 
     facing = sel_w(is_distant, sel_w(is_far, one, -one), facing);
   }
 #endif
-  real3w normal = normalize3_w(out), p = fma3_w(radius, normal, center), own = normal;
-  p = hit_point_to_world_w(scene, hits, p);
-  normal = hit_normal_to_world_w(scene, hits, normal);
-#if TIER_FAST
-  p = fma3_w(hits->world_t, hits->world_d, hits->world_o);
-#endif
-  maskw plain = which & finite3_w(p) & finite3_w(normal) & finite_w(facing);
-  take_surfaces_w(scene, hits, plain, p, normal, facing, -round_departure_bound_w(scene, hits, radius), s);
-  if (TEXTURE_COUNT + HAS_TANGENT + HAS_RELIEF > 0) sphere_coordinates_w(scene, plain, own, radius, s, parameters);
+  real3w normal = normalize3_w(out), p = fma3_w(radius, normal, center);
+  realw bound = -round_departure_bound_w(scene, hits, radius);
+  maskw plain = take_own_surfaces_w(scene, hits, which, p, normal, facing, bound, s);
+  if (TEXTURE_COUNT + HAS_TANGENT + HAS_RELIEF > 0) sphere_coordinates_w(scene, plain, normal, radius, s, parameters);
   s->is_round = sel_int_w(plain, splat_int_w(1), s->is_round);
   return plain;
 }
