@@ -146,6 +146,40 @@ TEST_CASE("every shape with its coordinates, in lanes") {
   }
 }
 
+/// The distance to a box from a camera that stands within a wall, parallel to an axis or not.
+Scene within_a_wall(double near_clip, double angle) {
+  const SceneFolder folder;
+  const std::string turn = "<rotate y='1' angle='" + std::to_string(90 + angle) + "'/>", name = "wall.xml";
+  Scene scene = small_scene(
+      folder.write(name,
+                   "<scene version='3.0.0'><integrator type='depth'/>"
+                   "<shape type='cube'/><shape type='rectangle'><transform name='to_world'><scale value='20'/>" +
+                       turn +
+                       "<translate z='5'/></transform></shape><sensor type='perspective'><float "
+                       "name='near_clip' value='" +
+                       std::to_string(near_clip) +
+                       "'/><transform name='to_world'><lookat origin='0, 0, 5' target='0, 0, 0' up='0, 1, 0'/>"
+                       "</transform></sensor></scene>"),
+      24, 20, odd_samples);
+  return scene;
+}
+
+TEST_CASE("a camera within a wall sees the wall, or past it what is not too near, in lanes") {
+  require_pocl_and_rusticl();
+  for (const double angle : {0.0, 12.5}) {
+    INFO(angle);
+    const Scene clipped = within_a_wall(0.01, angle);
+    require_same(clipped, plain());
+    const RenderResult past = followed(clipped, plain(), true);
+    CHECK(lit_pixels(past.color) > 50);
+    // Rounding leaves a wall that is turned before the camera or behind it.
+    if (angle == 0) CHECK(lit_pixels(followed(within_a_wall(0, angle), plain(), true).color) == 0);
+    Scene open = clipped;
+    open.shapes.pop_back();
+    CHECK(same_bits(past, followed(open, plain(), true)));
+  }
+}
+
 TEST_CASE("smooth meshes and instances in a tree, in lanes") {
   require_pocl_and_rusticl();
   require_same(of("mesh/torus-and-icosphere.xml"), plain());

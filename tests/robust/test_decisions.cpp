@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 #include <random>
+#include <utility>
 #include <vector>
 
 #include "robust/kernels.h"
@@ -79,7 +80,19 @@ Aim polygon(Draw& draw) {
   return q;
 }
 
+/// A triangle of a floor, and a ray that left a shape standing there: next to its plane, over or under it.
+Aim floor(Draw& draw) {
+  Aim q;
+  const float height = draw.between(-2, 2), x = draw.between(-1, 1), z = draw.between(-1, 1);
+  for (const auto& [cx, cz] : {std::pair{-9.0F, -8.0F}, {9.0F, -7.0F}, {0.5F, 9.0F}})
+    q.planes.insert(q.planes.end(), {cx, height, cz});
+  const float off = draw.below(2) == 0 ? draw.between(2e-7, 2e-6) : -draw.between(2e-7, 2e-6);
+  q.ray = ray_of(x, height + off, z, draw.between(-1, 1), -off * draw.between(1e5, 1e6), draw.between(-1, 1));
+  return q;
+}
+
 TEST_CASE("exact decisions are seldom, in doubles") {
+  CHECK(open_share("triangle", Route::doubles, floor) < 0.001);
   CHECK(open_share("triangle", Route::doubles, wall) < 0.02);
   CHECK(open_share("sphere", Route::doubles, ground) < 0.002);
   CHECK(open_share("triangle", Route::doubles, polygon) < 0.001);
@@ -87,6 +100,7 @@ TEST_CASE("exact decisions are seldom, in doubles") {
 }
 
 TEST_CASE("exact decisions are seldom in double words, but in a needle") {
+  CHECK(open_share("triangle", Route::double_words, floor) < 0.01);
   CHECK(open_share("triangle", Route::double_words, polygon) < 0.01);
   CHECK(open_share("sphere", Route::double_words, ground) < 0.05);
   CHECK(open_share("sphere", Route::double_words, ball) < 0.01);

@@ -47,8 +47,9 @@ FN realw settled_kind_w(const Scene* scene, const Rays_w* rays, const PutOff_w* 
     real3w d = last == 2 ? c : gather_planes3_w(geometry, at, 9, LANES);
     realw least, most;
     polygon_range_w(&exact, a, b, d, &least, &most);
-    plain = eq_w(least, most) & is_plain_w(&exact, a, b, d);
     t = within_polygon_w(&exact, least, a, b, d, c);
+    maskw is_told = eq_w(least, most) | is_before_w(&exact, most, a, b, d, c);
+    plain = is_told & is_plain_w(&exact, a, b, d);
   }
   uint others = body == PACKET_BODY_SPHERE ? 0u : bits_w(which & ~plain);
   if (others == 0u) return t;

@@ -14,10 +14,22 @@ FN void begin_at_short_edges_w(PRIVATE real3w* a, PRIVATE real3w* b, PRIVATE rea
   *c = sel3_w(at_c, q, sel3_w(at_b, p, r));
 }
 
+/// |e| x |f| with the sign of a sum: what of each component of e x f a rounding is a share of. 2^-95 is that of
+/// what underflow does to double words.
+FN real3w cross_size_w(real3w e, real3w f) {
+  realw tiny = splat_w(R(0x1p-95));
+  e = abs3_w(e);
+  f = abs3_w(f);
+  return vec3_w(fma_w(e.y, f.z, fma_w(e.z, f.y, tiny)), fma_w(e.z, f.x, fma_w(e.x, f.z, tiny)),
+                fma_w(e.x, f.y, fma_w(e.y, f.x, tiny)));
+}
+
 /// A range that the correctly rounded t of the plane certainly lies in, mostly a single number; NaN where nothing is
-/// known. t = n.(a - o) / (n.d), n = e x f = (b - a) x (c - a). With w the roundoff of what is wide and E = |e| |f|,
-/// norms being sums of absolute values, n.(a - o) is within 8 w E |a - o| and n.d within 14 w E (|d_i| < 2); so t is
-/// within 20 w E (|a - o| + |t|) / |n.d| where 64 w E < |n.d|. What underflow does to double words is less than 2^-140.
+/// known. t = n.g / (n.d), n = e x f, e = b - a, f = c - a, g = a - o. With w the roundoff of what is wide and N =
+/// cross_size, each n_i is within 4 w N_i, so n.g is within 8 w N.|g| and n.d within 7 w N.|d|; t is within
+/// 20 w (N.|g| + |t| N.|d|) / |n.d| where 64 w N.|d| < |n.d|. Axis by axis: of a floor N and |g| are large along
+/// different axes, so t is known to a few w of itself where a ray begins next to it. What underflow does to double
+/// words is less than 2^-140.
 INLINE_FN void polygon_range_w(const ExactRays_w* ray, real3w a, real3w b, real3w c, PRIVATE realw* least,
                                PRIVATE realw* most) {
   begin_at_short_edges_w(&a, &b, &c);
@@ -27,13 +39,14 @@ INLINE_FN void polygon_range_w(const ExactRays_w* ray, real3w a, real3w b, real3
   n.z = wide_determinant_w(e.x, e.y, f.x, f.y);
   wide_w n_d = wide_dot_w(n, ray->d);
   wide_w t = wide_divide_w(wide_dot3_w(n, wide_difference3_w(a, ray->o)), n_d);
-  realw across = abs_w(narrow_w(n_d)), edges = size1_w(sub3_w(b, a)) * size1_w(sub3_w(c, a));
-  realw size = edges * (size1_w(sub3_w(a, ray->o)) + abs_w(narrow_w(t))), lost = splat_w(R(32.0) * WIDE_ROUNDOFF);
-  realw off = lost * size * (splat_w(R(1.0)) / across), scale = splat_w(R(0x1p-90));
-  maskw is_known = lt_w(lost * (edges + edges), across) & lt_w(scale, edges) & lt_w(scale, size) &
-                   lt_w(across, splat_w(R(0x1p+120)));
-  realw nothing = splat_w(exact_nothing());
+  real3w sizes = cross_size_w(sub3_w(b, a), sub3_w(c, a));
+  realw along = dot3_w(sizes, abs3_w(ray->d)), scale = splat_w(R(0x1p-90)), lost = splat_w(R(32.0) * WIDE_ROUNDOFF);
+  realw size = fma_w(abs_w(narrow_w(t)), along, dot3_w(sizes, abs3_w(sub3_w(a, ray->o)))) + scale;
+  realw across = abs_w(narrow_w(n_d)), off = lost * size * (splat_w(R(1.0)) / across);
+  maskw is_known = lt_w(lost * (along + along), across) & lt_w(scale, across) & lt_w(across, splat_w(R(0x1p+120)));
+  realw nothing = splat_w(exact_nothing()), zero = splat_w(R(0.0));
   *least = sel_w(is_known, wide_least_w(t, off), nothing);
+  *least = sel_w(eq_w(*least, zero), zero, *least);  // Exact decisions know no -0.
   *most = sel_w(is_known, wide_most_w(t, off), nothing);
 }
 
@@ -55,4 +68,10 @@ FN realw within_polygon_w(const ExactRays_w* ray, realw t, real3w a, real3w b, r
   realw spare = splat_w(R(0x1p-22)) * max_w(abs_w(other), abs_w(one));
   t = max_w(min_w(other, one) - spare, t);
   return min_w(max_w(other, one) + spare, t);
+}
+
+/// Lanes in which every t up to `most` is before t_min, which is all that matters of it: where a camera stands in the
+/// plane of a wall, t is 0 or so for all of its rays. Not known where `most` is a NaN.
+FN maskw is_before_w(const ExactRays_w* ray, realw most, real3w a, real3w b, real3w c, real3w d) {
+  return lt_w(most, ray->t_min) & lt_w(within_polygon_w(ray, most, a, b, c, d), ray->t_min);
 }
