@@ -17,11 +17,10 @@ FN void begin_at_short_edges_w(PRIVATE real3w* a, PRIVATE real3w* b, PRIVATE rea
 /// |e| x |f| with the sign of a sum: what of each component of e x f a rounding is a share of. 2^-95 is that of
 /// what underflow does to double words.
 FN real3w cross_size_w(real3w e, real3w f) {
+  real3w p = abs3_w(e), q = abs3_w(f);
   realw tiny = splat_w(R(0x1p-95));
-  e = abs3_w(e);
-  f = abs3_w(f);
-  return vec3_w(fma_w(e.y, f.z, fma_w(e.z, f.y, tiny)), fma_w(e.z, f.x, fma_w(e.x, f.z, tiny)),
-                fma_w(e.x, f.y, fma_w(e.y, f.x, tiny)));
+  return vec3_w(fma_w(p.y, q.z, fma_w(p.z, q.y, tiny)), fma_w(p.z, q.x, fma_w(p.x, q.z, tiny)),
+                fma_w(p.x, q.y, fma_w(p.y, q.x, tiny)));
 }
 
 /// A range that the correctly rounded t of the plane certainly lies in, mostly a single number; NaN where nothing is
