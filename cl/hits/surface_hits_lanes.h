@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What the surfaces of LANES hits are computed from: surface_at of shapes/shape.h in lanes, for the kinds that have a
-// body (flat_surfaces_lanes.h, sphere_surfaces_lanes.h). One width; no guard.
+// body (shapes/all_surfaces_lanes.h). One width; no guard.
 
 /// The rays, in the frame of the group that each has hit, and what they hit.
 typedef struct {

@@ -6,6 +6,7 @@
 #include <catch2/catch.hpp>
 #include <cstdlib>
 #include <string_view>
+#include <utility>
 
 #include "render/pictures.h"
 #include "scene/scene_text.h"
@@ -87,8 +88,9 @@ TEST_CASE("shapes that are asked ray by ray in a tree, and emitters that the cam
   require_same(rectangle, plain());
 }
 
-/// A shape of every kind, flipped and in instances, of metals that know along from across and of textured paper.
-Scene all_shapes(bool has_relief) {
+/// A shape of every kind but polygons, most of them flipped, too, of metals that know along from across and of textured
+/// paper; with instances of them or without.
+Scene all_shapes(bool has_relief, bool has_instances) {
   const SceneFolder folder;
   const std::string steel = has_relief ? "dented" : "steel";
   const auto shape = [](const std::string& type, const std::string& of, const std::string& parameters) {
@@ -102,6 +104,11 @@ Scene all_shapes(bool has_relief) {
   const std::string own = shape("disk", steel, moved("<scale value='0.5'/><translate value='0.8, 0.3, 0'/>")) +
                           shape("cylinder", steel, axis) + shape("box", "paper", corners) +
                           shape("sphere", steel, moved("<scale value='0.3'/><translate value='-0.7, 0.2, 0'/>"));
+  const std::string instances =
+      "<shape type='shapegroup' id='group'>" + own + "</shape><shape type='instance'><ref id='group'/>" +
+      moved("<rotate y='1' angle='40'/><scale value='0.6'/><translate value='0.4, 1.2, 0'/>") +
+      "</shape><shape type='instance'><ref id='group'/>" +
+      moved("<rotate x='1' angle='70'/><scale x='-1' y='0.7' z='1.2'/><translate value='-0.5, -0.8, 1'/>") + "</shape>";
   const std::string text =
       "<texture type='bitmap' id='waves'><boolean name='raw' value='true'/><string name='filename' value='" +
       (scene_folder / "textures/waves.png").string() +
@@ -110,21 +117,17 @@ Scene all_shapes(bool has_relief) {
       "<bsdf type='roughconductor' id='steel'><float name='alpha_u' value='0.1'/><float name='alpha_v' "
       "value='0.5'/></bsdf>"
       "<bsdf type='bumpmap' id='dented'><ref id='waves'/><float name='scale' value='0.05'/><ref id='steel'/></bsdf>"
-      "<emitter type='constant'/>"
-      "<shape type='shapegroup' id='group'>" +
-      own + "</shape>" +
+      "<emitter type='constant'/>" +
       shape("plane", "paper", "<point name='point' value='0, -1, 0'/><vector name='normal' value='0, 1, 0'/>") +
       shape("plane", "steel",
             moved("<scale x='-1'/>") + "<point name='point' value='0, 0, -3'/>" +
                 "<vector name='normal' value='0, 0, 1'/>") +
       own + shape("disk", "paper", flipped + moved("<translate value='1.5, 0, -1'/>")) +
       shape("cylinder", "paper", flipped + axis + moved("<scale value='2'/><translate value='-2, 0, -1'/>")) +
-      "<shape type='instance'><ref id='group'/>" +
-      moved("<rotate y='1' angle='40'/><scale value='0.6'/><translate value='0.4, 1.2, 0'/>") +
-      "</shape><shape type='instance'><ref id='group'/>" +
-      moved("<rotate x='1' angle='70'/><scale x='-1' y='0.7' z='1.2'/><translate value='-0.5, -0.8, 1'/>") +
-      "</shape><sensor type='perspective'>" + moved("<lookat origin='0.5, 1, 5' target='0, 0, 0' up='0, 1, 0'/>") +
-      "</sensor>";
+      shape("box", steel, flipped + "<point name='min' value='-1, 0.5, -2'/><point name='max' value='0, 1, -1'/>") +
+      shape("sphere", "paper", flipped + moved("<scale value='0.4'/><translate value='1, 1, -1'/>")) +
+      (has_instances ? instances : "") + "<sensor type='perspective'>" +
+      moved("<lookat origin='0.5, 1, 5' target='0, 0, 0' up='0, 1, 0'/>") + "</sensor>";
   Scene scene = small_scene(folder.write("shapes.xml", "<scene version='3.0.0'>" + text + "</scene>"), 24, 20, 21);
   scene.integrator.name = "path";
   scene.integrator.max_depth = 4;
@@ -133,14 +136,14 @@ Scene all_shapes(bool has_relief) {
 
 TEST_CASE("every shape with its coordinates, in lanes") {
   require_pocl_and_rusticl();
-  require_same(all_shapes(true), plain());
+  require_same(all_shapes(true, true), plain());
   if (!is_long()) return;
-  for (const bool has_relief : {false, true}) {
+  for (const auto& [has_relief, has_instances] : {std::pair{false, true}, {true, true}, {true, false}}) {
     for (const Precision precision : exact_tiers) {
       for (const int lanes : {8, 16}) {
         if (precision == Precision::fp64 && lanes == 16) continue;
-        INFO(has_relief << ' ' << precision_name(precision) << ' ' << lanes);
-        require_same(all_shapes(has_relief), plain(precision, lanes));
+        INFO(has_relief << has_instances << ' ' << precision_name(precision) << ' ' << lanes);
+        require_same(all_shapes(has_relief, has_instances), plain(precision, lanes));
       }
     }
   }

@@ -14,8 +14,8 @@ FN void begin_at_short_edges_w(PRIVATE real3w* a, PRIVATE real3w* b, PRIVATE rea
   *c = sel3_w(at_c, q, sel3_w(at_b, p, r));
 }
 
-/// |e| x |f| with the sign of a sum: what of each component of e x f a rounding is a share of. 2^-95 is that of
-/// what underflow does to double words.
+/// The components of e x f with absolute values added instead of subtracted: roundings change e x f by shares of these.
+/// 2^-95 stands for what underflow does to double words.
 FN real3w cross_size_w(real3w e, real3w f) {
   real3w p = abs3_w(e), q = abs3_w(f);
   realw tiny = splat_w(R(0x1p-95));
@@ -28,7 +28,7 @@ FN real3w cross_size_w(real3w e, real3w f) {
 /// cross_size, each n_i is within 4 w N_i, so n.g is within 8 w N.|g| and n.d within 7 w N.|d|; t is within
 /// 20 w (N.|g| + |t| N.|d|) / |n.d| where 64 w N.|d| < |n.d|. Axis by axis: of a floor N and |g| are large along
 /// different axes, so t is known to a few w of itself where a ray begins next to it. What underflow does to double
-/// words is less than 2^-140.
+/// words is less than 2^-140, and to a quotient that is not 0 less than 2^-120.
 INLINE_FN void polygon_range_w(const ExactRays_w* ray, real3w a, real3w b, real3w c, PRIVATE realw* least,
                                PRIVATE realw* most) {
   begin_at_short_edges_w(&a, &b, &c);
@@ -41,9 +41,10 @@ INLINE_FN void polygon_range_w(const ExactRays_w* ray, real3w a, real3w b, real3
   real3w sizes = cross_size_w(sub3_w(b, a), sub3_w(c, a));
   realw along = dot3_w(sizes, abs3_w(ray->d)), scale = splat_w(R(0x1p-90)), lost = splat_w(R(32.0) * WIDE_ROUNDOFF);
   realw size = fma_w(abs_w(narrow_w(t)), along, dot3_w(sizes, abs3_w(sub3_w(a, ray->o)))) + scale;
-  realw across = abs_w(narrow_w(n_d)), off = lost * size * (splat_w(R(1.0)) / across);
+  realw across = abs_w(narrow_w(n_d)), off = lost * size * (splat_w(R(1.0)) / across), zero = splat_w(R(0.0));
+  off = off + sel_w(eq_w(narrow_w(t), zero), zero, splat_w(R(0x1p-120)));
   maskw is_known = lt_w(lost * (along + along), across) & lt_w(scale, across) & lt_w(across, splat_w(R(0x1p+120)));
-  realw nothing = splat_w(exact_nothing()), zero = splat_w(R(0.0));
+  realw nothing = splat_w(exact_nothing());
   *least = sel_w(is_known, wide_least_w(t, off), nothing);
   *least = sel_w(eq_w(*least, zero), zero, *least);  // Exact decisions know no -0.
   *most = sel_w(is_known, wide_most_w(t, off), nothing);
