@@ -59,13 +59,13 @@ FN void texture_each_w(const Scene* scene, Paths_w* path, const SurfaceHits_w* h
 }
 
 /// NAME_SURFACES of a shape whose surfaces are computed one by one.
-FN maskw alone_surfaces_w(const Scene* scene, const SurfaceHits_w* hits, maskw which, int kind, int planes,
-                          Surfaces_w* s, HitParameters_w* parameters) {
+FN maskw alone_surfaces_w(const Scene* scene, const SurfaceHits_w* hits, maskw which, GLOBAL const real* blocks,
+                          intw at, Surfaces_w* s, HitParameters_w* parameters) {
   (void)scene;
   (void)hits;
   (void)which;
-  (void)kind;
-  (void)planes;
+  (void)blocks;
+  (void)at;
   (void)s;
   (void)parameters;
   return none_w();
@@ -75,12 +75,19 @@ FN maskw alone_surfaces_w(const Scene* scene, const SurfaceHits_w* hits, maskw w
 FN maskw plain_surfaces_w(const Scene* scene, Paths_w* path, const NearestEach_w* each, Surfaces_w* s) {
   SurfaceHits_w hits = surface_hits_w(scene, &path->rays, each, s->hit);
   HitParameters_w at;
-  maskw plain = none_w();
+  maskw which, plain = none_w();
+  (void)which;  // A scene without shapes.
   at.u = at.v = splat_w(R(0.0));
   at.has_edges = none_w();
   at.edge_u = at.edge_v = hits.o;
-  (void)hits;  // A scene without shapes.
-#define SHAPE(name, planes) plain = plain | name##_SURFACES(scene, &hits, s->hit, SHAPE_##name, planes, s, &at);
+  (void)hits;
+#define SHAPE(name, planes)                                                                             \
+  which = s->hit & ~nonzero_w(hits.kind - splat_int_w(SHAPE_##name));                                   \
+  if (any_w(which)) {                                                                                   \
+    GLOBAL const real* blocks = scene->geometry + scene_shape_row(scene, SHAPE_##name)[SHAPE_GEOMETRY]; \
+    intw place = hit_places_w(scene, &hits, which, SHAPE_##name, planes, s);                            \
+    plain = plain | name##_SURFACES(scene, &hits, which, blocks, place, s, &at);                        \
+  }
 #include "shapes/shapes.def"
 #undef SHAPE
   if (HAS_SMOOTH_NORMALS) smooth_each_w(scene, &hits, plain, &at, s);

@@ -58,14 +58,10 @@ FN realw between_faces_w(realw x, realw lo, realw hi) {
   return sel_w(lt_w(first, last), inside, x);
 }
 
-/// As flat_surfaces_w.
-FN maskw box_surfaces_w(const Scene* scene, const SurfaceHits_w* hits, maskw which, int kind, int planes, Surfaces_w* s,
-                        HitParameters_w* parameters) {
+/// As flat_surfaces.
+FN maskw box_surfaces_w(const Scene* scene, const SurfaceHits_w* hits, maskw which, GLOBAL const real* boxes, intw at,
+                        Surfaces_w* s, HitParameters_w* parameters) {
   (void)parameters;  // u = v = 0.
-  which = which & ~nonzero_w(hits->kind - splat_int_w(kind));
-  if (!any_w(which)) return which;
-  GLOBAL const real* boxes = scene->geometry + scene_shape_row(scene, kind)[SHAPE_GEOMETRY];
-  intw at = hit_places_w(scene, hits, which, kind, planes, s);
   realw zero = splat_w(R(0.0)), one = splat_w(R(1.0)), facing = zero, bound = zero;
   real3w hit = fma3_w(hits->t, hits->d, hits->o);
   realw o[3] = {hits->o.x, hits->o.y, hits->o.z}, d[3] = {hits->d.x, hits->d.y, hits->d.z};

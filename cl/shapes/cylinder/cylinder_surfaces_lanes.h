@@ -3,13 +3,9 @@
 // no guard.
 #include "math/atan2_lanes.h"
 
-/// As flat_surfaces_w.
-FN maskw cylinder_surfaces_w(const Scene* scene, const SurfaceHits_w* hits, maskw which, int kind, int planes,
-                             Surfaces_w* s, HitParameters_w* parameters) {
-  which = which & ~nonzero_w(hits->kind - splat_int_w(kind));
-  if (!any_w(which)) return which;
-  GLOBAL const real* cylinders = scene->geometry + scene_shape_row(scene, kind)[SHAPE_GEOMETRY];
-  intw at = hit_places_w(scene, hits, which, kind, planes, s);
+/// As flat_surfaces.
+FN maskw cylinder_surfaces_w(const Scene* scene, const SurfaceHits_w* hits, maskw which, GLOBAL const real* cylinders,
+                             intw at, Surfaces_w* s, HitParameters_w* parameters) {
   real3w p0 = gather_planes3_w(cylinders, at, 0, SCENE_LANES), axis = gather_planes3_w(cylinders, at, 3, SCENE_LANES);
   GLOBAL const real* lengths = cylinders + 6 * SCENE_LANES;
   realw length = gather_w(lengths, at), radius = gather_w(lengths + SCENE_LANES, at);

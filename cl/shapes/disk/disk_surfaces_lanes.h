@@ -2,16 +2,12 @@
 // Surfaces of LANES disks, one a lane: disk_surface of disk.h in lanes, operation by operation. One width; no guard.
 #include "math/atan2_lanes.h"
 
-/// As flat_surfaces_w.
-FN maskw disk_surfaces_w(const Scene* scene, const SurfaceHits_w* hits, maskw which, int kind, int planes,
+/// As flat_surfaces.
+FN maskw disk_surfaces_w(const Scene* scene, const SurfaceHits_w* hits, maskw which, GLOBAL const real* disks, intw at,
                          Surfaces_w* s, HitParameters_w* parameters) {
-  which = which & ~nonzero_w(hits->kind - splat_int_w(kind));
-  if (!any_w(which)) return which;
-  GLOBAL const real* disks = scene->geometry + scene_shape_row(scene, kind)[SHAPE_GEOMETRY];
-  intw at = hit_places_w(scene, hits, which, kind, planes, s);
   realw zero = splat_w(R(0.0)), one = splat_w(R(1.0));
-  real3w center = gather_planes3_w(disks, at, 0, SCENE_LANES),
-         normal = normalize3_w(gather_planes3_w(disks, at, 3, SCENE_LANES));
+  real3w center = gather_planes3_w(disks, at, 0, SCENE_LANES);
+  real3w normal = normalize3_w(gather_planes3_w(disks, at, 3, SCENE_LANES));
   real3w from_center = fma3_w(hits->t, hits->d, sub3_w(hits->o, center)), p = add3_w(from_center, center);
   maskw plain = take_own_surfaces_w(scene, hits, which, p, normal, dot3_w(normal, hits->d), zero, s);
   if (TEXTURE_COUNT + HAS_TANGENT + HAS_RELIEF == 0) return plain;

@@ -3,7 +3,7 @@
 // faces that share corners neither leak nor hit twice. t comes from the plane of A, B, D.
 
 enum { PACKET_BODY_parallelogram_w = PACKET_BODY_PARALLELOGRAM };
-#define parallelogram_SURFACES flat_surfaces_w
+#define parallelogram_SURFACES parallelogram_surfaces_w
 
 /// prim: its reals, LANES apart.
 FN Ball parallelogram_ball_w(GLOBAL const real* prim) {

@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Surfaces of LANES planes, one a lane: plane_surface of plane.h in lanes, operation by operation. One width; no guard.
 
-/// As flat_surfaces_w.
-FN maskw plane_surfaces_w(const Scene* scene, const SurfaceHits_w* hits, maskw which, int kind, int planes,
-                          Surfaces_w* s, HitParameters_w* parameters) {
-  which = which & ~nonzero_w(hits->kind - splat_int_w(kind));
-  if (!any_w(which)) return which;
-  GLOBAL const real* all = scene->geometry + scene_shape_row(scene, kind)[SHAPE_GEOMETRY];
-  intw at = hit_places_w(scene, hits, which, kind, planes, s);
+/// As flat_surfaces.
+FN maskw plane_surfaces_w(const Scene* scene, const SurfaceHits_w* hits, maskw which, GLOBAL const real* anchors,
+                          intw at, Surfaces_w* s, HitParameters_w* parameters) {
   realw zero = splat_w(R(0.0));
-  real3w normal = normalize3_w(gather_planes3_w(all, at, 3, SCENE_LANES)), p = fma3_w(hits->t, hits->d, hits->o);
+  real3w normal = normalize3_w(gather_planes3_w(anchors, at, 3, SCENE_LANES)), p = fma3_w(hits->t, hits->d, hits->o);
   maskw plain = take_own_surfaces_w(scene, hits, which, p, normal, dot3_w(normal, hits->d), zero, s);
   if (TEXTURE_COUNT + HAS_TANGENT + HAS_RELIEF == 0) return plain;
   realw frame[9];

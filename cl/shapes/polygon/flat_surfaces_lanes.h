@@ -57,14 +57,10 @@ FN realw edges_size_w(real3w e, real3w f) {
   return sel_w(lt_w(size_f, size_e), size_e, size_f);
 }
 
-/// Fills the lanes of `which` that have hit a polygon of the kind, and returns those of them that were plain.
-FN maskw flat_surfaces_w(const Scene* scene, const SurfaceHits_w* hits, maskw which, int kind, int planes,
-                         Surfaces_w* s, HitParameters_w* parameters) {
-  int corners = planes / 3;
-  which = which & ~nonzero_w(hits->kind - splat_int_w(kind));
-  if (!any_w(which)) return which;
-  GLOBAL const real* polygons = scene->geometry + scene_shape_row(scene, kind)[SHAPE_GEOMETRY];
-  intw at = hit_places_w(scene, hits, which, kind, planes, s);
+/// Fills the lanes of `which`, which have hit polygons of one kind, and returns those of them that were plain.
+/// polygons, at: the kind's blocks, and each lane's place in them.
+FN maskw flat_surfaces_w(const Scene* scene, const SurfaceHits_w* hits, maskw which, GLOBAL const real* polygons,
+                         intw at, int corners, Surfaces_w* s, HitParameters_w* parameters) {
   real3w a = gather_planes3_w(polygons, at, 0, SCENE_LANES), b = gather_planes3_w(polygons, at, 3, SCENE_LANES);
   real3w last = gather_planes3_w(polygons, at, 3 * (corners - 1), SCENE_LANES), e = sub3_w(b, a), f = sub3_w(last, a);
   Real2_w sa = shear_each_w(hits, a), sb = shear_each_w(hits, b), sl = shear_each_w(hits, last);
@@ -108,4 +104,14 @@ FN maskw flat_surfaces_w(const Scene* scene, const SurfaceHits_w* hits, maskw wh
   take_surfaces_w(scene, hits, plain, p, normal, facing, bound, s);
   take_parameters_w(plain, u, v, edge_u, edge_v, parameters);
   return plain;
+}
+
+FN maskw triangle_surfaces_w(const Scene* scene, const SurfaceHits_w* hits, maskw which, GLOBAL const real* polygons,
+                             intw at, Surfaces_w* s, HitParameters_w* parameters) {
+  return flat_surfaces_w(scene, hits, which, polygons, at, 3, s, parameters);
+}
+
+FN maskw parallelogram_surfaces_w(const Scene* scene, const SurfaceHits_w* hits, maskw which,
+                                  GLOBAL const real* polygons, intw at, Surfaces_w* s, HitParameters_w* parameters) {
+  return flat_surfaces_w(scene, hits, which, polygons, at, 4, s, parameters);
 }

@@ -41,13 +41,9 @@ FN void sphere_coordinates_w(const Scene* scene, maskw which, real3w normal, rea
   if (TEXTURE_COUNT > 0) take_coordinates_w(which, atan2_turns_w(y, x), two * atan2_turns_w(sine, z), parameters);
 }
 
-/// As flat_surfaces_w.
-FN maskw sphere_surfaces_w(const Scene* scene, const SurfaceHits_w* hits, maskw which, int kind, int planes,
-                           Surfaces_w* s, HitParameters_w* parameters) {
-  which = which & ~nonzero_w(hits->kind - splat_int_w(kind));
-  if (!any_w(which)) return which;
-  GLOBAL const real* spheres = scene->geometry + scene_shape_row(scene, kind)[SHAPE_GEOMETRY];
-  intw at = hit_places_w(scene, hits, which, kind, planes, s);
+/// As flat_surfaces.
+FN maskw sphere_surfaces_w(const Scene* scene, const SurfaceHits_w* hits, maskw which, GLOBAL const real* spheres,
+                           intw at, Surfaces_w* s, HitParameters_w* parameters) {
   real3w center = gather_planes3_w(spheres, at, 0, SCENE_LANES);
   realw radius = gather_w(spheres + 3 * SCENE_LANES, at), t = hits->t;
   real3w f = sub3_w(hits->o, center), out = fma3_w(t, hits->d, f);

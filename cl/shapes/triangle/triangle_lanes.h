@@ -4,7 +4,7 @@
 // are never hit.
 
 enum { PACKET_BODY_triangle_w = PACKET_BODY_TRIANGLE };
-#define triangle_SURFACES flat_surfaces_w
+#define triangle_SURFACES triangle_surfaces_w
 
 /// prim: its reals, LANES apart.
 FN Ball triangle_ball_w(GLOBAL const real* prim) {
