@@ -1108,6 +1108,7 @@
 #define wide_of_dw_w LANED(wide_of_dw_w)
 #define wide_of_w LANED(wide_of_w)
 #define wide_product_w LANED(wide_product_w)
+#define wide_range_w LANED(wide_range_w)
 #define wide_root_w LANED(wide_root_w)
 #define wide_scale_w LANED(wide_scale_w)
 #define wide_sel_w LANED(wide_sel_w)

@@ -100,3 +100,11 @@ FN wide_w wide_dot3_w(wide3_w f, wide3_w g) {
 FN wide_w wide_determinant_w(wide_w a, wide_w b, wide_w c, wide_w d) {
   return wide_subtract_w(wide_multiply_w(a, d), wide_multiply_w(b, c));
 }
+
+/// The least and the most that t may round to in the lanes of `is_known`, where it is off by `off` at most; a NaN in
+/// the others. The least is no -0: exact decisions know none (shapes/exact/exact_t.h, which comes before).
+INLINE_FN void wide_range_w(wide_w t, realw off, maskw is_known, PRIVATE realw* least, PRIVATE realw* most) {
+  realw nothing = splat_w(exact_nothing()), zero = splat_w(R(0.0)), first = wide_least_w(t, off);
+  *least = sel_w(is_known, sel_w(eq_w(first, zero), zero, first), nothing);
+  *most = sel_w(is_known, wide_most_w(t, off), nothing);
+}

@@ -23,10 +23,7 @@ FN void plane_range_w(real3w o, real3w d, real3w p, real3w n, PRIVATE realw* lea
   realw size = abs_w(narrow_w(t)), across = abs_w(narrow_w(n_d));
   realw off = fma_w(lost, fma_w(size, s_d, s) / across, fma_w(rounded, size, splat_w(R(0x1p-120))));
   maskw is_known = lt_w(splat_w(R(4.0)) * lost * s_d, across);
-  realw nothing = splat_w(exact_nothing()), zero = splat_w(R(0.0));
-  *least = sel_w(is_known, wide_least_w(t, off), nothing);
-  *least = sel_w(eq_w(*least, zero), zero, *least);  // Exact decisions know no -0.
-  *most = sel_w(is_known, wide_most_w(t, off), nothing);
+  wide_range_w(t, off, is_known, least, most);
 }
 
 /// t of the lanes of `open`, from its range; of the others as it is.

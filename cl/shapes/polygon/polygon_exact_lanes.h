@@ -44,10 +44,7 @@ INLINE_FN void polygon_range_w(const ExactRays_w* ray, real3w a, real3w b, real3
   realw across = abs_w(narrow_w(n_d)), off = lost * size * (splat_w(R(1.0)) / across), zero = splat_w(R(0.0));
   off = off + sel_w(eq_w(narrow_w(t), zero), zero, splat_w(R(0x1p-120)));
   maskw is_known = lt_w(lost * (along + along), across) & lt_w(scale, across) & lt_w(across, splat_w(R(0x1p+120)));
-  realw nothing = splat_w(exact_nothing());
-  *least = sel_w(is_known, wide_least_w(t, off), nothing);
-  *least = sel_w(eq_w(*least, zero), zero, *least);  // Exact decisions know no -0.
-  *most = sel_w(is_known, wide_most_w(t, off), nothing);
+  wide_range_w(t, off, is_known, least, most);
 }
 
 /// Lanes whose ray does not graze the polygon, and whose polygon is not nearly a line.

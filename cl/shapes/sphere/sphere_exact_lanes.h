@@ -39,11 +39,8 @@ FN SphereRoots_w sphere_roots_w(real3w o, real3w d, real3w c, realw r) {
   roots.far = wide_subtract_w(chord, back);
   roots.dd = a;
   roots.off = off;
-  realw nothing = splat_w(exact_nothing());
-  roots.near_least = sel_w(roots.meets, wide_least_w(roots.near, off), nothing);
-  roots.near_most = sel_w(roots.meets, wide_most_w(roots.near, off), nothing);
-  roots.far_least = sel_w(roots.meets, wide_least_w(roots.far, off), nothing);
-  roots.far_most = sel_w(roots.meets, wide_most_w(roots.far, off), nothing);
+  wide_range_w(roots.near, off, roots.meets, &roots.near_least, &roots.near_most);
+  wide_range_w(roots.far, off, roots.meets, &roots.far_least, &roots.far_most);
   return roots;
 }
 
