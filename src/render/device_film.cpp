@@ -2,6 +2,10 @@
 #include "render/device_film.h"
 
 #include <algorithm>
+#include <system_error>
+#include <utility>
+
+#include "errors.h"
 
 namespace strahl {
 namespace {
@@ -12,6 +16,26 @@ constexpr std::size_t least_bytes = std::size_t{1} << 20;
 /// On a card, and of a helper.
 constexpr std::size_t most_bytes = std::size_t{512} << 20;
 
+/// Ahead of the render, between two looks at whether it begins.
+constexpr std::size_t bytes_ahead = std::size_t{16} << 20;
+
+/// From `first` to before `end`, multiples of a word.
+void clear_bytes(const Device& device, const cl::Buffer& film, std::size_t first, std::size_t end) {
+  constexpr std::size_t word = sizeof(cl_long);
+  const std::size_t words = (end - first) / word;
+  const std::size_t parts = std::clamp<std::size_t>((end - first) / least_bytes, 1, device.info().compute_units);
+  checked(device.info().text(), [&] {
+    const auto properties = device.device().getInfo<CL_DEVICE_QUEUE_PROPERTIES>();
+    const cl::CommandQueue queue(device.context(), device.device(),
+                                 properties & CL_QUEUE_OUT_OF_ORDER_EXEC_MODE_ENABLE);
+    for (std::size_t i = 0; i < parts; ++i) {
+      const std::size_t from = words * i / parts, to = words * (i + 1) / parts;
+      queue.enqueueFillBuffer(film, cl_long{0}, first + from * word, (to - from) * word);
+    }
+    return queue.finish();
+  });
+}
+
 }  // namespace
 
 std::size_t largest_film_buffer(const DeviceInfo& device, bool is_helper) {
@@ -19,20 +43,30 @@ std::size_t largest_film_buffer(const DeviceInfo& device, bool is_helper) {
   return std::min<std::size_t>(most_bytes, device.max_allocation);
 }
 
-void clear_film(const Device& device, const cl::Buffer& film, std::size_t bytes) {
-  constexpr std::size_t word = sizeof(cl_long);
-  const std::size_t words = bytes / word;
-  const std::size_t parts = std::clamp<std::size_t>(bytes / least_bytes, 1, device.info().compute_units);
-  checked(device.info().text(), [&] {
-    const auto properties = device.device().getInfo<CL_DEVICE_QUEUE_PROPERTIES>();
-    const cl::CommandQueue queue(device.context(), device.device(),
-                                 properties & CL_QUEUE_OUT_OF_ORDER_EXEC_MODE_ENABLE);
-    for (std::size_t i = 0; i < parts; ++i) {
-      const std::size_t first = words * i / parts, end = words * (i + 1) / parts;
-      queue.enqueueFillBuffer(film, cl_long{0}, first * word, (end - first) * word);
+FilmBuffer::FilmBuffer(const Device& device, cl::Buffer buffer, std::size_t ahead)
+    : device_(device), buffer_(std::move(buffer)), ahead_(std::make_unique<Ahead>()) {
+  if (device.info().type != "CPU") return;
+  const auto clear_ahead = [device, film = buffer_, ahead, &cleared = ahead_->cleared](const std::stop_token& stop) {
+    try {
+      for (std::size_t end; cleared < ahead && !stop.stop_requested(); cleared = end) {
+        end = std::min(cleared + bytes_ahead, ahead);
+        clear_bytes(device, film, cleared, end);
+      }
+    } catch (const DeviceError&) {
+      // clear() does the rest, and says what the device cannot do.
     }
-    return queue.finish();
-  });
+  };
+  try {
+    ahead_->thread = std::jthread(clear_ahead);
+  } catch (const std::system_error&) {
+    // Without a thread clear() does all.
+  }
+}
+
+void FilmBuffer::clear(std::size_t bytes) {
+  ahead_->thread = {};  // Asks it to stop, and waits.
+  const std::size_t cleared = std::exchange(ahead_->cleared, 0);
+  if (cleared < bytes) clear_bytes(*device_, buffer_, cleared, bytes);
 }
 
 MappedWords::MappedWords(const Device& device, const cl::Buffer& film, std::size_t first, std::size_t count)

@@ -4,7 +4,10 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
+#include <optional>
 #include <span>
+#include <thread>
 
 #include "opencl/device.h"
 
@@ -14,9 +17,29 @@ namespace strahl {
 /// since what bands leave would lie there a second time; not one of several, whose host keeps the film in any case.
 [[nodiscard]] std::size_t largest_film_buffer(const DeviceInfo& device, bool is_helper);
 
-/// Sets the buffer's first bytes to 0, in as many commands as the device may run at once: the first touch of new memory
-/// takes longer than all else (docs/decisions/0002-film.md). Blocking. Throws DeviceError.
-void clear_film(const Device& device, const cl::Buffer& film, std::size_t bytes);
+/// The film's buffer. The first touch of new memory takes longer than all else (docs/decisions/0002-film.md), so where
+/// a processor is the device a thread clears the buffer while the host goes on.
+class FilmBuffer {
+ public:
+  FilmBuffer() = default;
+  /// A new buffer of the device. ahead: the bytes that are cleared until clear() is called, as far as there is time.
+  FilmBuffer(const Device& device, cl::Buffer buffer, std::size_t ahead);
+
+  [[nodiscard]] const cl::Buffer& buffer() const { return buffer_; }
+  /// Sets the first bytes to 0, in as many commands as the device may run at once. Blocking. Throws DeviceError.
+  void clear(std::size_t bytes);
+
+ private:
+  /// How far the thread has come. On the heap, so that the film may be moved.
+  struct Ahead {
+    std::size_t cleared = 0;
+    std::jthread thread;
+  };
+
+  std::optional<Device> device_;
+  cl::Buffer buffer_;
+  std::unique_ptr<Ahead> ahead_;
+};
 
 /// A part of the film for the host to read, while this lives. On a CPU it is not copied.
 class MappedWords {

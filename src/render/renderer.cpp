@@ -61,10 +61,6 @@ void Renderer::State::prepare() {
     require_numeric_error(device, scene, settings, least_memory(scene, features, settings.precision, width.lanes));
   // Paths of one pixel are more alike than those of a span.
   samples_at_once = paths == 1 ? 1 : layout::POOL_PATHS;
-  ProgramReport report;
-  const cl::Program program = program_on(device, source, &report, settings.cached_program);
-  kernel = checked(device.info().text(), [&] { return cl::Kernel(program, "render"); });
-  shape = LaunchShape(group_limits(device, kernel), paths, settings.work_group);
   stats.seconds.program = start.seconds();
 
   const Stopwatch upload_start;
@@ -81,18 +77,24 @@ void Renderer::State::prepare() {
     const std::uint64_t bytes = pixels * film_bytes_per_pixel();
     require_room_for_splats(device.info(), bytes, memory_left());
   }
-  film = allocate(device, pixels * film_bytes_per_pixel(), "one band of the film");
   aov_reals = allocate(device, aov_real_bytes(pixels), "the auxiliary values");
   aov_ints = allocate(device, aov_int_bytes(pixels), "the auxiliary ids");
   counters = allocate(device, layout::COUNTERS * sizeof(std::uint32_t) + done_bytes(pixels), "the counters");
+  // While the program is built.
+  film = FilmBuffer(device, allocate(device, pixels * film_bytes_per_pixel(), "one band of the film"),
+                    pixels * likely_film_bytes_per_pixel());
   stats.seconds.bvh = buffers.tree.seconds;
   stats.seconds.upload = upload_start.seconds() - stats.seconds.bvh;
   stats.device_bytes = buffers.bytes + pixels * film_bytes_per_pixel() + aov_real_bytes(pixels) + aov_int_bytes(pixels);
   stats.host_bytes = stats.scene_bytes = buffers.bytes;
 
-  const Stopwatch warm_start;
+  const Stopwatch program_start;
+  ProgramReport report;
+  const cl::Program program = program_on(device, source, &report, settings.cached_program);
+  kernel = checked(device.info().text(), [&] { return cl::Kernel(program, "render"); });
+  shape = LaunchShape(group_limits(device, kernel), paths, settings.work_group);
   warm_up();
-  stats.seconds.program += warm_start.seconds();
+  stats.seconds.program += program_start.seconds();
   stats.device = device.info().text();
   stats.precision = precision_name(settings.precision);
   stats.spp = sampling.spp;
@@ -138,9 +140,9 @@ void Renderer::State::launch(const Launch& l, int film_row) {
   const WorkGroup group = shape.group(items, l.rows);
   checked(device.info().text(), [&] {
     cl_uint arg = 0;
-    for (const cl::Buffer* buffer :
-         {&buffers.geometry, &buffers.shading, &buffers.index, &film, &aov_reals, &aov_ints, &counters})
-      kernel.setArg(arg++, *buffer);
+    for (const cl::Buffer& buffer :
+         {buffers.geometry, buffers.shading, buffers.index, film.buffer(), aov_reals, aov_ints, counters})
+      kernel.setArg(arg++, buffer);
     const int film_first = (l.row_first - film_row) * window.width() + l.column_first;
     for (const int value : {scene.film.width, scene.film.height, window.x0 + l.column_first, window.y0 + l.row_first,
                             l.columns, l.rows, span, film_first, window.width(), l.sample_first, l.samples})

@@ -83,12 +83,19 @@ struct Renderer::State {
     return kinds::integrator(scene.integrator.name).from_lights ? FilmKind::splats : FilmKind::pixels;
   }
   [[nodiscard]] bool has_own_sums() const { return kinds::integrator(scene.integrator.name).from_camera; }
-  /// At the most: a film of one sum takes a part of the buffer.
-  [[nodiscard]] std::size_t film_bytes_per_pixel() const {
-    const int sums = film_kind() == FilmKind::splats && !settings.estimate_error ? 1 : layout::FILM_SUBSUMS;
+  [[nodiscard]] std::size_t film_bytes_per_pixel(int sums) const {
     FilmShape pixel{film_kind(), 1, 1, {}, 0, 1, has_squares(), has_own_sums()};
     pixel.sums.count = sums;
     return sizeof(std::int64_t) * pixel.words_per_pixel();
+  }
+  /// At the most: a film of one sum takes a part of the buffer.
+  [[nodiscard]] std::size_t film_bytes_per_pixel() const {
+    return film_bytes_per_pixel(film_kind() == FilmKind::splats && !settings.estimate_error ? 1 : layout::FILM_SUBSUMS);
+  }
+  /// With the samples that the scene states.
+  [[nodiscard]] std::size_t likely_film_bytes_per_pixel() const {
+    const bool has_error = settings.estimate_error && sampling.spp >= layout::FILM_SUBSUMS;
+    return film_bytes_per_pixel(has_error ? layout::FILM_SUBSUMS : 1);
   }
 
   /// Behind the counters: how far each pixel has come.
@@ -153,7 +160,8 @@ struct Renderer::State {
   std::string fault;                            ///< Why it takes no part any more; empty: it does.
   bool is_helper = false;                       ///< Of another device's pictures.
   std::vector<std::unique_ptr<State>> helpers;  ///< Other devices that share this one's pictures.
-  cl::Buffer film, aov_reals, aov_ints, counters;
+  cl::Buffer aov_reals, aov_ints, counters;
+  FilmBuffer film;
 };
 
 }  // namespace strahl

@@ -46,6 +46,7 @@ TEST_CASE("a finished picture needs no thread more") {
   const NoThreads none;
   REQUIRE_THROWS_AS(std::thread([] {}), std::system_error);
   RenderGoal goal;
+  CHECK(same_bits(Renderer(Device::open("pocl"), renderer.scene(), settings).render().color, expected.color));
   for (const bool has_deadline : {false, true}) {
     if (has_deadline) goal.deadline = later(Clock::now(), 60);
     goal.spp = 8;
