@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <exception>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -84,7 +85,8 @@ ExitCode render_frames(Renderer& renderer, const RenderOptions& options, const I
   UnusualSamples all;
   std::string interrupted;
   ProgressBar bar("frames", !options.scene.quiet && !options.scene.no_progress);
-  for (int frame = 0; frame < *options.goal.frames && !guard.interrupted(); ++frame) {
+  std::exception_ptr fault;  // Of a frame; what is known of those before it is told first.
+  const auto render_frame = [&](int frame) {
     RenderGoal goal;
     goal.spp = options.overrides.spp;
     goal.max_error = options.goal.max_error;
@@ -104,22 +106,28 @@ ExitCode render_frames(Renderer& renderer, const RenderOptions& options, const I
     PictureFiles one = files;
     one.path = frame_path(files.path, frame + 1);
     const std::map<std::string, std::string> metadata = metadata_of(options, invocation, result);
+    const double taken = std::chrono::duration<double>(Clock::now() - start).count();
+    static_cast<void>(write(one, result, metadata, true));
     if (!result.complete) {  // As any interrupted picture; it is none of the frames that times are told of.
-      static_cast<void>(write(one, result, metadata, true));
       interrupted = one.path;
-      break;
+      return;
     }
-    seconds.push_back(std::chrono::duration<double>(Clock::now() - start).count());
-    if (seconds.back() > late_seconds(time)) ++late;
+    seconds.push_back(taken);
+    if (taken > late_seconds(time)) ++late;
     if (result.stats.least_spp == 0) ++black;
     error_goal.add(result);
     all += result.stats.unusual;
     // A job of a million frames should not take more and more memory for what nobody asks.
     if (!options.stats.empty())
-      frames.push_back({seconds.back(), result.stats.least_spp, result.stats.most_spp,
+      frames.push_back({taken, result.stats.least_spp, result.stats.most_spp,
                         result.error ? std::optional(result.error->rmse) : std::nullopt});
-    static_cast<void>(write(one, result, metadata, true));
     bar.show(static_cast<double>(frame + 1) / *options.goal.frames, one.path);
+  };
+  try {
+    for (int frame = 0; frame < *options.goal.frames && !guard.interrupted() && interrupted.empty(); ++frame)
+      render_frame(frame);
+  } catch (...) {
+    fault = std::current_exception();
   }
   warn_of_samples(all);
   const int count = static_cast<int>(seconds.size());
@@ -132,6 +140,7 @@ ExitCode render_frames(Renderer& renderer, const RenderOptions& options, const I
                     frame_path(files.path, 1)));
   if (!options.scene.quiet && !interrupted.empty())
     say(fmt::format("{}: interrupted, with the samples so far", interrupted));
+  if (fault) std::rethrow_exception(fault);
   if (count < *options.goal.frames) return guard.exit_code();
   if (black > 0)
     say(fmt::format("strahl: --time {}: in {} of {} frames some pixels have no sample and are black",

@@ -9,6 +9,7 @@
 
 #include "checkpoint/checkpoint.h"
 #include "cli/program.h"
+#include "faults/launches.h"
 #include "image/image_io.h"
 
 using namespace strahl_test;
@@ -76,13 +77,6 @@ std::map<std::string, std::string> gone_from(std::size_t call, const std::string
           {"STRAHL_CL_FAULT_CODE", "-5"}};
 }
 
-/// Counts from 1: the film is cleared before the first launch.
-std::size_t first_of_film(const std::vector<std::string>& calls) {
-  const auto cleared = std::find(calls.begin(), calls.end(), "clEnqueueFillBuffer");
-  REQUIRE(cleared != calls.end());
-  return static_cast<std::size_t>(cleared - calls.begin()) + 1;
-}
-
 void check_dropped(SharedRender& render, const Outcome& outcome) {
   INFO(outcome.err);
   REQUIRE(outcome.signal == 0);
@@ -99,7 +93,7 @@ void check_dropped(SharedRender& render, const Outcome& outcome) {
 TEST_CASE("a device that is gone at any of its calls is dropped") {
   SharedRender render;
   const std::vector<std::string> calls = render.calls();
-  const std::size_t begin = first_of_film(calls);
+  const std::size_t begin = first_launch(calls);
   // The first of each sort of call, and one in the midst, when some of its rows are in the film.
   std::map<std::string, std::size_t> places;
   // Those that hold a queue and let it go fail after the picture.
@@ -128,12 +122,12 @@ TEST_CASE("a device that is gone before the first sample ends the render") {
 TEST_CASE("all devices gone: no picture, and each is named; the checkpoint keeps what was there") {
   SharedRender render;
   REQUIRE(render.run("pocl", {}, {"--spp", "16", "--checkpoint", "c.ckpt"}).code == 0);
-  // Calls of both, from the first with a film on.
+  // Calls of both, from the first launch of samples on.
   REQUIRE(render.run("pocl,llvmpipe", {{"STRAHL_CL_FAULT_QUEUE", "*"}}).code == 0);
   std::vector<std::string> calls;
   std::istringstream log(read_text(render.folder().path("calls.log")));
   for (std::string line; std::getline(log, line);) calls.push_back(line);
-  const std::size_t begin = first_of_film(calls);
+  const std::size_t begin = first_launch(calls, 2);
   for (const std::size_t call : {begin, begin + 4, begin + 8}) {
     INFO("call " << call << " of " << calls.size());
     const Outcome outcome = render.run("pocl,llvmpipe", gone_from(call, "*"), {"--resume", "c.ckpt"});
@@ -151,9 +145,7 @@ TEST_CASE("all devices gone: no picture, and each is named; the checkpoint keeps
 TEST_CASE("a device that hangs holds up the others, until the watchdog ends that") {
   SharedRender render;
   const std::vector<std::string> calls = render.calls();
-  const auto launch = std::find(calls.begin() + static_cast<std::ptrdiff_t>(first_of_film(calls)), calls.end(),
-                                "clEnqueueNDRangeKernel");
-  const auto call = static_cast<std::size_t>(launch - calls.begin()) + 2;
+  const std::size_t call = first_launch(calls) + 1;
   REQUIRE(calls.at(call - 1) == "clFinish");
   std::map<std::string, std::string> environment = gone_from(call);
   environment["STRAHL_CL_FAULT_CODE"] = "hang";
@@ -167,7 +159,7 @@ TEST_CASE("a device that hangs holds up the others, until the watchdog ends that
 
 TEST_CASE("a device is dropped while a picture is gone on with, and what is kept is whole") {
   SharedRender render;
-  const std::size_t begin = first_of_film(render.calls());
+  const std::size_t begin = first_launch(render.calls());
   REQUIRE(render.run("pocl", {}, {"--spp", "16", "--checkpoint", "c.ckpt"}).code == 0);
   check_dropped(render, render.run("pocl,llvmpipe", gone_from(begin + 3), {"--resume", "c.ckpt", "--every", "1ms"}));
   CHECK(strahl::read_checkpoint(render.folder().path("c.ckpt")).header.least == 20);

@@ -6,10 +6,12 @@
 #include <cstdlib>
 #include <filesystem>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "checkpoint/checkpoint.h"
 #include "cli/program.h"
+#include "faults/launches.h"
 #include "image/image_io.h"
 
 using namespace strahl_test;
@@ -37,11 +39,14 @@ class FaultyRender {
 
   [[nodiscard]] const std::vector<std::string>& calls() const { return calls_; }
 
-  /// call: counts from 1.
+  /// call: counts from 1. Threads make calls beside each other, so it is found again among those of its name.
   void fail(std::size_t call, int code) {
-    INFO(scene_ << ", call " << call << " of " << calls_.size() << " (" << calls_[call - 1] << ") returns " << code);
-    const Outcome outcome =
-        run({{"STRAHL_CL_FAULT_CALL", std::to_string(call)}, {"STRAHL_CL_FAULT_CODE", std::to_string(code)}});
+    const std::string& name = calls_[call - 1];
+    const auto number = std::count(calls_.begin(), calls_.begin() + static_cast<std::ptrdiff_t>(call), name);
+    INFO(scene_ << ", call " << call << " of " << calls_.size() << " (" << name << ") returns " << code);
+    const Outcome outcome = run({{"STRAHL_CL_FAULT_NAME", name},
+                                 {"STRAHL_CL_FAULT_CALL", std::to_string(number)},
+                                 {"STRAHL_CL_FAULT_CODE", std::to_string(code)}});
     INFO(outcome.err);
     REQUIRE(outcome.signal == 0);
     if (outcome.code == 0) {
@@ -56,15 +61,9 @@ class FaultyRender {
     CHECK(strahl::read_checkpoint(folder_.path("c.ckpt")).header.least >= 8);
   }
 
-  /// The second launch after the film was cleared never ends.
+  /// The second launch of samples never ends.
   void hang() {
-    const auto cleared = std::find(calls_.begin(), calls_.end(), "clEnqueueFillBuffer");
-    auto launch = std::find(cleared, calls_.end(), "clEnqueueNDRangeKernel");
-    launch = std::find(launch + 1, calls_.end(), "clEnqueueNDRangeKernel");
-    const auto call = static_cast<std::size_t>(launch - calls_.begin()) + 2;
-    REQUIRE(calls_.at(call - 1) == "clFinish");
-    const Outcome outcome =
-        run({{"STRAHL_CL_FAULT_CALL", std::to_string(call)}, {"STRAHL_CL_FAULT_CODE", "hang"}}, {"--watchdog", "1s"});
+    const Outcome outcome = run(hanging_launch(2), {"--watchdog", "1s"});
     INFO(outcome.err);
     CHECK(outcome.code == 1);
     CHECK(contains(outcome.err, "has not come back from a launch for 1 s"));
@@ -77,16 +76,8 @@ class FaultyRender {
   void hang_before_a_checkpoint() {
     const std::vector<std::string> options{scene_, "--width", "24",    "--spp",        "9",        "-d",         "pocl",
                                            "-q",   "-o",      "n.pfm", "--checkpoint", "new.ckpt", "--watchdog", "1s"};
-    fs::remove(folder_.path("calls.log"));
-    std::map<std::string, std::string> environment{{"OPENCL_LAYERS", STRAHL_FAIL_OPENCL},
-                                                   {"STRAHL_CL_FAULT_LOG", folder_.path("calls.log")}};
-    REQUIRE(folder_.run(options, environment).code == 0);
-    const std::string log = read_text(folder_.path("calls.log"));
-    const std::size_t launch = log.find("clEnqueueNDRangeKernel\n", log.find("clEnqueueFillBuffer"));
-    const auto call =
-        std::count(log.begin(), log.begin() + static_cast<std::ptrdiff_t>(log.find("clFinish", launch)), '\n');
-    environment["STRAHL_CL_FAULT_CALL"] = std::to_string(call + 1);
-    environment["STRAHL_CL_FAULT_CODE"] = "hang";
+    std::map<std::string, std::string> environment = hanging_launch(1);
+    environment["OPENCL_LAYERS"] = STRAHL_FAIL_OPENCL;
     const Outcome outcome = folder_.run(options, environment);
     INFO(outcome.err);
     CHECK(outcome.code == 1);
@@ -107,11 +98,32 @@ class FaultyRender {
     CHECK(contains(outcome.err, "has not come back from a launch for 1 s"));
   }
 
+  /// What is known of the frames before is told.
+  void fail_in_frames() {
+    const Outcome outcome = folder_.run({scene_, "--width", "24", "--frames", "1000", "--time", "1s", "--spp", "4",
+                                         "-d", "pocl", "-q", "-o", "g.pfm", "--stats", "g.json"},
+                                        {{"OPENCL_LAYERS", STRAHL_FAIL_OPENCL},
+                                         {"STRAHL_CL_FAULT_NAME", "clEnqueueNDRangeKernel"},
+                                         {"STRAHL_CL_FAULT_CALL", "100"},
+                                         {"STRAHL_CL_FAULT_CODE", std::to_string(out_of_resources)}});
+    INFO(outcome.err);
+    CHECK(outcome.code == 1);
+    CHECK(contains(outcome.err, "CL_OUT_OF_RESOURCES"));
+    REQUIRE(fs::exists(folder_.path("g.json")));
+    const auto stats = nlohmann::json::parse(read_text(folder_.path("g.json")));
+    const auto count = static_cast<std::ptrdiff_t>(stats.at("frames").size());
+    CHECK(count > 0);
+    const std::vector<std::string> files = folder_.files();
+    CHECK(count == std::count_if(files.begin(), files.end(), [](const std::string& name) {
+            return name.rfind("g.", 0) == 0 && contains(name, ".pfm");
+          }));
+  }
+
   /// Clearing the film takes longer than a launch may.
   void clear_slowly() {
-    const auto cleared = std::find(calls_.begin(), calls_.end(), "clEnqueueFillBuffer");
-    REQUIRE(cleared != calls_.end());
-    const Outcome outcome = run({{"STRAHL_CL_FAULT_CALL", std::to_string(cleared - calls_.begin() + 1)},
+    REQUIRE(std::count(calls_.begin(), calls_.end(), "clEnqueueFillBuffer") > 0);
+    const Outcome outcome = run({{"STRAHL_CL_FAULT_NAME", "clEnqueueFillBuffer"},
+                                 {"STRAHL_CL_FAULT_CALL", "1"},
                                  {"STRAHL_CL_FAULT_CODE", "slow"},
                                  {"STRAHL_CL_FAULT_TIMES", "1"},
                                  {"STRAHL_CL_FAULT_SECONDS", "2"}},
@@ -124,6 +136,13 @@ class FaultyRender {
   int successes = 0, failures = 0;
 
  private:
+  /// Of samples, counted from 1.
+  [[nodiscard]] static std::map<std::string, std::string> hanging_launch(int number) {
+    return {{"STRAHL_CL_FAULT_NAME", launch_call},
+            {"STRAHL_CL_FAULT_CALL", std::to_string(warm_up_launches + number)},
+            {"STRAHL_CL_FAULT_CODE", "hang"}};
+  }
+
   [[nodiscard]] Outcome run(std::map<std::string, std::string> environment, const std::vector<std::string>& more = {}) {
     for (const char* name : {"out.pfm", "calls.log"}) fs::remove(folder_.path(name));
     folder_.file("c.ckpt", kept_);
@@ -165,6 +184,8 @@ TEST_CASE("a kernel that never ends is left behind") {
   render.hang_before_a_checkpoint();
   render.hang_in_frames();
 }
+
+TEST_CASE("a frame that fails loses nothing of those before it") { FaultyRender("lecture/lit.xml").fail_in_frames(); }
 
 TEST_CASE("a watchdog does not count what comes before the first launch") {
   FaultyRender("lecture/lit.xml").clear_slowly();
