@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The properties of each kind of light other than shapes that the host needs, one row each (lights.cpp). A kind of
+// The properties of each kind of light other than shapes that the host needs, one row each (light_rows.h). A kind of
 // Light::emitter without a row does not compile.
 #pragma once
 

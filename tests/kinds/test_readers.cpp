@@ -24,7 +24,8 @@ Names entries(const std::string& list) {
 /// What the scenes of scenes/ are made of.
 struct Used {
   Names shapes, materials, lights, textures, areas, integrators;
-  std::set<std::size_t> geometries;
+  /// Of the variants of scene.h, by their numbers.
+  std::set<std::size_t> geometries, bsdfs, emitters, patterns;
 
   void add(const Scene& scene) {
     for_each_shape(scene, [&](const Shape& shape) {
@@ -34,10 +35,18 @@ struct Used {
       lights.insert(shape.exitance ? "directionalarea" : "area");
       if (const std::string area = area_kind(shape.geometry); !area.empty()) areas.insert(area);
     });
-    for (const Material& material : scene.materials)
+    for (const Material& material : scene.materials) {
       if (const MaterialFacts facts = material_facts(material); facts.nested.empty()) materials.insert(facts.kind);
-    for (const Light& light : scene.lights) lights.insert(light_kind(light));
-    for (const Texture& texture : scene.textures) textures.insert(texture_kind(texture));
+      bsdfs.insert(material.bsdf.index());
+    }
+    for (const Light& light : scene.lights) {
+      lights.insert(light_kind(light));
+      emitters.insert(light.emitter.index());
+    }
+    for (const Texture& texture : scene.textures) {
+      textures.insert(texture_kind(texture));
+      patterns.insert(texture.pattern.index());
+    }
     integrators.insert(scene.integrator.name);
   }
 };
@@ -58,6 +67,15 @@ Used of_body(const std::string& body) {
 // One without its ray would be black under ptracer.
 TEST_CASE("paths can begin on every light") { CHECK(entries("light_rays") == entries("lights")); }
 
+/// what: the variant.
+template <typename Variant>
+void check_alternatives(const std::string& what, const std::set<std::size_t>& used) {
+  for (std::size_t i = 0; i < std::variant_size_v<Variant>; ++i) {
+    INFO("alternative " << i << " of " << what);
+    CHECK(used.contains(i));
+  }
+}
+
 TEST_CASE("every entry stands in a scene") {
   const Used used = used_by_scenes();
   CHECK(used.shapes == entries("shapes"));
@@ -65,12 +83,13 @@ TEST_CASE("every entry stands in a scene") {
   CHECK(used.textures == entries("textures"));
   CHECK(used.areas == entries("areas"));
   CHECK(used.lights == entries("lights"));
-  for (std::size_t i = 0; i < std::variant_size_v<Geometry>; ++i) {
-    // A cloud is spheres of one file, which no scene has use for.
-    if (i == Geometry(SphereCloud{}).index()) continue;
-    INFO("alternative " << i << " of Geometry");
-    CHECK(used.geometries.contains(i));
-  }
+  // A cloud is spheres of one file, which no scene has use for.
+  std::set<std::size_t> geometries = used.geometries;
+  geometries.insert(Geometry(SphereCloud{}).index());
+  check_alternatives<Geometry>("Geometry", geometries);
+  check_alternatives<decltype(Material::bsdf)>("Material::bsdf", used.bsdfs);
+  check_alternatives<decltype(Light::emitter)>("Light::emitter", used.emitters);
+  check_alternatives<decltype(Texture::pattern)>("Texture::pattern", used.patterns);
 }
 
 /// What an entry cannot be without.

@@ -6,19 +6,14 @@
 
 #include "kinds/entries.h"
 #include "kinds/lights.h"
+#include "program/each_kind.h"
 #include "program/features.h"
 
 using namespace strahl;
+using namespace strahl::test;
 
 namespace {
 SourceLocation line(int number) { return {"scene.xml", number, 3}; }
-
-Mesh small_mesh() {
-  Mesh mesh;
-  mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
-  mesh.triangles = {{0, 1, 2}};
-  return mesh;
-}
 
 /// A scene of one shape whose elements stand in lines of their own.
 Scene scene_of(Geometry geometry, const std::string& integrator = "direct") {
@@ -64,21 +59,11 @@ RenderSettings with_aovs(const std::set<Aov>& aovs) {
   return settings;
 }
 
-const std::map<std::string, std::vector<Geometry>>& geometries() {
-  static const std::map<std::string, std::vector<Geometry>> by_kind = {{"sphere", {Sphere{}}},
-                                                                       {"plane", {Plane{}}},
-                                                                       {"box", {Box{}}},
-                                                                       {"triangle", {Triangle{}, small_mesh()}},
-                                                                       {"parallelogram", {Rectangle{}, Cube{}}},
-                                                                       {"disk", {Disk{}}},
-                                                                       {"cylinder", {Cylinder{}}}};
-  return by_kind;
-}
-
 }  // namespace
 
 TEST_CASE("A shape calls for its own kind and no other") {
   for (const std::string& kind : list_entries("shapes")) {
+    INFO(kind);
     REQUIRE(geometries().contains(kind));
     for (const Geometry& geometry : geometries().at(kind)) {
       const Scene scene = scene_of(geometry);
@@ -203,13 +188,13 @@ TEST_CASE("MESH_UVS: texture coordinates that --aov uv asks for") {
 }
 
 TEST_CASE("Lights count where the integrator sees them") {
-  const decltype(Light::emitter) emitters[] = {
-      PointLight{}, SpotLight{}, ProjectorLight{}, DirectionalLight{}, ConstantLight{}, EnvironmentLight{}, SunLight{}};
-  // And area, and those that shine in beams.
-  REQUIRE(std::size(emitters) + 3 == list_entries("lights").size());
+  const auto emitters = every_emitter();
+  // And those of shapes, area and directionalarea.
+  REQUIRE(emitters.size() + 2 == list_entries("lights").size());
   for (const auto& emitter : emitters) {
     const Light light{"", emitter, line(15)};
     const std::string kind = light_kind(light);
+    if (kinds::light(light).is_beam) continue;  // test_beams.cpp
     Scene scene = scene_of(Sphere{});
     check_off(scene, {}, "lights/" + kind);
     scene.lights.push_back(light);
@@ -233,8 +218,8 @@ TEST_CASE("An area emitter is a light where something is lit, drawn from by its 
       Scene scene = scene_of(geometry, "path");
       check_off(scene, {}, "lights/area");
       scene.shapes[0].radiance = Rgb{1, 1, 1};
-      const std::string area = kind == "box" ? "parallelogram" : kind;
-      if (kind == "plane") {
+      const std::string area = area_kind(geometry);
+      if (area.empty()) {
         check_off(scene, {}, "lights/area");
         continue;
       }

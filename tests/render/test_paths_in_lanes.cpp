@@ -5,11 +5,19 @@
 // Every effect: test_generic.cpp. With STRAHL_LANES=long all tiers and widths, by a program for each scene.
 #include <catch2/catch.hpp>
 #include <cstdlib>
+#include <set>
+#include <string>
 #include <string_view>
 #include <utility>
+#include <variant>
+#include <vector>
 
+#include "kinds/entries.h"
+#include "kinds/shapes.h"
 #include "render/pictures.h"
 #include "scene/scene_text.h"
+#include "selftest/questions.h"
+#include "selftest/shape_proof.h"
 
 namespace strahl::test {
 namespace {
@@ -88,6 +96,40 @@ TEST_CASE("shapes that are asked ray by ray in a tree, and emitters that the cam
   require_same(rectangle, plain());
 }
 
+/// As its proof draws it, 0.8 across, there.
+Geometry drawn(const std::string& kind, const Vec3& place) {
+  oracle::Random random(31);
+  const selftest::Question question = selftest::draw_question(kind, oracle::Law::aimed, random);
+  Geometry geometry = selftest::proof_of(kind).geometry(question.planes.data());
+  kinds::Extent extent;
+  std::visit([&](const auto& one) { kinds::extend(extent, one); }, geometry);
+  const Box box = extent.box().value_or(Box{{-0.5, -0.5, -0.5}, {0.5, 0.5, 0.5}});
+  const Vec3 middle = 0.5 * (box.min + box.max);
+  const double factor = 0.8 / length(box.max - box.min);
+  const auto move = [&](const Vec3& p) { return place + factor * (p - middle); };
+  std::visit([&](auto& one) { kinds::move(one, move, [&](const Vec3& v) { return factor * v; }); }, geometry);
+  std::visit([&](auto& one) { kinds::scale(one, factor); }, geometry);
+  return geometry;
+}
+
+/// Of every kind that has no shape among them but polygons, which have scenes of their own: one beside each sphere,
+/// like it otherwise. So a kind that is new to the kernels needs no lines here.
+void add_others(std::vector<Shape>& shapes) {
+  std::set<std::string> kinds = {"plane", "triangle", "parallelogram"};
+  std::vector<Shape> spheres;
+  for (const Shape& shape : shapes) {
+    kinds.insert(shape_kind(shape));
+    if (std::holds_alternative<Sphere>(shape.geometry)) spheres.push_back(shape);
+  }
+  for (const std::string& kind : list_entries("shapes")) {
+    if (kinds.contains(kind)) continue;
+    for (Shape shape : spheres) {
+      shape.geometry = drawn(kind, std::get<Sphere>(shape.geometry).center + Vec3{0.2, 0.4, 0.6});
+      shapes.push_back(shape);
+    }
+  }
+}
+
 /// A shape of every kind but polygons, most of them flipped, too, of metals that know along from across and of textured
 /// paper; with instances of them or without.
 Scene all_shapes(bool has_relief, bool has_instances) {
@@ -129,6 +171,8 @@ Scene all_shapes(bool has_relief, bool has_instances) {
       (has_instances ? instances : "") + "<sensor type='perspective'>" +
       moved("<lookat origin='0.5, 1, 5' target='0, 0, 0' up='0, 1, 0'/>") + "</sensor>";
   Scene scene = small_scene(folder.write("shapes.xml", "<scene version='3.0.0'>" + text + "</scene>"), 24, 20, 21);
+  add_others(scene.shapes);
+  for (Group& group : scene.groups) add_others(group.shapes);
   scene.integrator.name = "path";
   scene.integrator.max_depth = 4;
   return scene;

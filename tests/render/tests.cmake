@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: MIT
 foreach(name first_principles large_ground invariance launches closed_form terminator metamorphic mirrors checkerboard
-             mirror_box numeric_error accuracy_scenes area_lights many_lights path paths_in_lanes ao disabled error_coverage
+             mirror_box numeric_error accuracy_scenes area_lights many_lights path ao disabled error_coverage
              goals resume several_devices sphere_cloud film filter glass
              ignored_surfaces albedo media media_edges open_media ranked_media grids scattering
              strict_normals panes passing coincident moments last_rays refused without_threads film_parts)
   strahl_test(render/test_${name}.cpp LABEL render)
 endforeach()
+strahl_test(render/test_paths_in_lanes.cpp LABEL render LIBS strahl_selftest)
 strahl_test(render/test_limitations.cpp LABEL unit)
 strahl_test(render/test_error_sums.cpp LABEL unit)
 strahl_test(render/test_error_of_few_pixels.cpp LABEL unit)
