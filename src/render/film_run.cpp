@@ -271,6 +271,7 @@ void require_reachable(const RenderGoal& goal, const RenderSettings& settings) {
 
 RenderResult Renderer::render(const ProgressCallback& progress, const RenderGoal& goal, const FilmKeeper* keeper) {
   require_reachable(goal, state_->settings);
+  const OneAtATime one(state_->is_rendering);
   if (!goal.rows) return FilmRun(*state_, goal, progress, keeper).run();
   if (!state_->helpers.empty()) throw UsageError("some rows of a picture are rendered by one device");
   if (state_->film_kind() == FilmKind::splats) throw UsageError("light paths end in any row of the picture");

@@ -62,7 +62,7 @@ void PassPlan::cannot_estimate() {
 void PassPlan::estimated(const std::optional<ErrorEstimate>& error) {
   const double wanted = *goal_.max_error;
   double factor = 2;
-  if (error) {
+  if (error && std::isfinite(error->rmse_high)) {
     if (is_reached(*error, wanted)) {
       ending_ = Ending::error;
       return;

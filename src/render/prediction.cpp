@@ -31,6 +31,10 @@ constexpr double least_spread = 0.05;
 /// The fewest samples that allow an estimate of the error.
 constexpr double told_from = 4;
 
+/// The standard deviation of the logarithm of what is log-normal and has that relative one. They agree where both are
+/// small; an error that few samples tell may be off by a thousand times what they say.
+double of_logarithm(double spread) { return std::sqrt(std::log1p(spread * spread)); }
+
 struct ImaginedRun {
   double seconds = 0, spp = 0, rmse = 0;
 };
@@ -99,14 +103,21 @@ Range range_of(std::vector<double> values) {
 
 ErrorTrend error_trend(const std::vector<Look>& looks, double common_spread) {
   const Look& last = looks.back();
-  ErrorTrend law{last.spp,  last.mse,  unseen_exponent, std::hypot(last.spread, common_spread), unseen_exponent_spread,
-                 last.told, last.upper};
+  const double common = of_logarithm(common_spread);
+  ErrorTrend law{last.spp,
+                 last.mse,
+                 unseen_exponent,
+                 std::hypot(of_logarithm(last.spread), common),
+                 unseen_exponent_spread,
+                 of_logarithm(last.told),
+                 last.upper};
   // Weighted least squares of log mse on log (spp / last.spp).
   double w = 0, x = 0, y = 0, xx = 0, xy = 0;
   int seen = 0;
   for (const Look& look : looks) {
     if (!(look.mse > 0)) continue;
-    const double weight = 1 / (look.spread * look.spread + least_spread * least_spread);
+    const double spread = of_logarithm(look.spread);
+    const double weight = 1 / (spread * spread + least_spread * least_spread);
     const double log_n = std::log(look.spp / last.spp), log_mse = std::log(look.mse);
     w += weight;
     x += weight * log_n;
@@ -120,7 +131,7 @@ ErrorTrend error_trend(const std::vector<Look>& looks, double common_spread) {
   law.exponent = -(w * xy - x * y) / determinant;
   law.mse = std::exp((xx * y - x * xy) / determinant);
   law.exponent_spread = std::hypot(std::sqrt(w / determinant), bend);
-  law.mse_spread = std::hypot(std::sqrt(xx / determinant), common_spread);
+  law.mse_spread = std::hypot(std::sqrt(xx / determinant), common);
   return law;
 }
 

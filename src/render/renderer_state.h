@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <atomic>
 #include <functional>
 #include <map>
 #include <memory>
@@ -10,6 +11,7 @@
 #include <tuple>
 #include <vector>
 
+#include "errors.h"
 #include "kinds/integrators.h"
 #include "opencl/program.h"
 #include "opencl/tuned_width.h"
@@ -40,6 +42,24 @@ class RowsOnly {
  private:
   Window& window_;
   Window whole_;
+};
+
+/// A picture that is being made, while this lives: a renderer has one film.
+class OneAtATime {
+ public:
+  /// Throws UsageError where there is another.
+  explicit OneAtATime(std::atomic<bool>& is_rendering) : is_rendering_(is_rendering) {
+    if (is_rendering_.exchange(true))
+      throw UsageError(
+          "Renderer::render() was called while it makes a picture, by its callback or another thread: make another "
+          "Renderer for that");
+  }
+  ~OneAtATime() { is_rendering_ = false; }
+  OneAtATime(const OneAtATime&) = delete;
+  OneAtATime& operator=(const OneAtATime&) = delete;
+
+ private:
+  std::atomic<bool>& is_rendering_;
 };
 
 struct Renderer::State {
@@ -156,9 +176,10 @@ struct Renderer::State {
   std::optional<LaunchPlan> last_plan;  ///< Of this picture or an earlier one: it knows the device's rate.
   bool has_tree = true;
   int samples_at_once = 1;
-  double rate = 0;                              ///< Pixel samples a second beside other devices; 0: not known yet.
-  std::string fault;                            ///< Why it takes no part any more; empty: it does.
-  bool is_helper = false;                       ///< Of another device's pictures.
+  double rate = 0;         ///< Pixel samples a second beside other devices; 0: not known yet.
+  std::string fault;       ///< Why it takes no part any more; empty: it does.
+  bool is_helper = false;  ///< Of another device's pictures.
+  std::atomic<bool> is_rendering = false;
   std::vector<std::unique_ptr<State>> helpers;  ///< Other devices that share this one's pictures.
   cl::Buffer aov_reals, aov_ints, counters;
   FilmBuffer film;

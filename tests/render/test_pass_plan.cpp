@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // How many samples come next: towards a number, a deadline, an error.
 #include <catch2/catch.hpp>
+#include <limits>
 
 #include "render/pass_plan.h"
 
@@ -32,6 +33,19 @@ TEST_CASE("with a deadline, a pass takes two fifths of the time that is left") {
   CHECK(plan.next(0.001, 10)->first == 83);
   CHECK_FALSE(plan.next(0.001, 0));
   CHECK(plan.ending() == Ending::deadline);
+}
+
+TEST_CASE("an error that is no number is no answer") {
+  RenderGoal goal;
+  goal.max_error = 0.1;
+  PassPlan plan(goal, 1000);
+  int done = 0;
+  while (const std::optional<Pass> pass = plan.next(0.1, 1)) {
+    REQUIRE(pass->count > 0);
+    done += pass->count;
+    plan.estimated(error_of(std::numeric_limits<double>::quiet_NaN()));
+  }
+  CHECK(done == 1000);
 }
 
 TEST_CASE("an error is looked at where it may be reached") {

@@ -106,6 +106,23 @@ TEST_CASE("a number of samples, and a time") {
   CHECK(predict(law, costs, {1 << 21, 1e-9, 60.0}).seconds.middle == Approx(60));  // What holds first.
 }
 
+TEST_CASE("an error that nearly all of the samples say nothing of is predicted, if badly") {
+  for (const double spread : {1.0, 30.0, 1e4, 1e8}) {
+    INFO(spread);
+    const std::vector<Look> looks{{8, 1e-10, spread, relative_upper(spread), spread}};
+    for (const std::optional<double> max_error : {std::optional<double>(), std::optional<double>(1e-3)}) {
+      const Prediction p =
+          predict(error_trend(looks, spread), {0, 0, {{8, 1.0}}, 0, 0, 0, 0}, {1 << 21, max_error, std::nullopt});
+      REQUIRE(p.rmse);
+      CHECK(std::isfinite(p.rmse->high));
+      CHECK(p.rmse->low <= p.rmse->middle);
+      CHECK(p.rmse->middle <= p.rmse->high);
+      CHECK(p.spp.high <= 1 << 21);
+      CHECK(p.spp.low >= 8);
+    }
+  }
+}
+
 TEST_CASE("the intervals hold in nine of ten runs") {
   std::mt19937_64 random(7);
   std::normal_distribution<double> normal;

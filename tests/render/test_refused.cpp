@@ -126,6 +126,21 @@ TEST_CASE("settings that cannot be are refused, with what may stand") {
   });
 }
 
+TEST_CASE("a renderer makes one picture at a time") {
+  Renderer renderer(Device::open("pocl"), small_scene(scene_folder / "lecture/lit.xml", 16, 16, 8), {});
+  const RenderResult expected = renderer.render();
+  int refused = 0;
+  const RenderResult result = renderer.render([&](const Progress&) {
+    CHECK_THROWS_AS(renderer.render(), UsageError);
+    ++refused;
+    return true;
+  });
+  CHECK(refused > 0);
+  CHECK(same_bits(result.color, expected.color));
+  CHECK_THROWS_AS(renderer.render([](const Progress&) -> bool { throw 1; }), int);
+  CHECK(same_bits(renderer.render().color, expected.color));
+}
+
 TEST_CASE("goals that cannot be reached are refused") {
   const Device device = pocl();
   Renderer renderer(device, lit_sphere());
