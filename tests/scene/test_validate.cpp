@@ -134,6 +134,9 @@ TEST_CASE("faults of everything else") {
   check_changed("\"a\" and \"a\" have the channel a.X in common", [](Scene& s) {
     s.integrator.aovs = {{"a", Aov::position}, {"b", Aov::normal}, {"a", Aov::normal}};
   });
+  check_changed("has 251 bytes; a file holds 250", [](Scene& s) {
+    s.integrator.aovs = {{std::string(251, 'x'), Aov::depth}};
+  });
   check_changed("numeric_error, which scenes cannot name", [](Scene& s) {
     s.integrator.aovs = {{"a", Aov::numeric_error}};
   });
