@@ -126,6 +126,14 @@ TEST_CASE("settings that cannot be are refused, with what may stand") {
   });
 }
 
+TEST_CASE("rays are traced once or more often") {
+  Intersector intersector(pocl(), lit_sphere());
+  const std::vector<Ray> rays{{{0, 0, 0}, {0, 0, 1}}};
+  for (const int repeat : {0, -1}) CHECK_THROWS_AS(intersector.trace(rays, false, repeat), UsageError);
+  CHECK(intersector.trace(rays, false, 2)[0].t == Approx(4));
+  CHECK(intersector.stats().kernel_runs.size() == 2);
+}
+
 TEST_CASE("goals that cannot be reached are refused") {
   const Device device = pocl();
   Renderer renderer(device, lit_sphere());
@@ -154,6 +162,18 @@ TEST_CASE("goals that cannot be reached are refused") {
   CHECK_THROWS_WITH(again.render({}, goal), Contains("numeric_error traces the scene once more"));
   goal.is_pilot = true;
   CHECK(again.render({}, goal).complete);
+
+  goal = {};
+  RenderSettings split;
+  split.passes = 2;
+  Renderer in_passes(device, lit_sphere(), split);
+  goal.spp = 2;
+  CHECK(in_passes.render({}, goal).complete);
+  goal.max_error = 0.5;
+  CHECK_THROWS_WITH(in_passes.render({}, goal), Contains("passes splits a number of samples that is known"));
+  goal.max_error.reset();
+  goal.deadline = later(Clock::now(), 60);
+  refused(in_passes, goal);
 
   goal = {};
   constexpr int most = std::numeric_limits<int>::max();
