@@ -260,9 +260,6 @@ void require_reachable(const RenderGoal& goal, const RenderSettings& settings) {
     throw UsageError(
         "the AOV numeric_error traces the scene once more after the last sample, and a deadline leaves no time for it: "
         "leave it out of RenderSettings::aovs, or state spp or max_error in the deadline's place");
-  if (goal.is_open() && settings.passes)
-    throw UsageError(
-        "passes splits a number of samples that is known; with a deadline or max_error it is not: leave one out");
   if (!goal.max_error) return;
   if (!(*goal.max_error > 0))
     throw UsageError(fmt::format("an error to reach is greater than 0, and max_error is {}", *goal.max_error));
