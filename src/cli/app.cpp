@@ -144,7 +144,8 @@ ExitCode run(std::vector<std::string> arguments, const Invocation& invocation) {
   }
   const auto chosen =
       std::find_if(commands.begin(), commands.end(), [](const auto& command) { return command.first->parsed(); });
-  if (const std::string fault = program_cache_fault(); !fault.empty()) say("strahl: warning: " + fault);
+  for (const std::string& fault : {program_cache_fault(), program_cache_size_fault()})
+    if (!fault.empty()) say("strahl: warning: " + fault);
   return chosen->second();
 }
 

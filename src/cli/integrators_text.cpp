@@ -14,6 +14,9 @@ using Json = nlohmann::ordered_json;
 std::string time_text(const IntegratorCost& cost) {
   if (!cost.has_finite_samples) return "not known: samples were not finite";
   if (!cost.seconds || !cost.spp) return "no noise seen";
+  if (cost.is_beyond_film)
+    return fmt::format("more than {:.3g} s: {:.3g} spp, all that the film holds, are too few", cost.seconds->middle,
+                       cost.spp->middle);
   return fmt::format("{:.3g} s ({:.2g} to {:.2g}), {:.3g} spp", cost.seconds->middle, cost.seconds->low,
                      cost.seconds->high, cost.spp->middle);
 }
@@ -54,7 +57,8 @@ Json integrators_json(const IntegratorCosts& costs) {
                     {"mean", is_measured ? Json(cost.mean) : Json(nullptr)},
                     {"has_finite_samples", is_measured ? Json(cost.has_finite_samples) : Json(nullptr)},
                     {"seconds", range_json(cost.seconds)},
-                    {"spp", range_json(cost.spp)}});
+                    {"spp", range_json(cost.spp)},
+                    {"is_beyond_film", is_measured ? Json(cost.is_beyond_film) : Json(nullptr)}});
   }
   return {{"rmse", costs.rmse},   {"share", costs.share},   {"pilot_seconds", costs.pilot_seconds},
           {"width", costs.width}, {"height", costs.height}, {"confidence", prediction_confidence},

@@ -50,6 +50,15 @@ class MemoryStream : public Imf::OStream {
   std::size_t position_ = 0;
 };
 
+/// OpenEXR cuts longer names without a word, and channels that are alike from then on would be one.
+void check_names(const Image& image, const std::string& path) {
+  constexpr std::size_t longest = 255;
+  for (const std::string& name : image.channels)
+    if (name.size() > longest)
+      throw Error(fmt::format("cannot write \"{}\": a channel's name has {} bytes, and an EXR file holds {}: \"{}\"",
+                              path, name.size(), longest, name));
+}
+
 /// The file is complete when this returns.
 void write_pixels(const Imf::Header& header, const Imf::FrameBuffer& pixels, int height, Imf::OStream& stream) {
   Imf::OutputFile output(stream, header);
@@ -60,6 +69,7 @@ void write_pixels(const Imf::Header& header, const Imf::FrameBuffer& pixels, int
 }  // namespace
 
 WriteReport write_exr(const Image& image, const std::string& path) {
+  check_names(image, path);
   AtomicFile file(path);
   try {
     Imf::Header header(image.width, image.height);

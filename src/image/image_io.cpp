@@ -13,6 +13,7 @@
 
 #include "errors.h"
 #include "image/codecs.h"
+#include "image/colour_channels.h"
 #include "image/file_bytes.h"
 
 namespace strahl {
@@ -32,6 +33,14 @@ void check_image(const Image& image) {
   }
 }
 
+/// PNG and PFM hold a colour and nothing else.
+void check_colour(const Image& image, const std::string& path) {
+  if (colour_channels(image).empty())
+    throw Error(
+        fmt::format("\"{}\" would be empty: its format holds a colour, and the picture's channels, {}, have none", path,
+                    fmt::join(image.channels, ", ")));
+}
+
 }  // namespace
 
 ImageFormat image_format(const std::string& path) {
@@ -49,6 +58,7 @@ ImageFormat image_format(const std::string& path) {
 WriteReport write_image(const Image& image, const std::string& path, const PngOptions& png) {
   const ImageFormat format = image_format(path);
   check_image(image);
+  if (format != ImageFormat::exr) check_colour(image, path);
   switch (format) {
     case ImageFormat::png:
       return write_png(image, path, png);

@@ -28,8 +28,11 @@ struct WriteReport {
   double clipping_rmse = 0;  ///< ... and outside of it, both over all finite values.
 };
 
-/// PNG: the first three channels (or one: grey) in sRGB with the metadata as text chunks. EXR: all channels as
-/// 32-bit float, ZIP, metadata as string attributes. PFM: three channels or one, little-endian, bottom row first.
+/// PNG: the picture's colour in sRGB with the metadata as text chunks. EXR: all channels as 32-bit float, ZIP, metadata
+/// as string attributes. PFM: the picture's colour, little-endian, bottom row first.
+/// A picture's colour are the first three channels of its first layer ("LAYER.CHANNEL"), without those named A, which
+/// is alpha: one of them is grey, two are red and green beside a blue of 0. Error where there are none, and for names
+/// that an EXR would cut: more than 255 bytes.
 WriteReport write_image(const Image& image, const std::string& path, const PngOptions& png = {});
 
 /// Linear floats of a PNG (sRGB decoded), EXR (all channels, any compression, half/float/uint) or PFM file.

@@ -33,20 +33,31 @@ void read_bytes(png_structp png, png_bytep data, std::size_t size) {
   source.position += size;
 }
 
+/// Once it is expanded.
+std::size_t channels_of(const Reader& reader) {
+  const int type = png_get_color_type(reader.png, reader.info);
+  const bool has_alpha =
+      (type & PNG_COLOR_MASK_ALPHA) != 0 || png_get_valid(reader.png, reader.info, PNG_INFO_tRNS) != 0;
+  return ((type & PNG_COLOR_MASK_COLOR) != 0 ? 3U : 1U) + (has_alpha ? 1U : 0U);
+}
+
 PngCodes decode(const Reader& reader, const std::string& bytes, const PngCheck& check, const PngVisit& visit) {
   Source source{bytes};
   png_set_read_fn(reader.png, &source, read_bytes);
+  // libpng's own are a million, and its refusal tells no more than that the header is invalid; `check` says what is.
+  png_set_user_limits(reader.png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
   png_read_info(reader.png, reader.info);
+  check(static_cast<int>(png_get_image_width(reader.png, reader.info)),
+        static_cast<int>(png_get_image_height(reader.png, reader.info)), channels_of(reader), bytes.size());
   png_set_expand(reader.png);  // Palettes, 1 to 4 bits and transparent colours to 8 bits or more.
   png_set_interlace_handling(reader.png);
-  png_read_update_info(reader.png, reader.info);
+  png_read_update_info(reader.png, reader.info);  // Takes memory for a row: not before the check.
 
   PngCodes codes;
   codes.width = static_cast<int>(png_get_image_width(reader.png, reader.info));
   codes.height = static_cast<int>(png_get_image_height(reader.png, reader.info));
   codes.channels = png_get_channels(reader.png, reader.info);
   codes.is_wide = png_get_bit_depth(reader.png, reader.info) == 16;
-  check(codes.width, codes.height, codes.channels, bytes.size());
 
   const std::size_t row_bytes = png_get_rowbytes(reader.png, reader.info);
   codes.bytes.resize(row_bytes * static_cast<std::size_t>(codes.height));

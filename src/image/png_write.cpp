@@ -106,6 +106,7 @@ WriteReport write_png(const Image& image, const std::string& path, const PngOpti
     const Writer writer;
     if (!writer.info) throw std::bad_alloc();
     png_set_write_fn(writer.png, &file, write_bytes, flush_nothing);
+    png_set_user_limits(writer.png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);  // libpng's own are a million.
     png_set_IHDR(writer.png, writer.info, static_cast<png_uint_32>(image.width), static_cast<png_uint_32>(image.height),
                  options.bits, grey ? PNG_COLOR_TYPE_GRAY : PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
                  PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);

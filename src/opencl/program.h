@@ -54,5 +54,7 @@ std::size_t clear_program_cache();
 [[nodiscard]] std::string program_cache_directory();
 /// Why the directory is not used, with the remedy: somebody else could put programs there. Empty: nothing is wrong.
 [[nodiscard]] std::string program_cache_fault();
+/// Why STRAHL_CACHE_MIB is not heeded, and what is in its place. Empty: nothing is wrong.
+[[nodiscard]] std::string program_cache_size_fault();
 
 }  // namespace strahl

@@ -15,6 +15,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <string_view>
 
 #include "opencl/program.h"
@@ -82,14 +83,22 @@ fs::path cached_file(const std::string& name, const std::string& key) {
   return fs::path(program_cache_directory()) / fmt::format("{}-{:016x}.program", name, fnv1a(key));
 }
 
+constexpr const char* size_variable = "STRAHL_CACHE_MIB";
+constexpr std::uintmax_t usual_mebibytes = 512;
+
+/// None where it is no whole number.
+std::optional<std::uintmax_t> most_mebibytes() {
+  const char* stated = variable_of(size_variable);
+  if (stated == nullptr) return usual_mebibytes;
+  std::uintmax_t mebibytes = 0;
+  const auto [end, error] = std::from_chars(stated, stated + std::strlen(stated), mebibytes);
+  if (error != std::errc() || *end != 0) return std::nullopt;
+  return mebibytes;
+}
+
 std::uintmax_t most_bytes() {
   constexpr std::uintmax_t mebibyte = 1 << 20;
-  std::uintmax_t mebibytes = 512;
-  if (const char* stated = variable_of("STRAHL_CACHE_MIB"); stated != nullptr) {
-    const auto [end, error] = std::from_chars(stated, stated + std::strlen(stated), mebibytes);
-    if (error != std::errc() || *end != 0) mebibytes = 512;
-  }
-  return std::min(mebibytes, UINTMAX_MAX / mebibyte) * mebibyte;
+  return std::min(most_mebibytes().value_or(usual_mebibytes), UINTMAX_MAX / mebibyte) * mebibyte;
 }
 
 /// Until what is left fits; `newest` stays. Another process may remove files at the same time.
@@ -135,6 +144,12 @@ std::string program_cache_fault() {
       "the program cache \"{}\" is not used, because others can write to it: {}, or name another folder "
       "with STRAHL_CACHE_DIR",
       directory, remedy);
+}
+
+std::string program_cache_size_fault() {
+  if (most_mebibytes()) return {};
+  return fmt::format("{} is \"{}\", which is no whole number of MiB: the program cache holds {} MiB", size_variable,
+                     variable_of(size_variable), usual_mebibytes);
 }
 
 std::string program_cache_directory() { return program_cache_fault().empty() ? named_directory() : std::string(); }

@@ -34,6 +34,11 @@ KernelFiles read_directory(const fs::path& directory) {
   } catch (const fs::filesystem_error& error) {
     throw Error(fmt::format("STRAHL_KERNEL_DIR must name the directory cl/ of a strahl source tree: {}", error.what()));
   }
+  if (!files.contains("features.def"))
+    throw Error(
+        fmt::format("STRAHL_KERNEL_DIR must name the directory cl/ of a strahl source tree: \"{}\" has no "
+                    "features.def",
+                    directory.string()));
   return files;
 }
 

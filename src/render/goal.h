@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 
@@ -11,10 +12,12 @@ namespace strahl {
 
 using Clock = std::chrono::steady_clock;
 
-/// No further than 31 years off, so that a clock of 64-bit nanoseconds holds it.
+/// No further than 31 years off, and from a time within half of what a clock of 64-bit nanoseconds holds, so that it
+/// holds what comes out, and how long that is from now. No number: the time itself.
 [[nodiscard]] inline Clock::time_point later(Clock::time_point time, double seconds) {
-  const std::chrono::duration<double> span(std::clamp(seconds, -1e9, 1e9));
-  return time + std::chrono::duration_cast<Clock::duration>(span);
+  constexpr Clock::time_point latest{Clock::duration::max() / 2}, earliest{Clock::duration::min() / 2};
+  const std::chrono::duration<double> span(std::isnan(seconds) ? 0 : std::clamp(seconds, -1e9, 1e9));
+  return std::clamp(time, earliest, latest) + std::chrono::duration_cast<Clock::duration>(span);
 }
 
 /// Some rows of a picture, counted from its window's first.

@@ -361,9 +361,10 @@ Intersector& Intersector::operator=(Intersector&&) noexcept = default;
 const RunStats& Intersector::stats() const { return state_->stats; }
 
 std::vector<Hit> Intersector::trace(const std::vector<Ray>& rays, bool any_hit, int repeat) {
+  if (repeat < 1) throw UsageError(fmt::format("repeat is {}; rays are traced 1 time or more", repeat));
   State& s = *state_;
   std::vector<Hit> hits(rays.size());
-  std::vector<double> run_seconds(static_cast<std::size_t>(std::max(repeat, 1)), 0.0);
+  std::vector<double> run_seconds(static_cast<std::size_t>(repeat), 0.0);
   if (s.precision == Precision::fp64)
     s.trace<double>(rays, any_hit, run_seconds, hits);
   else

@@ -48,8 +48,8 @@ class Intersector {
 
   /// any_hit: t is 0 if anything is hit; ids and the rest are those of a miss. It has a program of its own. Each
   /// program is compiled on first use, which counts as stats().seconds.program. `repeat` traces that many times:
-  /// stats().seconds.kernel is the median. Throws InputError for a `shape` or `primitive` that does not exist, and
-  /// KernelBuildError.
+  /// stats().seconds.kernel is the median. Throws UsageError for a `repeat` below 1, InputError for a `shape`
+  /// or `primitive` that does not exist, and KernelBuildError.
   [[nodiscard]] std::vector<Hit> trace(const std::vector<Ray>& rays, bool any_hit = false, int repeat = 1);
   [[nodiscard]] const RunStats& stats() const;
 

@@ -306,6 +306,7 @@ std::vector<Diagnostic> validate_picture(const Scene& scene) {
   check_film(scene.film, check);
   check.at(scene.sampler.where);
   check.require(scene.sampler.sample_count.value_or(1) >= 1, "sample_count must be at least 1");
+  check.require(scene.sampler.seed.value_or(0) >= 0, "seed must be at least 0");
   check.at(scene.integrator.where);
   check_integrator_name(scene.integrator.name, check);
   check.require(scene.integrator.max_depth >= -1, "max_depth must be -1 (no limit) or more");

@@ -58,7 +58,8 @@ struct RenderSettings {
   bool coherent = false;
   std::optional<WorkGroup> work_group;  ///< None: by the device.
   bool error_map = false;               ///< The estimate of each pixel too.
-  std::optional<int> passes;            ///< Split the samples into this many passes; none: by measured time.
+  std::optional<int> passes;            ///< Split the samples into this many passes; none: by measured time. Of a
+                                        ///< goal that is open (RenderGoal): the samples between two looks at it.
   /// The device ends the loops of a work-item after so many turns in sum; none: it does not. Where it does, the program
   /// tells of every work-item whether that came to pass, which is then asked again. Nobody asks the device on the
   /// caller's behalf: it is TierVerdict::loop_turns of choose_tier() (trust/tier_choice.h), and without it pictures and

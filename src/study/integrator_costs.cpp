@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "errors.h"
 #include "kinds/integrators.h"
@@ -84,8 +83,9 @@ void weigh_exponent(bool is_independent, ErrorTrend& law) {
   law.exponent_spread = 1 / std::sqrt(known + measured);
 }
 
-/// factor: of the scene's pixels to the pilot's.
-void set_prediction(const Pilot& pilot, bool is_independent, double rmse, double factor, IntegratorCost& cost) {
+/// factor: of the scene's pixels to the pilot's; most: samples that the film of the scene's picture holds.
+void set_prediction(const Pilot& pilot, bool is_independent, double rmse, double factor, int most,
+                    IntegratorCost& cost) {
   if (pilot.not_finite > 0 || pilot.looks.empty() || !(pilot.looks.back().mse > 0) || !(rmse > 0)) return;
   RunCosts costs;
   costs.passes = pilot.passes;
@@ -93,13 +93,21 @@ void set_prediction(const Pilot& pilot, bool is_independent, double rmse, double
   costs.spread = pilot.spread;
   costs.look = factor * pilot.look_seconds;
   PredictedGoal goal;
-  goal.spp = std::numeric_limits<int>::max();
+  goal.spp = most;
   goal.max_error = rmse;
   ErrorTrend law = error_trend(pilot.looks, pilot.common_spread);
   weigh_exponent(is_independent, law);
   const Prediction found = predict(law, costs, goal);
   cost.seconds = found.seconds;
   cost.spp = found.spp;
+  cost.is_beyond_film = found.spp.middle >= most;
+}
+
+int most_samples(const Film& film, const RenderSettings& settings, const std::string& integrator) {
+  Scene picture;
+  picture.film = film;
+  picture.integrator.name = integrator;
+  return Renderer::most_samples(picture, settings);
 }
 
 std::string simplified(Scene scene, const std::string& name) {
@@ -177,7 +185,9 @@ IntegratorCosts measure_integrators(const Device& device, const Scene& scene, co
   const bool is_independent = resolve_sampling(scene).kind == SamplerKind::independent;
   costs.rmse = share * (own > 0 ? own : brightest);
   for (Piloted& one : all) {
-    if (one.cost.refused.empty()) set_prediction(one.pilot, is_independent, costs.rmse, factor, one.cost);
+    if (one.cost.refused.empty())
+      set_prediction(one.pilot, is_independent, costs.rmse, factor,
+                     most_samples(scene.film, plain, one.cost.integrator), one.cost);
     costs.integrators.push_back(std::move(one.cost));
   }
   if (progress) progress(1);

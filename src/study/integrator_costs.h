@@ -23,8 +23,9 @@ struct IntegratorCost {
   std::optional<double> build_seconds;  ///< Of its program; none where it was kept.
   double sample_seconds = 0;            ///< Of one sample of every pixel of the scene's picture, building aside.
   double mean = 0;                      ///< Of the pilot's picture.
-  std::optional<Range> seconds, spp;    ///< To the error, though it may need more samples than a film holds (max_spp);
-                                        ///< none where the pilot saw no noise, or samples that are not finite.
+  std::optional<Range> seconds, spp;    ///< To the error, but to no more samples than the film holds; none where the
+                                        ///< pilot saw no noise, or samples that are not finite.
+  bool is_beyond_film = false;          ///< The film ends it before the error is reached, by the middle of `spp`.
   bool has_finite_samples = true;       ///< Of the pilot: else its error is not known, nor when it would end.
 };
 

@@ -91,6 +91,31 @@ TEST_CASE("a box under a large lamp is had sooner from the camera; what is refus
         std::string::npos);
 }
 
+TEST_CASE("where the film holds too few samples for the error, that is said") {
+  const Folder folder;
+  folder.file("scene.xml", box);
+  const std::vector<std::string> arguments{"explain", "scene.xml", "--cost", "integrators", "--among",     "path",
+                                           "--pilot", "0.3",       "-d",     "pocl",        "--precision", "stable"};
+  const auto also = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> all = arguments;
+    all.insert(all.end(), more.begin(), more.end());
+    const Outcome outcome = folder.run(all);
+    INFO(outcome.err);
+    REQUIRE(outcome.code == 0);
+    return outcome.out;
+  };
+  const auto path = [&](const std::string& share) {
+    return Json::parse(also({"--json", "--error-share", share})).at("integrators").at("integrators").at(0);
+  };
+  const Json far = path("1e-6");
+  CHECK(far.at("is_beyond_film") == true);
+  CHECK(far.at("spp").at("middle") == 1 << 21);
+  CHECK(far.at("spp").at("high") == 1 << 21);
+  CHECK(seconds(far, "middle") > 0);
+  CHECK(contains(also({"--error-share", "1e-6"}), " s: 2.1e+06 spp, all that the film holds, are too few"));
+  CHECK(path("0.05").at("is_beyond_film") == false);
+}
+
 TEST_CASE("the error is the scene's own, whichever integrators are compared") {
   const Folder folder;
   // Half of the light of path, which is the scene's, comes from the floor's second bounce and is not whitted's.

@@ -53,6 +53,23 @@ Imath::Box2i box(int left, int top, int right, int bottom) { return {{left, top}
 
 }  // namespace
 
+TEST_CASE("names of channels that a file would cut are refused") {
+  const TemporaryFolder folder;
+  const std::string path = folder / "a.exr";
+  const auto of = [](std::size_t size) {
+    const std::string layer(size - 2, 'x');
+    return picture(2, 2, {layer + ".X", layer + ".Y", layer + ".Z"}, {1, 2, 3});
+  };
+  for (const std::size_t size : {256, 302}) {
+    CHECK_THROWS_AS(write_image(of(size), path), Error);
+    CHECK_THROWS_WITH(write_image(of(size), path),
+                      Contains(std::to_string(size) + " bytes, and an EXR file holds 255"));
+  }
+  CHECK(folder.names().empty());
+  write_image(of(255), path);
+  CHECK(read_image(path).channels == of(255).channels);
+}
+
 TEST_CASE("values survive bit by bit, whatever the channels") {
   const TemporaryFolder folder;
   const std::string path = folder / "a.exr";

@@ -46,6 +46,19 @@ TEST_CASE("pictures that are none are not written") {
   CHECK(folder.names().empty());
 }
 
+TEST_CASE("a picture without a colour is no PNG and no PFM") {
+  const TemporaryFolder folder;
+  for (const std::string name : {"a.png", "a.pfm"})
+    CHECK_THROWS_WITH(write_image(picture(2, 2, {"A"}, {1}), folder / name), Contains("channels, A, have none"));
+  CHECK(folder.names().empty());
+  write_image(picture(2, 2, {"A"}, {1}), folder / "a.exr");
+  CHECK(read_image(folder / "a.exr").channels == std::vector<std::string>{"A"});
+  write_image(picture(2, 2, {"A", "B"}, {0.25F, 0.75F}), folder / "a.pfm");
+  CHECK(read_image(folder / "a.pfm").data == std::vector<float>(4, 0.75F));
+  write_image(picture(1, 1, {"U", "V"}, {0.25F, 0.75F}), folder / "a.pfm");
+  CHECK(read_image(folder / "a.pfm").data == std::vector<float>{0.25F, 0.75F, 0});
+}
+
 TEST_CASE("a file of one format under the name of another") {
   const TemporaryFolder folder;
   const Image image = picture(2, 2, {"R", "G", "B"}, {0.5F});

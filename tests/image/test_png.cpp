@@ -213,6 +213,19 @@ TEST_CASE("colour types that strahl does not write") {
   }
 }
 
+TEST_CASE("pictures of more than a million pixels along a side") {
+  const TemporaryFolder folder;
+  const std::string path = folder / "a.png";
+  for (const auto& [width, height] : {std::pair(1000001, 1), {1, 1000001}}) {
+    const Image image = picture(width, height, {"Y"}, {0, 1});
+    write_image(image, path);
+    CHECK(read_image(path).data == image.data);
+  }
+  // Colours of a palette with its own alpha are four channels, as grey with one that is transparent is two.
+  put_png(path, {1, 1, 8, PNG_COLOR_TYPE_PALETTE, {{0}}, 0, 0, {{255, 0, 0}}, {128}});
+  CHECK(read_image(path).channels.size() == 4);
+}
+
 TEST_CASE("damaged PNG files") {
   const TemporaryFolder folder;
   const auto read = [](const std::string& name) { return read_image(name); };

@@ -224,6 +224,11 @@ TEST_CASE("images with a side that kernels cannot tell the places of are refused
   CHECK_NOTHROW(check_texel_count("a.pfm", 1, longest));
   for (const auto& [width, height] : {std::pair(longest + 1, 1), {1, longest + 1}})
     CHECK_THROWS_WITH(check_texel_count("a.pfm", width, height), Contains("a side of an image has at most 16777216"));
+  // Of a PNG libpng's own limit is a million: it must not speak first.
+  const std::string png = std::string("\x89PNG\r\n\x1a\n\0\0\0\x0dIHDR", 16) + be32(longest + 1) + be32(1) +
+                          std::string("\x08\x02\0\0\0\x4d\xe1\x8a\x5b", 9) +
+                          std::string("\0\0\0\0IDAT\x35\xaf\x06\x1e", 12);
+  CHECK_THROWS_WITH(Read()("wide.png", png), Contains("a side of an image has at most 16777216"));
 }
 
 TEST_CASE("a file of another kind says which are read") {

@@ -188,6 +188,20 @@ TEST_CASE("Beyond its limit the cache forgets what was used longest ago") {
   unsetenv("STRAHL_CACHE_MIB");
 }
 
+TEST_CASE("A limit of the cache that is no whole number of MiB is told") {
+  for (const char* wrong : {"4G", "1.5", "x", "1e3", "-1", " 8", "99999999999999999999999"}) {
+    setenv("STRAHL_CACHE_MIB", wrong, 1);
+    CHECK_THAT(program_cache_size_fault(),
+               Contains("STRAHL_CACHE_MIB is \"" + std::string(wrong) + "\"") && Contains("holds 512 MiB"));
+  }
+  for (const char* right : {"", "0", "1", "4096", "18446744073709551615"}) {
+    setenv("STRAHL_CACHE_MIB", right, 1);
+    CHECK(program_cache_size_fault().empty());
+  }
+  unsetenv("STRAHL_CACHE_MIB");
+  CHECK(program_cache_size_fault().empty());
+}
+
 TEST_CASE("A hundred processes share a cache that is too small for them") {
   const OwnCache cache;
   setenv("STRAHL_CACHE_MIB", "1", 1);

@@ -217,6 +217,8 @@ TEST_CASE("The embedded files are those of the source tree") {
   }
   setenv("STRAHL_KERNEL_DIR", STRAHL_SOURCE_DIR "/nowhere", 1);
   CHECK_THROWS_AS(kernel_files(), Error);
+  setenv("STRAHL_KERNEL_DIR", STRAHL_SOURCE_DIR "/docs", 1);
+  CHECK_THROWS_WITH(kernel_files(), Catch::Contains("STRAHL_KERNEL_DIR") && Catch::Contains("has no features.def"));
   unsetenv("STRAHL_KERNEL_DIR");
 }
 

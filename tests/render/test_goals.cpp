@@ -18,6 +18,35 @@ RenderGoal within(double seconds) {
   return goal;
 }
 
+TEST_CASE("a time that is later is so for all times and all seconds") {
+  using Limits = std::numeric_limits<double>;
+  const Clock::time_point now = Clock::now();
+  CHECK(later(now, 1.5) - now == std::chrono::milliseconds(1500));
+  CHECK(later(now, -1.5) - now == -std::chrono::milliseconds(1500));
+  CHECK(later(now, Limits::quiet_NaN()) == now);
+  for (const double seconds : {-Limits::infinity(), -1e300, -1e9, -0.1, 0.0, 0.1, 1e9, 1e300, Limits::infinity()}) {
+    INFO(seconds);
+    const auto away = [&](Clock::time_point time) {
+      return std::chrono::duration<double>(later(time, seconds) - now).count();
+    };
+    CHECK(away(Clock::time_point::min()) < -1e9);
+    CHECK(away(Clock::time_point::max()) > 1e9);
+  }
+}
+
+TEST_CASE("a deadline that was long ago leaves no time, and one that never comes ends nothing") {
+  require_pocl_and_rusticl();
+  Renderer renderer(Device::open("pocl"), cornell());
+  RenderGoal goal;
+  goal.deadline = Clock::time_point::min();
+  CHECK(renderer.render({}, goal).ending == Ending::deadline);
+  goal.deadline = Clock::time_point::max();
+  goal.spp = 2;
+  const RenderResult all = renderer.render({}, goal);
+  CHECK(all.ending == Ending::samples);
+  CHECK(all.stats.least_spp == 2);
+}
+
 TEST_CASE("a deadline ends it, pixels at most one sample apart") {
   require_pocl_and_rusticl();
   Renderer renderer(Device::open("pocl"), cornell());

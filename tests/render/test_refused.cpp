@@ -118,6 +118,9 @@ TEST_CASE("settings that cannot be are refused, with what may stand") {
   refused("passes is 0", [](RenderSettings& s) { s.passes = 0; });
   for (const Aov aov : {Aov::xyz, Aov::xyz_squared})
     refused("has a layer only by a name", [&](RenderSettings& s) { s.aovs = {aov, Aov::depth}; });
+  refused("has 251 bytes; a file holds 250", [](RenderSettings& s) {
+    s.aovs.add(NamedAov{std::string(251, 'a'), Aov::uv});
+  });
   refused("\"a\" and \"a\" have the channel a.X in common", [](RenderSettings& s) {
     s.aovs.add(NamedAov{"a", Aov::uv});
     s.aovs.add(NamedAov{"a", Aov::position});
@@ -139,6 +142,14 @@ TEST_CASE("a renderer makes one picture at a time") {
   CHECK(same_bits(result.color, expected.color));
   CHECK_THROWS_AS(renderer.render([](const Progress&) -> bool { throw 1; }), int);
   CHECK(same_bits(renderer.render().color, expected.color));
+}
+
+TEST_CASE("rays are traced once or more often") {
+  Intersector intersector(pocl(), lit_sphere());
+  const std::vector<Ray> rays{{{0, 0, 0}, {0, 0, 1}}};
+  for (const int repeat : {0, -1}) CHECK_THROWS_AS(intersector.trace(rays, false, repeat), UsageError);
+  CHECK(intersector.trace(rays, false, 2)[0].t == Approx(4));
+  CHECK(intersector.stats().kernel_runs.size() == 2);
 }
 
 TEST_CASE("goals that cannot be reached are refused") {

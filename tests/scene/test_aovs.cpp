@@ -119,6 +119,13 @@ TEST_CASE("faulty parts are errors") {
   }
   CHECK_THAT(problems(around(aov(std::string(251, 'n') + ":depth"))).at(0), Contains("has 251 bytes"));
   CHECK(problems(around(aov(std::string(250, 'n') + ":depth"))).empty());
+  const auto moment = [](std::size_t size) {
+    return problems(around("<integrator type=\"moment\"><integrator type=\"path\" name=\"" + std::string(size, 'n') +
+                           "\"/></integrator>"));
+  };
+  REQUIRE(moment(248).size() == 1);
+  CHECK_THAT(moment(248)[0], Contains("2:1: error") && Contains("has 251 bytes"));
+  CHECK(moment(247).empty());
 }
 
 TEST_CASE("no two have a channel in common") {

@@ -226,6 +226,15 @@ TEST_CASE("below a turbidity of 2 the sky is that of 2, and the sun that of the 
   CHECK(sun("1.5") > sun("2"));
 }
 
+TEST_CASE("a turbidity that is refused is not taken for another as well") {
+  for (const char* wrong : {"0.5", "-1", "11"}) {
+    const std::vector<std::string> found = problems(
+        around("<emitter type=\"sunsky\"><float name=\"turbidity\" value=\"" + std::string(wrong) + "\"/></emitter>"));
+    REQUIRE(found.size() == 1);
+    CHECK_THAT(found[0], Catch::Contains("error: turbidity must lie between 1 and 10"));
+  }
+}
+
 TEST_CASE("what a sky would drop is told") {
   const std::string sky = "<emitter type=\"sunsky\"><vector name=\"sun_direction\" value=\"0, 0, 1\"/>";
   const std::vector<std::string> twice = problems(around(sky + "<float name=\"hour\" value=\"9\"/></emitter>"));

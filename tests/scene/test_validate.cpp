@@ -134,6 +134,9 @@ TEST_CASE("faults of everything else") {
   check_changed("\"a\" and \"a\" have the channel a.X in common", [](Scene& s) {
     s.integrator.aovs = {{"a", Aov::position}, {"b", Aov::normal}, {"a", Aov::normal}};
   });
+  check_changed("has 251 bytes; a file holds 250", [](Scene& s) {
+    s.integrator.aovs = {{std::string(251, 'x'), Aov::depth}};
+  });
   check_changed("numeric_error, which scenes cannot name", [](Scene& s) {
     s.integrator.aovs = {{"a", Aov::numeric_error}};
   });
@@ -145,6 +148,7 @@ TEST_CASE("faults of everything else") {
   check_changed("stddev", [](Scene& s) { s.film.filter.stddev = 0; });
   check_changed("stddev is 1000000000 pixels; at most 256", [](Scene& s) { s.film.filter.stddev = 1e9; });
   check_changed("radius is 1000000000 pixels; at most 1024", [](Scene& s) { s.film.filter.radius = 1e9; });
+  check_changed("seed must be at least 0", [](Scene& s) { s.sampler.seed = -1; });
   check_changed("sample_count", [](Scene& s) { s.sampler.sample_count = 0; });
   check_changed("max_depth", [](Scene& s) { s.integrator.max_depth = -2; });
   check_changed("no name", [](Scene& s) { s.integrator.name.clear(); });

@@ -31,6 +31,13 @@ TEST_CASE("normalisation neither overflows nor underflows") {
   }
 }
 
+TEST_CASE("what has no direction is no unit vector") {
+  for (const Vec3& none : {Vec3{}, Vec3{-0.0, 0, 0}, Vec3{std::nan(""), 1, 0}, Vec3{1, 0, std::nan("")}}) {
+    const Vec3 n = normalized(none);
+    CHECK((std::isnan(n.x) && std::isnan(n.y) && std::isnan(n.z)));
+  }
+}
+
 TEST_CASE("orthonormal basis is right-handed everywhere") {
   std::mt19937 random(1);
   std::normal_distribution<double> gauss;

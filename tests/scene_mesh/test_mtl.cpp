@@ -157,6 +157,14 @@ TEST_CASE("what an MTL file gets wrong") {
           "m.mtl:2:1: warning: Kd -1 is outside [0, 1] and is clamped\n"
           "m.mtl:3:1: warning: Ke -1 is outside [0, inf] and is clamped\n");
   }
+  SECTION("what is out of range the same way in a line is told once") {
+    const auto [material, warnings] = read("newmtl a\nKd 2\nKs 3 0.5 3\n");
+    CHECK(material.reflectance == Rgb{1, 1, 1});
+    CHECK(material.specular == Rgb{1, 0.5, 1});
+    CHECK(warnings ==
+          "m.mtl:2:1: warning: Kd 2 is outside [0, 1] and is clamped\n"
+          "m.mtl:3:1: warning: Ks 3 is outside [0, 1] and is clamped\n");
+  }
   SECTION("lines that cannot be read") {
     const auto [material, warnings] = read("Kd 1 1 1\nnewmtl a\nKd 1 1\nKd a b c\nKd\n");
     CHECK(material.reflectance == Rgb{0.5, 0.5, 0.5});

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Reads what MeshMaterial holds. What has no counterpart (Ka, other maps, sharpness) is passed over in silence. Values
-// outside [0, 1] (Kd, Ks, Tf, d) and below 0 (Ke, Ns) are clamped with a warning.
+// outside [0, 1] (Kd, Ks, Tf, d, Tr), [0.001, 10] (Ni) or [0, 10] (illum) and below 0 (Ke, Ns) are clamped with a
+// warning.
 #include "scene/meshes/mtl_reader.h"
 
 #include <fmt/format.h>
@@ -9,6 +10,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <set>
 
 #include "scene/meshes/mesh_source.h"
 #include "scene/meshes/mtl_map.h"
@@ -130,13 +132,14 @@ class MtlReader {
       return std::nullopt;
     }
     if (n == 1) values[1] = values[2] = values[0];
-    Rgb color{values[0], values[1], values[2]};
-    for (double* c : {&color.r, &color.g, &color.b}) {
-      if (*c >= 0 && *c <= most) continue;
-      source_.warn(at, fmt::format("{} {} is outside [0, {}] and is clamped", name, *c, most));
-      *c = std::clamp(*c, 0.0, most);
+    std::set<double> told;
+    for (double& value : values) {
+      if (value >= 0 && value <= most) continue;
+      if (told.insert(value).second)
+        source_.warn(at, fmt::format("{} {} is outside [0, {}] and is clamped", name, value, most));
+      value = std::clamp(value, 0.0, most);
     }
-    return color;
+    return Rgb{values[0], values[1], values[2]};
   }
 
   std::optional<MeshTexture> read_map(TextCursor& cursor, const char* at, const char* name) {

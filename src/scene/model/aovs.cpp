@@ -50,6 +50,11 @@ std::vector<std::string> aov_faults(const std::vector<NamedAov>& aovs) {
           "the AOV \"{}\" is numeric_error, which scenes cannot name: ask for it in RenderSettings::aovs", named.name));
       continue;
     }
+    if (named.name.size() > longest_layer_name) {
+      faults.push_back(fmt::format("the name of the AOV \"{}\" has {} bytes; a file holds {}", named.name,
+                                   named.name.size(), longest_layer_name));
+      continue;
+    }
     for (const std::string& channel : channels_of(named)) {
       const auto [owner, is_new] = owners.try_emplace(channel, named.name);
       if (is_new) continue;

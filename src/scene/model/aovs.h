@@ -30,7 +30,7 @@ inline constexpr std::size_t longest_layer_name = 250;
 [[nodiscard]] std::vector<std::string> channels_of(const NamedAov& named);
 
 /// Why a file could not hold them side by side, a sentence each: two have a channel in common, or one is
-/// numeric_error, which has no such name.
+/// numeric_error, which has no such name, or has a name that is too long.
 [[nodiscard]] std::vector<std::string> aov_faults(const std::vector<NamedAov>& aovs);
 
 }  // namespace strahl

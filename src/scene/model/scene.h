@@ -102,7 +102,9 @@ struct MeshAttribute {
 /// Triangles over shared vertices; `normals` and `uvs` are empty or as long as `positions`.
 struct Mesh {
   std::vector<Vec3> positions;
-  std::vector<Vec3> normals;  ///< Unit; empty: shade with the face normal.
+  /// Finite. They are interpolated as they are, so that lengths weigh them; readers make units of those of a file.
+  /// Empty, or where 0 comes out: shade with the face normal.
+  std::vector<Vec3> normals;
   std::vector<Vec2> uvs;
   std::vector<std::array<int, 3>> triangles;
   std::vector<MeshPart> parts;            ///< Empty: the shape's own material and radiance hold everywhere.

@@ -21,7 +21,7 @@ double largest_component(const Vec3& v) { return std::max({std::fabs(v.x), std::
 
 Vec3 normalized(const Vec3& v) {
   const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-  const int exponent = std::ilogb(largest);
+  const int exponent = largest > 0 ? std::ilogb(largest) : 0;  // Of 0 and of no number it is one that has no negative.
   const Vec3 scaled{std::scalbn(v.x, -exponent), std::scalbn(v.y, -exponent), std::scalbn(v.z, -exponent)};
   const double norm = std::sqrt(dot(scaled, scaled));
   return {scaled.x / norm, scaled.y / norm, scaled.z / norm};

@@ -61,6 +61,7 @@ void report_without_effect(Properties& properties, const std::string& name, std:
   const kinds::IntegratorFacts& facts = kinds::integrator(name);
   if (!facts.asks_openness) report("max_distance", "");
   if (facts.follows != kinds::Follows::paths) report("rr_depth", "");
+  if (!facts.shows_emission) report("hide_emitters", "");
   if (!max_depth || facts.has_depth()) return;
   if (!facts.shows_emission) return report("max_depth", "");
   const int deepest = facts.follows == kinds::Follows::one_way ? 2 : 1;

@@ -29,11 +29,6 @@ IntegratorSettings read_moment(Properties& properties, SceneBuilder& builder) {
   take_inner(name, properties.where(), builder.diagnostics, integrator.aovs);
   integrator.aovs.push_back({name, Aov::xyz});
   integrator.aovs.push_back({"m2_" + name, Aov::xyz_squared});
-  for (const NamedAov& named : integrator.aovs)
-    if (named.name.size() > longest_layer_name)
-      builder.diagnostics.error(properties.where(),
-                                fmt::format("the layer \"{}\" has a name of {} bytes; a file holds {}", named.name,
-                                            named.name.size(), longest_layer_name));
   integrator.aovs_where = properties.where();
   properties.report_unknown();
   return integrator;

@@ -58,10 +58,11 @@ Vec3 in_model(const Vec3& direction, const std::array<Vec3, 3>& axes) {
 
 Daylight read_daylight(Properties& properties, bool is_y_up) {
   Daylight light;
-  light.turbidity = properties.number("turbidity").value_or(light.turbidity);
-  if (!(light.turbidity >= 1 && light.turbidity <= 10))
+  const double turbidity = properties.number("turbidity").value_or(light.turbidity);
+  if (turbidity >= 1 && turbidity <= 10)
+    light.turbidity = turbidity;
+  else
     properties.diagnostics().error(properties.where("turbidity"), "turbidity must lie between 1 and 10");
-  light.turbidity = std::clamp(light.turbidity, 1.0, 10.0);
   const Transform to_world = properties.transform("to_world").value_or(Transform{});
   const std::array<Vec3, 3> units{normalized(to_world.column(0)), normalized(to_world.column(1)),
                                   normalized(to_world.column(2))};
