@@ -3,7 +3,7 @@
 // sequence of all paths of the picture, or of all that go into one sum, so that Sobol points spread evenly over the
 // whole picture's paths: the sequence's number stands in for the pixel, and the place in it for the sample. One width;
 // no guard.
-#include "light_rays/light_ray_lanes.h"
+#include "lights/leaving_lanes.h"
 
 /// Samples that begin, a lane each.
 typedef struct {

@@ -14,3 +14,21 @@ FN LightSample_w directionalarea_sample_w(const Scene* scene, GLOBAL const int* 
   s.is_delta = ~none_w();
   return s;
 }
+
+#if HAS_LIGHT_PATHS
+/// What flows through the surface is its exitance, as Mitsuba 3 has it under the name of radiance.
+FN LightRay_w directionalarea_ray_w(const Scene* scene, GLOBAL const int* row, LightNumbers_w numbers, Real2_w way) {
+  (void)way;
+  LightRay_w ray = area_place_w(scene, row, numbers);
+  ray.way = ray.normal;
+  ray.flux = scale3_w(splat_w(R(1.0) / scene->shading[row[LIGHT_REALS] + AREA_INVERSE]), ray.flux);
+  return ray;
+}
+
+FN realw directionalarea_spread_w(const Scene* scene, GLOBAL const int* row, real3w way) {
+  (void)scene;
+  (void)row;
+  (void)way;
+  return splat_w(REAL_MAX);
+}
+#endif

@@ -29,7 +29,6 @@ const std::map<std::string, std::string>& needed() {
       {"RELIEF", "a normal map is a material inside it; that can take its place in the scene"},
       {"choosers", "lights are drawn by it; --light-choice takes another one"},
       {"LIGHT_PATHS", "integrators ptracer and bdpt are nothing else; --integrator takes another one"},
-      {"light_rays", "paths begin on lights by it; the light itself can be left out"},
       {"OPENNESS", "integrator ao is nothing else; --integrator takes another one"},
       {"media", "MEDIA can be left out, and all media with it"},
       {"phases", "a medium needs its phase function; MEDIA can be left out"},
@@ -80,8 +79,6 @@ std::set<std::string> disabled_effects(const std::set<std::string>& disabled) {
   if (names.contains("EMISSION")) names.insert({"lights/area", "lights/directionalarea"});
   if (names.contains("lights/area") && names.contains("lights/directionalarea"))
     for (const std::string& area : list_entries("areas")) names.insert("areas/" + area);
-  for (const std::string& light : list_entries("lights"))
-    if (names.contains("lights/" + light)) names.insert("light_rays/" + light);
   return names;
 }
 

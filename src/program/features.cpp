@@ -156,7 +156,6 @@ void shape_causes(const Scene& scene, const RenderSettings& settings, Causes& ca
       if (!reflects || area.empty() || !causes.allow("areas/" + area) || !causes.allow("lights/" + light)) return;
       call_for(causes, "areas/" + area, "an area emitter on a " + kind, where);
       call_for(causes, "lights/" + light, "an area emitter", where);
-      if (integrator.from_lights) call_for(causes, "light_rays/" + light, "paths that begin on an area emitter", where);
     };
     bool reads_uv = false;
     if (lit && shape.radiance) {
@@ -236,8 +235,6 @@ void light_causes(const Scene& scene, Causes& causes) {
     if (facts.is_beam && !integrator.from_lights) continue;
     const std::string kind = facts.entry, effect = "lights/" + kind;
     call_for(causes, effect, "an emitter of type " + kind, light.where);
-    if (integrator.from_lights && causes.contains(effect))
-      call_for(causes, "light_rays/" + kind, "paths that begin on an emitter of type " + kind, light.where);
     causes.background = causes.background || (facts.is_background && causes.contains(effect));
     if (facts.is_sun && causes.contains(effect)) call_for(causes, "SUN", "an emitter of type sun", light.where);
     if (causes.contains(effect)) use_light_texture(scene, kinds::light_texture(light), causes);

@@ -47,7 +47,8 @@ const std::string lane_table = "lanes/lane_table.h";
 
 class Expander {
  public:
-  Expander(const KernelFiles& files, const ActiveEntries& active) : files_(files), active_(active) {
+  Expander(const KernelFiles& files, const ActiveEntries& active, const ActiveFeatures& features)
+      : files_(files), active_(active), features_(features.begin(), features.end()) {
     for (const std::string& folder : list_folders(files)) {
       const std::vector<std::string> entries = list_entries(files, folder);
       entries_[folder] = {entries.begin(), entries.end()};
@@ -71,21 +72,44 @@ class Expander {
 
  private:
   void add_file(const std::string& path) {
-    const std::vector<KernelLine> lines = kernel_lines(files_.at(path));
+    std::vector<KernelLine> lines = kernel_lines(files_.at(path));
     const std::string guard = include_guard(lines);
     if (!guard.empty() && conditionals_ == 0) present_.insert(path);
     open_.push_back(path);
     if (!guard.empty()) --conditionals_;  // its own #ifndef is true where the file is not present yet
     const std::string name = path.substr(path.rfind('/') + 1);
+    const bool is_include_list = name == "all.h" || name == "all_lanes.h" || name == "all_surfaces_lanes.h";
+    if (is_include_list || entry_of(path)) settle_sections(path, lines);
     if (path.ends_with(".def")) {
       add_def(path, lines);
-    } else if (name == "all.h" || name == "all_lanes.h" || name == "all_surfaces_lanes.h") {
+    } else if (is_include_list) {
       add_include_list(path, lines, guard);
     } else {
       add_code(path, lines);
     }
     if (!guard.empty()) ++conditionals_;
     open_.pop_back();
+  }
+
+  /// Of `#if HAS_X` ... `#endif` empties these two lines, and what is between them where the feature is off. Empty
+  /// lines at the end go, so that a program without the feature has the text as if there were no section.
+  void settle_sections(const std::string& path, std::vector<KernelLine>& lines) const {
+    int depth = 0;
+    bool is_on = true;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      const auto [word, macro] = directive(lines[i].bare);
+      const bool begins = depth == 0 && macro.starts_with("HAS_") && lines[i].bare == "#if " + macro;
+      if (depth == 0 && !begins) continue;
+      if (depth == 1 && (word == "else" || word == "elif")) fail(path, i + 1, "a feature's section has no #" + word);
+      depth += conditional_step(lines[i].bare);
+      if (begins) {
+        const auto feature = features_.find(macro.substr(std::string("HAS_").size()));
+        is_on = feature == features_.end() || feature->second;
+      }
+      if (begins || depth == 0 || !is_on) lines[i] = {};
+    }
+    if (depth > 0) fail(path, lines.size(), "a feature's section has no #endif");
+    while (!lines.empty() && lines.back().text.empty()) lines.pop_back();
   }
 
   void add_code(const std::string& path, const std::vector<KernelLine>& lines) {
@@ -168,16 +192,21 @@ class Expander {
       fail(path, line, fmt::format("includes \"{}\", which is being included: {}", include, fmt::join(open_, " > ")));
     }
     if (present_.contains(include)) return false;
-    // An entry's own files: shapes/sphere/sphere.h as well as materials/diffuse.h.
-    const std::string folder = folder_of(include), parent = folder_of(folder);
+    const auto entry = entry_of(include);
+    return !entry || is_active(entry->first, entry->second);
+  }
+
+  /// List and name of the entry whose own file this is: shapes/sphere/sphere.h as well as materials/diffuse.h.
+  std::optional<std::pair<std::string, std::string>> entry_of(const std::string& path) const {
+    const std::string folder = folder_of(path), parent = folder_of(folder);
     for (const std::string ending : {"_surfaces_lanes.h", "_lanes.h", ".h"}) {
-      if (!include.ends_with(ending)) continue;
-      const std::string entry = include.substr(folder.size() + 1, include.size() - folder.size() - 1 - ending.size());
+      if (!path.ends_with(ending)) continue;
+      const std::string entry = path.substr(folder.size() + 1, path.size() - folder.size() - 1 - ending.size());
       const std::string owner = folder == parent + '/' + entry ? parent : folder;
       const auto list = entries_.find(owner);
-      if (list != entries_.end() && list->second.contains(entry)) return is_active(owner, entry);
+      if (list != entries_.end() && list->second.contains(entry)) return std::pair(owner, entry);
     }
-    return true;
+    return std::nullopt;
   }
 
   void add_line_directive(const std::string& path, std::size_t line) {
@@ -186,6 +215,7 @@ class Expander {
 
   const KernelFiles& files_;
   const ActiveEntries& active_;
+  const std::map<std::string, bool> features_;
   std::map<std::string, std::set<std::string>> entries_;
   std::set<std::string> present_;        ///< Guarded files that stand in the text outside every #if.
   std::vector<std::string> open_;        ///< From the root to the file being expanded.
@@ -234,8 +264,9 @@ std::vector<std::string> list_folders(const KernelFiles& files) {
   return folders;
 }
 
-std::string expand_kernel(const KernelFiles& files, const std::string& root, const ActiveEntries& active) {
-  return Expander(files, active).expand(root);
+std::string expand_kernel(const KernelFiles& files, const std::string& root, const ActiveEntries& active,
+                          const ActiveFeatures& features) {
+  return Expander(files, active, features).expand(root);
 }
 
 /// Packing a scene and checking what was packed ask for hundreds of entries.
@@ -253,8 +284,8 @@ std::vector<std::string> list_entries(const std::string& folder) {
 }
 std::vector<std::pair<std::string, std::string>> list_features() { return list_features(kernel_files()); }
 std::vector<std::string> list_folders() { return list_folders(kernel_files()); }
-std::string expand_kernel(const std::string& root, const ActiveEntries& active) {
-  return expand_kernel(kernel_files(), root, active);
+std::string expand_kernel(const std::string& root, const ActiveEntries& active, const ActiveFeatures& features) {
+  return expand_kernel(kernel_files(), root, active, features);
 }
 
 }  // namespace strahl

@@ -13,9 +13,10 @@
 // `"shapes/sphere/sphere_lanes.h"` and `"shapes/sphere/sphere_surfaces_lanes.h"` are dropped where `sphere` is an entry
 // of shapes/shapes.def that is not active. What several entries share is included by a list file (all.h, all_lanes.h,
 // all_surfaces_lanes.h) with their names, `#include "math/roots.h"  // of sphere, disk` (or `// not of box`), and
-// dropped where none of them (no other one) is active. So a program's text does not change when somebody adds an effect
-// that it does not use; for the same reason neither .def files nor the list files, which hold includes only, put #line
-// directives of their own into the text.
+// dropped where none of them (no other one) is active. In list files and entries' own files a section `#if HAS_X` ...
+// `#endif` is left out where the feature is off, and stands without these two lines where it is on. So a program's text
+// does not change when somebody adds an effect that it does not use; for the same reason neither .def files nor the
+// list files, which hold includes only, put #line directives of their own into the text.
 #pragma once
 
 #include <map>
@@ -32,6 +33,9 @@ namespace strahl {
 /// is complete: every entry is active (what --generic and the lint use).
 using ActiveEntries = std::map<std::string, std::set<std::string>>;
 
+/// Features of cl/features.def, and whether they are on; one that is absent here is on.
+using ActiveFeatures = std::vector<std::pair<std::string, bool>>;
+
 /// Names of the entries of cl/<folder>/<folder>.def in file order; throws std::logic_error for an unknown list.
 [[nodiscard]] std::vector<std::string> list_entries(const std::string& folder);
 /// Entries of cl/features.def: name and reason.
@@ -42,12 +46,14 @@ using ActiveEntries = std::map<std::string, std::set<std::string>>;
 /// The expanded text of `root` (a path below cl/, "kernels/render.cl"). Throws std::logic_error that names the
 /// including file and line where an include is missing or goes in a circle, where a list holds something else than
 /// entries, and where `active` names what is in no list.
-[[nodiscard]] std::string expand_kernel(const std::string& root, const ActiveEntries& active);
+[[nodiscard]] std::string expand_kernel(const std::string& root, const ActiveEntries& active,
+                                        const ActiveFeatures& features = {});
 
 // The same on files of one's own.
 [[nodiscard]] std::vector<std::string> list_entries(const KernelFiles& files, const std::string& folder);
 [[nodiscard]] std::vector<std::pair<std::string, std::string>> list_features(const KernelFiles& files);
 [[nodiscard]] std::vector<std::string> list_folders(const KernelFiles& files);
-[[nodiscard]] std::string expand_kernel(const KernelFiles& files, const std::string& root, const ActiveEntries& active);
+[[nodiscard]] std::string expand_kernel(const KernelFiles& files, const std::string& root, const ActiveEntries& active,
+                                        const ActiveFeatures& features = {});
 
 }  // namespace strahl

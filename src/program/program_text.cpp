@@ -26,7 +26,7 @@ ProgramSource program_source(const KernelFiles& files, const std::string& root, 
   if (lanes == 1 && tree_width == 2) source.text += "#define SCALAR_TREE_WIDTH 2\n";
   source.text += fmt::format("#define HAS_TREE {}\n", has_tree ? 1 : 0);
   for (const auto& [name, on] : features.flags) source.text += fmt::format("#define HAS_{} {}\n", name, on ? 1 : 0);
-  source.text += expand_kernel(files, root, features.entries);
+  source.text += expand_kernel(files, root, features.entries, features.flags);
   return source;
 }
 

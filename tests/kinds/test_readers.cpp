@@ -64,9 +64,6 @@ Used of_body(const std::string& body) {
   return used;
 }
 
-// One without its ray would be black under ptracer.
-TEST_CASE("paths can begin on every light") { CHECK(entries("light_rays") == entries("lights")); }
-
 /// what: the variant.
 template <typename Variant>
 void check_alternatives(const std::string& what, const std::set<std::size_t>& used) {

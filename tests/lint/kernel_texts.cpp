@@ -89,8 +89,7 @@ struct Wanted {
   std::string name;
 };
 
-/// Programs of light paths have an integrator of them whatever else they have, and for a way to leave a light the
-/// light.
+/// Programs of light paths have an integrator of them whatever else they have.
 Features completed(const std::string& kernel, Features features) {
   const bool has_both_ends = kernel == "bidirectional" || features.has("integrators", "bdpt");
   const bool has_paths = kernel == "light_tracing" || has_both_ends || features.has("integrators", "ptracer") ||
@@ -98,7 +97,6 @@ Features completed(const std::string& kernel, Features features) {
   for (auto& [name, on] : features.flags) on = on || (name == "LIGHT_PATHS" && has_paths);
   if (has_paths)
     features.entries["integrators"].insert(has_both_ends && kernel != "light_tracing" ? "bdpt" : "ptracer");
-  for (const std::string& entry : features.entries["light_rays"]) features.entries["lights"].insert(entry);
   return features;
 }
 

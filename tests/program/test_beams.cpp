@@ -36,7 +36,6 @@ TEST_CASE("Beams count where paths begin on lights") {
       const bool is_there = kinds::integrator(integrator).from_lights;
       const Features features = features_of(scene, {});
       CHECK(features.has("lights", kind) == is_there);
-      CHECK(features.has("light_rays", kind) == is_there);
       CHECK(features.has("areas", "sphere") == (is_there && kind == "directionalarea"));
       CHECK_FALSE(features.flag("EMISSION"));
       CHECK((beam_text_of(scene) == beam_text_of(without)) == !is_there);  // too long to be printed

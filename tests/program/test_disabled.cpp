@@ -44,7 +44,6 @@ TEST_CASE("What is disabled is off, whatever calls for it, and so is what means 
     settings.disabled = {"EMISSION"};
     for (const char* name : {"EMISSION", "lights/area", "areas/sphere", "areas/disk"}) check_off(name);
     settings.disabled = {"lights/area"};
-    check_off("light_rays/area");
     CHECK(report(settings, "areas/sphere").on == generic);  // Of directionalarea.
     settings.disabled = {"lights/area", "lights/directionalarea"};
     check_off("areas/sphere");
@@ -74,7 +73,7 @@ TEST_CASE("Effects that are unknown or needed cannot be disabled, and the messag
   CHECK_THAT(message("integrators/path"), Catch::Contains("--integrator"));
   CHECK_THAT(message("samplers/sobol"), Catch::Contains("--sampler"));
   CHECK_THAT(message("AOV"), Catch::Contains("--aov"));
-  const std::set<std::string> needed{"integrators", "samplers", "choosers", "light_rays", "media", "phases"};
+  const std::set<std::string> needed{"integrators", "samplers", "choosers", "media", "phases"};
   for (const std::string& list : list_folders())
     for (const std::string& entry : list_entries(list))
       CHECK((message(list + "/" + entry).empty()) == (!needed.contains(list)));

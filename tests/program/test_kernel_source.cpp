@@ -131,6 +131,32 @@ TEST_CASE("What entries share stands in the text where one of them is active") {
   CHECK_THROWS_WITH(expand(files), Contains("shapes/all.h:1: shapes/shapes.def has no entry \"torus\""));
 }
 
+TEST_CASE("A feature's sections of entries and of their lists stand in the texts that have it") {
+  const KernelFiles without = shape_files();
+  KernelFiles files = without;
+  files["shapes/glow.h"] = "GLOW\n";
+  files["shapes/all.h"] = "#if HAS_GLOW\n#include \"shapes/glow.h\"  // of sphere\n#endif\n" + files["shapes/all.h"];
+  files["shapes/sphere/sphere.h"] += "\n#if HAS_GLOW\n#if TIER_FAST\nDIM\n#else\nBRIGHT\n#endif\n#endif\n";
+  const auto text = [&](const ActiveFeatures& features, const ActiveEntries& active = {}) {
+    return expand_kernel(files, "kernels/render.cl", active, features);
+  };
+  CHECK(text({{"GLOW", false}}) == expand(without));
+  for (const ActiveFeatures& on : {ActiveFeatures{}, ActiveFeatures{{"GLOW", true}}}) {
+    CHECK_THAT(text(on), Contains("#line 1 \"shapes/glow.h\"\nGLOW\n") && !Contains("HAS_GLOW"));
+    CHECK_THAT(text(on), Contains("SPHERE\n\n\n#if TIER_FAST\nDIM\n#else\nBRIGHT\n#endif\n#line"));
+  }
+  CHECK(text({}, {{"shapes", {"plane"}}}) == expand(without, {{"shapes", {"plane"}}}));
+  // In the middle of a file line numbers stay; other files are the compiler's.
+  files["shapes/sphere/sphere.h"] = "#if HAS_GLOW\nA\n#endif\nSPHERE\n";
+  CHECK_THAT(text({{"GLOW", false}}), Contains("#line 1 \"shapes/sphere/sphere.h\"\n\n\n\nSPHERE\n"));
+  files["kernels/render.cl"] += "#if HAS_GLOW\nKERNEL\n#endif\n";
+  CHECK_THAT(text({{"GLOW", false}}), Contains("#if HAS_GLOW\nKERNEL\n#endif\n"));
+  files["shapes/sphere/sphere.h"] = "#if HAS_GLOW\nA\n#else\nB\n#endif\n";
+  CHECK_THROWS_WITH(text({}), Contains("shapes/sphere/sphere.h:3: a feature's section has no #else"));
+  files["shapes/sphere/sphere.h"] = "#if HAS_GLOW\nA\n";
+  CHECK_THROWS_WITH(text({}), Contains("shapes/sphere/sphere.h:2: a feature's section has no #endif"));
+}
+
 TEST_CASE("A direct include of an entry that is not active leaves the line numbers right") {
   KernelFiles files = shape_files();
   files["kernels/render.cl"] = "#include \"shapes/plane/plane.h\"\nnext\n";

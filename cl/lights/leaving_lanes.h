@@ -1,39 +1,16 @@
 // SPDX-License-Identifier: MIT
-// Rays that leave lights, and dispatch over the active lights, light by light. One width; no guard.
-
-#define PI R(3.14159265358979323846)
-
-typedef struct {
-  real3w from, way;  ///< way: unit.
-  real3w flux;       ///< What one such ray carries: radiance or intensity over the density with which it was drawn.
-  real3w normal;     ///< Of the light's surface, on the side that emits; undefined where it has none.
-  realw bound;       ///< The place may be so far off the surface.
-  maskw is_surface;  ///< The flux over pi leaves the place into each unit of solid angle, times the cosine.
-  maskw is_far;      ///< The light is infinitely far away.
-  realw inverse;     ///< One over the density of a far light's direction, per solid angle; of a surface 1; 0: no ray
-                     ///< finds the light.
-} LightRay_w;
-
-FN LightRay_w no_light_ray_w(void) {
-  LightRay_w ray;
-  realw zero = splat_w(R(0.0));
-  ray.from = ray.way = ray.flux = ray.normal = vec3_w(zero, zero, zero);
-  ray.bound = ray.inverse = zero;
-  ray.is_far = none_w();
-  ray.is_surface = none_w();
-  return ray;
-}
-
-#include "light_rays/all_lanes.h"
+// Rays that leave lights: dispatch over the active lights, light by light. One width; no guard.
 
 FN LightRay_w ray_of_light_w(const Scene* scene, int light, LightNumbers_w numbers, Real2_w way) {
   GLOBAL const int* row = light_row(scene, light);
   switch (row[LIGHT_KIND]) {
-#define LIGHT_RAY(name) \
-  case LIGHT_##name:    \
+#define LIGHT(name)  \
+  case LIGHT_##name: \
     return name##_ray_w(scene, row, numbers, way);
-#include "light_rays/light_rays.def"
-#undef LIGHT_RAY
+#define DELTA_LIGHT LIGHT
+#include "lights/lights.def"
+#undef DELTA_LIGHT
+#undef LIGHT
     default:
       (void)numbers;
       (void)way;
@@ -63,18 +40,20 @@ FN LightRay_w light_ray_w(const Scene* scene, maskw which, intw lights, LightNum
 FN realw spread_of_light_w(const Scene* scene, int light, real3w way) {
   GLOBAL const int* row = light_row(scene, light);
   switch (row[LIGHT_KIND]) {
-#define LIGHT_RAY(name) \
-  case LIGHT_##name:    \
+#define LIGHT(name)  \
+  case LIGHT_##name: \
     return name##_spread_w(scene, row, way);
-#include "light_rays/light_rays.def"
-#undef LIGHT_RAY
+#define DELTA_LIGHT LIGHT
+#include "lights/lights.def"
+#undef DELTA_LIGHT
+#undef LIGHT
     default:
       (void)way;
       return splat_w(R(1.0));
   }
 }
 
-/// name_spread of light_rays.def, of the lights of the lanes of `which`.
+/// name_spread of lights.def, of the lights of the lanes of `which`.
 FN realw light_spread_w(const Scene* scene, maskw which, intw lights, real3w way) {
   realw spread = splat_w(R(1.0));
   for (uint lanes = bits_w(which); lanes != 0u;) {
