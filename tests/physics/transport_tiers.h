@@ -108,6 +108,9 @@ struct TransportTier {
   /// Of a light of kind `area`.
   std::vector<AreaDraw> (*places)(const TierBuffers& scene, int light, const Triad& from,
                                   const std::vector<PlaceNumbers>& numbers);
+  /// Of `items`, by the table behind the `first` items of others (CHOICE_INTS an item).
+  std::vector<int> (*choose)(const std::vector<std::int32_t>& tables, int first, unsigned items,
+                             const std::vector<std::uint32_t>& numbers);
   /// As seen by an integrator's ray that a material has drawn.
   std::vector<Sight> (*look)(const TierBuffers& scene, const Triad& from, const std::vector<Triad>& directions);
   /// The density of a light in a direction that leads to none of its surfaces.

@@ -45,6 +45,20 @@ inline std::vector<LightDraw> LANED(draw_light)(const TierBuffers& buffers, int 
   return drawn;
 }
 
+inline std::vector<int> LANED(chosen_items)(const std::vector<std::int32_t>& tables, int first, unsigned items,
+                                            const std::vector<std::uint32_t>& numbers) {
+  std::vector<int> chosen(numbers.size());
+  for (std::size_t begin = 0; begin < numbers.size(); begin += LANES) {
+    intw number = splat_int_w(0);
+    LANED(for_lanes)
+    (begin, numbers.size(), [&](std::size_t i, int lane) { put_int_w(&number, lane, (int)numbers[i]); });
+    const intw item = chosen_item_w(tables.data(), splat_int_w(first), items, uint_of_int_w(number));
+    LANED(for_lanes)
+    (begin, numbers.size(), [&](std::size_t i, int lane) { chosen[i] = get_int_w(&item, lane); });
+  }
+  return chosen;
+}
+
 inline std::vector<AreaDraw> LANED(area_places)(const TierBuffers& buffers, int light, const Triad& from,
                                                 const std::vector<PlaceNumbers>& numbers) {
   const Scene scene = scene_of(buffers);
