@@ -78,10 +78,10 @@ class Renderer {
   [[nodiscard]] static int most_samples(const Scene& scene, const RenderSettings& settings);
 
   /// Each call renders the picture from the start. One call at a time, for a renderer has one film: UsageError for one
-  /// from the callback or from another thread; other renderers may render beside it. Throws as require_samples, UsageError for a goal that cannot be
-  /// reached (RenderGoal), NoDeviceError where the device ends loops before a sample is done
-  /// (RenderSettings::loop_turns). keeper, whose header is not installed (render/film_state.h): gets the film now
-  /// and then, or gives one to go on from; InputError where that is of another picture.
+  /// from the callback or from another thread; other renderers may render beside it. Throws as require_samples,
+  /// UsageError for a goal that cannot be reached (RenderGoal), NoDeviceError where the device ends loops before a
+  /// sample is done (RenderSettings::loop_turns). keeper, whose header is not installed (render/film_state.h): gets the
+  /// film now and then, or gives one to go on from; InputError where that is of another picture.
   [[nodiscard]] RenderResult render(const ProgressCallback& progress = {}, const RenderGoal& goal = {},
                                     const FilmKeeper* keeper = nullptr);
 
