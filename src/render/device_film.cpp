@@ -44,29 +44,30 @@ std::size_t largest_film_buffer(const DeviceInfo& device, bool is_helper) {
 }
 
 FilmBuffer::FilmBuffer(const Device& device, cl::Buffer buffer, std::size_t ahead)
-    : device_(device), buffer_(std::move(buffer)), ahead_(std::make_unique<Ahead>()) {
+    : device_(device), buffer_(std::move(buffer)) {
   if (device.info().type != "CPU") return;
-  const auto clear_ahead = [device, film = buffer_, ahead, &cleared = ahead_->cleared](const std::stop_token& stop) {
-    try {
-      for (std::size_t end; cleared < ahead && !stop.stop_requested(); cleared = end) {
-        end = std::min(cleared + bytes_ahead, ahead);
-        clear_bytes(device, film, cleared, end);
-      }
-    } catch (const DeviceError&) {
-      // clear() does the rest, and says what the device cannot do.
-    }
-  };
   try {
-    ahead_->thread = std::jthread(clear_ahead);
+    thread_ = std::jthread([this, ahead](const std::stop_token& stop) { clear_ahead(ahead, stop); });
   } catch (const std::system_error&) {
     // Without a thread clear() does all.
   }
 }
 
+void FilmBuffer::clear_ahead(std::size_t bytes, const std::stop_token& stop) {
+  try {
+    for (std::size_t end; cleared_ < bytes && !stop.stop_requested(); cleared_ = end) {
+      end = std::min(cleared_ + bytes_ahead, bytes);
+      clear_bytes(device_, buffer_, cleared_, end);
+    }
+  } catch (const DeviceError&) {
+    // clear() does the rest, and says what the device cannot do.
+  }
+}
+
 void FilmBuffer::clear(std::size_t bytes) {
-  ahead_->thread = {};  // Asks it to stop, and waits.
-  const std::size_t cleared = std::exchange(ahead_->cleared, 0);
-  if (cleared < bytes) clear_bytes(*device_, buffer_, cleared, bytes);
+  thread_ = {};  // Asks it to stop, and waits.
+  const std::size_t cleared = std::exchange(cleared_, 0);
+  if (cleared < bytes) clear_bytes(device_, buffer_, cleared, bytes);
 }
 
 MappedWords::MappedWords(const Device& device, const cl::Buffer& film, std::size_t first, std::size_t count)

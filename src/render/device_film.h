@@ -4,8 +4,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <memory>
-#include <optional>
 #include <span>
 #include <thread>
 
@@ -21,24 +19,22 @@ namespace strahl {
 /// a processor is the device a thread clears the buffer while the host goes on.
 class FilmBuffer {
  public:
-  FilmBuffer() = default;
   /// A new buffer of the device. ahead: the bytes that are cleared until clear() is called, as far as there is time.
   FilmBuffer(const Device& device, cl::Buffer buffer, std::size_t ahead);
+  FilmBuffer(const FilmBuffer&) = delete;
+  FilmBuffer& operator=(const FilmBuffer&) = delete;
 
   [[nodiscard]] const cl::Buffer& buffer() const { return buffer_; }
   /// Sets the first bytes to 0, in as many commands as the device may run at once. Blocking. Throws DeviceError.
   void clear(std::size_t bytes);
 
  private:
-  /// How far the thread has come. On the heap, so that the film may be moved.
-  struct Ahead {
-    std::size_t cleared = 0;
-    std::jthread thread;
-  };
+  void clear_ahead(std::size_t bytes, const std::stop_token& stop);
 
-  std::optional<Device> device_;
+  Device device_;
   cl::Buffer buffer_;
-  std::unique_ptr<Ahead> ahead_;
+  std::size_t cleared_ = 0;  ///< How far the thread has come.
+  std::jthread thread_;      ///< The last: it ends before what it uses.
 };
 
 /// A part of the film for the host to read, while this lives. On a CPU it is not copied.

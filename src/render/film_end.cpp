@@ -18,7 +18,7 @@ FilmRun::FilmPart FilmRun::part_at(int first, int count) const {
   if (!is_one_band()) return part;
   const auto pixel = static_cast<std::size_t>(first - above) * static_cast<std::size_t>(width_);
   const std::size_t per_pixel = film_.words_per_pixel();
-  part.on_device = std::make_unique<MappedWords>(state_.device, state_.film.buffer(), pixel * per_pixel,
+  part.on_device = std::make_unique<MappedWords>(state_.device, state_.film->buffer(), pixel * per_pixel,
                                                  part.rows.samples.size() * per_pixel);
   part.rows.words = part.on_device->words();
   return part;

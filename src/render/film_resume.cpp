@@ -47,7 +47,7 @@ bool FilmRun::go_on_from(const FilmState& state) {
   if (is_one_band()) {
     band_ = {0, height_};
     // Of several bands the device adds to no sums, and the host adds them up.
-    write_buffer(state_.device, state_.film.buffer(), state.film.words.data(), film_bytes(has.size()));
+    write_buffer(state_.device, state_.film->buffer(), state.film.words.data(), film_bytes(has.size()));
     begin_band();
   }
   run.seconds.readback += start.seconds();
@@ -133,7 +133,7 @@ FilmState FilmRun::state_now() {
   std::vector<std::int64_t>& words = state.film.words;
   if (is_one_band()) {  // The only copy, of tens of bytes a pixel and sum.
     words.resize(film_.samples.size() * film_.words_per_pixel());
-    read_buffer(state_.device, state_.film.buffer(), words.data(), film_bytes(film_.samples.size()));
+    read_buffer(state_.device, state_.film->buffer(), words.data(), film_bytes(film_.samples.size()));
   } else {
     words = film_.words;
     if (band_.count > 0) state.film.add_words(band_.first, band_words());

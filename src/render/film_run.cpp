@@ -99,7 +99,7 @@ bool FilmRun::report() {
 void FilmRun::clear(int rows, bool aovs_too) {
   const Stopwatch start;
   const std::size_t pixels = static_cast<std::size_t>(width_) * static_cast<std::size_t>(rows);
-  state_.film.clear(film_bytes(pixels));
+  state_.film->clear(film_bytes(pixels));
   checked(state_.device.info().text(), [&] {
     const cl::CommandQueue& queue = state_.device.queue();
     if (aovs_too && state_.has_aov()) {  // Pixels without a sample (interrupted) count as missed.
@@ -146,7 +146,7 @@ bool FilmRun::render_all_of(const Launch& all) {
 std::vector<std::int64_t> FilmRun::band_words() const {
   const std::size_t pixels = static_cast<std::size_t>(width_) * static_cast<std::size_t>(band_.count);
   std::vector<std::int64_t> words(pixels * film_.words_per_pixel());
-  read_buffer(state_.device, state_.film.buffer(), words.data(), film_bytes(pixels));
+  read_buffer(state_.device, state_.film->buffer(), words.data(), film_bytes(pixels));
   return words;
 }
 

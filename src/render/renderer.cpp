@@ -81,8 +81,8 @@ void Renderer::State::prepare() {
   aov_ints = allocate(device, aov_int_bytes(pixels), "the auxiliary ids");
   counters = allocate(device, layout::COUNTERS * sizeof(std::uint32_t) + done_bytes(pixels), "the counters");
   // While the program is built.
-  film = FilmBuffer(device, allocate(device, pixels * film_bytes_per_pixel(), "one band of the film"),
-                    pixels * likely_film_bytes_per_pixel());
+  film.emplace(device, allocate(device, pixels * film_bytes_per_pixel(), "one band of the film"),
+               pixels * film_bytes_per_pixel(film_sums(sampling.spp)));
   stats.seconds.bvh = buffers.tree.seconds;
   stats.seconds.upload = upload_start.seconds() - stats.seconds.bvh;
   stats.device_bytes = buffers.bytes + pixels * film_bytes_per_pixel() + aov_real_bytes(pixels) + aov_int_bytes(pixels);
@@ -120,10 +120,9 @@ int Renderer::State::span_columns(const Launch& l) const {
   return std::max(1, layout::POOL_PATHS / l.samples);
 }
 
-/// With fewer samples than sub-sums no error can be estimated, and one sum needs a quarter of the memory.
 SubSums Renderer::State::sub_sums(const RenderGoal& goal) const {
   const int spp = samples_of(goal);
-  if (!settings.estimate_error || spp < layout::FILM_SUBSUMS) return {1, 1, 0};
+  if (film_sums(spp) == 1) return {1, 1, 0};
   // Replicates of the whole picture.
   if (film_kind() == FilmKind::splats) return {layout::FILM_SUBSUMS, layout::FILM_SUBSUMS, 0};
   if (sampling.kind == SamplerKind::independent) return {layout::FILM_SUBSUMS, layout::FILM_SUBSUMS, 0};
@@ -141,7 +140,7 @@ void Renderer::State::launch(const Launch& l, int film_row) {
   checked(device.info().text(), [&] {
     cl_uint arg = 0;
     for (const cl::Buffer& buffer :
-         {buffers.geometry, buffers.shading, buffers.index, film.buffer(), aov_reals, aov_ints, counters})
+         {buffers.geometry, buffers.shading, buffers.index, film->buffer(), aov_reals, aov_ints, counters})
       kernel.setArg(arg++, buffer);
     const int film_first = (l.row_first - film_row) * window.width() + l.column_first;
     for (const int value : {scene.film.width, scene.film.height, window.x0 + l.column_first, window.y0 + l.row_first,

@@ -7,6 +7,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -112,10 +113,9 @@ struct Renderer::State {
   [[nodiscard]] std::size_t film_bytes_per_pixel() const {
     return film_bytes_per_pixel(film_kind() == FilmKind::splats && !settings.estimate_error ? 1 : layout::FILM_SUBSUMS);
   }
-  /// With the samples that the scene states.
-  [[nodiscard]] std::size_t likely_film_bytes_per_pixel() const {
-    const bool has_error = settings.estimate_error && sampling.spp >= layout::FILM_SUBSUMS;
-    return film_bytes_per_pixel(has_error ? layout::FILM_SUBSUMS : 1);
+  /// Of a pixel: with fewer samples than sub-sums no error can be estimated, and one sum needs a quarter of the memory.
+  [[nodiscard]] int film_sums(int spp) const {
+    return settings.estimate_error && spp >= layout::FILM_SUBSUMS ? layout::FILM_SUBSUMS : 1;
   }
 
   /// Behind the counters: how far each pixel has come.
@@ -182,7 +182,7 @@ struct Renderer::State {
   std::atomic<bool> is_rendering = false;
   std::vector<std::unique_ptr<State>> helpers;  ///< Other devices that share this one's pictures.
   cl::Buffer aov_reals, aov_ints, counters;
-  FilmBuffer film;
+  std::optional<FilmBuffer> film;
 };
 
 }  // namespace strahl

@@ -52,12 +52,12 @@ class LateFault {
   /// How many launches there were.
   [[nodiscard]] int launches(const std::vector<std::string>& more) const {
     const std::vector<std::string> all = calls(more);
-    return static_cast<int>(std::count(all.begin(), all.end(), launch));
+    return static_cast<int>(std::count(all.begin(), all.end(), launch_call));
   }
 
   /// Its last launch fails.
   [[nodiscard]] Outcome fail_last_launch(const std::vector<std::string>& more) const {
-    const std::string last = std::to_string(last_of(launch, calls(more)));
+    const std::string last = std::to_string(last_of(launch_call, calls(more)));
     return run(more, {{"STRAHL_CL_FAULT_CALL", last}, {"STRAHL_CL_FAULT_CODE", "-5"}});
   }
 
@@ -72,7 +72,6 @@ class LateFault {
 
   [[nodiscard]] const Folder& folder() const { return folder_; }
 
-  static constexpr const char* launch = "clEnqueueNDRangeKernel";
   std::vector<std::string> base{"s.xml", "--spp", "4", "--no-error", "-d", "pocl", "-q", "-o", "out.exr"};
 
  private:
@@ -146,7 +145,7 @@ TEST_CASE("rays are counted of the samples of a run that a time ended, however f
   Json counted;
   for (int seconds = 1; seconds <= 16 && (counted.is_null() || counted.at("most_spp") < 2); seconds *= 2) {
     const Outcome outcome =
-        late.run({"--time", std::to_string(2 * seconds) + "s"}, {{"STRAHL_CL_FAULT_NAME", LateFault::launch},
+        late.run({"--time", std::to_string(2 * seconds) + "s"}, {{"STRAHL_CL_FAULT_NAME", launch_call},
                                                                  {"STRAHL_CL_FAULT_CALL", first},
                                                                  {"STRAHL_CL_FAULT_CODE", "slow"},
                                                                  {"STRAHL_CL_FAULT_TIMES", "2"},

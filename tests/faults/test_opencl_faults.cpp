@@ -90,7 +90,7 @@ class FaultyRender {
     const Outcome outcome = folder_.run({scene_, "--width", "24", "--frames", "1000", "--time", "20ms", "-d", "pocl",
                                          "-q", "-o", "f.pfm", "--watchdog", "1s"},
                                         {{"OPENCL_LAYERS", STRAHL_FAIL_OPENCL},
-                                         {"STRAHL_CL_FAULT_NAME", "clEnqueueNDRangeKernel"},
+                                         {"STRAHL_CL_FAULT_NAME", launch_call},
                                          {"STRAHL_CL_FAULT_CALL", "100"},
                                          {"STRAHL_CL_FAULT_CODE", "hang"}});
     INFO(outcome.err);
@@ -103,7 +103,7 @@ class FaultyRender {
     const Outcome outcome = folder_.run({scene_, "--width", "24", "--frames", "1000", "--time", "1s", "--spp", "4",
                                          "-d", "pocl", "-q", "-o", "g.pfm", "--stats", "g.json"},
                                         {{"OPENCL_LAYERS", STRAHL_FAIL_OPENCL},
-                                         {"STRAHL_CL_FAULT_NAME", "clEnqueueNDRangeKernel"},
+                                         {"STRAHL_CL_FAULT_NAME", launch_call},
                                          {"STRAHL_CL_FAULT_CALL", "100"},
                                          {"STRAHL_CL_FAULT_CODE", std::to_string(out_of_resources)}});
     INFO(outcome.err);
