@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Surfaces in lanes, for the cases that have a body: surface_at of shapes/shape.h, operation by operation.
 // One width; no guard.
-#include "hits/surface_hits_lanes.h"
+#include "hits/shape_surfaces_lanes.h"
 #include "hits/surface_tangents_lanes.h"
 #include "textures/footprint_lanes.h"
-#include "shapes/all_surfaces_lanes.h"
 
 /// Three reals of each of a primitive's corners.
 FN real3w interpolate_each_w(GLOBAL const real* corners, intw at, realw u, realw v) {
@@ -58,38 +57,11 @@ FN void texture_each_w(const Scene* scene, Paths_w* path, const SurfaceHits_w* h
   s->footprint = sel_w(which, width, s->footprint);
 }
 
-/// NAME_SURFACES of a shape whose surfaces are computed one by one.
-FN maskw alone_surfaces_w(const Scene* scene, const SurfaceHits_w* hits, maskw which, GLOBAL const real* blocks,
-                          intw at, Surfaces_w* s, HitParameters_w* parameters) {
-  (void)scene;
-  (void)hits;
-  (void)which;
-  (void)blocks;
-  (void)at;
-  (void)s;
-  (void)parameters;
-  return none_w();
-}
-
 /// Fills the surfaces that can be computed in lanes, and returns the lanes that are complete.
 FN maskw plain_surfaces_w(const Scene* scene, Paths_w* path, const NearestEach_w* each, Surfaces_w* s) {
   SurfaceHits_w hits = surface_hits_w(scene, &path->rays, each, s->hit);
   HitParameters_w at;
-  maskw which, plain = none_w();
-  (void)which;  // A scene without shapes.
-  at.u = at.v = splat_w(R(0.0));
-  at.has_edges = none_w();
-  at.edge_u = at.edge_v = hits.o;
-  (void)hits;
-#define SHAPE(name, planes)                                                                             \
-  which = s->hit & ~nonzero_w(hits.kind - splat_int_w(SHAPE_##name));                                   \
-  if (any_w(which)) {                                                                                   \
-    GLOBAL const real* blocks = scene->geometry + scene_shape_row(scene, SHAPE_##name)[SHAPE_GEOMETRY]; \
-    intw place = hit_places_w(scene, &hits, which, SHAPE_##name, planes, s);                            \
-    plain = plain | name##_SURFACES(scene, &hits, which, blocks, place, s, &at);                        \
-  }
-#include "shapes/shapes.def"
-#undef SHAPE
+  maskw plain = shape_surfaces_w(scene, &hits, s, &at);
   if (HAS_SMOOTH_NORMALS) smooth_each_w(scene, &hits, plain, &at, s);
   if (HAS_TANGENT + HAS_RELIEF > 0) tangents_each_w(scene, &hits, plain, &at, s);
   if (TEXTURE_COUNT > 0) texture_each_w(scene, path, &hits, plain, &at, s);

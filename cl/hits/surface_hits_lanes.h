@@ -65,7 +65,15 @@ FN real3w hit_normal_to_world_w(const Scene* scene, const SurfaceHits_w* hits, r
 
 FN maskw finite3_w(real3w v) { return finite_w(v.x) & finite_w(v.y) & finite_w(v.z); }
 
-/// u, v of the hits, for smooth normals and textures.
+/// 1: hits are reported with u and v (hits/describe_lanes.h).
+#ifndef REPORTS_HITS
+#define REPORTS_HITS 0
+#endif
+
+/// Whether u and v of round shapes and planes are asked for, besides by smooth normals.
+enum { ASKS_COORDINATES_w = TEXTURE_COUNT > 0 || REPORTS_HITS };
+
+/// u, v of the hits, for smooth normals, textures and reports.
 typedef struct {
   realw u, v;
   maskw has_edges;        ///< Lanes of polygons,

@@ -28,16 +28,16 @@ FN void store_found_w(const Nearest* hit, int i, int stop_at_first, GLOBAL real*
     found[i] = hit->kind >= 0;
   } else {
     t[i] = hit->t;
-    found[i * FOUND_INTS + FOUND_ID] = hit->id;
-    found[i * FOUND_INTS + FOUND_KIND] = hit->kind;
-    found[i * FOUND_INTS + FOUND_SLOT] = hit->slot;
-    if (HAS_INSTANCES) found[i * FOUND_INTS + FOUND_INSTANCE] = hit->instance;
+    found[FOUND_ID * LANES + i] = hit->id;
+    found[FOUND_KIND * LANES + i] = hit->kind;
+    found[FOUND_SLOT * LANES + i] = hit->slot;
+    if (HAS_INSTANCES) found[FOUND_INSTANCE * LANES + i] = hit->instance;
   }
 }
 
-/// Rays are given in blocks of LANES: RAY_REALS planes, and DEPARTED_INTS planes of the primitives that they have left.
-/// count: number of rays in the block; the others are undefined. found: FOUND_INTS ints a ray, or with stop_at_first a
-/// single int, 1 or 0. t: a real a ray, undefined where nothing is hit.
+/// Rays and hits are given in blocks of LANES: RAY_REALS planes, and DEPARTED_INTS planes of the primitives that the
+/// rays have left. count: number of rays in the block; the others are undefined. found: FOUND_INTS planes, or with
+/// stop_at_first a single one, of 1 or 0. t: a plane, undefined where nothing is hit.
 FN void find_rays_w(const Scene* scene, GLOBAL const real* in, GLOBAL const int* departed, int count, int stop_at_first,
                     GLOBAL real* t, GLOBAL int* found) {
   Rays_w rays;
@@ -76,32 +76,35 @@ FN void find_rays_w(const Scene* scene, GLOBAL const real* in, GLOBAL const int*
 #endif
 }
 
-/// in, departed: of one ray, LANES reals and ints apart. out, ids: HIT_REALS reals and HIT_INTS ints for the hit that
+/// t of a miss.
+FN real miss_t_w(void) { return bits_to_real((bitsr)REAL_EXPONENT_MASK << REAL_EXPONENT_SHIFT); }
+
+/// All of one ray, LANES reals and ints apart. out, ids: HIT_REALS planes and HIT_INTS planes, for the hit that
 /// find_rays has found; a miss is infinite, -1, -1, -1 and zeros.
 FN void describe_one_w(const Scene* scene, GLOBAL const real* in, GLOBAL const int* departed, real t,
                        GLOBAL const int* found, GLOBAL real* out, GLOBAL int* ids) {
-  for (int i = 0; i < HIT_REALS; ++i) out[i] = R(0.0);
-  out[HIT_T] = bits_to_real((bitsr)REAL_EXPONENT_MASK << REAL_EXPONENT_SHIFT);
-  ids[HIT_INSTANCE] = -1;
-  ids[HIT_SHAPE] = -1;
-  ids[HIT_PRIMITIVE] = -1;
+  for (int i = 0; i < HIT_REALS; ++i) out[i * LANES] = R(0.0);
+  out[HIT_T * LANES] = miss_t_w();
+  for (int i = 0; i < HIT_INTS; ++i) ids[i * LANES] = -1;
   Nearest hit;
   hit.t = t;
-  hit.id = found[FOUND_ID];
-  hit.kind = found[FOUND_KIND];
-  hit.slot = found[FOUND_SLOT];
-  hit.instance = HAS_INSTANCES ? found[FOUND_INSTANCE] : -1;
+  hit.id = found[FOUND_ID * LANES];
+  hit.kind = found[FOUND_KIND * LANES];
+  hit.slot = found[FOUND_SLOT * LANES];
+  hit.instance = HAS_INSTANCES ? found[FOUND_INSTANCE * LANES] : -1;
   if (hit.kind < 0) return;
   real3 o = vec3(in[RAY_O * LANES], in[(RAY_O + 1) * LANES], in[(RAY_O + 2) * LANES]);
   real3 d = vec3(in[RAY_D * LANES], in[(RAY_D + 1) * LANES], in[(RAY_D + 2) * LANES]);
   real t_min = in[RAY_T_MIN * LANES], t_max = in[RAY_T_MAX * LANES];
   Ray ray = ray_make(o, d, t_min, t_max, departed[DEPARTED_ID * LANES]);
   Surface s = surface_at(scene, &ray, &hit, LANES);
-  out[HIT_T] = ray_given_t(&ray, hit.t, t_min, t_max);
-  out[HIT_U] = s.u;
-  out[HIT_V] = s.v;
-  store3(s.normal, out + HIT_NORMAL);
-  ids[HIT_INSTANCE] = s.instance;
-  ids[HIT_SHAPE] = s.shape;
-  ids[HIT_PRIMITIVE] = s.primitive;
+  out[HIT_T * LANES] = ray_given_t(&ray, hit.t, t_min, t_max);
+  out[HIT_U * LANES] = s.u;
+  out[HIT_V * LANES] = s.v;
+  out[HIT_NORMAL * LANES] = s.normal.x;
+  out[(HIT_NORMAL + 1) * LANES] = s.normal.y;
+  out[(HIT_NORMAL + 2) * LANES] = s.normal.z;
+  ids[HIT_INSTANCE * LANES] = s.instance;
+  ids[HIT_SHAPE * LANES] = s.shape;
+  ids[HIT_PRIMITIVE * LANES] = s.primitive;
 }

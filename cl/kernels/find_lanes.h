@@ -18,15 +18,20 @@
 
 #if LANES != 1
 /// find_rays of hits/trace_one.h for packets.
-ONCE_FN void find_packet_w(const Scene* scene, GLOBAL const real* in, GLOBAL const int* departed, int count,
-                           int stop_at_first, GLOBAL real* t, GLOBAL int* found) {
+ONCE_FN void find_packet_w(const Scene* scene, GLOBAL const real* in, GLOBAL const int* departed, int stop_at_first,
+                           GLOBAL real* t, GLOBAL int* found) {
   Rays_w rays;
   rays_given_w(scene, in, departed, &rays);
   NearestEach_w hits = packet_traverse_w(scene, &rays, stop_at_first ? FIND_ANY : FIND_NEAREST);
-  for (int i = 0; i < count; ++i) {
-    Nearest hit = nearest_of_w(&hits, i);
-    store_found_w(&hit, i, stop_at_first, t, found);
+  if (stop_at_first) {
+    write_int_w(sel_int_w(lt_int_w(hits.kind, splat_int_w(0)), splat_int_w(0), splat_int_w(1)), found);
+    return;
   }
+  write_w(hits.t, t);
+  write_int_w(hits.id, found + FOUND_ID * LANES);
+  write_int_w(hits.kind, found + FOUND_KIND * LANES);
+  write_int_w(hits.slot, found + FOUND_SLOT * LANES);
+  if (HAS_INSTANCES) write_int_w(hits.instance, found + FOUND_INSTANCE * LANES);
 }
 #endif
 
@@ -37,15 +42,15 @@ ONCE_FN void find_w(const Scene* scene, GLOBAL const real* in, GLOBAL const int*
 #if LANES != 1
   int is_packet = RAYS_ARE_ALIKE || PACKET_OF_ANY_RAYS_w;
   if (is_packet) {
-    find_packet_w(scene, in, departed, count, stop_at_first, t, found);
+    find_packet_w(scene, in, departed, stop_at_first, t, found);
     return;
   }
 #endif
   find_rays_w(scene, in, departed, count, stop_at_first, t, found);
 }
 
-/// found, t: FOUND_INTS ints and a real a ray, or with STOP_AT_FIRST only one int a ray, 1 or 0. FOUND_CUT where the
-/// device has ended loops.
+/// found, t: blocks of FOUND_INTS planes and a plane, or with STOP_AT_FIRST only one of ints, 1 or 0. FOUND_CUT where
+/// the device has ended loops.
 KERNEL LANE_HINT void find(GLOBAL const real* geometry, GLOBAL const real* shading, GLOBAL const int* index,
                            GLOBAL const real* rays, GLOBAL const int* departed, GLOBAL real* t, GLOBAL int* found,
                            ulong count) {
@@ -56,5 +61,5 @@ KERNEL LANE_HINT void find(GLOBAL const real* geometry, GLOBAL const real* shadi
   ulong ints = STOP_AT_FIRST ? 1 : FOUND_INTS;
   find_w(&scene, rays + first * RAY_REALS, departed + first * DEPARTED_INTS, rays_there, STOP_AT_FIRST, t + first,
          found + first * ints);
-  if (HAS_LOOP_LIMIT && !loops_were_whole()) found[first * ints + (STOP_AT_FIRST ? 0 : FOUND_KIND)] = FOUND_CUT;
+  if (HAS_LOOP_LIMIT && !loops_were_whole()) found[first * ints + (STOP_AT_FIRST ? 0 : FOUND_KIND * LANES)] = FOUND_CUT;
 }

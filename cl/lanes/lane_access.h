@@ -100,7 +100,6 @@ FN uintw uint_of_int_w(intw a) { return LANE_VECTOR(as_uint)(a); }
 FN intw int_of_uint_w(uintw a) { return LANE_VECTOR(as_int)(a); }
 #ifdef __clang__
 // As store_w.
-typedef intw IntsAnywhere_w __attribute__((aligned(sizeof(int))));
 FN realw read_w(PRIVATE const real* p) { return *(PRIVATE const RealsAnywhere_w*)p; }
 FN intw read_int_w(PRIVATE const int* p) { return *(PRIVATE const IntsAnywhere_w*)p; }
 FN void store_int_w(intw a, PRIVATE int* p) { *(PRIVATE IntsAnywhere_w*)p = a; }

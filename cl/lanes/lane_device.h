@@ -36,14 +36,21 @@ FN realw fma_w(realw a, realw b, realw c) { return fma(a, b, c); }
 FN realw sqrt_w(realw a) { return sqrt(a); }
 FN realw abs_w(realw a) { return fabs(a); }
 FN realw floor_w(realw a) { return floor(a); }
+#ifdef __clang__
+// A single access; vload and vstore of PoCL's library make four.
+typedef realw RealsAnywhere_w __attribute__((aligned(sizeof(real))));
+typedef intw IntsAnywhere_w __attribute__((aligned(sizeof(int))));
+FN realw load_w(GLOBAL const real* p) { return *(GLOBAL const RealsAnywhere_w*)p; }
+FN intw load_int_w(GLOBAL const int* p) { return *(GLOBAL const IntsAnywhere_w*)p; }
+FN void store_w(realw a, PRIVATE real* p) { *(PRIVATE RealsAnywhere_w*)p = a; }
+FN void write_w(realw a, GLOBAL real* p) { *(GLOBAL RealsAnywhere_w*)p = a; }
+FN void write_int_w(intw a, GLOBAL int* p) { *(GLOBAL IntsAnywhere_w*)p = a; }
+#else
 FN realw load_w(GLOBAL const real* p) { return LANE_VECTOR(vload)(0, p); }
 FN intw load_int_w(GLOBAL const int* p) { return LANE_VECTOR(vload)(0, p); }
-#ifdef __clang__
-// A single store; vstore of PoCL's library makes four.
-typedef realw RealsAnywhere_w __attribute__((aligned(sizeof(real))));
-FN void store_w(realw a, PRIVATE real* p) { *(PRIVATE RealsAnywhere_w*)p = a; }
-#else
 FN void store_w(realw a, PRIVATE real* p) { LANE_VECTOR(vstore)(a, 0, p); }
+FN void write_w(realw a, GLOBAL real* p) { LANE_VECTOR(vstore)(a, 0, p); }
+FN void write_int_w(intw a, GLOBAL int* p) { LANE_VECTOR(vstore)(a, 0, p); }
 #endif
 
 #include "lanes/lane_bits.h"

@@ -48,3 +48,5 @@ FN intw load_int_w(GLOBAL const int* p) {
   return a;
 }
 FN void store_w(realw a, PRIVATE real* p) { std::memcpy(p, &a, sizeof a); }
+FN void write_w(realw a, GLOBAL real* p) { std::memcpy(p, &a, sizeof a); }
+FN void write_int_w(intw a, GLOBAL int* p) { std::memcpy(p, &a, sizeof a); }

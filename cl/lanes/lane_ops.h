@@ -18,7 +18,8 @@
 //   power_of_half_w(n)        2^-n of ints, a normal number
 //   halvings_w(p)             n of a power of two p = 2^-n, as a real
 //   bits_w(m) any_w(m)        bit i = lane i; is a lane set
-//   load_w load_int_w store_w LANES consecutive values
+//   load_w load_int_w         LANES consecutive values
+//   write_w write_int_w       the other way; store_w: into private memory
 #include "lanes/lane_names.h"
 #include "portable.h"
 
@@ -48,6 +49,8 @@ FN int any_w(maskw m) { return m != 0; }
 FN realw load_w(GLOBAL const real* p) { return *p; }
 FN intw load_int_w(GLOBAL const int* p) { return *p; }
 FN void store_w(realw a, PRIVATE real* p) { *p = a; }
+FN void write_w(realw a, GLOBAL real* p) { *p = a; }
+FN void write_int_w(intw a, GLOBAL int* p) { *p = a; }
 
 #elif ON_HOST
 #include "lanes/lane_host.h"

@@ -61,6 +61,11 @@ Features intersection_features(const Scene& scene, const RenderSettings& setting
 
 std::size_t blocks_of(std::size_t count, std::size_t lanes) { return (count + lanes - 1) / lanes; }
 
+/// Where the numbers of ray i begin, `lanes` apart, in blocks of so many planes of `lanes` rays.
+std::size_t place_in_blocks(std::size_t i, std::size_t planes, std::size_t lanes) {
+  return i / lanes * lanes * planes + i % lanes;
+}
+
 /// Blocks of `lanes` rays, RAY_REALS planes a block; the last is filled up with zeros.
 template <typename Real>
 std::vector<Real> pack_rays(const std::vector<Ray>& rays, std::size_t first, std::size_t count, std::size_t lanes) {
@@ -69,7 +74,7 @@ std::vector<Real> pack_rays(const std::vector<Ray>& rays, std::size_t first, std
     const Ray& ray = rays[first + i];
     const double values[] = {ray.origin.x,    ray.origin.y,    ray.origin.z, ray.direction.x,
                              ray.direction.y, ray.direction.z, ray.t_min,    ray.t_max};
-    Real* to = reals.data() + i / lanes * lanes * layout::RAY_REALS + i % lanes;
+    Real* to = reals.data() + place_in_blocks(i, layout::RAY_REALS, lanes);
     for (std::size_t k = 0; k < layout::RAY_REALS; ++k) to[k * lanes] = static_cast<Real>(values[k]);
   }
   return reals;
@@ -190,11 +195,12 @@ void Intersector::State::run(cl::Kernel& kernel, const std::vector<cl::Buffer>& 
 std::vector<std::size_t> Intersector::State::cut_rays(const cl::Buffer& found, std::size_t count, bool any_hit) const {
   std::vector<std::size_t> cut;
   if (!loop_turns) return cut;
-  const std::size_t ints = any_hit ? 1 : layout::FOUND_INTS, lanes = static_cast<std::size_t>(stats.lanes);
-  std::vector<std::int32_t> values(count * ints);
+  const auto lanes = static_cast<std::size_t>(stats.lanes);
+  const std::size_t planes = any_hit ? 1 : layout::FOUND_INTS, plane = any_hit ? 0 : layout::FOUND_KIND;
+  std::vector<std::int32_t> values(blocks_of(count, lanes) * lanes * planes);
   read_buffer(device, found, values.data(), values.size() * sizeof(std::int32_t));
   for (std::size_t i = 0; i < count; ++i)
-    if (values[i / lanes * lanes * ints + (any_hit ? 0 : layout::FOUND_KIND)] == layout::FOUND_CUT) cut.push_back(i);
+    if (values[place_in_blocks(i - i % lanes, planes, lanes) + plane * lanes] == layout::FOUND_CUT) cut.push_back(i);
   return cut;
 }
 
@@ -203,10 +209,11 @@ std::vector<std::size_t> Intersector::State::trace_chunk(const std::vector<Ray>&
                                                          std::size_t count, bool any_hit,
                                                          std::vector<double>& run_seconds, std::vector<Hit>& hits) {
   const auto lanes = static_cast<std::size_t>(stats.lanes);
+  const std::size_t places = blocks_of(count, lanes) * lanes;
   const std::vector<Real> ray_reals = pack_rays<Real>(rays, first, count, lanes);
-  std::vector<std::int32_t> left(blocks_of(count, lanes) * lanes * layout::DEPARTED_INTS, -1);
+  std::vector<std::int32_t> left(places * layout::DEPARTED_INTS, -1);
   for (std::size_t i = 0; i < count; ++i) {
-    std::int32_t* to = left.data() + i / lanes * lanes * layout::DEPARTED_INTS + i % lanes;
+    std::int32_t* to = left.data() + place_in_blocks(i, layout::DEPARTED_INTS, lanes);
     to[layout::DEPARTED_ID * lanes] = left_id(rays[first + i], first + i);
     to[layout::DEPARTED_INSTANCE * lanes] = rays[first + i].instance;
   }
@@ -220,8 +227,8 @@ std::vector<std::size_t> Intersector::State::trace_chunk(const std::vector<Ray>&
   const Stopwatch upload;
   const cl::Buffer ray_buffer = counted(ray_reals.size() * sizeof(Real), "the rays");
   const cl::Buffer left_buffer = counted(left.size() * sizeof(std::int32_t), "the rays");
-  const cl::Buffer t_buffer = counted(count * sizeof(Real), "the hits");
-  const cl::Buffer found_buffer = counted(count * layout::FOUND_INTS * sizeof(std::int32_t), "the hits");
+  const cl::Buffer t_buffer = counted(places * sizeof(Real), "the hits");
+  const cl::Buffer found_buffer = counted(places * layout::FOUND_INTS * sizeof(std::int32_t), "the hits");
   write_buffer(device, ray_buffer, ray_reals.data(), ray_reals.size() * sizeof(Real));
   write_buffer(device, left_buffer, left.data(), left.size() * sizeof(std::int32_t));
   stats.seconds.upload += upload.seconds();
@@ -240,31 +247,32 @@ std::vector<std::size_t> Intersector::State::trace_chunk(const std::vector<Ray>&
   }
 
   const Stopwatch surface;
-  const cl::Buffer hit_buffer = counted(count * layout::HIT_REALS * sizeof(Real), "the hits");
-  const cl::Buffer id_buffer = counted(count * layout::HIT_INTS * sizeof(std::int32_t), "the hits");
-  run(describe, {ray_buffer, left_buffer, t_buffer, found_buffer, hit_buffer, id_buffer}, count, 1);
+  const cl::Buffer hit_buffer = counted(places * layout::HIT_REALS * sizeof(Real), "the hits");
+  const cl::Buffer id_buffer = counted(places * layout::HIT_INTS * sizeof(std::int32_t), "the hits");
+  run(describe, {ray_buffer, left_buffer, t_buffer, found_buffer, hit_buffer, id_buffer}, count, lanes);
   stats.seconds.surface += surface.seconds();
 
   const Stopwatch readback;
-  std::vector<Real> out(count * layout::HIT_REALS);
-  std::vector<std::int32_t> ids(count * layout::HIT_INTS);
+  std::vector<Real> out(places * layout::HIT_REALS);
+  std::vector<std::int32_t> ids(places * layout::HIT_INTS);
   read_buffer(device, hit_buffer, out.data(), out.size() * sizeof(Real));
   read_buffer(device, id_buffer, ids.data(), ids.size() * sizeof(std::int32_t));
   for (std::size_t i = 0; i < count; ++i) {
-    const Real* real = &out[i * layout::HIT_REALS];
+    const Real* reals = out.data() + place_in_blocks(i, layout::HIT_REALS, lanes);
+    const std::int32_t* ints = ids.data() + place_in_blocks(i, layout::HIT_INTS, lanes);
+    const auto real = [&](std::size_t k) { return static_cast<double>(reals[k * lanes]); };
     Hit& hit = hits[first + i];
-    hit.t = static_cast<double>(real[layout::HIT_T]);
-    hit.u = static_cast<double>(real[layout::HIT_U]);
-    hit.v = static_cast<double>(real[layout::HIT_V]);
-    hit.normal = {static_cast<double>(real[layout::HIT_NORMAL]), static_cast<double>(real[layout::HIT_NORMAL + 1]),
-                  static_cast<double>(real[layout::HIT_NORMAL + 2])};
-    hit.instance = ids[i * layout::HIT_INTS + layout::HIT_INSTANCE];
-    hit.shape = ids[i * layout::HIT_INTS + layout::HIT_SHAPE];
+    hit.t = real(layout::HIT_T);
+    hit.u = real(layout::HIT_U);
+    hit.v = real(layout::HIT_V);
+    hit.normal = {real(layout::HIT_NORMAL), real(layout::HIT_NORMAL + 1), real(layout::HIT_NORMAL + 2)};
+    hit.instance = ints[layout::HIT_INSTANCE * lanes];
+    hit.shape = ints[layout::HIT_SHAPE * lanes];
     if (hit.instance >= 0) {
       const int group = group_of_instance[static_cast<std::size_t>(hit.instance)];
       hit.shape -= static_cast<std::int32_t>(shapes_of_group[static_cast<std::size_t>(group)].first);
     }
-    hit.primitive = ids[i * layout::HIT_INTS + layout::HIT_PRIMITIVE];
+    hit.primitive = ints[layout::HIT_PRIMITIVE * lanes];
   }
   stats.seconds.readback += readback.seconds();
   return cut;

@@ -16,9 +16,13 @@ void host_rays(int lanes, const Scene& scene, const real* rays, const std::int32
     for (std::size_t k = 0; k < RAY_REALS; ++k) block[k * width + lane] = rays[i * RAY_REALS + k];
     for (std::size_t k = 0; k < DEPARTED_INTS; ++k) left_of[k * width + lane] = left[i * DEPARTED_INTS + k];
     find(&scene, block.data(), left_of.data(), lanes, any_hit ? 1 : 0, ts.data(), found.data());
-    std::int32_t none[FOUND_INTS] = {-1, -1, -1, -1};
-    describe(&scene, block.data() + lane, left_of.data() + lane, ts[lane], any_hit ? none : &found[lane * FOUND_INTS],
-             hits + i * HIT_REALS, ids + i * HIT_INTS);
+    std::vector<real> out(width * HIT_REALS);
+    std::vector<std::int32_t> out_ids(width * HIT_INTS), none(width * FOUND_INTS, -1);
+    const std::int32_t* described = any_hit ? none.data() : found.data();
+    describe(&scene, block.data() + lane, left_of.data() + lane, ts[lane], described + lane, out.data() + lane,
+             out_ids.data() + lane);
+    for (std::size_t k = 0; k < HIT_REALS; ++k) hits[i * HIT_REALS + k] = out[k * width + lane];
+    for (std::size_t k = 0; k < HIT_INTS; ++k) ids[i * HIT_INTS + k] = out_ids[k * width + lane];
     if (any_hit && found[lane] != 0) hits[i * HIT_REALS + HIT_T] = 0;
   }
 }

@@ -21,7 +21,7 @@ FN maskw cylinder_surfaces_w(const Scene* scene, const SurfaceHits_w* hits, mask
     s->grad_u = sel3_w(plain, scale3_w(splat_w(ONE_OVER_TWO_PI) / radius, cross3_w(axis, normal)), s->grad_u);
     s->grad_v = sel3_w(plain, scale3_w(one / length, axis), s->grad_v);
   }
-  if (TEXTURE_COUNT == 0) return plain;
+  if (!ASKS_COORDINATES_w) return plain;
   realw frame[6], v = along / length;
   gather_frame_w(scene, s, 6, frame);
   realw u = atan2_turns_w(dot3_w(normal, real3_at_w(frame + 3)), dot3_w(normal, real3_at_w(frame)));

@@ -10,7 +10,7 @@ FN maskw disk_surfaces_w(const Scene* scene, const SurfaceHits_w* hits, maskw wh
   real3w normal = normalize3_w(gather_planes3_w(disks, at, 3, SCENE_LANES));
   real3w from_center = fma3_w(hits->t, hits->d, sub3_w(hits->o, center)), p = add3_w(from_center, center);
   maskw plain = take_own_surfaces_w(scene, hits, which, p, normal, dot3_w(normal, hits->d), zero, s);
-  if (TEXTURE_COUNT + HAS_TANGENT + HAS_RELIEF == 0) return plain;
+  if (ASKS_COORDINATES_w + HAS_TANGENT + HAS_RELIEF == 0) return plain;
   realw frame[6];
   gather_frame_w(scene, s, 6, frame);
   real3w axis_u = real3_at_w(frame), axis_v = real3_at_w(frame + 3);
@@ -26,6 +26,6 @@ FN maskw disk_surfaces_w(const Scene* scene, const SurfaceHits_w* hits, maskw wh
     real3w around = fma3_w(cosine, axis_v, scale3_w(-sine, axis_u));
     s->grad_v = sel3_w(is_off_center, scale3_w(turn, around), s->grad_v);
   }
-  if (TEXTURE_COUNT > 0) take_coordinates_w(plain, u, atan2_turns_w(y, x), parameters);
+  if (ASKS_COORDINATES_w) take_coordinates_w(plain, u, atan2_turns_w(y, x), parameters);
   return plain;
 }

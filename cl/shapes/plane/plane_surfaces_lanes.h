@@ -7,7 +7,7 @@ FN maskw plane_surfaces_w(const Scene* scene, const SurfaceHits_w* hits, maskw w
   realw zero = splat_w(R(0.0));
   real3w normal = normalize3_w(gather_planes3_w(anchors, at, 3, SCENE_LANES)), p = fma3_w(hits->t, hits->d, hits->o);
   maskw plain = take_own_surfaces_w(scene, hits, which, p, normal, dot3_w(normal, hits->d), zero, s);
-  if (TEXTURE_COUNT + HAS_TANGENT + HAS_RELIEF == 0) return plain;
+  if (ASKS_COORDINATES_w + HAS_TANGENT + HAS_RELIEF == 0) return plain;
   realw frame[9];
   gather_frame_w(scene, s, 9, frame);
   real3w dual_u = real3_at_w(frame), dual_v = real3_at_w(frame + 3);

@@ -2,15 +2,21 @@
 // LANES rays against the edges of one flat polygon, of 3 or 4 corners, exact: triangle_lanes.h and
 // parallelogram_lanes.h with the roles exchanged, the same operations. One width; no guard.
 
-/// planes: x, y, z of one vertex, LANES apart.
+/// planes: x, y, z of one vertex, LANES apart. Where all lanes have one largest axis it is chosen once.
 FN ShearedVertex_w shear_for_each_w(const Packet_w* p, GLOBAL const real* planes) {
   ShearedVertex_w v;
-  realw dx = splat_w(planes[0]) - p->o.x, dy = splat_w(planes[LANES]) - p->o.y;
-  realw dz = splat_w(planes[2 * LANES]) - p->o.z;
-  realw x = sel_w(p->is_x, dy, sel_w(p->is_y, dz, dx)), y = sel_w(p->is_x, dz, sel_w(p->is_y, dx, dy));
-  v.z = sel_w(p->is_x, dx, sel_w(p->is_y, dy, dz));
-  v.x = fma_w(-p->shear.x, v.z, x);
-  v.y = fma_w(-p->shear.y, v.z, y);
+  real3w at;
+  int z = p->axis, x = z == 2 ? 0 : z + 1, y = z == 0 ? 2 : z - 1;
+  if (z >= 0) {
+    at = vec3_w(splat_w(planes[x * LANES]), splat_w(planes[y * LANES]), splat_w(planes[z * LANES]));
+  } else {
+    at = vec3_w(splat_w(planes[0]), splat_w(planes[LANES]), splat_w(planes[2 * LANES]));
+    at = turned3_w(p->is_x, p->is_y, at);
+  }
+  at = sub3_w(at, p->sheared_o);
+  v.x = fma_w(-p->shear.x, at.z, at.x);
+  v.y = fma_w(-p->shear.y, at.z, at.y);
+  v.z = at.z;
   return v;
 }
 

@@ -38,7 +38,7 @@ FN void sphere_coordinates_w(const Scene* scene, maskw which, real3w normal, rea
     s->grad_u = sel3_w(is_off_pole, grad_u, s->grad_u);
     s->grad_v = sel3_w(is_off_pole, grad_v, s->grad_v);
   }
-  if (TEXTURE_COUNT > 0) take_coordinates_w(which, atan2_turns_w(y, x), two * atan2_turns_w(sine, z), parameters);
+  if (ASKS_COORDINATES_w) take_coordinates_w(which, atan2_turns_w(y, x), two * atan2_turns_w(sine, z), parameters);
 }
 
 /// As flat_surfaces.
@@ -60,7 +60,8 @@ FN maskw sphere_surfaces_w(const Scene* scene, const SurfaceHits_w* hits, maskw 
   real3w normal = normalize3_w(out), p = fma3_w(radius, normal, center);
   realw bound = -round_departure_bound_w(scene, hits, radius);
   maskw plain = take_own_surfaces_w(scene, hits, which, p, normal, facing, bound, s);
-  if (TEXTURE_COUNT + HAS_TANGENT + HAS_RELIEF > 0) sphere_coordinates_w(scene, plain, normal, radius, s, parameters);
+  if (ASKS_COORDINATES_w + HAS_TANGENT + HAS_RELIEF > 0)
+    sphere_coordinates_w(scene, plain, normal, radius, s, parameters);
   s->is_round = sel_int_w(plain, splat_int_w(1), s->is_round);
   return plain;
 }
