@@ -14,12 +14,6 @@ enum {
 #endif
 };
 
-/// v, its axes turned so that each lane's largest axis is z.
-FN real3w turned3_w(maskw is_x, maskw is_y, real3w v) {
-  return vec3_w(sel_w(is_x, v.y, sel_w(is_y, v.z, v.x)), sel_w(is_x, v.z, sel_w(is_y, v.x, v.y)),
-                sel_w(is_x, v.x, sel_w(is_y, v.y, v.z)));
-}
-
 /// Bounds over all lanes, per axis, in the order of near and far.
 typedef struct {
   real o_near, o_far;   ///< Of o: the end of the range farther from the near plane, and the other end.
@@ -34,7 +28,7 @@ typedef struct {
 
   real3w o, d, inv, slack, shear;
   maskw is_x, is_y;              ///< Lanes whose largest axis is x or y.
-  int axis;                      ///< The largest axis of all lanes, 0, 1, 2; -1: they differ.
+  int axis;                      ///< The largest axis of all rays that can hit something, 0, 1, 2; -1: they differ.
   real3w sheared_o;              ///< o, its axes turned so that the largest is z (shear_for_each_w).
   maskw back_x, back_y, back_z;  ///< Lanes that move towards smaller x, y, z.
   realw t_min;
@@ -135,7 +129,8 @@ FN int packet_make_w(Packet_w* p, Rays_w* of, int stop_at_first) {
   p->shear = real3_at_w(rays + RAY_PLANE_SHEAR + 1);
   p->is_x = eq_w(rays[RAY_PLANE_SHEAR], zero);
   p->is_y = eq_w(rays[RAY_PLANE_SHEAR], splat_w(R(1.0)));
-  p->axis = !any_w(~p->is_x) ? 0 : !any_w(~p->is_y) ? 1 : !any_w(p->is_x | p->is_y) ? 2 : -1;
+  maskw others_x = ~(p->is_x | dead), others_y = ~(p->is_y | dead);
+  p->axis = !any_w(others_x) ? 0 : !any_w(others_y) ? 1 : !any_w((p->is_x | p->is_y) & ~dead) ? 2 : -1;
   p->sheared_o = turned3_w(p->is_x, p->is_y, p->o);
   p->back_x = lt_w(p->inv.x, zero);
   p->back_y = lt_w(p->inv.y, zero);

@@ -15,7 +15,7 @@ FN realw rays_given_t_w(const Rays_w* rays, realw t, realw t_min, realw t_max) {
   return sel_w(lt_w(t_max, t), t_max, t);
 }
 
-/// As it stands in planes of a block; a miss where `which` is not.
+/// Writes the hits of the lanes of `which` to a block's planes, misses in the other lanes.
 FN void write_hits_w(const Scene* scene, const Surfaces_w* s, const HitParameters_w* at, maskw which, realw t,
                      GLOBAL real* out, GLOBAL int* ids) {
   realw zero = splat_w(R(0.0));

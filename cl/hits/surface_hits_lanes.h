@@ -70,7 +70,7 @@ FN maskw finite3_w(real3w v) { return finite_w(v.x) & finite_w(v.y) & finite_w(v
 #define REPORTS_HITS 0
 #endif
 
-/// Whether u and v of round shapes and planes are asked for, besides by smooth normals.
+/// Whether textures or reports ask for u and v of shapes other than polygons.
 enum { ASKS_COORDINATES_w = TEXTURE_COUNT > 0 || REPORTS_HITS };
 
 /// u, v of the hits, for smooth normals, textures and reports.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Rays in, hits out: what `strahl intersect` computes per work-item and what the host repeats bit for bit. One width;
-// no guard. Where lanes are wide a work-item takes LANES rays: it prepares them together and follows each by itself.
+// no guard. Where lanes are wide a work-item takes LANES rays: it prepares them together, follows each by itself, and
+// describes their hits together (describe_lanes.h).
 #include "accel/traverse.h"
 #include "math/vec3_lanes.h"
 #include "rays/departing_lanes.h"
@@ -79,7 +80,7 @@ FN void find_rays_w(const Scene* scene, GLOBAL const real* in, GLOBAL const int*
 /// t of a miss.
 FN real miss_t_w(void) { return bits_to_real((bitsr)REAL_EXPONENT_MASK << REAL_EXPONENT_SHIFT); }
 
-/// All of one ray, LANES reals and ints apart. out, ids: HIT_REALS planes and HIT_INTS planes, for the hit that
+/// in ... ids: the numbers of one ray, LANES apart. out, ids: HIT_REALS reals and HIT_INTS ints of the hit that
 /// find_rays has found; a miss is infinite, -1, -1, -1 and zeros.
 FN void describe_one_w(const Scene* scene, GLOBAL const real* in, GLOBAL const int* departed, real t,
                        GLOBAL const int* found, GLOBAL real* out, GLOBAL int* ids) {

@@ -28,6 +28,12 @@ FN real3w vec3_w(realw x, realw y, realw z) {
 
 FN real3w real3_at_w(PRIVATE const realw* planes) { return vec3_w(planes[0], planes[1], planes[2]); }
 
+/// v, its axes turned so that x becomes z in the lanes of is_x, and y in those of is_y.
+FN real3w turned3_w(maskw is_x, maskw is_y, real3w v) {
+  return vec3_w(sel_w(is_x, v.y, sel_w(is_y, v.z, v.x)), sel_w(is_x, v.z, sel_w(is_y, v.x, v.y)),
+                sel_w(is_x, v.x, sel_w(is_y, v.y, v.z)));
+}
+
 /// Three planes of LANES reals.
 FN real3w load_planes3_w(GLOBAL const real* planes) {
   return vec3_w(load_w(planes), load_w(planes + LANES), load_w(planes + 2 * LANES));

@@ -278,7 +278,7 @@ enum {
 };
 enum { DONE_SAMPLE, DONE_SPLATS, DONE_OF_PATHS };
 
-// strahl intersect: a ray and a hit.
+// strahl intersect: a ray and a hit. All stand in blocks of LANES rays, a plane of LANES numbers for each of theirs.
 enum { RAY_O = 0, RAY_D = 3, RAY_T_MIN = 6, RAY_T_MAX = 7, RAY_REALS = 8 };
 enum { HIT_T = 0, HIT_U = 1, HIT_V = 2, HIT_NORMAL = 3, HIT_REALS = 6 };
 // The primitive and instance that the ray has left; -1: none.

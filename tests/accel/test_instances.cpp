@@ -190,6 +190,19 @@ TEST_CASE("With instances trees of every width find what lists find, and the hos
   }
 }
 
+TEST_CASE("Hits of instances are described in lanes as one by one, of the other kinds, too") {
+  InstancedMaker maker(31);
+  const Scene scene =
+      maker.scene(20, [&](int i) { return distorted(maker.random(), i); }, {"disk", "cylinder", "rectangle"});
+  const std::vector<Ray> rays = maker.rays(20000);
+  const auto traced = [&](int width) {
+    return Intersector(device(), scene, settings_of(Precision::robust, width, Acceleration::list)).trace(rays);
+  };
+  const std::vector<Hit> expected = traced(4);
+  CHECK(std::count_if(expected.begin(), expected.end(), [](const Hit& hit) { return hit.instance >= 0; }) > 5000);
+  CHECK(differing(traced(16), expected) == 0);
+}
+
 TEST_CASE("A distorted group is hit where its distorted shapes would be") {
   const std::vector<std::string> names = {"triangle", "rectangle", "cube", "mesh"};
   InstancedMaker maker(11);

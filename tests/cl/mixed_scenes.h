@@ -73,7 +73,11 @@ class SceneMaker {
   }
 
  private:
-  void put(const Geometry& geometry) { scene_.shapes.emplace_back().geometry = geometry; }
+  void put(const Geometry& geometry) {
+    Shape& shape = scene_.shapes.emplace_back();
+    shape.geometry = geometry;
+    shape.flip_normals = scene_.shapes.size() % 3 == 0;
+  }
 
   // To the quarter: exact in float, so that edges and faces coincide to the bit.
   static Vec3 rounded(const Vec3& p) {

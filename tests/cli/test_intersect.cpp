@@ -97,8 +97,9 @@ TEST_CASE("the device's bytes are those of the scene and of the largest launch's
   const auto bytes = [&](std::size_t rays, const std::vector<std::string>& more) {
     std::vector<double> rows;
     for (std::size_t i = 0; i < rays; ++i) rows.insert(rows.end(), {0, 0, 5, 0, 0, -1, 0, inf});
-    std::vector<std::string> words{"--lanes", "1", "--stats", "stats.json"};
+    std::vector<std::string> words{"--stats", "stats.json"};
     words.insert(words.end(), more.begin(), more.end());
+    if (std::find(more.begin(), more.end(), "--lanes") == more.end()) words.insert(words.end(), {"--lanes", "1"});
     static_cast<void>(trace(folder, 8, rows, words));
     return nlohmann::json::parse(read_text(folder.path("stats.json"))).at("bytes").at("device").get<std::uint64_t>();
   };
@@ -108,6 +109,8 @@ TEST_CASE("the device's bytes are those of the scene and of the largest launch's
   CHECK(thousand - one > 1000 * 16 * 4);
   CHECK(any < thousand);
   CHECK(any > 1000 * 10 * 4);
+  // Rays and hits stand in blocks of as many as there are lanes.
+  CHECK(bytes(1, {"--lanes", "8"}) == bytes(8, {"--lanes", "8"}));
   // Launches take turns with the same memory.
   CHECK(bytes((1 << 18) + 1, {"--any-hit"}) == bytes(1 << 18, {"--any-hit"}));
 }

@@ -9,6 +9,9 @@ template <class Find, class Describe>
 void host_rays(int lanes, const Scene& scene, const real* rays, const std::int32_t* left, std::size_t count,
                bool any_hit, Find find, Describe describe, real* hits, std::int32_t* ids) {
   const auto width = static_cast<std::size_t>(lanes);
+  std::vector<real> out(width * HIT_REALS);
+  std::vector<std::int32_t> out_ids(width * HIT_INTS);
+  const std::vector<std::int32_t> none(width * FOUND_INTS, -1);
   for (std::size_t i = 0; i < count; ++i) {
     const std::size_t lane = i % width;
     std::vector<real> block(width * RAY_REALS, real(0)), ts(width);
@@ -16,8 +19,6 @@ void host_rays(int lanes, const Scene& scene, const real* rays, const std::int32
     for (std::size_t k = 0; k < RAY_REALS; ++k) block[k * width + lane] = rays[i * RAY_REALS + k];
     for (std::size_t k = 0; k < DEPARTED_INTS; ++k) left_of[k * width + lane] = left[i * DEPARTED_INTS + k];
     find(&scene, block.data(), left_of.data(), lanes, any_hit ? 1 : 0, ts.data(), found.data());
-    std::vector<real> out(width * HIT_REALS);
-    std::vector<std::int32_t> out_ids(width * HIT_INTS), none(width * FOUND_INTS, -1);
     const std::int32_t* described = any_hit ? none.data() : found.data();
     describe(&scene, block.data() + lane, left_of.data() + lane, ts[lane], described + lane, out.data() + lane,
              out_ids.data() + lane);

@@ -6,10 +6,9 @@
 /// shear_point of shapes/polygon/edges.h.
 FN Real2_w shear_each_w(const SurfaceHits_w* hits, real3w p) {
   Real2_w v;
-  real3w q = sub3_w(p, hits->o);
-  realw z = sel_w(hits->is_x, q.x, sel_w(hits->is_y, q.y, q.z));
-  v.x = fma_w(-hits->shear_x, z, sel_w(hits->is_x, q.y, sel_w(hits->is_y, q.z, q.x)));
-  v.y = fma_w(-hits->shear_y, z, sel_w(hits->is_x, q.z, sel_w(hits->is_y, q.x, q.y)));
+  real3w q = turned3_w(hits->is_x, hits->is_y, sub3_w(p, hits->o));
+  v.x = fma_w(-hits->shear_x, q.z, q.x);
+  v.y = fma_w(-hits->shear_y, q.z, q.y);
   return v;
 }
 
@@ -83,7 +82,7 @@ FN maskw flat_surfaces_w(const Scene* scene, const SurfaceHits_w* hits, maskw wh
   p = fma3_w(hits->world_t, hits->world_d, hits->world_o);
 #endif
   maskw plain = which & finite3_w(p) & finite3_w(normal) & finite_w(facing);
-  if (!TIER_FAST) {  // departure_bound, is_amid.
+  if (!TIER_FAST & !REPORTS_HITS) {  // departure_bound, is_amid.
     if (HAS_INSTANCES && any_w(hits->is_placed)) {
       a = hit_point_to_world_w(scene, hits, a);
       e = sub3_w(hit_point_to_world_w(scene, hits, b), a);

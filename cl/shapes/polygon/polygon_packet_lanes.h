@@ -51,9 +51,10 @@ FN void polygon_packet_w(const Scene* scene, Packet_w* p, GLOBAL const real* blo
 #if TIER_ROBUST
 #include "shapes/polygon/polygon_coordinates_lanes.h"
 
-/// Number of polygons of a block that the rays may meet up to which polygon_coordinates_lanes.h does not pay: its
-/// constants take more time than one exact test, and where rays are alike, than a few.
-FN int coordinates_pay_w(const Packet_w* p) { return !is_alike_w(p) ? 1 : p->stop_at_first ? 3 : 8; }
+/// Up to so many polygons of a block are asked exactly at once: the constants of polygon_coordinates_lanes.h take more
+/// time than one exact test, and where rays are alike, than a few. With 8 lanes no alike rays pay for them but those
+/// for which any hit will do.
+FN int most_exact_at_once_w(const Packet_w* p) { return !is_alike_w(p) ? 1 : p->stop_at_first ? 3 : 8; }
 #endif
 
 FN void polygon_packet_w(const Scene* scene, Packet_w* p, GLOBAL const real* block, GLOBAL const int* ids, int slot,
@@ -62,7 +63,7 @@ FN void polygon_packet_w(const Scene* scene, Packet_w* p, GLOBAL const real* blo
   uint prims = may_meet_polygons_w(p, block, ids, corners);
 #if TIER_ROBUST
   maskw open[LANES];
-  int has_coordinates = (int)lanes_among(prims) > coordinates_pay_w(p);
+  int has_coordinates = (int)lanes_among(prims) > most_exact_at_once_w(p);
   if (has_coordinates) prims = meet_coordinates_w(scene, p, block, ids, prims, slot, kind, active, corners, open);
 #endif
   for (; prims != 0u; prims &= prims - 1u) {
