@@ -29,7 +29,7 @@ typedef struct {
   real3w o, d, inv, slack, shear;
   maskw is_x, is_y;              ///< Lanes whose largest axis is x or y.
   int axis;                      ///< The largest axis of all rays that can hit something, 0, 1, 2; -1: they differ.
-  real3w sheared_o;              ///< o, its axes turned so that the largest is z (shear_for_each_w).
+  real3w turned_o;               ///< o, its axes turned so that the largest is z (shear_for_each_w).
   maskw back_x, back_y, back_z;  ///< Lanes that move towards smaller x, y, z.
   realw t_min;
 #if TIER_COMPENSATED
@@ -131,7 +131,7 @@ FN int packet_make_w(Packet_w* p, Rays_w* of, int stop_at_first) {
   p->is_y = eq_w(rays[RAY_PLANE_SHEAR], splat_w(R(1.0)));
   maskw others_x = ~(p->is_x | dead), others_y = ~(p->is_y | dead);
   p->axis = !any_w(others_x) ? 0 : !any_w(others_y) ? 1 : !any_w((p->is_x | p->is_y) & ~dead) ? 2 : -1;
-  p->sheared_o = turned3_w(p->is_x, p->is_y, p->o);
+  p->turned_o = turned3_w(p->is_x, p->is_y, p->o);
   p->back_x = lt_w(p->inv.x, zero);
   p->back_y = lt_w(p->inv.y, zero);
   p->back_z = lt_w(p->inv.z, zero);

@@ -49,6 +49,9 @@ ONCE_FN void find_w(const Scene* scene, GLOBAL const real* in, GLOBAL const int*
   find_rays_w(scene, in, departed, count, stop_at_first, t, found);
 }
 
+/// Number of rays in the block that begins with ray `first`.
+FN int rays_there_w(ulong first, ulong count) { return count - first < LANES ? (int)(count - first) : LANES; }
+
 /// found, t: blocks of FOUND_INTS planes and a plane, or with STOP_AT_FIRST only one of ints, 1 or 0. FOUND_CUT where
 /// the device has ended loops.
 KERNEL LANE_HINT void find(GLOBAL const real* geometry, GLOBAL const real* shading, GLOBAL const int* index,
@@ -57,9 +60,8 @@ KERNEL LANE_HINT void find(GLOBAL const real* geometry, GLOBAL const real* shadi
   ulong first = get_global_id(0) * LANES;
   if (first >= count) return;
   Scene scene = scene_of(geometry, shading, index, (GLOBAL uint*)0);
-  int rays_there = count - first < LANES ? (int)(count - first) : LANES;
   ulong ints = STOP_AT_FIRST ? 1 : FOUND_INTS;
-  find_w(&scene, rays + first * RAY_REALS, departed + first * DEPARTED_INTS, rays_there, STOP_AT_FIRST, t + first,
-         found + first * ints);
+  find_w(&scene, rays + first * RAY_REALS, departed + first * DEPARTED_INTS, rays_there_w(first, count), STOP_AT_FIRST,
+         t + first, found + first * ints);
   if (HAS_LOOP_LIMIT && !loops_were_whole()) found[first * ints + (STOP_AT_FIRST ? 0 : FOUND_KIND * LANES)] = FOUND_CUT;
 }

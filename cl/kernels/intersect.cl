@@ -11,7 +11,6 @@ KERNEL LANE_HINT void describe(GLOBAL const real* geometry, GLOBAL const real* s
   ulong first = get_global_id(0) * LANES;
   if (first >= count) return;
   Scene scene = scene_of(geometry, shading, index, (GLOBAL uint*)0);
-  int rays_there = count - first < LANES ? (int)(count - first) : LANES;
-  describe_w(&scene, rays + first * RAY_REALS, departed + first * DEPARTED_INTS, rays_there, t + first,
+  describe_w(&scene, rays + first * RAY_REALS, departed + first * DEPARTED_INTS, rays_there_w(first, count), t + first,
              found + first * FOUND_INTS, hits + first * HIT_REALS, ids + first * HIT_INTS);
 }

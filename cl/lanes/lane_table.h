@@ -872,6 +872,7 @@
 #define rays_make_w LANED(rays_make_w)
 #define rays_near_w LANED(rays_near_w)
 #define rays_passing_w LANED(rays_passing_w)
+#define rays_there_w LANED(rays_there_w)
 #define reaches_ball_w LANED(reaches_ball_w)
 #define read_int_w LANED(read_int_w)
 #define read_w LANED(read_w)

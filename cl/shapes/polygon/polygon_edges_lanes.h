@@ -9,7 +9,7 @@ FN ShearedVertex_w shear_for_each_w(const Packet_w* p, GLOBAL const real* planes
   int z = p->axis, x = z == 2 ? 0 : z + 1, y = z == 0 ? 2 : z - 1;
   if (z >= 0) {
     at = vec3_w(splat_w(planes[x * LANES]), splat_w(planes[y * LANES]), splat_w(planes[z * LANES]));
-    at = sub3_w(at, p->sheared_o);
+    at = sub3_w(at, p->turned_o);
   } else {
     at = vec3_w(splat_w(planes[0]), splat_w(planes[LANES]), splat_w(planes[2 * LANES]));
     at = turned3_w(p->is_x, p->is_y, sub3_w(at, p->o));
