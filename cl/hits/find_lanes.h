@@ -9,6 +9,11 @@
 #define SCENE_LANED_EXPAND(name, lanes) SCENE_LANED_PASTE(name, lanes)
 #define SCENE_LANED_PASTE(name, lanes) name##_w_##lanes
 
+/// Lanes whose values beside the picture are stored.
+FN maskw are_first_w(const FirstSamples* first) {
+  return nonzero_w(int_of_uint_w(splat_uint_w(first->lanes) >> lane_numbers_w() & 1u));
+}
+
 /// The surface where a path's ray ends, for shading.
 FN void take_surface_w(const Scene* scene, Paths_w* path, int lane, const Ray* ray, const Nearest* nearest,
                        const FirstSamples* first, Surfaces_w* to) {
@@ -75,7 +80,7 @@ FN Surfaces_w find_surfaces_w(const Scene* scene, Paths_w* path, int want, const
   realw travelled = path->travelled;
   maskw is_plain = plain_surfaces_w(scene, path, &each, &s);
   if (HAS_AOV) {  // Surfaces that are reported are computed whole.
-    is_plain = is_plain & ~nonzero_w(int_of_uint_w(splat_uint_w(first->lanes) >> lane_numbers_w() & 1u));
+    is_plain = is_plain & ~are_first_w(first);
     if (TEXTURE_COUNT > 0) path->travelled = sel_w(is_plain, path->travelled, travelled);
   }
   maskw single = path->alive & ~is_plain;

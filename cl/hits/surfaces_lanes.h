@@ -42,6 +42,40 @@ FN Surfaces_w surfaces_none_w(void) {
   return s;
 }
 
+#if HAS_MEDIA
+/// Surfaces of the lanes of `which`.
+FN void sel_surfaces_w(maskw which, const Surfaces_w* from, Surfaces_w* to) {
+  to->hit = (from->hit & which) | (to->hit & ~which);
+  to->t = sel_w(which, from->t, to->t);
+  to->position = sel3_w(which, from->position, to->position);
+  to->normal = sel3_w(which, from->normal, to->normal);
+  to->shading = sel3_w(which, from->shading, to->shading);
+  to->facing = sel_w(which, from->facing, to->facing);
+  if (HAS_TANGENT) to->along = sel3_w(which, from->along, to->along);
+  if (HAS_RELIEF) {
+    to->grad_u = sel3_w(which, from->grad_u, to->grad_u);
+    to->grad_v = sel3_w(which, from->grad_v, to->grad_v);
+  }
+  if (TEXTURE_COUNT > 0) {
+    to->tex_u = sel_w(which, from->tex_u, to->tex_u);
+    to->tex_v = sel_w(which, from->tex_v, to->tex_v);
+    to->footprint = sel_w(which, from->footprint, to->footprint);
+  }
+  if (HAS_MESH_ATTRIBUTE) {
+    to->own_u = sel_w(which, from->own_u, to->own_u);
+    to->own_v = sel_w(which, from->own_v, to->own_v);
+  }
+  to->part = sel_int_w(which, from->part, to->part);
+  to->id = sel_int_w(which, from->id, to->id);
+  to->instance = sel_int_w(which, from->instance, to->instance);
+  to->is_round = sel_int_w(which, from->is_round, to->is_round);
+  to->is_flipped = sel_int_w(which, from->is_flipped, to->is_flipped);
+  to->point = sel3_w(which, from->point, to->point);
+  to->move = sel3_w(which, from->move, to->move);
+  to->bound = sel_w(which, from->bound, to->bound);
+}
+#endif
+
 FN void surface_to_w(Surfaces_w* to, int lane, const Surface* s, int id, real t) {
   Departure departure = departure_of(s);
   put_w(&to->t, lane, t);

@@ -119,8 +119,13 @@ FN void surface_scatter_w(const Scene* scene, Paths_w* path, const Surfaces_w* s
       on = on & ~unreal;
     }
     if (HAS_STRICT_NORMALS && is_lit) on = on_one_side_w(scene, s, on, wo);
-    if ((STEPS_w & (STEP_LIGHTS | STEP_OPENNESS)) && (next & (STEP_LIGHTS | STEP_OPENNESS)) != 0)
-      add_lights_w(scene, path, s, &b, wo, on, next);
+    maskw lit = on;
+#if HAS_MEDIA
+    lit = lit & ~are_unlit_w(scene, path, s);
+#endif
+    if ((STEPS_w & (STEP_LIGHTS | STEP_OPENNESS)) && (next & (STEP_LIGHTS | STEP_OPENNESS)) != 0 &&
+        ((HAS_UNLIT_MEDIA == 0) | any_w(lit)))
+      add_lights_w(scene, path, s, &b, wo, lit, next);
     if (HAS_BRANCHES && (next & STEP_DELTA) != 0)
       on = path_branch_w(scene, path, s, &b, on, &crossing, branches, &way);
     else if ((STEPS_w & (STEP_DELTA | STEP_SCATTER)) && (next & (STEP_DELTA | STEP_SCATTER)) != 0)

@@ -35,6 +35,7 @@ FN int wanted_w(const Scene* scene, const Paths_w* path, const FirstSamples* fir
 /// One surface of each path that is alive.
 ONCE_FN void follow_paths_w(const Scene* scene, Paths_w* path, Branches_w* branches, FirstSamples* first) {
 #if HAS_MEDIA
+  Outlook_w outlook = look_ahead_w(scene, path, HAS_AOV ? are_first_w(first) : none_w());
   Surfaces_w surfaces = meet_surfaces_w(scene, path, wanted_w(scene, path, first), first);
 #else
   Surfaces_w surfaces = find_surfaces_w(scene, path, wanted_w(scene, path, first), first);
@@ -42,7 +43,7 @@ ONCE_FN void follow_paths_w(const Scene* scene, Paths_w* path, Branches_w* branc
   if (HAS_ALBEDO) store_albedo_w(scene, path, &surfaces, first);
 #if HAS_MEDIA
   if (HAS_AOV && first->lanes != 0u) store_boundaries_w(scene, path, &surfaces, first);
-  media_travel_w(scene, path, &surfaces);
+  media_travel_w(scene, path, &outlook, &surfaces);
 #endif
   surface_step_w(scene, path, &surfaces, branches);
   if (HAS_AOV) first->lanes = 0u;

@@ -7,6 +7,7 @@
 #include "media/homogeneous_lanes.h"
 #include "media/heterogeneous_lanes.h"
 #include "media/medium_lanes.h"        // of homogeneous, heterogeneous
+#include "media/reach_lanes.h"         // of homogeneous, heterogeneous
 #include "media/ranked_media_lanes.h"  // of homogeneous, heterogeneous
 #include "media/boundaries_lanes.h"    // of homogeneous, heterogeneous
 #include "media/vertex_lanes.h"        // of homogeneous, heterogeneous

@@ -44,6 +44,7 @@ FN intw medium_beyond_w(const Scene* scene, Paths_w* path, const Surfaces_w* s, 
 typedef struct {
   Paths_w path;    ///< Its rays begin at the last boundary; alive: those that have not come to the end.
   realw end;       ///< t of the surface where each ends, REAL_MAX: none.
+  realw reach;     ///< t up to where boundaries matter; REAL_MAX: up to the end.
   intw last;       ///< The part that was entered last; -1: none.
   intw crossed;    ///< How many each has crossed.
   Surfaces_w met;  ///< The boundaries that are next, where
@@ -58,6 +59,7 @@ FN Way_w way_of_w(const Paths_w* path, const Surfaces_w* s) {
   Way_w way;
   way.path = *path;
   way.end = sel_w(s->hit, s->t, splat_w(REAL_MAX));
+  way.reach = splat_w(REAL_MAX);
   way.last = splat_int_w(-1);
   way.crosses = way.goes_on = way.is_clear = way.entered = none_w();
   way.crossed = splat_int_w(0);
@@ -74,7 +76,7 @@ FN void meet_boundaries_w(const Scene* scene, Way_w* way, const FirstSamples* fi
   boundaries.met = scene->index + row;
   PRIVATE realw* planes = way->path.rays.planes;
   realw most = planes[RAY_PLANE_T_MAX];
-  planes[RAY_PLANE_T_MAX] = sel_w(which, min_w(way->end, most), -splat_w(R(1.0)));
+  planes[RAY_PLANE_T_MAX] = sel_w(which, min_w(min_w(way->end, most), way->reach), -splat_w(R(1.0)));
   way->met = meet_surfaces_w(&boundaries, &way->path, FIND_NEAREST, first);
   planes[RAY_PLANE_T_MAX] = most;
   way->crosses = which & way->met.hit & lt_w(way->met.t, way->end);

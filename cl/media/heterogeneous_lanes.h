@@ -11,6 +11,15 @@ FN real3w density_share_w(const Scene* scene, GLOBAL const int* volumes, real3w 
   return vec3_w(min_w(share.x, one), min_w(share.y, one), min_w(share.z, one));
 }
 
+/// How far paths get is known where they are.
+FN realw heterogeneous_reach_w(const Scene* scene, GLOBAL const int* row, const SampleState_w* sample, realw optical) {
+  (void)scene;
+  (void)row;
+  (void)sample;
+  (void)optical;
+  return splat_w(REAL_MAX);
+}
+
 FN void heterogeneous_travel_w(const Scene* scene, GLOBAL const int* row, const SampleState_w* sample, maskw which,
                                Flight_w* w) {
   GLOBAL const int* cells = scene->index + row[MEDIUM_MAJORANTS];

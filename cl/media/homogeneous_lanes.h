@@ -9,6 +9,20 @@ FN real3w homogeneous_depths_w(GLOBAL const real* reals, realw length) {
 
 FN real3w exp_minus3_w(real3w a) { return vec3_w(exp_minus_w(a.x), exp_minus_w(a.y), exp_minus_w(a.z)); }
 
+/// sigma_t of the paths' heroes.
+FN realw homogeneous_hero_w(const Scene* scene, GLOBAL const int* row, const SampleState_w* sample) {
+  real3w sigma = splat3_w(load3(scene->shading + row[MEDIUM_REALS] + MEDIUM_SIGMA_T));
+  return row[MEDIUM_IS_GREY] ? sigma.x : of_hero_w(scene, sample, sigma);
+}
+
+/// How far paths get. What a medium emits is that of the whole way.
+FN realw homogeneous_reach_w(const Scene* scene, GLOBAL const int* row, const SampleState_w* sample, realw optical) {
+  GLOBAL const real* reals = scene->shading + row[MEDIUM_REALS];
+  real3 albedo = load3(reals + MEDIUM_ALBEDO), emission = load3(reals + MEDIUM_EMISSION);
+  int is_drawn = albedo.x + albedo.y + albedo.z > R(0.0) && emission.x + emission.y + emission.z == R(0.0);
+  return is_drawn ? optical / homogeneous_hero_w(scene, row, sample) : splat_w(REAL_MAX);
+}
+
 FN void homogeneous_travel_w(const Scene* scene, GLOBAL const int* row, const SampleState_w* sample, maskw which,
                              Flight_w* w) {
   GLOBAL const real* reals = scene->shading + row[MEDIUM_REALS];
@@ -27,7 +41,7 @@ FN void homogeneous_travel_w(const Scene* scene, GLOBAL const int* row, const Sa
     w->throughput = sel3_w(which, mul3_w(passed, w->throughput), w->throughput);
     return;
   }
-  realw chosen = row[MEDIUM_IS_GREY] ? sigma.x : of_hero_w(scene, sample, sigma);
+  realw chosen = homogeneous_hero_w(scene, row, sample);
   realw t = w->optical / chosen;
   maskw scatters = which & lt_w(t, w->length);
   if (row[MEDIUM_IS_GREY]) {

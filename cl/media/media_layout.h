@@ -17,13 +17,15 @@ enum { BALL_RADIUS = 3, BALL_REALS };
 enum { BOUNDARY_INSIDE, BOUNDARY_OUTSIDE, BOUNDARY_INTS };
 enum { MEDIUM_NONE = -1, MEDIUM_SAME = -2 };  // MEDIUM_SAME, of both: the surface is no boundary of media.
 
-// MEDIUM_IS_GREY: 1: all channels have the same sigma_t. MEDIUM_PHASES: -> index, PHASE_INTS each.
+// MEDIUM_IS_GREY: 1: all channels have the same sigma_t. MEDIUM_PHASES: -> index, PHASE_INTS each. MEDIUM_IS_LIT: 1:
+// lights are drawn where paths scatter.
 enum {
   MEDIUM_KIND,
   MEDIUM_REALS,
   MEDIUM_IS_GREY,
   MEDIUM_PHASES,
   MEDIUM_PHASE_COUNT,
+  MEDIUM_IS_LIT,
   // Of a medium that varies: -> index, VOLUME_INTS each of VOLUME_SIGMA_T ...; -> index, MAJORANT_INTS; 0 or 1.
   MEDIUM_VOLUMES,
   MEDIUM_MAJORANTS,

@@ -22,6 +22,28 @@ FN void travel_w(const Scene* scene, intw media, const SampleState_w* sample, ma
   }
 }
 
+/// The lengths of ways in `media` after which paths scatter, of the optical depth that they have drawn; REAL_MAX: not
+/// known yet.
+FN realw media_reach_w(const Scene* scene, intw media, const SampleState_w* sample, maskw which, realw optical) {
+  realw reach = splat_w(REAL_MAX);
+  for (uint lanes = bits_w(which); lanes != 0u;) {
+    int medium;
+    maskw of_medium = next_alike_w(media, which, &lanes, &medium);
+    GLOBAL const int* row = medium_row(scene, medium);
+    switch (row[MEDIUM_KIND]) {
+#define MEDIUM(name)                                                              \
+  case MEDIUM_##name:                                                             \
+    reach = sel_w(of_medium, name##_reach_w(scene, row, sample, optical), reach); \
+    break;
+#include "media/media.def"
+#undef MEDIUM
+      default:
+        break;
+    }
+  }
+  return reach;
+}
+
 FN real3w transmittance_w(const Scene* scene, intw media, const SampleState_w* sample, maskw which, Flight_w* flight) {
   realw one = splat_w(R(1.0));
   real3w share = vec3_w(one, one, one);

@@ -22,26 +22,38 @@ FN void scatter_before_w(Surfaces_w* s, maskw which, const Flight_w* w) {
   s->is_flipped = sel_int_w(which, splat_int_w(0), s->is_flipped);
 }
 
-/// Lets the paths go on to the surfaces s that their rays meet, or scatter in a medium before them.
-FN void media_travel_w(const Scene* scene, Paths_w* path, Surfaces_w* s) {
+/// The surfaces that the rays of `which` meet at last, into s.
+FN void see_on_w(const Scene* scene, Paths_w* path, maskw which, Surfaces_w* s) {
+  FirstSamples none = no_first_samples_w();
+  maskw alive = path->alive;
+  realw t_max = path->rays.planes[RAY_PLANE_T_MAX];
+  path->alive = which;
+  Surfaces_w met = meet_surfaces_w(scene, path, FIND_NEAREST, &none);
+  path->alive = alive;
+  path->rays.planes[RAY_PLANE_T_MAX] = t_max;
+  sel_surfaces_w(which, &met, s);
+}
+
+/// Lets the paths go on to the surfaces s that their rays meet, or scatter in a medium before them. outlook: that the
+/// surfaces were looked for with.
+FN void media_travel_w(const Scene* scene, Paths_w* path, const Outlook_w* outlook, Surfaces_w* s) {
+  maskw cut = outlook->cut & ~s->hit;
+  path->rays.planes[RAY_PLANE_T_MAX] = outlook->t_max;
   s->scatters = none_w();
   // No path has a first way then, as in Mitsuba.
   if (scene->index[HEADER_MAX_DEPTH] == 0) return;
   if (media_table(scene)[MEDIA_BOUNDARIES] == 0 && !any_w(path->alive & is_within_w(path->medium))) return;
   FirstSamples none = no_first_samples_w();
   Way_w way = way_of_w(path, s);
+  way.reach = outlook->reach;
   Flight_w w;
   maskw scatters = none_w();
   for (;;) {
     meet_boundaries_w(scene, &way, &none);
     maskw which = way.path.alive & is_within_w(way.path.medium);
+    scatters = none_w();
     if (any_w(which)) {
       w = flight_along_w(&way, s, s->hit);
-      maskw is_new = which & lt_w(w.optical, splat_w(R(0.0)));
-      if (any_w(is_new)) {
-        Random2_w numbers = vertex_pair_w(scene, &path->sample, path->depth, USE_DISTANCE);
-        w.optical = sel_w(is_new, optical_depth_w(numbers.x, numbers.y), w.optical);
-      }
       travel_w(scene, way.path.medium, &path->sample, which, &w);
       path->throughput = way.path.throughput = sel3_w(which, w.throughput, path->throughput);
       path->hero_shares = way.path.hero_shares = sel3_w(which, w.share, path->hero_shares);
@@ -49,7 +61,18 @@ FN void media_travel_w(const Scene* scene, Paths_w* path, Surfaces_w* s) {
       path->optical = way.path.optical = sel_w(which, w.optical, path->optical);
       path->draws = way.path.draws = w.draws;
       scatters = which & w.scatters;
-      if (any_w(scatters)) scatter_before_w(s, scatters, &w);
+    }
+    // These leave their medium before they would have scattered.
+    cut = cut & ~scatters;
+    if (any_w(cut)) {
+      see_on_w(scene, path, cut, s);
+      way.end = sel_w(cut & s->hit, s->t, way.end);
+      cut = none_w();
+    }
+    if (any_w(scatters)) {
+      scatter_before_w(s, scatters, &w);
+      realw way_here = length3_w(sub3_w(s->position, real3_at_w(path->rays.planes + RAY_PLANE_O)));
+      if (TEXTURE_COUNT > 0) path->travelled = sel_w(scatters, outlook->travelled + way_here, path->travelled);
     }
     path->medium = sel_int_w(way.path.alive, way.path.medium, path->medium);
     if (HAS_PRIORITY) sel_interfaces_w(way.path.alive, &way.path.within, &path->within);
@@ -57,7 +80,16 @@ FN void media_travel_w(const Scene* scene, Paths_w* path, Surfaces_w* s) {
     if (!any_w(way.path.alive)) break;
     way.crosses = way.path.alive;
     cross_boundaries_w(scene, &way);
+    way.reach = scatter_reach_w(scene, &way.path);
   }
+}
+
+/// Lanes that scatter in a medium in which no lights are drawn.
+FN maskw are_unlit_w(const Scene* scene, const Paths_w* path, const Surfaces_w* s) {
+  if (!HAS_UNLIT_MEDIA || !any_w(s->scatters)) return none_w();
+  intw medium = sel_int_w(s->scatters, path->medium, splat_int_w(0));
+  GLOBAL const int* is_lit = medium_row(scene, 0) + MEDIUM_IS_LIT;
+  return s->scatters & ~nonzero_w(gather_int_w(is_lit, medium * splat_int_w(MEDIUM_INTS)));
 }
 
 /// As bsdf_eval, of what is there: the surface's material or the medium.
@@ -70,7 +102,8 @@ FN real3w vertex_eval_w(const Scene* scene, const Paths_w* path, const Surfaces_
   return sel3_w(s->scatters, vec3_w(phase, phase, phase), value);
 }
 
-/// Makes those of the lanes that scatter in media draw their way there.
+/// Makes those of the lanes that scatter in media draw their way there. Where no lights are drawn the density is 0, as
+/// of a delta lobe: what the way finds has no other technique.
 FN void vertex_turn_w(const Scene* scene, const Paths_w* path, const Surfaces_w* s, realw number, realw u, realw v,
                       BsdfSample_w* way) {
   if (!any_w(s->scatters)) return;
@@ -79,6 +112,7 @@ FN void vertex_turn_w(const Scene* scene, const Paths_w* path, const Surfaces_w*
   way->wi = sel3_w(s->scatters, after, way->wi);
   way->weight = sel3_w(s->scatters, vec3_w(one, one, one), way->weight);
   way->density = sel_w(s->scatters, density, way->density);
+  if (HAS_UNLIT_MEDIA) way->density = sel_w(are_unlit_w(scene, path, s), splat_w(R(0.0)), way->density);
   way->eta = sel_w(s->scatters, one, way->eta);
   way->lobe = sel_int_w(s->scatters, splat_int_w(LOBE_GLOSSY | LOBE_REFLECT), way->lobe);
 }

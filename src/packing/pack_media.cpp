@@ -127,9 +127,9 @@ void pack_media(PackedScene<Real>& packed, PackedImages<Real>& images, int row, 
     for (const PhaseFunction& phase : medium.phases)
       phases.insert(phases.end(), {features.entry_index("phases", phase_entry(phase.kind)),
                                    packed.put_shading({phase.share, phase.g})});
-    rows.insert(rows.end(),
-                {features.entry_index("media", medium_entry(medium)), packed.put_shading(reals),
-                 is_grey(medium.sigma_t) ? 1 : 0, packed.put_index(phases), checked_offset(medium.phases.size())});
+    rows.insert(rows.end(), {features.entry_index("media", medium_entry(medium)), packed.put_shading(reals),
+                             is_grey(medium.sigma_t) ? 1 : 0, packed.put_index(phases),
+                             checked_offset(medium.phases.size()), medium.samples_emitters ? 1 : 0});
     const std::vector<std::int32_t> columns =
         medium.is_heterogeneous() ? grid_columns(packed, images, medium, frame) : std::vector<std::int32_t>(4, 0);
     rows.insert(rows.end(), columns.begin(), columns.end());

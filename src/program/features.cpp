@@ -30,8 +30,8 @@ struct Cause {
 
 /// Effects without which one is nothing.
 const std::map<std::string, std::vector<std::string>>& needs() {
-  static const std::map<std::string, std::vector<std::string>> all{{"PANE", {"MEDIA", "materials/thindielectric"}},
-                                                                   {"OPEN_MEDIA", {"MEDIA"}}};
+  static const std::map<std::string, std::vector<std::string>> all{
+      {"PANE", {"MEDIA", "materials/thindielectric"}}, {"OPEN_MEDIA", {"MEDIA"}}, {"UNLIT_MEDIA", {"MEDIA"}}};
   return all;
 }
 
@@ -201,6 +201,9 @@ void media_causes(const Scene& scene, Causes& causes) {
   for (const Medium& medium : scene.media)
     call_for(causes, "media/" + medium_entry(medium), "a medium of that type", medium.where);
   for (const Medium& medium : scene.media)
+    if (!medium.samples_emitters)
+      call_for(causes, "UNLIT_MEDIA", "a medium whose sample_emitters is false", medium.where);
+  for (const Medium& medium : scene.media)
     for (const PhaseFunction& phase : medium.phases)
       call_for(causes, "phases/" + phase_entry(phase.kind), "a phase function of that type", medium.where);
   const auto is_drawn_afar = [&](const Light& light) {
@@ -298,8 +301,8 @@ std::string asking_scene(const Scene& scene, const std::string& name) {
 
 /// Could a program of this integrator's kernel use it? Even --generic leaves the rest out.
 bool has_place(const kinds::IntegratorFacts& integrator, const std::string& name) {
-  if (integrator.from_lights ? name == "MEDIA" || name == "PANE" || name == "OPEN_MEDIA" : name == "LIGHT_PATHS")
-    return false;
+  const std::set<std::string> of_media{"MEDIA", "PANE", "OPEN_MEDIA", "UNLIT_MEDIA"};
+  if (integrator.from_lights ? of_media.contains(name) : name == "LIGHT_PATHS") return false;
   const std::vector<std::string>& entries = kinds::integrator_names();
   return std::none_of(entries.begin(), entries.end(), [&](const std::string& entry) {
     const kinds::IntegratorFacts& other = kinds::integrator(entry);

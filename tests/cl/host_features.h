@@ -23,9 +23,11 @@
 #if HAS_MEDIA
 #define HAS_PANE 1
 #define HAS_OPEN_MEDIA 1
+#define HAS_UNLIT_MEDIA 1
 #else
 #define HAS_PANE 0
 #define HAS_OPEN_MEDIA 0
+#define HAS_UNLIT_MEDIA 0
 #endif
 #define HAS_LIGHT_PATHS 1
 #define HAS_SMOOTH_NORMALS 1

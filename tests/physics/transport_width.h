@@ -282,8 +282,9 @@ inline std::vector<Triad> LANED(radiance_along)(const TierBuffers& buffers, cons
     paths_begin_w(&scene, &path, ~none_w(), &rays);
     while (any_w(path.alive)) {
 #if HAS_MEDIA
+      const Outlook_w outlook = look_ahead_w(&scene, &path, none_w());
       Surfaces_w s = meet_surfaces_w(&scene, &path, FIND_NEAREST, &unreported);
-      media_travel_w(&scene, &path, &s);
+      media_travel_w(&scene, &path, &outlook, &s);
 #else
       const Surfaces_w s = find_surfaces_w(&scene, &path, FIND_NEAREST_APPROXIMATELY, &unreported);
 #endif

@@ -21,7 +21,7 @@ TEST_CASE("--generic has everything on but counters, watched loops, what changes
       const bool is_other = of_lights && row.name != "integrators/" + integrator;
       const std::set<std::string> others = integrator == "direct"
                                                ? std::set<std::string>{"LIGHT_PATHS"}
-                                               : std::set<std::string>{"MEDIA", "OPEN_MEDIA", "PANE"};
+                                               : std::set<std::string>{"MEDIA", "OPEN_MEDIA", "UNLIT_MEDIA", "PANE"};
       const bool is_elsewhere = is_other || others.contains(row.name);
       CHECK(row.on == (!never.contains(row.name) && !is_elsewhere));
     }

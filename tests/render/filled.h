@@ -8,11 +8,16 @@
 
 namespace strahl::test {
 
-/// A wide slab from z = -depth / 2 to depth / 2, or a ball, in white surroundings.
-inline Scene filled(const Geometry& geometry, const Medium& medium, double around = 1) {
+/// Of a surface that is nothing but the boundary of a medium.
+inline Material boundary() {
   Material null;
   null.opacity = Reflectance{{0, 0, 0}};
-  Scene scene = stage({geometry}, null);
+  return null;
+}
+
+/// A wide slab from z = -depth / 2 to depth / 2, or a ball, in white surroundings.
+inline Scene filled(const Geometry& geometry, const Medium& medium, double around = 1) {
+  Scene scene = stage({geometry}, boundary());
   scene.media = {medium};
   scene.shapes.front().media = MediumBoundary{0, -1};
   scene.integrator.name = "volpath";

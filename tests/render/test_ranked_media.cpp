@@ -13,12 +13,6 @@ namespace {
 
 constexpr double first = 0.3, second = 1.1;  // What a unit of length of each medium absorbs.
 
-Material boundary() {
-  Material null;
-  null.opacity = Reflectance{{0, 0, 0}};
-  return null;
-}
-
 /// Glass of the index of what is around it: seen by media alone, and met as a surface.
 Material clear_glass() {
   Material glass;

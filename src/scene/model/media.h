@@ -26,6 +26,7 @@ struct Medium {
   Volume albedo = Rgb{0.75, 0.75, 0.75};  ///< The share of that which is scattered, within [0, 1].
   Volume emission = Rgb{0, 0, 0};         ///< Radiance of an infinite depth of it where nothing is scattered.
   std::vector<PhaseFunction> phases{PhaseFunction{}};
+  bool samples_emitters = true;  ///< Lights are drawn where paths scatter, not only found.
   SourceLocation where;
 
   [[nodiscard]] bool is_heterogeneous() const { return sigma_t.grid != nullptr; }

@@ -130,7 +130,8 @@ Medium read_common(Properties& properties, SceneBuilder& builder, bool is_hetero
     std::vector<const XmlElement*> within;
     read_phase(*phases.front(), 1, within, builder, medium.phases);
   }
-  properties.accept({"sample_emitters", "has_spectral_extinction", "method", "step_size"});
+  medium.samples_emitters = properties.boolean("sample_emitters").value_or(true);
+  properties.accept({"has_spectral_extinction", "method", "step_size"});
   return medium;
 }
 
