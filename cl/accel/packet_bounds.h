@@ -8,7 +8,7 @@
 enum {
   PACKET_OF_ANY_RAYS_w = (HAS_TREE == 0)
 #if !TIER_ROBUST
-#define SHAPE(name, planes) &(PACKET_BODY_##name##_w != PACKET_BODY_NONE)
+#define SHAPE(name, planes) &(PACKET_BODY_##name##_w < PACKET_BODY_CYLINDER)
 #include "shapes/shapes.def"
 #undef SHAPE
 #endif

@@ -1,10 +1,19 @@
 // SPDX-License-Identifier: MIT
 // Bodies for packets: every lane holds the same primitive and a ray of its own. A kind's <kind>_lanes.h says which body
-// the kind has. A kind may have none. Then the robust tier finds in lanes the rays that come near the ball of a
-// primitive (shapes/ball.h), and tests these rays one by one; the other tiers test all rays.
+// the kind has. From PACKET_BODY_CYLINDER on a kind has none. Then the robust tier finds in lanes the rays that come
+// near the ball of a primitive (shapes/ball.h), and tests these rays one by one; the other tiers test all rays. Of open
+// cylinders the robust tier leaves out rays that end on their outside, or leave it.
 #ifndef STRAHL_ACCEL_PACKET_KINDS_H
 #define STRAHL_ACCEL_PACKET_KINDS_H
 
-enum { PACKET_BODY_TRIANGLE, PACKET_BODY_PARALLELOGRAM, PACKET_BODY_SPHERE, PACKET_BODY_PLANE, PACKET_BODY_NONE };
+enum {
+  PACKET_BODY_TRIANGLE,
+  PACKET_BODY_PARALLELOGRAM,
+  PACKET_BODY_SPHERE,
+  PACKET_BODY_PLANE,
+  PACKET_BODY_DISK,
+  PACKET_BODY_CYLINDER,
+  PACKET_BODY_NONE
+};
 
 #endif

@@ -57,6 +57,8 @@ FN void packet_leaf_w(const Scene* scene, Packet_w* p, GLOBAL const int* group, 
       sphere_packet_w(scene, p, block, ids, b* LANES, kind, active);     \
     else if (PACKET_BODY_##name##_w == PACKET_BODY_PLANE)                \
       plane_packet_w(p, block, ids, b* LANES, kind, active);             \
+    else if (PACKET_BODY_##name##_w == PACKET_BODY_DISK)                 \
+      disk_packet_w(p, block, ids, b* LANES, kind, active);              \
     else                                                                 \
       PACKET_RAYS_ALONE(name)                                            \
   }

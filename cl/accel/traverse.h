@@ -28,6 +28,7 @@
 #endif
 #if TIER_COMPENSATED
 #include "shapes/packet/reach_lanes.h"
+#include "shapes/disk/disk_hit_lanes.h"
 #endif
 #if TIER_ROBUST
 #include "shapes/box/box_robust_lanes.h"

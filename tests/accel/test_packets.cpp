@@ -135,7 +135,7 @@ void compare(const Device& on, const Scene& scene, const std::vector<Ray>& rays,
   compare(on, scene, rays, settings, coherent, tally);
 }
 
-const std::vector<std::string> round_kinds = {"sphere", "plane"},
+const std::vector<std::string> round_kinds = {"sphere", "plane", "disk"},
                                flat_kinds = {"triangle", "mesh", "rectangle", "cube"};
 
 /// Whatever has no body for packets, as the kernels say (cl/accel/packet_kinds.h).
@@ -143,7 +143,9 @@ std::vector<std::string> other_kinds() {
   std::vector<std::string> kinds;
   for (const std::string& kind : list_entries("shapes")) {
     const std::string text = kernel_files().at(fmt::format("shapes/{0}/{0}_lanes.h", kind));
-    if (text.find(fmt::format("PACKET_BODY_{}_w = PACKET_BODY_NONE", kind)) != std::string::npos) kinds.push_back(kind);
+    for (const std::string none : {"NONE", "CYLINDER"})
+      if (text.find(fmt::format("PACKET_BODY_{}_w = PACKET_BODY_{}", kind, none)) != std::string::npos)
+        kinds.push_back(kind);
   }
   return kinds;
 }
@@ -230,7 +232,7 @@ TEST_CASE("Packets find the bits that single rays find in instances") {
   CHECK(tally.any_differing == 0);
 }
 
-TEST_CASE("Lists of spheres and planes find in lanes what a tree finds ray by ray") {
+TEST_CASE("Lists of spheres and planes and disks find in lanes what a tree finds ray by ray") {
   for (const Precision precision : {Precision::robust, Precision::stable}) {
     INFO(precision_name(precision));
     const Tally tally = compare_listed(round_kinds, precision, 16, rays_asked() / 4);

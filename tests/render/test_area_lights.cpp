@@ -193,6 +193,18 @@ TEST_CASE("a cylinder") {
   });
 }
 
+// Below the tube all ways to its far inside lead through its near side; others come out of its ends.
+TEST_CASE("a cylinder that shines inwards is in the way of its own light") {
+  require_pocl_and_rusticl();
+  Scene scene = floor_below(Cylinder{{-0.4, 0, 1.2}, {0.4, 0, 1.2}, 0.4, {0, 0, 1}}, true);
+  scene.integrator.name = "whitted";
+  for (const Precision precision : {Precision::robust, Precision::stable}) {
+    const Image image = color(scene, precision);
+    CHECK(image.at(stage_size / 2, stage_size / 2, 0) == 0);
+    CHECK(image.at(stage_size - 1, stage_size / 2, 0) > 0);
+  }
+}
+
 TEST_CASE("the fast tier draws all around a cylinder and a sphere") {
   require_pocl_and_rusticl();
   for (const Geometry& emitter :

@@ -4,13 +4,17 @@
 // rounded; the rounded one is taken as exact, so the mantle is |f x v| = r |v|. A ray parallel to the axis misses. The
 // cylinder just left: the other root, -2 (f.d) / (d.d).
 
-enum { PACKET_BODY_cylinder_w = PACKET_BODY_NONE };
+enum { PACKET_BODY_cylinder_w = PACKET_BODY_CYLINDER };
 #define cylinder_SURFACES cylinder_surfaces_w
 
 /// prim: its reals, LANES apart.
 FN Ball cylinder_ball_w(GLOBAL const real* prim) {
-  // Centred at the foot of the axis; the radius reaches the rim of the other end.
-  return ball_of(vec3(prim[0], prim[LANES], prim[2 * LANES]), prim[7 * LANES] + prim[6 * LANES]);
+  // Around the middle of the axis, up to what rounding does to it; the radius reaches beyond the rims.
+  real reach = R(0.5) * prim[6 * LANES];
+  real3 foot = vec3(prim[0], prim[LANES], prim[2 * LANES]);
+  real3 v = vec3(prim[3 * LANES], prim[4 * LANES], prim[5 * LANES]);
+  real most = max3(abs3(foot)) + reach;
+  return ball_of(fma3(reach, v, foot), prim[7 * LANES] + reach + R(0x1p-20) * most);
 }
 
 #if TIER_COMPENSATED

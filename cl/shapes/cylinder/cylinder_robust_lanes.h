@@ -121,7 +121,8 @@ FN void cylinder_block_w(const Ray* ray, GLOBAL const real* block, GLOBAL const 
   maskw which = within_reach_w(ray, best, f.x, f.y, f.z, r + length) & near_mantle_w(ray, best, f, v, length, r);
   maskw departed = none_w();
   if (ray->departed >= 0) departed = is_departed_w(ids, ray);
-  if (any_w(which)) which = which & ~departed & is_there_w(ids);  // Padding is a point without an axis: NaN passes.
+  // Padding is a point without an axis: NaN passes. What a ray ends on is aimed at from outside.
+  if (any_w(which)) which = which & ~departed & is_there_w(ids) & nonzero_w(load_int_w(ids) - splat_int_w(ray->aim));
   if (ray->is_outward) departed = none_w();
 #if WIDE_IS_DOUBLE
   if (any_w(which)) which = cylinders_take_told_w(ray, block, ids, slot, which, best);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Ray against LANES disks: the anchored plane (plane_lanes.h), then |p - c|^2 <= r^2.
 
-enum { PACKET_BODY_disk_w = PACKET_BODY_NONE };
+enum { PACKET_BODY_disk_w = PACKET_BODY_DISK };
 #define disk_SURFACES disk_surfaces_w
 
 /// prim: its reals, LANES apart.

@@ -7,3 +7,4 @@
 #include "shapes/sphere/sphere_packet_lanes.h"
 #include "shapes/plane/plane_packet_lanes.h"
 #include "shapes/packet/packet_near_lanes.h"
+#include "shapes/disk/disk_packet_lanes.h"
