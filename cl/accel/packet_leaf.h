@@ -12,22 +12,24 @@ FN void settle_one_w(const Ray* ray, Nearest* best) {
 }
 
 /// The rays of `active` that come near primitives of a block, one by one, for kinds without a body for packets.
-#define PACKET_RAYS_ALONE(name)                                        \
-  {                                                                    \
-    uint lanes = bits_w(rays_near_w(p, block, ids, kind, active));     \
-    if (lanes == 0u) continue;                                         \
-    NearestEach_w each = packet_found_w(p);                            \
-    for (; lanes != 0u; lanes &= lanes - 1u) {                         \
-      int lane = first_bit(lanes);                                     \
-      Nearest best = nearest_of_w(&each, lane);                        \
-      Ray world = ray_of_w(p->rays, lane), ray = ray_of_world(&world); \
-      if (HAS_TREE)                                                    \
-        meet_blocks_w(scene, &ray, kind, b, 1, FIND_NEAREST, &best);   \
-      else                                                             \
-        name##_block_w(&ray, block, ids, b* LANES, &best);             \
-      settle_one_w(&ray, &best);                                       \
-      packet_put_exact_w(p, lane, &best);                              \
-    }                                                                  \
+#define PACKET_RAYS_ALONE(name)                                                         \
+  {                                                                                     \
+    uint lanes = bits_w(PACKET_BODY_##name##_w == PACKET_BODY_CYLINDER                  \
+                            ? cylinder_packet_w(p, block, ids, b * LANES, kind, active) \
+                            : rays_near_w(p, block, ids, kind, active));                \
+    if (lanes == 0u) continue;                                                          \
+    NearestEach_w each = packet_found_w(p);                                             \
+    for (; lanes != 0u; lanes &= lanes - 1u) {                                          \
+      int lane = first_bit(lanes);                                                      \
+      Nearest best = nearest_of_w(&each, lane);                                         \
+      Ray world = ray_of_w(p->rays, lane), ray = ray_of_world(&world);                  \
+      if (HAS_TREE)                                                                     \
+        meet_blocks_w(scene, &ray, kind, b, 1, FIND_NEAREST, &best);                    \
+      else                                                                              \
+        name##_block_w(&ray, block, ids, b* LANES, &best);                              \
+      settle_one_w(&ray, &best);                                                        \
+      packet_put_exact_w(p, lane, &best);                                               \
+    }                                                                                   \
   }
 
 /// Tests the blocks of a leaf, or all blocks that its kind lists, against the rays of `active`. group: the row of the

@@ -23,10 +23,9 @@ FN wide3_w wide_cross_w(wide3_w p, real3w q) {
 /// have a r^2 - (f.(d x v))^2 within 2^-40 (|d| |v| F)^2, and t within cylinder_off; with four times that, and what
 /// rounding to a real moves t by, a place along the axis is off by 2^-38 |v| (F + |d| |t| + |v| length) and |d| |v|
 /// times that of t.
-FN ToldCylinders_w cylinders_told_w(const Ray* ray, GLOBAL const real* block, maskw which) {
-  real3w o = splat3_w(ray->o), d = splat3_w(ray->d), foot = load_planes3_w(block),
-         v = load_planes3_w(block + 3 * LANES);
-  realw length = load_w(block + 6 * LANES), r = load_w(block + 7 * LANES), zero = splat_w(R(0.0));
+FN ToldCylinders_w cylinders_told_w(real3w o, real3w d, realw t_min, const Cylinders_w* c, maskw which) {
+  real3w foot = c->foot, v = c->v;
+  realw length = c->length, r = c->r, zero = splat_w(R(0.0));
   wide3_w f = wide_difference3_w(o, foot), from = wide_cross_w(f, v), wide_d;
   wide_d.x = wide_of_w(d.x);
   wide_d.y = wide_of_w(d.y);
@@ -34,7 +33,7 @@ FN ToldCylinders_w cylinders_told_w(const Ray* ray, GLOBAL const real* block, ma
   wide3_w across = wide_cross_w(wide_d, v);
   wide_w a = wide_dot3_w(across, across), b = wide_dot3_w(from, across), apart = wide_dot3_w(f, across);
   wide_w v2 = wide_add_w(wide_add_w(wide_product_w(v.x, v.x), wide_product_w(v.y, v.y)), wide_product_w(v.z, v.z));
-  wide_w r2 = wide_product_w(r, r), c = wide_subtract_w(wide_dot3_w(from, from), wide_multiply_w(r2, v2));
+  wide_w r2 = wide_product_w(r, r), at_o = wide_subtract_w(wide_dot3_w(from, from), wide_multiply_w(r2, v2));
   wide_w inside = wide_subtract_w(wide_multiply_w(a, r2), wide_multiply_w(apart, apart));
 
   realw size_d = size1_w(d), size_v = size1_w(v), size_f = size1_w(sub3_w(o, foot)) + r;
@@ -44,7 +43,7 @@ FN ToldCylinders_w cylinders_told_w(const Ray* ray, GLOBAL const real* block, ma
 
   wide_w root = wide_root_w(wide_multiply_w(v2, inside));
   root = wide_sel_w(lt_w(narrow_w(b), zero), wide_negate_w(root), root);
-  wide_w q = wide_negate_w(wide_add_w(b, root)), t0 = wide_divide_w(q, a), t1 = wide_divide_w(c, q);
+  wide_w q = wide_negate_w(wide_add_w(b, root)), t0 = wide_divide_w(q, a), t1 = wide_divide_w(at_o, q);
   maskw swapped = lt_w(narrow_w(t1), narrow_w(t0));
   wide_w near = wide_sel_w(swapped, t1, t0), far = wide_sel_w(swapped, t0, t1);
   wide_w o_along = wide_dot_w(f, v), d_along = wide_dot_w(wide_d, v), end = wide_scale_w(v2, length);
@@ -53,15 +52,14 @@ FN ToldCylinders_w cylinders_told_w(const Ray* ray, GLOBAL const real* block, ma
   told.a = narrow_w(a);
   told.chord = abs_w(narrow_w(root)) / told.a;
   realw largest = max_w(abs_w(narrow_w(t0)), abs_w(narrow_w(t1)));
-  realw t_off =
-      splat_w(R(4.0)) * cylinder_off_w(ray, block, largest, told.a, told.chord, splat_w(DOUBLE_WORD_ROUNDOFF));
+  realw t_off = splat_w(R(4.0)) * cylinder_off_w(o, c, largest, told.a, told.chord, splat_w(DOUBLE_WORD_ROUNDOFF));
   t_off = fma_w(splat_w(R(0x1p-22)), largest, t_off);
   realw place = fma_w(size_d, largest, fma_w(size_v, length, size_f));
   realw off = size_v * fma_w(splat_w(R(0x1p-38)), place, size_d * t_off);
 
   wide_w near_along = wide_add_w(o_along, wide_multiply_w(near, d_along));
   wide_w far_along = wide_add_w(o_along, wide_multiply_w(far, d_along));
-  realw near_after = narrow_w(wide_subtract_w(near, wide_of_w(splat_w(ray->t_min))));
+  realw near_after = narrow_w(wide_subtract_w(near, wide_of_w(t_min)));
   realw near_left = narrow_w(wide_subtract_w(end, near_along)), far_left = narrow_w(wide_subtract_w(end, far_along));
   realw near_place = narrow_w(near_along), far_place = narrow_w(far_along);
   maskw is_near = lt_w(t_off, near_after) & lt_w(off, near_place) & lt_w(off, near_left);
@@ -73,16 +71,4 @@ FN ToldCylinders_w cylinders_told_w(const Ray* ray, GLOBAL const real* block, ma
   told.told = misses | (meets & (is_near | (is_not & (is_far | is_none))));
   told.t = wide_sel_w(is_near, near, far);
   return told;
-}
-
-/// Takes the nearest of those that are hit for certain. Returns the lanes of `which` that double words must decide.
-FN maskw cylinders_take_told_w(const Ray* ray, GLOBAL const real* block, GLOBAL const int* ids, int slot, maskw which,
-                               Nearest* best) {
-  ToldCylinders_w told = cylinders_told_w(ray, block, which);
-  if (any_w(told.hit)) {
-    realw t = narrow_w(told.t), off = cylinder_off_w(ray, block, t, told.a, told.chord, splat_w(WIDE_ROUNDOFF));
-    cylinders_take_w(ray, block, ids, slot, told.hit, told.is_near, none_w(), wide_least_w(told.t, off),
-                     wide_most_w(told.t, off), t, best);
-  }
-  return which & ~told.told;
 }

@@ -5,24 +5,6 @@
 // (f x v) x (d x v) = (f . (d x v)) v, hence the discriminant is v.v times a r^2 - (f . (d x v))^2.
 // A ray parallel to the axis misses. The cylinder just left: the other root, -2 b / a.
 
-/// Lanes whose mantle the ray may meet in its range, up to the best hit so far: those whose axis the line passes within
-/// r, in that range, and between the ends. Distance times |d x v| and the place k of the line's point nearest to the
-/// axis are off by less than 16 u, in terms of |f| and of |f| / |d x v|; 2^-18 is 64 u. NaN passes.
-FN maskw near_mantle_w(const Ray* ray, const Nearest* best, real3w f, real3w v, realw length, realw r) {
-  real3w d = splat3_w(ray->d), n = cross3_w(d, v), from = cross3_w(f, v);
-  realw size = size1_w(f), some = splat_w(R(0x1p-18)), distance = dot3_w(f, n), across = dot3_w(n, n);
-  realw limit = fma_w(some, size, r);
-  maskw passes_by = lt_w(limit * limit * across + splat_w(R(0x1p-120)), distance * distance);
-
-  realw k = -dot3_w(from, n) / across, reach = fma_w(some, limit, limit) / sqrt_w(across);
-  maskw beyond = lt_w(splat_w(best->t), k - reach) | lt_w(k + reach, splat_w(ray->t_min));
-
-  realw d_along = dot3_w(d, v), along = fma_w(k, d_along, dot3_w(f, v));
-  realw spare = fma_w(some, size + length + abs_w(k) + abs_w(k), abs_w(d_along) * reach);
-  maskw past_ends = lt_w(along + spare, splat_w(R(0.0))) | lt_w(length + spare, along);
-  return ~(passes_by | beyond | past_ends);
-}
-
 /// t of the lanes of `open`, from its range; of the others as it is.
 SELDOM_FN realw cylinders_decided_w(const Ray* ray, GLOBAL const real* block, uint open, uint is_near, uint departed,
                                     PRIVATE const realw* least, PRIVATE const realw* most, realw t) {
@@ -41,20 +23,6 @@ SELDOM_FN realw cylinders_decided_w(const Ray* ray, GLOBAL const real* block, ui
   return t;
 }
 
-/// How far t may be off, or a NaN where that is not known. roundoff: of the arithmetic, per operation. a: |d x v|^2.
-/// With A = |d x v|, s = (|f| + r) |v| / A, norms of f and v being sums of absolute values, and h half the chord, t is
-/// off by less than 4 roundoff (s + |t|) (1 + r |v| / (A h)) where A >= 2^-20 |d| |v|: of u^2, a quarter of a double
-/// word's roundoff, 14 for each dot product and 28 for the discriminant; -2 b / a by twice that for an infinite h.
-FN realw cylinder_off_w(const Ray* ray, GLOBAL const real* block, realw t, realw a, realw chord, realw roundoff) {
-  real3w foot = load_planes3_w(block), v = load_planes3_w(block + 3 * LANES);
-  realw r = load_w(block + 7 * LANES), length_v = size1_w(v), across = sqrt_w(a);
-  realw s = (size1_w(sub3_w(splat3_w(ray->o), foot)) + r) * length_v / across + abs_w(t);
-  realw off = splat_w(R(16.0)) * roundoff * fma_w(s, r * length_v / (across * chord), s);
-  maskw is_known = lt_w(splat_w(R(0x1p-36)) * length_v * length_v, a) & lt_w(splat_w(R(0x1p-60)), r) &
-                   lt_w(splat_w(R(0x1p-60)), s) & lt_w(off, splat_w(R(0x1p-10)) * chord);
-  return sel_w(is_known, off, splat_w(exact_nothing()));
-}
-
 /// Takes the nearest of `hit`. least, most: of t, which is decided exactly where they differ; about: t where they do
 /// not.
 FN void cylinders_take_w(const Ray* ray, GLOBAL const real* block, GLOBAL const int* ids, int slot, maskw hit,
@@ -68,7 +36,20 @@ FN void cylinders_take_w(const Ray* ray, GLOBAL const real* block, GLOBAL const 
 
 #if WIDE_IS_DOUBLE
 #define CYLINDERS_IN_DOUBLE_WORDS SELDOM_FN
-#include "shapes/cylinder/cylinder_doubles_lanes.h"
+
+/// Takes the nearest of those that are hit for certain. Returns the lanes of `which` that double words must decide.
+FN maskw cylinders_take_told_w(const Ray* ray, GLOBAL const real* block, GLOBAL const int* ids, int slot, maskw which,
+                               Nearest* best) {
+  Cylinders_w c = cylinders_of_block_w(block);
+  real3w o = splat3_w(ray->o);
+  ToldCylinders_w told = cylinders_told_w(o, splat3_w(ray->d), splat_w(ray->t_min), &c, which);
+  if (any_w(told.hit)) {
+    realw t = narrow_w(told.t), off = cylinder_off_w(o, &c, t, told.a, told.chord, splat_w(WIDE_ROUNDOFF));
+    cylinders_take_w(ray, block, ids, slot, told.hit, told.is_near, none_w(), wide_least_w(told.t, off),
+                     wide_most_w(told.t, off), t, best);
+  }
+  return which & ~told.told;
+}
 #else
 #define CYLINDERS_IN_DOUBLE_WORDS FN
 #endif
@@ -77,10 +58,9 @@ FN void cylinders_take_w(const Ray* ray, GLOBAL const real* block, GLOBAL const 
 CYLINDERS_IN_DOUBLE_WORDS void cylinders_decide_w(const Ray* ray, GLOBAL const real* block, GLOBAL const int* ids,
                                                   int slot, PRIVATE const maskw* which, PRIVATE const maskw* left,
                                                   Nearest* best) {
-  dw3_w f = two_difference3_w(splat_w(ray->o.x), splat_w(ray->o.y), splat_w(ray->o.z), load_w(block),
-                              load_w(block + LANES), load_w(block + 2 * LANES));
-  realw vx = load_w(block + 3 * LANES), vy = load_w(block + 4 * LANES), vz = load_w(block + 5 * LANES);
-  realw length = load_w(block + 6 * LANES), r = load_w(block + 7 * LANES);
+  Cylinders_w c = cylinders_of_block_w(block);
+  dw3_w f = two_difference3_w(splat_w(ray->o.x), splat_w(ray->o.y), splat_w(ray->o.z), c.foot.x, c.foot.y, c.foot.z);
+  realw vx = c.v.x, vy = c.v.y, vz = c.v.z, length = c.length, r = c.r;
   maskw departed = *left;
   realw dx = splat_w(ray->d.x), dy = splat_w(ray->d.y), dz = splat_w(ray->d.z), zero = splat_w(R(0.0));
   dw3_w across, from = cross_real3_w(f, vx, vy, vz);
@@ -89,11 +69,11 @@ CYLINDERS_IN_DOUBLE_WORDS void cylinders_decide_w(const Ray* ray, GLOBAL const r
   across.z = sum3_round_w(sum3_begin_w(dx, vy, -dy, vx));
   dw_w v2 = real_dot_real3_w(vx, vy, vz, vx, vy, vz), r2 = two_prod_w(r, r);
   dw_w a = dw_dot3_w(across, across), b = dw_dot3_w(from, across), apart = dw_dot3_w(f, across);
-  dw_w c = dw_add_w(dw_dot3_w(from, from), dw_negate_w(dw_mul_w(r2, v2)));
+  dw_w at_o = dw_add_w(dw_dot3_w(from, from), dw_negate_w(dw_mul_w(r2, v2)));
   dw_w discriminant = dw_mul_w(v2, dw_add_w(dw_mul_w(a, r2), dw_negate_w(dw_mul_w(apart, apart))));
   maskw hit = *which & le_w(zero, discriminant.hi) & lt_w(zero, a.hi);
 
-  Roots_w roots = quadratic_roots_w(a, b, c, discriminant);
+  Roots_w roots = quadratic_roots_w(a, b, at_o, discriminant);
   dw_w o_along = dot_real3_w(f, vx, vy, vz), d_along = real_dot_real3_w(dx, dy, dz, vx, vy, vz);
   dw_w end = dw_negate_w(dw_scale_w(v2, length));
   dw_w along = dw_add_w(o_along, dw_mul_w(roots.near, d_along));
@@ -109,16 +89,17 @@ CYLINDERS_IN_DOUBLE_WORDS void cylinders_decide_w(const Ray* ray, GLOBAL const r
   hit = hit & le_w(zero, along.hi) & le_w(dw_add_w(along, end).hi, zero);
   realw half_chord = sqrt_w(discriminant.hi) / a.hi;
   half_chord = sel_w(departed, splat_w(REAL_MAX), half_chord);
-  realw off = cylinder_off_w(ray, block, t.hi, a.hi, half_chord, splat_w(DOUBLE_WORD_ROUNDOFF));
+  realw off = cylinder_off_w(splat3_w(ray->o), &c, t.hi, a.hi, half_chord, splat_w(DOUBLE_WORD_ROUNDOFF));
   cylinders_take_w(ray, block, ids, slot, hit, near_hit, departed, t.hi + (t.lo - off), t.hi + (t.lo + off), t.hi,
                    best);
 }
 #undef CYLINDERS_IN_DOUBLE_WORDS
 
 FN void cylinder_block_w(const Ray* ray, GLOBAL const real* block, GLOBAL const int* ids, int slot, Nearest* best) {
-  real3w f = sub3_w(splat3_w(ray->o), load_planes3_w(block)), v = load_planes3_w(block + 3 * LANES);
-  realw length = load_w(block + 6 * LANES), r = load_w(block + 7 * LANES);
-  maskw which = within_reach_w(ray, best, f.x, f.y, f.z, r + length) & near_mantle_w(ray, best, f, v, length, r);
+  Cylinders_w c = cylinders_of_block_w(block);
+  real3w f = sub3_w(splat3_w(ray->o), c.foot);
+  maskw which = within_reach_w(ray, best, f.x, f.y, f.z, c.r + c.length) &
+                near_mantle_w(splat3_w(ray->d), splat_w(ray->t_min), splat_w(best->t), f, &c);
   maskw departed = none_w();
   if (ray->departed >= 0) departed = is_departed_w(ids, ray);
   // Padding is a point without an axis: NaN passes. What a ray ends on is aimed at from outside.

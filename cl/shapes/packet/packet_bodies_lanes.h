@@ -8,3 +8,4 @@
 #include "shapes/plane/plane_packet_lanes.h"
 #include "shapes/packet/packet_near_lanes.h"
 #include "shapes/disk/disk_packet_lanes.h"
+#include "shapes/cylinder/cylinder_packet_lanes.h"

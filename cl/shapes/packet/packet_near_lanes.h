@@ -27,29 +27,13 @@ FN maskw near_ball_w(const Packet_w* p, Ball ball) {
 }
 #endif
 
-#if TIER_ROBUST
-/// Rays that end on the outside of a convex primitive, or leave it there: it is not in their way.
-FN maskw keep_off_w(const Packet_w* p, int id) {
-  return ~nonzero_w(p->aim - splat_int_w(id)) | (packet_departed_w(p, id) & p->outward);
-}
-#endif
-
 /// The rays of `active` that may meet a primitive of the block.
 FN maskw rays_near_w(const Packet_w* p, GLOBAL const real* block, GLOBAL const int* ids, int kind, maskw active) {
 #if TIER_ROBUST
-  int is_open_cylinder = 0;
-#define SHAPE(name, planes) \
-  is_open_cylinder |= (PACKET_BODY_##name##_w == PACKET_BODY_CYLINDER) & (kind == SHAPE_##name);
-#include "shapes/shapes.def"
-#undef SHAPE
   maskw far_off = active;
   uint prims = bits_w(is_there_w(ids));
-  for (; prims != 0u && any_w(far_off); prims &= prims - 1u) {
-    int i = first_bit(prims);
-    maskw near = near_ball_w(p, ball_around_w(block + i, kind));
-    if (is_open_cylinder && p->has_ends) near = near & ~keep_off_w(p, ids[i]);
-    far_off = far_off & ~near;
-  }
+  for (; prims != 0u && any_w(far_off); prims &= prims - 1u)
+    far_off = far_off & ~near_ball_w(p, ball_around_w(block + first_bit(prims), kind));
   return active & ~far_off;
 #else
   (void)p;
