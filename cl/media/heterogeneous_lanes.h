@@ -11,7 +11,7 @@ FN real3w density_share_w(const Scene* scene, GLOBAL const int* volumes, real3w 
   return vec3_w(min_w(share.x, one), min_w(share.y, one), min_w(share.z, one));
 }
 
-/// How far paths get is known where they are.
+/// Where a path scatters is drawn cell by cell, on its way.
 FN realw heterogeneous_reach_w(const Scene* scene, GLOBAL const int* row, const SampleState_w* sample, realw optical) {
   (void)scene;
   (void)row;

@@ -23,12 +23,12 @@ FN realw scatter_reach_w(const Scene* scene, Paths_w* path) {
   return sel_w(which & lt_w(length, most), min_w(reach, most), most);
 }
 
-/// What of the paths' rays surfaces are looked for on.
+/// The paths' rays as they are without a cut, and how they are cut.
 typedef struct {
-  maskw cut;    ///< Lanes whose rays end
-  realw reach;  ///< here, where that is before
-  realw t_max;  ///< their end.
-  realw travelled;
+  maskw cut;        ///< Lanes whose rays were cut,
+  realw reach;      ///< to this t: scatter_reach_w.
+  realw t_max;      ///< The end of the whole rays.
+  realw travelled;  ///< Of the paths, before the rays.
 } Outlook_w;
 
 /// Cuts the paths' rays for the search for surfaces, but those of `whole`; media_travel_w gives them their ends back.

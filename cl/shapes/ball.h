@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Bounding balls. Every kind of shape states its own, x_ball_w in shapes/x/x_lanes.h. Rays of a packet that miss the
-// ball are not tested against the shape (shapes/packet/packet_near_lanes.h). The ball holds every point of the shape;
-// the test is tests/robust/test_balls.cpp.
+// ball of a kind without a body are not tested against the shape (shapes/packet/packet_near_lanes.h). The ball holds
+// every point of the shape; the test is tests/robust/test_balls.cpp.
 #ifndef STRAHL_SHAPES_BALL_H
 #define STRAHL_SHAPES_BALL_H
 

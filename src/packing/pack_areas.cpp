@@ -10,8 +10,8 @@
 
 namespace strahl {
 
-int first_of_area(const Geometry& geometry, int part) {
-  return std::visit([part](const auto& shape) { return kinds::first_of_area(shape, part); }, geometry);
+int first_of_area(const Geometry& geometry, int part, bool shines_inwards) {
+  return std::visit([=](const auto& shape) { return kinds::first_of_area(shape, part, shines_inwards); }, geometry);
 }
 
 namespace {

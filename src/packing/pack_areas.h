@@ -28,7 +28,7 @@ struct EmittingArea {
 
 /// The shape's primitive that the part's first item is, if the items are primitives in its order: then none is in the
 /// way of itself. Else -1.
-[[nodiscard]] int first_of_area(const Geometry& geometry, int part);
+[[nodiscard]] int first_of_area(const Geometry& geometry, int part, bool shines_inwards);
 
 /// Of one part of a shape, which has these primitives and emits `radiance` on the average; none where there is no area
 /// to draw from.

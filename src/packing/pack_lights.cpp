@@ -139,9 +139,7 @@ class LightTable {
         const int items = checked_offset(area->choices.size());
         header(layout::HEADER_MOST_ITEMS) = std::max(header(layout::HEADER_MOST_ITEMS), items);
         const int choice_at = put_choices(packed_, area->choices);
-        // A cylinder that shines inwards may be in the way of its own light.
-        const bool is_in_its_way = std::holds_alternative<Cylinder>(shape.geometry) && area->side < 0;
-        const int first = is_in_its_way ? -1 : first_of_area(shape.geometry, part);
+        const int first = first_of_area(shape.geometry, part, area->side < 0);
         const int uvs_at = area->uvs.empty() ? -1 : packed_.put_shading(area->uvs);
         rows_.insert(rows_.end(), {kind, packed_.put_shading(reals), numbers_("areas", area_kind(shape.geometry)),
                                    items, choice_at, first < 0 ? -1 : first_ids[i] + first, radiance.row, uvs_at,

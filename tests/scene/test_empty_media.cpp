@@ -34,6 +34,18 @@ TEST_CASE("a scene whose media are empty is one without them") {
   CHECK(std::holds_alternative<Sphere>(scene.shapes.front().geometry));
 }
 
+TEST_CASE("a medium says whether lights are drawn in it") {
+  const auto draws_lights = [](const std::string& said) {
+    const std::string medium = "<medium type=\"homogeneous\" name=\"interior\">" + said + "</medium>";
+    return load_body("<shape type=\"cube\"><bsdf type=\"null\"/>" + medium + "</shape>")
+        .scene.media.at(0)
+        .samples_emitters;
+  };
+  CHECK(draws_lights(""));
+  CHECK(draws_lights("<boolean name=\"sample_emitters\" value=\"true\"/>"));
+  CHECK_FALSE(draws_lights("<boolean name=\"sample_emitters\" value=\"false\"/>"));
+}
+
 TEST_CASE("what can be noticed stays") {
   const Scene one = left_of(filled_cube("0 0 0") + ball + filled_cube("0 1e-9 0"));
   CHECK(one.integrator.name == "volpath");

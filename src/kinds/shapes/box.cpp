@@ -31,7 +31,7 @@ void emit(AreaItems& items, const Box& b, Primitives primitives) {
   items.unmap();  // As of hits.
 }
 
-int first_of_area(const Box&, int) { return -1; }
+int first_of_area(const Box&, int, bool) { return -1; }
 
 Vec2 uv_rates(const Box&) { return {}; }
 

@@ -80,7 +80,7 @@ void emit(AreaItems& items, const Cube& cube, Primitives) {
   }
 }
 
-int first_of_area(const Cube&, int) { return 0; }
+int first_of_area(const Cube&, int, bool) { return 0; }
 
 /// Each edge is one of u on some face and one of v on another.
 Vec2 uv_rates(const Cube& c) {

@@ -44,7 +44,7 @@ void emit(AreaItems& items, const Cylinder& c, Primitives) {
   items.round({items.frame().point(c.p0), axis, first, second}, 2 * std::numbers::pi * length(first) * length(axis));
 }
 
-int first_of_area(const Cylinder&, int) { return 0; }
+int first_of_area(const Cylinder&, int, bool shines_inwards) { return shines_inwards ? -1 : 0; }
 
 Vec2 uv_rates(const Cylinder& c) { return {1 / (2 * std::numbers::pi * c.radius), 1 / length(c.p1 - c.p0)}; }
 

@@ -41,7 +41,7 @@ void emit(AreaItems& items, const Disk& d, Primitives) {
   items.flat(d.center, d.axis_u, d.axis_v, std::numbers::pi);
 }
 
-int first_of_area(const Disk&, int) { return 0; }
+int first_of_area(const Disk&, int, bool) { return 0; }
 
 Vec2 uv_rates(const Disk& d) { return {1 / length(d.axis_u), 1 / (2 * std::numbers::pi * length(d.axis_u))}; }
 

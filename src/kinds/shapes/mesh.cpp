@@ -78,7 +78,7 @@ void emit(AreaItems& items, const Mesh& mesh, Primitives primitives) {
   }
 }
 
-int first_of_area(const Mesh& mesh, int) { return mesh.parts.empty() ? 0 : -1; }
+int first_of_area(const Mesh& mesh, int, bool) { return mesh.parts.empty() ? 0 : -1; }
 
 namespace {
 

@@ -66,7 +66,7 @@ std::optional<std::array<double, 9>> surface_frame(const Plane& p, const UploadF
 
 void emit(AreaItems&, const Plane&, Primitives) {}
 
-int first_of_area(const Plane&, int) { return -1; }
+int first_of_area(const Plane&, int, bool) { return -1; }
 
 Vec2 uv_rates(const Plane& p) { return rates_of_edges(p.u, p.v); }
 

@@ -31,7 +31,7 @@ void emit(AreaItems& items, const Rectangle& r, Primitives) {
   items.flat(r.corner, r.edge_u, r.edge_v, 1);
 }
 
-int first_of_area(const Rectangle&, int) { return 0; }
+int first_of_area(const Rectangle&, int, bool) { return 0; }
 
 Vec2 uv_rates(const Rectangle& r) { return rates_of_edges(r.edge_u, r.edge_v); }
 

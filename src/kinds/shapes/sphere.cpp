@@ -33,7 +33,7 @@ void emit(AreaItems& items, const Sphere& s, Primitives) {
   items.axes(s.frame);
 }
 
-int first_of_area(const Sphere&, int) { return 0; }
+int first_of_area(const Sphere&, int, bool) { return 0; }
 
 Vec2 uv_rates(const Sphere& s) {
   const double turn = 2 * std::numbers::pi;

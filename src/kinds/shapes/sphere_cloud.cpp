@@ -41,7 +41,7 @@ void emit(AreaItems& items, const SphereCloud& cloud, Primitives primitives) {
   }
 }
 
-int first_of_area(const SphereCloud&, int part) { return part; }
+int first_of_area(const SphereCloud&, int part, bool) { return part; }
 
 /// Those of the largest sphere.
 Vec2 uv_rates(const SphereCloud& cloud) {

@@ -26,7 +26,7 @@ void emit(AreaItems& items, const Triangle& t, Primitives) {
   items.flat(t.p0, t.p1 - t.p0, t.p2 - t.p0, 0.5);
 }
 
-int first_of_area(const Triangle&, int) { return 0; }
+int first_of_area(const Triangle&, int, bool) { return 0; }
 
 Vec2 uv_rates(const Triangle& t) { return rates_of_edges(t.p1 - t.p0, t.p2 - t.p0); }
 
