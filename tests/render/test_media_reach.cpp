@@ -22,11 +22,13 @@ Material glass() {
   return glass;
 }
 
-/// A material that asks for all that textures know of a place.
+/// A material that asks for all that textures know of a place: the squares are narrower than what samples are filtered
+/// to.
 int bumpy_board(Scene& scene) {
   Bitmap ramp;
   ramp.texels = std::make_shared<const Texels>(texels_of_floats(2, 1, 1, {0, 0.15F}));
-  scene.textures = {{"", Checkerboard{{0.9, 0.7, 0.5}, {0.2, 0.3, 0.4}, {6, 0, 0, 0, 6, 0}}, {}}, {"", ramp, {}, true}};
+  scene.textures = {{"", Checkerboard{{0.9, 0.7, 0.5}, {0.2, 0.3, 0.4}, {300, 0, 0, 0, 300, 0}}, {}},
+                    {"", ramp, {}, true}};
   Diffuse board;
   board.reflectance.texture = 0;
   Relief relief;
