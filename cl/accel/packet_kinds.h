@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Bodies for packets: every lane holds the same primitive and a ray of its own. A kind's <kind>_lanes.h says which body
 // the kind has. From PACKET_BODY_CYLINDER on a kind has none that decides all. Then the robust tier finds in lanes the
-// rays that come near the ball of a primitive (shapes/ball.h), and tests these rays one by one; of open cylinders
-// doubles decide nearly all rays in lanes, and one by one those that remain. The other tiers test all rays one by one.
+// rays that come near the ball of a primitive (shapes/ball.h), and tests these rays one by one; of PACKET_BODY_CYLINDER
+// doubles decide nearly all rays in lanes, and only the rest is tested so. The other tiers test all rays one by one.
 #ifndef STRAHL_ACCEL_PACKET_KINDS_H
 #define STRAHL_ACCEL_PACKET_KINDS_H
 

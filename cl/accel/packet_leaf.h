@@ -11,25 +11,41 @@ FN void settle_one_w(const Ray* ray, Nearest* best) {
 #endif
 }
 
+// The kinds' own files define these; programs without such a kind never call them.
+#ifndef PACKET_DISKS
+#define PACKET_DISKS no_packet_w
+#endif
+#ifndef PACKET_CYLINDERS
+#define PACKET_CYLINDERS no_packet_w
+#endif
+FN maskw no_packet_w(Packet_w* p, GLOBAL const real* block, GLOBAL const int* ids, int slot, int kind, maskw active) {
+  (void)p;
+  (void)block;
+  (void)ids;
+  (void)slot;
+  (void)kind;
+  return active;
+}
+
 /// The rays of `active` that come near primitives of a block, one by one, for kinds without a body for packets.
-#define PACKET_RAYS_ALONE(name)                                                         \
-  {                                                                                     \
-    uint lanes = bits_w(PACKET_BODY_##name##_w == PACKET_BODY_CYLINDER                  \
-                            ? cylinder_packet_w(p, block, ids, b * LANES, kind, active) \
-                            : rays_near_w(p, block, ids, kind, active));                \
-    if (lanes == 0u) continue;                                                          \
-    NearestEach_w each = packet_found_w(p);                                             \
-    for (; lanes != 0u; lanes &= lanes - 1u) {                                          \
-      int lane = first_bit(lanes);                                                      \
-      Nearest best = nearest_of_w(&each, lane);                                         \
-      Ray world = ray_of_w(p->rays, lane), ray = ray_of_world(&world);                  \
-      if (HAS_TREE)                                                                     \
-        meet_blocks_w(scene, &ray, kind, b, 1, FIND_NEAREST, &best);                    \
-      else                                                                              \
-        name##_block_w(&ray, block, ids, b* LANES, &best);                              \
-      settle_one_w(&ray, &best);                                                        \
-      packet_put_exact_w(p, lane, &best);                                               \
-    }                                                                                   \
+#define PACKET_RAYS_ALONE(name)                                                        \
+  {                                                                                    \
+    uint lanes = bits_w(PACKET_BODY_##name##_w == PACKET_BODY_CYLINDER                 \
+                            ? PACKET_CYLINDERS(p, block, ids, b * LANES, kind, active) \
+                            : rays_near_w(p, block, ids, kind, active));               \
+    if (lanes == 0u) continue;                                                         \
+    NearestEach_w each = packet_found_w(p);                                            \
+    for (; lanes != 0u; lanes &= lanes - 1u) {                                         \
+      int lane = first_bit(lanes);                                                     \
+      Nearest best = nearest_of_w(&each, lane);                                        \
+      Ray world = ray_of_w(p->rays, lane), ray = ray_of_world(&world);                 \
+      if (HAS_TREE)                                                                    \
+        meet_blocks_w(scene, &ray, kind, b, 1, FIND_NEAREST, &best);                   \
+      else                                                                             \
+        name##_block_w(&ray, block, ids, b* LANES, &best);                             \
+      settle_one_w(&ray, &best);                                                       \
+      packet_put_exact_w(p, lane, &best);                                              \
+    }                                                                                  \
   }
 
 /// Tests the blocks of a leaf, or all blocks that its kind lists, against the rays of `active`. group: the row of the
@@ -60,7 +76,7 @@ FN void packet_leaf_w(const Scene* scene, Packet_w* p, GLOBAL const int* group, 
     else if (PACKET_BODY_##name##_w == PACKET_BODY_PLANE)                \
       plane_packet_w(p, block, ids, b* LANES, kind, active);             \
     else if (PACKET_BODY_##name##_w == PACKET_BODY_DISK)                 \
-      disk_packet_w(p, block, ids, b* LANES, kind, active);              \
+      PACKET_DISKS(p, block, ids, b* LANES, kind, active);               \
     else                                                                 \
       PACKET_RAYS_ALONE(name)                                            \
   }

@@ -28,11 +28,9 @@
 #endif
 #if TIER_COMPENSATED
 #include "shapes/packet/reach_lanes.h"
-#include "shapes/disk/disk_hit_lanes.h"
 #endif
 #if TIER_ROBUST
 #include "shapes/box/box_robust_lanes.h"
-#include "shapes/cylinder/cylinder_hit_lanes.h"
 #include "shapes/box/box_t_lanes.h"
 #include "shapes/polygon/polygon_robust_lanes.h"
 #elif TIER_FAST

@@ -715,6 +715,7 @@
 #define no_light_w LANED(no_light_w)
 #define no_new_paths_w LANED(no_new_paths_w)
 #define no_numbers_w LANED(no_numbers_w)
+#define no_packet_w LANED(no_packet_w)
 #define no_way_w LANED(no_way_w)
 #define none_w LANED(none_w)
 #define nonzero_w LANED(nonzero_w)

@@ -19,7 +19,7 @@ typedef struct {
   int departed;        ///< Scene-wide id of the primitive just left, -1: none. It is not hit again where it was left.
   int departed_instance;  ///< That it belongs to; -1: none.
   int aim;         ///< Id of the primitive that the ray ends on, -1: none. Polygons and the textbook's sphere are
-                   ///< then not in the way of themselves, nor are exact disks and the outside of exact cylinders.
+                   ///< then not in the way of themselves; of other kinds the exact test may say so, too.
   int is_outward;  ///< 1: that primitive is convex and the ray goes away from it, so it is not hit again at all.
 
   real3 inv;  ///< 1 / d, infinite where d is 0.

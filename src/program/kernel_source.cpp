@@ -199,7 +199,7 @@ class Expander {
   /// List and name of the entry whose own file this is: shapes/sphere/sphere.h as well as materials/diffuse.h.
   std::optional<std::pair<std::string, std::string>> entry_of(const std::string& path) const {
     const std::string folder = folder_of(path), parent = folder_of(folder);
-    for (const std::string ending : {"_surfaces_lanes.h", "_lanes.h", ".h"}) {
+    for (const std::string ending : {"_surfaces_lanes.h", "_body_lanes.h", "_lanes.h", ".h"}) {
       if (!path.ends_with(ending)) continue;
       const std::string entry = path.substr(folder.size() + 1, path.size() - folder.size() - 1 - ending.size());
       const std::string owner = folder == parent + '/' + entry ? parent : folder;

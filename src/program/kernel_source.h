@@ -10,13 +10,14 @@
 //
 // `.def` lists (shapes/shapes.def, materials/materials.def, ...) hold one entry a line, `SHAPE(sphere, ...)`, and
 // comments: the expander keeps the lines of active entries only, and the includes `"shapes/sphere/sphere.h"`,
-// `"shapes/sphere/sphere_lanes.h"` and `"shapes/sphere/sphere_surfaces_lanes.h"` are dropped where `sphere` is an entry
-// of shapes/shapes.def that is not active. What several entries share is included by a list file (all.h, all_lanes.h,
-// all_surfaces_lanes.h) with their names, `#include "math/roots.h"  // of sphere, disk` (or `// not of box`), and
-// dropped where none of them (no other one) is active. In list files and entries' own files a section `#if HAS_X` ...
-// `#endif` is left out where the feature is off, and stands without these two lines where it is on. So a program's text
-// does not change when somebody adds an effect that it does not use; for the same reason neither .def files nor the
-// list files, which hold includes only, put #line directives of their own into the text.
+// `"shapes/sphere/sphere_lanes.h"`, `"shapes/sphere/sphere_surfaces_lanes.h"` and `"shapes/sphere/sphere_body_lanes.h"`
+// are dropped where `sphere` is an entry of shapes/shapes.def that is not active. What several entries share is
+// included by a list file (all.h, all_lanes.h, all_surfaces_lanes.h) with their names, `#include "math/roots.h"  // of
+// sphere, disk` (or `// not of box`), and dropped where none of them (no other one) is active. In list files and
+// entries' own files a section `#if HAS_X` ... `#endif` is left out where the feature is off, and stands without these
+// two lines where it is on. So a program's text does not change when somebody adds an effect that it does not use; for
+// the same reason neither .def files nor the list files, which hold includes only, put #line directives of their own
+// into the text.
 #pragma once
 
 #include <map>

@@ -273,6 +273,7 @@ TEST_CASE("First light knows nothing of cylinders") {
     const std::string text = text_of(scene, {}, root);
     CHECK(text.find("sphere_") != std::string::npos);
     CHECK(text.find("cylinder") == std::string::npos);
+    CHECK(text.find("disks_hit") == std::string::npos);
   }
 }
 

@@ -21,6 +21,7 @@ FN Ball cylinder_ball_w(GLOBAL const real* prim) {
 #include "shapes/cylinder/cylinder_slabs_lanes.h"
 #endif
 #if TIER_ROBUST
+#include "shapes/cylinder/cylinder_hit_lanes.h"
 #include "shapes/cylinder/cylinder_robust_lanes.h"
 #elif TIER_FAST
 #include "shapes/cylinder/cylinder_fast_lanes.h"

@@ -10,6 +10,7 @@ FN Ball disk_ball_w(GLOBAL const real* prim) {
 }
 
 #if TIER_COMPENSATED
+#include "shapes/disk/disk_hit_lanes.h"
 #include "shapes/disk/disk_robust_lanes.h"
 #elif TIER_FAST
 #include "shapes/disk/disk_fast_lanes.h"

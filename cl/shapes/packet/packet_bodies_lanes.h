@@ -7,5 +7,5 @@
 #include "shapes/sphere/sphere_packet_lanes.h"
 #include "shapes/plane/plane_packet_lanes.h"
 #include "shapes/packet/packet_near_lanes.h"
-#include "shapes/disk/disk_packet_lanes.h"
-#include "shapes/cylinder/cylinder_packet_lanes.h"
+#include "shapes/disk/disk_body_lanes.h"
+#include "shapes/cylinder/cylinder_body_lanes.h"

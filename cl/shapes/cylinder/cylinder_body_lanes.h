@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // LANES rays against one open cylinder at a time of a block: what doubles tell for certain of them, robust tier, by the
 // operations of cylinder_block_w. One width; no guard.
+#define PACKET_CYLINDERS cylinder_packet_w
 
 /// The rays of `active` that must be asked one by one: near cylinders of the block and not told for certain, or asked
 /// for the other side of the one that they have left.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // LANES rays against one disk at a time of a block: disk_block_w with the roles exchanged, the same operations. One
 // width; no guard.
+#define PACKET_DISKS disk_packet_w
 
 FN void disk_packet_w(Packet_w* p, GLOBAL const real* block, GLOBAL const int* ids, int slot, int kind, maskw active) {
   for (uint prims = bits_w(is_there_w(ids)); prims != 0u; prims &= prims - 1u) {
