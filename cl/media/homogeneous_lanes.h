@@ -15,12 +15,22 @@ FN realw homogeneous_hero_w(const Scene* scene, GLOBAL const int* row, const Sam
   return row[MEDIUM_IS_GREY] ? sigma.x : of_hero_w(scene, sample, sigma);
 }
 
+/// 1: places where paths scatter are drawn; else transmittances are computed.
+FN int homogeneous_scatters_w(GLOBAL const real* reals) {
+  real3 albedo = load3(reals + MEDIUM_ALBEDO);
+  return albedo.x + albedo.y + albedo.z != R(0.0);
+}
+
+FN int homogeneous_emits_w(GLOBAL const real* reals) {
+  real3 emission = load3(reals + MEDIUM_EMISSION);
+  return emission.x + emission.y + emission.z > R(0.0);
+}
+
 /// How far paths get. What a medium emits is that of the whole way.
 FN realw homogeneous_reach_w(const Scene* scene, GLOBAL const int* row, const SampleState_w* sample, realw optical) {
   GLOBAL const real* reals = scene->shading + row[MEDIUM_REALS];
-  real3 albedo = load3(reals + MEDIUM_ALBEDO), emission = load3(reals + MEDIUM_EMISSION);
-  int is_drawn = albedo.x + albedo.y + albedo.z > R(0.0) && emission.x + emission.y + emission.z == R(0.0);
-  return is_drawn ? optical / homogeneous_hero_w(scene, row, sample) : splat_w(REAL_MAX);
+  return homogeneous_scatters_w(reals) && !homogeneous_emits_w(reals) ? optical / homogeneous_hero_w(scene, row, sample)
+                                                                      : splat_w(REAL_MAX);
 }
 
 FN void homogeneous_travel_w(const Scene* scene, GLOBAL const int* row, const SampleState_w* sample, maskw which,
@@ -28,14 +38,14 @@ FN void homogeneous_travel_w(const Scene* scene, GLOBAL const int* row, const Sa
   GLOBAL const real* reals = scene->shading + row[MEDIUM_REALS];
   real3 albedo = load3(reals + MEDIUM_ALBEDO), emission = load3(reals + MEDIUM_EMISSION);
   real3w sigma = splat3_w(load3(reals + MEDIUM_SIGMA_T));
-  if (emission.x + emission.y + emission.z > R(0.0)) {
+  if (homogeneous_emits_w(reals)) {
     // The whole way's emission, wherever the path scatters: as many rays reach a place unscattered as should.
     real3w depths = homogeneous_depths_w(reals, w->length);
     real3w glow = vec3_w(one_minus_exp_w(depths.x), one_minus_exp_w(depths.y), one_minus_exp_w(depths.z));
     glow = mul3_w(mul3_w(splat3_w(emission), glow), w->throughput);
     w->radiance = sel3_w(which, add3_w(w->radiance, glow), w->radiance);
   }
-  if (albedo.x + albedo.y + albedo.z == R(0.0)) {
+  if (!homogeneous_scatters_w(reals)) {
     // Nothing is scattered, so nothing is drawn.
     real3w passed = exp_minus3_w(homogeneous_depths_w(reals, w->length));
     w->throughput = sel3_w(which, mul3_w(passed, w->throughput), w->throughput);

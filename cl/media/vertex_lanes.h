@@ -47,11 +47,10 @@ FN void media_travel_w(const Scene* scene, Paths_w* path, const Outlook_w* outlo
   Way_w way = way_of_w(path, s);
   way.reach = outlook->reach;
   Flight_w w;
-  maskw scatters = none_w();
   for (;;) {
     meet_boundaries_w(scene, &way, &none);
     maskw which = way.path.alive & is_within_w(way.path.medium);
-    scatters = none_w();
+    maskw scatters = none_w();
     if (any_w(which)) {
       w = flight_along_w(&way, s, s->hit);
       travel_w(scene, way.path.medium, &path->sample, which, &w);

@@ -35,6 +35,11 @@ const std::map<std::string, std::vector<std::string>>& needs() {
   return all;
 }
 
+bool does_need(const std::string& name, const std::string& other) {
+  const auto found = needs().find(name);
+  return found != needs().end() && std::count(found->second.begin(), found->second.end(), other) > 0;
+}
+
 struct Causes {
   std::set<std::string> left_out;
   std::map<std::string, Cause> first;       ///< That was found of each name.
@@ -301,8 +306,7 @@ std::string asking_scene(const Scene& scene, const std::string& name) {
 
 /// Could a program of this integrator's kernel use it? Even --generic leaves the rest out.
 bool has_place(const kinds::IntegratorFacts& integrator, const std::string& name) {
-  const std::set<std::string> of_media{"MEDIA", "PANE", "OPEN_MEDIA", "UNLIT_MEDIA"};
-  if (integrator.from_lights ? of_media.contains(name) : name == "LIGHT_PATHS") return false;
+  if (integrator.from_lights ? name == "MEDIA" || does_need(name, "MEDIA") : name == "LIGHT_PATHS") return false;
   const std::vector<std::string>& entries = kinds::integrator_names();
   return std::none_of(entries.begin(), entries.end(), [&](const std::string& entry) {
     const kinds::IntegratorFacts& other = kinds::integrator(entry);

@@ -14,8 +14,7 @@ FN void disk_packet_w(Packet_w* p, GLOBAL const real* block, GLOBAL const int* i
     real3w o = p->o, d = p->d;
     realw r2 = splat_w(prim[6 * LANES]);
 #if TIER_ROBUST
-    Ball ball = ball_of(vec3(prim[0], prim[LANES], prim[2 * LANES]), real_sqrt(prim[6 * LANES]));
-    which = which & near_ball_w(p, ball);
+    which = which & near_ball_w(p, disk_ball_w(prim));
     if (!any_w(which)) continue;
     maskw hit = disks_hit_w(o, d, center, n, r2, which);
     if (!any_w(hit)) continue;
