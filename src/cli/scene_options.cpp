@@ -21,6 +21,9 @@ void add_scene_options(CLI::App& app, SceneOptions& options) {
   app.add_option("-D", options.defines, "Define $NAME of the scene; overrides its <default>; repeatable")
       ->type_name("NAME=VALUE")
       ->allow_extra_args(false);
+  app.add_option("--sensor", options.sensor,
+                 "The camera of a scene that has several: the id of a <sensor>, or its number from 0 on")
+      ->type_name("ID|N");
   app.add_flag("--strict", options.strict, "Unknown plugins and parameters of the scene are errors");
   app.add_option(
          "--root", options.root,
@@ -44,6 +47,7 @@ Scene load(const SceneOptions& options, double& seconds) {
   LoadOptions load_options;
   load_options.strict = options.strict;
   load_options.root = options.root;
+  load_options.sensor = options.sensor;
   for (const std::string& define : options.defines) {
     const std::size_t equals = define.find('=');
     if (equals == std::string::npos || equals == 0)

@@ -18,7 +18,8 @@ struct SceneOptions {
   std::string path;
   std::vector<std::string> defines;  ///< name=value
   bool strict = false;
-  std::string root;  ///< Empty: the scene may name any file.
+  std::string sensor;  ///< Id or number; empty: the first.
+  std::string root;    ///< Empty: the scene may name any file.
   bool quiet = false;
   bool no_progress = false;
   bool verbose = false;

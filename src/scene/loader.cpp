@@ -19,6 +19,7 @@
 #include "scene/xml/diagnostics.h"
 #include "scene/xml/element_ids.h"
 #include "scene/xml/scene_builder.h"
+#include "scene/xml/xml_animation.h"
 #include "scene/xml/xml_expand.h"
 #include "scene/xml/xml_vocabulary.h"
 
@@ -35,11 +36,13 @@ Scene scene_of_xml(const std::string& path, const LoadOptions& options, Diagnost
   XmlPool pool;
   SearchPath search_path(path);
   XmlElement* root = read_expanded_xml(path, options.defines, search_path, pool, diagnostics);
-  if (root == nullptr || !check_vocabulary(*root, diagnostics)) return {};
+  if (root == nullptr) return {};
+  hold_animations(*root, diagnostics);
+  if (!check_vocabulary(*root, diagnostics)) return {};
   use_mitsuba_names(*root, pool);
   drop_number_suffixes(*root, pool, diagnostics);
   const ElementIds ids(*root, diagnostics);
-  SceneBuilder builder{{}, search_path, ids, diagnostics, options.progress};
+  SceneBuilder builder{{}, search_path, ids, diagnostics, options.progress, options.sensor};
   read_scene(*root, builder);
   if (builder.scene.integrator.name == "auto" && !diagnostics.has_errors()) choose_integrator(builder.scene);
   if (!diagnostics.has_errors()) simplify_integrator(builder.scene);
@@ -49,6 +52,8 @@ Scene scene_of_xml(const std::string& path, const LoadOptions& options, Diagnost
 Scene scene_of_mesh(const std::string& path, const LoadOptions& options, Diagnostics& diagnostics) {
   for (const auto& [name, value] : options.defines)
     diagnostics.unknown({path}, fmt::format("-D {}={}: a mesh has no parameters; it has no effect", name, value));
+  if (!options.sensor.empty())
+    diagnostics.unknown({path}, fmt::format("--sensor {}: a mesh has no <sensor>; it has no effect", options.sensor));
   MeshFile file = read_mesh(path, progress_of(path, options.progress));
   for (const std::string& library : file.libraries) diagnostics.opened(library);
   diagnostics.append(file.warnings);

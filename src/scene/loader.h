@@ -21,6 +21,8 @@ struct LoadOptions {
   /// Files outside of this folder are not read; empty: all may be. Of this load alone: those of other threads keep to
   /// roots of their own.
   std::string root = {};
+  /// Which <sensor> is the camera: its id, else its number from 0 on in file order. Empty: the first.
+  std::string sensor = {};
 };
 
 struct LoadedScene {

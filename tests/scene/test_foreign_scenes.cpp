@@ -58,6 +58,17 @@ TEST_CASE("<path> puts a folder before all others, for included files too, and t
   CHECK(contains(problems_of(folder, "<path/>").at(0), "needs the attribute value"));
 }
 
+TEST_CASE("backslashes of Windows are slashes where no file has them in its name") {
+  const SceneFolder folder;
+  folder.write("meshes/a.obj", triangle_obj);
+  CHECK(problems_of(folder, obj("meshes\\a.obj")).empty());
+  CHECK(problems_of(folder, "<path value=\".\\meshes\"/>" + obj("a.obj")).empty());
+  folder.write("meshes\\a.obj", std::string(triangle_obj) + "f 1 3 2\n");
+  const Scene scene = load_scene(folder.write("scene.xml", around(obj("meshes\\a.obj")))).scene;
+  CHECK(primitive_count(scene.shapes.at(0)) == 2);
+  CHECK(contains(problems_of(folder, obj("no\\b.obj")).at(0), "no\\b.obj"));
+}
+
 TEST_CASE("a parameter given twice: in 0.x the last counts, in 3 it is an error") {
   const std::string twice =
       "<shape type=\"sphere\"><float name=\"radius\" value=\"1\"/><float name=\"radius\" value=\"2\"/></shape>";

@@ -45,6 +45,37 @@ TEST_CASE("a polarizing plastic becomes a rough one with its parameters") {
   CHECK(plastic.microfacets.alpha_u.color == Rgb{.2, .2, .2});
 }
 
+TEST_CASE("filters of polarization pass what they pass of unpolarized light") {
+  const LoadedScene loaded = load_body(
+      "<bsdf type=\"polarizer\"><spectrum name=\"theta\" value=\"30\"/></bsdf><bsdf type=\"circular\">"
+      "<boolean name=\"left_handed\" value=\"true\"/><rgb name=\"transmittance\" value=\".2 .4 .6\"/></bsdf>"
+      "<bsdf type=\"retarder\"><spectrum name=\"delta\" value=\"90\"/>"
+      "<rgb name=\"transmittance\" value=\".2 .4 .6\"/></bsdf>");
+  CHECK(loaded.warnings.empty());
+  const Rgb passed[] = {{.5, .5, .5}, {.1, .2, .3}, {.2, .4, .6}};
+  REQUIRE(loaded.scene.materials.size() == 4);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Dielectric& pane = std::get<ThinDielectric>(loaded.scene.materials[i + 1].bsdf).glass;
+    CHECK(pane.int_ior == pane.ext_ior);
+    CHECK(pane.transmittance.color == passed[i]);
+  }
+}
+
+TEST_CASE("a polarizer with a textured transmittance passes half of it") {
+  const Scene scene = load_body(
+                          "<bsdf type=\"polarizer\"><texture type=\"checkerboard\" name=\"transmittance\"/>"
+                          "</bsdf><bsdf type=\"retarder\"><texture type=\"checkerboard\" "
+                          "name=\"transmittance\"/></bsdf>")
+                          .scene;
+  REQUIRE(scene.materials.size() == 5);
+  const Blend& blend = std::get<Blend>(scene.materials[3].bsdf);
+  const auto row = [&](int index) { return scene.materials.at(static_cast<std::size_t>(index)).bsdf; };
+  CHECK(blend.weight.color == Rgb{.5, .5, .5});
+  CHECK(std::get<Diffuse>(row(blend.first)).reflectance.color == Rgb{});
+  CHECK(std::get<ThinDielectric>(row(blend.second)).glass.transmittance.texture == 0);
+  CHECK(std::get<ThinDielectric>(row(4)).glass.transmittance.texture == 1);
+}
+
 TEST_CASE("an unknown integrator becomes volpath where there are media, around the camera too, else path") {
   const std::string unknown = "<integrator type=\"volsample\"/>", fog = "<medium type=\"homogeneous\" name=";
   const auto named = [](const std::string& text) {

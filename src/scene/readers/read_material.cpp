@@ -19,7 +19,8 @@ const PluginTable<MaterialReader>& material_readers() {
 #undef MATERIAL
       {"twosided", read_twosided}, {"mask", read_mask},           {"null", read_null},
       {"blendbsdf", read_blend},   {"mixturebsdf", read_mixture}, {"normalmap", read_normalmap},
-      {"bumpmap", read_bumpmap},   {"coating", read_coating}};
+      {"bumpmap", read_bumpmap},   {"coating", read_coating},     {"polarizer", read_polarizer},
+      {"circular", read_circular}, {"retarder", read_retarder}};
   return table;
 }
 

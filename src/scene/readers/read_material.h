@@ -24,6 +24,10 @@ Material read_blend(Properties& properties, SceneBuilder& builder);
 Material read_mixture(Properties& properties, SceneBuilder& builder);
 Material read_normalmap(Properties& properties, SceneBuilder& builder);
 Material read_bumpmap(Properties& properties, SceneBuilder& builder);
+/// Nor these: they dim what goes through.
+Material read_polarizer(Properties& properties, SceneBuilder& builder);
+Material read_circular(Properties& properties, SceneBuilder& builder);
+Material read_retarder(Properties& properties, SceneBuilder& builder);
 /// Nor this: a layer over another.
 Material read_coating(Properties& properties, SceneBuilder& builder);
 

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <set>
 
-#include "scene/model/framing.h"
 #include "scene/readers/mesh_import.h"
 #include "scene/readers/read_material.h"
 #include "scene/readers/readers.h"
@@ -21,15 +20,6 @@ void read_integrators(const std::vector<const XmlElement*>& elements, SceneBuild
   if (!elements.empty()) builder.scene.integrator = read_integrator(*elements.front(), builder);
   for (std::size_t i = 1; i < elements.size(); ++i)
     builder.diagnostics.error(elements[i]->where, "a scene has one <integrator>");
-}
-
-void read_sensors(const std::vector<const XmlElement*>& elements, const XmlElement& root, SceneBuilder& builder) {
-  for (std::size_t i = 1; i < elements.size(); ++i)
-    builder.diagnostics.warning(elements[i]->where, "the first <sensor> is used; this one is left out");
-  if (!elements.empty()) return read_sensor(*elements.front(), builder);
-  builder.diagnostics.warning(root.where,
-                              "the scene has no <sensor>; a perspective camera that looks along -z frames it");
-  builder.scene.camera = camera_framing(bounds(builder.scene));
 }
 
 void read_one_shape(const XmlElement& element, SceneBuilder& builder) {

@@ -13,6 +13,8 @@ void read_light(const XmlElement& element, SceneBuilder& builder);
 [[nodiscard]] double read_sampling_weight(Properties& properties);
 /// <sensor> with its film and sampler.
 void read_sensor(const XmlElement& element, SceneBuilder& builder);
+/// Of all <sensor>s of the scene the one that is chosen; without any a camera that frames it.
+void read_sensors(const std::vector<const XmlElement*>& elements, const XmlElement& root, SceneBuilder& builder);
 [[nodiscard]] Film read_film(const XmlElement& element, SceneBuilder& builder);
 [[nodiscard]] Filter read_filter(const XmlElement& element, SceneBuilder& builder);
 [[nodiscard]] SamplerSettings read_sampler(const XmlElement& element, SceneBuilder& builder);

@@ -37,6 +37,7 @@ struct SceneBuilder {
   const ElementIds& ids;
   Diagnostics& diagnostics;
   const LoadProgress& mesh_progress;
+  const std::string& sensor;  ///< LoadOptions::sensor.
   ImageFiles images{};
 
   // read_material.cpp: a bsdf that several shapes refer to is read once.

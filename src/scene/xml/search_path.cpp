@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "scene/xml/search_path.h"
 
+#include <algorithm>
 #include <filesystem>
 
 namespace strahl {
@@ -12,9 +13,12 @@ std::string SearchPath::find(std::string_view name, const std::string& asking_fi
   folders.push_back(beside_asking);
   folders.push_back(fs::path(main_file_).parent_path());
   folders.emplace_back();  // The current folder.
+  std::string slashed(name);
+  std::ranges::replace(slashed, '\\', '/');
   std::error_code ignored;
-  for (const fs::path& folder : folders)
-    if (fs::exists(folder / name, ignored)) return (folder / name).lexically_normal().string();
+  for (const std::string_view spelling : {name, std::string_view(slashed)})
+    for (const fs::path& folder : folders)
+      if (fs::exists(folder / spelling, ignored)) return (folder / spelling).lexically_normal().string();
   return (beside_asking / name).lexically_normal().string();
 }
 

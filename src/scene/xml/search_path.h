@@ -15,7 +15,8 @@ class SearchPath {
   /// Puts a folder before all others (<path>).
   void prepend(std::string folder) { folders_.insert(folders_.begin(), std::move(folder)); }
   /// `name` in one of the folders of <path>, beside the file that asks for it, beside the main scene file, or in the
-  /// current folder, whichever has it first; beside the asking file where none has. Absolute names stay.
+  /// current folder, whichever has it first; where none has, with the backslashes of Windows as slashes, else beside
+  /// the asking file. Absolute names stay.
   [[nodiscard]] std::string find(std::string_view name, const std::string& asking_file) const;
 
  private:
