@@ -26,7 +26,7 @@ std::string on_one_line(std::string text) {
 }  // namespace
 
 std::string Diagnostic::text() const {
-  const char* kind = severity == Severity::error ? "error" : "warning";
+  const char* kind = severity == Severity::error ? "error" : severity == Severity::warning ? "warning" : "note";
   const std::string place = where.text();
   return on_one_line(place.empty() ? fmt::format("{}: {}", kind, message)
                                    : fmt::format("{}: {}: {}", place, kind, message));

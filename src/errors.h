@@ -21,7 +21,11 @@ struct SourceLocation {
   [[nodiscard]] std::string text() const;
 };
 
-enum class Severity { warning, error };
+enum class Severity {
+  note,  ///< What is as it should be, and worth knowing.
+  warning,
+  error
+};
 
 /// One problem of an input file.
 struct Diagnostic {

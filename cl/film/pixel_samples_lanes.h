@@ -21,24 +21,30 @@ FN real3 light_of_sample_w(const PixelSamples_w* samples, int i) {
               get_w(&samples->light[2][g], lane));
 }
 
-/// sub_sum_of for the lanes of group g.
+/// sub_sum_of for the lanes of group g; -1: no sample.
 FN intw sub_sums_w(SubSums sums, const PixelSamples_w* samples, int g) {
   int sequence_bits = (int)lanes_among((uint)sums.sequences - 1u), is_in_turns = sums.count > sums.sequences;
   intw sample = splat_int_w(samples->first + g * LANES) + int_of_uint_w(lane_numbers_w());
   intw turn = (sample >> (sequence_bits + sums.turn_bits)) & splat_int_w(is_in_turns);
-  return (sample & splat_int_w(sums.sequences - 1)) + turn * splat_int_w(sums.sequences);
+  intw sub = (sample & splat_int_w(sums.sequences - 1)) + turn * splat_int_w(sums.sequences);
+  return sel_int_w(first_lanes_w(samples->count - g * LANES), sub, splat_int_w(-1));
 }
 
-/// Adds the digits of x, which is in [0, 2^20), to those of other samples: the bins of FILM_USUAL_TOP meet at 2^-20.
-/// Every difference and product is exact; what a device flushes to zero is below the last digit.
-FN void add_digits_w(realw x, PRIVATE intw* digits) {
+/// Digits of x, which is in [0, 2^20): the bins of FILM_USUAL_TOP meet at 2^-20. Every difference and product is exact;
+/// what a device flushes to zero is below the last digit.
+FN void cut_into_digits_w(realw x, PRIVATE intw* digits) {
   UNROLLED
   for (int i = 0; i < FILM_DIGITS_w; ++i) {
-    intw digit = int_of_real_w(x);
-    digits[i] = digits[i] + digit;
-    x = (x - real_of_int_w(digit)) * splat_w(R(0x1p+20));
+    digits[i] = int_of_real_w(x);
+    x = (x - real_of_int_w(digits[i])) * splat_w(R(0x1p+20));
   }
 }
+
+/// What samples add to one sub-sum of a channel: digits, lane by lane, and whether all of them are usual and any lit.
+typedef struct {
+  intw digits[FILM_DIGITS_w];
+  uint unusual, lit;
+} ChannelDigits_w;
 
 FN FilmBins bins_of_digits_w(PRIVATE const intw* digits) {
   FilmBins bins;
@@ -51,47 +57,58 @@ FN FilmBins bins_of_digits_w(PRIVATE const intw* digits) {
 /// Lanes whose number is in [0, 2^20).
 FN maskw is_usual_w(realw x) { return finite_w(x) & le_w(splat_w(R(0.0)), x) & lt_w(x, splat_w(R(0x1p+20))); }
 
-/// One channel of the samples that are in the same sub-sum, one by one.
-SELDOM_FN void add_channel_slowly_w(const Scene* scene, PRIVATE const realw* light, PRIVATE const maskw* which,
+FN maskw is_in_sub_sum_w(intw sub, int k) { return ~nonzero_w(sub - splat_int_w(k)); }
+
+/// Adds the digits of a channel of one group to the sub-sums that its lanes are in.
+FN void add_group_w(realw light, intw sub, int count, PRIVATE ChannelDigits_w* sums) {
+  realw zero = splat_w(R(0.0));
+  maskw is_usual = is_usual_w(light), is_lit = is_usual & lt_w(zero, light);
+  intw digits[FILM_DIGITS_w];
+  cut_into_digits_w(sel_w(is_usual, light, zero), digits);
+  uint usual = bits_w(is_usual), lit = bits_w(is_lit);
+  for (int k = 0; k < count; ++k) {
+    maskw is_here = is_in_sub_sum_w(sub, k);
+    uint here = bits_w(is_here);
+    if (here == 0u) continue;
+    PRIVATE ChannelDigits_w* sum = sums + k;
+    sum->unusual |= here & ~usual;
+    sum->lit |= here & lit;
+    UNROLLED
+    for (int i = 0; i < FILM_DIGITS_w; ++i)
+      sum->digits[i] = sum->digits[i] + sel_int_w(is_here, digits[i], splat_int_w(0));
+  }
+}
+
+/// Samples that are in the same sub-sum, one by one.
+SELDOM_FN void add_channel_slowly_w(const Scene* scene, PRIVATE const realw* light, PRIVATE const intw* subs, int k,
                                     int groups, GLOBAL long* sum) {
   for (int g = 0; g < groups; ++g)
-    for (uint lanes = bits_w(which[g]); lanes != 0u; lanes &= lanes - 1u)
+    for (uint lanes = bits_w(is_in_sub_sum_w(subs[g], k)); lanes != 0u; lanes &= lanes - 1u)
       film_add_sample(scene, sum, get_w(light + g, first_bit(lanes)));
 }
 
-/// The same at once, where all are usual, and where one reaches the upper bin or the sum has done so: else the sum's
-/// top is a lower one.
-FN void add_channel_w(const Scene* scene, PRIVATE const realw* light, PRIVATE const maskw* which, int groups,
-                      GLOBAL long* sum) {
-  intw digits[FILM_DIGITS_w];
-  for (int i = 0; i < FILM_DIGITS_w; ++i) digits[i] = splat_int_w(0);
-  maskw is_usual = ~none_w(), is_lit = none_w();
-  realw zero = splat_w(R(0.0));
-  for (int g = 0; g < groups; ++g) {
-    maskw is_usual_here = which[g] & is_usual_w(light[g]);
-    is_usual = is_usual & (is_usual_here | ~which[g]);
-    is_lit = is_lit | (is_usual_here & lt_w(zero, light[g]));
-    add_digits_w(sel_w(is_usual_here, light[g], zero), digits);
-  }
-  int are_usual = !any_w(~is_usual);
-  if (are_usual && !any_w(is_lit)) return;
-  FilmBins bins = bins_of_digits_w(digits);
-  if (are_usual && (bins.high != 0 || film_bins(sum[0], sum[1]).top >= FILM_USUAL_TOP))
-    film_add(sum, bins);
-  else
-    add_channel_slowly_w(scene, light, which, groups, sum);
-}
-
-/// Adds samples of a pixel whose sums begin at `sum`. Without moments, whose squares are summed, too.
+/// Adds samples of a pixel whose sums begin at `sum`, those of a sub-sum at once where all are usual, and where one
+/// reaches the upper bin or the sum has done so: else the sum's top is a lower one. Without moments, whose squares are
+/// summed, too.
 FN void add_samples_w(const Scene* scene, const PixelSamples_w* samples, SubSums sums, GLOBAL long* sum) {
   int groups = groups_of_samples_w(samples);
   intw subs[POOL_PATHS / LANES];
   for (int g = 0; g < groups; ++g) subs[g] = sub_sums_w(sums, samples, g);
-  for (int k = 0; k < sums.count; ++k) {
-    maskw which[POOL_PATHS / LANES];
-    for (int g = 0; g < groups; ++g)
-      which[g] = first_lanes_w(samples->count - g * LANES) & ~nonzero_w(subs[g] - splat_int_w(k));
-    for (int c = 0; c < FILM_CHANNELS; ++c, sum += FILM_SUM_WORDS)
-      add_channel_w(scene, samples->light[c], which, groups, sum);
+  for (int c = 0; c < FILM_CHANNELS; ++c, sum += FILM_SUM_WORDS) {
+    ChannelDigits_w added[FILM_SUBSUMS];
+    for (int k = 0; k < sums.count; ++k) {
+      added[k].unusual = added[k].lit = 0u;
+      for (int i = 0; i < FILM_DIGITS_w; ++i) added[k].digits[i] = splat_int_w(0);
+    }
+    for (int g = 0; g < groups; ++g) add_group_w(samples->light[c][g], subs[g], sums.count, added);
+    for (int k = 0; k < sums.count; ++k) {
+      if ((added[k].unusual | added[k].lit) == 0u) continue;
+      GLOBAL long* words = sum + k * (FILM_CHANNELS * FILM_SUM_WORDS);
+      FilmBins bins = bins_of_digits_w(added[k].digits);
+      if (added[k].unusual == 0u && (bins.high != 0 || film_bins(words[0], words[1]).top >= FILM_USUAL_TOP))
+        film_add(words, bins);
+      else
+        add_channel_slowly_w(scene, samples->light[c], subs, k, groups, words);
+    }
   }
 }

@@ -16,7 +16,7 @@ typedef struct {
 
 /// Sum `sequence + sequences * turn`.
 FN int sub_sum_of(SubSums sums, int sample) {
-  int sequence = sample & (sums.sequences - 1), point = sample / sums.sequences;
+  int sequence = sample & (sums.sequences - 1), point = sample >> (sums.sequences >> 1);  // 1, 2 or 4 sequences.
   int turn = sums.count > sums.sequences ? point >> sums.turn_bits & 1 : 0;
   return sequence + sums.sequences * turn;
 }

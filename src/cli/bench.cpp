@@ -54,7 +54,8 @@ struct BenchOptions {
 Scene scene_of(const std::string& name) {
   if (name.find_first_of("./") == std::string::npos) return generated_scene(name);
   LoadedScene loaded = load_scene(name);
-  for (const Diagnostic& warning : loaded.warnings) say(warning.text());
+  for (const Diagnostic& warning : loaded.warnings)
+    if (warning.severity != Severity::note) say(warning.text());
   add_missing_point_light(loaded.scene);
   return std::move(loaded.scene);
 }

@@ -63,7 +63,8 @@ Scene load(const SceneOptions& options, double& seconds) {
     return load_scene(options.path, load_options);
   }();
   seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  for (const Diagnostic& warning : loaded.warnings) say(warning.text());
+  for (const Diagnostic& warning : loaded.warnings)
+    if (options.verbose || warning.severity != Severity::note) say(warning.text());
   return std::move(loaded.scene);
 }
 

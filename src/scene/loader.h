@@ -27,7 +27,7 @@ struct LoadOptions {
 
 struct LoadedScene {
   Scene scene;
-  std::vector<Diagnostic> warnings;
+  std::vector<Diagnostic> warnings;  ///< And notes.
 };
 
 /// Throws SceneError with every problem found (never just the first), UsageError where `root` is no folder.

@@ -245,6 +245,31 @@ TEST_CASE("glass in a tree, in lanes, and more samples than a pool holds") {
   require_same(scene, settings);
 }
 
+/// Bars of light of each bin that a film has, thin, so that most samples of a pixel are black.
+Scene thin_bars() {
+  std::string bars;
+  const char* const radiances[] = {"3e7, 2e-3, 1e-9", "1, 0, 5e8", "2e-8, 1e-12, 3"};
+  for (int i = 0; i < 24; ++i)
+    bars += "<shape type=\"rectangle\"><transform name=\"to_world\"><scale x=\"0.004\"/><translate x=\"" +
+            std::to_string((2 * i + 1) / 24.0 - 1) + "\" z=\"3\"/><rotate y=\"1\" angle=\"180\"/></transform>" +
+            "<emitter type=\"area\"><rgb name=\"radiance\" value=\"" + radiances[i % 3] + "\"/></emitter></shape>";
+  Scene scene = load_text(
+                    "<scene version=\"3.0.0\"><integrator type=\"path\"/><sensor type=\"orthographic\"><transform "
+                    "name=\"to_world\"><translate z=\"-9\"/></transform></sensor>" +
+                    bars + "</scene>")
+                    .scene;
+  scene.film.width = 12;
+  scene.film.height = 10;
+  scene.sampler.sample_count = 86;
+  return scene;
+}
+
+TEST_CASE("light of any size, and black samples, in lanes") {
+  require_pocl_and_rusticl();
+  require_same(thin_bars(), plain());
+  require_same(thin_bars(), plain(Precision::robust, 8));
+}
+
 TEST_CASE("blends, masks, bent normals and textures in lanes, by programs of their own") {
   if (!is_long()) return;
   require_pocl_and_rusticl();

@@ -55,7 +55,10 @@ inline std::vector<std::string> shortened(const std::vector<Diagnostic>& diagnos
     const std::string file = std::filesystem::path(d.where.file).filename().string();
     const std::string place = file == "scene.xml" ? "" : file + ":";
     lines.push_back(place + std::to_string(d.where.line) + ":" + std::to_string(d.where.column) + ": " +
-                    (d.severity == Severity::error ? "error: " : "warning: ") + d.message);
+                    (d.severity == Severity::error     ? "error: "
+                     : d.severity == Severity::warning ? "warning: "
+                                                       : "note: ") +
+                    d.message);
   }
   return lines;
 }

@@ -34,10 +34,9 @@ std::string batch_with(const std::string& more) {
 TEST_CASE("of several sensors the first is used, and the others are told") {
   const LoadedScene loaded = load_text(three);
   CHECK(loaded.scene.camera.fov_degrees == 10);
-  CHECK(
-      shortened(loaded.warnings) ==
-      std::vector<std::string>{"3:1: warning: the first <sensor> is used; this one is left out (--sensor 1 takes it)",
-                               "4:1: warning: the first <sensor> is used; this one is left out (--sensor 2 takes it)"});
+  CHECK(shortened(loaded.warnings) ==
+        std::vector<std::string>{"3:1: note: the first <sensor> is used; this one is left out (--sensor 1 takes it)",
+                                 "4:1: note: the first <sensor> is used; this one is left out (--sensor 2 takes it)"});
 }
 
 TEST_CASE("a sensor is chosen by its id, else by its number, without a word of the others") {

@@ -55,6 +55,18 @@ const Candidate* chosen(const std::vector<Candidate>& candidates, const std::str
   return nullptr;
 }
 
+/// Mitsuba takes the first, too, but of a batch it shows all.
+void tell_others(const std::vector<Candidate>& candidates, Diagnostics& diagnostics) {
+  for (std::size_t i = 1; i < candidates.size(); ++i) {
+    const Candidate& other = candidates[i];
+    std::string message = fmt::format("the first <sensor> is used; this one is left out (--sensor {} takes it)", i);
+    if (other.batch != nullptr && other.batch == candidates.front().batch)
+      diagnostics.warning(other.sensor->where, std::move(message));
+    else
+      diagnostics.note(other.sensor->where, std::move(message));
+  }
+}
+
 /// Each of its sensors has an equal part of its film's width.
 void share_batch(const Candidate& candidate, SceneBuilder& builder) {
   Properties batch(*candidate.batch, builder.ids, builder.diagnostics);
@@ -83,11 +95,7 @@ void read_sensors(const std::vector<const XmlElement*>& elements, const XmlEleme
     builder.scene.camera = camera_framing(bounds(builder.scene));
     return;
   }
-  if (name.empty())
-    for (std::size_t i = 1; i < candidates.size(); ++i)
-      builder.diagnostics.warning(
-          candidates[i].sensor->where,
-          fmt::format("the first <sensor> is used; this one is left out (--sensor {} takes it)", i));
+  if (name.empty()) tell_others(candidates, builder.diagnostics);
   const Candidate* candidate = name.empty() ? candidates.data() : chosen(candidates, name, root, builder.diagnostics);
   if (candidate == nullptr || candidates.empty()) return;
   read_sensor(*candidate->sensor, builder);

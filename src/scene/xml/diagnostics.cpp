@@ -34,9 +34,10 @@ std::string without_numbers(const std::string& message) {
 
 }  // namespace
 
-/// Warnings that differ in numbers alone are alike: a remedy is the same for all of them. Errors are all to be mended.
+/// Warnings and notes that differ in numbers alone are alike: a remedy is the same for all of them. Errors are all to
+/// be mended.
 void Diagnostics::add(Severity severity, const SourceLocation& where, std::string message) {
-  std::string kind = severity == Severity::warning ? without_numbers(message) : message;
+  std::string kind = severity == Severity::error ? message : without_numbers(message);
   all_.push_back({{severity, where, std::move(message)}, std::move(kind)});
 }
 

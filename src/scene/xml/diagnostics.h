@@ -17,6 +17,7 @@ class Diagnostics {
 
   void error(const SourceLocation& where, std::string message) { add(Severity::error, where, std::move(message)); }
   void warning(const SourceLocation& where, std::string message) { add(Severity::warning, where, std::move(message)); }
+  void note(const SourceLocation& where, std::string message) { add(Severity::note, where, std::move(message)); }
   /// Something that strahl does not know: a warning, with --strict an error.
   void unknown(const SourceLocation& where, std::string message) {
     add(strict_ ? Severity::error : Severity::warning, where, std::move(message));

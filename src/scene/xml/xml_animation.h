@@ -7,7 +7,8 @@
 
 namespace strahl {
 
-/// Makes each <animation> below root the <transform> of its earliest time, with a warning: strahl renders no motion.
+/// Makes each <animation> below root the <transform> of its earliest time. Where a shutter closes later, motion would
+/// show, which strahl does not render: a warning.
 void hold_animations(XmlElement& root, Diagnostics& diagnostics);
 
 }  // namespace strahl
