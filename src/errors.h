@@ -22,7 +22,7 @@ struct SourceLocation {
 };
 
 enum class Severity {
-  note,  ///< What is as it should be, and worth knowing.
+  note,  ///< Nothing is wrong; the user may want to know.
   warning,
   error
 };

@@ -23,9 +23,9 @@ FN real3 light_of_sample_w(const PixelSamples_w* samples, int i) {
 
 /// sub_sum_of for the lanes of group g; -1: no sample.
 FN intw sub_sums_w(SubSums sums, const PixelSamples_w* samples, int g) {
-  int sequence_bits = (int)lanes_among((uint)sums.sequences - 1u), is_in_turns = sums.count > sums.sequences;
+  int is_in_turns = sums.count > sums.sequences;
   intw sample = splat_int_w(samples->first + g * LANES) + int_of_uint_w(lane_numbers_w());
-  intw turn = (sample >> (sequence_bits + sums.turn_bits)) & splat_int_w(is_in_turns);
+  intw turn = (sample >> (sequence_bits(sums) + sums.turn_bits)) & splat_int_w(is_in_turns);
   intw sub = (sample & splat_int_w(sums.sequences - 1)) + turn * splat_int_w(sums.sequences);
   return sel_int_w(first_lanes_w(samples->count - g * LANES), sub, splat_int_w(-1));
 }

@@ -7,16 +7,19 @@
 #ifndef STRAHL_FILM_SUB_SUMS_H
 #define STRAHL_FILM_SUB_SUMS_H
 
-/// All powers of two; `count` is one or two times `sequences`.
+/// `count` is one or two times `sequences`.
 typedef struct {
   int count;      ///< Sums of a pixel.
-  int sequences;  ///< Independent sequences, interleaved by the sample's number.
+  int sequences;  ///< Independent sequences, 1, 2 or 4, interleaved by the sample's number.
   int turn_bits;  ///< 2^turn_bits points of a sequence in a row are in the same sum.
 } SubSums;
 
+/// The logarithm of their number to base 2.
+FN int sequence_bits(SubSums sums) { return sums.sequences >> 1; }
+
 /// Sum `sequence + sequences * turn`.
 FN int sub_sum_of(SubSums sums, int sample) {
-  int sequence = sample & (sums.sequences - 1), point = sample >> (sums.sequences >> 1);  // 1, 2 or 4 sequences.
+  int sequence = sample & (sums.sequences - 1), point = sample >> sequence_bits(sums);
   int turn = sums.count > sums.sequences ? point >> sums.turn_bits & 1 : 0;
   return sequence + sums.sequences * turn;
 }

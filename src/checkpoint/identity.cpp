@@ -96,6 +96,7 @@ PictureIdentity identity_of(const Device& device, const Renderer& renderer, cons
     add(fmt::format("the hash of file {}", i + 1), hash_of_file(scene.files[i]),
         fmt::format(" ({})", fs::path(scene.files[i]).filename().string()));
   add("-D", define_list(defines));
+  add("--sensor", fmt::format("{}", scene.camera.number));
   add("the integrator", scene.integrator.name);
   add("the greatest depth", fmt::format("{}", scene.integrator.max_depth));
   add("the sampler", sampler_name(sampling.kind));

@@ -54,8 +54,7 @@ struct BenchOptions {
 Scene scene_of(const std::string& name) {
   if (name.find_first_of("./") == std::string::npos) return generated_scene(name);
   LoadedScene loaded = load_scene(name);
-  for (const Diagnostic& warning : loaded.warnings)
-    if (warning.severity != Severity::note) say(warning.text());
+  say_diagnostics(loaded.warnings, false);
   add_missing_point_light(loaded.scene);
   return std::move(loaded.scene);
 }

@@ -43,6 +43,11 @@ void add_device_option(CLI::App& app, std::string& selector, const std::string& 
       ->type_name("DEVICE");
 }
 
+void say_diagnostics(const std::vector<Diagnostic>& diagnostics, bool with_notes) {
+  for (const Diagnostic& one : diagnostics)
+    if (with_notes || one.severity != Severity::note) say(one.text());
+}
+
 Scene load(const SceneOptions& options, double& seconds) {
   LoadOptions load_options;
   load_options.strict = options.strict;
@@ -63,8 +68,7 @@ Scene load(const SceneOptions& options, double& seconds) {
     return load_scene(options.path, load_options);
   }();
   seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  for (const Diagnostic& warning : loaded.warnings)
-    if (options.verbose || warning.severity != Severity::note) say(warning.text());
+  say_diagnostics(loaded.warnings, options.verbose);
   return std::move(loaded.scene);
 }
 

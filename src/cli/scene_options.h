@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What every subcommand that loads a scene offers: the scene, -D, --strict, --root, -q, -v, --no-progress; and -d where
-// a device is used.
+// What every subcommand that loads a scene offers: the scene, -D, --sensor, --strict, --root, -q, -v, --no-progress;
+// and -d where a device is used.
 #pragma once
 
 #include <string>
@@ -28,6 +28,9 @@ struct SceneOptions {
 void add_scene_options(CLI::App& app, SceneOptions& options);
 /// more: what this command's option can do beside.
 void add_device_option(CLI::App& app, std::string& selector, const std::string& more = {});
+
+/// Warnings, and notes where they are asked for.
+void say_diagnostics(const std::vector<Diagnostic>& diagnostics, bool with_notes);
 
 /// Loads the scene, with a progress bar for large meshes, and says its warnings on standard error; `seconds` takes the
 /// time.

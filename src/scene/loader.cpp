@@ -37,10 +37,10 @@ Scene scene_of_xml(const std::string& path, const LoadOptions& options, Diagnost
   SearchPath search_path(path);
   XmlElement* root = read_expanded_xml(path, options.defines, search_path, pool, diagnostics);
   if (root == nullptr) return {};
-  hold_animations(*root, diagnostics);
   if (!check_vocabulary(*root, diagnostics)) return {};
   use_mitsuba_names(*root, pool);
   drop_number_suffixes(*root, pool, diagnostics);
+  freeze_animations(*root, diagnostics);
   const ElementIds ids(*root, diagnostics);
   SceneBuilder builder{{}, search_path, ids, diagnostics, options.progress, options.sensor};
   read_scene(*root, builder);

@@ -224,6 +224,19 @@ TEST_CASE("of a value that is defined twice the last one is the picture's") {
   succeed(folder, with({"c=3"}, "--resume"));
 }
 
+TEST_CASE("another camera is another picture, whatever it is called") {
+  const Folder folder;
+  std::string text = glowing_sphere;
+  text.replace(text.find("</scene>"), 0, "<sensor type=\"perspective\" id=\"side\"/>");
+  folder.file("s.xml", text);
+  const auto with = [](const char* sensor, const char* keep) {
+    return std::vector<std::string>{"s.xml", "-d", "pocl", "-q", "-o", "x.exr", keep, "c.ckpt", "--sensor", sensor};
+  };
+  succeed(folder, with("1", "--checkpoint"));
+  succeed(folder, with("side", "--resume"));
+  refuse(folder, with("0", "--resume"), 3, {"--sensor is 1 there and 0 here"});
+}
+
 TEST_CASE("a value that is not UTF-8 is gone on with, and told apart from others") {
   const Folder folder;
   std::string text = glowing_sphere;

@@ -43,6 +43,28 @@ TEST_CASE("-q says nothing, -v more") {
   for (const char* part : {"device ", "program ", "launches "}) CHECK(contains(verbose.err, part));
 }
 
+TEST_CASE("notes on the scene are told with -v alone, and --sensor chooses its camera") {
+  const Folder folder;
+  std::string text = glowing_sphere;
+  text.replace(text.find("</scene>"), 0,
+               "<sensor type=\"perspective\" id=\"far\"><film type=\"hdrfilm\"><integer name=\"width\" value=\"8\"/>"
+               "<integer name=\"height\" value=\"5\"/></film></sensor>");
+  folder.file("two.xml", text);
+  const std::vector<std::string> plain{"two.xml", "-d", "pocl", "-o", "x.pfm"};
+  const auto with = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> arguments = plain;
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Outcome outcome = folder.run(arguments);
+    CHECK(outcome.code == 0);
+    return outcome.err;
+  };
+  CHECK_FALSE(contains(with({}), "note: "));
+  CHECK(contains(with({"-v"}), "note: the first <sensor> is used; this one is left out (--sensor far takes it)"));
+  CHECK(strahl::read_image(folder.path("x.pfm")).width == 32);
+  CHECK_FALSE(contains(with({"-v", "--sensor", "far"}), "note: "));
+  CHECK(strahl::read_image(folder.path("x.pfm")).width == 8);
+}
+
 TEST_CASE("EXR and PFM keep linear values") {
   const Folder folder;
   for (const char* name : {"out.exr", "out.pfm"}) {

@@ -52,7 +52,7 @@ TEST_CASE("render's help names every option that the documentation has") {
         "--spp",         "--seed",      "--integrator", "--max-depth",  "--width",  "--height",      "--crop",
         "--pixel",       "--sampler",   "--exposure",   "--png-bits",   "--aov",    "--stats",       "--stats-detail",
         "--dump-kernel", "--generic",   "--lanes",      "--work-group", "--passes", "--no-progress", "--disable",
-        "--bvh-width",   "--accel",     "--time",       "--max-error",  "--frames"}) {
+        "--bvh-width",   "--accel",     "--time",       "--max-error",  "--frames", "--sensor",      "--root"}) {
     INFO(option);
     CHECK(contains(help, std::string("  ") + option));
     const std::string name = option;

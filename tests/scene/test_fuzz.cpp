@@ -22,6 +22,8 @@ name="toWorld"><matrix value="1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1"/></transform></sh
 <emitter type="spot"><float name="cutoffAngle" value="30"/><float name="beamWidth" value="9"/><spectrum name="intensity"
 type="irregular"><string name="wavelengths" value="400, 500, 600"/><string name="values" value="1 2 .5"/></spectrum></emitter>
 <emitter type="constant"><blackbody name="radiance" temperature="5000K" scale="0.01"/></emitter><path value="."/>
+<shape type="disk"><animation name="toWorld"><transform time="0"><scale value="2"/></transform><transform time="1.5"/>
+</animation></shape><sensor type="batch"><float name="shutterClose" value="1"/><sensor type="orthographic" id="1"/></sensor>
 <bsdf type="diffuse" id="n"><spectrum name="reflectance" value="400:0.1, 500.5:0.3, 700:0.9"/></bsdf></scene>)";
 
 std::string damaged(std::mt19937& random) {
@@ -54,14 +56,16 @@ std::string damaged(std::mt19937& random) {
 }  // namespace
 
 TEST_CASE("damaged scenes are read or refused") {
-  REQUIRE(load_text(seed_scene).scene.shapes.size() == 4);
+  REQUIRE(load_text(seed_scene).scene.shapes.size() == 5);
   const SceneFolder folder;
   std::mt19937 random(20261121);
   int loaded = 0, refused = 0;
   for (int i = 0; i < 3000; ++i) {
     const std::string path = folder.write("scene.xml", damaged(random));
     try {
-      static_cast<void>(load_scene(path));
+      LoadOptions options;
+      if (random() % 2 == 0) options.sensor = "1";
+      static_cast<void>(load_scene(path, options));
       ++loaded;
     } catch (const SceneError& error) {
       if (error.diagnostics().empty()) FAIL("an error without a word");

@@ -69,11 +69,10 @@ TEST_CASE("an f behind a number is dropped with a warning; other texts are no nu
       "value=\"0.25f, .5 1f\"/></bsdf></shape><shape type=\"sphere\"><bsdf type=\"diffuse\"><rgb name=\"reflectance\" "
       "value=\"#ffffff\"/></bsdf></shape>");
   CHECK(shortened(loaded.warnings) ==
-        std::vector<std::string>{
-            "2:22: warning: 2.5f in <float> is read without its f, which Mitsuba 3.9 refuses",
-            "2:84: warning: 1F in <translate> is read without its f, which Mitsuba 3.9 refuses",
-            "2:84: warning: -2e1f in <translate> is read without its f, which Mitsuba 3.9 refuses",
-            "3:22: warning: 0.25f, .5 1f in <rgb> is read without its f, which Mitsuba 3.9 refuses"});
+        std::vector<std::string>{"2:22: note: 2.5f in <float> is read without its f, which Mitsuba 3.9 refuses",
+                                 "2:84: note: 1F in <translate> is read without its f, which Mitsuba 3.9 refuses",
+                                 "2:84: note: -2e1f in <translate> is read without its f, which Mitsuba 3.9 refuses",
+                                 "3:22: note: 0.25f, .5 1f in <rgb> is read without its f, which Mitsuba 3.9 refuses"});
   const auto sphere = std::get<Sphere>(loaded.scene.shapes.at(0).geometry);
   CHECK(sphere.radius == 2.5);
   CHECK(sphere.center == Vec3{1, -20, 0});

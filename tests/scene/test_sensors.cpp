@@ -35,8 +35,8 @@ TEST_CASE("of several sensors the first is used, and the others are told") {
   const LoadedScene loaded = load_text(three);
   CHECK(loaded.scene.camera.fov_degrees == 10);
   CHECK(shortened(loaded.warnings) ==
-        std::vector<std::string>{"3:1: note: the first <sensor> is used; this one is left out (--sensor 1 takes it)",
-                                 "4:1: note: the first <sensor> is used; this one is left out (--sensor 2 takes it)"});
+        std::vector<std::string>{"3:1: note: the first <sensor> is used; this one is left out (--sensor side takes it)",
+                                 "4:1: note: the first <sensor> is used; this one is left out (--sensor 0 takes it)"});
 }
 
 TEST_CASE("a sensor is chosen by its id, else by its number, without a word of the others") {
@@ -54,13 +54,24 @@ TEST_CASE("a sensor is chosen by its id, else by its number, without a word of t
 TEST_CASE("a sensor that is not there is an error") {
   for (const char* name : {"3", "-1", "1x", "+1", " 1"})
     CHECK(problems(three, with_sensor(name)) ==
-          std::vector<std::string>{"1:1: error: no <sensor> is \"" + std::string(name) +
-                                   "\"; the scene has 3, counted from 0"});
+          std::vector<std::string>{"1:1: error: no <sensor> has the id or the number \"" + std::string(name) +
+                                   "\"; the scene has 3, from 0 on"});
   CHECK(problems(three, with_sensor("sidee")) ==
-        std::vector<std::string>{
-            "1:1: error: no <sensor> is \"sidee\" (did you mean \"side\"?); the scene has 3, counted from 0"});
+        std::vector<std::string>{"1:1: error: no <sensor> has the id or the number \"sidee\" (did you mean \"side\"?); "
+                                 "the scene has 3, from 0 on"});
   CHECK(problems("<scene version=\"3.0.0\"/>", with_sensor("0")) ==
-        std::vector<std::string>{"1:1: error: no <sensor> is \"0\"; the scene has 0, counted from 0"});
+        std::vector<std::string>{"1:1: error: no <sensor> has the id or the number \"0\"; the scene has none"});
+}
+
+TEST_CASE("a sensor that is referred to is one, and has its aliases") {
+  const std::string text =
+      "<scene version=\"3.0.0\"><sensor type=\"perspective\" id=\"a\"><float name=\"fov\" value=\"10\"/></sensor>"
+      "<sensor type=\"perspective\" id=\"b\"><float name=\"fov\" value=\"20\"/></sensor><ref id=\"a\"/><ref id=\"b\"/>"
+      "<alias id=\"b\" as=\"other\"/></scene>";
+  CHECK(load_text(text).warnings.size() == 1);
+  const Camera other = load_text(text, with_sensor("other")).scene.camera;
+  CHECK(other.fov_degrees == 20);
+  CHECK(other.number == 1);
 }
 
 TEST_CASE("a mesh has no sensor to choose") {
@@ -85,10 +96,20 @@ TEST_CASE("sensors of a batch are sensors, and share its film's width") {
   CHECK(load_text(batch_with(""), with_sensor("1")).scene.film.width == 7);  // Without one it has its own.
 }
 
-TEST_CASE("a batch that cannot be shared is an error") {
-  CHECK(
-      problems(batch_with("<film type=\"hdrfilm\"><integer name=\"width\" value=\"13\"/></film>"), with_sensor("0")) ==
-      std::vector<std::string>{"4:128: error: 2 sensors cannot share a film of 13 pixels' width evenly"});
+TEST_CASE("a batch that cannot be shared is an error, and what it does not know is told once") {
+  const auto told = [](const std::string& more) { return problems(batch_with(more), with_sensor("0")); };
+  CHECK(told("<film type=\"hdrfilm\"><integer name=\"width\" value=\"13\"/></film>") ==
+        std::vector<std::string>{"4:128: error: 2 sensors cannot share a film of 13 pixels' width evenly"});
+  CHECK(told(film + film) ==
+        std::vector<std::string>{"4:190: error: <sensor type=\"batch\"> has more than one <film>"});
+  CHECK(told("<integer name=\"srf\" value=\"1\"/><ref id=\"nope\"/>") ==
+        std::vector<std::string>{"4:128: warning: unknown parameter \"srf\" of <sensor type=\"batch\">; it is ignored",
+                                 "4:159: error: nothing has the id \"nope\""});
+  CHECK(told("<sensor type=\"batch\"/>") ==
+        std::vector<std::string>{"4:128: error: a batch of sensors cannot hold another"});
+  CHECK(told("<film type=\"hdrfilm\"><integer name=\"width\" value=\"12\"/><integer name=\"crop_width\" value=\"3\"/>"
+             "</film>") ==
+        std::vector<std::string>{"4:128: warning: the crop window of a batch's film has no effect, as in Mitsuba"});
   CHECK(problems("<scene version=\"3.0.0\">\n<sensor type=\"batch\"/></scene>") ==
         std::vector<std::string>{"2:1: error: <sensor type=\"batch\"> needs a <sensor> inside"});
 }

@@ -285,6 +285,7 @@ struct Camera {
   double near_clip = 0;  ///< Distances along the viewing axis. Default: nothing is clipped (Mitsuba: 1e-2 … 1e4).
   double far_clip = std::numeric_limits<double>::infinity();
   int medium = -1;  ///< Index into Scene::media, of the one around the camera; -1: none.
+  int number = 0;   ///< Of its <sensor> among those of the scene, in file order.
   SourceLocation where;
 };
 

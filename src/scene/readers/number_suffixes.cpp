@@ -32,7 +32,7 @@ std::string without_suffixes(std::string_view text) {
 
 /// Those that hold numbers, of whatever element.
 bool may_be_numbers(const XmlElement& element, std::string_view attribute) {
-  constexpr std::array names{"value", "x", "y", "z", "angle", "origin", "target", "up"};
+  constexpr std::array names{"value", "x", "y", "z", "angle", "time", "origin", "target", "up"};
   for (const std::string_view name : names)
     if (attribute == name) return element.tag != "string";
   return false;
@@ -48,9 +48,9 @@ void drop_number_suffixes(XmlElement& element, XmlPool& pool, Diagnostics& diagn
     if (text.find_first_of("fF") == std::string_view::npos || !may_be_numbers(element, attribute.name)) continue;
     std::string plain = without_suffixes(text);
     if (plain.empty()) continue;
-    // Without quotes, so that many that differ in their digits alone are one warning with a count.
-    diagnostics.warning(element.where,
-                        fmt::format("{} in <{}> is read without its f, which Mitsuba 3.9 refuses", text, element.tag));
+    // Without quotes, so that many that differ in their digits alone are one note with a count.
+    diagnostics.note(element.where,
+                     fmt::format("{} in <{}> is read without its f, which Mitsuba 3.9 refuses", text, element.tag));
     attribute.value = pool.keep(std::move(plain)).c_str();
   }
 }

@@ -24,7 +24,7 @@ Material read_blend(Properties& properties, SceneBuilder& builder);
 Material read_mixture(Properties& properties, SceneBuilder& builder);
 Material read_normalmap(Properties& properties, SceneBuilder& builder);
 Material read_bumpmap(Properties& properties, SceneBuilder& builder);
-/// Nor these: they dim what goes through.
+/// Nor these: filters of polarization are thin panes.
 Material read_polarizer(Properties& properties, SceneBuilder& builder);
 Material read_circular(Properties& properties, SceneBuilder& builder);
 Material read_retarder(Properties& properties, SceneBuilder& builder);

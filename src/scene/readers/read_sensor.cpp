@@ -44,16 +44,15 @@ void read_lens(Properties& properties, Camera& camera) {
       properties.positive("focus_distance").value_or(std::isfinite(camera.far_clip) ? camera.far_clip : 1e4);
 }
 
-/// The only object of a kind; further ones are reported.
-const XmlElement* first_object(Properties& properties, std::string_view tag) {
+}  // namespace
+
+const XmlElement* only_object(Properties& properties, std::string_view tag) {
   const std::vector<const XmlElement*> objects = properties.objects(tag);
   for (std::size_t i = 1; i < objects.size(); ++i)
     properties.diagnostics().error(objects[i]->where,
                                    fmt::format("{} has more than one <{}>", properties.title(), tag));
   return objects.empty() ? nullptr : objects.front();
 }
-
-}  // namespace
 
 void read_sensor(const XmlElement& element, SceneBuilder& builder) {
   Properties properties(element, builder.ids, builder.diagnostics);
@@ -72,10 +71,10 @@ void read_sensor(const XmlElement& element, SceneBuilder& builder) {
   }
   read_clipping(properties, camera);
   if (properties.type() == "thinlens") read_lens(properties, camera);
-  if (const XmlElement* film = first_object(properties, "film")) builder.scene.film = read_film(*film, builder);
-  if (const XmlElement* sampler = first_object(properties, "sampler"))
+  if (const XmlElement* film = only_object(properties, "film")) builder.scene.film = read_film(*film, builder);
+  if (const XmlElement* sampler = only_object(properties, "sampler"))
     builder.scene.sampler = read_sampler(*sampler, builder);
-  if (const XmlElement* medium = first_object(properties, "medium")) camera.medium = medium_index(*medium, builder);
+  if (const XmlElement* medium = only_object(properties, "medium")) camera.medium = medium_index(*medium, builder);
   properties.accept({"focus_distance", "shutter_open", "shutter_close"});
   if (projection == nullptr) {
     builder.diagnostics.unknown(element.where,

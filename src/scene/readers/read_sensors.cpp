@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <deque>
+#include <set>
 #include <vector>
 
 #include "did_you_mean.h"
@@ -14,92 +16,123 @@ namespace strahl {
 
 namespace {
 
-struct Candidate {
-  const XmlElement* sensor = nullptr;
-  const XmlElement* batch = nullptr;  ///< Null: it stands for itself.
-  int in_batch = 1;                   ///< So many share the batch's film.
+/// A batch, and what all of its sensors share.
+struct Batch {
+  const XmlElement* film = nullptr;
+  const XmlElement* sampler = nullptr;
+  int sensors = 0;
 };
 
-std::vector<const XmlElement*> sensors_inside(const XmlElement& batch, SceneBuilder& builder) {
-  Properties properties(batch, builder.ids, builder.diagnostics);
-  return properties.objects("sensor");
-}
+struct Candidate {
+  const XmlElement* sensor = nullptr;
+  const Batch* batch = nullptr;  ///< Null: it stands for itself.
+};
 
-std::vector<Candidate> candidates_of(const std::vector<const XmlElement*>& elements, SceneBuilder& builder) {
-  std::vector<Candidate> candidates;
-  for (const XmlElement* element : elements) {
-    const bool is_batch = element->text("type") == "batch";
-    const auto inside = is_batch ? sensors_inside(*element, builder) : std::vector<const XmlElement*>{};
-    if (is_batch && inside.empty())
-      builder.diagnostics.error(element->where, "<sensor type=\"batch\"> needs a <sensor> inside");
-    for (const XmlElement* sensor : inside) candidates.push_back({sensor, element, static_cast<int>(inside.size())});
-    if (!is_batch) candidates.push_back({element});
+/// All sensors of a scene, each once, however often a <ref> names it.
+class Candidates {
+ public:
+  Candidates(const std::vector<const XmlElement*>& elements, SceneBuilder& builder) : builder_(builder) {
+    for (const XmlElement* element : elements)
+      if (is_new(*element)) element->text("type") == "batch" ? add_batch(*element) : all_.push_back({element});
   }
-  return candidates;
-}
+
+  [[nodiscard]] const std::vector<Candidate>& all() const { return all_; }
+
+ private:
+  bool is_new(const XmlElement& element) { return known_.insert(&element).second; }
+
+  void add_batch(const XmlElement& element) {
+    Properties properties(element, builder_.ids, builder_.diagnostics);
+    Batch& batch = batches_.emplace_back();
+    for (const XmlElement* sensor : properties.objects("sensor")) {
+      if (sensor->text("type") == "batch") {
+        builder_.diagnostics.error(sensor->where, "a batch of sensors cannot hold another");
+      } else if (is_new(*sensor)) {
+        all_.push_back({sensor, &batch});
+        ++batch.sensors;
+      }
+    }
+    if (batch.sensors == 0)
+      builder_.diagnostics.error(element.where, fmt::format("{} needs a <sensor> inside", properties.title()));
+    batch.film = only_object(properties, "film");
+    batch.sampler = only_object(properties, "sampler");
+    properties.accept({"to_world", "shutter_open", "shutter_close"});
+    properties.report_unknown();
+  }
+
+  SceneBuilder& builder_;
+  std::vector<Candidate> all_;
+  std::deque<Batch> batches_;  ///< Which stay where they are.
+  std::set<const XmlElement*> known_;
+};
 
 /// By its id, else by its number. Null after an error.
 const Candidate* chosen(const std::vector<Candidate>& candidates, const std::string& name, const XmlElement& root,
-                        Diagnostics& diagnostics) {
+                        SceneBuilder& builder) {
+  const XmlElement* named = builder.ids.find(name);
   std::vector<std::string> ids;
   for (const Candidate& candidate : candidates) {
-    if (candidate.sensor->text("id") == name) return &candidate;
+    if (candidate.sensor == named) return &candidate;
     if (const auto id = candidate.sensor->attribute("id")) ids.emplace_back(*id);
   }
   std::size_t number = 0;
   const char* const end = name.data() + name.size();
   const auto [rest, fault] = std::from_chars(name.data(), end, number);
   if (fault == std::errc{} && rest == end && number < candidates.size()) return &candidates[number];
-  diagnostics.error(root.where, fmt::format("no <sensor> is \"{}\"{}; the scene has {}, counted from 0", name,
-                                            did_you_mean(name, ids), candidates.size()));
+  builder.diagnostics.error(
+      root.where,
+      fmt::format("no <sensor> has the id or the number \"{}\"{}; the scene has {}", name, did_you_mean(name, ids),
+                  candidates.empty() ? "none" : fmt::format("{}, from 0 on", candidates.size())));
   return nullptr;
 }
 
 /// Mitsuba takes the first, too, but of a batch it shows all.
 void tell_others(const std::vector<Candidate>& candidates, Diagnostics& diagnostics) {
   for (std::size_t i = 1; i < candidates.size(); ++i) {
-    const Candidate& other = candidates[i];
-    std::string message = fmt::format("the first <sensor> is used; this one is left out (--sensor {} takes it)", i);
-    if (other.batch != nullptr && other.batch == candidates.front().batch)
-      diagnostics.warning(other.sensor->where, std::move(message));
+    const XmlElement& other = *candidates[i].sensor;
+    const std::string name(other.attribute("id").value_or(fmt::format("{}", i)));
+    std::string message = fmt::format("the first <sensor> is used; this one is left out (--sensor {} takes it)", name);
+    if (candidates[i].batch != nullptr && candidates[i].batch == candidates.front().batch)
+      diagnostics.warning(other.where, std::move(message));
     else
-      diagnostics.note(other.sensor->where, std::move(message));
+      diagnostics.note(other.where, std::move(message));
   }
 }
 
-/// Each of its sensors has an equal part of its film's width.
-void share_batch(const Candidate& candidate, SceneBuilder& builder) {
-  Properties batch(*candidate.batch, builder.ids, builder.diagnostics);
-  static_cast<void>(batch.objects("sensor"));
-  for (const XmlElement* sampler : batch.objects("sampler")) builder.scene.sampler = read_sampler(*sampler, builder);
-  for (const XmlElement* film : batch.objects("film")) {
-    builder.scene.film = read_film(*film, builder);
-    int& width = builder.scene.film.width;
-    if (width % candidate.in_batch != 0)
-      builder.diagnostics.error(film->where, fmt::format("{} sensors cannot share a film of {} pixels' width evenly",
-                                                         candidate.in_batch, width));
-    width /= candidate.in_batch;
-    builder.scene.film.crop.reset();  // As in Mitsuba.
-  }
-  batch.accept_all();
+/// Each of its sensors has an equal part of its film's width, and no crop window, as in Mitsuba.
+void share(const Batch& batch, SceneBuilder& builder) {
+  Film& film = builder.scene.film;
+  if (batch.sampler != nullptr) builder.scene.sampler = read_sampler(*batch.sampler, builder);
+  if (batch.film == nullptr) return;
+  film = read_film(*batch.film, builder);
+  if (film.crop)
+    builder.diagnostics.warning(batch.film->where, "the crop window of a batch's film has no effect, as in Mitsuba");
+  film.crop.reset();
+  if (film.width % batch.sensors != 0)
+    builder.diagnostics.error(
+        batch.film->where,
+        fmt::format("{} sensors cannot share a film of {} pixels' width evenly", batch.sensors, film.width));
+  film.width /= batch.sensors;
 }
 
 }  // namespace
 
 void read_sensors(const std::vector<const XmlElement*>& elements, const XmlElement& root, SceneBuilder& builder) {
-  const std::vector<Candidate> candidates = candidates_of(elements, builder);
   const std::string& name = builder.sensor;
-  if (candidates.empty() && elements.empty() && name.empty()) {
+  if (elements.empty() && name.empty()) {
     builder.diagnostics.warning(root.where,
                                 "the scene has no <sensor>; a perspective camera that looks along -z frames it");
     builder.scene.camera = camera_framing(bounds(builder.scene));
     return;
   }
-  if (name.empty()) tell_others(candidates, builder.diagnostics);
-  const Candidate* candidate = name.empty() ? candidates.data() : chosen(candidates, name, root, builder.diagnostics);
-  if (candidate == nullptr || candidates.empty()) return;
-  read_sensor(*candidate->sensor, builder);
-  if (candidate->batch != nullptr) share_batch(*candidate, builder);
+  const Candidates candidates(elements, builder);
+  const std::vector<Candidate>& all = candidates.all();
+  if (name.empty()) tell_others(all, builder.diagnostics);
+  const Candidate* camera = name.empty() ? all.data() : chosen(all, name, root, builder);
+  if (camera == nullptr || all.empty()) return;
+  read_sensor(*camera->sensor, builder);
+  builder.scene.camera.number = static_cast<int>(camera - all.data());
+  if (camera->batch != nullptr) share(*camera->batch, builder);
 }
 
 }  // namespace strahl

@@ -11,6 +11,8 @@ namespace strahl {
 void read_light(const XmlElement& element, SceneBuilder& builder);
 /// Its sampling_weight, 1 where there is none; one below 0 is an error.
 [[nodiscard]] double read_sampling_weight(Properties& properties);
+/// The object of a kind inside a plugin; null: none. Further ones are errors.
+[[nodiscard]] const XmlElement* only_object(Properties& properties, std::string_view tag);
 /// <sensor> with its film and sampler.
 void read_sensor(const XmlElement& element, SceneBuilder& builder);
 /// Of all <sensor>s of the scene the one that is chosen; without any a camera that frames it.

@@ -32,10 +32,14 @@ void ElementIds::add(std::string_view id, const XmlElement& named, const XmlPlac
                                        SourceLocation(entry->second->where).text()));
 }
 
+const XmlElement* ElementIds::find(std::string_view id) const {
+  const auto found = elements_.find(id);
+  return found == elements_.end() ? nullptr : found->second;
+}
+
 const XmlElement* ElementIds::resolve(const XmlElement& ref, Diagnostics& diagnostics) const {
   const std::string_view id = ref.text("id");
-  const auto found = elements_.find(id);
-  if (found != elements_.end()) return found->second;
+  if (const XmlElement* found = find(id)) return found;
   diagnostics.error(ref.where, fmt::format("nothing has the id \"{}\"{}", id,
                                            suggestions_(id, elements_.size(), [this] { return names(); })));
   return nullptr;

@@ -20,6 +20,8 @@ class ElementIds {
 
   /// The element that a <ref> means. Null after an error: no such id.
   [[nodiscard]] const XmlElement* resolve(const XmlElement& ref, Diagnostics& diagnostics) const;
+  /// What has that id; null where nothing has.
+  [[nodiscard]] const XmlElement* find(std::string_view id) const;
 
  private:
   void collect(const XmlElement& element, std::vector<const XmlElement*>& aliases, Diagnostics& diagnostics);

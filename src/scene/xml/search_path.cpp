@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <optional>
 
 namespace strahl {
 
@@ -13,12 +14,17 @@ std::string SearchPath::find(std::string_view name, const std::string& asking_fi
   folders.push_back(beside_asking);
   folders.push_back(fs::path(main_file_).parent_path());
   folders.emplace_back();  // The current folder.
-  std::string slashed(name);
-  std::ranges::replace(slashed, '\\', '/');
-  std::error_code ignored;
-  for (const std::string_view spelling : {name, std::string_view(slashed)})
+  const auto existing = [&](std::string_view spelling) -> std::optional<std::string> {
+    std::error_code ignored;
     for (const fs::path& folder : folders)
       if (fs::exists(folder / spelling, ignored)) return (folder / spelling).lexically_normal().string();
+    return std::nullopt;
+  };
+  if (const auto path = existing(name)) return *path;
+  std::string slashed(name);
+  std::ranges::replace(slashed, '\\', '/');
+  if (slashed != name)
+    if (const auto path = existing(slashed)) return *path;
   return (beside_asking / name).lexically_normal().string();
 }
 

@@ -7,8 +7,8 @@
 
 namespace strahl {
 
-/// Makes each <animation> below root the <transform> of its earliest time. Where a shutter closes later, motion would
-/// show, which strahl does not render: a warning.
-void hold_animations(XmlElement& root, Diagnostics& diagnostics);
+/// Each <animation> below root becomes the <transform> of its latest time at which the shutter is not yet open, else
+/// the earliest. Where the shutter sees another pose, there is a warning: strahl renders no motion. For a checked tree.
+void freeze_animations(XmlElement& root, Diagnostics& diagnostics);
 
 }  // namespace strahl

@@ -28,6 +28,7 @@ const std::vector<Tag>& vocabulary() {
         {"ref", {"id"}, {"name"}},
         {"alias", {"id", "as"}, {}},
         {"transform", {"name"}, {}, true},
+        {"animation", {"name"}, {}, true},
         {"translate", {}, {"x", "y", "z", "value"}},
         {"scale", {}, {"x", "y", "z", "value"}},
         {"rotate", {"angle"}, {"x", "y", "z", "value"}},
@@ -104,10 +105,16 @@ void check_spectrum(XmlElement& element, Diagnostics& diagnostics) {
                                       key, element.text("type")));
 }
 
-/// False: the element is to be removed.
-bool check(XmlElement& element, Diagnostics& diagnostics) {
+/// A <transform> within an <animation> has a time in place of a name.
+const Tag* tag_within(const XmlElement* parent, std::string_view name) {
+  static const Tag pose{"transform", {"time"}, {}, true};
+  return parent != nullptr && parent->tag == "animation" && name == pose.name ? &pose : find_tag(name);
+}
+
+/// False: the element is to be removed. parent: null of the root.
+bool check(XmlElement& element, const XmlElement* parent, Diagnostics& diagnostics) {
   if (element.tag == old_rule_tag) return true;
-  const Tag* tag = find_tag(element.tag);
+  const Tag* tag = tag_within(parent, element.tag);
   if (tag == nullptr) {
     diagnostics.unknown(element.where, unknown_tag(element.tag));
     return false;
@@ -122,7 +129,7 @@ bool check(XmlElement& element, Diagnostics& diagnostics) {
   }
   for (XmlElement** place = &element.first_child; XmlElement* child = *place;) {
     if (child->tag == "scene") diagnostics.error(child->where, "<scene> can only be the root");
-    if (child->tag != "scene" && check(*child, diagnostics)) {
+    if (child->tag != "scene" && check(*child, &element, diagnostics)) {
       place = &child->next_sibling;
     } else {
       *place = child->next_sibling;
@@ -134,7 +141,7 @@ bool check(XmlElement& element, Diagnostics& diagnostics) {
 }  // namespace
 
 bool check_vocabulary(XmlElement& root, Diagnostics& diagnostics) {
-  if (root.tag == "scene") return check(root, diagnostics);
+  if (root.tag == "scene") return check(root, nullptr, diagnostics);
   diagnostics.error(root.where,
                     fmt::format("the root is <{}>; a scene begins with <scene version=\"3.0.0\">", root.tag));
   return false;
