@@ -35,6 +35,7 @@ FN void store_first_sample(const FirstSamples* first, int pixel, const Ray* ray,
   reals[AOV_T] = t;
   reals[AOV_DEPTH] = length3(sub3(s->position, ray->o));
   store3(s->shading, reals + AOV_NORMAL);
+  store3(s->normal, reals + AOV_GEO_NORMAL);
   store3(s->position, reals + AOV_POSITION);
   reals[AOV_UV] = s->tex_u;
   reals[AOV_UV + 1] = s->tex_v;

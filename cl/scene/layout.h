@@ -244,8 +244,8 @@ enum { POOL_PATHS = 64 };
 // Of sampler sobol where the film keeps FILM_SUBSUMS sums (docs/decisions/0011-error.md).
 enum { SOBOL_SEQUENCES = 2 };
 
-// First-sample values of a pixel: depth, normal, position, uv, t and the ray that it belongs to (RAY_O ...), albedo;
-// shape, primitive.
+// First-sample values of a pixel: depth, shading normal, position, uv, t and the ray that it belongs to (RAY_O ...),
+// albedo, geometric normal; shape, primitive.
 enum {
   AOV_DEPTH = 0,
   AOV_NORMAL = 1,
@@ -254,7 +254,8 @@ enum {
   AOV_T = 9,
   AOV_RAY = 10,
   AOV_ALBEDO = 18,
-  AOV_REALS = 21
+  AOV_GEO_NORMAL = 21,
+  AOV_REALS = 24
 };
 enum { AOV_SHAPE, AOV_PRIMITIVE, AOV_INTS };
 

@@ -129,7 +129,7 @@ Image layer(const Image& image, const std::string& name) {
 Image display(const Image& layer, const std::string& name) {
   if (name == "depth") return scaled_depth(layer, name);
   if (name == "position") return scaled_positions(layer, name);
-  if (name == "normal") return normals_as_colors(layer);
+  if (name == "normal" || name == "geo_normal") return normals_as_colors(layer);
   if (name == "shape_id" || name == "primitive_id") return ids_as_colors(layer);
   if (name == "numeric_error") return errors_as_colors(layer);
   return plain(layer);

@@ -22,7 +22,7 @@ constexpr std::array<std::pair<const char*, Precision>, 4> precisions{{
     {"double", Precision::fp64},
 }};
 
-constexpr std::array<std::pair<const char*, Aov>, 10> aovs{{
+constexpr std::array<std::pair<const char*, Aov>, 11> aovs{{
     {"depth", Aov::depth},
     {"normal", Aov::normal},
     {"position", Aov::position},
@@ -31,12 +31,13 @@ constexpr std::array<std::pair<const char*, Aov>, 10> aovs{{
     {"primitive_id", Aov::primitive_id},
     {"numeric_error", Aov::numeric_error},
     {"albedo", Aov::albedo},
+    {"geo_normal", Aov::geo_normal},
     {"xyz", Aov::xyz},
     {"xyz_squared", Aov::xyz_squared},
 }};
 
 /// They stand first.
-constexpr std::size_t first_sample_aovs = 8;
+constexpr std::size_t first_sample_aovs = 9;
 
 template <typename Table>
 auto by_name(const Table& table, const char* what, const std::string& name) {

@@ -134,7 +134,7 @@ TEST_CASE("size, crop and pixel") {
 
 TEST_CASE("AOVs: layers of an EXR, files beside a PNG") {
   const Folder folder;
-  const std::string list = "depth,normal,position,uv,shape_id,primitive_id,numeric_error";
+  const std::string list = "depth,normal,geo_normal,position,uv,shape_id,primitive_id,numeric_error";
   render(folder, {"-o", "out.exr", "--aov", list});
   const Image layers = strahl::read_image(folder.path("out.exr"));
   const auto channel = [&](const std::string& name) {
@@ -149,7 +149,7 @@ TEST_CASE("AOVs: layers of an EXR, files beside a PNG") {
   CHECK(layers.at(16, 12, channel("numeric_error.ULP")) <= 0.51F);
 
   render(folder, {"-o", "out.png", "--aov", list});
-  for (const char* name : {"depth", "normal", "position", "uv", "shape_id", "primitive_id", "numeric_error"}) {
+  for (const char* name : {"depth", "normal", "geo_normal", "position", "uv", "shape_id", "primitive_id", "numeric_error"}) {
     INFO(name);
     const Image layer = strahl::read_image(folder.path(std::string("out.") + name + ".png"));
     CHECK(layer.width == 32);

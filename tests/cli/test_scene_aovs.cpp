@@ -29,7 +29,8 @@ std::string scene_with(const std::string& aovs, const std::string& inside = "emi
     </scene>)";
 }
 
-const std::string every_type = "dd.y:depth, nn:sh_normal, p:position, t:uv, al:albedo, pi:prim_index, si:shape_index";
+const std::string every_type =
+    "dd.y:depth, nn:sh_normal, p:position, t:uv, al:albedo, gn:geo_normal, pi:prim_index, si:shape_index";
 
 Outcome succeed_on_pocl(const Folder& folder, std::vector<std::string> arguments) {
   if (arguments.front() != "merge") arguments.insert(arguments.end(), {"-d", "pocl", "--brief", "--no-progress"});
@@ -58,20 +59,22 @@ TEST_CASE("an EXR has the scene's AOVs under its names, with the values of --aov
   folder.file("plain.xml", scene_with(""));
   CHECK_FALSE(contains(succeed_on_pocl(folder, {"scene.xml", "-o", "own.exr"}).err, "AOVs"));
   const Image own = strahl::read_image(folder.path("own.exr"));
-  CHECK(own.channels == std::vector<std::string>{"R", "G", "B", "al.R", "al.G", "al.B", "dd.y.T", "nn.X", "nn.Y",
-                                                 "nn.Z", "p.X", "p.Y", "p.Z", "pi.I", "si.I", "t.U", "t.V"});
+  CHECK(own.channels == std::vector<std::string>{"R",    "G",    "B",    "al.R", "al.G", "al.B", "dd.y.T",
+                                                 "gn.X", "gn.Y", "gn.Z", "nn.X", "nn.Y", "nn.Z", "p.X",
+                                                 "p.Y",  "p.Z",  "pi.I", "si.I", "t.U",  "t.V"});
   succeed_on_pocl(folder, {"plain.xml", "-o", "plain.exr"});
   const Image plain = strahl::read_image(folder.path("plain.exr"));
   CHECK(plain.channels.size() == 3);
   for (const char* name : {"R", "G", "B"}) CHECK(values_of(own, name) == values_of(plain, name));
 
-  succeed_on_pocl(folder,
-                  {"scene.xml", "-o", "both.exr", "--aov", "depth,normal,position,uv,albedo,primitive_id,shape_id"});
+  succeed_on_pocl(folder, {"scene.xml", "-o", "both.exr", "--aov",
+                           "depth,normal,geo_normal,position,uv,albedo,primitive_id,shape_id"});
   const Image both = strahl::read_image(folder.path("both.exr"));
-  CHECK(both.channels.size() == 31);
+  CHECK(both.channels.size() == 37);
   for (const auto& [theirs, ours] : std::vector<std::pair<std::string, std::string>>{{"dd.y.T", "depth.Z"},
                                                                                      {"nn.X", "normal.X"},
                                                                                      {"nn.Z", "normal.Z"},
+                                                                                     {"gn.Y", "geo_normal.Y"},
                                                                                      {"p.Y", "position.Y"},
                                                                                      {"t.U", "uv.U"},
                                                                                      {"t.V", "uv.V"},

@@ -39,7 +39,8 @@ inline Scene small_scene(const std::filesystem::path& path, int width, int heigh
 inline RenderSettings all_aovs(Precision precision = Precision::robust) {
   RenderSettings settings;
   settings.precision = precision;
-  settings.aovs = {Aov::depth, Aov::normal, Aov::position, Aov::uv, Aov::albedo, Aov::shape_id, Aov::primitive_id};
+  settings.aovs = {Aov::depth,  Aov::normal,     Aov::position, Aov::uv,
+                   Aov::albedo, Aov::geo_normal, Aov::shape_id, Aov::primitive_id};
   return settings;
 }
 

@@ -2,7 +2,7 @@
 foreach(name first_principles large_ground invariance launches closed_form terminator metamorphic mirrors checkerboard
              mirror_box numeric_error accuracy_scenes area_lights many_lights path ao disabled error_coverage
              goals resume several_devices sphere_cloud film filter glass
-             ignored_surfaces albedo media media_edges media_reach open_media ranked_media grids scattering
+             ignored_surfaces albedo normals media media_edges media_reach open_media ranked_media grids scattering
              strict_normals panes passing coincident moments last_rays refused without_threads film_parts)
   strahl_test(render/test_${name}.cpp LABEL render)
 endforeach()

@@ -16,6 +16,7 @@ std::string_view letters(Aov aov) {
     case Aov::depth:
       return "T";
     case Aov::normal:
+    case Aov::geo_normal:
     case Aov::position:
     case Aov::xyz:
     case Aov::xyz_squared:

@@ -9,9 +9,22 @@
 
 namespace strahl {
 
-/// normal: the shading normal. numeric_error: how far the hit's t is off, in ulps of float (render/numeric_error.h).
-/// Of all samples: xyz, the mean radiance in CIE 1931's X, Y, Z; xyz_squared, the mean of their squares.
-enum class Aov { depth, normal, position, uv, shape_id, primitive_id, numeric_error, albedo, xyz, xyz_squared };
+/// normal: the shading normal; geo_normal: that of the surface itself. numeric_error: how far the hit's t is off, in
+/// ulps of float (render/numeric_error.h). Of all samples: xyz, the mean radiance in CIE 1931's X, Y, Z; xyz_squared,
+/// the mean of their squares.
+enum class Aov {
+  depth,
+  normal,
+  position,
+  uv,
+  shape_id,
+  primitive_id,
+  numeric_error,
+  albedo,
+  geo_normal,
+  xyz,
+  xyz_squared
+};
 
 [[nodiscard]] constexpr bool is_of_first_sample(Aov aov) { return aov != Aov::xyz && aov != Aov::xyz_squared; }
 

@@ -19,10 +19,10 @@ namespace {
 /// Mitsuba's types; none: strahl does not have it yet.
 const std::map<std::string, std::optional<Aov>, std::less<>>& types() {
   static const std::map<std::string, std::optional<Aov>, std::less<>> all{
-      {"depth", Aov::depth},          {"position", Aov::position},  {"uv", Aov::uv},
-      {"sh_normal", Aov::normal},     {"albedo", Aov::albedo},      {"prim_index", Aov::primitive_id},
-      {"shape_index", Aov::shape_id}, {"geo_normal", std::nullopt}, {"dp_du", std::nullopt},
-      {"dp_dv", std::nullopt},        {"duv_dx", std::nullopt},     {"duv_dy", std::nullopt},
+      {"depth", Aov::depth},          {"position", Aov::position},     {"uv", Aov::uv},
+      {"sh_normal", Aov::normal},     {"albedo", Aov::albedo},         {"prim_index", Aov::primitive_id},
+      {"shape_index", Aov::shape_id}, {"geo_normal", Aov::geo_normal}, {"dp_du", std::nullopt},
+      {"dp_dv", std::nullopt},        {"duv_dx", std::nullopt},        {"duv_dy", std::nullopt},
       {"boundary_test", std::nullopt}};
   return all;
 }
