@@ -76,8 +76,8 @@ void add_canary_option(CLI::App& app, KernelOptions& options) {
 
 void add_program_options(CLI::App& app, KernelOptions& options) {
   app.add_option("--aov", options.aovs,
-                 "Further pictures of each pixel's first sample: depth, normal, position, uv, albedo, shape_id, "
-                 "primitive_id, numeric_error (of t, against double, in ulps of float)")
+                 "Further pictures of each pixel's first sample: depth, normal, geo_normal, position, uv, albedo, "
+                 "shape_id, primitive_id, numeric_error (of t, against double, in ulps of float)")
       ->type_name("LIST")
       ->delimiter(',')
       ->allow_extra_args(false)

@@ -149,7 +149,8 @@ TEST_CASE("AOVs: layers of an EXR, files beside a PNG") {
   CHECK(layers.at(16, 12, channel("numeric_error.ULP")) <= 0.51F);
 
   render(folder, {"-o", "out.png", "--aov", list});
-  for (const char* name : {"depth", "normal", "geo_normal", "position", "uv", "shape_id", "primitive_id", "numeric_error"}) {
+  for (const char* name :
+       {"depth", "normal", "geo_normal", "position", "uv", "shape_id", "primitive_id", "numeric_error"}) {
     INFO(name);
     const Image layer = strahl::read_image(folder.path(std::string("out.") + name + ".png"));
     CHECK(layer.width == 32);
