@@ -27,7 +27,7 @@ struct LoadOptions {
 
 struct LoadedScene {
   Scene scene;
-  std::vector<Diagnostic> warnings;  ///< And notes.
+  std::vector<Diagnostic> warnings;  ///< And notes, in file order.
 };
 
 /// Throws SceneError with every problem found (never just the first), UsageError where `root` is no folder.
