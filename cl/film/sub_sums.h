@@ -9,7 +9,7 @@
 
 /// `count` is one or two times `sequences`.
 typedef struct {
-  int count;      ///< Sums of a pixel.
+  int count;      ///< Sums of a pixel, FILM_SUBSUMS at most.
   int sequences;  ///< Independent sequences, 1, 2 or 4, interleaved by the sample's number.
   int turn_bits;  ///< 2^turn_bits points of a sequence in a row are in the same sum.
 } SubSums;
