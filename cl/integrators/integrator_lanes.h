@@ -88,6 +88,7 @@ FN void surface_scatter_w(const Scene* scene, Paths_w* path, const Surfaces_w* s
 #endif
       open = passes_masks_w(scene, path, &at, on);
     if (HAS_PRIORITY) pass_holes_w(scene, path, s, &at, open, d);
+    t_max = unclipped_w(open, t_max);
     passed = passed | open;
     on = on & ~open;
   }
@@ -96,6 +97,7 @@ FN void surface_scatter_w(const Scene* scene, Paths_w* path, const Surfaces_w* s
   if ((next & STEP_THROUGH) != 0) {
     maskw clear = passes_panes_w(scene, path, s, &at, at_surface & on, wo, &reflects);
     if (HAS_PRIORITY) pass_ranked_w(scene, path, s, clear, d);
+    t_max = unclipped_w(clear, t_max);
     passed = passed | clear;
     on = on & ~clear;
   }
@@ -135,7 +137,7 @@ FN void surface_scatter_w(const Scene* scene, Paths_w* path, const Surfaces_w* s
     if (HAS_COUNT_RAYS) count_events(scene, COUNT_BOUNCE, lanes_among(bits_w(on)));
     if (HAS_PRIORITY) cross_interface_w(scene, &crossing, on & goes_through_w(&crossing, s, way), &path->within);
     way = sel3_w(on, way, d);
-    t_max = sel_w(on, splat_w(REAL_MAX), t_max);
+    t_max = unclipped_w(on, t_max);
     path->depth = sel_int_w(on, path->depth + splat_int_w(1), path->depth);
   }
   path->alive = on | passed;

@@ -12,6 +12,10 @@ FN uintw met_number_w(const Scene* scene, const Paths_w* path, int use) {
   return vertex_number_w(scene, &path->sample, place, use);
 }
 
+/// How far the rays of `which` reach that something has bent or let through: as in Mitsuba the camera's far_clip ends
+/// at the first surface that is not ignored.
+FN realw unclipped_w(maskw which, realw t_max) { return sel_w(which, splat_w(REAL_MAX), t_max); }
+
 /// Lanes of `which` that pass on.
 FN maskw passes_on_w(const Scene* scene, const Paths_w* path, const Surfaces_w* s, maskw which) {
   maskw on = none_w();

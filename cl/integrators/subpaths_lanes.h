@@ -69,6 +69,8 @@ FN void arrive_vertex_w(const Scene* scene, Paths_w* path, const LightEnd_w* end
     MaterialRows_w at = rows_at_w(scene, &v->s, v->which, v->back, v->number);
     maskw open = passes_masks_w(scene, path, &at, v->which);
     t->last = sel_w(open, splat_w(R(0.0)), t->last);
+    PRIVATE realw* t_max = &path->rays.planes[RAY_PLANE_T_MAX];
+    *t_max = unclipped_w(open, *t_max);
     v->passed = v->passed | open;
     v->which = v->which & ~open;
   }
@@ -107,7 +109,7 @@ SELDOM_FN void leave_vertex_w(const Scene* scene, Paths_w* path, const Vertex_w*
     // A path that goes straight on keeps its direction, of any length.
     techniques_turn_w(on, is_first, path->density, reverse, cosine_at_w(v, unit3_w(way)), t);
     way = sel3_w(on, way, d);
-    t_max = sel_w(on, splat_w(REAL_MAX), t_max);
+    t_max = unclipped_w(on, t_max);
     path->depth = sel_int_w(on, path->depth + splat_int_w(1), path->depth);
   }
   path->alive = on | v->passed;

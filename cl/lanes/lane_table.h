@@ -1090,6 +1090,7 @@
 #define two_prod_w LANED(two_prod_w)
 #define two_sum_w LANED(two_sum_w)
 #define uint_of_int_w LANED(uint_of_int_w)
+#define unclipped_w LANED(unclipped_w)
 #define unhindered_share_w LANED(unhindered_share_w)
 #define uniform_choose_w LANED(uniform_choose_w)
 #define uniform_density_w LANED(uniform_density_w)

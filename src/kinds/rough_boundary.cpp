@@ -48,10 +48,13 @@ Facet facet_at(MicrofacetKind kind, double alpha, double cosine, double u, doubl
   const double sine = std::sqrt((1 - cosine) * (1 + cosine));
   if (kind == MicrofacetKind::ggx) {
     const double size = std::hypot(alpha * sine, cosine), x = alpha * sine / size, z = cosine / size;
-    const double below = u * u * (1 + z), around = std::sqrt(std::max(below * (2 - below), 0.0));
+    // The share of facets that are steeper. Of a smooth surface those that reflect totally are few, and need many
+    // steps.
+    const double steeper = u * u * u;
+    const double below = (1 - steeper) * (1 + z), around = std::sqrt(std::max(below * (2 - below), 0.0));
     const double mx = alpha * (around * std::cos(phi) + x), my = alpha * around * std::sin(phi);
-    const double mz = (1 - u * u) * (1 + z), length = std::hypot(mx, my, mz);
-    return {(sine * mx + cosine * mz) / length, mz / length, 2 * u};
+    const double mz = steeper * (1 + z), length = std::hypot(mx, my, mz);
+    return {(sine * mx + cosine * mz) / length, mz / length, 3 * u * u};
   }
   const double r = 4.5 * u, length = std::hypot(alpha * r, 1), c = (sine * alpha * r * std::cos(phi) + cosine) / length;
   return {c, 1 / length, std::max(c, 0.0) * length * r * std::exp(-r * r)};

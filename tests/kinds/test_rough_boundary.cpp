@@ -49,6 +49,32 @@ double drawn(double alpha, double eta, double cosine) {
   return through / seen;
 }
 
+/// What comes back of evenly spread light from inside, at the 64 cosines that Mitsuba adds up, by draws of slopes.
+double drawn_inner(MicrofacetKind kind, double alpha, double eta) {
+  std::mt19937_64 engine(11);
+  std::uniform_real_distribution<double> unit(0, 1);
+  double mean = 0;
+  for (int k = 0; k < 64; ++k) {
+    const double cosine = std::max(1e-6, k / 63.0), sine = std::sqrt(1 - cosine * cosine);
+    double seen = 0, back = 0;
+    for (int i = 0; i < 8000; ++i) {
+      const double u = unit(engine), angle = 2 * std::numbers::pi * unit(engine);
+      const double slope = alpha * (kind == MicrofacetKind::ggx ? std::sqrt(u / (1 - u)) : std::sqrt(-std::log(1 - u)));
+      const double length = std::hypot(slope, 1), c = (cosine - sine * slope * std::cos(angle)) / length;
+      if (c <= 0) continue;
+      seen += c * length;
+      const double z = 2 * c / length - cosine, across = alpha * std::sqrt(std::max(1 - z * z, 1e-12));
+      if (z <= 0) continue;
+      const double a = z / across;
+      const double beckmann = a >= 1.6 ? 1 : (3.535 * a + 2.181 * a * a) / (1 + 2.276 * a + 2.577 * a * a);
+      const double masking = kind == MicrofacetKind::ggx ? 2 * z / (z + std::hypot(z, across)) : beckmann;
+      back += c * length * (1 - smooth(std::min(c, 1.0), 1 / eta)) * masking;
+    }
+    mean += 2.0 / 64 * cosine * back / seen;
+  }
+  return mean;
+}
+
 }  // namespace
 
 TEST_CASE("a boundary that is hardly rough lets through what Fresnel's equations say") {
@@ -83,6 +109,17 @@ TEST_CASE("rough boundaries before something thinner let through what draws of t
         CHECK(kinds::share_through(boundary, eta, cosine) == Approx(drawn(alpha, eta, cosine)).margin(6e-3));
       }
     }
+}
+
+TEST_CASE("rough boundaries reflect as much of the diffuse light from within as draws of their microfacets do") {
+  for (const MicrofacetKind kind : {MicrofacetKind::beckmann, MicrofacetKind::ggx})
+    for (const double alpha : {0.03, 0.085, 0.3})
+      for (const double eta : {1.49, 1.9152}) {
+        INFO("alpha " << alpha << ", eta " << eta);
+        // A diffuse base is as bright as what does not come back is.
+        const double inner = kinds::rough_boundary(kind, alpha, eta).inner;
+        CHECK((1 - inner) / (1 - drawn_inner(kind, alpha, eta)) == Approx(1).margin(2e-3));
+      }
 }
 
 TEST_CASE("of nearly equal indices nearly all evenly spread light goes through") {

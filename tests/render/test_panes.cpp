@@ -87,6 +87,35 @@ TEST_CASE("panes, in masks and blends as well, are not seen in white surrounding
   }
 }
 
+TEST_CASE("as in Mitsuba far_clip ends at what a camera's ray passes") {
+  require_pocl_and_rusticl();
+  const auto beyond = [](Scene scene) {
+    scene.sampler.kind = SamplerKind::sobol;
+    scene.sampler.sample_count = 16;
+    RenderSettings settings;
+    settings.generic = true;
+    return render("pocl", scene, settings).color;
+  };
+  Material mask = diffuse({0, 0, 0});
+  mask.opacity = Reflectance{{0.25, 0.25, 0.25}};
+  Material clear;
+  clear.bsdf = ThinDielectric{Dielectric{1, 1, Reflectance{{1, 1, 1}}, Reflectance{{0.75, 0.75, 0.75}}}};
+  for (const Material& passed : {mask, clear})
+    for (const char* integrator : {"path", "volpath", "bdpt"}) {
+      INFO(integrator);
+      Scene scene = floor_below(passed);
+      scene.integrator.name = integrator;
+      scene.integrator.max_depth = 4;
+      scene.lights = {light(ConstantLight{{1, 1, 1}})};
+      scene.materials[0] = diffuse({0, 0, 0});
+      scene.shapes[0].geometry = across(0);
+      scene.camera.far_clip = length(scene.camera.world_from_camera.translation()) - 0.5;
+      CHECK(mean_of(beyond(scene)).g == 0);
+      scene.shapes.pop_back();
+      CHECK(mean_of(beyond(scene)).g == 1);
+    }
+}
+
 TEST_CASE("paths through panes are the same one by one and in lanes, and as in the program with everything") {
   require_pocl_and_rusticl();
   Scene scene = filled(Sphere{{0, 0, 0}, 1}, medium({1, 2, 4}, {0.9, 0.6, 0.8}));

@@ -31,8 +31,6 @@ std::vector<Named> convex_shapes(const Vec3& c, double s) {
   };
 }
 
-constexpr int shape_channel = 9;
-
 /// Pixels that show the shape's front and face the light, or turn from it; and those of them with the wrong colour.
 struct LitPoints {
   int facing = 0, averted = 0, wrong = 0;
@@ -47,12 +45,19 @@ LitPoints count(const Geometry& geometry, const Vec3& c, double s, const Vec3& t
   const double wide = 1.3 * s;
   scene.camera.world_from_camera.m = {{{-wide, 0, 0, c.x}, {0, wide, 0, c.y}, {0, 0, -1, c.z + 10 * s}}};
   const RenderResult result = stage_picture(scene, precision);
+  const auto channel = [&](const char* name) {
+    const auto found = std::ranges::find(result.aov.channels, name);
+    REQUIRE(found != result.aov.channels.end());
+    return static_cast<int>(found - result.aov.channels.begin());
+  };
+  const int shape = channel("shape_id.I"), normal_at = channel("normal.X"), position_at = channel("position.X");
   LitPoints counted;
   for (int y = 0; y < stage_size; ++y)
     for (int x = 0; x < stage_size; ++x) {
       const auto value = [&](int channel) { return double{result.aov.at(x, y, channel)}; };
-      if (value(shape_channel) < 0) continue;
-      const Vec3 normal{value(1), value(2), value(3)}, position{value(4), value(5), value(6)};
+      if (value(shape) < 0) continue;
+      const auto vector = [&](int first) { return Vec3{value(first), value(first + 1), value(first + 2)}; };
+      const Vec3 normal = vector(normal_at), position = vector(position_at);
       const bool sheet = !std::holds_alternative<Sphere>(geometry) && !std::holds_alternative<Box>(geometry) &&
                          !std::holds_alternative<Cube>(geometry) && !std::holds_alternative<Cylinder>(geometry);
       if (normal.z < 0 && !sheet) continue;  // The inside of the cylinder, which its outside shadows.

@@ -109,7 +109,7 @@ TEST_CASE("a batch that cannot be shared is an error, and what it does not know 
         std::vector<std::string>{"4:128: error: a batch of sensors cannot hold another"});
   CHECK(told("<film type=\"hdrfilm\"><integer name=\"width\" value=\"12\"/><integer name=\"crop_width\" value=\"3\"/>"
              "</film>") ==
-        std::vector<std::string>{"4:128: warning: the crop window of a batch's film has no effect, as in Mitsuba"});
+        std::vector<std::string>{"4:128: warning: the crop window of a batch's film has no effect; --crop states one"});
   CHECK(problems("<scene version=\"3.0.0\">\n<sensor type=\"batch\"/></scene>") ==
         std::vector<std::string>{"2:1: error: <sensor type=\"batch\"> needs a <sensor> inside"});
 }

@@ -99,14 +99,15 @@ void tell_others(const std::vector<Candidate>& candidates, Diagnostics& diagnost
   }
 }
 
-/// Each of its sensors has an equal part of its film's width, and no crop window, as in Mitsuba.
+/// Each of its sensors has an equal part of its film's width, and no crop window.
 void share(const Batch& batch, SceneBuilder& builder) {
   Film& film = builder.scene.film;
   if (batch.sampler != nullptr) builder.scene.sampler = read_sampler(*batch.sampler, builder);
   if (batch.film == nullptr) return;
   film = read_film(*batch.film, builder);
   if (film.crop)
-    builder.diagnostics.warning(batch.film->where, "the crop window of a batch's film has no effect, as in Mitsuba");
+    builder.diagnostics.warning(batch.film->where,
+                                "the crop window of a batch's film has no effect; --crop states one");
   film.crop.reset();
   if (film.width % batch.sensors != 0)
     builder.diagnostics.error(
