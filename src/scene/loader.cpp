@@ -36,8 +36,7 @@ Scene scene_of_xml(const std::string& path, const LoadOptions& options, Diagnost
   XmlPool pool;
   SearchPath search_path(path);
   XmlElement* root = read_expanded_xml(path, options.defines, search_path, pool, diagnostics);
-  if (root == nullptr) return {};
-  if (!check_vocabulary(*root, diagnostics)) return {};
+  if (root == nullptr || !check_vocabulary(*root, diagnostics)) return {};
   use_mitsuba_names(*root, pool);
   drop_number_suffixes(*root, pool, diagnostics);
   freeze_animations(*root, diagnostics);

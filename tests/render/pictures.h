@@ -2,7 +2,9 @@
 // What the render tests share: the project's scenes in small, all AOVs, and comparison of every bit.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <catch2/catch.hpp>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
@@ -42,6 +44,14 @@ inline RenderSettings all_aovs(Precision precision = Precision::robust) {
   settings.aovs = {Aov::depth,  Aov::normal,     Aov::position, Aov::uv,
                    Aov::albedo, Aov::geo_normal, Aov::shape_id, Aov::primitive_id};
   return settings;
+}
+
+/// Its number, or the test fails.
+inline int channel_of(const Image& image, const std::string& name) {
+  const auto found = std::find(image.channels.begin(), image.channels.end(), name);
+  INFO(name);
+  REQUIRE(found != image.channels.end());
+  return static_cast<int>(found - image.channels.begin());
 }
 
 /// A device that is opened once keeps what it has built.

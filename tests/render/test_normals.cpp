@@ -33,13 +33,8 @@ Scene three_shapes() {
 }
 
 Vec3 at(const Image& image, const std::string& layer, int x, int y) {
-  double value[3] = {};
-  for (int k = 0; k < 3; ++k) {
-    const auto found = std::ranges::find(image.channels, layer + "." + "XYZ"[k]);
-    REQUIRE(found != image.channels.end());
-    value[k] = image.at(x, y, static_cast<int>(found - image.channels.begin()));
-  }
-  return {value[0], value[1], value[2]};
+  const auto value = [&](const char* axis) { return double{image.at(x, y, channel_of(image, layer + axis))}; };
+  return {value(".X"), value(".Y"), value(".Z")};
 }
 
 bool is_near(const Vec3& a, const Vec3& b) { return length(a - b) < 1e-6; }

@@ -45,12 +45,8 @@ LitPoints count(const Geometry& geometry, const Vec3& c, double s, const Vec3& t
   const double wide = 1.3 * s;
   scene.camera.world_from_camera.m = {{{-wide, 0, 0, c.x}, {0, wide, 0, c.y}, {0, 0, -1, c.z + 10 * s}}};
   const RenderResult result = stage_picture(scene, precision);
-  const auto channel = [&](const char* name) {
-    const auto found = std::ranges::find(result.aov.channels, name);
-    REQUIRE(found != result.aov.channels.end());
-    return static_cast<int>(found - result.aov.channels.begin());
-  };
-  const int shape = channel("shape_id.I"), normal_at = channel("normal.X"), position_at = channel("position.X");
+  const int shape = channel_of(result.aov, "shape_id.I"), normal_at = channel_of(result.aov, "normal.X"),
+            position_at = channel_of(result.aov, "position.X");
   LitPoints counted;
   for (int y = 0; y < stage_size; ++y)
     for (int x = 0; x < stage_size; ++x) {
