@@ -8,6 +8,7 @@
 
 #include "scene/readers/read_material.h"
 #include "scene/readers/read_texture.h"
+#include "scene/xml/parse_value.h"
 
 namespace strahl {
 
