@@ -67,7 +67,10 @@ def ratios(above, below):
 
 
 def race(options, folder, name, size):
-    scene = str(SCENES[name](folder, options.pixels, size))
+    path = SCENES[name](folder, options.pixels, size)
+    text = path.read_text(encoding="utf-8")
+    path.write_text(text.replace('<rfilter type="box"/>', f'<rfilter type="{options.filter}"/>'), encoding="utf-8")
+    scene = str(path)
     with contextlib.ExitStack() as stack:
         say(f"{name}: warming up")
         entries = contenders_of(options, scene, folder, stack)

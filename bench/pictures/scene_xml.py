@@ -9,7 +9,7 @@ FLOOR_UP = '<rotate x="1" angle="-90"/>'
 
 def element(kind, inside="", **attributes):
     told = "".join(f' {name}="{value}"' for name, value in attributes.items())
-    return f"<{kind}{told}>{inside}</{kind}>"
+    return f"<{kind}{told}>{inside}</{kind}>" if inside else f"<{kind}{told}/>"
 
 
 def rgb(name, *values):

@@ -5,7 +5,13 @@
 FN Real2_w pixel_offset_w(const Scene* scene, const SampleState_w* sample) {
   Real2_w offset;
   offset.x = offset.y = splat_w(R(0.0));
-  if (HAS_PIXEL_FILTER) {
+  if (HAS_SHARED_SAMPLES) {
+    // Anywhere in it: the filter weighs samples afterwards (film/shared_samples_lanes.h).
+    if (scene->index[HEADER_TAP_REACH] == 0) return offset;
+    Random2_w bits = sample_pair_w(scene, sample, USE_PIXEL);
+    offset.x = random_unit_w(bits.x) - splat_w(R(0.5));
+    offset.y = random_unit_w(bits.y) - splat_w(R(0.5));
+  } else if (HAS_PIXEL_FILTER) {
     GLOBAL const real* quantiles = scene->shading + scene->index[HEADER_FILTER];
     Random2_w bits = sample_pair_w(scene, sample, USE_PIXEL);
     offset.x = filter_offset_w(quantiles, random_unit_w(bits.x));

@@ -42,9 +42,14 @@ FN maskw span_take_w(Span* span, uint idle, int first_pixel, PRIVATE intw* numbe
   return nonzero_w(is_begun);
 }
 
-/// Begins samples of the span in lanes where no path is alive, as far as there are any. Returns the lanes that hold the
-/// first sample of a pixel since now.
-FN maskw begin_paths_w(const Scene* scene, Paths_w* path, Span* span) {
+/// Samples that have just begun.
+typedef struct {
+  maskw which, are_first;  ///< Of them, the first of their pixels.
+  Real2_w offset;          ///< From the pixel's middle.
+} BegunSamples_w;
+
+/// Begins samples of the span in lanes where no path is alive, as far as there are any.
+FN BegunSamples_w begin_paths_w(const Scene* scene, Paths_w* path, Span* span) {
   intw numbers = int_of_uint_w(path->sample.sample), pixels = int_of_uint_w(path->sample.pixel);
   maskw is_begun = span_take_w(span, bits_w(~path->alive), span_pixel(span), &numbers, &pixels);
   path->sample = sample_begin_w(scene, uint_of_int_w(pixels), uint_of_int_w(numbers));
@@ -54,5 +59,9 @@ FN maskw begin_paths_w(const Scene* scene, Paths_w* path, Span* span) {
   camera_rays_w(scene->shading + scene->index[HEADER_CAMERA], span->width, span->height, columns, span->y, offset.x,
                 offset.y, lens, &rays);
   paths_begin_w(scene, path, is_begun, &rays);
-  return is_begun & lt_int_w(numbers, splat_int_w(1));
+  BegunSamples_w begun;
+  begun.which = is_begun;
+  begun.are_first = is_begun & lt_int_w(numbers, splat_int_w(1));
+  begun.offset = offset;
+  return begun;
 }

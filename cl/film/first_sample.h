@@ -10,6 +10,7 @@ typedef struct {
   GLOBAL real* reals;  ///< The first pixel's of a span; the others' follow.
   GLOBAL int* ints;
   int first_pixel;  ///< Its number in the picture.
+  int from, end;    ///< Pixels [from, end) of the span are in the picture; the others' are not kept.
   uint lanes;       ///< Those of the paths being followed that are first samples on their first ray, a bit each.
 } FirstSamples;
 

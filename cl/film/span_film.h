@@ -5,16 +5,35 @@
 
 #include "film/film.h"
 #include "film/moments.h"
+#include "film/sample_ring.h"
 #include "film/sub_sums.h"
 
 typedef struct {
   GLOBAL long* sums;  ///< The first pixel's in the film; the others' follow.
   GLOBAL uint* done;  ///< The word behind the counters (scene/layout.h); used only where a span is one pixel.
   SubSums sub_sums;
-  int first_pixel;  ///< Its number in the picture.
-  int pixel_words;  ///< Words of a pixel in the film.
-  int times;        ///< Each sample counts so many times.
+  int first_pixel;       ///< Its number in the picture.
+  int pixel_words;       ///< Words of a pixel in the film.
+  int times;             ///< Each sample counts so many times.
+  SampleRing ring;       ///< With HAS_SHARED_SAMPLES samples go there,
+  GLOBAL real* waiting;  ///< the first pixel's from here on.
 } SpanFilm;
+
+/// A sample of a pixel in the ring.
+FN GLOBAL real* place_in_ring(const SpanFilm* film, int pixel, int sample) {
+  return film->waiting + (sample - film->ring.sample_first) * ring_sample_step(&film->ring) +
+         (pixel - film->first_pixel) * ring_pixel_step(&film->ring);
+}
+
+/// For the pixels around it, that this one's is among. What is not finite would spread: it counts as in the film.
+FN void keep_sample(const Scene* scene, const SpanFilm* film, int pixel, int sample, real3 light) {
+  GLOBAL real* at = place_in_ring(film, pixel, sample);
+  int step = ring_plane(&film->ring);
+  at[RING_R * step] = film_value(scene, light.x, 1);
+  at[RING_G * step] = film_value(scene, light.y, 1);
+  at[RING_B * step] = film_value(scene, light.z, 1);
+  if (HAS_LOOP_LIMIT) *film->done = (uint)(sample + 1);
+}
 
 FN SubSums sub_sums_of(const Scene* scene) {
   SubSums sums;

@@ -42,7 +42,7 @@ FN Joint_w light_paths_begin_w(const Scene* scene, Paths_w* path, maskw which, u
 
 /// The first vertex of new paths, on their lights, or the next of all that are alive: each is joined with the sensor.
 ONCE_FN void follow_light_paths_w(const Scene* scene, Paths_w* path, Branches_w* branches, const NewPaths_w* begun) {
-  const FirstSamples none = {0, 0, 0, 0u};
+  const FirstSamples none = {0, 0, 0, 0, 0, 0u};
   int are_new = any_w(begun->which);
   Surfaces_w s;
   Joint_w joint;

@@ -5,7 +5,7 @@
 /// What is left of light along the rays of `ahead`, in the lanes that are alive there. The masks that it meets add to
 /// its depth.
 FN realw passed_share_w(const Scene* scene, Paths_w* ahead, int stops_at_masks) {
-  const FirstSamples none = {0, 0, 0, 0u};
+  const FirstSamples none = {0, 0, 0, 0, 0, 0u};
   real3w d = real3_at_w(ahead->rays.planes + RAY_PLANE_D);
   intw most = splat_int_w(scene->index[HEADER_MAX_DEPTH]);
   realw zero = splat_w(R(0.0)), one = splat_w(R(1.0)), share = sel_w(ahead->alive, one, zero);

@@ -42,7 +42,7 @@ FN realw reverse_density_w(const Scene* scene, const Vertex_w* v, maskw which, r
 FN realw cosine_at_w(const Vertex_w* v, real3w way) { return abs_w(dot3_w(v->s.normal, way)); }
 
 SELDOM_FN void find_vertex_w(const Scene* scene, Paths_w* path, Surfaces_w* s) {
-  const FirstSamples none = {0, 0, 0, 0u};
+  const FirstSamples none = {0, 0, 0, 0, 0, 0u};
   *s = find_surfaces_w(scene, path, FIND_NEAREST_APPROXIMATELY, &none);
 }
 

@@ -4,7 +4,8 @@
 // pixels. A launch covers a rectangle of the picture's pixels, columns x rows from (x_first, y_first) on, and samples
 // [sample_first, sample_first + sample_count) of each of them. Values that are the
 // same for all pixels are arguments where every pixel needs them: PoCL evaluates arguments once for a row of
-// work-items, but reads buffers for each.
+// work-items, but reads buffers for each. Samples that count in several pixels wait for a second kernel
+// (kernels/share_samples.h).
 #include "math/vec3.h"
 #include "lanes/lane_ops.h"
 #include "accel/traverse.h"
@@ -57,7 +58,56 @@ FN void add_ended_w(const Scene* scene, const Paths_w* path, uint before, const 
     int pixel = get_int_w((PRIVATE const intw*)&path->sample.pixel, i);
     int sample = get_int_w((PRIVATE const intw*)&path->sample.sample, i);
     real3 light = vec3(get_w(&path->radiance.x, i), get_w(&path->radiance.y, i), get_w(&path->radiance.z, i));
-    add_to_film(scene, film, pixel, sample, light);
+    if (HAS_SHARED_SAMPLES)
+      keep_sample(scene, film, pixel, sample, light);
+    else
+      add_to_film(scene, film, pixel, sample, light);
+  }
+}
+
+#if LANES != 1
+/// As keep_sample: samples that follow each other in the span do so in the ring.
+FN void keep_samples_w(const Scene* scene, const PixelSamples_w* samples, GLOBAL real* at, int plane) {
+  for (int g = 0; g < groups_of_samples_w(samples); ++g)
+    for (int c = 0; c < FILM_CHANNELS; ++c) {
+      int count = min((int)LANES, samples->count - g * LANES);
+      GLOBAL real* to = at + (RING_R + c) * plane + g * LANES;
+      realw light = samples->light[c][g];
+      maskw is_held = finite_w(light) & le_w(abs_w(light), splat_w(FILM_LARGEST));
+      if (count == LANES && bits_w(~is_held) == 0u) {
+        write_w(light, to);
+        continue;
+      }
+      for (int lane = 0; lane < count; ++lane) to[lane] = film_value(scene, get_w(&light, lane), 1);
+    }
+}
+#endif
+
+/// Begins samples where no path is alive, and keeps where in their pixels they lie.
+FN void begin_samples_w(const Scene* scene, Paths_w* path, Span* span, FirstSamples* first, const SpanFilm* film) {
+  BegunSamples_w begun = begin_paths_w(scene, path, span);
+  if (HAS_AOV) {
+    intw column = int_of_uint_w(path->sample.pixel) - splat_int_w(first->first_pixel);
+    maskw is_in = ~lt_int_w(column, splat_int_w(first->from)) & lt_int_w(column, splat_int_w(first->end));
+    first->lanes = bits_w(begun.are_first & is_in);
+  }
+  if (!HAS_SHARED_SAMPLES) return;
+#if LANES != 1
+  // A pool's follow each other.
+  if (bits_w(begun.which) == bits_w(~none_w())) {
+    GLOBAL real* at = place_in_ring(film, get_int_w((PRIVATE const intw*)&path->sample.pixel, 0),
+                                    get_int_w((PRIVATE const intw*)&path->sample.sample, 0));
+    write_w(begun.offset.x, at + RING_X * ring_plane(&film->ring));
+    write_w(begun.offset.y, at + RING_Y * ring_plane(&film->ring));
+    return;
+  }
+#endif
+  for (uint lanes = bits_w(begun.which); lanes != 0u; lanes &= lanes - 1u) {
+    int i = first_bit(lanes), step = ring_plane(&film->ring);
+    GLOBAL real* at = place_in_ring(film, get_int_w((PRIVATE const intw*)&path->sample.pixel, i),
+                                    get_int_w((PRIVATE const intw*)&path->sample.sample, i));
+    at[RING_X * step] = get_w(&begun.offset.x, i);
+    at[RING_Y * step] = get_w(&begun.offset.y, i);
   }
 }
 
@@ -70,10 +120,8 @@ FN void follow_in_lanes_w(Scene scene, Span span, FirstSamples first, SpanFilm f
   Branches_w branches;
   branches_none_w(&branches);
   while (span_left(&span) > 0 || any_w(path.alive)) {
-    if (span_left(&span) > 0 && 8u * lanes_among(bits_w(~path.alive)) >= LANES) {
-      maskw are_first = begin_paths_w(&scene, &path, &span);
-      if (HAS_AOV) first.lanes = bits_w(are_first);
-    }
+    if (span_left(&span) > 0 && 8u * lanes_among(bits_w(~path.alive)) >= LANES)
+      begin_samples_w(&scene, &path, &span, &first, &film);
     uint before = bits_w(path.alive);
     follow_paths_w(&scene, &path, &branches, &first);
     add_ended_w(&scene, &path, before, &film);
@@ -97,6 +145,11 @@ FN void add_pool_w(const Scene* scene, const PathPool_w* pool, const Span* begun
     samples.light[2][g] = light.z;
   }
   int column = begun->column;
+  if (HAS_SHARED_SAMPLES) {
+    keep_samples_w(scene, &samples, place_in_ring(film, film->first_pixel + column, begun->next),
+                   ring_plane(&film->ring));
+    return;
+  }
   if (!HAS_MOMENT && film->times == 1 && count >= LANES && count <= begun->end - begun->next) {
     add_samples_w(scene, &samples, film->sub_sums, film->sums + (ulong)column * (ulong)film->pixel_words);
     return;
@@ -125,8 +178,7 @@ ONCE_FN void follow_in_pools_w(Scene scene, Span span, FirstSamples first, SpanF
     for (int i = 0; i < count; i += LANES) {
       if (are_new) {
         path.alive = none_w();
-        maskw are_first = begin_paths_w(&scene, &path, &span);
-        if (HAS_AOV) first.lanes = bits_w(are_first);
+        begin_samples_w(&scene, &path, &span, &first, &film);
       } else {
         pool_take_w(&pool, i, &path);
       }
@@ -157,47 +209,73 @@ FN void render_span_w(Scene scene, Span span, FirstSamples first, SpanFilm film)
     follow_in_lanes_w(scene, span, first, film);
 }
 
+#if HAS_SHARED_SAMPLES
+#include "kernels/share_samples.h"
+#define FILM_OR_RING GLOBAL real* ring
+#else
+#define FILM_OR_RING GLOBAL long* film
+#endif
+
+/// film_columns, film_rows: of the film, whose first pixel is pixel (film_x, film_y) of the picture. ring_row: where
+/// the launch's first pixel is in the ring.
 KERNEL LANE_HINT_OF(SCENE_LANES) void render(GLOBAL const real* geometry, GLOBAL const real* shading,
-                                             GLOBAL const int* index, GLOBAL long* film, GLOBAL real* aov_reals,
+                                             GLOBAL const int* index, FILM_OR_RING, GLOBAL real* aov_reals,
                                              GLOBAL int* aov_ints, GLOBAL uint* counters, int width, int height,
                                              int x_first, int y_first, int columns, int rows, int span_columns,
-                                             int film_first, int film_columns, int sample_first, int sample_count) {
+                                             int film_x, int film_y, int film_columns, int film_rows, int sample_first,
+                                             int sample_count, int ring_row, int ring_column, int ring_rows,
+                                             int ring_columns) {
   int column = (int)get_global_id(0) * span_columns, row = (int)get_global_id(1);
   if (column >= columns || row >= rows) return;
   Scene scene = scene_of(geometry, shading, index, counters);
-  // film_first: index of the first of those pixels in the film buffer, whose rows are film_columns long.
-  ulong slot = (ulong)film_first + (ulong)row * (ulong)film_columns + (ulong)column;
-
-  // Where no random number is drawn, all samples of a pixel are equal.
-  int do_differ = SAMPLER_COUNT > 0;
-  if (HAS_PIXEL_FILTER || HAS_COUNT_RAYS) do_differ = 1;
-  GLOBAL uint* done = counters + COUNTERS + slot;
-  int next = sample_first, end = sample_first + sample_count;
-  if (HAS_LOOP_LIMIT) next = min(max(next, (int)*done), end);  // Continues where an earlier launch stopped.
   Span span;
   span.x = x_first + column;
   span.y = y_first + row;
   span.columns = LANES == 1 ? 1 : min(span_columns, columns - column);
   span.width = width;
   span.height = height;
+  span.column = 0;
+  // Where the span's first pixel is in the film. Pixels around the film have no place there.
+  int film_column = span.x - film_x, film_row = span.y - film_y;
+  long slot = (long)film_row * (long)film_columns + (long)film_column;
+  SpanFilm to;
+  to.first_pixel = span_pixel(&span);
+  to.sub_sums = sub_sums_of(&scene);
+  to.pixel_words = (index[HEADER_SUMS] + HAS_MOMENT) * FILM_CHANNELS * FILM_SUM_WORDS;
+  to.ring.rows = ring_rows;
+  to.ring.columns = ring_columns;
+  to.ring.sample_first = sample_first;
+  to.ring.samples = sample_count;
+#if HAS_SHARED_SAMPLES
+  to.sums = 0;
+  to.waiting = ring + ring_place(&to.ring, ring_row + row, ring_column + column);
+  to.done = counters + COUNTERS + ring_pixel(&to.ring, ring_row + row, ring_column + column);
+#else
+  (void)ring_row;
+  (void)ring_column;
+  to.sums = film + slot * to.pixel_words;
+  to.waiting = 0;
+  to.done = counters + COUNTERS + slot;
+#endif
+
+  // Where no random number is drawn, all samples of a pixel are equal.
+  int do_differ = SAMPLER_COUNT > 0;
+  if (HAS_PIXEL_FILTER || HAS_COUNT_RAYS) do_differ = 1;
+  int next = sample_first, end = sample_first + sample_count;
+  if (HAS_LOOP_LIMIT) next = min(max(next, (int)*to.done), end);  // Continues where an earlier launch stopped.
   span.first = span.next = next;
   span.end = do_differ ? end : min(next + 1, end);
-  span.column = 0;
+  to.times = do_differ ? 1 : end - next;
   FirstSamples first;
   first.reals = aov_reals + slot * AOV_REALS;
   first.ints = aov_ints + slot * AOV_INTS;
-  first.first_pixel = span_pixel(&span);
+  first.first_pixel = to.first_pixel;
+  first.from = max(-film_column, 0);
+  first.end = film_row >= 0 && film_row < film_rows ? film_columns - film_column : 0;
   first.lanes = 0u;
-  SpanFilm to;
-  to.pixel_words = (index[HEADER_SUMS] + HAS_MOMENT) * FILM_CHANNELS * FILM_SUM_WORDS;
-  to.sums = film + slot * (ulong)to.pixel_words;
-  to.done = done;
-  to.sub_sums = sub_sums_of(&scene);
-  to.first_pixel = span_pixel(&span);
-  to.times = do_differ ? 1 : end - next;
   render_span_w(scene, span, first, to);
-  if (HAS_LOOP_LIMIT && (int)*done < end) {
+  if (HAS_LOOP_LIMIT && (int)*to.done < end) {
     count_event(&scene, COUNT_CUT);
-    if ((int)*done <= next) count_event(&scene, COUNT_STUCK);
+    if ((int)*to.done <= next) count_event(&scene, COUNT_STUCK);
   }
 }

@@ -27,6 +27,9 @@ enum {
   HEADER_CAMERA,        // -> shading
   HEADER_SENSOR,        // -> shading, SENSOR_REALS and a table, where light paths end on the sensor; else -1
   HEADER_FILTER,        // -> shading, FILTER_CELLS + 1 quantiles: |offset| beyond which (i / FILTER_CELLS)^2 lies
+  HEADER_TAPS,          // -> shading, TAP_TERMS reals for each tap from -HEADER_TAP_REACH to HEADER_TAP_REACH, ...
+  HEADER_TAP_SIDES,     // ... 1: of any offset; 2: of those below 0, and behind them of the others.
+  HEADER_TAP_REACH,     // Pixels between one and the farthest whose samples count in it; 0: only its own do.
   HEADER_PARTS,         // -> index, PART_INTS a part
   HEADER_MATERIALS,     // -> index, MATERIAL_INTS a material
   HEADER_TEXTURES,      // -> index, TEXTURE_INTS a texture
@@ -205,6 +208,16 @@ enum {
 };
 
 enum { FILTER_CELLS = 1024 };
+
+// The pixel filter's weight along an axis of a sample that lies an offset in [-1/2, 1/2] from the middle of the pixel
+// that is `tap` pixels further on, in units of 2^-(WEIGHT_BITS / 2): a polynomial, the highest power first.
+enum { TAP_TERMS = 8 };
+
+// A sample on its way into the pixels around it (film/sample_ring.h): a plane each.
+enum { RING_R, RING_G, RING_B, RING_X, RING_Y, RING_PLANES };
+
+// Weights in the film are integers, in units of 2^-WEIGHT_BITS.
+enum { WEIGHT_BITS = 12 };
 
 // The camera the other way round: of a vector v from its origin, SENSOR_T v is t on the ray that leads there, and
 // SENSOR_X v and SENSOR_Y v are sx and sy of that ray, times t where rays spread from a point. SENSOR_GAIN: one over

@@ -25,7 +25,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 static_assert(std::endian::native == std::endian::little, "numbers are stored as they are in memory");
-constexpr std::string_view magic = "strahlK2";
+constexpr std::string_view magic = "strahlK3";
 constexpr std::size_t magic_family = 7;  ///< Of these letters all checkpoints begin with.
 constexpr std::uint64_t most_header = std::uint64_t{1} << 28;
 constexpr int most_side = 65536;  // As validate.h.
@@ -63,7 +63,9 @@ std::string json_of(const Checkpoint& checkpoint) {
         {"first_sample", film.first_sample},
         {"unit", film.unit},
         {"squares", film.has_squares},
-        {"own", film.has_own}}},
+        {"own", film.has_own},
+        {"weights", film.has_weights},
+        {"noise_overlap", film.noise_overlap}}},
       {"has_aovs", !state.aov_reals.empty()},
       {"position",
        {{"done", state.position.done},
@@ -231,8 +233,12 @@ Head head_of(const Json& json) {
   shape.unit = film.at("unit").get<double>();
   shape.has_squares = film.value("squares", false);
   shape.has_own = film.value("own", false);
+  shape.has_weights = film.at("weights").get<bool>();
+  shape.noise_overlap = film.at("noise_overlap").get<double>();
   if (shape.has_own && shape.kind != FilmKind::splats) throw std::out_of_range("it has camera paths beside samples");
   if (shape.has_squares && shape.kind == FilmKind::splats) throw std::out_of_range("it has second moments of splats");
+  if (shape.has_weights && shape.kind == FilmKind::splats) throw std::out_of_range("it has weights of splats");
+  if (!(shape.noise_overlap >= 1)) throw std::out_of_range("its noise overlaps with less than itself");
   head.has_aovs = json.at("has_aovs").get<bool>();
   const auto has = [&](const NamedAov& named) {
     return is_of_first_sample(named.aov) ? head.has_aovs : named.aov == Aov::xyz || shape.has_squares;

@@ -7,6 +7,7 @@
 #include "kinds/entries.h"
 #include "kinds/integrators.h"
 #include "packing/cl_layout.h"
+#include "packing/pack_filter.h"
 #include "packing/pack_instances.h"
 #include "packing/pack_shapes.h"
 #include "packing/packed_ranges.h"
@@ -59,6 +60,10 @@ void check_header(PackedRanges<Real>& ranges, const PackedFacts& facts) {
   ranges.shading(ranges.at(layout::HEADER_REACH), 1, "the reach");
   ranges.shading(ranges.at(layout::HEADER_CAMERA), layout::CAMERA_REALS, "the camera");
   ranges.shading(ranges.at(layout::HEADER_FILTER), layout::FILTER_CELLS + 1, "the filter");
+  const kinds::FilterTaps taps = taps_of(scene, facts.features);
+  is(layout::HEADER_TAP_SIDES, taps.sides, "the filter's sides");
+  is(layout::HEADER_TAP_REACH, taps.reach, "the filter's reach");
+  ranges.shading(ranges.at(layout::HEADER_TAPS), static_cast<std::int64_t>(taps.terms.size()), "the filter's taps");
   const int sensor = ranges.at(layout::HEADER_SENSOR);
   const bool is_read = kinds::integrator(scene.integrator.name).from_lights;
   if (is_read || sensor != -1)

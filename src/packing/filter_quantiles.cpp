@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kinds/filter_taps.h"
 #include "packing/cl_layout.h"
 #include "packing/pack.h"
 
@@ -65,25 +66,12 @@ constexpr double most_deviations = 8;
 /// deviations.
 constexpr double most_drawn_deviations = 5.5;
 
-double half_width(const Filter& filter) {
-  if (filter.radius > 0) return filter.radius;
-  switch (filter.kind) {
-    case FilterKind::box:
-      return 0.5;
-    case FilterKind::tent:
-      return 1;
-    case FilterKind::gaussian:
-      return 4 * filter.stddev;
-  }
-  return 0;
-}
-
 }  // namespace
 
 std::vector<double> filter_quantiles(const Filter& filter, SamplerKind sampler) {
   std::vector<double> quantiles(layout::FILTER_CELLS + 1, 0.0);
   if (sampler == SamplerKind::centre) return quantiles;
-  const double half = half_width(filter);
+  const double half = kinds::filter_radius(filter);
   const LoweredGaussian gaussian(half, filter.stddev);
   const auto quantile = [&](double share) {
     switch (filter.kind) {
@@ -102,7 +90,7 @@ std::vector<double> filter_quantiles(const Filter& filter, SamplerKind sampler) 
 }
 
 FilterDensities filter_densities(const Filter& filter) {
-  const double half = half_width(filter);
+  const double half = kinds::filter_radius(filter);
   const LoweredGaussian gaussian(half, filter.stddev);
   const auto density = [&](double offset) {
     switch (filter.kind) {

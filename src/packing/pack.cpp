@@ -15,6 +15,7 @@
 #include "packing/light_textures.h"
 #include "packing/outline.h"
 #include "packing/pack_camera.h"
+#include "packing/pack_filter.h"
 #include "packing/pack_images.h"
 #include "packing/pack_instances.h"
 #include "packing/pack_lights.h"
@@ -81,11 +82,10 @@ class Packing {
     index(layout::HEADER_HIDE_EMITTERS) = scene_.integrator.hide_emitters ? 1 : 0;
     index(layout::HEADER_STRICT_NORMALS) = scene_.integrator.strict_normals ? 1 : 0;
     index(layout::HEADER_CAMERA) = packed_.put_shading(camera_reals(scene_, sampling.kind, options_.frame));
-    index(layout::HEADER_FILM_ROWS) = scene_.film.window().height();
-    index(layout::HEADER_SENSOR) = -1;
-    if (kinds::integrator(scene_.integrator.name).from_lights)
-      index(layout::HEADER_SENSOR) = packed_.put_shading(sensor_reals(scene_.camera, scene_.film, options_.frame));
-    index(layout::HEADER_FILTER) = packed_.put_shading(filter_quantiles(scene_.film.filter, sampling.kind));
+    const bool has_sensor = kinds::integrator(scene_.integrator.name).from_lights;
+    index(layout::HEADER_SENSOR) =
+        has_sensor ? packed_.put_shading(sensor_reals(scene_.camera, scene_.film, options_.frame)) : -1;
+    pack_film(packed_, scene_, features_);
   }
 
   void materials() {

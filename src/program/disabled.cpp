@@ -39,6 +39,7 @@ const std::map<std::string, std::string>& needed() {
       {"LOOP_LIMIT", "the device ends long loops, and a picture might be wrong without a word"},
       {"MESH_ATTRIBUTE", "the texture mesh_attribute reads by it; that can be left out"},
       {"SUN", "the light sun shines by it; lights/sun can be left out"},
+      {"SHARED_SAMPLES", "--share-samples asks for it; leave that out"},
       {"TEXTURE_LOD", "--texture-lod asks for it; leave that out"},
       {"ERROR_SUMS", "--no-error leaves it out"},
   };
@@ -77,6 +78,7 @@ std::set<std::string> disabled_effects(const std::set<std::string>& disabled) {
     if (const std::string why = needed_because(name); !why.empty())
       throw UsageError(fmt::format("{} cannot be left out: {}", name, why));
   if (names.contains("EMISSION")) names.insert({"lights/area", "lights/directionalarea"});
+  if (names.contains("PIXEL_FILTER")) names.insert("SHARED_SAMPLES");
   if (names.contains("lights/area") && names.contains("lights/directionalarea"))
     for (const std::string& area : list_entries("areas")) names.insert("areas/" + area);
   return names;

@@ -12,6 +12,7 @@
 #include <tuple>
 
 #include "kinds/entries.h"
+#include "kinds/filter_taps.h"
 #include "kinds/integrators.h"
 #include "kinds/lights.h"
 #include "kinds/materials.h"
@@ -277,6 +278,9 @@ Causes causes_of(const Scene& scene, const RenderSettings& settings) {
   // default.
   const bool is_spread = scene.sampler.kind != SamplerKind::centre;
   if (is_spread) call_for(causes, "PIXEL_FILTER", "samples anywhere but at the pixels' centres", scene.sampler.where);
+  if (settings.share_samples && is_spread && !facts.from_lights && kinds::filter_taps(scene.film.filter).reach > 0)
+    call_for(causes, "SHARED_SAMPLES", "--share-samples, and a pixel filter that is wider than a pixel",
+             scene.film.where);
   if (is_spread && scene.camera.aperture_radius > 0)
     call_for(causes, "THIN_LENS", "a sensor of type thinlens", scene.camera.where);
   const bool draws_blends = settings.aovs.contains(Aov::albedo) && causes.contains("BLEND");
@@ -356,7 +360,8 @@ Features features_of(const Scene& scene, const RenderSettings& settings) {
       row.why = cause->second.why;
       row.where = cause->second.where;
     } else if (settings.generic && name != "COUNT_RAYS" && name != "LOOP_LIMIT" && name != "TEXTURE_LOD" &&
-               name != "MOMENT" && has_place(kinds::integrator(scene.integrator.name), name)) {
+               name != "MOMENT" && name != "SHARED_SAMPLES" &&
+               has_place(kinds::integrator(scene.integrator.name), name)) {
       row.on = true;
       row.why = "--generic";
     } else if (const std::string asking = asking_scene(scene, name); !asking.empty()) {

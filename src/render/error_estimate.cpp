@@ -46,8 +46,8 @@ bool is_told(const FilmSums& film) {
 
 std::unique_ptr<ErrorLaw> law_of(const FilmSums& film) {
   if (film.kind == FilmKind::splats) return law_of_replicates(film);
-  if (film.sums.sequences == layout::SOBOL_SEQUENCES) return law_of_sequences(film.width, film.height);
-  return law_of_turns(film.height);
+  if (film.sums.sequences == layout::SOBOL_SEQUENCES) return law_of_sequences(film);
+  return law_of_turns(film);
 }
 
 }  // namespace

@@ -16,13 +16,14 @@ struct FilmSums;
 
 using Colour = std::array<double, layout::FILM_CHANNELS>;
 
-/// What follows from how many samples a pixel has in each sub-sum. Nearly all have equally many, and to divide for each
-/// takes long.
+/// What follows from the weights of a pixel's sub-sums. Where each sample counts 1, nearly all pixels have the same,
+/// and to divide for each takes long.
 template <class Value>
 class OfSamples {
  public:
   [[nodiscard]] const Value& of(const FilmRows& rows, std::size_t at) {
-    if (!value_ || rows.samples[at] != samples_) value_.emplace(rows.sub_sum_counts(samples_ = rows.samples[at]));
+    if (!value_ || rows.has_weights || rows.samples[at] != samples_) value_.emplace(rows.sub_sum_weights(at));
+    samples_ = rows.samples[at];
     return *value_;
   }
 
@@ -30,7 +31,7 @@ class OfSamples {
   int samples_ = 0;
   std::optional<Value> value_;
 };
-using CountsOfSamples = OfSamples<SubSumCounts>;
+using WeightsOfSamples = OfSamples<SubSumWeights>;
 
 /// One pixel: mean, and estimated squared error of the mean.
 struct PixelError {
@@ -79,10 +80,14 @@ class ErrorLaw {
   [[nodiscard]] virtual PictureError tell() const = 0;
 };
 
-/// Four independent sums; of a picture of so many rows.
-[[nodiscard]] std::unique_ptr<ErrorLaw> law_of_turns(int height);
-/// Two sequences, each in two sums; of a picture of width x height pixels.
-[[nodiscard]] std::unique_ptr<ErrorLaw> law_of_sequences(int width, int height);
+// Pixels that share samples have correlated noise. Theirs is a variance of the squared error that is film.noise_overlap
+// times that of independent pixels: the covariance of two pixels' products is the squared covariance of their noise. In
+// the same way their number says less.
+
+/// Four independent sums.
+[[nodiscard]] std::unique_ptr<ErrorLaw> law_of_turns(const FilmShape& film);
+/// Two sequences, each in two sums.
+[[nodiscard]] std::unique_ptr<ErrorLaw> law_of_sequences(const FilmShape& film);
 /// Splats: four independent replicates of the whole picture, whose pixels are not independent. Of the film only the
 /// numbers of samples are looked at.
 [[nodiscard]] std::unique_ptr<ErrorLaw> law_of_replicates(const FilmSums& film);

@@ -23,7 +23,7 @@ struct Replicated {
 };
 
 Replicated replicated_at(const FilmRows& film, const std::vector<double>& sizes, std::size_t at,
-                         const SubSumCounts& counts) {
+                         const SubSumWeights& weights) {
   const SubSumColours sums = film.sub_sums(at);
   Replicated pixel;
   double samples = 0;
@@ -36,7 +36,7 @@ Replicated replicated_at(const FilmRows& film, const std::vector<double>& sizes,
       pixel.error.mean[channel] += sum / samples;
       mean[k] = sum / sizes[k];
       if (film.samples[at] > 0) pixel.error.mean[channel] += own / film.samples[at];
-      if (counts[k] > 0) mean[k] += own / counts[k];
+      if (weights[k] > 0) mean[k] += own / weights[k];
     }
     double spread = 0;
     for (std::size_t k = 0; k < replicates; ++k) {
@@ -54,9 +54,9 @@ std::vector<double> replicate_sizes(const FilmSums& film) {
   std::vector<double> sizes(replicates, 0.0);
   const FilmRows rows = film.rows();
   const auto pixels = static_cast<double>(film.samples.size());
-  CountsOfSamples counts;
+  WeightsOfSamples weights;
   for (std::size_t at = 0; at < film.samples.size(); ++at)
-    for (std::size_t k = 0; k < replicates; ++k) sizes[k] += counts.of(rows, at)[k] / pixels;
+    for (std::size_t k = 0; k < replicates; ++k) sizes[k] += weights.of(rows, at)[k] / pixels;
   return sizes;
 }
 
@@ -66,10 +66,10 @@ class LawOfReplicates final : public ErrorLaw {
       : sizes_(replicate_sizes(film)), bands_(band_of(film.height - 1) + 1) {}
 
   void add(const FilmRows& rows, int first) override {
-    CountsOfSamples counts;
+    WeightsOfSamples weights;
     each_pixel(rows, first, [&](std::size_t at, std::size_t band_number) {
       Band& band = bands_[band_number];
-      const Replicated pixel = replicated_at(rows, sizes_, at, counts.of(rows, at));
+      const Replicated pixel = replicated_at(rows, sizes_, at, weights.of(rows, at));
       band.picture.add(pixel.error);
       for (std::size_t i = 0; i < replicates; ++i)
         for (std::size_t j = 0; j < replicates; ++j)
@@ -78,7 +78,7 @@ class LawOfReplicates final : public ErrorLaw {
     });
   }
   PixelError pixel_error(const FilmRows& rows, std::size_t at) const override {
-    return replicated_at(rows, sizes_, at, rows.sub_sum_counts(rows.samples[at])).error;
+    return replicated_at(rows, sizes_, at, rows.sub_sum_weights(at)).error;
   }
   PictureError tell() const override {
     PictureError picture;

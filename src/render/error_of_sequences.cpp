@@ -14,6 +14,8 @@
 // largest upper estimate of a pixel by itself is added, |S|^2 with S the mean of the three differences' squares, times
 // half of that pixel's share of the noise. Among many noisy pixels it does not count.
 //
+// Where pixels share samples, the first and the third are larger by the neighbours' correlation, which cancels.
+//
 // A part of a picture may have nothing of the second halves. Then u by itself tells all, pixel by pixel.
 #include <algorithm>
 #include <cmath>
@@ -39,29 +41,28 @@ struct Differences {
   bool has_halves = false;
 };
 
-/// What the sums of pixels of so many samples are multiplied by. Products with counts, not quotients: of a noiseless
-/// pixel both are the same number, and divisions take most of the time.
-struct Weights {
-  explicit Weights(const SubSumCounts& counts) {
-    for (std::size_t sub = 0; sub < number.size(); ++sub) number[sub] = counts[sub];
-    first = number[0] + number[2];
-    second = number[1] + number[3];
-    per_sample = 1 / (first + second);
-    // 1 but where one sequence is a sample longer.
+/// What a pixel's sums are multiplied by. Products with weights, not quotients: of a noiseless pixel both are the same
+/// number, and divisions take most of the time. A sequence without weight says nothing, as in the limit.
+struct Factors {
+  explicit Factors(const SubSumWeights& weights) : weight(weights) {
+    first = weight[0] + weight[2];
+    second = weight[1] + weight[3];
+    if (first + second > 0) per_sample = 1 / (first + second);
+    // 1 but where one sequence weighs more.
     const double evenness = 2 * std::sqrt(first * second) * per_sample;
-    per_whole = evenness / (first * second);
-    has_halves = std::all_of(counts.begin(), counts.end(), [](int count) { return count > 0; });
+    if (first * second > 0) per_whole = evenness / (first * second);
+    has_halves = std::all_of(weight.begin(), weight.end(), [](double one) { return one > 0; });
     for (std::size_t k = 0; k < sequences; ++k)
-      per_half[k] = has_halves ? 0.5 / (number[k] * number[k + sequences]) : 0;
+      per_half[k] = has_halves ? 0.5 / (weight[k] * weight[k + sequences]) : 0;
   }
 
-  std::array<double, layout::FILM_SUBSUMS> number{};
-  double first, second, per_sample, per_whole;
+  SubSumWeights weight;
+  double first, second, per_sample = 0, per_whole = 0;
   std::array<double, sequences> per_half{};
   bool has_halves;
 };
 
-PixelError told_by_sequences(const SubSumColours& colours, const Weights& by, Differences& differences) {
+PixelError told_by_sequences(const SubSumColours& colours, const Factors& by, Differences& differences) {
   differences.has_halves = by.has_halves;
   PixelError pixel;
   for (std::size_t c = 0; c < layout::FILM_CHANNELS; ++c) {
@@ -72,7 +73,7 @@ PixelError told_by_sequences(const SubSumColours& colours, const Weights& by, Di
     pixel.squared[c] = u * u / 4;
     differences.whole[c] = u;
     for (std::size_t k = 0; k < sequences; ++k)
-      differences.half[k][c] = (sum[k] * by.number[k + sequences] - sum[k + sequences] * by.number[k]) * by.per_half[k];
+      differences.half[k][c] = (sum[k] * by.weight[k + sequences] - sum[k + sequences] * by.weight[k]) * by.per_half[k];
   }
   return pixel;
 }
@@ -141,12 +142,12 @@ Products products_of(const Differences& pixel, const Noise& noise, const Noise& 
 
 class LawOfSequences final : public ErrorLaw {
  public:
-  LawOfSequences(int width, int height) : bands_(band_of(height - 1) + 1) {
-    for (Band& band : bands_) band.tiles.resize(static_cast<std::size_t>((width + tile_side - 1) / tile_side));
+  explicit LawOfSequences(const FilmShape& film) : overlap_(film.noise_overlap), bands_(band_of(film.height - 1) + 1) {
+    for (Band& band : bands_) band.tiles.resize(static_cast<std::size_t>((film.width + tile_side - 1) / tile_side));
   }
 
   void add(const FilmRows& rows, int first) override {
-    OfSamples<Weights> weights;
+    OfSamples<Factors> factors;
     const auto width = static_cast<std::size_t>(rows.width);
     std::vector<Noise> above(width), row(width);
     for (std::size_t at = 0; at < rows.samples.size(); above.swap(row)) {
@@ -154,7 +155,7 @@ class LawOfSequences final : public ErrorLaw {
       Band* const band = y < first ? nullptr : &bands_[band_of(y)];
       for (std::size_t x = 0; x < width; ++x, ++at) {
         Differences here;
-        const PixelError pixel = told_by_sequences(rows.sub_sums(at), weights.of(rows, at), here);
+        const PixelError pixel = told_by_sequences(rows.sub_sums(at), factors.of(rows, at), here);
         row[x] = noise_of(here);
         if (band == nullptr) continue;
         band->picture.add(pixel);
@@ -164,7 +165,7 @@ class LawOfSequences final : public ErrorLaw {
   }
   PixelError pixel_error(const FilmRows& rows, std::size_t at) const override {
     Differences unused;
-    return told_by_sequences(rows.sub_sums(at), Weights(rows.sub_sum_counts(rows.samples[at])), unused);
+    return told_by_sequences(rows.sub_sums(at), Factors(rows.sub_sum_weights(at)), unused);
   }
   PictureError tell() const override;
 
@@ -192,6 +193,7 @@ class LawOfSequences final : public ErrorLaw {
     return sum;
   }
 
+  double overlap_;
   std::vector<Band> bands_;
 };
 
@@ -212,7 +214,8 @@ PictureError LawOfSequences::tell() const {
   if (!(all.alone > 0)) return picture;
   const bool has_neighbours = has_halves && all.whole_beside > 0 && all.half > 0 && all.half_beside > 0;
   const double by_one = most_alone * (std::sqrt(most_alone) / all.spread) / 2;
-  picture.variance = has_neighbours ? all.half * (all.whole_beside / all.half_beside) + by_one : all.alone;
+  picture.variance =
+      has_neighbours ? overlap_ * all.half * (all.whole_beside / all.half_beside) + by_one : overlap_ * all.alone;
   double squares = 0;
   for (const Band& band : bands_)
     for (const Products& tile : band.tiles) {
@@ -221,14 +224,12 @@ PictureError LawOfSequences::tell() const {
                                           : tile.alone / all.alone;
       squares += share * share;
     }
-  picture.freedom = satterthwaite(1, squares);
+  picture.freedom = satterthwaite(1, squares) / overlap_;
   return picture;
 }
 
 }  // namespace
 
-std::unique_ptr<ErrorLaw> law_of_sequences(int width, int height) {
-  return std::make_unique<LawOfSequences>(width, height);
-}
+std::unique_ptr<ErrorLaw> law_of_sequences(const FilmShape& film) { return std::make_unique<LawOfSequences>(film); }
 
 }  // namespace strahl

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <vector>
 
 #include "render/error_law.h"
@@ -14,37 +15,39 @@ static_assert(turns == 4, "disjoint_pairs are those of four");
 constexpr double to_difference = 2.0 * turns / (turns - 1);  ///< From squared covariances of one sample.
 constexpr int disjoint_pairs[3][4] = {{0, 1, 2, 3}, {0, 2, 1, 3}, {0, 3, 1, 2}};
 
-/// A pixel's four means and the number of samples in each.
+/// A pixel's four means, their weights, and the weight of all.
 struct Turns {
   std::array<Colour, turns> part{};
-  std::array<double, turns> count{};
+  SubSumWeights weight{};
+  double total = 0;
   PixelError error;
 };
 
-Turns turns_of(const FilmRows& film, std::size_t at, const SubSumCounts& counts) {
-  const int samples = film.samples[at];
+/// A sum without weight says nothing, as in the limit: it adds nothing to the spread, and no pair with it to the
+/// variance.
+Turns turns_of(const FilmRows& film, std::size_t at, const SubSumWeights& weights) {
   const SubSumColours sums = film.sub_sums(at);
-  Turns pixel;
-  for (int k = 0; k < turns; ++k) {
-    pixel.count[k] = counts[k];
+  Turns pixel{{}, weights, std::accumulate(weights.begin(), weights.end(), 0.0), {}};
+  if (!(pixel.total > 0)) return pixel;
+  for (int k = 0; k < turns; ++k)
     for (int c = 0; c < layout::FILM_CHANNELS; ++c) {
       const double sum = sums[k][c];
-      pixel.part[k][c] = sum / pixel.count[k];
-      pixel.error.mean[c] += sum / samples;
+      if (weights[k] > 0) pixel.part[k][c] = sum / weights[k];
+      pixel.error.mean[c] += sum / pixel.total;
     }
-  }
   for (int c = 0; c < layout::FILM_CHANNELS; ++c) {
     double spread = 0;
     for (int k = 0; k < turns; ++k) {
       const double deviation = pixel.part[k][c] - pixel.error.mean[c];
-      spread += pixel.count[k] * deviation * deviation;
+      spread += weights[k] * deviation * deviation;
     }
-    pixel.error.squared[c] = spread / ((turns - 1) * static_cast<double>(samples));
+    pixel.error.squared[c] = spread / ((turns - 1) * pixel.total);
   }
   return pixel;
 }
 
-double difference_variance(const Turns& pixel, double samples) {
+double difference_variance(const Turns& pixel) {
+  if (!(pixel.total > 0)) return 0;
   // Of one sample: sum over pairs of channels of the squared covariance.
   double covariance = 0;
   for (const auto& pairs : disjoint_pairs) {
@@ -53,11 +56,11 @@ double difference_variance(const Turns& pixel, double samples) {
       product +=
           (pixel.part[pairs[0]][c] - pixel.part[pairs[1]][c]) * (pixel.part[pairs[2]][c] - pixel.part[pairs[3]][c]);
     covariance += product * product /
-                  ((1 / pixel.count[pairs[0]] + 1 / pixel.count[pairs[1]]) *
-                   (1 / pixel.count[pairs[2]] + 1 / pixel.count[pairs[3]])) /
+                  ((1 / pixel.weight[pairs[0]] + 1 / pixel.weight[pairs[1]]) *
+                   (1 / pixel.weight[pairs[2]] + 1 / pixel.weight[pairs[3]])) /
                   3;
   }
-  return to_difference / (samples * samples) * covariance;
+  return to_difference / (pixel.total * pixel.total) * covariance;
 }
 
 /// The squared error over all channels, whose square overestimates what the difference's variance is made of.
@@ -69,14 +72,14 @@ double squared_error(const Turns& pixel) {
 
 class LawOfTurns final : public ErrorLaw {
  public:
-  explicit LawOfTurns(int height) : bands_(band_of(height - 1) + 1) {}
+  explicit LawOfTurns(const FilmShape& film) : overlap_(film.noise_overlap), bands_(band_of(film.height - 1) + 1) {}
 
   void add(const FilmRows& rows, int first) override {
-    CountsOfSamples counts;
+    WeightsOfSamples weights;
     each_pixel(rows, first, [&](std::size_t at, std::size_t band_number) {
       Band& band = bands_[band_number];
-      const Turns pixel = turns_of(rows, at, counts.of(rows, at));
-      const double variance = difference_variance(pixel, rows.samples[at]);
+      const Turns pixel = turns_of(rows, at, weights.of(rows, at));
+      const double variance = difference_variance(pixel);
       band.picture.add(pixel.error);
       band.picture.variance += variance;
       band.squares += variance * variance;
@@ -84,7 +87,7 @@ class LawOfTurns final : public ErrorLaw {
     });
   }
   PixelError pixel_error(const FilmRows& rows, std::size_t at) const override {
-    return turns_of(rows, at, rows.sub_sum_counts(rows.samples[at])).error;
+    return turns_of(rows, at, rows.sub_sum_weights(at)).error;
   }
   PictureError tell() const override {
     PictureError picture;
@@ -94,7 +97,8 @@ class LawOfTurns final : public ErrorLaw {
       squares += band.squares;
       most = std::max(most, band.most);
     }
-    picture.freedom = satterthwaite(picture.variance, squares);
+    picture.freedom = satterthwaite(picture.variance, squares) / overlap_;
+    picture.variance *= overlap_;
     // By the pixel that has most of the noise alone (error_of_sequences.cpp), times its whole share: the four sums'
     // spread says less than three differences of sequences.
     if (picture.squared > 0) picture.variance += to_difference * std::pow(most, 3) / picture.squared;
@@ -106,11 +110,12 @@ class LawOfTurns final : public ErrorLaw {
     PictureError picture;
     double squares = 0, most = 0;
   };
+  double overlap_;
   std::vector<Band> bands_;
 };
 
 }  // namespace
 
-std::unique_ptr<ErrorLaw> law_of_turns(int height) { return std::make_unique<LawOfTurns>(height); }
+std::unique_ptr<ErrorLaw> law_of_turns(const FilmShape& film) { return std::make_unique<LawOfTurns>(film); }
 
 }  // namespace strahl

@@ -26,9 +26,13 @@ void FilmSums::add_words(int row, const std::vector<std::int64_t>& band) {
   // Those of the pixels of splats first, then those of the film's own kind.
   const std::size_t splats = kind == FilmKind::splats ? words_of_sums() : 0;
   for (std::size_t pixel = 0; pixel < band.size(); pixel += words_per_pixel()) {
-    const std::size_t own = pixel + splats, end = pixel + words_per_pixel();
+    const std::size_t own = pixel + splats, end = pixel + words_per_pixel(), weights = end - words_of_weights();
     for (std::size_t i = pixel; i < own; ++i) sum[i] += band[i];
-    for (std::size_t i = own; i < end; i += layout::FILM_SUM_WORDS) film_add(sum + i, film_bins(band[i], band[i + 1]));
+    for (std::size_t i = own; i < weights; i += layout::FILM_SUM_WORDS)
+      film_add(sum + i, film_bins(band[i], band[i + 1]));
+    // Two in a word, of which the low one never carries. The high one is unsigned, too.
+    for (std::size_t i = weights; i < end; ++i)
+      sum[i] = static_cast<std::int64_t>(static_cast<std::uint64_t>(sum[i]) + static_cast<std::uint64_t>(band[i]));
   }
 }
 

@@ -15,7 +15,7 @@ namespace strahl {
 /// Sub-sums of three channels a pixel: four, or one where nobody compares them; window coordinates.
 struct FilmSums : FilmShape {
   std::vector<std::int64_t> words;  ///< height x width x words_per_pixel(): sums.count, or one more, x 3 x
-                                    ///< words_per_sum(kind), as the kind has them.
+                                    ///< words_per_sum(kind), as the kind has them; behind them the weights.
   std::vector<int> samples;         ///< height x width: how many samples a pixel has, from first_sample on.
 
   FilmSums() = default;

@@ -7,12 +7,12 @@
 
 namespace strahl {
 
-FilmRun::Unfinished FilmRun::launch_once(const Launch& launch, int band_row) {
+FilmRun::Unfinished FilmRun::count(const std::function<void()>& launch) {
   RunStats& run = result_.stats;
   const std::vector<std::uint32_t> zero(layout::COUNTERS, 0);
   write_buffer(state_.device, state_.counters, zero.data(), zero.size() * sizeof(std::uint32_t));
   const Stopwatch start;
-  state_.launch(launch, band_row);
+  launch();
   const double seconds = start.seconds();
   run.add_launch(seconds);
   run.seconds.kernel += seconds;
@@ -31,9 +31,10 @@ FilmRun::Unfinished FilmRun::launch_once(const Launch& launch, int band_row) {
 
 /// Work-items continue where an earlier launch stopped. Where none makes progress, a part of them is launched alone,
 /// because work-items that run in step share their turns.
-void FilmRun::launch_to_end(const Launch& launch, int band_row) {
-  Unfinished left = launch_once(launch, band_row);
-  while (left.cut > left.stuck) left = launch_once(launch, band_row);
+void FilmRun::launch_to_end(const Launch& launch) {
+  const auto once = [&] { return count([&] { state_.launch(launch, band_); }); };
+  Unfinished left = once();
+  while (left.cut > left.stuck) left = once();
   if (left.cut == 0) return;
   Launch first = launch, second = launch;
   if (launch.columns > 1) {
@@ -51,14 +52,25 @@ void FilmRun::launch_to_end(const Launch& launch, int band_row) {
         state_.device.info().text(), state_.settings.loop_turns.value_or(0), state_.window.x0 + launch.column_first,
         state_.window.y0 + launch.row_first));
   }
-  launch_to_end(first, band_row);
-  launch_to_end(second, band_row);
+  launch_to_end(first);
+  launch_to_end(second);
 }
 
-double FilmRun::launch_and_count(const Launch& launch, int band_row) {
+void FilmRun::launch_shared(const Launch& launch) {
+  for (const Launch& part : state_.ring->parts(launch, state_.ring_memory())) {
+    if (const Launch missing = state_.missing_samples(part); missing.rows > 0) launch_to_end(missing);
+    state_.ring->filled();
+    count([&] { state_.launch_sharing(part, band_); });
+  }
+}
+
+double FilmRun::launch_and_count(const Launch& launch) {
   RunStats& run = result_.stats;
   const double before = run.seconds.kernel;
-  launch_to_end(launch, band_row);
+  if (state_.ring)
+    launch_shared(launch);
+  else
+    launch_to_end(launch);
   film_.add_samples(launch);
   run.camera_rays += static_cast<std::uint64_t>(launch.columns) * static_cast<std::uint64_t>(launch.rows) *
                      static_cast<std::uint64_t>(launch.samples);

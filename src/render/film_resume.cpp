@@ -16,7 +16,7 @@ bool are_alike(const FilmSums& a, const FilmSums& b) {
   return a.kind == b.kind && a.width == b.width && a.height == b.height && a.sums.count == b.sums.count &&
          a.sums.sequences == b.sums.sequences && a.sums.turn_bits == b.sums.turn_bits &&
          a.first_sample == b.first_sample && a.unit == b.unit && a.has_squares == b.has_squares &&
-         a.has_own == b.has_own;
+         a.has_own == b.has_own && a.has_weights == b.has_weights;
 }
 
 }  // namespace
@@ -45,7 +45,7 @@ bool FilmRun::go_on_from(const FilmState& state) {
   passes_.go_on_from({level, state.position.check_at, state.position.max_error});
   has_first_samples_ = film_.first_sample + *least == 0;
   if (is_one_band()) {
-    band_ = {0, height_};
+    begin_rows(0);
     // Of several bands the device adds to no sums, and the host adds them up.
     write_buffer(state_.device, state_.film->buffer(), state.film.words.data(), film_bytes(has.size()));
     begin_band();
@@ -82,7 +82,7 @@ bool FilmRun::render_missing(int end) {
     return carry_on;
   }
   for (int row = 0; row < height_ && carry_on; row += band_rows_) {
-    band_ = {row, std::min(band_rows_, height_ - row)};
+    begin_rows(row);
     const std::vector<Launch> missing = film_.missing(row, band_.count, end);
     if (missing.empty()) continue;
     if (!is_one_band()) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 
 #include "packing/cl_layout.h"
 #include "render/film_sum.h"
@@ -21,7 +22,12 @@ std::size_t words_per_sum(FilmKind kind) {
 
 std::size_t FilmShape::words_per_pixel() const {
   const std::size_t more = (has_own ? static_cast<std::size_t>(sums.count) : 0) + (has_squares ? 1 : 0);
-  return words_of_sums() + more * channels * layout::FILM_SUM_WORDS;
+  return words_of_sums() + more * channels * layout::FILM_SUM_WORDS + words_of_weights();
+}
+
+std::size_t FilmShape::words_of_weights() const {
+  if (!has_weights) return 0;
+  return (static_cast<std::size_t>(sums.count) + 1) / 2;
 }
 
 std::size_t FilmShape::words_of_sums() const {
@@ -54,12 +60,33 @@ double FilmRows::own_sum(std::size_t pixel, int sub, int channel) const {
   return unit * value_of(film_bins(at[0], at[1]));
 }
 
-SubSumCounts FilmRows::sub_sum_counts(int samples_of_pixel) const {
-  SubSumCounts counts;
-  for (int sub = 0; sub < layout::FILM_SUBSUMS; ++sub)
-    counts[static_cast<std::size_t>(sub)] =
-        sub_sum_size(sums, sub, first_sample + samples_of_pixel) - sub_sum_size(sums, sub, first_sample);
-  return counts;
+SubSumWeights FilmRows::sub_sum_weights(std::size_t pixel) const {
+  std::span<const std::int64_t> words_of_pixel;
+  if (has_weights)
+    words_of_pixel = words.subspan((pixel + 1) * words_per_pixel() - words_of_weights(), words_of_weights());
+  SubSumWeights weights{};
+  // A film whose end is only measured has samples without weights.
+  if (std::all_of(words_of_pixel.begin(), words_of_pixel.end(), [](std::int64_t word) { return word == 0; })) {
+    for (int sub = 0; sub < layout::FILM_SUBSUMS; ++sub)
+      weights[static_cast<std::size_t>(sub)] =
+          sub_sum_size(sums, sub, first_sample + samples[pixel]) - sub_sum_size(sums, sub, first_sample);
+    return weights;
+  }
+  if (sums.count == 1) {
+    weights[0] = static_cast<double>(words_of_pixel[0]) * film_weight_unit;
+    return weights;
+  }
+  for (std::size_t sub = 0; sub < static_cast<std::size_t>(sums.count); ++sub) {
+    const auto both = static_cast<std::uint64_t>(words_of_pixel[sub / 2]);
+    weights[sub] = static_cast<std::uint32_t>(sub % 2 == 0 ? both : both >> 32U) * film_weight_unit;
+  }
+  return weights;
+}
+
+double FilmRows::total_weight(std::size_t pixel) const {
+  if (!has_weights) return samples[pixel];
+  const SubSumWeights weights = sub_sum_weights(pixel);
+  return std::accumulate(weights.begin(), weights.end(), 0.0);
 }
 
 void FilmRows::put_mean(std::size_t first, double paths, Image& image) const {
@@ -68,10 +95,10 @@ void FilmRows::put_mean(std::size_t first, double paths, Image& image) const {
   const bool has_splats = kind == FilmKind::splats;
   const std::size_t step = words_per_pixel();
   for (std::size_t at = 0; at < samples.size(); ++at, pixel += step, out += channels) {
-    const double count = has_splats ? paths : samples[at];
-    if (!(count > 0)) continue;
+    const double weight = has_splats ? paths : total_weight(at);
+    if (!(weight > 0)) continue;
     Totals mean = has_splats ? splats_of(pixel) : samples_of(pixel);
-    for (double& value : mean) value /= count;
+    for (double& value : mean) value /= weight;
     if (has_own && samples[at] > 0) {
       const Totals total = samples_of(pixel + words_of_sums());
       for (std::size_t channel = 0; channel < channels; ++channel) mean[channel] += total[channel] / samples[at];
@@ -85,11 +112,13 @@ void FilmRows::put_squares(std::size_t first, Image& image) const {
   constexpr std::size_t per_sum = layout::FILM_SUM_WORDS;
   const std::int64_t* sum = words.data() + words_of_sums();
   float* out = &image.data[first * channels];
-  for (std::size_t at = 0; at < samples.size(); ++at, sum += words_per_pixel())
+  for (std::size_t at = 0; at < samples.size(); ++at, sum += words_per_pixel()) {
+    const double weight = total_weight(at);
     for (std::size_t channel = 0; channel < channels; ++channel, ++out) {
       const std::int64_t* bins = sum + channel * per_sum;
-      if (samples[at] > 0) *out = static_cast<float>(value_of(film_bins(bins[0], bins[1])) / samples[at] * unit * unit);
+      if (weight > 0) *out = static_cast<float>(value_of(film_bins(bins[0], bins[1])) / weight * unit * unit);
     }
+  }
 }
 
 FilmRows::Totals FilmRows::splats_of(const std::int64_t* first) const {

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "errors.h"
+#include "packing/filter_overlap.h"
 
 namespace strahl {
 namespace {
@@ -22,6 +23,8 @@ constexpr double least_launch_seconds = 0.0005;
 FilmSums FilmRun::black_film() const {
   FilmShape shape{state_.film_kind(),   width_, height_, sums_, 0, state_.radiance_unit(), state_.has_squares(),
                   state_.has_own_sums()};
+  shape.has_weights = state_.shares_samples();
+  if (shape.has_weights) shape.noise_overlap = noise_overlap(state_.scene.film.filter);
   if (goal_.samples) shape.first_sample = goal_.samples->first;
   return FilmSums(shape, !is_one_band());
 }
@@ -106,7 +109,7 @@ void FilmRun::clear(int rows, bool aovs_too) {
       queue.enqueueFillBuffer(state_.aov_reals, cl_uint{0}, 0, state_.aov_real_bytes(pixels));
       queue.enqueueFillBuffer(state_.aov_ints, cl_int{-1}, 0, state_.aov_int_bytes(pixels));
     }
-    if (state_.done_bytes(pixels) > 0)
+    if (!state_.ring && state_.done_bytes(pixels) > 0)
       queue.enqueueFillBuffer(state_.counters, cl_uint{0}, layout::COUNTERS * sizeof(std::uint32_t),
                               state_.done_bytes(pixels));
     return queue.finish();
@@ -117,8 +120,9 @@ void FilmRun::clear(int rows, bool aovs_too) {
 /// false: stopped by the callback or, in a pass of single samples, by the deadline. all: pixels and samples, as a
 /// launch has them.
 bool FilmRun::render_all_of(const Launch& all) {
-  LaunchPlan plan(all.columns, all.rows, all.samples, state_.settings.passes,
-                  {state_.launch_overhead, state_.samples_at_once, state_.shape.items_at_once()});
+  LaunchPlan plan(
+      all.columns, all.rows, all.samples, state_.settings.passes,
+      {state_.launch_overhead, state_.samples_at_once, state_.shape.items_at_once(), state_.ring.has_value()});
   if (state_.last_plan) plan.learn_from(*state_.last_plan);
   const double least = least_launch_seconds + state_.launch_overhead;
   bool carry_on = true;
@@ -136,7 +140,7 @@ bool FilmRun::render_all_of(const Launch& all) {
     next.column_first += all.column_first;
     next.row_first += all.row_first;
     next.sample_first += all.sample_first;
-    plan.measured(launch_and_count(next, band_.first));
+    plan.measured(launch_and_count(next));
     carry_on = report();
   }
   state_.last_plan = plan;
@@ -182,12 +186,18 @@ bool FilmRun::render_pass(const Pass& pass) {
   if (is_shared()) return render_shared({0, 0, width_, height_, pass.first, pass.count});
   bool carry_on = true;
   for (int row = 0; row < height_ && carry_on; row += band_rows_) {
-    band_ = {row, std::min(band_rows_, height_ - row)};
+    begin_rows(row);
     if (!is_one_band()) clear(band_.count, has_first_samples_);
     carry_on = render_all_of({0, row, width_, band_.count, pass.first, pass.count});
     end_band();
   }
   return carry_on;
+}
+
+void FilmRun::begin_rows(int row) {
+  band_ = {row, std::min(band_rows_, height_ - row)};
+  // AOVs of rows that were rendered for others' sake are stored only where their band is on the device.
+  if (state_.ring) state_.ring->forget();
 }
 
 void FilmRun::end_band() {
@@ -229,6 +239,7 @@ RenderResult FilmRun::run() {
   const double finish_seconds = finishing.seconds();
 
   RunStats& run = result_.stats;
+  if (state_.ring) run.device_bytes += state_.ring->bytes();
   const auto [least, most] = std::minmax_element(film_.samples.begin(), film_.samples.end());
   run.least_spp = *least;
   run.most_spp = *most;

@@ -40,6 +40,8 @@ class FilmRun {
   void write_header();
   bool render_pass(const Pass& pass);
   bool render_all_of(const Launch& all);
+  /// The band from `row` on is the one that launches fill.
+  void begin_rows(int row);
   void end_band();
   /// Of one device among several (film_shared.cpp): this run's part of the picture, as far as it came.
   struct Part {
@@ -71,10 +73,13 @@ class FilmRun {
   struct Unfinished {
     std::uint32_t cut, stuck;
   };
-  Unfinished launch_once(const Launch& launch, int band_row);
-  void launch_to_end(const Launch& launch, int band_row);
+  /// One launch by `start`, its seconds and what it has counted.
+  Unfinished count(const std::function<void()>& start);
+  void launch_to_end(const Launch& launch);
+  /// Samples that other pixels' samples are made of, and those of the launch.
+  void launch_shared(const Launch& launch);
   /// Kernel seconds.
-  double launch_and_count(const Launch& launch, int band_row);
+  double launch_and_count(const Launch& launch);
   /// What the device has of a band that is not fetched yet.
   [[nodiscard]] std::vector<std::int64_t> band_words() const;
   void read_aovs(int row, int rows);

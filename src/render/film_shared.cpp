@@ -69,7 +69,7 @@ FilmRun::Part FilmRun::part(const Launch& launch) {
   has_first_samples_ = launch.sample_first == 0;
   bool carry_on = true;
   for (int row = 0; row < height_ && carry_on; row += band_rows_) {
-    band_ = {row, std::min(band_rows_, height_ - row)};
+    begin_rows(row);
     clear(band_.count, has_first_samples_);
     Launch pixels = launch;
     if (film_.kind == FilmKind::pixels) {

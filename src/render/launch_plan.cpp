@@ -41,7 +41,7 @@ Launch LaunchPlan::next(double most_seconds) {
   const double budget = std::max(budget_ * std::min(1.0, most_seconds / target_seconds), least_);
   // Of fewer pixels than the device takes together, a launch of many samples is no shorter.
   const double pixels = std::max(budget / range_, least_);
-  if (pixels < launch.columns)
+  if (pixels < launch.columns && !costs_.has_whole_rows)
     launch.columns = static_cast<int>(pixels);
   else if (column_ == 0)
     launch.rows = static_cast<int>(std::clamp(pixels / width_, 1.0, static_cast<double>(height_ - row_)));

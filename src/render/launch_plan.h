@@ -26,11 +26,13 @@ struct LaunchCosts {
   int samples_at_once = 1;
   /// Pixels that the device takes together: a launch of fewer is not shorter.
   int items_at_once = 1;
+  /// A part of a row takes nearly as long as the row: samples of the rows around it are needed as well.
+  bool has_whole_rows = false;
 };
 
 /// Begins with 64 pixel samples, or one for each of items_at_once, and lets each launch take about target_seconds,
 /// growing by at most 8 x a step. All pixels get one range of samples before the next range begins; a row is split
-/// where it alone would take too long.
+/// where it alone would take too long, unless it is better whole.
 class LaunchPlan {
  public:
   static constexpr double target_seconds =

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "opencl/compiling.h"
+#include "packing/pack_filter.h"
 #include "program/path_lanes.h"
 #include "render/light_paths.h"
 #include "render/numeric_error.h"
@@ -20,6 +21,9 @@
 
 namespace strahl {
 namespace {
+
+/// Of samples that wait (render/sample_ring.h).
+constexpr std::size_t most_ring_bytes = std::size_t{256} << 20;
 
 int most_samples_of(const Scene& scene, const Window& window, const RenderSettings& settings) {
   const bool has_splats = kinds::integrator(scene.integrator.name).from_lights;
@@ -93,6 +97,12 @@ void Renderer::State::prepare() {
   const cl::Program program = program_on(device, source, &report, settings.cached_program);
   kernel = checked(device.info().text(), [&] { return cl::Kernel(program, "render"); });
   shape = LaunchShape(group_limits(device, kernel), paths, settings.work_group);
+  if (shares_samples()) {
+    sharing_kernel = checked(device.info().text(), [&] { return cl::Kernel(program, "share_samples"); });
+    sharing_shape = LaunchShape(group_limits(device, sharing_kernel), paths, settings.work_group);
+    ring.emplace(device, taps_of(scene, features).reach, real_bytes());
+    static_cast<void>(ring->prepare({0, 0, 1, 1, 0, 1}, 1, ring_memory()));  // A buffer that the kernels can be given.
+  }
   warm_up();
   stats.seconds.program += program_start.seconds();
   stats.device = device.info().text();
@@ -133,24 +143,80 @@ SubSums Renderer::State::sub_sums(const RenderGoal& goal) const {
   return {layout::FILM_SUBSUMS, layout::SOBOL_SEQUENCES, goal.is_open() ? 0 : turn_bits};
 }
 
-void Renderer::State::launch(const Launch& l, int film_row) {
+namespace {
+
+void set_arguments(cl::Kernel& kernel, const std::vector<cl::Buffer>& buffers, const std::vector<int>& values) {
+  cl_uint arg = 0;
+  for (const cl::Buffer& buffer : buffers) kernel.setArg(arg++, buffer);
+  for (const int value : values) kernel.setArg(arg++, value);
+}
+
+/// One work-item for each of items x rows.
+cl_int run(const Device& device, const cl::Kernel& kernel, const LaunchShape& shape, int items, int rows) {
   const auto round_up = [](int n, int group) { return static_cast<std::size_t>((n + group - 1) / group * group); };
+  const WorkGroup group = shape.group(items, rows);
+  device.queue().enqueueNDRangeKernel(
+      kernel, cl::NullRange, cl::NDRange(round_up(items, group.x), round_up(std::max(rows, 1), group.y)),
+      cl::NDRange(static_cast<std::size_t>(group.x), static_cast<std::size_t>(group.y)));
+  return device.queue().finish();
+}
+
+}  // namespace
+
+void Renderer::State::launch(const Launch& l, const Rows& band) {
   const int span = span_columns(l), items = std::max((l.columns + span - 1) / span, 1);
-  const WorkGroup group = shape.group(items, l.rows);
+  std::vector<int> values{scene.film.width,
+                          scene.film.height,
+                          window.x0 + l.column_first,
+                          window.y0 + l.row_first,
+                          l.columns,
+                          l.rows,
+                          span};
+  const std::vector<int> of_film =
+      film_kind() == FilmKind::splats
+          ? std::vector<int>{(l.row_first - band.first) * window.width() + l.column_first, window.width()}
+          : std::vector<int>{window.x0, window.y0 + band.first, window.width(), band.count};
+  values.insert(values.end(), of_film.begin(), of_film.end());
+  values.insert(values.end(), {l.sample_first, l.samples});
+  if (film_kind() == FilmKind::pixels)
+    values.insert(values.end(), {ring ? ring->ring_row(l.row_first) : 0, ring ? ring->ring_column(l.column_first) : 0,
+                                 ring ? ring->rows() : 1, ring ? ring->columns() : 0});
   checked(device.info().text(), [&] {
-    cl_uint arg = 0;
-    for (const cl::Buffer& buffer :
-         {buffers.geometry, buffers.shading, buffers.index, film->buffer(), aov_reals, aov_ints, counters})
-      kernel.setArg(arg++, buffer);
-    const int film_first = (l.row_first - film_row) * window.width() + l.column_first;
-    for (const int value : {scene.film.width, scene.film.height, window.x0 + l.column_first, window.y0 + l.row_first,
-                            l.columns, l.rows, span, film_first, window.width(), l.sample_first, l.samples})
-      kernel.setArg(arg++, value);
-    device.queue().enqueueNDRangeKernel(
-        kernel, cl::NullRange, cl::NDRange(round_up(items, group.x), round_up(std::max(l.rows, 1), group.y)),
-        cl::NDRange(static_cast<std::size_t>(group.x), static_cast<std::size_t>(group.y)));
+    set_arguments(kernel,
+                  {buffers.geometry, buffers.shading, buffers.index, ring ? ring->buffer() : film->buffer(), aov_reals,
+                   aov_ints, counters},
+                  values);
+    return run(device, kernel, shape, items, l.rows);
+  });
+}
+
+void Renderer::State::launch_sharing(const Launch& l, const Rows& band) {
+  const int span = span_columns(l), items = std::max((l.columns + span - 1) / span, 1);
+  const int reach = taps_of(scene, features).reach;
+  checked(device.info().text(), [&] {
+    set_arguments(
+        sharing_kernel, {buffers.geometry, buffers.shading, buffers.index, film->buffer(), ring->buffer(), counters},
+        {l.column_first, l.row_first - band.first, l.columns, l.rows, span, window.width(), l.sample_first, l.samples,
+         ring->ring_row(l.row_first - reach), ring->ring_column(l.column_first), ring->rows(), ring->columns()});
+    return run(device, sharing_kernel, sharing_shape, items, l.rows);
+  });
+}
+
+std::size_t Renderer::State::ring_memory() const {
+  return std::min({most_ring_bytes, static_cast<std::size_t>(device.info().max_allocation), memory_left() / 4});
+}
+
+Launch Renderer::State::missing_samples(const Launch& l) {
+  const Launch missing = ring->prepare(l, window.height(), ring_memory());
+  if (!features.flag("LOOP_LIMIT")) return missing;
+  // How far each pixel of the ring has come: not at all.
+  const std::size_t words = layout::COUNTERS + ring->pixels(), bytes = words * sizeof(std::uint32_t);
+  checked(device.info().text(), [&] {
+    if (counters.getInfo<CL_MEM_SIZE>() < bytes) counters = allocate(device, bytes, "the counters");
+    device.queue().enqueueFillBuffer(counters, cl_uint{0}, 0, bytes);
     return device.queue().finish();
   });
+  return missing;
 }
 
 /// Launches without pixels. Runtimes that finish compiling at the first launch do it here, outside of the kernel's
@@ -158,10 +224,12 @@ void Renderer::State::launch(const Launch& l, int film_row) {
 void Renderer::State::warm_up() {
   {
     const Compiling compiling;
-    launch({}, 0);
+    launch({}, {});
+    if (ring) launch_sharing({}, {});
   }
   const Stopwatch start;
-  launch({}, 0);
+  launch({}, {});
+  if (ring) launch_sharing({}, {});
   launch_overhead = start.seconds();
 }
 

@@ -25,6 +25,7 @@
 #include "render/launch_shape.h"
 #include "render/pass_plan.h"
 #include "render/renderer.h"
+#include "render/sample_ring.h"
 #include "render/traversal_choice.h"
 
 namespace strahl {
@@ -103,10 +104,13 @@ struct Renderer::State {
   [[nodiscard]] FilmKind film_kind() const {
     return kinds::integrator(scene.integrator.name).from_lights ? FilmKind::splats : FilmKind::pixels;
   }
+  /// Each sample counts in all pixels that the filter reaches.
+  [[nodiscard]] bool shares_samples() const { return features.flag("SHARED_SAMPLES"); }
   [[nodiscard]] bool has_own_sums() const { return kinds::integrator(scene.integrator.name).from_camera; }
   [[nodiscard]] std::size_t film_bytes_per_pixel(int sums) const {
     FilmShape pixel{film_kind(), 1, 1, {}, 0, 1, has_squares(), has_own_sums()};
     pixel.sums.count = sums;
+    pixel.has_weights = shares_samples();
     return sizeof(std::int64_t) * pixel.words_per_pixel();
   }
   /// At the most: a film of one sum takes a part of the buffer.
@@ -138,8 +142,8 @@ struct Renderer::State {
   [[nodiscard]] int band_rows() const {
     if (film_kind() == FilmKind::splats) return window.height();
     const std::size_t row = static_cast<std::size_t>(window.width()) * film_bytes_per_pixel();
-    const std::size_t fitting =
-        std::min(largest_film_buffer(device.info(), is_helper) / row, memory_left() / row_bytes());
+    const std::size_t room = memory_left() - (shares_samples() ? ring_memory() : 0);
+    const std::size_t fitting = std::min(largest_film_buffer(device.info(), is_helper) / row, room / row_bytes());
     return static_cast<int>(std::clamp<std::size_t>(fitting, 1, static_cast<std::size_t>(window.height())));
   }
 
@@ -157,11 +161,17 @@ struct Renderer::State {
   void prepare();
   /// Pixels of a work-item, so that their samples fill a pool.
   [[nodiscard]] int span_columns(const Launch& launch) const;
-  /// film_row: the film's first.
-  void launch(const Launch& launch, int film_row);
+  /// Samples, into the film or, where pixels share them, into the ring. band: the film's rows.
+  void launch(const Launch& launch, const Rows& band);
+  /// From the ring into the film.
+  void launch_sharing(const Launch& launch, const Rows& band);
+  /// The part of a device's memory that the ring may take.
+  [[nodiscard]] std::size_t ring_memory() const;
+  /// Samples that count in this launch's pixels and are not there yet.
+  [[nodiscard]] Launch missing_samples(const Launch& launch);
   void warm_up();
 
-  LaunchShape shape;
+  LaunchShape shape, sharing_shape;
   double launch_overhead = 0;  ///< Seconds.
   /// What the time from the last launch to the picture depends on.
   struct End {
@@ -183,6 +193,8 @@ struct Renderer::State {
   std::vector<std::unique_ptr<State>> helpers;  ///< Other devices that share this one's pictures.
   cl::Buffer aov_reals, aov_ints, counters;
   std::optional<FilmBuffer> film;
+  cl::Kernel sharing_kernel;
+  std::optional<SampleRing> ring;  ///< Where pixels share samples.
 };
 
 }  // namespace strahl

@@ -115,11 +115,41 @@ TEST_CASE("second moments, and names of them where there are none") {
   CHECK(in.header.named_aovs == out.header.named_aovs);
 }
 
+TEST_CASE("weights, and parts whose weights add up") {
+  const TemporaryFolder folder;
+  Checkpoint part = small_checkpoint(0);
+  CHECK_FALSE(part.state.film.has_weights);
+  FilmShape shape = part.state.film;
+  shape.has_weights = true;
+  shape.noise_overlap = 1.625;
+  part.state.film = FilmSums(shape);
+  FilmSums& film = part.state.film;
+  std::fill(film.samples.begin(), film.samples.end(), 5);
+  const std::size_t last = film.words_per_pixel() - 1;
+  film.words[last] = (std::int64_t{7} << 32) | 0xffff;
+  part.told_of_film();
+  write_checkpoint(folder / "a", part);
+  const FilmSums in = read_checkpoint(folder / "a").state.film;
+  CHECK(in.has_weights);
+  CHECK(in.noise_overlap == 1.625);
+  CHECK(in.words == film.words);
+  film.first_sample = 5;
+  part.told_of_film();
+  write_checkpoint(folder / "b", part);
+  const FilmSums both = merged({folder / "a", folder / "b"}, false).state.film;
+  CHECK(both.has_weights);
+  CHECK(both.noise_overlap == 1.625);
+  CHECK(both.words[last] == ((std::int64_t{14} << 32) | 0x1fffe));
+  film.noise_overlap = 0.5;
+  write_checkpoint(folder / "less", part);
+  CHECK_THROWS_WITH(read_checkpoint_header(folder / "less"), Contains("is damaged"));
+}
+
 TEST_CASE("one of another layout is told apart from what is none") {
   const TemporaryFolder folder;
   write_checkpoint(folder / "c", small_checkpoint());
   std::string bytes = read_file(folder / "c");
-  for (const char other : {'1', '3'}) {
+  for (const char other : {'1', '2', '4'}) {
     bytes[7] = other;
     put_bytes(folder / "other", bytes);
     CHECK_THROWS_WITH(read_checkpoint(folder / "other"), Contains("of another version of strahl"));
@@ -186,9 +216,10 @@ TEST_CASE("a part has as many samples in each sub-sum as its numbers say") {
   FilmSums film({FilmKind::pixels, 1, 1, {4, 2, 6}});
   film.first_sample = 96;
   film.samples = {64};
-  CHECK(film.rows().sub_sum_counts(64) == SubSumCounts{16, 16, 16, 16});
+  CHECK(film.rows().sub_sum_weights(0) == SubSumWeights{16, 16, 16, 16});
   film.first_sample = 97;
-  CHECK(film.rows().sub_sum_counts(30) == SubSumCounts{15, 15, 0, 0});
+  film.samples = {30};
+  CHECK(film.rows().sub_sum_weights(0) == SubSumWeights{15, 15, 0, 0});
 }
 
 TEST_CASE("what pixels lack, as rectangles") {

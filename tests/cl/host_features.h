@@ -3,6 +3,7 @@
 #pragma once
 
 #define HAS_PIXEL_FILTER 1
+#define HAS_SHARED_SAMPLES 1
 #define HAS_THIN_LENS 1
 #define HAS_EMISSION 1
 #define HAS_SUN 1

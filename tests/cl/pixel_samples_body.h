@@ -8,6 +8,7 @@
 #include "cl/pixel_samples_tiers.h"
 #define HAS_ERROR_SUMS 1
 #define HAS_MOMENT 0
+#define PATH_LANES LANES
 
 // Internal to the unit: both tiers' headers give their functions the same names.
 namespace {

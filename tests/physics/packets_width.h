@@ -77,7 +77,7 @@ inline unsigned LANED(living_lanes)(const Rays_w& rays) {
 
 inline std::array<unsigned, 2> LANED(walked_lanes)(const TierBuffers& buffers, const GivenRay& ray, unsigned alive) {
   const Scene scene = scene_of(buffers);
-  const FirstSamples unreported{nullptr, nullptr, 0, 0u};
+  const FirstSamples unreported{nullptr, nullptr, 0, 0, 0, 0u};
   const Rays_w rays = LANED(rays_at)({ray}, 0);
   const maskw which = nonzero_w(int_of_uint_w(splat_uint_w(alive) >> lane_numbers_w() & 1u));
   std::array<unsigned, 2> walked{};

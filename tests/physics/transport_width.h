@@ -81,7 +81,7 @@ inline std::vector<AreaDraw> LANED(area_places)(const TierBuffers& buffers, int 
 inline std::vector<Sight> LANED(look_along)(const TierBuffers& buffers, const Triad& at,
                                             const std::vector<Triad>& directions) {
   const Scene scene = scene_of(buffers);
-  const FirstSamples unreported{nullptr, nullptr, 0, 0u};
+  const FirstSamples unreported{nullptr, nullptr, 0, 0, 0, 0u};
   const real3w from = LANED(splat_triad)(at);
   std::vector<Sight> seen(directions.size());
   for (std::size_t first = 0; first < directions.size(); first += LANES) {
@@ -232,7 +232,7 @@ inline std::vector<Lit> LANED(lit_places)(const TierBuffers& buffers, const std:
 
 inline std::vector<Mapped> LANED(mapped_at)(const TierBuffers& buffers, const std::vector<GivenRay>& given) {
   const Scene scene = scene_of(buffers);
-  const FirstSamples unreported{nullptr, nullptr, 0, 0u};
+  const FirstSamples unreported{nullptr, nullptr, 0, 0, 0, 0u};
   std::vector<Mapped> found(given.size());
   for (std::size_t first = 0; first < given.size(); first += LANES) {
     const Rays_w rays = LANED(rays_at)(given, first);
@@ -270,7 +270,7 @@ inline std::vector<Triad> LANED(radiance_along)(const TierBuffers& buffers, cons
   uint counters[COUNTERS] = {};
   Scene scene = scene_of(buffers);
   scene.counters = counters;
-  const FirstSamples unreported{nullptr, nullptr, 0, 0u};
+  const FirstSamples unreported{nullptr, nullptr, 0, 0, 0, 0u};
   const Rays_w rays = LANED(rays_at)({ray}, 0);
   std::vector<Triad> found(samples);
   for (std::uint32_t first = 0; first < samples; first += LANES) {

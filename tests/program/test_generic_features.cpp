@@ -12,7 +12,7 @@ TEST_CASE("--generic has everything on but counters, watched loops, what changes
   scene.shapes.resize(1);
   RenderSettings settings;
   settings.generic = true;
-  const std::set<std::string> never = {"COUNT_RAYS", "LOOP_LIMIT", "TEXTURE_LOD", "MOMENT"};
+  const std::set<std::string> never = {"COUNT_RAYS", "LOOP_LIMIT", "TEXTURE_LOD", "MOMENT", "SHARED_SAMPLES"};
   for (const std::string integrator : {"direct", "ptracer", "bdpt"}) {
     scene.integrator.name = integrator;
     for (const FeatureReport& row : features_of(scene, settings).report) {

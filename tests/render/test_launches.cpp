@@ -169,4 +169,12 @@ TEST_CASE("a real render reports its launches") {
 }
 
 }  // namespace
+
+TEST_CASE("rows that are better whole are not split, however long they take") {
+  const std::vector<Launch> launches = run(LaunchPlan(50, 7, 64, {}, {0, 64, 1, true}), 50, 7, 64,
+                                           [](const Launch& launch) { return 1e-3 * samples_of(launch); });
+  for (const Launch& launch : launches) CHECK(launch.columns == 50);
+  CHECK(launches.size() == 7);
+}
+
 }  // namespace strahl::test

@@ -3,13 +3,15 @@ foreach(name first_principles large_ground invariance launches closed_form termi
              mirror_box numeric_error accuracy_scenes area_lights many_lights path ao disabled error_coverage
              goals resume several_devices sphere_cloud film filter glass
              ignored_surfaces albedo normals media media_edges media_reach open_media ranked_media grids scattering
-             strict_normals panes passing coincident moments last_rays refused without_threads film_parts)
+             strict_normals panes passing coincident moments last_rays refused without_threads film_parts shared_pixels)
   strahl_test(render/test_${name}.cpp LABEL render)
 endforeach()
 strahl_test(render/test_paths_in_lanes.cpp LABEL render LIBS strahl_selftest)
 strahl_test(render/test_limitations.cpp LABEL unit)
 strahl_test(render/test_error_sums.cpp LABEL unit)
 strahl_test(render/test_error_of_few_pixels.cpp LABEL unit)
+strahl_test(render/test_film_weights.cpp LABEL unit)
+strahl_test(render/test_shared_samples.cpp LABEL unit)
 strahl_test(render/test_pass_plan.cpp LABEL unit)
 strahl_test(render/test_row_deal.cpp LABEL unit)
 strahl_test(render/test_launch_shape.cpp LABEL unit)

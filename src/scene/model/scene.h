@@ -291,7 +291,7 @@ struct Camera {
 
 enum class FilterKind { box, tent, gaussian };
 
-/// Pixel reconstruction filter; samples are drawn from it.
+/// Pixel reconstruction filter: how much samples around a pixel's middle count in it.
 struct Filter {
   static constexpr double largest_radius = 1024;  ///< What paths from lights add to a pixel loops over its width.
   FilterKind kind = FilterKind::gaussian;

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// What the film holds of samples that count in several pixels: besides their sums, those of their weights
+// (docs/decisions/0035-shared-samples.md). They are the last words of a pixel.
+#ifndef STRAHL_FILM_FILM_WEIGHTS_H
+#define STRAHL_FILM_FILM_WEIGHTS_H
+
+#include "film/film.h"
+#include "film/sub_sums.h"
+
+/// Adds squares to their sum. Samples are finite; their squares need not be.
+FN void add_weighted_squares(const Scene* scene, GLOBAL long* sum, real3 squares) {
+  film_add_color_slowly(scene, sum, vec3(film_held(squares.x), film_held(squares.y), film_held(squares.z)), 1);
+}
+
+/// Words of a pixel's weights.
+FN int words_of_weights(SubSums sums) { return (sums.count + 1) / 2; }
+
+/// Adds to the sum of a sub-sum's weights: of one sum a word, else two of them share one. weights: a pixel's words of
+/// weights.
+FN void add_weight(GLOBAL long* weights, SubSums sums, int sub, int weight) {
+  if (sums.count == 1)
+    weights[0] += (long)weight;
+  else
+    weights[sub >> 1] += (long)weight * ((sub & 1) != 0 ? (long)1 << 32 : (long)1);
+}
+
+#endif
