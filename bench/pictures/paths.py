@@ -46,7 +46,8 @@ def contenders_of(options, scene, folder, stack):
 
     def of_strahl(name, *arguments):
         # The scene's own sampler would be obeyed.
-        program = Strahl(strahl, options.device, scene, ["--sampler", "sobol", *arguments], f"strahl {name}")
+        shared = [] if options.filter == "box" else ["--share-samples"]
+        program = Strahl(strahl, options.device, scene, ["--sampler", "sobol", *shared, *arguments], f"strahl {name}")
         program.render(7919, warm)
         return program
 

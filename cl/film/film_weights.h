@@ -4,13 +4,8 @@
 #ifndef STRAHL_FILM_FILM_WEIGHTS_H
 #define STRAHL_FILM_FILM_WEIGHTS_H
 
-#include "film/film.h"
 #include "film/sub_sums.h"
-
-/// Adds squares to their sum. Samples are finite; their squares need not be.
-FN void add_weighted_squares(const Scene* scene, GLOBAL long* sum, real3 squares) {
-  film_add_color_slowly(scene, sum, vec3(film_held(squares.x), film_held(squares.y), film_held(squares.z)), 1);
-}
+#include "portable.h"
 
 /// Words of a pixel's weights.
 FN int words_of_weights(SubSums sums) { return (sums.count + 1) / 2; }

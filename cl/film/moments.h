@@ -8,10 +8,15 @@
 #include "film/xyz.h"
 #include "math/vec3.h"
 
-/// Adds `times` equal samples. What is not finite was counted with the samples themselves.
+/// Adds `times` equal squares. What is not finite was counted with the samples themselves.
+FN void add_squared(const Scene* scene, GLOBAL long* sum, real3 squares, int times) {
+  film_add_color_slowly(scene, sum, vec3(film_held(squares.x), film_held(squares.y), film_held(squares.z)), times);
+}
+
+/// Adds `times` equal samples.
 SELDOM_FN void add_squares(const Scene* scene, GLOBAL long* sum, real3 light, int times) {
   real x = dot3(vec3(XYZ_OF_RGB_X), light), y = dot3(vec3(XYZ_OF_RGB_Y), light), z = dot3(vec3(XYZ_OF_RGB_Z), light);
-  film_add_color_slowly(scene, sum, vec3(film_held(x * x), film_held(y * y), film_held(z * z)), times);
+  add_squared(scene, sum, vec3(x * x, y * y, z * z), times);
 }
 
 #endif

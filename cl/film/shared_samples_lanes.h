@@ -87,9 +87,9 @@ FN void add_shared_sample_w(const Scene* scene, const SharedSamples_w* shared, i
   real3 light = vec3(get_w(&shared->light.x, lane), get_w(&shared->light.y, lane), get_w(&shared->light.z, lane));
   if (light.x != R(0.0) || light.y != R(0.0) || light.z != R(0.0)) film_add_color(scene, words + sub * row, light);
   if (HAS_MOMENT)
-    add_weighted_squares(
-        scene, words + film->sums.count * row,
-        vec3(get_w(&shared->squares.x, lane), get_w(&shared->squares.y, lane), get_w(&shared->squares.z, lane)));
+    add_squared(scene, words + film->sums.count * row,
+                vec3(get_w(&shared->squares.x, lane), get_w(&shared->squares.y, lane), get_w(&shared->squares.z, lane)),
+                1);
   add_weight(words + (film->sums.count + HAS_MOMENT) * row, film->sums, sub, get_int_w(&shared->weight, lane));
 }
 

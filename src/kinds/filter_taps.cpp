@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "kinds/filter_density.h"
 #include "packing/cl_layout.h"
 
 namespace strahl::kinds {
@@ -24,13 +25,17 @@ double value_of(const Polynomial& polynomial, double offset) {
   return value;
 }
 
+double density_at(const Filter& filter, double x) {
+  return std::fabs(x) > filter_radius(filter) ? 0 : filter_density(filter, x);
+}
+
 /// Through the filter at Chebyshev's places.
 Polynomial polynomial_of(const Filter& filter, int tap, const Side& side) {
   std::array<double, terms> at{}, difference{};
   for (std::size_t i = 0; i < terms; ++i) {
     const double turn = std::acos(-1.0) * (static_cast<double>(i) + 0.5) / terms;
     at[i] = (side.from + side.to) / 2 - (side.to - side.from) / 2 * std::cos(turn);
-    difference[i] = filter_value(filter, std::fabs(tap + at[i]));
+    difference[i] = density_at(filter, tap + at[i]);
   }
   for (std::size_t order = 1; order < terms; ++order)
     for (std::size_t i = terms - 1; i >= order; --i)
@@ -58,8 +63,7 @@ bool is_near(const Filter& filter, int tap, const Side& side, const Polynomial& 
   constexpr int places = 128;
   for (int i = 0; i < places; ++i) {
     const double offset = side.from + (side.to - side.from) * (i + 0.5) / places;
-    if (std::fabs(value_of(polynomial, offset) - filter_value(filter, std::fabs(tap + offset))) > most_off)
-      return false;
+    if (std::fabs(value_of(polynomial, offset) - density_at(filter, tap + offset)) > most_off) return false;
   }
   return true;
 }
@@ -82,33 +86,6 @@ std::optional<FilterTaps> taps_with(const Filter& filter, int reach, const std::
 }
 
 }  // namespace
-
-double filter_radius(const Filter& filter) {
-  if (filter.radius > 0) return filter.radius;
-  switch (filter.kind) {
-    case FilterKind::box:
-      return 0.5;
-    case FilterKind::tent:
-      return 1;
-    case FilterKind::gaussian:
-      return 4 * filter.stddev;
-  }
-  return 0;
-}
-
-double filter_value(const Filter& filter, double distance) {
-  const double radius = filter_radius(filter), narrowness = 1 / (2 * filter.stddev * filter.stddev);
-  if (distance > radius) return 0;
-  switch (filter.kind) {
-    case FilterKind::box:
-      return 1;
-    case FilterKind::tent:
-      return 1 - distance / radius;
-    case FilterKind::gaussian:
-      return std::exp(-distance * distance * narrowness) - std::exp(-radius * radius * narrowness);
-  }
-  return 0;
-}
 
 FilterTaps single_tap() {
   FilterTaps taps;

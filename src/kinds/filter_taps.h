@@ -16,12 +16,6 @@ struct FilterTaps {
   std::vector<double> terms;
 };
 
-/// The filter's value at a distance in pixels from its middle, not normalised.
-[[nodiscard]] double filter_value(const Filter& filter, double distance);
-
-/// Pixels from the middle to where the filter ends.
-[[nodiscard]] double filter_radius(const Filter& filter);
-
 /// reach is 0 as well where the filter is wider than most_filter_reach, and where polynomials miss it: a box that ends
 /// within a half of a pixel.
 [[nodiscard]] FilterTaps filter_taps(const Filter& filter);

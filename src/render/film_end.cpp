@@ -88,9 +88,11 @@ void FilmRun::measure_end() {
   const Stopwatch start;
   const PhaseSeconds before = result_.stats.seconds;
   std::fill(film_.samples.begin(), film_.samples.end(), layout::FILM_SUBSUMS);
+  film_.are_counts_weights = true;
   finish();
   put_aovs(state_.settings.aovs.plain());
   std::fill(film_.samples.begin(), film_.samples.end(), 0);
+  film_.are_counts_weights = false;
   result_.error.reset();
   result_.stats.seconds = before;
   state_.end_seconds[end()] = start.seconds();

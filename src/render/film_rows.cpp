@@ -61,17 +61,14 @@ double FilmRows::own_sum(std::size_t pixel, int sub, int channel) const {
 }
 
 SubSumWeights FilmRows::sub_sum_weights(std::size_t pixel) const {
-  std::span<const std::int64_t> words_of_pixel;
-  if (has_weights)
-    words_of_pixel = words.subspan((pixel + 1) * words_per_pixel() - words_of_weights(), words_of_weights());
   SubSumWeights weights{};
-  // A film whose end is only measured has samples without weights.
-  if (std::all_of(words_of_pixel.begin(), words_of_pixel.end(), [](std::int64_t word) { return word == 0; })) {
+  if (!has_weights || are_counts_weights) {
     for (int sub = 0; sub < layout::FILM_SUBSUMS; ++sub)
       weights[static_cast<std::size_t>(sub)] =
           sub_sum_size(sums, sub, first_sample + samples[pixel]) - sub_sum_size(sums, sub, first_sample);
     return weights;
   }
+  const std::int64_t* const words_of_pixel = &words[(pixel + 1) * words_per_pixel() - words_of_weights()];
   if (sums.count == 1) {
     weights[0] = static_cast<double>(words_of_pixel[0]) * film_weight_unit;
     return weights;

@@ -45,6 +45,7 @@ struct FilmShape {
   /// The sum, over all pixels, of the squared correlation of their noise with one pixel's: 1 where pixels share no
   /// samples (packing/filter_overlap.h).
   double noise_overlap = 1;
+  bool are_counts_weights = false;  ///< Of a black film, on which the end is measured as if it had samples.
 
   [[nodiscard]] std::size_t words_per_pixel() const;
   /// Of a pixel's weights, its last words.

@@ -192,12 +192,11 @@ void Renderer::State::launch(const Launch& l, const Rows& band) {
 
 void Renderer::State::launch_sharing(const Launch& l, const Rows& band) {
   const int span = span_columns(l), items = std::max((l.columns + span - 1) / span, 1);
-  const int reach = taps_of(scene, features).reach;
   checked(device.info().text(), [&] {
     set_arguments(
         sharing_kernel, {buffers.geometry, buffers.shading, buffers.index, film->buffer(), ring->buffer(), counters},
         {l.column_first, l.row_first - band.first, l.columns, l.rows, span, window.width(), l.sample_first, l.samples,
-         ring->ring_row(l.row_first - reach), ring->ring_column(l.column_first), ring->rows(), ring->columns()});
+         ring->ring_row_above(l.row_first), ring->ring_column(l.column_first), ring->rows(), ring->columns()});
     return run(device, sharing_kernel, sharing_shape, items, l.rows);
   });
 }

@@ -37,6 +37,8 @@ class SampleRing {
   [[nodiscard]] int columns() const { return columns_; }
   /// Of a row and a column of the film.
   [[nodiscard]] int ring_row(int row) const { return (row + reach_) % rows_; }
+  /// Of the first row whose samples count in that row.
+  [[nodiscard]] int ring_row_above(int row) const { return ring_row(row - reach_); }
   [[nodiscard]] int ring_column(int column) const { return column - column_first_; }
 
  private:

@@ -168,8 +168,6 @@ TEST_CASE("a real render reports its launches") {
   WARN(stats.kernel_runs.size() << " launches, the longest of " << stats.longest_launch() << " s");
 }
 
-}  // namespace
-
 TEST_CASE("rows that are better whole are not split, however long they take") {
   const std::vector<Launch> launches = run(LaunchPlan(50, 7, 64, {}, {0, 64, 1, true}), 50, 7, 64,
                                            [](const Launch& launch) { return 1e-3 * samples_of(launch); });
@@ -177,4 +175,5 @@ TEST_CASE("rows that are better whole are not split, however long they take") {
   CHECK(launches.size() == 7);
 }
 
+}  // namespace
 }  // namespace strahl::test

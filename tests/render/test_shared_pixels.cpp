@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Pictures whose samples count in several pixels: even light stays even, a crop has the bits of the whole, and the
-// noise is what the filter leaves of it. What edges become: test_filter.
+// Pictures whose samples count in several pixels: even light stays even, a crop has the bits of the whole, whatever
+// made them, and the noise is what the filter leaves of it. What edges become: test_filter.
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <functional>
 
 #include "render/stage.h"
 #include "scene/model/build.h"
@@ -63,6 +64,37 @@ TEST_CASE("a crop's pixels are made of samples around it, as in the whole pictur
       for (int x = 0; x < part.width; ++x)
         for (int c = 0; c < 3; ++c) CHECK(part.at(x, y, c) == whole.at(window.x0 + x, window.y0 + y, c));
   }
+}
+
+TEST_CASE("shared samples have the same bits in any passes, lanes and groups") {
+  const Scene scene = noisy_floor(5);
+  const Image expected = picture(scene);
+  const auto is_same = [&](const std::function<void(RenderSettings&)>& change) {
+    RenderSettings settings;
+    settings.share_samples = true;
+    change(settings);
+    return render("pocl", scene, settings).color.data == expected.data;
+  };
+  for (const int passes : {1, 3, 4}) CHECK(is_same([&](RenderSettings& s) { s.passes = passes; }));
+  CHECK(is_same([](RenderSettings& s) { s.lanes = 8; }));
+  CHECK(is_same([](RenderSettings& s) { s.paths_in_lanes = false; }));
+  CHECK(is_same([](RenderSettings& s) { s.work_group = WorkGroup{3, 5}; }));
+  CHECK(is_same([](RenderSettings& s) { s.generic = true; }));
+}
+
+TEST_CASE("shared samples have the same bits where a device ends loops before their time") {
+  require_pocl_and_rusticl();
+  Scene scene = stage({});
+  add(scene, emitting(Rectangle{{-0.3, -9, 0}, {9, 1, 0}, {0, 18, 0}}, {1, 2, 3}));
+  scene.integrator.name = "emission";
+  scene.sampler.kind = SamplerKind::sobol;
+  scene.sampler.sample_count = 9;
+  RenderSettings watched;
+  watched.share_samples = true;
+  watched.loop_turns = 65535;
+  const Image image = render("llvmpipe", scene, watched).color;
+  CHECK((image.data == picture(scene).data));
+  CHECK((image.data != picture(scene, false).data));
 }
 
 TEST_CASE("noise is what the filter leaves of it") {

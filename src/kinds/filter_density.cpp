@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#include "kinds/filter_density.h"
+
+#include <cmath>
+
+namespace strahl::kinds {
+
+LoweredGaussian::LoweredGaussian(double radius, double stddev)
+    : radius_(radius),
+      stddev_(stddev),
+      // So wide a gaussian is 1 - (x / radius)^2 to 3e-7 of itself, while its two terms differ by fewer digits.
+      is_parabola_(stddev > 1024 * radius),
+      floor_(std::exp(-radius * radius / (2 * stddev * stddev))),
+      unit_(stddev * std::sqrt(2.0)),
+      area_(stddev * std::sqrt(std::acos(-1.0) / 2)),
+      beyond_(std::erfc(radius / unit_)) {
+  whole_ = is_parabola_ ? radius - radius * radius * radius / (3 * radius * radius)
+                        : area_ * std::erf(radius / unit_) - floor_ * radius;
+}
+
+double LoweredGaussian::density(double x) const {
+  const double height =
+      is_parabola_ ? 1 - x * x / (radius_ * radius_) : std::exp(-x * x / (2 * stddev_ * stddev_)) - floor_;
+  return height / (2 * whole_);
+}
+
+double LoweredGaussian::quantile(double share) const {
+  double low = 0, high = radius_;
+  for (;;) {
+    const double middle = 0.5 * (low + high);
+    if (middle == low || middle == high) return middle;
+    (tail(middle) > share * whole_ ? low : high) = middle;
+  }
+}
+
+/// The integral from x to the radius: of tails the difference of two from 0 has few digits.
+double LoweredGaussian::tail(double x) const {
+  const double rest = radius_ - x;
+  if (is_parabola_) return rest * rest * (2 * radius_ + x) / (3 * radius_ * radius_);
+  // Near the radius both differences are small beside their terms: there the bell is a line and a parabola.
+  const double slope = radius_ / (stddev_ * stddev_) * floor_;
+  if (slope * rest < 1e-3 * floor_ && rest < 0.1 * radius_)
+    return slope * rest * rest / 2 * (1 + rest * (radius_ / (stddev_ * stddev_) - 1 / radius_) / 3);
+  return area_ * (std::erfc(x / unit_) - beyond_) - floor_ * rest;
+}
+
+double filter_radius(const Filter& filter) {
+  if (filter.radius > 0) return filter.radius;
+  switch (filter.kind) {
+    case FilterKind::box:
+      return 0.5;
+    case FilterKind::tent:
+      return 1;
+    case FilterKind::gaussian:
+      return 4 * filter.stddev;
+  }
+  return 0;
+}
+
+double filter_density(const Filter& filter, double x) {
+  const double radius = filter_radius(filter);
+  switch (filter.kind) {
+    case FilterKind::box:
+      return 0.5 / radius;
+    case FilterKind::tent:
+      return (1 - std::fabs(x) / radius) / radius;
+    case FilterKind::gaussian:
+      return LoweredGaussian(radius, filter.stddev).density(x);
+  }
+  return 0;
+}
+
+}  // namespace strahl::kinds
