@@ -57,6 +57,7 @@ class LateFault {
 
   /// Its last launch fails.
   [[nodiscard]] Outcome fail_last_launch(const std::vector<std::string>& more) const {
+    REQUIRE(run(more).code == 0);  // Fills the cache of programs: to build one takes calls, too.
     const std::string last = std::to_string(last_of(launch_call, calls(more)));
     return run(more, {{"STRAHL_CL_FAULT_CALL", last}, {"STRAHL_CL_FAULT_CODE", "-5"}});
   }
