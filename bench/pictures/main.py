@@ -61,7 +61,7 @@ def main():
     tracing.add_argument("--scenes", default="all", help="NAME or NAME:SIZE, by commas (scenes.py); default: all")
     tracing.add_argument("--spp", type=int, default=64)
     tracing.add_argument("--pixels", type=int, default=256, help="of a side")
-    tracing.add_argument("--filter", choices=("box", "gaussian", "tent"), default="box", help="of both; strahl has --share-samples with others than the box")
+    tracing.add_argument("--filter", choices=("box", "gaussian", "tent"), default="box", help="of both")
     tracing.add_argument("--quick", action=Quick, nargs=0, help=f"for development: {QUICK}; later options win")
     cornell = add_command("peers", peers)
     cornell.add_argument("--mitsuba")

@@ -46,8 +46,7 @@ def contenders_of(options, scene, folder, stack):
 
     def of_strahl(name, *arguments):
         # The scene's own sampler would be obeyed.
-        shared = [] if options.filter == "box" else ["--share-samples"]
-        program = Strahl(strahl, options.device, scene, ["--sampler", "sobol", *shared, *arguments], f"strahl {name}")
+        program = Strahl(strahl, options.device, scene, ["--sampler", "sobol", *arguments], f"strahl {name}")
         program.render(7919, warm)
         return program
 

@@ -25,6 +25,9 @@ FN realw tap_polynomial_w(GLOBAL const real* terms, realw offset) {
   return p;
 }
 
+/// The nearest whole number, of one that is lifted by WEIGHT_LIFT and half a unit.
+FN intw rounded_w(realw lifted) { return int_of_real_w(lifted) - splat_int_w((int)WEIGHT_LIFT); }
+
 /// Along one axis, of samples `tap` pixels further on that lie at `offset` from the middle.
 FN realw tap_weight_w(const Neighbourhood_w* n, int tap, realw offset) {
   GLOBAL const real* terms = n->taps + (n->reach + tap) * TAP_TERMS;
@@ -53,8 +56,9 @@ FN SharedSamples_w shared_samples_w(const Neighbourhood_w* n, int first) {
     for (int x = -n->reach; x <= n->reach; ++x) {
       GLOBAL const real* at = row + x * step;
       // Whole units: the sum of weights is exact, and of equal colours the mean is that colour.
-      intw units = int_of_real_w(fma_w(tap_weight_w(n, x, load_w(at + RING_X * plane)),
-                                       tap_weight_w(n, y, load_w(at + RING_Y * plane)), splat_w(R(0.5))));
+      intw units =
+          rounded_w(fma_w(tap_weight_w(n, x, load_w(at + RING_X * plane)),
+                          tap_weight_w(n, y, load_w(at + RING_Y * plane)), splat_w((real)WEIGHT_LIFT + R(0.5))));
       realw weight = real_of_int_w(units);
       real3w light;
       light.x = load_w(at + RING_R * plane);

@@ -930,6 +930,7 @@
 #define roughplastic_sample_w LANED(roughplastic_sample_w)
 #define roughplastic_through_w LANED(roughplastic_through_w)
 #define round_departure_bound_w LANED(round_departure_bound_w)
+#define rounded_w LANED(rounded_w)
 #define row_with_w LANED(row_with_w)
 #define rows_at_w LANED(rows_at_w)
 #define sample_begin_w LANED(sample_begin_w)

@@ -104,7 +104,6 @@ PictureIdentity identity_of(const Device& device, const Renderer& renderer, cons
   add("the picture's size", fmt::format("{}x{}", scene.film.width, scene.film.height));
   add("the window", fmt::format("{},{},{},{}", window.x0, window.y0, window.x1, window.y1));
   add("--disable", sorted_list({settings.disabled.begin(), settings.disabled.end()}));
-  add("--share-samples", settings.share_samples ? "on" : "off");
   add("--texture-lod", settings.texture_lod ? "on" : "off");
   add("--light-choice", settings.light_choice.value_or("by the lights"));
   add("--aov", aov_list(settings));

@@ -84,9 +84,6 @@ void add_program_options(CLI::App& app, KernelOptions& options) {
       ->group("Output");
   app.add_flag("--generic", options.generic, "Every effect in the program, used or not; the picture does not change")
       ->group(how_computed);
-  app.add_flag("--share-samples", options.share_samples,
-               "Let samples count in every pixel that the pixel filter reaches, not in one: far less noise")
-      ->group(how_computed);
   app.add_flag(
          "--texture-lod", options.texture_lod,
          "Filter images to the pixel's width (mip levels), where they are colours of surfaces: less noise far off, "
@@ -162,7 +159,6 @@ RenderSettings settings_of(const KernelOptions& options) {
   settings.passes = options.passes;
   settings.generic = options.generic;
   settings.estimate_error = !options.no_error;
-  settings.share_samples = options.share_samples;
   settings.texture_lod = options.texture_lod;
   settings.light_choice = options.light_choice;
   settings.disabled.insert(options.disabled.begin(), options.disabled.end());

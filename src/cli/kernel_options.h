@@ -30,7 +30,6 @@ struct KernelOptions {
   std::vector<std::string> disabled;
   bool generic = false;
   bool no_error = false;
-  bool share_samples = false;
   bool texture_lod = false;
   std::optional<std::string> light_choice;
   std::vector<std::string> aovs;

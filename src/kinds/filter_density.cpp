@@ -44,7 +44,23 @@ double LoweredGaussian::tail(double x) const {
   return area_ * (std::erfc(x / unit_) - beyond_) - floor_ * rest;
 }
 
+namespace {
+
+/// x >= 0.
+double cubic(double b, double c, double x) {
+  if (x < 1) return (((12 - 9 * b - 6 * c) * x + (-18 + 12 * b + 6 * c)) * x * x + (6 - 2 * b)) / 6;
+  return (((-(b + 6 * c) * x + (6 * b + 30 * c)) * x - (12 * b + 48 * c)) * x + (8 * b + 24 * c)) / 6;
+}
+
+double sinc(double x) {
+  const double turn = std::acos(-1.0) * x;
+  return turn == 0 ? 1 : std::sin(turn) / turn;
+}
+
+}  // namespace
+
 double filter_radius(const Filter& filter) {
+  if (filter.kind == FilterKind::mitchell || filter.kind == FilterKind::catmullrom) return 2;
   if (filter.radius > 0) return filter.radius;
   switch (filter.kind) {
     case FilterKind::box:
@@ -53,6 +69,11 @@ double filter_radius(const Filter& filter) {
       return 1;
     case FilterKind::gaussian:
       return 4 * filter.stddev;
+    case FilterKind::lanczos:
+      return 3;
+    case FilterKind::mitchell:
+    case FilterKind::catmullrom:
+      break;
   }
   return 0;
 }
@@ -66,8 +87,20 @@ double filter_density(const Filter& filter, double x) {
       return (1 - std::fabs(x) / radius) / radius;
     case FilterKind::gaussian:
       return LoweredGaussian(radius, filter.stddev).density(x);
+    case FilterKind::mitchell:
+      return cubic(filter.b, filter.c, std::fabs(x));
+    case FilterKind::catmullrom:
+      return cubic(0, 0.5, std::fabs(x));
+    case FilterKind::lanczos:
+      return sinc(x) * sinc(x / radius);
   }
   return 0;
 }
+
+bool is_density(const Filter& filter) {
+  return filter.kind == FilterKind::box || filter.kind == FilterKind::tent || filter.kind == FilterKind::gaussian;
+}
+
+Filter drawn_filter(const Filter& filter) { return is_density(filter) ? filter : Filter{}; }
 
 }  // namespace strahl::kinds

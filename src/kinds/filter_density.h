@@ -27,7 +27,14 @@ class LoweredGaussian {
 /// To where the filter ends.
 [[nodiscard]] double filter_radius(const Filter& filter);
 
-/// |x| is the radius at the most.
+/// |x| is the radius at the most. Of the lanczos the height is 1, and the integral near it. D. Mitchell, A. Netravali,
+/// "Reconstruction Filters in Computer Graphics", 1988; K. Turkowski, "Filters for Common Resampling Tasks", 1990.
 [[nodiscard]] double filter_density(const Filter& filter, double x);
+
+/// Of those that may fall below 0 no place can be drawn.
+[[nodiscard]] bool is_density(const Filter& filter);
+
+/// What places of samples are drawn from that count in one pixel: a gaussian instead of those.
+[[nodiscard]] Filter drawn_filter(const Filter& filter);
 
 }  // namespace strahl::kinds

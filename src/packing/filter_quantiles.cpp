@@ -19,9 +19,10 @@ constexpr double most_drawn_deviations = 5.5;
 
 }  // namespace
 
-std::vector<double> filter_quantiles(const Filter& filter, SamplerKind sampler) {
+std::vector<double> filter_quantiles(const Filter& asked, SamplerKind sampler) {
   std::vector<double> quantiles(layout::FILTER_CELLS + 1, 0.0);
   if (sampler == SamplerKind::centre) return quantiles;
+  const Filter filter = kinds::drawn_filter(asked);
   const double half = kinds::filter_radius(filter);
   const kinds::LoweredGaussian gaussian(half, filter.stddev);
   const auto quantile = [&](double share) {
@@ -32,6 +33,10 @@ std::vector<double> filter_quantiles(const Filter& filter, SamplerKind sampler) 
         return (1 - share) * half;
       case FilterKind::gaussian:
         return std::min(gaussian.quantile(share * share), most_drawn_deviations * filter.stddev);
+      case FilterKind::mitchell:
+      case FilterKind::catmullrom:
+      case FilterKind::lanczos:
+        break;  // No densities.
     }
     return 0.0;
   };
@@ -40,7 +45,8 @@ std::vector<double> filter_quantiles(const Filter& filter, SamplerKind sampler) 
   return quantiles;
 }
 
-FilterDensities filter_densities(const Filter& filter) {
+FilterDensities filter_densities(const Filter& asked) {
+  const Filter filter = kinds::drawn_filter(asked);
   FilterDensities densities{kinds::filter_radius(filter), {}};
   // Cells stay narrow beside the bell however far off it is cut.
   if (filter.kind == FilterKind::gaussian)

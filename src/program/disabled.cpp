@@ -39,7 +39,6 @@ const std::map<std::string, std::string>& needed() {
       {"LOOP_LIMIT", "the device ends long loops, and a picture might be wrong without a word"},
       {"MESH_ATTRIBUTE", "the texture mesh_attribute reads by it; that can be left out"},
       {"SUN", "the light sun shines by it; lights/sun can be left out"},
-      {"SHARED_SAMPLES", "--share-samples asks for it; leave that out"},
       {"TEXTURE_LOD", "--texture-lod asks for it; leave that out"},
       {"ERROR_SUMS", "--no-error leaves it out"},
   };

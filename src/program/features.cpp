@@ -278,9 +278,8 @@ Causes causes_of(const Scene& scene, const RenderSettings& settings) {
   // default.
   const bool is_spread = scene.sampler.kind != SamplerKind::centre;
   if (is_spread) call_for(causes, "PIXEL_FILTER", "samples anywhere but at the pixels' centres", scene.sampler.where);
-  if (settings.share_samples && is_spread && !facts.from_lights && kinds::filter_taps(scene.film.filter).reach > 0)
-    call_for(causes, "SHARED_SAMPLES", "--share-samples, and a pixel filter that is wider than a pixel",
-             scene.film.where);
+  if (is_spread && !facts.from_lights && kinds::filter_taps(scene.film.filter).reach > 0)
+    call_for(causes, "SHARED_SAMPLES", "a pixel filter that is wider than a pixel", scene.film.where);
   if (is_spread && scene.camera.aperture_radius > 0)
     call_for(causes, "THIN_LENS", "a sensor of type thinlens", scene.camera.where);
   const bool draws_blends = settings.aovs.contains(Aov::albedo) && causes.contains("BLEND");

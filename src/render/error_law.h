@@ -54,13 +54,16 @@ struct PictureError {
 constexpr int rows_per_band = 4;
 [[nodiscard]] inline std::size_t band_of(int row) { return static_cast<std::size_t>(row / rows_per_band); }
 
-/// use(at, band) for each pixel of rows as ErrorLaw::add has them, without the row above; at: index within the rows.
+/// use(at, x, band) for each pixel of rows as ErrorLaw::add has them; at: index within the rows; band: none in the row
+/// above the first.
 template <class Use>
 void each_pixel(const FilmRows& rows, int first, const Use& use) {
   const auto width = static_cast<std::size_t>(rows.width);
-  std::size_t at = first > 0 ? width : 0;
-  for (int y = first; at < rows.samples.size(); ++y)
-    for (const std::size_t end = at + width; at < end; ++at) use(at, band_of(y));
+  std::size_t at = 0;
+  for (int y = first - (first > 0 ? 1 : 0); at < rows.samples.size(); ++y) {
+    const std::optional<std::size_t> band = y < first ? std::nullopt : std::optional(band_of(y));
+    for (std::size_t x = 0; x < width; ++x, ++at) use(at, x, band);
+  }
 }
 
 /// Adds up a picture whose rows come in parts: a film may lie on the device, and only a part of it here. Every pixel
@@ -80,9 +83,9 @@ class ErrorLaw {
   [[nodiscard]] virtual PictureError tell() const = 0;
 };
 
-// Pixels that share samples have correlated noise. Theirs is a variance of the squared error that is film.noise_overlap
-// times that of independent pixels: the covariance of two pixels' products is the squared covariance of their noise. In
-// the same way their number says less.
+// Pixels that share samples have correlated noise: the covariance of two pixels' products is the squared covariance of
+// their noise. So the variance is larger than that of independent pixels: shared_noise.h has from the picture how much,
+// film.noise_overlap is the most.
 
 /// Four independent sums.
 [[nodiscard]] std::unique_ptr<ErrorLaw> law_of_turns(const FilmShape& film);

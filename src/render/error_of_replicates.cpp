@@ -67,8 +67,9 @@ class LawOfReplicates final : public ErrorLaw {
 
   void add(const FilmRows& rows, int first) override {
     WeightsOfSamples weights;
-    each_pixel(rows, first, [&](std::size_t at, std::size_t band_number) {
-      Band& band = bands_[band_number];
+    each_pixel(rows, first, [&](std::size_t at, std::size_t, std::optional<std::size_t> band_number) {
+      if (!band_number) return;
+      Band& band = bands_[*band_number];
       const Replicated pixel = replicated_at(rows, sizes_, at, weights.of(rows, at));
       band.picture.add(pixel.error);
       for (std::size_t i = 0; i < replicates; ++i)

@@ -14,7 +14,8 @@
 // largest upper estimate of a pixel by itself is added, |S|^2 with S the mean of the three differences' squares, times
 // half of that pixel's share of the noise. Among many noisy pixels it does not count.
 //
-// Where pixels share samples, the first and the third are larger by the neighbours' correlation, which cancels.
+// Where pixels share samples, the first is larger by the neighbours' correlation, the third, half of whose products are
+// of two sequences, by half of that: the variance comes out a few per cent too large.
 //
 // A part of a picture may have nothing of the second halves. Then u by itself tells all, pixel by pixel.
 #include <algorithm>
@@ -23,6 +24,7 @@
 
 #include "render/error_law.h"
 #include "render/film.h"
+#include "render/shared_noise.h"
 
 namespace strahl {
 namespace {
@@ -34,10 +36,14 @@ static_assert(sequences == 2 && layout::FILM_SUBSUMS == 2 * sequences);
 /// side in pixels.
 constexpr int tile_side = rows_per_band;
 
+/// One pixel in so many may have no halves: of filters with negative parts weights may cancel.
+constexpr std::size_t few = 100;
+
 /// The differences between a pixel's sums.
 struct Differences {
   Colour whole{};                        ///< u.
   std::array<Colour, sequences> half{};  ///< w_1, w_2; zero without has_halves.
+  double halves = 0;                     ///< w_1 w_2.
   bool has_halves = false;
 };
 
@@ -74,6 +80,7 @@ PixelError told_by_sequences(const SubSumColours& colours, const Factors& by, Di
     differences.whole[c] = u;
     for (std::size_t k = 0; k < sequences; ++k)
       differences.half[k][c] = (sum[k] * by.weight[k + sequences] - sum[k + sequences] * by.weight[k]) * by.per_half[k];
+    differences.halves += differences.half[0][c] * differences.half[1][c];
   }
   return pixel;
 }
@@ -128,12 +135,10 @@ struct Products {
 
 /// beside: of those of its neighbours that no other pair is made with.
 Products products_of(const Differences& pixel, const Noise& noise, const Noise& beside) {
-  double halves = 0;
-  for (std::size_t c = 0; c < pixel.whole.size(); ++c) halves += pixel.half[0][c] * pixel.half[1][c];
   const double by_whole = trace(noise.whole) / 2;
   const double spread = pixel.has_halves ? (by_whole + trace(noise.half)) / 3 : by_whole;
   return {dot(noise.whole, beside.whole) / 4,
-          halves * halves,
+          pixel.halves * pixel.halves,
           dot(noise.half, beside.half) / 4,
           by_whole / 2,
           spread,
@@ -150,18 +155,19 @@ class LawOfSequences final : public ErrorLaw {
     OfSamples<Factors> factors;
     const auto width = static_cast<std::size_t>(rows.width);
     std::vector<Noise> above(width), row(width);
-    for (std::size_t at = 0; at < rows.samples.size(); above.swap(row)) {
-      const int y = first + static_cast<int>(at / width) - (first > 0 ? 1 : 0);
-      Band* const band = y < first ? nullptr : &bands_[band_of(y)];
-      for (std::size_t x = 0; x < width; ++x, ++at) {
-        Differences here;
-        const PixelError pixel = told_by_sequences(rows.sub_sums(at), factors.of(rows, at), here);
-        row[x] = noise_of(here);
-        if (band == nullptr) continue;
-        band->picture.add(pixel);
-        band->add(x, products_of(here, row[x], beside(row, above, x)), here.has_halves);
-      }
-    }
+    SharedNoiseRows<1> shared(width);
+    each_pixel(rows, first, [&](std::size_t at, std::size_t x, std::optional<std::size_t> band_number) {
+      Differences here;
+      const PixelError pixel = told_by_sequences(rows.sub_sums(at), factors.of(rows, at), here);
+      if (x == 0) above.swap(row);
+      row[x] = noise_of(here);
+      const SharedNoise noise = shared.add(x, {here.halves});
+      if (!band_number) return;
+      Band& band = bands_[*band_number];
+      band.picture.add(pixel);
+      band.shared += noise;
+      band.add(x, products_of(here, row[x], beside(row, above, x)), here.has_halves);
+    });
   }
   PixelError pixel_error(const FilmRows& rows, std::size_t at) const override {
     Differences unused;
@@ -172,14 +178,16 @@ class LawOfSequences final : public ErrorLaw {
  private:
   struct Band {
     PictureError picture;
+    SharedNoise shared;
     std::vector<Products> tiles;
     double most_alone = 0;
-    bool has_halves = true;
+    std::size_t pixels = 0, without_halves = 0;
 
-    void add(std::size_t x, const Products& products, bool pixel_has_halves) {
+    void add(std::size_t x, const Products& products, bool has_halves) {
       tiles[x / tile_side] += products;
       most_alone = std::max(most_alone, products.alone);
-      has_halves = has_halves && pixel_has_halves;
+      ++pixels;
+      if (!has_halves) ++without_halves;
     }
   };
 
@@ -203,19 +211,24 @@ class LawOfSequences final : public ErrorLaw {
 PictureError LawOfSequences::tell() const {
   PictureError picture;
   Products all;
+  SharedNoise shared;
   double most_alone = 0;
-  bool has_halves = true;
+  std::size_t pixels = 0, without_halves = 0;
   for (const Band& band : bands_) {
     picture += band.picture;
+    shared += band.shared;
     for (const Products& tile : band.tiles) all += tile;
     most_alone = std::max(most_alone, band.most_alone);
-    has_halves = has_halves && band.has_halves;
+    pixels += band.pixels;
+    without_halves += band.without_halves;
   }
   if (!(all.alone > 0)) return picture;
+  const bool has_halves = without_halves * few <= pixels;
   const bool has_neighbours = has_halves && all.whole_beside > 0 && all.half > 0 && all.half_beside > 0;
   const double by_one = most_alone * (std::sqrt(most_alone) / all.spread) / 2;
-  picture.variance =
-      has_neighbours ? overlap_ * all.half * (all.whole_beside / all.half_beside) + by_one : overlap_ * all.alone;
+  picture.variance = overlap_ * all.alone;
+  if (has_neighbours)
+    picture.variance = shared.overlap(overlap_) * all.half * (all.whole_beside / all.half_beside) + by_one;
   double squares = 0;
   for (const Band& band : bands_)
     for (const Products& tile : band.tiles) {
@@ -224,7 +237,7 @@ PictureError LawOfSequences::tell() const {
                                           : tile.alone / all.alone;
       squares += share * share;
     }
-  picture.freedom = satterthwaite(1, squares) / overlap_;
+  picture.freedom = satterthwaite(1, squares);
   return picture;
 }
 

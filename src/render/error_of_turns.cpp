@@ -6,6 +6,7 @@
 
 #include "render/error_law.h"
 #include "render/film.h"
+#include "render/shared_noise.h"
 
 namespace strahl {
 namespace {
@@ -46,16 +47,27 @@ Turns turns_of(const FilmRows& film, std::size_t at, const SubSumWeights& weight
   return pixel;
 }
 
-double difference_variance(const Turns& pixel) {
+/// Of the differences of two pairs of sums each.
+using PairProducts = std::array<double, std::size(disjoint_pairs)>;
+
+PairProducts products_of(const Turns& pixel) {
+  PairProducts products{};
+  for (std::size_t k = 0; k < products.size(); ++k)
+    for (int c = 0; c < layout::FILM_CHANNELS; ++c) {
+      const auto difference = [&](int a, int b) { return pixel.part[a][c] - pixel.part[b][c]; };
+      const auto& pairs = disjoint_pairs[k];
+      products[k] += difference(pairs[0], pairs[1]) * difference(pairs[2], pairs[3]);
+    }
+  return products;
+}
+
+double difference_variance(const Turns& pixel, const PairProducts& products) {
   if (!(pixel.total > 0)) return 0;
   // Of one sample: sum over pairs of channels of the squared covariance.
   double covariance = 0;
-  for (const auto& pairs : disjoint_pairs) {
-    double product = 0;
-    for (int c = 0; c < layout::FILM_CHANNELS; ++c)
-      product +=
-          (pixel.part[pairs[0]][c] - pixel.part[pairs[1]][c]) * (pixel.part[pairs[2]][c] - pixel.part[pairs[3]][c]);
-    covariance += product * product /
+  for (std::size_t k = 0; k < products.size(); ++k) {
+    const auto& pairs = disjoint_pairs[k];
+    covariance += products[k] * products[k] /
                   ((1 / pixel.weight[pairs[0]] + 1 / pixel.weight[pairs[1]]) *
                    (1 / pixel.weight[pairs[2]] + 1 / pixel.weight[pairs[3]])) /
                   3;
@@ -76,10 +88,15 @@ class LawOfTurns final : public ErrorLaw {
 
   void add(const FilmRows& rows, int first) override {
     WeightsOfSamples weights;
-    each_pixel(rows, first, [&](std::size_t at, std::size_t band_number) {
-      Band& band = bands_[band_number];
+    SharedNoiseRows<std::size(disjoint_pairs)> shared(static_cast<std::size_t>(rows.width));
+    each_pixel(rows, first, [&](std::size_t at, std::size_t x, std::optional<std::size_t> band_number) {
       const Turns pixel = turns_of(rows, at, weights.of(rows, at));
-      const double variance = difference_variance(pixel);
+      const PairProducts products = products_of(pixel);
+      const SharedNoise noise = shared.add(x, products);
+      if (!band_number) return;
+      Band& band = bands_[*band_number];
+      band.shared += noise;
+      const double variance = difference_variance(pixel, products);
       band.picture.add(pixel.error);
       band.picture.variance += variance;
       band.squares += variance * variance;
@@ -92,13 +109,15 @@ class LawOfTurns final : public ErrorLaw {
   PictureError tell() const override {
     PictureError picture;
     double squares = 0, most = 0;
+    SharedNoise shared;
     for (const Band& band : bands_) {
       picture += band.picture;
+      shared += band.shared;
       squares += band.squares;
       most = std::max(most, band.most);
     }
-    picture.freedom = satterthwaite(picture.variance, squares) / overlap_;
-    picture.variance *= overlap_;
+    picture.freedom = satterthwaite(picture.variance, squares);
+    picture.variance *= shared.overlap(overlap_);
     // By the pixel that has most of the noise alone (error_of_sequences.cpp), times its whole share: the four sums'
     // spread says less than three differences of sequences.
     if (picture.squared > 0) picture.variance += to_difference * std::pow(most, 3) / picture.squared;
@@ -109,6 +128,7 @@ class LawOfTurns final : public ErrorLaw {
   struct Band {
     PictureError picture;
     double squares = 0, most = 0;
+    SharedNoise shared;
   };
   double overlap_;
   std::vector<Band> bands_;

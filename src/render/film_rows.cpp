@@ -60,6 +60,10 @@ double FilmRows::own_sum(std::size_t pixel, int sub, int channel) const {
   return unit * value_of(film_bins(at[0], at[1]));
 }
 
+/// Halves of words of weights are in [-half_lift, 2^32 - half_lift).
+constexpr std::uint32_t half_lift = 1U << 30U;
+constexpr std::uint64_t lift_of_halves = (std::uint64_t{half_lift} << 32U) + half_lift;
+
 SubSumWeights FilmRows::sub_sum_weights(std::size_t pixel) const {
   SubSumWeights weights{};
   if (!has_weights || are_counts_weights) {
@@ -74,8 +78,9 @@ SubSumWeights FilmRows::sub_sum_weights(std::size_t pixel) const {
     return weights;
   }
   for (std::size_t sub = 0; sub < static_cast<std::size_t>(sums.count); ++sub) {
-    const auto both = static_cast<std::uint64_t>(words_of_pixel[sub / 2]);
-    weights[sub] = static_cast<std::uint32_t>(sub % 2 == 0 ? both : both >> 32U) * film_weight_unit;
+    const std::uint64_t both = static_cast<std::uint64_t>(words_of_pixel[sub / 2]) + lift_of_halves;
+    const auto half = static_cast<std::uint32_t>(sub % 2 == 0 ? both : both >> 32U);
+    weights[sub] = (static_cast<double>(half) - half_lift) * film_weight_unit;
   }
   return weights;
 }

@@ -39,8 +39,8 @@ struct FilmShape {
   /// Of splats: as many sums of FilmKind::pixels behind them, of the light that each pixel's own camera paths bring.
   bool has_own = false;
   /// Samples count in every pixel that the filter reaches: the sums are of weighted samples. A pixel's words end with
-  /// its sub-sums' weights, in film_weight_unit: one signed word for the only sub-sum; of several, two unsigned halves
-  /// a word, the low one first. Not of splats.
+  /// its sub-sums' weights, in film_weight_unit: one signed word for the only sub-sum; of several, two halves a word
+  /// that add up, the low one first. Negative sums are those of filters with negative parts. Not of splats.
   bool has_weights = false;
   /// The sum, over all pixels, of the squared correlation of their noise with one pixel's: 1 where pixels share no
   /// samples (packing/filter_overlap.h).

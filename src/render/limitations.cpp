@@ -10,6 +10,7 @@
 #include <variant>
 
 #include "kinds/entries.h"
+#include "kinds/filter_density.h"
 #include "kinds/integrators.h"
 #include "kinds/lights.h"
 #include "kinds/materials.h"
@@ -158,6 +159,10 @@ std::vector<Diagnostic> limitations(const Scene& scene) {
                  "what this material mirrors, or lets through unbent, is left out where the camera looks at it: "
                  "integrator {} joins surfaces with the camera, which mirrors and glass do not allow; {}",
                  scene.integrator.name, light_path_fault(scene, "bdpt") ? "path shows it" : "path and bdpt show it"));
+  if (kinds::integrator(scene.integrator.name).from_lights && !kinds::is_density(scene.film.filter))
+    warn(scene.film.where, fmt::format("the pixel filter has negative parts, from which integrator {} cannot draw; a "
+                                       "gaussian takes its place",
+                                       scene.integrator.name));
   if (kinds::integrator(scene.integrator.name).is_lit() && !kinds::integrator(scene.integrator.name).from_lights)
     for (const SourceLocation& beam : beams_of(scene))
       warn(beam, fmt::format("this emitter's light is left out: each of its places shines in one direction, so that "

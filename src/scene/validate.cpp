@@ -287,6 +287,11 @@ void check_film(const Film& film, Checker& check) {
                     film.filter.stddev <= Filter::largest_radius / 4,
                 "the filter's stddev is {} pixels; at most {} are possible", film.filter.stddev,
                 Filter::largest_radius / 4);
+  check.require(
+      std::fabs(film.filter.b) <= Filter::largest_of_cubic && std::fabs(film.filter.c) <= Filter::largest_of_cubic,
+      "the filter's B and C must lie within -{0} and {0}", Filter::largest_of_cubic);
+  check.require(film.filter.kind != FilterKind::lanczos || film.filter.radius <= Filter::most_lobes,
+                "the filter has {} lobes; at most {} are possible", film.filter.radius, Filter::most_lobes);
 }
 
 void check_integrator_name(const std::string& name, Checker& check) {

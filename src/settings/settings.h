@@ -43,7 +43,6 @@ struct RenderSettings {
   /// An entry of cl/choosers/choosers.def, by which points choose among several lights; none: as --light-choice by
   /// default (program/light_choice.h).
   std::optional<std::string> light_choice;
-  bool share_samples = false;  ///< Samples count in every pixel that their filter reaches.
   bool texture_lod = false;    ///< Images are filtered to the pixel's width where they are colours of surfaces.
   bool cached_program = true;  ///< false: builds it whatever strahl's cache holds, to see how long that takes.
   bool count_rays = false;     ///< Instrumented program (--stats-detail): counts shadow and bounce rays.

@@ -68,7 +68,7 @@ TEST_CASE("what an effect adds to the program and to a frame") {
   }
   CHECK(needed == 3);  // The integrator, the sampler, the only shape.
   CHECK(black == 1);
-  CHECK(timed == 2);  // PIXEL_FILTER, AOV.
+  CHECK(timed == 3);  // PIXEL_FILTER, SHARED_SAMPLES, AOV.
 }
 
 TEST_CASE("without --cost nothing is measured") {

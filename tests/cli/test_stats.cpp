@@ -93,10 +93,16 @@ TEST_CASE("detail counts what rays visit: all that is listed; of a tree less, an
   CHECK(tree.at("visits").at("primitives") <= tree.at("rays").at("camera"));
   CHECK(stats(folder, {}).at("visits").at("nodes").is_null());
   // As many samples as the run had.
-  const Json part = stats(folder, {"--stats-detail", "--lanes", "8", "--accel", "list", "--spp", "8", "--samples",
-                                   "2:4", "--checkpoint", "part"});
+  std::vector<std::string> of_part{"--stats-detail", "--lanes", "8", "--accel", "list", "--spp", "8"};
+  of_part.insert(of_part.end(), {"--samples", "2:4", "--checkpoint", "part"});
+  const Json shared = stats(folder, of_part);
+  of_part.insert(of_part.end(), {"--disable", "SHARED_SAMPLES"});
+  const Json part = stats(folder, of_part);
   CHECK(part.at("rays").at("camera") == 2 * 32 * 24);
   CHECK(part.at("visits").at("primitives") == part.at("rays").at("camera"));
+  // Pixels at the border are made of samples beyond it.
+  CHECK(shared.at("rays").at("camera") == 2 * 32 * 24);
+  CHECK(shared.at("visits").at("primitives") > 2 * 32 * 24);
   // Also where the picture's rays go together.
   const Json together = stats(folder, {"--stats-detail", "--paths", "lanes", "--lanes", "8", "--accel", "list"});
   CHECK(together.at("path_lanes") == 8);

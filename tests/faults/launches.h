@@ -11,8 +11,11 @@ namespace strahl_test {
 
 inline const char* const launch_call = "clEnqueueNDRangeKernel";
 
-/// Without pixels: each renderer warms up its program, then measures what a launch costs.
-constexpr int warm_up_launches = 2;
+/// Of pixels that share samples: one follows paths, one gathers what they bring.
+constexpr int kernels_a_launch = 2;
+
+/// Without pixels: each renderer warms up its program, then measures what a launch costs. Counted in kernels.
+constexpr int warm_up_launches = 2 * kernels_a_launch;
 
 /// The first launch of samples, counted from 1, of so many devices. The film's clearing comes before it, of which a
 /// thread does a part at any time; the calls are as many in any case.

@@ -28,7 +28,7 @@ class SmallRender {
     options.insert(options.end(), more.begin(), more.end());
     if (refused_from == 0) return folder_.run(options);
     return folder_.run(options, {{"LD_PRELOAD", STRAHL_FAIL_MEMORY},
-                                 {"STRAHL_FAULT_BYTES", std::to_string(61 * 61 * 192)},
+                                 {"STRAHL_FAULT_BYTES", std::to_string(61 * 61 * 208)},
                                  {"STRAHL_FAULT_FIRST", std::to_string(refused_from)}});
   }
   [[nodiscard]] bool has(const std::string& name) const { return fs::exists(folder_.path(name)); }

@@ -25,12 +25,12 @@ inline void add_light(FilmSums& film, std::size_t pixel, int sub, double light) 
   }
 }
 
-/// Adds a multiple of film_weight_unit, which is not negative, to the weight of a sub-sum.
+/// Adds a multiple of film_weight_unit to the weight of a sub-sum.
 inline void add_weight(FilmSums& film, std::size_t pixel, int sub, double weight) {
   const auto half = static_cast<std::size_t>(sub);
   std::int64_t& word = film.words[(pixel + 1) * film.words_per_pixel() - film.words_of_weights() + half / 2];
-  const auto more = static_cast<std::uint64_t>(weight / film_weight_unit) << (half % 2 * 32);
-  word = static_cast<std::int64_t>(static_cast<std::uint64_t>(word) + more);
+  const auto units = static_cast<std::uint64_t>(static_cast<std::int64_t>(weight / film_weight_unit));
+  word = static_cast<std::int64_t>(static_cast<std::uint64_t>(word) + (units << (half % 2 * 32)));
 }
 
 }  // namespace strahl::test

@@ -46,12 +46,24 @@ TEST_CASE("a mean is the sum of weighted samples over the sum of weights") {
   CHECK(film.mean().data == std::vector<float>{0, 0, 0, mean, mean, mean, 0, 0, 0});
 }
 
+TEST_CASE("sums of weights may be negative, each in its half") {
+  FilmSums film(weighted(2, 1));
+  film.samples = {4, 4};
+  const SubSumWeights weights{-0.25, 0.5, 0.75, -std::ldexp(1, 18)};
+  for (int sub = 0; sub < sub_sum_number; ++sub)
+    for (const double part : {0.5, -1.0, 0.5}) add_weight(film, 0, sub, part * weights[static_cast<std::size_t>(sub)]);
+  CHECK(film.rows().sub_sum_weights(0) == SubSumWeights{});
+  for (int sub = 0; sub < sub_sum_number; ++sub) add_weight(film, 0, sub, weights[static_cast<std::size_t>(sub)]);
+  CHECK(film.rows().sub_sum_weights(0) == weights);
+  CHECK(film.rows().sub_sum_weights(1) == SubSumWeights{});
+}
+
 TEST_CASE("the only sub-sum has a word for its weight") {
   FilmSums film(weighted(2, 1, {1, 1, 0}));
   film.samples = {1, 1};
   for (const std::size_t pixel : {0U, 1U}) add_light(film, pixel, 0, 12);
   film.words[film.words_per_pixel() - 1] = std::int64_t{3} << 40;
-  film.words.back() = -4096;  // Of a filter with negative sub_sum_number; there is nothing to divide by.
+  film.words.back() = -4096;  // Of a filter with negative parts; there is nothing to divide by.
   CHECK(film.rows().sub_sum_weights(0)[0] == std::ldexp(3, 28));
   CHECK(film.rows().sub_sum_weights(1)[0] == -1);
   CHECK(film.mean().at(0, 0, 0) == static_cast<float>(std::ldexp(4, -28)));
@@ -68,7 +80,7 @@ TEST_CASE("squares are divided by the weight of all samples") {
 
 TEST_CASE("weights of two films add up, each by itself, to the last bit of its half") {
   FilmSums film(weighted(2, 2, {sub_sum_number, 4, 0}, true)), band(weighted(2, 1, {sub_sum_number, 4, 0}, true));
-  const double most = std::ldexp(1, 20) - film_weight_unit;  // All 32 bits.
+  const double most = std::ldexp(3, 18) - film_weight_unit;  // All 32 bits, a quarter of which are negative numbers.
   for (int sub = 0; sub < sub_sum_number; ++sub) {
     add_weight(film, 3, sub, most - sub);
     add_weight(band, 1, sub, sub);

@@ -35,7 +35,7 @@ void hold(const Filter& filter, const std::function<double(double)>& share, doub
   scene.film.filter = filter;
   scene.film.crop = Window{stage_size / 2, 0, stage_size / 2 + 4, stage_size};
   RenderSettings settings;
-  settings.share_samples = true;
+  settings.disabled = {"SHARED_SAMPLES"};
   for (const Image& image : {color(scene, Precision::robust), render("pocl", scene, settings).color})
     for (int x = 0; x < image.width; ++x) {
       double lit = 0;

@@ -41,7 +41,9 @@ bool same(const RenderResult& a, const RenderResult& b) {
 
 TEST_CASE("the squares of single samples have the mean that all have together") {
   require_pocl_and_rusticl();
-  Renderer renderer(Device::open("pocl"), lamp_room(), with_moments());
+  RenderSettings settings = with_moments();
+  settings.disabled = {"SHARED_SAMPLES"};  // So that a pixel's sample is one.
+  Renderer renderer(Device::open("pocl"), lamp_room(), settings);
   const Image whole = renderer.render().named_aov;
   REQUIRE(whole.channels == std::vector<std::string>{"p.X", "p.Y", "p.Z", "m2_p.X", "m2_p.Y", "m2_p.Z"});
   std::vector<double> sums(whole.data.size());
@@ -68,6 +70,25 @@ TEST_CASE("the squares of single samples have the mean that all have together") 
   CHECK(varies);
 }
 
+TEST_CASE("squares of shared samples are weighted as the samples are") {
+  require_pocl_and_rusticl();
+  Scene scene = lamp_room();
+  scene.sampler.sample_count = 256;
+  RenderSettings alone = with_moments();
+  alone.disabled = {"SHARED_SAMPLES"};
+  const Image shared = render("pocl", scene, with_moments()).named_aov;
+  const Image expected = render("pocl", scene, alone).named_aov;
+  double sum = 0, expected_sum = 0;
+  for (std::size_t pixel = 0; pixel < shared.data.size() / 6; ++pixel) {
+    for (std::size_t c = 0; c < 3; ++c)
+      CHECK(at(shared, pixel, c + 3) >= at(shared, pixel, c) * at(shared, pixel, c) * (1 - 1e-6));
+    if (pixel < shared.data.size() / 12) continue;  // The lamp is in the upper half.
+    sum += at(shared, pixel, 4);
+    expected_sum += at(expected, pixel, 4);
+  }
+  CHECK(sum == Approx(expected_sum).epsilon(0.05));
+}
+
 TEST_CASE("the picture is as without them, and they do not depend on lanes, passes or devices") {
   require_pocl_and_rusticl();
   const RenderResult all = render("pocl", lamp_room(), with_moments());
@@ -78,9 +99,11 @@ TEST_CASE("the picture is as without them, and they do not depend on lanes, pass
   no_error.estimate_error = false;
   CHECK(same(all, render("pocl", lamp_room(), one)));
   CHECK(same(all, render("pocl", lamp_room(), no_error)));
-  const Image exact = render("pocl", lamp_room(), with_moments(Precision::fp64)).named_aov;
-  for (std::size_t i = 0; i < exact.data.size(); ++i)
-    CHECK(all.named_aov.data[i] == Approx(exact.data[i]).epsilon(1e-4));
+  RenderSettings alone = with_moments(), exact_alone = with_moments(Precision::fp64);
+  alone.disabled = exact_alone.disabled = {"SHARED_SAMPLES"};  // A weight may be rounded to another unit.
+  const Image near = render("pocl", lamp_room(), alone).named_aov;
+  const Image exact = render("pocl", lamp_room(), exact_alone).named_aov;
+  for (std::size_t i = 0; i < exact.data.size(); ++i) CHECK(near.data[i] == Approx(exact.data[i]).epsilon(1e-4));
   Renderer shared(Device::open("pocl"), lamp_room(), with_moments());
   shared.share_with(Device::open("pocl"));
   CHECK(same(all, shared.render()));

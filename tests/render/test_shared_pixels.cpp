@@ -13,7 +13,7 @@ namespace {
 
 Image picture(const Scene& scene, bool are_shared = true) {
   RenderSettings settings;
-  settings.share_samples = are_shared;
+  if (!are_shared) settings.disabled = {"SHARED_SAMPLES"};
   return render("pocl", scene, settings).color;
 }
 
@@ -71,7 +71,6 @@ TEST_CASE("shared samples have the same bits in any passes, lanes and groups") {
   const Image expected = picture(scene);
   const auto is_same = [&](const std::function<void(RenderSettings&)>& change) {
     RenderSettings settings;
-    settings.share_samples = true;
     change(settings);
     return render("pocl", scene, settings).color.data == expected.data;
   };
@@ -90,7 +89,6 @@ TEST_CASE("shared samples have the same bits where a device ends loops before th
   scene.sampler.kind = SamplerKind::sobol;
   scene.sampler.sample_count = 9;
   RenderSettings watched;
-  watched.share_samples = true;
   watched.loop_turns = 65535;
   const Image image = render("llvmpipe", scene, watched).color;
   CHECK((image.data == picture(scene).data));

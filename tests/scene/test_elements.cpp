@@ -95,6 +95,17 @@ TEST_CASE("film, filter, sampler") {
   CHECK(
       sensor("<film type=\"hdrfilm\"><rfilter type=\"gaussian\"><float name=\"stddev\" value=\".7\"/></rfilter></film>")
           .film.filter.stddev == .7);
+  const auto filter = [](const std::string& text) {
+    return sensor("<film type=\"hdrfilm\"><rfilter " + text + "</rfilter></film>").film.filter;
+  };
+  const Filter mitchell = filter("type=\"mitchell\"><float name=\"B\" value=\"0.1\"/>");
+  CHECK(mitchell.kind == FilterKind::mitchell);
+  CHECK(mitchell.b == 0.1);
+  CHECK(mitchell.c == Approx(1.0 / 3));
+  CHECK(filter("type=\"CatmullRom\">").kind == FilterKind::catmullrom);
+  CHECK(filter("type=\"lanczos\"><integer name=\"lobes\" value=\"2\"/>").radius == 2);
+  CHECK_THROWS_AS(filter("type=\"lanczos\"><integer name=\"lobes\" value=\"5\"/>"), SceneError);
+  CHECK_THROWS_AS(filter("type=\"mitchell\"><float name=\"C\" value=\"4.5\"/>"), SceneError);
   const SamplerSettings sampler =
       sensor(
           "<sampler type=\"independent\"><integer name=\"sample_count\" value=\"8\"/><integer "

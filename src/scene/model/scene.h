@@ -289,14 +289,17 @@ struct Camera {
   SourceLocation where;
 };
 
-enum class FilterKind { box, tent, gaussian };
+enum class FilterKind { box, tent, gaussian, mitchell, catmullrom, lanczos };
 
 /// Pixel reconstruction filter: how much samples around a pixel's middle count in it.
 struct Filter {
   static constexpr double largest_radius = 1024;  ///< What paths from lights add to a pixel loops over its width.
+  static constexpr double largest_of_cubic = 4;   ///< Of B and C.
+  static constexpr int most_lobes = 4;            ///< Of the lanczos: its radius.
   FilterKind kind = FilterKind::gaussian;
-  double radius = 0;  ///< Pixels. 0: the kind's own (box 0.5, tent 1, gaussian 4 stddev).
+  double radius = 0;  ///< Pixels. 0: the kind's own (box 0.5, tent 1, gaussian 4 stddev, lanczos 3); others have 2.
   double stddev = 0.5;
+  double b = 1.0 / 3, c = 1.0 / 3;  ///< Mitchell and Netravali's B and C.
 };
 
 /// Pixels [x0, x1) x [y0, y1) of the full picture; y down.

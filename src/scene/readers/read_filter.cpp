@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// <rfilter>: box, tent, gaussian.
+// <rfilter>: box, tent, gaussian, mitchell, catmullrom, lanczos.
 #include <fmt/format.h>
 
 #include "scene/readers/plugin_table.h"
@@ -11,8 +11,12 @@ namespace strahl {
 namespace {
 
 const PluginTable<FilterKind>& filter_kinds() {
-  static const PluginTable<FilterKind> table{
-      {"box", FilterKind::box}, {"tent", FilterKind::tent}, {"gaussian", FilterKind::gaussian}};
+  static const PluginTable<FilterKind> table{{"box", FilterKind::box},
+                                             {"tent", FilterKind::tent},
+                                             {"gaussian", FilterKind::gaussian},
+                                             {"mitchell", FilterKind::mitchell},
+                                             {"catmullrom", FilterKind::catmullrom},
+                                             {"lanczos", FilterKind::lanczos}};
   return table;
 }
 
@@ -29,8 +33,25 @@ Filter read_filter(const XmlElement& element, SceneBuilder& builder) {
   }
   Filter filter;
   filter.kind = *kind;
-  filter.radius = properties.positive("radius").value_or(filter.radius);
-  if (*kind == FilterKind::gaussian) filter.stddev = properties.positive("stddev").value_or(filter.stddev);
+  switch (*kind) {
+    case FilterKind::box:
+    case FilterKind::tent:
+      filter.radius = properties.positive("radius").value_or(filter.radius);
+      break;
+    case FilterKind::gaussian:
+      filter.radius = properties.positive("radius").value_or(filter.radius);
+      filter.stddev = properties.positive("stddev").value_or(filter.stddev);
+      break;
+    case FilterKind::mitchell:
+      filter.b = properties.number("B").value_or(filter.b);
+      filter.c = properties.number("C").value_or(filter.c);
+      break;
+    case FilterKind::catmullrom:
+      break;
+    case FilterKind::lanczos:
+      filter.radius = properties.integer_in("lobes", 1, Filter::most_lobes).value_or(filter.radius);
+      break;
+  }
   properties.report_unknown();
   return filter;
 }
