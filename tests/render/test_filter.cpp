@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 
+#include "kinds/filter_density.h"
 #include "render/stage.h"
 #include "scene/model/build.h"
 
@@ -25,8 +26,21 @@ double tail(double x, double radius, double stddev) {
   return x < radius ? beyond(x) / (2 * beyond(0)) : 0;
 }
 
-/// edge: where the lamp ends, in pixels right of the picture's middle.
-void hold(const Filter& filter, const std::function<double(double)>& share, double edge) {
+/// The share of a filter's integral beyond x pixels, on one side; by the midpoint rule.
+double share_beyond(const Filter& filter, double x) {
+  constexpr int steps = 20000;
+  const double radius = kinds::filter_radius(filter);
+  double beyond = 0, half = 0;
+  for (int i = 0; i < steps; ++i) {
+    const double at = (i + 0.5) / steps * radius, density = kinds::filter_density(filter, at);
+    half += density;
+    if (at > x) beyond += density;
+  }
+  return beyond / (2 * half);
+}
+
+/// A lamp that ends `edge` pixels right of the picture's middle, and four columns from there on.
+Scene lamp_edge(const Filter& filter, double edge) {
   Scene scene = stage({});
   add(scene, emitting(Rectangle{{edge * pixel - 9, -9, 0}, {9, 0, 0}, {0, 18, 0}}, {1, 1, 1}));
   scene.integrator.name = "emission";
@@ -34,6 +48,11 @@ void hold(const Filter& filter, const std::function<double(double)>& share, doub
   scene.sampler.sample_count = samples;
   scene.film.filter = filter;
   scene.film.crop = Window{stage_size / 2, 0, stage_size / 2 + 4, stage_size};
+  return scene;
+}
+
+void hold(const Filter& filter, const std::function<double(double)>& share, double edge) {
+  const Scene scene = lamp_edge(filter, edge);
   RenderSettings settings;
   settings.disabled = {"SHARED_SAMPLES"};
   for (const Image& image : {color(scene, Precision::robust), render("pocl", scene, settings).color})
@@ -59,6 +78,22 @@ TEST_CASE("a lamp's edge shows the filter's tail") {
     hold(
         {FilterKind::box, 1.2, 0.5}, [](double x) { return x < 1.2 ? (1.2 - x) / 2.4 : 0; }, edge);
   }
+}
+
+TEST_CASE("filters with negative parts are below 0 beside a lamp") {
+  require_pocl_and_rusticl();
+  const Filter filters[] = {{FilterKind::mitchell}, {FilterKind::catmullrom}, {FilterKind::lanczos}};
+  for (const Filter& filter : filters)
+    for (const double edge : {0.0, -0.25}) {
+      const Image image = color(lamp_edge(filter, edge), Precision::robust);
+      for (int x = 0; x < image.width; ++x) {
+        double lit = 0;
+        for (int y = 0; y < image.height; ++y) lit += static_cast<double>(image.at(x, y, 0)) / image.height;
+        const double distance = x + 0.5 - edge;
+        CAPTURE(static_cast<int>(filter.kind), distance);
+        CHECK(lit == Approx(share_beyond(filter, distance)).margin(8e-4));
+      }
+    }
 }
 
 TEST_CASE("by default depth is seen through the middle of a lens") {
