@@ -60,20 +60,19 @@ double sinc(double x) {
 }  // namespace
 
 double filter_radius(const Filter& filter) {
-  if (filter.kind == FilterKind::mitchell || filter.kind == FilterKind::catmullrom) return 2;
-  if (filter.radius > 0) return filter.radius;
+  const auto given_or = [&](double own) { return filter.radius > 0 ? filter.radius : own; };
   switch (filter.kind) {
     case FilterKind::box:
-      return 0.5;
+      return given_or(0.5);
     case FilterKind::tent:
-      return 1;
+      return given_or(1);
     case FilterKind::gaussian:
-      return 4 * filter.stddev;
+      return given_or(4 * filter.stddev);
     case FilterKind::lanczos:
-      return 3;
+      return given_or(3);
     case FilterKind::mitchell:
     case FilterKind::catmullrom:
-      break;
+      return 2;
   }
   return 0;
 }

@@ -29,11 +29,11 @@ template <typename Real>
 [[nodiscard]] PackedScene<Real> pack_scene(const Scene& scene, const Features& features, const PackOptions& options);
 
 /// FILTER_CELLS + 1 distances in pixels from a filter's middle, from half its width down to 0: beyond the i-th lies a
-/// share of (i / FILTER_CELLS)^2 on both sides together. All 0 for the centre sampler.
+/// share of (i / FILTER_CELLS)^2 on both sides together. All 0 for the centre sampler. Of kinds::drawn_filter.
 [[nodiscard]] std::vector<double> filter_quantiles(const Filter& filter, SamplerKind sampler);
 
 /// FILTER_CELLS + 1 densities per pixel of a filter along one axis, from one end to the other, and half its width: at
-/// most 8 deviations of a gaussian.
+/// most 8 deviations of a gaussian. Of kinds::drawn_filter.
 struct FilterDensities {
   double half_width = 0;
   std::vector<double> values;

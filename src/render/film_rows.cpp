@@ -13,6 +13,10 @@ namespace {
 
 constexpr std::size_t channels = layout::FILM_CHANNELS;
 
+/// Halves of words of weights are in [-half_lift, 2^32 - half_lift).
+constexpr std::uint32_t half_lift = 1U << 30U;
+constexpr std::uint64_t lift_of_halves = (std::uint64_t{half_lift} << 32U) + half_lift;
+
 }  // namespace
 
 std::size_t words_per_sum(FilmKind kind) {
@@ -59,10 +63,6 @@ double FilmRows::own_sum(std::size_t pixel, int sub, int channel) const {
   const std::int64_t* at = &words[pixel * words_per_pixel() + words_of_sums() + sum * layout::FILM_SUM_WORDS];
   return unit * value_of(film_bins(at[0], at[1]));
 }
-
-/// Halves of words of weights are in [-half_lift, 2^32 - half_lift).
-constexpr std::uint32_t half_lift = 1U << 30U;
-constexpr std::uint64_t lift_of_halves = (std::uint64_t{half_lift} << 32U) + half_lift;
 
 SubSumWeights FilmRows::sub_sum_weights(std::size_t pixel) const {
   SubSumWeights weights{};

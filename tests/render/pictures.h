@@ -9,6 +9,7 @@
 #include <cstring>
 #include <filesystem>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -45,6 +46,9 @@ inline RenderSettings all_aovs(Precision precision = Precision::robust) {
                    Aov::albedo, Aov::geo_normal, Aov::shape_id, Aov::primitive_id};
   return settings;
 }
+
+/// RenderSettings::disabled so that each sample counts in one pixel, drawn from its filter.
+inline const std::set<std::string> without_sharing{"SHARED_SAMPLES"};
 
 /// Its number, or the test fails.
 inline int channel_of(const Image& image, const std::string& name) {

@@ -48,9 +48,15 @@ inline double stage_x(int column) { return half_width * (2 * column + 1 - stage_
 inline double stage_y(int row) { return -half_width * (2 * row + 1 - stage_size) / stage_size; }
 
 /// By the generic program, which test_generic holds to the others: one to compile instead of one for each scene.
-inline RenderResult stage_picture(const Scene& scene, Precision precision) {
+inline RenderSettings stage_settings(Precision precision) {
   RenderSettings settings = all_aovs(precision);
   settings.generic = true;
+  return settings;
+}
+
+inline RenderResult stage_picture(const Scene& scene, Precision precision, const std::set<std::string>& disabled = {}) {
+  RenderSettings settings = stage_settings(precision);
+  settings.disabled = disabled;
   return render("pocl", scene, settings);
 }
 

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The stated 95 % interval against the truth: over many seeds it holds a picture's true RMSE as often as it says, for
 // both samplers, and is no wider than it was when four sequences told it; of pixels that share samples no wider than of
-// those that do not, in radiance. STRAHL_COVERAGE=long: every case at 16 to
-// 1,024 samples with 200 seeds, instead of some at 16 with 40; =16, 64, 256 or 1024: the same at so many samples alone.
-#include <algorithm>
+// those that do not, in radiance. STRAHL_COVERAGE=long: every case at 16 to 1,024 samples with 200 seeds, instead of
+// some at 16 with 40; =16, 64, 256 or 1024: the same at so many samples alone.
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <cstddef>
 #include <cstdlib>
 #include <iostream>
 #include <set>
@@ -14,6 +12,7 @@
 #include <string_view>
 #include <vector>
 
+#include "render/median.h"
 #include "render/pictures.h"
 
 namespace strahl::test {
@@ -56,14 +55,6 @@ struct Tally {
   double half_width = 0;  ///< Relative, the median over the seeds.
   double radiance = 0;    ///< The half-width itself, the median as well.
 };
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
-const std::set<std::string> without_sharing = {"SHARED_SAMPLES"};
 
 /// The truth of each picture is the mean of all others, whose own noise is known: it is as large a part of the squared
 /// difference as one picture is of the number of all.

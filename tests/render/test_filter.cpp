@@ -54,7 +54,7 @@ Scene lamp_edge(const Filter& filter, double edge) {
 void hold(const Filter& filter, const std::function<double(double)>& share, double edge) {
   const Scene scene = lamp_edge(filter, edge);
   RenderSettings settings;
-  settings.disabled = {"SHARED_SAMPLES"};
+  settings.disabled = without_sharing;
   for (const Image& image : {color(scene, Precision::robust), render("pocl", scene, settings).color})
     for (int x = 0; x < image.width; ++x) {
       double lit = 0;

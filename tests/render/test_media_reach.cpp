@@ -79,10 +79,9 @@ void check_unchanged_by_reach(Scene scene) {
     each->sampler.kind = SamplerKind::independent;
     each->sampler.sample_count = 32;
   }
-  RenderSettings settings = all_aovs(Precision::robust);
-  settings.generic = true;
-  settings.disabled = {"SHARED_SAMPLES"};  // Sums of weighted samples round ties, which the glow decides.
-  const RenderResult cut = render("pocl", scene, settings), whole = render("pocl", seen_whole, settings);
+  // Sums of weighted samples round ties, which the glow decides.
+  const RenderResult cut = stage_picture(scene, Precision::robust, without_sharing);
+  const RenderResult whole = stage_picture(seen_whole, Precision::robust, without_sharing);
   CHECK(mean_of(cut.color).g > 1e-3);
   CHECK(largest_difference(cut.color, whole.color) < 1e-20);
   CHECK(largest_difference(cut.aov, whole.aov) == 0);

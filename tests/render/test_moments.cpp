@@ -42,7 +42,7 @@ bool same(const RenderResult& a, const RenderResult& b) {
 TEST_CASE("the squares of single samples have the mean that all have together") {
   require_pocl_and_rusticl();
   RenderSettings settings = with_moments();
-  settings.disabled = {"SHARED_SAMPLES"};  // So that a pixel's sample is one.
+  settings.disabled = without_sharing;  // So that a pixel's sample is one.
   Renderer renderer(Device::open("pocl"), lamp_room(), settings);
   const Image whole = renderer.render().named_aov;
   REQUIRE(whole.channels == std::vector<std::string>{"p.X", "p.Y", "p.Z", "m2_p.X", "m2_p.Y", "m2_p.Z"});
@@ -75,7 +75,7 @@ TEST_CASE("squares of shared samples are weighted as the samples are") {
   Scene scene = lamp_room();
   scene.sampler.sample_count = 256;
   RenderSettings alone = with_moments();
-  alone.disabled = {"SHARED_SAMPLES"};
+  alone.disabled = without_sharing;
   const Image shared = render("pocl", scene, with_moments()).named_aov;
   const Image expected = render("pocl", scene, alone).named_aov;
   double sum = 0, expected_sum = 0;
@@ -100,7 +100,7 @@ TEST_CASE("the picture is as without them, and they do not depend on lanes, pass
   CHECK(same(all, render("pocl", lamp_room(), one)));
   CHECK(same(all, render("pocl", lamp_room(), no_error)));
   RenderSettings alone = with_moments(), exact_alone = with_moments(Precision::fp64);
-  alone.disabled = exact_alone.disabled = {"SHARED_SAMPLES"};  // A weight may be rounded to another unit.
+  alone.disabled = exact_alone.disabled = without_sharing;  // A weight may be rounded to another unit.
   const Image near = render("pocl", lamp_room(), alone).named_aov;
   const Image exact = render("pocl", lamp_room(), exact_alone).named_aov;
   for (std::size_t i = 0; i < exact.data.size(); ++i) CHECK(near.data[i] == Approx(exact.data[i]).epsilon(1e-4));

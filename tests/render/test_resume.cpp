@@ -196,7 +196,7 @@ TEST_CASE("a deadline ends it soon, however long the pass was that was under way
   RenderSettings settings = settings_of();
   settings.passes.reset();
   const bool are_shared = GENERATE(true, false);
-  if (!are_shared) settings.disabled = {"SHARED_SAMPLES"};
+  if (!are_shared) settings.disabled = without_sharing;
   Renderer renderer(Device::open("pocl"), scene, settings);
   const FilmState state = stopped_after(renderer, 3, max_spp);
   REQUIRE(state.position.done == max_spp);

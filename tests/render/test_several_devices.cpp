@@ -148,8 +148,8 @@ TEST_CASE("rays that are counted") {
   require_pocl_and_rusticl();
   RenderSettings settings = shared_settings();
   settings.count_rays = true;
-  settings.paths_in_lanes = false;         // What paths visit that go together depends on which do.
-  settings.disabled = {"SHARED_SAMPLES"};  // Rows on either side of where parts meet are followed by both devices.
+  settings.paths_in_lanes = false;      // What paths visit that go together depends on which do.
+  settings.disabled = without_sharing;  // Rows on either side of where parts meet are followed by both devices.
   Renderer one(Device::open("pocl"), shared_scene(), settings);
   const RenderResult expected = one.render();
   Renderer several = shared(shared_scene(), settings);

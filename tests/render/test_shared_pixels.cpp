@@ -11,16 +11,8 @@
 namespace strahl::test {
 namespace {
 
-/// By programs that other tests have, too.
-RenderSettings settings_of(bool are_shared) {
-  RenderSettings settings = all_aovs(Precision::robust);
-  settings.generic = true;
-  if (!are_shared) settings.disabled = {"SHARED_SAMPLES"};
-  return settings;
-}
-
-Image picture(const Scene& scene, bool are_shared = true) {
-  return render("pocl", scene, settings_of(are_shared)).color;
+Image picture(const Scene& scene, const std::set<std::string>& disabled = {}) {
+  return stage_picture(scene, Precision::robust, disabled).color;
 }
 
 /// A floor under a lamp that is far larger, by samples that know nothing of each other: noise and hardly an edge.
@@ -79,8 +71,10 @@ TEST_CASE("shared samples have the same bits in any passes, lanes and groups") {
     change(settings);
     return render("pocl", scene, settings).color.data == expected.data;
   };
-  for (const int passes : {1, 3, 4}) CHECK(is_same(settings_of(true), [&](RenderSettings& s) { s.passes = passes; }));
-  CHECK(is_same(settings_of(true), [](RenderSettings& s) { s.work_group = WorkGroup{3, 5}; }));
+  for (const int passes : {1, 3, 4})
+    CHECK(is_same(stage_settings(Precision::robust), [&](RenderSettings& s) { s.passes = passes; }));
+  CHECK(is_same(stage_settings(Precision::robust), [](RenderSettings& s) { s.work_group = WorkGroup{3, 5}; }));
+  CHECK(is_same({}, [](RenderSettings&) {}));
   CHECK(is_same({}, [](RenderSettings& s) { s.lanes = 8; }));
   CHECK(is_same({}, [](RenderSettings& s) { s.paths_in_lanes = false; }));
 }
@@ -96,12 +90,12 @@ TEST_CASE("shared samples have the same bits where a device ends loops before th
   watched.loop_turns = 65535;
   const Image image = render("llvmpipe", scene, watched).color;
   CHECK((image.data == picture(scene).data));
-  CHECK((image.data != picture(scene, false).data));
+  CHECK((image.data != picture(scene, without_sharing).data));
 }
 
 TEST_CASE("noise is what the filter leaves of it") {
   const double shared = variance_of(picture(noisy_floor(1)), picture(noisy_floor(2)));
-  const double alone = variance_of(picture(noisy_floor(1), false), picture(noisy_floor(2), false));
+  const double alone = variance_of(picture(noisy_floor(1), without_sharing), picture(noisy_floor(2), without_sharing));
   CHECK(shared / alone > 0.28);  // 1 / pi of a gaussian that never ends; quotients of few samples are noisier.
   CHECK(shared / alone < 0.37);
 }
