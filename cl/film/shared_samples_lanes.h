@@ -115,7 +115,7 @@ FN void add_shared_pixel_w(const Scene* scene, const PixelSamples_w* samples, PR
 }
 
 /// The samples of `columns` pixels into the film, as many at a time as a pool has.
-FN void share_span_w(const Scene* scene, const Neighbourhood_w* n, const SharingFilm_w* film, int columns) {
+ONCE_FN void share_span_w(const Scene* scene, const Neighbourhood_w* n, const SharingFilm_w* film, int columns) {
   int samples = n->ring.samples, column = 0, next = 0;
   for (int first = 0, count; first < columns * samples; first += count) {
     count = min((int)POOL_PATHS, columns * samples - first);
@@ -146,7 +146,7 @@ FN void share_span_w(const Scene* scene, const Neighbourhood_w* n, const Sharing
   }
 }
 #else
-FN void share_span_w(const Scene* scene, const Neighbourhood_w* n, const SharingFilm_w* film, int columns) {
+ONCE_FN void share_span_w(const Scene* scene, const Neighbourhood_w* n, const SharingFilm_w* film, int columns) {
   (void)columns;
   for (int i = 0; i < n->ring.samples; ++i) {
     SharedSamples_w shared = shared_samples_w(n, i * ring_sample_step(&n->ring));

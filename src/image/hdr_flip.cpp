@@ -10,22 +10,24 @@ namespace {
 
 // Tone curve (p x^2 + q x) / (r x^2 + s x + t): K. Narkowicz, "ACES Filmic Tone Mapping Curve" (2016), with his scale
 // of 0.6 for the exposure.
-constexpr double p = 0.6 * 0.6 * 2.51, q = 0.6 * 0.03;
-constexpr double r = 0.6 * 0.6 * 2.43, s = 0.6 * 0.59, t = 0.14;
+struct ToneCurve {
+  static constexpr double p = 0.6 * 0.6 * 2.51, q = 0.6 * 0.03;
+  static constexpr double r = 0.6 * 0.6 * 2.43, s = 0.6 * 0.59, t = 0.14;
 
-double tone_mapped(double x) { return std::clamp((p * x + q) * x / ((r * x + s) * x + t), 0.0, 1.0); }
+  static double at(double x) { return std::clamp((p * x + q) * x / ((r * x + s) * x + t), 0.0, 1.0); }
 
-/// The value that is mapped to 0.85, where the curve begins to flatten.
-double shoulder() {
-  constexpr double level = 0.85;
-  constexpr double a = p - level * r, b = q - level * s, c = -level * t;
-  return (-b + std::sqrt(b * b - 4 * a * c)) / (2 * a);
-}
+  /// The value that is mapped to 0.85, where the curve begins to flatten.
+  static double shoulder() {
+    constexpr double level = 0.85;
+    constexpr double a = p - level * r, b = q - level * s, c = -level * t;
+    return (-b + std::sqrt(b * b - 4 * a * c)) / (2 * a);
+  }
+};
 
 RgbChannels exposed(RgbChannels channels, double stops) {
   const double factor = std::exp2(stops);
   for (Channel& channel : channels) {
-    for (double& value : channel.values) value = tone_mapped(factor * value);
+    for (double& value : channel.values) value = ToneCurve::at(factor * value);
   }
   return channels;
 }
@@ -41,7 +43,8 @@ Exposures flip_exposures(const RgbChannels& reference) {
   const double brightest = std::max(*std::max_element(luminances.begin(), luminances.end()), least);
   const auto middle = luminances.begin() + static_cast<std::ptrdiff_t>(luminances.size() / 2);
   std::nth_element(luminances.begin(), middle, luminances.end());
-  Exposures exposures{std::log2(shoulder() / brightest), std::log2(shoulder() / std::max(*middle, least)), 2};
+  const double shoulder = ToneCurve::shoulder();
+  Exposures exposures{std::log2(shoulder / brightest), std::log2(shoulder / std::max(*middle, least)), 2};
   exposures.count = std::max(2, static_cast<int>(std::ceil(exposures.last - exposures.first)));
   return exposures;
 }

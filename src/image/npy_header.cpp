@@ -16,7 +16,7 @@
 namespace strahl {
 namespace {
 
-constexpr std::string_view magic = "\x93NUMPY";
+constexpr std::string_view npy_magic = "\x93NUMPY";
 
 /// Reads the few forms of Python literal that such a header consists of.
 class LiteralReader {
@@ -114,7 +114,7 @@ class LiteralReader {
 
 NpyHeader parse_npy_header(std::string_view bytes, const std::string& path) {
   const auto reject = [&path](const std::string& why) { throw InputError(fmt::format("\"{}\": {}", path, why)); };
-  if (bytes.substr(0, magic.size()) != magic) reject("not an npy file; write one with numpy.save");
+  if (bytes.substr(0, npy_magic.size()) != npy_magic) reject("not an npy file; write one with numpy.save");
   if (bytes.size() < 10) reject("truncated npy file");
   const int version = static_cast<unsigned char>(bytes[6]);
   if (version < 1 || version > 3) reject(fmt::format("npy format version {} is unknown (1 to 3 are read)", version));
@@ -155,7 +155,7 @@ std::string npy_header_text(std::size_t rows, std::size_t columns) {
       fmt::format("{{'descr': '<f8', 'fortran_order': False, 'shape': ({}, {}), }}", rows, columns);
   dictionary.resize((10 + dictionary.size() + 1 + 63) / 64 * 64 - 10 - 1, ' ');
   dictionary += '\n';
-  std::string text(magic);
+  std::string text(npy_magic);
   text += {'\x01', '\x00', static_cast<char>(dictionary.size() & 255), static_cast<char>(dictionary.size() >> 8)};
   return text + dictionary;
 }

@@ -11,14 +11,14 @@
 namespace strahl {
 namespace {
 
-struct Reader {
+struct PngReader {
   png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, nullptr, throw_png_error, ignore_png_warning);
   png_infop info = png ? png_create_info_struct(png) : nullptr;
 
-  Reader() = default;
-  ~Reader() { png_destroy_read_struct(&png, &info, nullptr); }
-  Reader(const Reader&) = delete;
-  Reader& operator=(const Reader&) = delete;
+  PngReader() = default;
+  ~PngReader() { png_destroy_read_struct(&png, &info, nullptr); }
+  PngReader(const PngReader&) = delete;
+  PngReader& operator=(const PngReader&) = delete;
 };
 
 struct Source {
@@ -34,14 +34,14 @@ void read_bytes(png_structp png, png_bytep data, std::size_t size) {
 }
 
 /// Once it is expanded.
-std::size_t channels_of(const Reader& reader) {
+std::size_t channels_of(const PngReader& reader) {
   const int type = png_get_color_type(reader.png, reader.info);
   const bool has_alpha =
       (type & PNG_COLOR_MASK_ALPHA) != 0 || png_get_valid(reader.png, reader.info, PNG_INFO_tRNS) != 0;
   return ((type & PNG_COLOR_MASK_COLOR) != 0 ? 3U : 1U) + (has_alpha ? 1U : 0U);
 }
 
-PngCodes decode(const Reader& reader, const std::string& bytes, const PngCheck& check, const PngVisit& visit) {
+PngCodes decode(const PngReader& reader, const std::string& bytes, const PngCheck& check, const PngVisit& visit) {
   Source source{bytes};
   png_set_read_fn(reader.png, &source, read_bytes);
   // libpng's own are a million, and its refusal tells no more than that the header is invalid; `check` says what is.
@@ -77,7 +77,7 @@ PngCodes read_png_codes(const std::string& path, const std::string& bytes, const
     throw InputError(fmt::format("\"{}\": not a PNG file", path));
   }
   try {
-    const Reader reader;
+    const PngReader reader;
     if (!reader.info) throw std::bad_alloc();
     return decode(reader, bytes, check, visit);
   } catch (const Error&) {

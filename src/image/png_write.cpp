@@ -17,14 +17,14 @@
 namespace strahl {
 namespace {
 
-struct Writer {
+struct PngWriter {
   png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, throw_png_error, ignore_png_warning);
   png_infop info = png ? png_create_info_struct(png) : nullptr;
 
-  Writer() = default;
-  ~Writer() { png_destroy_write_struct(&png, &info); }
-  Writer(const Writer&) = delete;
-  Writer& operator=(const Writer&) = delete;
+  PngWriter() = default;
+  ~PngWriter() { png_destroy_write_struct(&png, &info); }
+  PngWriter(const PngWriter&) = delete;
+  PngWriter& operator=(const PngWriter&) = delete;
 };
 
 void write_bytes(png_structp png, png_bytep data, std::size_t size) {
@@ -47,7 +47,7 @@ void check_keyword(const std::string& key) {
 }
 
 /// tEXt for plain ASCII, which every program reads; iTXt, which is UTF-8, for the rest.
-void set_metadata(const Writer& writer, const std::map<std::string, std::string>& metadata) {
+void set_metadata(const PngWriter& writer, const std::map<std::string, std::string>& metadata) {
   for (const auto& [key, value] : metadata) {
     check_keyword(key);
     std::string keyword = key, content = value;
@@ -103,7 +103,7 @@ WriteReport write_png(const Image& image, const std::string& path, const PngOpti
 
   AtomicFile file(path);
   try {
-    const Writer writer;
+    const PngWriter writer;
     if (!writer.info) throw std::bad_alloc();
     png_set_write_fn(writer.png, &file, write_bytes, flush_nothing);
     png_set_user_limits(writer.png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);  // libpng's own are a million.

@@ -14,7 +14,7 @@ using strahl::Image;
 namespace {
 
 /// A glowing sphere, a body without light behind it, `aovs` of their picture; none where it is empty.
-std::string scene_with(const std::string& aovs, const std::string& inside = "emission") {
+std::string scene_with_aovs(const std::string& aovs, const std::string& inside = "emission") {
   const std::string integrator = "<integrator type=\"" + inside + "\"/>";
   const std::string around =
       "<integrator type=\"aov\"><string name=\"aovs\" value=\"" + aovs + "\"/>" + integrator + "</integrator>";
@@ -55,8 +55,8 @@ std::vector<float> values_of(const Image& image, const std::string& name) {
 
 TEST_CASE("an EXR has the scene's AOVs under its names, with the values of --aov's, and the picture stays as it is") {
   const Folder folder;
-  folder.file("scene.xml", scene_with(every_type));
-  folder.file("plain.xml", scene_with(""));
+  folder.file("scene.xml", scene_with_aovs(every_type));
+  folder.file("plain.xml", scene_with_aovs(""));
   CHECK_FALSE(contains(succeed_on_pocl(folder, {"scene.xml", "-o", "own.exr"}).err, "AOVs"));
   const Image own = strahl::read_image(folder.path("own.exr"));
   CHECK(own.channels == std::vector<std::string>{"R",    "G",    "B",    "al.R", "al.G", "al.B", "dd.y.T",
@@ -92,7 +92,7 @@ TEST_CASE("an EXR has the scene's AOVs under its names, with the values of --aov
 
 TEST_CASE("shapes of groups have numbers of their own, behind the scene's") {
   const Folder folder;
-  std::string scene = scene_with("si:shape_index");
+  std::string scene = scene_with_aovs("si:shape_index");
   const std::string end = "</scene>";
   const auto ball = [](const std::string& center) {
     return "<shape type=\"sphere\"><point name=\"center\" value=\"" + center +
@@ -117,7 +117,7 @@ TEST_CASE("shapes of groups have numbers of their own, behind the scene's") {
 
 TEST_CASE("a part behind sample 0 has no layers of first samples, which is said; merge has them of the other part") {
   const Folder folder;
-  folder.file("scene.xml", scene_with("dd.y:depth"));
+  folder.file("scene.xml", scene_with_aovs("dd.y:depth"));
   const std::vector<std::string> options = {"scene.xml", "--aov", "shape_id,uv"};
   const auto part = [&](const std::string& samples, const std::string& name) {
     std::vector<std::string> all = options;
@@ -138,7 +138,7 @@ TEST_CASE("a part behind sample 0 has no layers of first samples, which is said;
 
 TEST_CASE("other files are without them, which is said once; they are not computed for them") {
   const Folder folder;
-  folder.file("scene.xml", scene_with("dd.y:depth, nn:sh_normal"));
+  folder.file("scene.xml", scene_with_aovs("dd.y:depth, nn:sh_normal"));
   for (const std::string name : {"out.png", "out.pfm"}) {
     const std::string said = succeed_on_pocl(folder, {"scene.xml", "-o", name, "--stats", "stats.json"}).err;
     CHECK(contains(said, name + ": without the scene's AOVs (dd.y, nn), which an .exr holds; --aov depth,normal writes "
@@ -155,7 +155,7 @@ TEST_CASE("other files are without them, which is said once; they are not comput
 
 TEST_CASE("parts and checkpoints keep the names, whatever file was written beside them") {
   const Folder folder;
-  folder.file("scene.xml", scene_with("dd.y:depth, si:shape_index"));
+  folder.file("scene.xml", scene_with_aovs("dd.y:depth, si:shape_index"));
   succeed_on_pocl(folder, {"scene.xml", "-o", "one.exr", "--aov", "uv"});
   succeed_on_pocl(folder, {"scene.xml", "--aov", "uv", "--samples", "0:3", "--checkpoint", "a.ckpt"});
   succeed_on_pocl(folder, {"scene.xml", "--aov", "uv", "--samples", "3:8", "--checkpoint", "b.ckpt"});
@@ -177,7 +177,7 @@ TEST_CASE("parts and checkpoints keep the names, whatever file was written besid
 
 TEST_CASE("integrators that begin on lights leave them out, with a warning; one name is not two values") {
   const Folder folder;
-  folder.file("scene.xml", scene_with("normal:position, n:sh_normal"));
+  folder.file("scene.xml", scene_with_aovs("normal:position, n:sh_normal"));
   const auto says = [&](const std::vector<std::string>& more, int code) {
     std::vector<std::string> arguments{"scene.xml", "-o", "x.exr", "-d", "no-such-device"};
     arguments.insert(arguments.end(), more.begin(), more.end());
@@ -193,7 +193,7 @@ TEST_CASE("integrators that begin on lights leave them out, with a warning; one 
   says({"--aov", "position"}, 4);
   says({"--aov", "normal", "-o", "x.png"}, 4);
   // The same value under the same name is one layer.
-  folder.file("scene.xml", scene_with("normal:sh_normal"));
+  folder.file("scene.xml", scene_with_aovs("normal:sh_normal"));
   succeed_on_pocl(folder, {"scene.xml", "-o", "x.exr", "--aov", "normal"});
   CHECK(strahl::read_image(folder.path("x.exr")).channels.size() == 6);
 }

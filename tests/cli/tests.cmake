@@ -18,6 +18,8 @@ foreach(test driver_environment render scene_aovs goals interrupt signals checkp
   strahl_test(cli/test_${test}.cpp LABEL device SOURCES cli/program.cpp LIBS nlohmann_json::nlohmann_json fmt::fmt)
 endforeach()
 strahl_runs_program(cli_tests)
+# The headers that most of them include take longer than they do.
+set_target_properties(cli_tests PROPERTIES UNITY_BUILD_BATCH_SIZE 0)
 add_test(NAME cli_test_checkpoint_kills COMMAND cli_tests "killed at any moment*")
 set_tests_properties(cli_test_checkpoint_kills PROPERTIES LABELS slow TIMEOUT 3600 ENVIRONMENT STRAHL_KILLS=50)
 add_test(NAME cli_test_parallel_recipe COMMAND ${CMAKE_CURRENT_LIST_DIR}/test_parallel_recipe $<TARGET_FILE:strahl-bin>

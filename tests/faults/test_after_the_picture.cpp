@@ -38,35 +38,27 @@ class LateFault {
     return folder_.run(options, environment, while_running);
   }
 
-  /// The names of a run's calls, in order.
-  [[nodiscard]] std::vector<std::string> calls(const std::vector<std::string>& more) const {
-    const Outcome outcome = run(more);
+  /// How many calls of this name a run makes. Others are not in a certain order: a thread clears films when it likes.
+  [[nodiscard]] std::string count(const std::string& name, const std::vector<std::string>& more) const {
+    const Outcome outcome = run(more, {{"STRAHL_CL_FAULT_NAME", name}});
     INFO(outcome.err);
     REQUIRE(outcome.code == 0);
-    std::istringstream log(read_text(folder_.path("calls.log")));
-    std::vector<std::string> names;
-    for (std::string line; std::getline(log, line);) names.push_back(line);
-    return names;
+    const std::string log = read_text(folder_.path("calls.log"));
+    return std::to_string(std::count(log.begin(), log.end(), '\n'));
   }
 
-  /// How many launches there were.
-  [[nodiscard]] int launches(const std::vector<std::string>& more) const {
-    const std::vector<std::string> all = calls(more);
-    return static_cast<int>(std::count(all.begin(), all.end(), launch_call));
-  }
-
-  /// Its last launch fails.
-  [[nodiscard]] Outcome fail_last_launch(const std::vector<std::string>& more) const {
+  /// The last call of this name does as `how` says.
+  [[nodiscard]] Outcome fault_in_last(const std::string& name, const std::vector<std::string>& more,
+                                      std::map<std::string, std::string> how,
+                                      const std::function<void(pid_t)>& while_running = {}) const {
     REQUIRE(run(more).code == 0);  // Fills the cache of programs: to build one takes calls, too.
-    const std::string last = std::to_string(last_of(launch_call, calls(more)));
-    return run(more, {{"STRAHL_CL_FAULT_CALL", last}, {"STRAHL_CL_FAULT_CODE", "-5"}});
+    how["STRAHL_CL_FAULT_NAME"] = name;
+    how["STRAHL_CL_FAULT_CALL"] = count(name, more);
+    return run(more, how, while_running);
   }
 
-  /// Counts from 1.
-  [[nodiscard]] static std::ptrdiff_t last_of(const std::string& name, const std::vector<std::string>& calls) {
-    const auto last = std::find(calls.rbegin(), calls.rend(), name);
-    REQUIRE(last != calls.rend());
-    return calls.rend() - last;
+  [[nodiscard]] Outcome fail_last_launch(const std::vector<std::string>& more) const {
+    return fault_in_last(launch_call, more, {{"STRAHL_CL_FAULT_CODE", "-5"}});
   }
 
   [[nodiscard]] Json stats() const { return Json::parse(read_text(folder_.path("stats.json"))); }
@@ -120,10 +112,10 @@ TEST_CASE("the run that counts rays fails: the statistics of the picture are wri
 TEST_CASE("rays are counted in launches of their own, however the picture is divided") {
   LateFault late;
   std::vector<std::string> options{"--spp", "128", "--passes", "128", "--stats", "stats.json"};
-  const int of_picture = late.launches(options);
+  const int of_picture = std::stoi(late.count(launch_call, options));
   CHECK(of_picture >= 128);
   options.emplace_back("--stats-detail");
-  CHECK(late.launches(options) - of_picture < 64);
+  CHECK(std::stoi(late.count(launch_call, options)) - of_picture < 64);
 }
 
 TEST_CASE("rays are counted of the samples of a run that a time ended, however few they were") {
@@ -168,19 +160,16 @@ TEST_CASE("rays are counted of the samples of a run that a time ended, however f
 TEST_CASE("a watchdog does not count what is built and traced after the last sample") {
   const LateFault late;
   const std::vector<std::string> options{"--aov", "numeric_error", "--watchdog", "1s", "--checkpoint", "c.ckpt"};
-  REQUIRE(late.run(options).code == 0);  // Fills the cache of programs, and asks the canary.
   // The last program is that of numeric_error, in double precision.
-  const std::string build = std::to_string(LateFault::last_of("clBuildProgram", late.calls(options)));
-  const Outcome slow = late.run(options, {{"STRAHL_CL_FAULT_CALL", build},
-                                          {"STRAHL_CL_FAULT_CODE", "slow"},
-                                          {"STRAHL_CL_FAULT_TIMES", "1"},
-                                          {"STRAHL_CL_FAULT_SECONDS", "2"}});
+  const Outcome slow = late.fault_in_last(
+      "clBuildProgram", options,
+      {{"STRAHL_CL_FAULT_CODE", "slow"}, {"STRAHL_CL_FAULT_TIMES", "1"}, {"STRAHL_CL_FAULT_SECONDS", "2"}});
   INFO(slow.err);
   CHECK(slow.code == 0);
   CHECK(fs::exists(late.folder().path("out.exr")));
   // Where it hangs, the last checkpoint is there.
   const Outcome hung =
-      late.run(options, {{"STRAHL_CL_FAULT_CALL", build}, {"STRAHL_CL_FAULT_CODE", "hang"}}, [&late](pid_t child) {
+      late.fault_in_last("clBuildProgram", options, {{"STRAHL_CL_FAULT_CODE", "hang"}}, [&late](pid_t child) {
         const std::string kept = late.folder().path("c.ckpt");
         for (int i = 0; i < 6000 && !fs::exists(kept); ++i) std::this_thread::sleep_for(5ms);
         CHECK(fs::exists(kept));

@@ -40,9 +40,9 @@ std::vector<std::string> lines_of(const std::string& text) {
 }
 
 /// A render that goes on from a checkpoint of 32 samples to 40, writing all that a render writes.
-class FaultyRender {
+class UnwritableRender {
  public:
-  FaultyRender() {
+  UnwritableRender() {
     const Outcome before = folder_.run(with(render, {"--spp", "32", "--checkpoint", "c.ckpt", "-o", "before.exr"}));
     INFO(before.err);
     REQUIRE(before.code == 0);
@@ -144,7 +144,7 @@ class FaultyRender {
 }  // namespace
 
 TEST_CASE("each call that writes fails in turn") {
-  FaultyRender faulty;
+  UnwritableRender faulty;
   // The checkpoint is flushed before it has its name, and its folder after it.
   const auto flushed = std::find(faulty.calls().begin(), faulty.calls().end(), "fsync");
   REQUIRE(faulty.calls().end() - flushed >= 3);
@@ -163,7 +163,7 @@ TEST_CASE("each call that writes fails in turn") {
 }
 
 TEST_CASE("killed at each call that writes, and tried again") {
-  FaultyRender faulty;
+  UnwritableRender faulty;
   const bool is_long = std::getenv("STRAHL_ALL_FAULTS") != nullptr;
   int left = 0;
   // Each sort of call at both ends at the least.

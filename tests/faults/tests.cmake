@@ -15,8 +15,6 @@ strahl_test(faults/test_memory.cpp LABEL device TIMEOUT 300)
 strahl_test(faults/test_film_copies.cpp LABEL device TIMEOUT 300)
 strahl_runs_program(faults_tests)
 add_dependencies(faults_tests fail_write fail_opencl fail_memory jump_clock count_memory)
-# Each test file has a render that fails.
-set_target_properties(faults_tests PROPERTIES UNITY_BUILD OFF)
 target_compile_definitions(faults_tests PRIVATE STRAHL_FAIL_WRITE="$<TARGET_FILE:fail_write>"
                                                 STRAHL_FAIL_OPENCL="$<TARGET_FILE:fail_opencl>"
                                                 STRAHL_FAIL_MEMORY="$<TARGET_FILE:fail_memory>"

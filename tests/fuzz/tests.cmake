@@ -20,14 +20,14 @@ if(STRAHL_FUZZ)
             PkgConfig::turbojpeg Threads::Threads ${CMAKE_DL_LIBS})
   target_link_options(fuzz_readers PRIVATE -fsanitize=fuzzer)
 else()
-  # Three seconds each; twenty minutes each with the label slow.
+  # A second each; twenty minutes each with the label slow.
   add_test(NAME fuzz_build COMMAND ${CMAKE_CURRENT_LIST_DIR}/run --build)
   set_tests_properties(fuzz_build PROPERTIES LABELS fuzz SKIP_RETURN_CODE 77 TIMEOUT 900 PROCESSORS 2 COST 60
                                              FIXTURES_SETUP fuzz)
   file(STRINGS ${CMAKE_CURRENT_LIST_DIR}/kinds.txt fuzz_kinds)
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${CMAKE_CURRENT_LIST_DIR}/kinds.txt)
   foreach(kind ${fuzz_kinds})
-    add_test(NAME fuzz_${kind} COMMAND ${CMAKE_CURRENT_LIST_DIR}/run --built 3 ${kind})
+    add_test(NAME fuzz_${kind} COMMAND ${CMAKE_CURRENT_LIST_DIR}/run --built 1 ${kind})
     set_tests_properties(fuzz_${kind} PROPERTIES LABELS fuzz SKIP_RETURN_CODE 77 TIMEOUT 120 FIXTURES_REQUIRED fuzz)
   endforeach()
   add_test(NAME fuzz_all_for_20_minutes COMMAND ${CMAKE_CURRENT_LIST_DIR}/run 1200)

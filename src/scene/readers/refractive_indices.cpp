@@ -10,7 +10,7 @@
 namespace strahl {
 namespace {
 
-constexpr std::array<std::pair<const char*, double>, 23> table{
+constexpr std::array<std::pair<const char*, double>, 23> indices_of_names{
     {{"vacuum", 1.0},      {"helium", 1.000036},        {"hydrogen", 1.000132},
      {"air", 1.000277},    {"carbon dioxide", 1.00045}, {"water", 1.3330},
      {"acetone", 1.36},    {"ethanol", 1.361},          {"carbon tetrachloride", 1.461},
@@ -28,14 +28,14 @@ bool is_same(std::string_view a, std::string_view b) {
 }  // namespace
 
 std::optional<double> refractive_index(std::string_view name) {
-  for (const auto& [known, index] : table)
+  for (const auto& [known, index] : indices_of_names)
     if (is_same(name, known)) return index;
   return std::nullopt;
 }
 
 std::vector<std::string> refractive_names() {
   std::vector<std::string> names;
-  for (const auto& [name, index] : table) names.emplace_back(name);
+  for (const auto& [name, index] : indices_of_names) names.emplace_back(name);
   return names;
 }
 
