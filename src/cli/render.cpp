@@ -214,7 +214,7 @@ ExitCode render(const RenderOptions& options, const Invocation& invocation) {
   Scene scene = load(options.scene, load_seconds);
   apply(options.overrides, scene);
   require_map_samples(options, scene);
-  for (const Diagnostic& warning : limitations(scene)) say(warning.text());
+  for (const Diagnostic& warning : limitations(scene, settings.disabled)) say(warning.text());
   const bool is_scaled_single = settings.precision == Precision::stable || settings.precision == Precision::robust;
   if (const auto warning = too_wide_for_single(scene); warning && is_scaled_single) say(warning->text());
   if (settings.precision != Precision::fp64)

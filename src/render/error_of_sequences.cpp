@@ -37,7 +37,7 @@ static_assert(sequences == 2 && layout::FILM_SUBSUMS == 2 * sequences);
 constexpr int tile_side = rows_per_band;
 
 /// One pixel in so many may have no halves: of filters with negative parts weights may cancel.
-constexpr std::size_t pixels_per_lone = 100;
+constexpr std::size_t pixels_for_one = 100;
 
 /// The differences between a pixel's sums.
 struct Differences {
@@ -223,7 +223,7 @@ PictureError LawOfSequences::tell() const {
     without_halves += band.without_halves;
   }
   if (!(all.alone > 0)) return picture;
-  const bool has_halves = without_halves * pixels_per_lone <= pixels;
+  const bool has_halves = without_halves * pixels_for_one <= pixels;
   const bool has_neighbours = has_halves && all.whole_beside > 0 && all.half > 0 && all.half_beside > 0;
   const double by_one = most_alone * (std::sqrt(most_alone) / all.spread) / 2;
   picture.variance = overlap_ * all.alone;

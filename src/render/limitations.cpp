@@ -7,6 +7,7 @@
 #include <limits>
 #include <optional>
 #include <set>
+#include <string>
 #include <variant>
 
 #include "kinds/entries.h"
@@ -20,6 +21,7 @@
 #include "scene/beams.h"
 #include "scene/light_path_fault.h"
 #include "scene/open_media.h"
+#include "settings/sampling.h"
 
 namespace strahl {
 
@@ -137,9 +139,17 @@ const char* finder_of_beams(const Scene& scene) {
                              : "ptracer and bdpt do where there are no media";
 }
 
+/// What draws the places of samples from the pixel filter; empty: samples count in every pixel that it reaches.
+std::string what_draws_from_filter(const Scene& scene, const std::set<std::string>& disabled) {
+  if (kinds::integrator(scene.integrator.name).from_lights) return fmt::format("integrator {}", scene.integrator.name);
+  const bool is_spread = resolve_sampling(scene).kind != SamplerKind::centre && !disabled.contains("PIXEL_FILTER");
+  if (is_spread && disabled.contains("SHARED_SAMPLES")) return "a program without SHARED_SAMPLES";
+  return {};
+}
+
 }  // namespace
 
-std::vector<Diagnostic> limitations(const Scene& scene) {
+std::vector<Diagnostic> limitations(const Scene& scene, const std::set<std::string>& disabled) {
   std::vector<Diagnostic> warnings;
   if (const std::optional<std::string> why = emptiness(scene))
     warnings.push_back(
@@ -159,10 +169,12 @@ std::vector<Diagnostic> limitations(const Scene& scene) {
                  "what this material mirrors, or lets through unbent, is left out where the camera looks at it: "
                  "integrator {} joins surfaces with the camera, which mirrors and glass do not allow; {}",
                  scene.integrator.name, light_path_fault(scene, "bdpt") ? "path shows it" : "path and bdpt show it"));
-  if (kinds::integrator(scene.integrator.name).from_lights && !kinds::is_density(scene.film.filter))
-    warn(scene.film.where, fmt::format("the pixel filter has negative parts, from which integrator {} cannot draw; a "
-                                       "gaussian takes its place",
-                                       scene.integrator.name));
+  if (const std::string drawer = what_draws_from_filter(scene, disabled);
+      !drawer.empty() && !kinds::is_density(scene.film.filter))
+    warn(scene.film.where,
+         fmt::format("the pixel filter has negative parts, from which {} cannot draw; a gaussian takes "
+                     "its place",
+                     drawer));
   if (kinds::integrator(scene.integrator.name).is_lit() && !kinds::integrator(scene.integrator.name).from_lights)
     for (const SourceLocation& beam : beams_of(scene))
       warn(beam, fmt::format("this emitter's light is left out: each of its places shines in one direction, so that "

@@ -3,14 +3,17 @@
 #pragma once
 
 #include <optional>
+#include <set>
+#include <string>
 #include <vector>
 
 #include "scene/model/scene.h"
 
 namespace strahl {
 
-/// Warnings in scene order; empty where the picture will show all that the scene asks for.
-[[nodiscard]] std::vector<Diagnostic> limitations(const Scene& scene);
+/// Warnings in scene order; empty where the picture will show all that the scene asks for. disabled: effects that are
+/// left out (RenderSettings::disabled).
+[[nodiscard]] std::vector<Diagnostic> limitations(const Scene& scene, const std::set<std::string>& disabled = {});
 
 /// For the tiers of single precision that scale the scene (kinds/upload_frame.h): a shape so far away that its range
 /// does not hold the squares of the smallest shape as well.

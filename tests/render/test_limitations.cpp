@@ -212,6 +212,31 @@ TEST_CASE("direct names materials of shapes that it shows as nothing but emitter
   CHECK(named(placed, -1, "direct") == std::vector<int>{1});
 }
 
+TEST_CASE("who draws a gaussian where the filter has negative parts is named") {
+  const auto drawer = [](const char* integrator, FilterKind filter, SamplerKind sampler,
+                         const std::set<std::string>& disabled) {
+    Scene scene = scene_of(integrator);
+    scene.film.filter = {filter};
+    scene.sampler.kind = sampler;
+    const std::string before = "the pixel filter has negative parts, from which ", after = " cannot draw; a gaussian";
+    for (const Diagnostic& one : limitations(scene, disabled))
+      if (one.message.starts_with(before))
+        return one.message.substr(before.size(), one.message.find(after) - before.size());
+    return std::string();
+  };
+  constexpr SamplerKind sobol = SamplerKind::sobol;
+  for (const FilterKind filter : {FilterKind::mitchell, FilterKind::catmullrom, FilterKind::lanczos}) {
+    CHECK(drawer("path", filter, sobol, {"SHARED_SAMPLES"}) == "a program without SHARED_SAMPLES");
+    CHECK(drawer("ptracer", filter, sobol, {}) == "integrator ptracer");
+    CHECK(drawer("bdpt", filter, sobol, {}) == "integrator bdpt");
+    CHECK(drawer("path", filter, sobol, {}).empty());
+    CHECK(drawer("path", filter, sobol, {"SHARED_SAMPLES", "PIXEL_FILTER"}).empty());
+    CHECK(drawer("path", filter, SamplerKind::centre, {"SHARED_SAMPLES"}).empty());
+  }
+  CHECK(drawer("path", FilterKind::gaussian, sobol, {"SHARED_SAMPLES"}).empty());
+  CHECK(drawer("ptracer", FilterKind::tent, sobol, {}).empty());
+}
+
 TEST_CASE("beams are named where the integrator cannot find them") {
   const auto beams = [](Scene scene, const char* integrator) {
     scene.integrator.name = integrator;
