@@ -169,12 +169,10 @@ std::vector<Diagnostic> limitations(const Scene& scene, const std::set<std::stri
                  "what this material mirrors, or lets through unbent, is left out where the camera looks at it: "
                  "integrator {} joins surfaces with the camera, which mirrors and glass do not allow; {}",
                  scene.integrator.name, light_path_fault(scene, "bdpt") ? "path shows it" : "path and bdpt show it"));
-  if (const std::string drawer = what_draws_from_filter(scene, disabled);
-      !drawer.empty() && !kinds::is_density(scene.film.filter))
+  const std::string drawer = what_draws_from_filter(scene, disabled);
+  if (!drawer.empty() && !kinds::is_density(scene.film.filter))
     warn(scene.film.where,
-         fmt::format("the pixel filter has negative parts, from which {} cannot draw; a gaussian takes "
-                     "its place",
-                     drawer));
+         "the pixel filter has negative parts, from which " + drawer + " cannot draw; a gaussian takes its place");
   if (kinds::integrator(scene.integrator.name).is_lit() && !kinds::integrator(scene.integrator.name).from_lights)
     for (const SourceLocation& beam : beams_of(scene))
       warn(beam, fmt::format("this emitter's light is left out: each of its places shines in one direction, so that "

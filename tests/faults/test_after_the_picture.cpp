@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 #include <chrono>
 #include <csignal>
+#include <cstddef>
 #include <filesystem>
 #include <functional>
 #include <map>
@@ -38,12 +39,12 @@ class LateFault {
   }
 
   /// How many calls of this name a run makes. Others are not in a certain order: a thread clears films when it likes.
-  [[nodiscard]] std::string count(const std::string& name, const std::vector<std::string>& more) const {
+  [[nodiscard]] std::ptrdiff_t count(const std::string& name, const std::vector<std::string>& more) const {
     const Outcome outcome = run(more, {{"STRAHL_CL_FAULT_NAME", name}});
     INFO(outcome.err);
     REQUIRE(outcome.code == 0);
     const std::string log = read_text(folder_.path("calls.log"));
-    return std::to_string(std::count(log.begin(), log.end(), '\n'));
+    return std::count(log.begin(), log.end(), '\n');
   }
 
   /// The last call of this name does as `how` says.
@@ -52,7 +53,7 @@ class LateFault {
                                       const std::function<void(pid_t)>& while_running = {}) const {
     REQUIRE(run(more).code == 0);  // Fills the cache of programs: to build one takes calls, too.
     how["STRAHL_CL_FAULT_NAME"] = name;
-    how["STRAHL_CL_FAULT_CALL"] = count(name, more);
+    how["STRAHL_CL_FAULT_CALL"] = std::to_string(count(name, more));
     return run(more, how, while_running);
   }
 
@@ -111,10 +112,10 @@ TEST_CASE("the run that counts rays fails: the statistics of the picture are wri
 TEST_CASE("rays are counted in launches of their own, however the picture is divided") {
   LateFault late;
   std::vector<std::string> options{"--spp", "128", "--passes", "128", "--stats", "stats.json"};
-  const int of_picture = std::stoi(late.count(launch_call, options));
+  const std::ptrdiff_t of_picture = late.count(launch_call, options);
   CHECK(of_picture >= 128);
   options.emplace_back("--stats-detail");
-  CHECK(std::stoi(late.count(launch_call, options)) - of_picture < 64);
+  CHECK(late.count(launch_call, options) - of_picture < 64);
 }
 
 TEST_CASE("rays are counted of the samples of a run that a time ended, however few they were") {
