@@ -5,7 +5,7 @@
 // [sample_first, sample_first + sample_count) of each of them. Values that are the
 // same for all pixels are arguments where every pixel needs them: PoCL evaluates arguments once for a row of
 // work-items, but reads buffers for each. Samples that count in several pixels wait for a second kernel
-// (kernels/share_samples.h).
+// (kernels/share_samples.cl).
 #include "math/vec3.h"
 #include "lanes/lane_ops.h"
 #include "accel/traverse.h"
@@ -210,7 +210,6 @@ FN void render_span_w(Scene scene, Span span, FirstSamples first, SpanFilm film)
 }
 
 #if HAS_SHARED_SAMPLES
-#include "kernels/share_samples.h"
 #define FILM_OR_RING GLOBAL real* ring
 #else
 #define FILM_OR_RING GLOBAL long* film

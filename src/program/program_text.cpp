@@ -30,6 +30,13 @@ ProgramSource program_source(const KernelFiles& files, const std::string& root, 
   return source;
 }
 
+ProgramSource sharing_source(const Features& features, Precision precision, int lanes) {
+  Features few = no_features(false);
+  for (auto& [name, on] : few.flags)
+    if (name == "SHARED_SAMPLES" || name == "MOMENT" || name == "ERROR_SUMS") on = features.flag(name);
+  return program_source("kernels/share_samples.cl", few, precision, lanes, 0, false, lanes);
+}
+
 Width width_of(const RenderSettings& settings, unsigned native_vector_width) {
   if (settings.bvh_width) return {lanes_of_tree(*settings.bvh_width), *settings.bvh_width};
   const int lanes = settings.lanes.value_or(default_lanes(native_vector_width, settings.precision));

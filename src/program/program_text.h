@@ -18,6 +18,10 @@ namespace strahl {
                                            Precision precision, int lanes, int tree_width = 0, bool has_tree = true,
                                            int path_lanes = 1);
 
+/// What takes shared samples from the ring into the film (kernels/share_samples.cl): of all scenes the same whose films
+/// hold the same sums. features: of the program that follows their paths; lanes: in which it does.
+[[nodiscard]] ProgramSource sharing_source(const Features& features, Precision precision, int lanes);
+
 /// Primitives tested at a time, and children of a node.
 struct Width {
   int lanes;  ///< 1, 8 or 16.

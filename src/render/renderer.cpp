@@ -54,7 +54,13 @@ Renderer::State::Choice Renderer::State::choose_program() {
   stats.lanes = choice.width.lanes;
   source = program_source(kinds::integrator(scene.integrator.name).kernel(), features, settings.precision,
                           choice.width.lanes, choice.width.tree, has_tree, choice.paths);
+  if (shares_samples()) sharing_source = strahl::sharing_source(features, settings.precision, choice.paths);
   return choice;
+}
+
+bool Renderer::State::are_programs_cached() const {
+  return strahl::is_program_cached(device, source) &&
+         (!sharing_source || strahl::is_program_cached(device, *sharing_source));
 }
 
 void Renderer::State::prepare() {
@@ -93,12 +99,15 @@ void Renderer::State::prepare() {
   stats.host_bytes = stats.scene_bytes = buffers.bytes;
 
   const Stopwatch program_start;
-  ProgramReport report;
-  const cl::Program program = program_on(device, source, &report, settings.cached_program);
-  kernel = checked(device.info().text(), [&] { return cl::Kernel(program, "render"); });
+  ProgramReport report, sharing_report{0, true, 0};
+  const auto kernel_of = [&](const ProgramSource& text, const char* name, ProgramReport& how) {
+    const cl::Program program = program_on(device, text, &how, settings.cached_program);
+    return checked(device.info().text(), [&] { return cl::Kernel(program, name); });
+  };
+  kernel = kernel_of(source, "render", report);
   shape = LaunchShape(group_limits(device, kernel), paths, settings.work_group);
-  if (shares_samples()) {
-    sharing_kernel = checked(device.info().text(), [&] { return cl::Kernel(program, "share_samples"); });
+  if (sharing_source) {
+    sharing_kernel = kernel_of(*sharing_source, "share_samples", sharing_report);
     sharing_shape = LaunchShape(group_limits(device, sharing_kernel), paths, settings.work_group);
     ring.emplace(device, taps_of(scene, features).reach, real_bytes());
     static_cast<void>(ring->prepare({0, 0, 1, 1, 0, 1}, 1, ring_memory()));  // A buffer that the kernels can be given.
@@ -113,8 +122,8 @@ void Renderer::State::prepare() {
   stats.tree_width = width.tree;
   stats.tree = buffers.tree;
   stats.program = program_hash(source);
-  stats.program_from_cache = report.from_cache;
-  stats.program_bytes = report.binary_bytes;
+  stats.program_from_cache = report.from_cache && sharing_report.from_cache;
+  stats.program_bytes = report.binary_bytes + sharing_report.binary_bytes;
   stats.private_bytes = checked(device.info().text(),
                                 [&] { return kernel.getWorkGroupInfo<CL_KERNEL_PRIVATE_MEM_SIZE>(device.device()); });
   stats.texture_lod = features.flag("TEXTURE_LOD");
@@ -297,7 +306,7 @@ std::string Renderer::program_text() const { return completed_for(state_->device
 bool Renderer::is_program_cached(const Device& device, const Scene& scene, const RenderSettings& settings) {
   State state(device, shared(scene, settings), settings);
   static_cast<void>(state.choose_program());
-  return strahl::is_program_cached(device, state.source);
+  return state.are_programs_cached();
 }
 
 std::optional<double> Renderer::build_seconds() const {
@@ -306,8 +315,9 @@ std::optional<double> Renderer::build_seconds() const {
 }
 
 bool Renderer::load_program_again() const {
-  if (!strahl::is_program_cached(state_->device, state_->source)) return false;
+  if (!state_->are_programs_cached()) return false;
   static_cast<void>(build_program(state_->device, state_->source));
+  if (state_->sharing_source) static_cast<void>(build_program(state_->device, *state_->sharing_source));
   return true;
 }
 

@@ -71,6 +71,7 @@ struct Renderer::State {
   RenderSettings settings;
   Features features;
   ProgramSource source;
+  std::optional<ProgramSource> sharing_source;  ///< Where pixels share samples.
   /// Found once: it looks at every shape. The textbook's renderer keeps world coordinates, with all their rounding.
   UploadFrame frame;
   ResolvedSampling sampling{};
@@ -156,8 +157,10 @@ struct Renderer::State {
     TraversalChoice traversal;
     int paths = 1;
   };
-  /// Fills in `features` and `source`; nothing is built or uploaded.
+  /// Fills in `features` and the sources; nothing is built or uploaded.
   Choice choose_program();
+  /// Nothing has to be compiled.
+  [[nodiscard]] bool are_programs_cached() const;
   void prepare();
   /// Pixels of a work-item, so that their samples fill a pool.
   [[nodiscard]] int span_columns(const Launch& launch) const;

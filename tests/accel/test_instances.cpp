@@ -11,7 +11,7 @@ using namespace strahl::test;
 namespace {
 
 Device device() {
-  require_pocl_and_rusticl();
+  require_pocl();
   return Device::open("pocl");
 }
 

@@ -14,7 +14,7 @@ inline const std::string shared_data = STRAHL_SOURCE_DIR "/../shared/data/";
 
 /// On PoCL, which may not be missing.
 inline RenderResult picture(const Scene& scene, const RenderSettings& settings = {}) {
-  require_pocl_and_rusticl();
+  require_pocl();
   return Renderer(Device::open("pocl"), scene, settings).render();
 }
 

@@ -18,7 +18,7 @@ const std::vector<Precision> tiers{Precision::fast, Precision::robust};
 }  // namespace
 
 TEST_CASE("every workload hits and misses, and the tiers answer it right") {
-  require_pocl_and_rusticl();
+  require_pocl();
   const Device device = Device::open("pocl");
   std::vector<bench::Timing> timings;
   for (const std::string& name : bench::primitive_names()) {
@@ -40,7 +40,7 @@ TEST_CASE("every workload hits and misses, and the tiers answer it right") {
 }
 
 TEST_CASE("wrong hits have no time") {
-  require_pocl_and_rusticl();
+  require_pocl();
   const Device device = Device::open("pocl");
   bench::Workload workload = bench::primitive_workload("sphere", 512);
   REQUIRE_NOTHROW(bench::time_tiers(device, workload, tiers, 1));

@@ -10,7 +10,7 @@
 using namespace strahl;
 
 TEST_CASE("effects of a scene with each sampler") {
-  test::require_pocl_and_rusticl();
+  test::require_pocl();
   bench::EffectsOptions options;
   options.folder = STRAHL_SOURCE_DIR "/scenes/";
   for (const char* name : {"cornell/cornell-box.xml", "accuracy/far-pebble.xml", "lecture/first-light.xml"})
@@ -32,7 +32,7 @@ TEST_CASE("effects of a scene with each sampler") {
 }
 
 TEST_CASE("a row for each effect: from the scene of its name, else from the first that has it") {
-  test::require_pocl_and_rusticl();
+  test::require_pocl();
   bench::EffectsOptions options;
   options.folder = STRAHL_SOURCE_DIR "/scenes/";
   for (const char* name : {"shapes/disk.xml", "shapes/plane.xml"}) options.scenes.push_back(options.folder + name);

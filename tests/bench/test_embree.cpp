@@ -28,7 +28,7 @@ Scene every_shape() {
 }
 
 TEST_CASE("Embree answers as strahl does, whatever it is asked") {
-  require_pocl_and_rusticl();
+  require_pocl();
   REQUIRE(has_embree());
   const Scene scene = every_shape();
   const Device device = Device::open("pocl");
@@ -56,7 +56,7 @@ TEST_CASE("Embree answers as strahl does, whatever it is asked") {
 }
 
 TEST_CASE("Embree's builder is a yardstick for strahl's") {
-  require_pocl_and_rusticl();
+  require_pocl();
   const Device device = Device::open("pocl");
   for (const Scene& scene : {sphereflake(3), terrain(20000), box_lattice(10), tetra(5)}) {
     INFO(scene.name);

@@ -160,7 +160,7 @@ TEST_CASE("the line at 1 lies within bars that are all lower") {
 }
 
 TEST_CASE("strahl races against itself") {
-  require_pocl_and_rusticl();
+  require_pocl();
   const Device device = Device::open("pocl");
   const Traversal all = measure_traversal(device,
                                           {{"ten", "lattice-2"},

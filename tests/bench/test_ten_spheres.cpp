@@ -11,7 +11,7 @@
 using namespace strahl;
 
 TEST_CASE("ten spheres by a kernel of their own") {
-  test::require_pocl_and_rusticl();
+  test::require_pocl();
   const Device device = Device::open("pocl", {true});
   std::vector<Precision> precisions{Precision::robust};
   if (std::getenv("STRAHL_ALL_TIERS") != nullptr)

@@ -143,7 +143,7 @@ TEMPLATE_TEST_CASE("arbitrary bits, on the host", "", float, double) {
 }
 
 TEST_CASE("arbitrary bits, on PoCL") {
-  require_pocl_and_rusticl();
+  require_pocl();
   const Device device = Device::open("pocl", {true});
   const std::vector<Ray> rays = any_rays<float>(30000);
   for (const Precision precision : {Precision::fast, Precision::stable, Precision::robust, Precision::fp64})

@@ -284,7 +284,7 @@ TEMPLATE_TEST_CASE("the rims of a cylinder belong to it, from outside and inside
 }
 
 TEST_CASE("a sample on the device has the host's answers") {
-  require_pocl_and_rusticl();
+  require_pocl();
   const Device pocl = Device::open("pocl");
   sample_on_device<SphereCases>(pocl);
   sample_on_device<CylinderCases>(pocl);

@@ -85,7 +85,7 @@ TEST_CASE("padding is never hit, on the host") {
 }
 
 TEST_CASE("the lowest id wins, on PoCL") {
-  require_pocl_and_rusticl();
+  require_pocl();
   const Device device = Device::open("pocl");
   RenderSettings settings;
   settings.generic = true;

@@ -42,7 +42,7 @@ TEMPLATE_TEST_CASE("exactly one hit from inside, on the host", "", float, double
 }
 
 TEST_CASE("exactly one hit from inside, on PoCL") {
-  require_pocl_and_rusticl();
+  require_pocl();
   const Device device = Device::open("pocl");
   for (const auto& [name, surface] : closed_surfaces()) {
     INFO(name);

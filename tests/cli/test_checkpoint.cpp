@@ -120,8 +120,10 @@ TEST_CASE("interrupted, it keeps picture and checkpoint, and goes on with other 
     REQUIRE(stopped.code == 128 + signal);
     CHECK(contains(stopped.err, "--resume goes on from there"));
     CHECK(strahl::read_image(folder.path("part.exr")).metadata.count("incomplete") == 1);
-    succeed(folder, options + std::vector<std::string>{"-o", "out.exr", "--resume", "c.ckpt", "--passes", "3",
-                                                       "--lanes", "1", "--paths", "one"});
+    std::vector<std::string> resume{"-o", "out.exr", "--resume", "c.ckpt"};
+    // One lane takes ten times as long.
+    if (signal == SIGINT) resume = resume + std::vector<std::string>{"--passes", "3", "--lanes", "1", "--paths", "one"};
+    succeed(folder, options + resume);
     require_same_picture(folder, "one.exr", "out.exr");
   }
 }

@@ -118,7 +118,8 @@ TEST_CASE("double is asked for by name: a device without it is refused, whatever
   const Folder folder;
   folder.file("scene.xml", glowing_sphere);
   const Outcome outcome =
-      folder.run({"tradeoff", "scene.xml", "-d", "llvmpipe", "--precision", "double", "--no-canary"});
+      folder.run({"tradeoff", "scene.xml", "-d", "llvmpipe", "--precision", "double", "--no-canary"},
+                 {{"RUSTICL_ENABLE", "llvmpipe"}});
   INFO(outcome.err);
   CHECK(outcome.code == 4);
   CHECK_FALSE(contains(outcome.err, "canary"));

@@ -35,7 +35,7 @@ class SharedRender {
     environment["STRAHL_CL_FAULT_LOG"] = folder_.path("calls.log");
     std::vector<std::string> options{STRAHL_SOURCE_DIR "/scenes/cornell/cornell-box.xml",
                                      "--width",
-                                     "24",
+                                     "12",  // llvmpipe, left alone, takes a tenth of a second for a launch of that.
                                      "--spp",
                                      "20",
                                      "-d",

@@ -39,7 +39,8 @@ const Features& every(bool on) {
 /// name -> features, one effect alone. What effects do with numbers they do in robust as in every tier; shapes do not.
 std::vector<std::pair<std::string, Features>> singles(const std::string& kernel, Precision precision) {
   std::vector<std::pair<std::string, Features>> sets;
-  if (kernel.starts_with("intersect_") || kernel == "probe" || kernel == "light_tracing") return sets;
+  if (kernel.starts_with("intersect_") || kernel == "probe" || kernel == "light_tracing" || kernel == "share_samples")
+    return sets;
   const bool is_robust = precision == Precision::robust;
   if (kernel == "bidirectional" && !is_robust) return sets;
   const bool has_all = is_robust && kernel != "intersect";
@@ -105,6 +106,8 @@ void write(const Wanted& wanted, const std::string& kernel, const std::string& s
   static std::unordered_set<std::string> written;
   const std::string name = fmt::format("{}-{}-{}-{}.cl", kernel, precision_name(precision), lanes, set);
   if (!wanted.name.empty() && name != wanted.name) return;
+  // It is about paths alone, and has their lanes.
+  if (kernel == "share_samples") path_lanes = lanes;
   const std::string text = program_source("kernels/" + kernel + ".cl", completed(kernel, features), precision, lanes, 0,
                                           has_tree, path_lanes)
                                .text;
@@ -119,8 +122,9 @@ void write(const Wanted& wanted, const std::string& kernel, const std::string& s
 int main(int count, char** arguments) {
   if (count != 2 && count != 3) return 2;
   const Wanted wanted{arguments[1], count == 3 ? arguments[2] : ""};
-  for (const std::string kernel : {"render", "light_tracing", "bidirectional", "intersect", "intersect_packets",
-                                   "intersect_any", "intersect_any_packets", "probe", "canary", "bandwidth"})
+  for (const std::string kernel :
+       {"render", "light_tracing", "bidirectional", "intersect", "intersect_packets", "intersect_any",
+        "intersect_any_packets", "probe", "canary", "bandwidth", "share_samples"})
     for (const Precision precision : {Precision::fast, Precision::stable, Precision::robust, Precision::fp64}) {
       if (!wanted.name.empty() && !wanted.name.starts_with(kernel + "-" + precision_name(precision) + "-")) continue;
       const int widest = default_lanes(16, precision);

@@ -17,7 +17,7 @@ double rmse_against_double(const Scene& scene, const Image& reference, Precision
 }
 
 void hold(const std::string& name) {
-  require_pocl_and_rusticl();
+  require_pocl();
   const Scene scene = small_scene(scene_folder / ("accuracy/" + name + ".xml"), 64, 64, 4);
   RenderSettings in_double;
   in_double.precision = Precision::fp64;

@@ -22,7 +22,7 @@ Scene roofed(double max_distance) {
 }
 
 TEST_CASE("a floor under a disk sees what the disk leaves of the sky") {
-  require_pocl_and_rusticl();
+  require_pocl();
   for (const Precision precision : {Precision::stable, Precision::fp64}) {
     const Image image = color(roofed(std::numeric_limits<double>::infinity()), precision);
     double sum = 0, truth = 0, worst = 0;
@@ -42,7 +42,7 @@ TEST_CASE("a floor under a disk sees what the disk leaves of the sky") {
 }
 
 TEST_CASE("what is beyond the reach does not count") {
-  require_pocl_and_rusticl();
+  require_pocl();
   for (const float value : color(roofed(0.99 * height)).data) CHECK(value == 1);
   // Straight up the disk is within reach, towards its rim it is not.
   const Image image = color(roofed(1.2 * height));
@@ -51,7 +51,7 @@ TEST_CASE("what is beyond the reach does not count") {
 }
 
 TEST_CASE("nothing is open where nothing is hit, and both sides of a surface are sides") {
-  require_pocl_and_rusticl();
+  require_pocl();
   Scene scene = stage({Rectangle{{-1, -1, 0}, {0, 2, 0}, {2, 0, 0}}});
   scene.integrator.name = "ao";
   const Image image = color(scene);
@@ -60,7 +60,7 @@ TEST_CASE("nothing is open where nothing is hit, and both sides of a surface are
 }
 
 TEST_CASE("materials and lamps do not matter, whatever else the program holds") {
-  require_pocl_and_rusticl();
+  require_pocl();
   Material half = diffuse({0.5, 0.5, 0.5});
   half.opacity = Reflectance{{0.5, 0.5, 0.5}};
   Scene scene = stage({floor_plane(), Disk{{0, 0, 1}, {1, 0, 0}, {0, 1, 0}}}, half);

@@ -92,7 +92,7 @@ void hold_picture(const Image& image, const std::function<double(const Vec3&)>& 
 }
 
 void hold(const std::string& what, Scene scene, const std::function<double(const Vec3&)>& form) {
-  require_pocl_and_rusticl();
+  require_pocl();
   using Case = std::pair<const char*, SamplerKind>;
   for (const auto& [integrator, sampler] :
        {Case{"direct", SamplerKind::independent}, Case{"direct", SamplerKind::sobol},
@@ -195,7 +195,7 @@ TEST_CASE("a cylinder") {
 
 // Below the tube all ways to its far inside lead through its near side; others come out of its ends.
 TEST_CASE("a cylinder that shines inwards is in the way of its own light") {
-  require_pocl_and_rusticl();
+  require_pocl();
   Scene scene = floor_below(Cylinder{{-0.4, 0, 1.2}, {0.4, 0, 1.2}, 0.4, {0, 0, 1}}, true);
   scene.integrator.name = "whitted";
   for (const Precision precision : {Precision::robust, Precision::stable}) {
@@ -206,7 +206,7 @@ TEST_CASE("a cylinder that shines inwards is in the way of its own light") {
 }
 
 TEST_CASE("the fast tier draws all around a cylinder and a sphere") {
-  require_pocl_and_rusticl();
+  require_pocl();
   for (const Geometry& emitter :
        {Geometry{Cylinder{{-0.5, 0, 1.5}, {0.5, 0, 1.5}, 0.2, {0, 0, 1}}}, Geometry{Sphere{{0, 0, 1.5}, 0.5}}}) {
     Scene scene = floor_below(emitter);

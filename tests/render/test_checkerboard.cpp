@@ -21,7 +21,7 @@ Scene board(const std::array<double, 6>& to_uv) {
 double fraction(double x) { return x - std::floor(x); }
 
 TEST_CASE("squares of 1/2, on both sides of 0, by Mitsuba's rule") {
-  require_pocl_and_rusticl();
+  require_pocl();
   // A pixel is 1/12 wide, below half a square.
   for (const std::array<double, 6>& m : {std::array<double, 6>{1, 0, 0, 0, 1, 0}, {0.5, 0.25, 0.01, -0.25, 0.5, -7.77}})
     for (const Precision precision : exact_tiers) {
@@ -45,7 +45,7 @@ TEST_CASE("squares of 1/2, on both sides of 0, by Mitsuba's rule") {
 }
 
 TEST_CASE("a pixel wider than half a square shows the mean over its own size") {
-  require_pocl_and_rusticl();
+  require_pocl();
   // Six squares a pixel: exactly as much of one colour as of the other.
   const Image even = color(board({36, 0, 0, 0, 36, 0}), Precision::fp64);
   for (std::size_t i = 0; i < even.data.size(); i += 3) REQUIRE(even.data[i] == Approx(0.625).epsilon(1e-6));
@@ -68,7 +68,7 @@ TEST_CASE("a pixel wider than half a square shows the mean over its own size") {
 }
 
 TEST_CASE("samples that are spread filter by themselves: the board is not blurred a second time") {
-  require_pocl_and_rusticl();
+  require_pocl();
   const double scale = 6.1, width = scale / 12;
   Scene scene = board({scale, 0, 0, 0, scale, 0});
   scene.sampler.kind = SamplerKind::sobol;
@@ -89,7 +89,7 @@ TEST_CASE("samples that are spread filter by themselves: the board is not blurre
 }
 
 TEST_CASE("towards the horizon the board fades to even grey") {
-  require_pocl_and_rusticl();
+  require_pocl();
   constexpr int size = 96;
   Scene scene = small_scene(scene_folder / "accuracy/checkerboard.xml", size, size, 1);
   scene.sampler.kind = SamplerKind::centre;

@@ -16,7 +16,7 @@ namespace {
 double rounding(Precision precision) { return precision == Precision::fp64 ? 1e-7 : 1e-6; }
 
 TEST_CASE("a point light over a plane: rho / pi I cos / d^2") {
-  require_pocl_and_rusticl();
+  require_pocl();
   const Vec3 at{0.3, -0.4, 1.5};
   Scene scene = stage({floor_plane()}, diffuse({0.8, 0.5, 0.25}));
   scene.lights = {light(PointLight{at, {10, 5, 2}})};
@@ -38,7 +38,7 @@ TEST_CASE("a point light over a plane: rho / pi I cos / d^2") {
 }
 
 TEST_CASE("a directional light: rho / pi E cos") {
-  require_pocl_and_rusticl();
+  require_pocl();
   Scene scene = stage({floor_plane()}, diffuse({0.6, 0.6, 0.6}));
   scene.lights = {light(DirectionalLight{{1, 2, -2}, {3, 2, 1}})};
   for (const Precision precision : asked_tiers()) {
@@ -53,7 +53,7 @@ TEST_CASE("a directional light: rho / pi E cos") {
 }
 
 TEST_CASE("a lens sees a disk out of focus from a part of itself, and one in focus from everywhere") {
-  require_pocl_and_rusticl();
+  require_pocl();
   constexpr double focus = 4, aperture = 0.5, radius = 0.125;
   for (const double depth : {3.0, 4.0, 7.0}) {
     Scene scene = stage({Disk{{0, 0, -depth}, {radius, 0, 0}, {0, radius, 0}}});
@@ -72,7 +72,7 @@ TEST_CASE("a lens sees a disk out of focus from a part of itself, and one in foc
 }
 
 TEST_CASE("several lights add up") {
-  require_pocl_and_rusticl();
+  require_pocl();
   Scene scene = stage({floor_plane()});
   const Light first = light(DirectionalLight{{0, 0, -1}, {1, 1, 1}}), second = light(PointLight{{0, 0, 2}, {1, 1, 1}});
   scene.lights = {first};
@@ -85,7 +85,7 @@ TEST_CASE("several lights add up") {
 }
 
 TEST_CASE("emission is the colour that was given, exactly") {
-  require_pocl_and_rusticl();
+  require_pocl();
   Scene scene = stage({Rectangle{{-2, -2, 0}, {4, 0, 0}, {0, 4, 0}}});
   scene.shapes[0].radiance = Rgb{0.1, 1.7, 3.3};
   for (const char* integrator : {"emission", "direct"})
@@ -100,7 +100,7 @@ TEST_CASE("emission is the colour that was given, exactly") {
 }
 
 TEST_CASE("depth is the distance along the ray") {
-  require_pocl_and_rusticl();
+  require_pocl();
   Scene scene = stage({floor_plane()});
   scene.integrator.name = "depth";
   scene.camera.projection = Projection::perspective;
@@ -119,7 +119,7 @@ TEST_CASE("depth is the distance along the ray") {
 }
 
 TEST_CASE("normals of a sphere") {
-  require_pocl_and_rusticl();
+  require_pocl();
   const double radius = 1.3;
   Scene scene = stage({Sphere{{0.2, -0.1, 0}, radius}});
   scene.integrator.name = "normals";
@@ -142,7 +142,7 @@ TEST_CASE("normals of a sphere") {
 }
 
 TEST_CASE("the shadow of a sphere ends where the tangent cone meets the plane") {
-  require_pocl_and_rusticl();
+  require_pocl();
   Scene scene = stage({floor_plane(), Sphere{{0.1, 0.2, 1.5}, 0.5}});
   scene.camera.world_from_camera.m[2][3] = 0.8;  // Below the sphere.
   const auto check = [&](const Vec3& center, double radius) {
@@ -168,7 +168,7 @@ TEST_CASE("the shadow of a sphere ends where the tangent cone meets the plane") 
 }
 
 TEST_CASE("a light beyond which something stands is not shadowed by it") {
-  require_pocl_and_rusticl();
+  require_pocl();
   Scene scene = stage({floor_plane(), Sphere{{0, 0, 3}, 0.5}});
   scene.camera.world_from_camera.m[2][3] = 0.5;
   scene.lights = {light(PointLight{{0, 0, 2}, {1, 1, 1}})};
@@ -176,7 +176,7 @@ TEST_CASE("a light beyond which something stands is not shadowed by it") {
 }
 
 TEST_CASE("diffuse is one-sided unless told otherwise") {
-  require_pocl_and_rusticl();
+  require_pocl();
   const Plane away{{0, 0, 0}, {0, 0, -1}, {1, 0, 0}, {0, 1, 0}};
   const Light above = light(PointLight{{0, 0, 2}, {1, 1, 1}}), below = light(PointLight{{0, 0, -2}, {1, 1, 1}});
   const auto lit = [](const Geometry& plane, bool twosided, const Light& lamp) {
@@ -194,7 +194,7 @@ TEST_CASE("diffuse is one-sided unless told otherwise") {
 }
 
 TEST_CASE("max_depth counts as Mitsuba does, and hide_emitters hides what emits") {
-  require_pocl_and_rusticl();
+  require_pocl();
   Scene scene = stage({floor_plane()}, diffuse({0.5, 0.5, 0.5}));
   scene.shapes[0].radiance = Rgb{2, 2, 2};
   scene.lights = {light(DirectionalLight{{0, 0, -1}, {1, 1, 1}})};
@@ -231,7 +231,7 @@ double mean_red(const Scene& scene) {
 }
 
 TEST_CASE("blends and masks draw numbers with the sampler centre too") {
-  require_pocl_and_rusticl();
+  require_pocl();
   Scene blend = stage({floor_plane()}, diffuse({1, 1, 1}));
   blend.materials.push_back(diffuse({0, 0, 0}));
   Material both;
@@ -251,7 +251,7 @@ TEST_CASE("blends and masks draw numbers with the sampler centre too") {
 }
 
 TEST_CASE("phong and ward are scaled by what their textures reflect at most") {
-  require_pocl_and_rusticl();
+  require_pocl();
   const auto picture = [](const auto& bsdf, const std::vector<Texture>& textures) {
     Material material;
     material.bsdf = bsdf;
@@ -285,7 +285,7 @@ TEST_CASE("phong and ward are scaled by what their textures reflect at most") {
 
 /// Heights of 0.3 u over a square 4 wide: a plane of slope 0.075. The mesh is mirrored, or wound against its normals.
 TEST_CASE("a bump map rises along vertex normals, whichever way the triangles face") {
-  require_pocl_and_rusticl();
+  require_pocl();
   Mesh square;
   square.positions = {{-2, -2, 0}, {2, -2, 0}, {2, 2, 0}, {-2, 2, 0}};
   square.uvs = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};

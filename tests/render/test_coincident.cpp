@@ -20,7 +20,7 @@ const Geometry twins[] = {Disk{{0, 0, 1}, {3, 0, 0}, {0, 3, 0}}, Disk{{0.1, 0.2,
                           Sphere{{0.31, 0.17, 0.11}, 1.3}};
 
 TEST_CASE("lamps twice in one place are hidden from the camera") {
-  require_pocl_and_rusticl();
+  require_pocl();
   for (const Geometry& twin : twins) {
     Scene scene = stage({Rectangle{{-9, -9, -3}, {18, 0, 0}, {0, 18, 0}}}, diffuse({0.5, 0.5, 0.5}));
     scene.integrator.hide_emitters = true;
@@ -39,7 +39,7 @@ TEST_CASE("lamps twice in one place are hidden from the camera") {
 }
 
 TEST_CASE("masks twice in one place let light through, once or twice") {
-  require_pocl_and_rusticl();
+  require_pocl();
   for (const Geometry& twin : twins)
     for (const char* integrator : {"path", "volpath"}) {
       Material half = diffuse({0, 0, 0});

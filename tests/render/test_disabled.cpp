@@ -62,7 +62,7 @@ Image picture_without(const Scene& scene, const std::set<std::string>& disabled 
 }
 
 TEST_CASE("a program without effects renders the scene without them") {
-  require_pocl_and_rusticl();
+  require_pocl();
   Scene without = everything();
   without.instances.clear();
   without.lights.erase(without.lights.begin());
@@ -84,7 +84,7 @@ TEST_CASE("a program without effects renders the scene without them") {
 }
 
 TEST_CASE("a material that is left out reflects nothing") {
-  require_pocl_and_rusticl();
+  require_pocl();
   Scene scene = stage({floor_plane()});
   scene.materials[0].bsdf = Conductor{};
   scene.integrator.name = "whitted";
@@ -95,7 +95,7 @@ TEST_CASE("a material that is left out reflects nothing") {
 }
 
 TEST_CASE("a material that is left out is black beside one of another kind") {
-  require_pocl_and_rusticl();
+  require_pocl();
   Scene scene = stage({floor_plane()});
   scene.integrator.name = "path";
   scene.lights.push_back(light(ConstantLight{}));
@@ -112,7 +112,7 @@ TEST_CASE("a material that is left out is black beside one of another kind") {
 }
 
 TEST_CASE("heights are flat in a program without textures, made for the scene or generic, and where their scale is 0") {
-  require_pocl_and_rusticl();
+  require_pocl();
   Scene plain = stage({floor_plane()}, diffuse({0.75, 0.5, 0.25}));
   plain.integrator.name = "path";
   plain.integrator.max_depth = 2;
@@ -141,7 +141,7 @@ TEST_CASE("heights are flat in a program without textures, made for the scene or
 }
 
 TEST_CASE("paths find an area light by themselves where none is drawn from, and gather as much") {
-  require_pocl_and_rusticl();
+  require_pocl();
   Scene scene = stage({floor_plane()});
   add(scene, emitting(Disk{{0, 0, 1}, {0, 1, 0}, {1, 0, 0}}, {1, 2, 3}));
   scene.integrator.name = "path";

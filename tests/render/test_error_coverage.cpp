@@ -98,7 +98,7 @@ Tally tally(const Case& what, SamplerKind sampler, int spp, int seeds, const std
 
 /// Of all cells of a sampler, which must be enough together, too.
 void check_coverage(SamplerKind sampler) {
-  require_pocl_and_rusticl();
+  require_pocl();
   const int seeds = is_long() ? 200 : 40;
   int inside = 0, asked = 0;
   for (std::size_t k = 0; k < std::size(numbers); ++k)
@@ -136,7 +136,7 @@ TEST_CASE("independent samples: the interval holds the true error as often as it
 }
 
 TEST_CASE("media: the interval holds the true error as often as it says") {
-  require_pocl_and_rusticl();
+  require_pocl();
   for (const Case& what : {Case{"media/fog.xml", "volpath", 48, 36, true, 0.5, {}},
                            Case{"media/smoke.xml", "volpath", 48, 36, true, 0.2, {}}})
     for (const SamplerKind sampler : {SamplerKind::sobol, SamplerKind::independent}) {
@@ -151,7 +151,7 @@ TEST_CASE("media: the interval holds the true error as often as it says") {
 /// Whose pixels are not independent: the whole film is there four times. Four say little of their own spread, so the
 /// interval is wide: of a caustic, whose noise is that of few paths, and of an even picture.
 TEST_CASE("paths from lights: the interval holds the true error as often as it says") {
-  require_pocl_and_rusticl();
+  require_pocl();
   for (const Case& what : {Case{"lights/caustic.xml", "ptracer", 48, 48, true, 0.3, {}},
                            Case{"cornell/cornell-box.xml", "ptracer", 48, 48, true, 0.3, {}},
                            Case{"lights/caustic.xml", "bdpt", 48, 48, true, 0.3, {}}})

@@ -79,7 +79,7 @@ void hold(const Variant& v, Precision precision, const RenderResult& first) {
 }
 
 TEST_CASE("lamps, grounds, suns and light of any size, one at a time and together") {
-  require_pocl_and_rusticl();
+  require_pocl();
   for (const Precision precision : all_tiers) {
     const RenderResult first = render("pocl", scene_of({}, few), tier(precision));
     const auto each = [&](double Variant::*member, int from, int to) {

@@ -44,7 +44,7 @@ TEST_CASE("parts are as many for each thread, and as high") {
 
 /// All of a picture's rows by one render, whose parts are for several threads, and by several renders of one part each.
 TEST_CASE("a picture of several parts is what its strips are") {
-  require_pocl_and_rusticl();
+  require_pocl();
   constexpr int width = 113, height = 131, strip = 31;
   RenderSettings settings;
   settings.error_map = true;

@@ -68,7 +68,7 @@ void hold(const Filter& filter, const std::function<double(double)>& share, doub
 }  // namespace
 
 TEST_CASE("a lamp's edge shows the filter's tail") {
-  require_pocl_and_rusticl();
+  require_pocl();
   for (const double edge : {0.0, -0.25, -0.5}) {
     for (const double radius : {2.0, 3.0, 30.0})
       hold(
@@ -81,7 +81,7 @@ TEST_CASE("a lamp's edge shows the filter's tail") {
 }
 
 TEST_CASE("filters with negative parts are below 0 beside a lamp") {
-  require_pocl_and_rusticl();
+  require_pocl();
   const Filter filters[] = {{FilterKind::mitchell}, {FilterKind::catmullrom}, {FilterKind::lanczos}};
   for (const Filter& filter : filters)
     for (const double edge : {0.0, -0.25}) {
@@ -97,7 +97,7 @@ TEST_CASE("filters with negative parts are below 0 beside a lamp") {
 }
 
 TEST_CASE("by default depth is seen through the middle of a lens") {
-  require_pocl_and_rusticl();
+  require_pocl();
   Scene scene;
   scene.materials = {Material{}};
   add(scene, Sphere{{0, 0, 0}, 1});

@@ -19,7 +19,7 @@ Image small(const Scene& scene) {
 }
 
 TEST_CASE("the camera looks at its target, its picture upright") {
-  require_pocl_and_rusticl();
+  require_pocl();
   Scene scene = stage({});
   scene.integrator.name = "emission";
   scene.camera = perspective_camera({1, 2, 3}, {1, 2, -1}, {0, 1, 0}, 90);
@@ -45,7 +45,7 @@ TEST_CASE("the camera looks at its target, its picture upright") {
 }
 
 TEST_CASE("a surface glows on the side of its normal, and flipped on the other") {
-  require_pocl_and_rusticl();
+  require_pocl();
   const auto lit = [](double turn, bool flipped) {
     Scene scene = stage({});
     scene.integrator.name = "emission";
@@ -61,7 +61,7 @@ TEST_CASE("a surface glows on the side of its normal, and flipped on the other")
 }
 
 TEST_CASE("a lamp over a floor: rho / pi I cos / d^2, with what stands beyond it left out") {
-  require_pocl_and_rusticl();
+  require_pocl();
   const Vec3 lamp{0.3, -0.4, 1.5};
   Scene scene = stage({floor_plane(), Sphere{{0.3, -0.4, 3.5}, 0.5}}, diffuse({0.5, 0.5, 0.5}));
   scene.camera.world_from_camera.m[2][3] = 1.2;
@@ -79,7 +79,7 @@ TEST_CASE("a lamp over a floor: rho / pi I cos / d^2, with what stands beyond it
 
 // Down to a mirror and back up past the camera: the way is 10^5 times as long as that from the sphere to the lamp.
 TEST_CASE("a point on a sphere lies on the sphere, however long the ray") {
-  require_pocl_and_rusticl();
+  require_pocl();
   double worst = 0;
   for (int i = 0; i < 8; ++i) {
     const double bottom = 4.0137 + 0.0031 * i;
@@ -97,7 +97,7 @@ TEST_CASE("a point on a sphere lies on the sphere, however long the ray") {
 
 // 10^6 radii off, where steps of t are a tenth of the radius.
 TEST_CASE("a far pebble is round, and its day side casts no shadow on itself") {
-  require_pocl_and_rusticl();
+  require_pocl();
   const double radius = 0x1.8p-7;
   Scene scene = stage({Sphere{{0, 0, 0}, radius}}, diffuse({1, 1, 1}));
   const double width = scene.camera.world_from_camera.m[1][1] = 0x1p-6;
@@ -127,7 +127,7 @@ TEST_CASE("a far pebble is round, and its day side casts no shadow on itself") {
 
 // z = (x + 2 y) / 4 over a lattice, so exactly flat; points on it are rounded to either side of it.
 TEST_CASE("a flat mesh casts no shadow on itself") {
-  require_pocl_and_rusticl();
+  require_pocl();
   Mesh mesh;
   constexpr int cells = 24;
   for (int j = 0; j <= cells; ++j)
@@ -167,7 +167,7 @@ std::size_t escaped(const std::vector<Geometry>& room, const Vec3& eye, const Ve
 const Vec3 far_off{1e6, -1e6, 5e5};
 
 TEST_CASE("no way leads out of a room of mirrors") {
-  require_pocl_and_rusticl();
+  require_pocl();
   const auto room = [](bool triangles, const Transform& turn, double size, const Vec3& center) {
     std::vector<Geometry> walls;
     const auto axis = [&](int i) { return size * turn.vector({i == 0 ? 1. : 0., i == 1 ? 1. : 0., i == 2 ? 1. : 0.}); };
@@ -194,7 +194,7 @@ TEST_CASE("no way leads out of a room of mirrors") {
 }
 
 TEST_CASE("no way leads out of a box of mirrors") {
-  require_pocl_and_rusticl();
+  require_pocl();
   CHECK(escaped({Box{{-1, -1, -1}, {1, 1, 1}}}, {}, {0, 0, -1}) == 0);
   const Box off{far_off - Vec3{3, 3, 3}, far_off + Vec3{3, 3, 3}};
   CHECK(escaped({off}, far_off + Vec3{0.3, 0.1, 0.2}, {0.3, -0.2, -1}) == 0);

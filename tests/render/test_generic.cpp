@@ -74,7 +74,7 @@ void hold(const std::filesystem::path& path, Precision precision, bool is_with_a
 }
 
 TEST_CASE("every scene of the project") {
-  require_pocl_and_rusticl();
+  require_pocl();
   const bool all = is_of_all_tiers();
   const std::vector<std::filesystem::path> scenes = every_scene();
   CHECK(scenes.size() >= 58);
@@ -87,7 +87,7 @@ TEST_CASE("every scene of the project") {
 }
 
 TEST_CASE("values beside the picture") {
-  require_pocl_and_rusticl();
+  require_pocl();
   hold(scene_folder / "lecture/lit.xml", all_aovs());
 }
 

@@ -57,7 +57,7 @@ Cube plate(double angle) {
 Rectangle lamp_below() { return {{-20, -20, -290}, {40, 0, 0}, {0, 40, 0}}; }
 
 TEST_CASE("a plate lets through what remains after all reflections between its faces") {
-  require_pocl_and_rusticl();
+  require_pocl();
   for (const double degrees : {0.0, 30.0, 56.309932474020215, 75.0}) {
     const double angle = degrees * std::numbers::pi / 180, r = reflected(std::cos(angle), 1.5);
     for (const double t : {1.0, 0.8}) {
@@ -84,7 +84,7 @@ TEST_CASE("a plate lets through what remains after all reflections between its f
 }
 
 TEST_CASE("a sphere is the lens that Snell's law makes of it") {
-  require_pocl_and_rusticl();
+  require_pocl();
   constexpr double eta = 1.5, below = 2.2, target = 0.35;
   Scene scene = stage({Sphere{{0, 0, 0}, 1.5, {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}}}, glass(eta));
   add_lamp(scene, Disk{{0, 0, -below}, {target, 0, 0}, {0, target, 0}}, {1, 1, 1});
@@ -122,7 +122,7 @@ TEST_CASE("a sphere is the lens that Snell's law makes of it") {
 }
 
 TEST_CASE("within glass, about the critical angle") {
-  require_pocl_and_rusticl();
+  require_pocl();
   // The camera is behind the plane's normal, in glass; outside there is a sky.
   const double critical = std::asin(1 / 1.5);
   for (const double angle : {0.0, 0.5, critical - 1e-3, critical, critical + 1e-3, 1.2}) {
@@ -143,7 +143,7 @@ TEST_CASE("within glass, about the critical angle") {
 }
 
 TEST_CASE("glass that absorbs nothing cannot be seen under an even sky") {
-  require_pocl_and_rusticl();
+  require_pocl();
   Scene scene =
       stage({Sphere{{0, 0, 0}, 1.2, {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}}, plate(0.7)}, glass(1.5046, 1.000277));
   std::get<Cube>(scene.shapes[1].geometry).corner.z -= 90;
@@ -161,7 +161,7 @@ TEST_CASE("glass that absorbs nothing cannot be seen under an even sky") {
 }
 
 TEST_CASE("Russian roulette does not mistake light in glass for weak light") {
-  require_pocl_and_rusticl();
+  require_pocl();
   Scene scene = stage({Sphere{{0, 0, 0}, 1.2, {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}}}, glass(2.4));
   scene.lights = {light(ConstantLight{{1, 1, 1}})};
   scene.integrator.rr_depth = 1;
@@ -181,7 +181,7 @@ TEST_CASE("Russian roulette does not mistake light in glass for weak light") {
 }
 
 TEST_CASE("glass of the index around it is not there") {
-  require_pocl_and_rusticl();
+  require_pocl();
   Scene scene = stage({});
   add_lamp(scene, Sphere{{0.3, 0.2, -3}, 1, {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}}, {3, 2, 1});
   add_lamp(scene, Rectangle{{-1.5, -1.7, -5}, {2, 0, 0.3}, {0, 2, 0}}, {0.5, 0.25, 8});
@@ -198,7 +198,7 @@ TEST_CASE("glass of the index around it is not there") {
 }
 
 TEST_CASE("twosided does not change glass") {
-  require_pocl_and_rusticl();
+  require_pocl();
   Scene scene = stage({Sphere{{0, 0, 0}, 1.2, {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}}}, glass(1.5));
   add_lamp(scene, lamp_below(), {1, 2, 3});
   const Image plain = color(with_integrator(scene, "whitted"));
@@ -262,7 +262,7 @@ Rgb trace(const Vec3& o, const Vec3& d, double weight, int depth, int left) {
 }
 
 TEST_CASE("whitted is a recursive walk along both ways") {
-  require_pocl_and_rusticl();
+  require_pocl();
   Scene scene = stage({});
   const int dark = black(scene);
   for (const Ball& ball : balls()) {
@@ -327,7 +327,7 @@ double through_layers(const std::vector<double>& indices) {
 }
 
 TEST_CASE("where glass overlaps, the higher priority is there") {
-  require_pocl_and_rusticl();
+  require_pocl();
   const Box upper{{-100, -100, -0.1}, {100, 100, 0.1}}, lower{{-100, -100, -0.5}, {100, 100, 0}};
   const auto picture = [&](std::optional<int> of_upper, std::optional<int> of_lower, const char* integrator,
                            Precision precision) {
@@ -347,7 +347,7 @@ TEST_CASE("where glass overlaps, the higher priority is there") {
 }
 
 TEST_CASE("nested glass with priorities is what indices written for it are") {
-  require_pocl_and_rusticl();
+  require_pocl();
   Scene written = stage({});
   add_lamp(written, Disk{{0.3, 0, -2.4}, {1, 0, 0}, {0, 1, 0}}, {1, 2, 4});
   Scene tracked = written;
@@ -368,7 +368,7 @@ TEST_CASE("nested glass with priorities is what indices written for it are") {
 }
 
 TEST_CASE("two balls of one priority are one body") {
-  require_pocl_and_rusticl();
+  require_pocl();
   Scene scene = stage({});
   add_glass(scene, ball(1, 0.5), 1.5, 1, 3);
   add_glass(scene, ball(1, -0.5), 1.5, 1, 3);
@@ -377,7 +377,7 @@ TEST_CASE("two balls of one priority are one body") {
 }
 
 TEST_CASE("a ray within more shapes than are tracked is told") {
-  require_pocl_and_rusticl();
+  require_pocl();
   for (const int shapes : {8, 9}) {
     Scene scene = stage({});
     for (int i = 0; i < shapes; ++i) add_glass(scene, ball(1.5 - 0.1 * i), 1.1 + 0.1 * i, 1, i);

@@ -35,7 +35,7 @@ TEST_CASE("a time that is later is so for all times and all seconds") {
 }
 
 TEST_CASE("a deadline that was long ago leaves no time, and one that never comes ends nothing") {
-  require_pocl_and_rusticl();
+  require_pocl();
   Renderer renderer(Device::open("pocl"), cornell());
   RenderGoal goal;
   goal.deadline = Clock::time_point::min();
@@ -48,7 +48,7 @@ TEST_CASE("a deadline that was long ago leaves no time, and one that never comes
 }
 
 TEST_CASE("a deadline ends it, pixels at most one sample apart") {
-  require_pocl_and_rusticl();
+  require_pocl();
   Renderer renderer(Device::open("pocl"), cornell());
   const RenderResult result = renderer.render({}, within(0.4));
   CHECK(result.ending == Ending::deadline);
@@ -63,7 +63,7 @@ TEST_CASE("a deadline ends it, pixels at most one sample apart") {
 }
 
 TEST_CASE("a deadline is kept after pictures of few rows, and of no samples") {
-  require_pocl_and_rusticl();
+  require_pocl();
   Scene scene = cornell();
   scene.integrator.name = "emission";
   scene.sampler.kind = SamplerKind::independent;
@@ -96,7 +96,7 @@ TEST_CASE("a deadline is kept after pictures of few rows, and of no samples") {
 }
 
 TEST_CASE("what a deadline ended after n samples is the picture of n samples") {
-  require_pocl_and_rusticl();
+  require_pocl();
   Renderer renderer(Device::open("pocl"), cornell());
   RenderGoal goal = within(20);
   goal.spp = 6;
@@ -113,7 +113,7 @@ TEST_CASE("what a deadline ended after n samples is the picture of n samples") {
 }
 
 TEST_CASE("an error is reached, and is the true one") {
-  require_pocl_and_rusticl();
+  require_pocl();
   Scene scene = small_scene(scene_folder / "mesh/torus-and-icosphere.xml", 64, 48, 16);
   scene.integrator.name = "ao";
   for (const SamplerKind sampler : {SamplerKind::independent, SamplerKind::sobol}) {
@@ -141,7 +141,7 @@ TEST_CASE("an error is reached, and is the true one") {
 }
 
 TEST_CASE("without its sums no error is told, and the same samples make the same picture") {
-  require_pocl_and_rusticl();
+  require_pocl();
   RenderSettings settings;
   Scene scene = cornell();
   scene.sampler.kind = SamplerKind::independent;
@@ -159,7 +159,7 @@ TEST_CASE("without its sums no error is told, and the same samples make the same
 }
 
 TEST_CASE("without its sums sobol's samples are one sequence, of less noise") {
-  require_pocl_and_rusticl();
+  require_pocl();
   const auto variance = [](bool estimate_error) {
     RenderSettings settings;
     settings.estimate_error = estimate_error;
@@ -180,14 +180,14 @@ TEST_CASE("without its sums sobol's samples are one sequence, of less noise") {
 }
 
 TEST_CASE("fewer samples than sums tell nothing") {
-  require_pocl_and_rusticl();
+  require_pocl();
   RenderGoal goal;
   goal.spp = 3;
   CHECK_FALSE(Renderer(Device::open("pocl"), cornell()).render({}, goal).error);
 }
 
 TEST_CASE("a pilot that has time for the whole picture only by what its strips tell looks at that") {
-  require_pocl_and_rusticl();
+  require_pocl();
   Renderer renderer(Device::open("pocl"), cornell());
   const Pilot pilot = run_pilot(renderer, 1024, [](const Pilot& so_far) { return so_far.passes.empty() ? 0.0 : 3.0; });
   REQUIRE_FALSE(pilot.passes.empty());
@@ -197,7 +197,7 @@ TEST_CASE("a pilot that has time for the whole picture only by what its strips t
 }
 
 TEST_CASE("a pilot traces no numeric_error") {
-  require_pocl_and_rusticl();
+  require_pocl();
   RenderSettings settings;
   settings.aovs = {Aov::depth, Aov::numeric_error};
   Renderer renderer(Device::open("pocl"), cornell(), settings);

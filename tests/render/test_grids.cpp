@@ -43,7 +43,7 @@ Scene seen_along_z(const Medium& medium, double around) {
 }
 
 TEST_CASE("a grid of one colour is the medium that is alike everywhere") {
-  require_pocl_and_rusticl();
+  require_pocl();
   // Its channels have events of their own; a hero that depended on their numbers would be seen here.
   const Rgb colour{6, 3, 1.5}, albedo{0.9, 0.9, 0.9};
   Scene even = filled(Sphere{{0, 0, 0}, 1}, medium(colour, albedo), 0.5), gridded = even;
@@ -61,14 +61,14 @@ TEST_CASE("a grid of one colour is the medium that is alike everywhere") {
 }
 
 TEST_CASE("what a ramp absorbs is its integral along the ray") {
-  require_pocl_and_rusticl();
+  require_pocl();
   // Texels 0 and 1 along z: from their centres outwards it stays, between them it rises: on the mean 1/2.
   const Medium ramp = varying(grid(1, 1, 2, 1, {0, 1}), {3, 3, 3}, {0, 0, 0});
   CHECK(mean_of(drawn(seen_along_z(ramp, 1), 4096)).g == Approx(std::exp(-0.5 * 2 * 3)).epsilon(0.01));
 }
 
 TEST_CASE("a grid that only scatters is not seen in white surroundings") {
-  require_pocl_and_rusticl();
+  require_pocl();
   for (const int channels : {1, 3}) {
     Medium white = varying(random_grid(channels), {5, 5, 5}, {1, 1, 1});
     for (const TextureWrap wrap : {TextureWrap::clamp, TextureWrap::mirror}) {
@@ -79,7 +79,7 @@ TEST_CASE("a grid that only scatters is not seen in white surroundings") {
 }
 
 TEST_CASE("an empty grid around a scene leaves its every bit") {
-  require_pocl_and_rusticl();
+  require_pocl();
   Scene bare = stage({Sphere{{0, 0, 0}, 0.8}}, diffuse({0.5, 0.4, 0.3}));
   bare.integrator.name = "path";
   bare.lights = {light(ConstantLight{{1, 1, 1}})};
@@ -95,7 +95,7 @@ TEST_CASE("an empty grid around a scene leaves its every bit") {
 }
 
 TEST_CASE("a grid glows as 1 - e^-depth of what it emits") {
-  require_pocl_and_rusticl();
+  require_pocl();
   Medium glowing = varying(grid(1, 1, 2, 1, {0, 1}), {1.5, 1.5, 1.5}, {0, 0, 0});
   glowing.emission = Rgb{2, 3, 4};
   const Rgb mean = mean_of(drawn(seen_along_z(glowing, 0), 4096));
@@ -104,7 +104,7 @@ TEST_CASE("a grid glows as 1 - e^-depth of what it emits") {
 }
 
 TEST_CASE("a grid lies where its transform puts it") {
-  require_pocl_and_rusticl();
+  require_pocl();
   // Dense for x < 0 in its own frame; a quarter turn about z brings that to y < 0.
   Medium half = varying(grid(16, 1, 1, 1, {9, 9, 9, 9, 9, 9, 9, 9, 0, 0, 0, 0, 0, 0, 0, 0}), {2, 2, 2}, {0, 0, 0});
   half.sigma_t.world_from_cube = {{{{0, -2, 0, 1}, {2, 0, 0, -1}, {0, 0, 2, -1}}}};
@@ -116,7 +116,7 @@ TEST_CASE("a grid lies where its transform puts it") {
 }
 
 TEST_CASE("what is emitted is that of the nearest texel, repeated") {
-  require_pocl_and_rusticl();
+  require_pocl();
   // Texels 0 and 1 over z from -1 to 0, and again over 0 to 1: of four layers of depth s the second and the last glow.
   Medium layers = varying(grid(1, 1, 1, 1, {1}), {2, 2, 2}, {0, 0, 0});
   layers.emission = Rgb{5, 5, 5};
@@ -129,7 +129,7 @@ TEST_CASE("what is emitted is that of the nearest texel, repeated") {
 }
 
 TEST_CASE("an albedo of a grid is that of a number") {
-  require_pocl_and_rusticl();
+  require_pocl();
   Medium gridded = varying(random_grid(1), {5, 5, 5}, {1, 1, 1}), even = gridded;
   even.albedo = Rgb{0.5, 0.5, 0.5};
   gridded.albedo.grid = grid(2, 2, 2, 3, std::vector<float>(24, 0.5F));
@@ -138,7 +138,7 @@ TEST_CASE("an albedo of a grid is that of a number") {
 }
 
 TEST_CASE("a scene that is turned as a whole looks the same") {
-  require_pocl_and_rusticl();
+  require_pocl();
   // The box along the axes around the turned cube is larger; there the grid goes on by repetition.
   Medium medium = varying(random_grid(3), {5, 4, 3}, {0.9, 0.8, 0.7});
   medium.sigma_t.wrap = TextureWrap::repeat;
@@ -162,7 +162,7 @@ TEST_CASE("a scene that is turned as a whole looks the same") {
 }
 
 TEST_CASE("a medium that no path would get out of is refused") {
-  require_pocl_and_rusticl();
+  require_pocl();
   CHECK_THROWS_WITH(drawn(filled(Sphere{{0, 0, 0}, 1}, varying(random_grid(1), {1e20, 1e20, 1e20}, {1, 1, 1})), 1),
                     Catch::Contains("lower scale"));
 }
@@ -174,7 +174,7 @@ TEST_CASE("paths through grids are the same one by one and in lanes") {
 }
 
 TEST_CASE("rays along an axis of the grid end at its box, too") {
-  require_pocl_and_rusticl();
+  require_pocl();
   const Medium smoke = varying(grid(1, 1, 1, 1, {1}), {1, 1, 1}, {0, 0, 0});
   Scene scene = filled(Sphere{{0, 0, 0}, 3}, smoke);
   scene.film.width = scene.film.height = 16;  // The box is over the middle 8 x 8 of them.

@@ -32,7 +32,7 @@ void add_plate(Scene& scene, const Material& material, double from, double to, i
 // From above: into the black one, into the clear one, which is ignored there, and out of both. A hole in each of the
 // black one's two faces lets light through.
 TEST_CASE("a mask behind a surface that is ignored is drawn for itself") {
-  require_pocl_and_rusticl();
+  require_pocl();
   Scene scene = stage({});
   add_plate(scene, veiled({0, 0, 0}), -0.5, 1, 2);
   add_plate(scene, veiled({1, 1, 1}), -1, 0, 1);
@@ -55,7 +55,7 @@ TEST_CASE("a mask behind a surface that is ignored is drawn for itself") {
 // Above the black plate, and apart from it, a clear one of a higher priority, whose vertex normals point outwards and
 // whose triangles, mirrored, do not. What is behind the clear one is not within it.
 TEST_CASE("the vertex normals of a mesh of glass say what is within it") {
-  require_pocl_and_rusticl();
+  require_pocl();
   const SceneFolder folder;
   folder.write("plate.ply",
                "ply\nformat ascii 1.0\nelement vertex 8\nproperty float x\nproperty float y\nproperty float z\n"
@@ -92,7 +92,7 @@ TEST_CASE("the vertex normals of a mesh of glass say what is within it") {
 
 // Half of the rays see the plate's faces from one side and its vertex normals from the other.
 TEST_CASE("strict_normals does not end paths at a surface that is ignored") {
-  require_pocl_and_rusticl();
+  require_pocl();
   Mesh plate;
   plate.positions = {{-9, -9, 0.5},  {9, -9, 0.5},  {9, 9, 0.5},  {-9, 9, 0.5},
                      {-9, -9, -0.5}, {9, -9, -0.5}, {9, 9, -0.5}, {-9, 9, -0.5}};

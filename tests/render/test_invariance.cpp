@@ -15,7 +15,7 @@ const std::filesystem::path lit = scene_folder / "lecture/lit.xml";
 Scene reference_scene() { return small_scene(lit, 61, 47, 64); }
 
 TEST_CASE("twice in a row") {
-  require_pocl_and_rusticl();
+  require_pocl();
   Renderer renderer(Device::open("pocl"), reference_scene(), all_aovs());
   const RenderResult first = renderer.render();
   CHECK(lit_pixels(first.color) > 61 * 47 / 2);
@@ -27,7 +27,7 @@ TEST_CASE("twice in a row") {
 }
 
 TEST_CASE("work-groups, lanes and passes") {
-  require_pocl_and_rusticl();
+  require_pocl();
   for (const Precision precision : {Precision::robust, Precision::fp64}) {
     const RenderResult expected = render("pocl", reference_scene(), all_aovs(precision));
     const auto check = [&](const std::string& what, const RenderSettings& settings) {
@@ -54,7 +54,7 @@ TEST_CASE("work-groups, lanes and passes") {
 }
 
 TEST_CASE("one sum or four") {
-  require_pocl_and_rusticl();
+  require_pocl();
   const RenderResult expected = render("pocl", reference_scene(), all_aovs());
   for (const int passes : {1, 7}) {
     RenderSettings settings = all_aovs();
@@ -68,7 +68,7 @@ TEST_CASE("one sum or four") {
 }
 
 TEST_CASE("paths, however they are split") {
-  require_pocl_and_rusticl();
+  require_pocl();
   const Scene scene = small_scene(scene_folder / "cornell/cornell-box.xml", 31, 23, 8);
   const RenderResult expected = render("pocl", scene, all_aovs());
   const auto check = [&](const std::function<void(RenderSettings&)>& change) {
@@ -82,7 +82,7 @@ TEST_CASE("paths, however they are split") {
 }
 
 TEST_CASE("one pixel, one long row") {
-  require_pocl_and_rusticl();
+  require_pocl();
   for (const auto& [width, height] : {std::pair(1, 1), std::pair(16384, 1)}) {
     const Scene scene = small_scene(lit, width, height, 4);
     const RenderResult expected = render("pocl", scene, all_aovs());
@@ -98,7 +98,7 @@ TEST_CASE("one pixel, one long row") {
 }
 
 TEST_CASE("a crop is a part of the whole picture") {
-  require_pocl_and_rusticl();
+  require_pocl();
   Scene scene = small_scene(lit, 64, 48, 8);
   const RenderResult whole = render("pocl", scene, all_aovs());
   for (const Window window : {Window{0, 0, 64, 48}, Window{13, 7, 50, 48}, Window{63, 47, 64, 48}}) {

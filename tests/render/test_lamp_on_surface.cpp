@@ -53,7 +53,7 @@ void hold_in_the_ceiling(const std::string& what, const Lamp& lamp) {
 }
 
 TEST_CASE("a lamp that lies in the ceiling") {
-  require_pocl_and_rusticl();
+  require_pocl();
   hold_in_the_ceiling("point", [](const Vec3& place, const Vec3& /*down*/, const Vec3& /*x*/, const Vec3& /*y*/) {
     return PointLight{place, {10, 10, 10}};
   });
@@ -66,7 +66,7 @@ TEST_CASE("a lamp that lies in the ceiling") {
 }
 
 TEST_CASE("a shade around a lamp, in every tier") {
-  require_pocl_and_rusticl();
+  require_pocl();
   Scene scene;
   scene.shapes.clear();
   add(scene, Sphere{{0, 0, 0}, 1}, add(scene, Diffuse{{{0.8, 0.8, 0.8}}}, true));

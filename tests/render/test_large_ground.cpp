@@ -55,7 +55,7 @@ void hold_alike(Ground ground, const Vec3& along, Precision precision, double mo
 }
 
 TEST_CASE("a ground from 100 to 10^7 is lit alike") {
-  require_pocl_and_rusticl();
+  require_pocl();
   // Along the axes and turned within its plane.
   for (const Vec3 along : {Vec3{1, 0, 0}, Vec3{0.8, 0.6, 0}})
     for (const Precision precision : {Precision::fast, Precision::stable, Precision::robust, Precision::fp64})
@@ -64,14 +64,14 @@ TEST_CASE("a ground from 100 to 10^7 is lit alike") {
 }
 
 TEST_CASE("so is one of two triangles, along their common edge") {
-  require_pocl_and_rusticl();
+  require_pocl();
   for (const Vec3 along : {Vec3{1, 0, 0}, Vec3{0.8, 0.6, 0}})
     for (const Precision precision : exact_tiers)
       hold_alike(Ground::triangles, along, precision, precision == Precision::stable ? 0.04 : 0.01);
 }
 
 TEST_CASE("nor does a shape that is far off and as large darken what is near") {
-  require_pocl_and_rusticl();
+  require_pocl();
   for (const Precision precision : {Precision::stable, Precision::robust}) {
     RenderSettings settings;
     settings.precision = precision;
@@ -102,7 +102,7 @@ Scene border_scene() {
 }
 
 TEST_CASE("how a large ground is traversed does not change a bit of a picture") {
-  require_pocl_and_rusticl();
+  require_pocl();
   RenderSettings settings;
   const Image first = render("pocl", border_scene(), settings).color;
   CHECK(lit_pixels(first) > 32 * 100);

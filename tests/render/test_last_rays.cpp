@@ -61,7 +61,7 @@ std::vector<std::vector<Geometry>> lamps() {
 }  // namespace
 
 TEST_CASE("the last ray of a path finds all light that it would find among everything") {
-  require_pocl_and_rusticl();
+  require_pocl();
   for (const std::vector<Geometry>& of_scene : lamps())
     for (const auto& [integrator, max_depth] : {std::pair("direct", -1), std::pair("path", 2), std::pair("path", 4)}) {
       const Scene scene = room(of_scene, integrator, max_depth), open = with_unseen_glow(scene);

@@ -132,7 +132,7 @@ TEST_CASE("the next band begins at the measured rate") {
 }
 
 TEST_CASE("a renderer's second picture begins at the first one's rate") {
-  require_pocl_and_rusticl();
+  require_pocl();
   Renderer renderer(Device::open("pocl"), small_scene(scene_folder / "cornell/cornell-box.xml", 64, 64, 16));
   const RenderResult first = renderer.render(), second = renderer.render();
   CHECK(second.stats.kernel_runs.size() < first.stats.kernel_runs.size());
@@ -141,7 +141,7 @@ TEST_CASE("a renderer's second picture begins at the first one's rate") {
 
 // Counting rays has every sample rendered.
 TEST_CASE("samples that draw nothing are rendered once and counted all") {
-  require_pocl_and_rusticl();
+  require_pocl();
   RenderSettings counting;
   counting.count_rays = true;
   for (const int spp : {1, 6, 8}) {
@@ -159,7 +159,7 @@ TEST_CASE("samples that draw nothing are rendered once and counted all") {
 
 // Not a test of time: what a real render's launches take is only shown.
 TEST_CASE("a real render reports its launches") {
-  require_pocl_and_rusticl();
+  require_pocl();
   const Scene scene = small_scene(scene_folder / "cornell/cornell-box.xml", 256, 256, 8);
   const RunStats stats = render("pocl", scene, {}).stats;
   CHECK(stats.kernel_runs.size() > 1);

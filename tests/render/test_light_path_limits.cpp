@@ -11,7 +11,7 @@ namespace {
 Scene glass_and_point() { return small_scene(scene_folder / "lights/caustic.xml", 29, 23, 16); }
 
 TEST_CASE("what light paths cannot have is refused") {
-  require_pocl_and_rusticl();
+  require_pocl();
   const Device device = Device::open("pocl");
   const auto why_not = [&](const Scene& scene, const RenderSettings& settings = {}) -> std::string {
     try {

@@ -53,7 +53,7 @@ Scene under_lamps() {
 }
 
 TEST_CASE("every way to choose among lamps has the same mean, and less noise the more is asked") {
-  require_pocl_and_rusticl();
+  require_pocl();
   const Scene scene = under_lamps();
   const Device device = Device::open("pocl");
   double least = INFINITY;
@@ -84,7 +84,7 @@ TEST_CASE("every way to choose among lamps has the same mean, and less noise the
 
 /// docs/scene-emitters.md: found by rays that hit it alone.
 TEST_CASE("lights of sampling_weight 0 are drawn by nothing") {
-  require_pocl_and_rusticl();
+  require_pocl();
   const auto mean = [](const Scene& scene, const char* choice) {
     RenderSettings settings;
     settings.precision = Precision::stable;
@@ -133,7 +133,7 @@ TEST_CASE("lights of sampling_weight 0 are drawn by nothing") {
 /// A floor that is lit about alike by a light from afar and by two lamps. These are so high above it that one over what
 /// they bring with least weight overflows.
 TEST_CASE("lights of hardly any weight are drawn, and take nothing from others") {
-  require_pocl_and_rusticl();
+  require_pocl();
   const auto mean = [](double far, double near, const char* choice) {
     Scene scene = stage({floor_plane()}, diffuse({1, 1, 1}));
     scene.integrator.name = "path";
@@ -158,7 +158,7 @@ TEST_CASE("lights of hardly any weight are drawn, and take nothing from others")
 }
 
 TEST_CASE("an emitting part without area changes nothing") {
-  require_pocl_and_rusticl();
+  require_pocl();
   Scene scene = stage({floor_plane()}, diffuse({1, 1, 1}));
   Mesh mesh;
   mesh.positions = {{-1, -1, 1}, {-1, 1, 1}, {1, 1, 1}, {1, -1, 1}};

@@ -11,7 +11,7 @@ namespace strahl::test {
 namespace {
 
 TEST_CASE("a medium that only absorbs lets e^-depth through") {
-  require_pocl_and_rusticl();
+  require_pocl();
   for (const double depth : {1e-8, 1e-3, 0.7, 5.0, 40.0}) {
     const Image image = color(filled(slab(1), medium({depth, 2 * depth, depth / 2}, {0, 0, 0})), Precision::robust);
     INFO(depth);
@@ -27,7 +27,7 @@ TEST_CASE("a medium that only absorbs lets e^-depth through") {
 }
 
 TEST_CASE("at its last depth a path still finds the light behind surfaces that do not count") {
-  require_pocl_and_rusticl();
+  require_pocl();
   Scene seen = filled(slab(1), medium({0.7, 0.7, 0.7}, {0, 0, 0}));
   seen.integrator.max_depth = 1;
   CHECK(static_cast<double>(color(seen, Precision::robust).at(10, 20, 0)) == Approx(std::exp(-0.7)).epsilon(5e-6));
@@ -41,7 +41,7 @@ TEST_CASE("at its last depth a path still finds the light behind surfaces that d
 }
 
 TEST_CASE("a medium that emits shows 1 - e^-depth of its radiance") {
-  require_pocl_and_rusticl();
+  require_pocl();
   for (const double depth : {1e-6, 0.1, 3.0}) {
     Medium glowing = medium({depth, depth, depth}, {0, 0, 0});
     glowing.emission = Rgb{2, 3, 4};
@@ -53,7 +53,7 @@ TEST_CASE("a medium that emits shows 1 - e^-depth of its radiance") {
 }
 
 TEST_CASE("a medium that only scatters is not seen in white surroundings") {
-  require_pocl_and_rusticl();
+  require_pocl();
   using Kind = PhaseFunction::Kind;
   for (const std::vector<PhaseFunction>& phases : {std::vector<PhaseFunction>{{Kind::isotropic}},
                                                    {{Kind::hg, 1, 0.9}},
@@ -67,7 +67,7 @@ TEST_CASE("a medium that only scatters is not seen in white surroundings") {
 }
 
 TEST_CASE("a slab reflects and transmits as van de Hulst has it") {
-  require_pocl_and_rusticl();
+  require_pocl();
   Medium published = medium({2, 2, 2}, {0.9, 0.9, 0.9});
   published.phases = {{PhaseFunction::Kind::hg, 1, 0.75}};
   const Rgb mean = mean_of(drawn(filled(slab(1), published), 128));
@@ -94,7 +94,7 @@ TEST_CASE("paths through media and masks are the same one by one and in lanes") 
 }
 
 TEST_CASE("a path that scatters within glass of a priority crosses no surface there") {
-  require_pocl_and_rusticl();
+  require_pocl();
   Material glass;
   glass.bsdf = Dielectric{1.5, 1};
   Scene scene = stage({Sphere{{0, 0, 0}, 1}, Sphere{{0.4, 0, 0}, 0.8}}, glass);
@@ -111,7 +111,7 @@ TEST_CASE("a path that scatters within glass of a priority crosses no surface th
 }
 
 TEST_CASE("at max_depth 0 a medium that emits is black, as all else is") {
-  require_pocl_and_rusticl();
+  require_pocl();
   Medium glowing = medium({1, 1, 1}, {0, 0, 0});
   glowing.emission = Rgb{1, 1, 1};
   Scene scene = filled(slab(1), glowing);

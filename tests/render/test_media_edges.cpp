@@ -49,7 +49,7 @@ Scene bodies(const std::vector<Geometry>& shapes, const std::vector<Medium>& med
 }
 
 TEST_CASE("M01: optical depths from 1e-8 to 1e4") {
-  require_pocl_and_rusticl();
+  require_pocl();
   for (const double depth : {1e-8, 1e-4, 1.0, 80.0, 1e4}) {
     INFO(depth);
     CHECK(seen(filled(slab(1), grey(depth, 0))) == Approx(std::exp(-depth)).epsilon(1e-5).margin(1e-38));
@@ -63,14 +63,14 @@ TEST_CASE("M01: optical depths from 1e-8 to 1e4") {
 }
 
 TEST_CASE("M02: an albedo of 1 - 1e-7") {
-  require_pocl_and_rusticl();
+  require_pocl();
   Scene scene = filled(Sphere{{0, 0, 0}, 1}, grey(20, 1 - 1e-7));
   scene.integrator.rr_depth = 4096;
   CHECK(mean_of(drawn(scene, 32)).r == Approx(1).margin(8e-3));
 }
 
 TEST_CASE("M03: light that goes on, or back, almost as it came") {
-  require_pocl_and_rusticl();
+  require_pocl();
   for (const double g : {0.999, -0.999}) {
     Medium peaked = grey(3, 1);
     peaked.phases = {{PhaseFunction::Kind::hg, 1, g}};
@@ -80,7 +80,7 @@ TEST_CASE("M03: light that goes on, or back, almost as it came") {
 }
 
 TEST_CASE("M04: bodies that touch, whichever is named first") {
-  require_pocl_and_rusticl();
+  require_pocl();
   const Vec3 below_low{-2, -2, -1.1}, below_high{2, 2, 0.1}, above_low{-2, -2, 0.1}, above_high{2, 2, 0.8};
   const double below = 1.2 * 0.9, above = 0.7 * 0.3;
   for (const int kind : {0, 1, 2})
@@ -97,7 +97,7 @@ TEST_CASE("M04: bodies that touch, whichever is named first") {
 }
 
 TEST_CASE("M08: bodies that lie on one another") {
-  require_pocl_and_rusticl();
+  require_pocl();
   const Vec3 low{-2, -2, -0.5}, high{2, 2, 0.5};
   for (const Geometry& both :
        {body(0, low, high), body(1, low, high), body(2, low, high), Geometry(Sphere{{0, 0, 0}, 1})}) {
@@ -109,7 +109,7 @@ TEST_CASE("M08: bodies that lie on one another") {
 }
 
 TEST_CASE("M05: the camera stands on a boundary") {
-  require_pocl_and_rusticl();
+  require_pocl();
   const Vec3 low{-2, -2, -0.5}, high{2, 2, 0.5};
   for (const Geometry& geometry : {Geometry(cube_between(low, high)), Geometry(block(low, high))}) {
     INFO(geometry.index());
@@ -125,7 +125,7 @@ TEST_CASE("M05: the camera stands on a boundary") {
 }
 
 TEST_CASE("M06: a body thinner than the step with which rays leave surfaces") {
-  require_pocl_and_rusticl();
+  require_pocl();
   // The thickness is 8 units in the last place of the distance.
   const double thickness = 0x1p-18;
   const Vec3 low{-2, -2, 0}, high{2, 2, thickness};
@@ -156,7 +156,7 @@ double lost(Scene scene, double walks) {
 }
 
 TEST_CASE("M07: no walk gets lost in a closed medium, or runs for ever") {
-  require_pocl_and_rusticl();
+  require_pocl();
   const char* asked = std::getenv("STRAHL_WALKS");
   const double walks = asked == nullptr ? 1e6 : std::stod(asked);
   const Geometry bodies[] = {Sphere{{0, 0, 0}, 1.5}, cube_between({-1.5, -1.3, -1}, {1.5, 1.3, 1}),

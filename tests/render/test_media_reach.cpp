@@ -88,7 +88,7 @@ void check_unchanged_by_reach(Scene scene) {
 }
 
 TEST_CASE("where rays end with their paths' ways the picture is the same") {
-  require_pocl_and_rusticl();
+  require_pocl();
   for (const double density : {0.05, 1.0, 30.0}) {
     INFO(density);
     check_unchanged_by_reach(body_with_things(boundary(), density));
@@ -97,7 +97,7 @@ TEST_CASE("where rays end with their paths' ways the picture is the same") {
 }
 
 TEST_CASE("so it is around the camera, and where bodies have priorities") {
-  require_pocl_and_rusticl();
+  require_pocl();
   Scene scene = body_with_things(boundary(), 0.1);
   scene.camera.medium = 0;
   scene.shapes.front().media = MediumBoundary{1, 0};
@@ -112,7 +112,7 @@ TEST_CASE("so it is around the camera, and where bodies have priorities") {
 }
 
 TEST_CASE("paths that leave a medium see what is behind it") {
-  require_pocl_and_rusticl();
+  require_pocl();
   Scene scene = filled(Sphere{{0, 0, 0}, 1}, medium({1, 2, 3}, {1, 1, 1}), 0);
   add(scene, Box{{-9, -9, -9}, {9, 9, 9}}, add(scene, Diffuse{{{0, 0, 0}}}));
   scene.shapes.back().flip_normals = true;
@@ -123,7 +123,7 @@ TEST_CASE("paths that leave a medium see what is behind it") {
 }
 
 TEST_CASE("a medium in which no lights are drawn looks as if they were") {
-  require_pocl_and_rusticl();
+  require_pocl();
   for (const Material& surface : {boundary(), glass()}) {
     Scene scene = body_with_things(surface, 1);
     const Rgb drawn_lights = mean_of(drawn(scene, 1024));
@@ -138,7 +138,7 @@ TEST_CASE("a medium in which no lights are drawn looks as if they were") {
 }
 
 TEST_CASE("lights that are only drawn do not reach what scatters in such a medium") {
-  require_pocl_and_rusticl();
+  require_pocl();
   Scene scene = filled(Sphere{{0, 0, 0}, 1}, medium({2, 2, 2}, {0.9, 0.9, 0.9}));
   scene.lights = {light(PointLight{{0, 0, 3}, {1, 1, 1}})};
   CHECK(mean_of(drawn(scene, 16)).g > 1e-3);

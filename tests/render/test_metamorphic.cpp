@@ -60,7 +60,7 @@ void hold_same_bits(const Image& image, const Image& expected) {
 /// Holds `changed` of every scene, in every tier asked for, to `expected` of the picture as it was.
 template <typename Change, typename Expect>
 void hold(const std::vector<Precision>& tiers, const Change& changed, const Expect& expected) {
-  require_pocl_and_rusticl();
+  require_pocl();
   const Device device = Device::open("pocl", {true});
   for (const std::string& name : scenes())
     for (const Precision precision : tiers) {
@@ -120,7 +120,7 @@ TEST_CASE("in another order") {
 }
 
 TEST_CASE("fast is what the others are not") {
-  require_pocl_and_rusticl();
+  require_pocl();
   const Device device = Device::open("pocl");
   const Scene scene = centred("lecture/lit.xml"), far = translated(scene, {1048576, -777777, 0.5});
   CHECK_FALSE(same_bits(picture(device, scene, Precision::fast), picture(device, far, Precision::fast)));

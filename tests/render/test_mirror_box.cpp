@@ -108,7 +108,7 @@ void require_closed(const std::vector<Geometry>& room, const Place& place) {
 }
 
 TEST_CASE("a cube") {
-  require_pocl_and_rusticl();
+  require_pocl();
   for (const Place& place : places()) {
     const Vec3 a = place.to_world.point({-1, -1, -1});
     const auto edge = [&](const Vec3& to) { return place.to_world.point(to) - a; };
@@ -117,30 +117,30 @@ TEST_CASE("a cube") {
 }
 
 TEST_CASE("six rectangles") {
-  require_pocl_and_rusticl();
+  require_pocl();
   for (const Place& place : places()) require_closed(rectangles_room(place.to_world, 6), place);
 }
 
 TEST_CASE("twelve triangles") {
-  require_pocl_and_rusticl();
+  require_pocl();
   for (const Place& place : places()) require_closed({mesh_room(place.to_world)}, place);
 }
 
 TEST_CASE("a box") {
-  require_pocl_and_rusticl();
+  require_pocl();
   require_closed({Box{{-1, -1, -1}, {1, 1, 1}}}, {"around the eye", {}, {0, 0, 0}});
   const Place off{"large, far off", placed({}, {3, 3, 3}, {1e6, -1e6, 5e5}), {0.3, 0.1, 0.2}};
   require_closed({Box{off.to_world.point({-1, -1, -1}), off.to_world.point({1, 1, 1})}}, off);
 }
 
 TEST_CASE("ten thousand rays, ten thousand mirrors") {
-  require_pocl_and_rusticl();
+  require_pocl();
   const Place place = places()[1];
   CHECK(escaped(scene_of(rectangles_room(place.to_world, 6), place, {100, 10000}), Precision::robust) == 0);
 }
 
 TEST_CASE("rays are reflected as often as is asked for, and an open room is lit") {
-  require_pocl_and_rusticl();
+  require_pocl();
   const Place place = places()[1];
   RenderSettings settings;
   settings.count_rays = true;
@@ -150,7 +150,7 @@ TEST_CASE("rays are reflected as often as is asked for, and an open room is lit"
 }
 
 TEST_CASE("glass among mirrors: rays that split without an end are counted and told") {
-  require_pocl_and_rusticl();
+  require_pocl();
   const Place place{"around the eye", {}, {0, 0, 0.8}};
   RenderSettings settings;
   settings.count_rays = true;

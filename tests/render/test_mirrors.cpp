@@ -40,7 +40,7 @@ void require_all(const Image& image, const std::array<float, 3>& expected) {
 }
 
 TEST_CASE("a mirror shows an emitter's radiance times its reflectance, exactly") {
-  require_pocl_and_rusticl();
+  require_pocl();
   Scene scene = whitted({slanted()}, mirror({1, 0.5, 0.25}));
   scene.shapes.push_back(glowing(wall(), {3, 1.75, 0.125}));
   for (const Precision precision : exact_tiers) require_all(color(scene, precision), {3, 1.75F / 2, 0.125F / 4});
@@ -49,7 +49,7 @@ TEST_CASE("a mirror shows an emitter's radiance times its reflectance, exactly")
 }
 
 TEST_CASE("two mirrors: their reflectances multiply") {
-  require_pocl_and_rusticl();
+  require_pocl();
   // To the right, then up again, where the light is.
   Scene scene = whitted({slanted(), Plane{{10, 0, 0}, {-1, 0, 1}, {0, 1, 0}, {1, 0, 1}}}, mirror({0.5, 0.25, 1}));
   scene.materials.push_back(diffuse({0, 0, 0}));
@@ -59,7 +59,7 @@ TEST_CASE("two mirrors: their reflectances multiply") {
 }
 
 TEST_CASE("a mirror is black from behind unless it is two-sided, and shows emitters alone to direct") {
-  require_pocl_and_rusticl();
+  require_pocl();
   const Plane away{{0, 0, 0}, {0, 0, -1}, {1, 0, 0}, {0, 1, 0}};
   const auto lit = [](const Plane& plane, bool twosided, const char* integrator, bool has_sky = true) {
     Scene scene = stage({plane, Plane{{0, 0, 9}, {0, 0, -1}, {1, 0, 0}, {0, 1, 0}}}, mirror({1, 1, 1}, twosided));
@@ -87,7 +87,7 @@ TEST_CASE("a mirror is black from behind unless it is two-sided, and shows emitt
 }
 
 TEST_CASE("depth counts every mirror, and emitters are hidden from the camera only") {
-  require_pocl_and_rusticl();
+  require_pocl();
   Scene scene = whitted({}, mirror({0.5, 0.5, 0.5}));
   scene.shapes = {glowing(slanted(), {1, 1, 1}), glowing(wall(), {2, 2, 2})};
   scene.materials.push_back(diffuse({1, 1, 1}));
@@ -113,7 +113,7 @@ TEST_CASE("depth counts every mirror, and emitters are hidden from the camera on
 }
 
 TEST_CASE("between facing mirrors a path without a limit ends") {
-  require_pocl_and_rusticl();
+  require_pocl();
   Scene scene = whitted({floor_plane(), Plane{{0, 0, 8}, {0, 0, -1}, {1, 0, 0}, {0, 1, 0}}}, mirror({1, 1, 1}));
   scene.film.width = scene.film.height = 4;
   scene.lights = {light(ConstantLight{})};
@@ -127,7 +127,7 @@ TEST_CASE("between facing mirrors a path without a limit ends") {
 }
 
 TEST_CASE("without mirrors whitted is direct, bit for bit") {
-  require_pocl_and_rusticl();
+  require_pocl();
   using Case = std::pair<const char*, Precision>;
   for (const auto& [name, precision] :
        {Case{"lecture/lit.xml", Precision::robust}, Case{"shapes/cube.xml", Precision::stable}}) {

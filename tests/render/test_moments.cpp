@@ -40,7 +40,7 @@ bool same(const RenderResult& a, const RenderResult& b) {
 }  // namespace
 
 TEST_CASE("the squares of single samples have the mean that all have together") {
-  require_pocl_and_rusticl();
+  require_pocl();
   RenderSettings settings = with_moments();
   settings.disabled = without_sharing;  // So that a pixel's sample is one.
   Renderer renderer(Device::open("pocl"), lamp_room(), settings);
@@ -71,7 +71,7 @@ TEST_CASE("the squares of single samples have the mean that all have together") 
 }
 
 TEST_CASE("squares of shared samples are weighted as the samples are") {
-  require_pocl_and_rusticl();
+  require_pocl();
   Scene scene = lamp_room();
   scene.sampler.sample_count = 256;
   RenderSettings alone = with_moments();
@@ -90,7 +90,7 @@ TEST_CASE("squares of shared samples are weighted as the samples are") {
 }
 
 TEST_CASE("the picture is as without them, and they do not depend on lanes, passes or devices") {
-  require_pocl_and_rusticl();
+  require_pocl();
   const RenderResult all = render("pocl", lamp_room(), with_moments());
   CHECK(same_bits(all.color, render("pocl", lamp_room(), {}).color));
   RenderSettings one = with_moments(), no_error = with_moments();
@@ -110,7 +110,7 @@ TEST_CASE("the picture is as without them, and they do not depend on lanes, pass
 }
 
 TEST_CASE("samples that are all alike") {
-  require_pocl_and_rusticl();
+  require_pocl();
   Scene scene = lamp_room();
   scene.sampler.kind = SamplerKind::centre;
   scene.integrator.name = "normals";
@@ -124,7 +124,7 @@ TEST_CASE("samples that are all alike") {
 }
 
 TEST_CASE("a picture goes on from its film, and films without them do not fit") {
-  require_pocl_and_rusticl();
+  require_pocl();
   Renderer renderer(Device::open("pocl"), lamp_room(), with_moments());
   const RenderResult whole = renderer.render();
   std::optional<FilmState> kept;
@@ -143,7 +143,7 @@ TEST_CASE("a picture goes on from its film, and films without them do not fit") 
 }
 
 TEST_CASE("squares beyond a float cost neither picture nor told error") {
-  require_pocl_and_rusticl();
+  require_pocl();
   Scene scene = lamp_room();
   for (Shape& shape : scene.shapes)
     if (shape.radiance) shape.radiance = Rgb{1e20, 1e20, 1e20};

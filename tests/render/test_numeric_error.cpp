@@ -21,7 +21,7 @@ const Scene& planet() {
 }
 
 Errors errors(const Scene& scene, Precision precision) {
-  require_pocl_and_rusticl();
+  require_pocl();
   RenderSettings settings;
   settings.precision = precision;
   settings.aovs = {Aov::numeric_error};

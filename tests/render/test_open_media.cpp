@@ -32,7 +32,7 @@ Light downwards() { return light(DirectionalLight{{0, 0, -1}, {2, 2, 2}}); }
 double ball_radius(double half_side) { return std::sqrt(2) * half_side; }
 
 TEST_CASE("a floor in fog without an end is lit from afar") {
-  require_pocl_and_rusticl();
+  require_pocl();
   const double reflected = 0.5 * 2 / std::acos(-1.0);
   for (const double half_side : {5.0, 2.5}) {
     const Scene scene = floor_in_fog(half_side, 0, downwards());
@@ -44,7 +44,7 @@ TEST_CASE("a floor in fog without an end is lit from afar") {
 }
 
 TEST_CASE("bodies on the way take the fog's place and do not lengthen the way") {
-  require_pocl_and_rusticl();
+  require_pocl();
   Scene scene = floor_in_fog(5, 0, downwards());
   scene.materials.emplace_back().opacity = Reflectance{{0, 0, 0}};
   add(scene, Cube{{-3, -3, 1}, {{{6, 0, 0}, {0, 6, 0}, {0, 0, 2}}}}, 1);
@@ -72,7 +72,7 @@ double once_scattered(double half_side, double x, double y) {
 }
 
 TEST_CASE("fog without an end scatters light from afar, beyond the ball around the scene too") {
-  require_pocl_and_rusticl();
+  require_pocl();
   Scene scene = floor_in_fog(2, 0.5, downwards());
   scene.film.filter.kind = FilterKind::box;  // No sample beside the floor.
   scene.integrator.max_depth = 2;
@@ -85,7 +85,7 @@ TEST_CASE("fog without an end scatters light from afar, beyond the ball around t
 
 // Directions of the floor find no sky, but count as if they did: w = p^2 / (p^2 + q^2), p = 1 / 4 pi, q = cos / pi.
 TEST_CASE("a sky shows through fog what its own directions bring, by their weights") {
-  require_pocl_and_rusticl();
+  require_pocl();
   const double expected = 0.5 * std::exp(-sigma * (above + 2 * ball_radius(5))) * std::log(17) / 16;
   const Scene even = floor_in_fog(5, 0, light(ConstantLight{{1, 1, 1}}));
   CHECK(mean_of(drawn(even, 256)).r == Approx(expected).epsilon(4e-3));
@@ -93,7 +93,7 @@ TEST_CASE("a sky shows through fog what its own directions bring, by their weigh
 
 // With a chance c of drawing the sky q = c / 4 pi. It is 1/2, whatever the sun's power.
 TEST_CASE("a sky beside a sun in fog is drawn as often") {
-  require_pocl_and_rusticl();
+  require_pocl();
   Scene both = floor_in_fog(5, 0, light(ConstantLight{{1, 0, 0}}));
   add(both, DirectionalLight{{0, 0, -1}, {0, 0, 20}});
   const double expected = 0.5 * std::exp(-sigma * (above + 2 * ball_radius(5))) * std::log(65) / 64;
@@ -102,7 +102,7 @@ TEST_CASE("a sky beside a sun in fog is drawn as often") {
 
 // A grid ends where its box does; programs with and without the effect agree.
 TEST_CASE("nothing is cut where no medium is without an end") {
-  require_pocl_and_rusticl();
+  require_pocl();
   Scene scene = floor_in_fog(5, 0, downwards());
   scene.integrator.name = "volpath";
   add(scene, Box{{-20, -20, -20}, {20, 20, 20}});

@@ -38,7 +38,7 @@ double through(double cosine) {
 }
 
 TEST_CASE("a lamp behind a pane lights what is before it, and the pane is no depth") {
-  require_pocl_and_rusticl();
+  require_pocl();
   const Rgb tint{1, 0.5, 0.25};
   Scene scene = floor_below(pane(tint));
   scene.integrator.max_depth = 2;
@@ -58,7 +58,7 @@ TEST_CASE("a lamp behind a pane lights what is before it, and the pane is no dep
 }
 
 TEST_CASE("what a pane does not let through it reflects") {
-  require_pocl_and_rusticl();
+  require_pocl();
   Scene scene = floor_below(pane());
   scene.materials[0] = diffuse({0, 0, 0});
   scene.lights = {light(ConstantLight{{1, 1, 1}})};
@@ -66,7 +66,7 @@ TEST_CASE("what a pane does not let through it reflects") {
 }
 
 TEST_CASE("panes, in masks and blends as well, are not seen in white surroundings") {
-  require_pocl_and_rusticl();
+  require_pocl();
   for (const int kind : {0, 1, 2}) {
     INFO(kind);
     Scene scene = floor_below(pane());
@@ -88,7 +88,7 @@ TEST_CASE("panes, in masks and blends as well, are not seen in white surrounding
 }
 
 TEST_CASE("as in Mitsuba far_clip ends at what a camera's ray passes") {
-  require_pocl_and_rusticl();
+  require_pocl();
   const auto beyond = [](Scene scene) {
     scene.sampler.kind = SamplerKind::sobol;
     scene.sampler.sample_count = 16;
@@ -117,7 +117,7 @@ TEST_CASE("as in Mitsuba far_clip ends at what a camera's ray passes") {
 }
 
 TEST_CASE("paths through panes are the same one by one and in lanes, and as in the program with everything") {
-  require_pocl_and_rusticl();
+  require_pocl();
   Scene scene = filled(Sphere{{0, 0, 0}, 1}, medium({1, 2, 4}, {0.9, 0.6, 0.8}));
   scene.materials.push_back(pane({1, 0.8, 0.6}));
   scene.shapes.front().material = 1;

@@ -47,14 +47,14 @@ Scene lamp_in_ignored_glass(bool is_there) {
 }
 
 TEST_CASE("a lamp in ignored glass lights as if the glass were not there") {
-  require_pocl_and_rusticl();
+  require_pocl();
   CHECK(mean_in(lamp_in_ignored_glass(true), 1024, "path") ==
         Approx(mean_in(lamp_in_ignored_glass(false), 256, "path")).epsilon(0.02));
 }
 
 /// The camera's ray enters the ball of rank 2, is scattered by the floor and meets the ignored glass at its last depth.
 TEST_CASE("at the last depth, too, ignored glass is passed") {
-  require_pocl_and_rusticl();
+  require_pocl();
   for (const char* integrator : {"path", "volpath"}) {
     INFO(integrator);
     const auto mean = [&](bool is_there, int samples) {
@@ -101,7 +101,7 @@ Scene before_a_ball(const Geometry& geometry, const Material& front, bool ranked
 }
 
 TEST_CASE("priorities of shapes that do not overlap change nothing") {
-  require_pocl_and_rusticl();
+  require_pocl();
   Material holes = glass(1.5), pane;
   holes.opacity = Reflectance{{0.5, 0.5, 0.5}};
   pane.bsdf = ThinDielectric{Dielectric{1.5, 1, Reflectance{{1, 1, 1}}, Reflectance{{1, 1, 1}}}};
@@ -114,7 +114,7 @@ TEST_CASE("priorities of shapes that do not overlap change nothing") {
 }
 
 TEST_CASE("shadow rays draw which part of a blend they meet") {
-  require_pocl_and_rusticl();
+  require_pocl();
   for (const double weight : {0.3, 0.7}) {
     INFO(weight);
     Scene scene = stage({floor_plane()}, diffuse({0.5, 0.5, 0.5}));
@@ -132,7 +132,7 @@ TEST_CASE("shadow rays draw which part of a blend they meet") {
 }
 
 TEST_CASE("each side of a twosided material has its own opacity") {
-  require_pocl_and_rusticl();
+  require_pocl();
   for (const bool is_open : {false, true}) {
     INFO(is_open);
     // From behind.
@@ -149,7 +149,7 @@ TEST_CASE("each side of a twosided material has its own opacity") {
 
 // Were one number to decide at both walls of the ball, half of the rays would go through both.
 TEST_CASE("blends one behind the other on a ray: each draws by a number of its own") {
-  require_pocl_and_rusticl();
+  require_pocl();
   Scene scene = stage({});
   Material null = diffuse({0, 0, 0}), half;
   null.opacity = Reflectance{{0, 0, 0}};
@@ -167,7 +167,7 @@ TEST_CASE("blends one behind the other on a ray: each draws by a number of its o
 
 // The mask takes the path's first number of the stream, and no mirror takes one.
 TEST_CASE("blends behind a mask that a path has passed: each draws by a number of its own") {
-  require_pocl_and_rusticl();
+  require_pocl();
   Scene scene = stage({Rectangle{{-9, -9, 3}, {18, 0, 0}, {0, 18, 0}}}, diffuse({0, 0, 0}));
   scene.materials[0].opacity = Reflectance{{0, 0, 0}};
   Material mirror, black = diffuse({0, 0, 0}, true), half;

@@ -56,7 +56,7 @@ void hold_mean(const Image& image, double expected) {
 }
 
 TEST_CASE("in a closed room that glows there is 1 / (1 - reflectance) times the light") {
-  require_pocl_and_rusticl();
+  require_pocl();
   const double rho = 0.8;
   for (const Geometry& walls : {Geometry(room), Geometry(Sphere{{0, 0, 1}, 6})}) {
     for (const int rr_depth : {5, 1}) hold_mean(path_picture(furnace(walls, rho, -1, rr_depth)).color, 1 / (1 - rho));
@@ -65,7 +65,7 @@ TEST_CASE("in a closed room that glows there is 1 / (1 - reflectance) times the 
 }
 
 TEST_CASE("max_depth n is the light of n surfaces") {
-  require_pocl_and_rusticl();
+  require_pocl();
   const double rho = 0.7;
   for (const int depth : {0, 1, 2, 3, 6}) {
     INFO(depth);
@@ -78,7 +78,7 @@ TEST_CASE("max_depth n is the light of n surfaces") {
 }
 
 TEST_CASE("mirrors count as surfaces, and show what glows") {
-  require_pocl_and_rusticl();
+  require_pocl();
   Scene scene = furnace(room, 0.5, 4);
   scene.materials[0].bsdf = Conductor{{{0.5, 0.5, 0.5}}};
   const Image image = path_picture(scene).color;
@@ -86,7 +86,7 @@ TEST_CASE("mirrors count as surfaces, and show what glows") {
 }
 
 TEST_CASE("a mask lets pass what does not meet it, and counts as a surface") {
-  require_pocl_and_rusticl();
+  require_pocl();
   Scene scene = furnace(Sphere{{0, 0, 1}, 6}, 0, 2);
   Material veil;
   veil.bsdf = Diffuse{{{0, 0, 0}}};
@@ -103,7 +103,7 @@ TEST_CASE("a mask lets pass what does not meet it, and counts as a surface") {
 }
 
 TEST_CASE("a blend reflects what its materials do in proportion to its weight, under lamps and sky") {
-  require_pocl_and_rusticl();
+  require_pocl();
   const auto mean_of = [](const Material& material, std::vector<Material> blended) {
     Scene scene = stage({Sphere{{0, 0, 0}, 1.5}}, diffuse({0, 0, 0}));
     for (Material& each : blended) scene.materials.push_back(each);
@@ -125,7 +125,7 @@ TEST_CASE("a blend reflects what its materials do in proportion to its weight, u
 }
 
 TEST_CASE("a twosided material may be another from behind") {
-  require_pocl_and_rusticl();
+  require_pocl();
   const auto red_over_green = [](bool is_flipped) {
     Scene scene = stage({floor_plane()}, diffuse({0.5, 0, 0}));
     add(scene, ConstantLight{{1, 1, 1}});
@@ -146,7 +146,7 @@ TEST_CASE("a twosided material may be another from behind") {
 }
 
 TEST_CASE("white things under an even sky cannot be seen") {
-  require_pocl_and_rusticl();
+  require_pocl();
   Scene scene = stage({Sphere{{0.4, 0.3, 0.5}, 0.8}, Sphere{{-0.9, 0, 1}, 0.5}, Box{{-1, -1.2, -1}, {1.5, -0.3, 1}}},
                       diffuse({1, 1, 1}));
   add(scene, ConstantLight{{1, 1, 1}});
@@ -173,7 +173,7 @@ Scene many_lights() {
 }
 
 TEST_CASE("one light drawn of all is as bright as each taken") {
-  require_pocl_and_rusticl();
+  require_pocl();
   Scene scene = many_lights();
   Image difference = path_picture(scene).color;
   scene.integrator.name = "path";
@@ -188,7 +188,7 @@ TEST_CASE("one light drawn of all is as bright as each taken") {
 }
 
 TEST_CASE("hide_emitters lets the camera look through what glows, but not what it lights") {
-  require_pocl_and_rusticl();
+  require_pocl();
   Scene scene = stage({floor_plane()}, diffuse({0.5, 0.5, 0.5}));
   add(scene, emitting(Rectangle{{-2, -2, 1}, {0, 4, 0}, {4, 0, 0}}, {1, 1, 1}));
   add(scene, emitting(Sphere{{0, 0, 2}, 0.5}, {3, 3, 3}));
@@ -205,7 +205,7 @@ TEST_CASE("hide_emitters lets the camera look through what glows, but not what i
 
 // Mitsuba 3.9.1 too looks through it.
 TEST_CASE("hide_emitters hides a surface that shines along its normals") {
-  require_pocl_and_rusticl();
+  require_pocl();
   Scene scene =
       stage({Rectangle{{-9, -9, 0}, {18, 0, 0}, {0, 18, 0}}, Rectangle{{-2.5, -2.5, 3.5}, {0, 5, 0}, {5, 0, 0}}},
             diffuse({0.5, 0.5, 0.5}));

@@ -57,7 +57,7 @@ bool is_long() {
 }
 
 TEST_CASE("a closed room in lanes") {
-  require_pocl_and_rusticl();
+  require_pocl();
   const Scene scene = of("cornell/cornell-box.xml");
   require_same(scene, plain());
   if (!is_long()) return;
@@ -67,7 +67,7 @@ TEST_CASE("a closed room in lanes") {
 }
 
 TEST_CASE("what is reported of first samples, and counts of rays, in lanes") {
-  require_pocl_and_rusticl();
+  require_pocl();
   Scene scene = of("materials/conductor.xml");
   RenderSettings settings = all_aovs();
   settings.lanes = 16;
@@ -76,7 +76,7 @@ TEST_CASE("what is reported of first samples, and counts of rays, in lanes") {
 }
 
 TEST_CASE("shapes that are asked ray by ray in a tree, and emitters that the camera looks through, in lanes") {
-  require_pocl_and_rusticl();
+  require_pocl();
   Scene scene = of("lights/disk.xml");
   scene.integrator.name = "path";
   scene.integrator.max_depth = 4;
@@ -179,7 +179,7 @@ Scene all_shapes(bool has_relief, bool has_instances) {
 }
 
 TEST_CASE("every shape with its coordinates, in lanes") {
-  require_pocl_and_rusticl();
+  require_pocl();
   require_same(all_shapes(true, true), plain());
   if (!is_long()) return;
   for (const auto& [has_relief, has_instances] : {std::pair{false, true}, {true, true}, {true, false}}) {
@@ -212,7 +212,7 @@ Scene within_a_wall(double near_clip, double angle) {
 }
 
 TEST_CASE("a camera within a wall sees the wall, or past it what is not too near, in lanes") {
-  require_pocl_and_rusticl();
+  require_pocl();
   for (const double angle : {0.0, 12.5}) {
     INFO(angle);
     const Scene clipped = within_a_wall(0.01, angle);
@@ -228,14 +228,14 @@ TEST_CASE("a camera within a wall sees the wall, or past it what is not too near
 }
 
 TEST_CASE("smooth meshes and instances in a tree, in lanes, in both tiers that keep their bits everywhere") {
-  require_pocl_and_rusticl();
+  require_pocl();
   require_same(of("mesh/torus-and-icosphere.xml"), plain());
   require_same(of("instances/mushrooms.xml"), plain(Precision::fp64, 8));
   if (is_long()) require_same(of("instances/mushrooms.xml"), plain(Precision::robust, 8));
 }
 
 TEST_CASE("glass in a tree, in lanes, and more samples than a pool holds") {
-  require_pocl_and_rusticl();
+  require_pocl();
   RenderSettings settings = plain(Precision::robust, 8);
   settings.acceleration = Acceleration::tree;
   const Scene scene = small_scene(scene_folder / "materials/dielectric.xml", 12, 10, 150);
@@ -265,14 +265,14 @@ Scene thin_bars() {
 }
 
 TEST_CASE("light of any size, and black samples, in lanes") {
-  require_pocl_and_rusticl();
+  require_pocl();
   require_same(thin_bars(), plain());
   if (is_long()) require_same(thin_bars(), plain(Precision::robust, 8));
 }
 
 TEST_CASE("blends, masks, bent normals and textures in lanes, by programs of their own") {
   if (!is_long()) return;
-  require_pocl_and_rusticl();
+  require_pocl();
   require_same(of("materials/blendbsdf.xml"), plain());
   require_same(of("materials/mask.xml"), plain(Precision::robust, 8));
   require_same(of("materials/normalmap.xml"), plain());
@@ -292,7 +292,7 @@ void require_same_in_spans(Scene scene, const RenderSettings& settings) {
 }
 
 TEST_CASE("few samples in lanes: meshes, first samples that are reported with textures, branches") {
-  require_pocl_and_rusticl();
+  require_pocl();
   require_same_in_spans(of("mesh/torus-and-icosphere.xml"), plain());
   RenderSettings settings = all_aovs();
   settings.lanes = 8;
@@ -303,7 +303,7 @@ TEST_CASE("few samples in lanes: meshes, first samples that are reported with te
 }
 
 TEST_CASE("few samples in lanes by any launches") {
-  require_pocl_and_rusticl();
+  require_pocl();
   const Scene scene = small_scene(scene_folder / "cornell/cornell-box.xml", 70, 9, 6);
   RenderSettings settings = plain();
   const RenderResult whole = followed(scene, settings, true);

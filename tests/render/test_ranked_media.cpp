@@ -40,7 +40,7 @@ Scene two_layers(const Material& one, const Material& other, int priority_of_fir
 double light_through(const Scene& scene) { return static_cast<double>(color(scene, Precision::robust).at(10, 20, 0)); }
 
 TEST_CASE("of two bodies that overlap the one of the higher priority is there") {
-  require_pocl_and_rusticl();
+  require_pocl();
   for (const Material& one : {boundary(), clear_glass()})
     for (const Material& other : {boundary(), clear_glass()})
       for (const int priority : {1, -1}) {
@@ -63,7 +63,7 @@ TEST_CASE("of two bodies that overlap the one of the higher priority is there") 
 }
 
 TEST_CASE("light of a lamp loses what the highest bodies on its way absorb") {
-  require_pocl_and_rusticl();
+  require_pocl();
   for (const int priority : {1, -1}) {
     Scene scene = two_layers(boundary(), boundary(), priority);
     scene.lights = {light(DirectionalLight{{0, 0, -1}, {2, 2, 2}})};
@@ -75,7 +75,7 @@ TEST_CASE("light of a lamp loses what the highest bodies on its way absorb") {
 
 // What names no medium has none within it, and behind it is what was there before.
 TEST_CASE("glass in fog displaces it") {
-  require_pocl_and_rusticl();
+  require_pocl();
   Scene scene = stage({layer(-1, 0.5)}, clear_glass());
   scene.media = {medium({first, first, first}, {0, 0, 0})};
   scene.camera.medium = 0;
@@ -97,7 +97,7 @@ Scene half_in_fog(const Material& body, bool is_above) {
 }
 
 TEST_CASE("fog into which glass with a priority reaches is around the glass, and not within it") {
-  require_pocl_and_rusticl();
+  require_pocl();
   for (const bool is_above : {false, true}) {
     Scene scene = half_in_fog(clear_glass(), is_above);
     scene.shapes[1].media.reset();
@@ -108,7 +108,7 @@ TEST_CASE("fog into which glass with a priority reaches is around the glass, and
 }
 
 TEST_CASE("a body with a priority stays full of its medium where fog ends within it") {
-  require_pocl_and_rusticl();
+  require_pocl();
   Material pane;
   pane.bsdf = ThinDielectric{{1, 1}};
   for (const Material& material : {boundary(), clear_glass(), pane}) {
@@ -127,7 +127,7 @@ TEST_CASE("a body with a priority stays full of its medium where fog ends within
 }
 
 TEST_CASE("bodies of an instance overlap as others do") {
-  require_pocl_and_rusticl();
+  require_pocl();
   for (const int priority : {1, -1}) {
     Scene scene = two_layers(boundary(), boundary(), priority);
     scene.groups.push_back({"", {scene.shapes[0]}, {}});
@@ -156,7 +156,7 @@ Layer face(double above, double below) {
 Layer absorber(double depth) { return {0, 0, std::exp(-depth)}; }
 
 TEST_CASE("glass on a liquid, each with a medium, reflects and transmits what layers do") {
-  require_pocl_and_rusticl();
+  require_pocl();
   for (const int priority : {1, -1}) {
     Material glass, liquid;
     glass.bsdf = Dielectric{1.8, 1};
@@ -173,7 +173,7 @@ TEST_CASE("glass on a liquid, each with a medium, reflects and transmits what la
 }
 
 TEST_CASE("bodies that only scatter are not seen where they overlap either, in lanes and one by one") {
-  require_pocl_and_rusticl();
+  require_pocl();
   Scene scene =
       stage({Sphere{{-0.3, 0, 0}, 1}, Sphere{{0.5, 0, 0}, 0.8}, Box{{-0.5, -1.2, -0.5}, {0.6, 0.6, 0.6}}}, boundary());
   scene.materials.push_back(clear_glass());

@@ -16,7 +16,7 @@ namespace {
 using Catch::Matchers::Contains;
 
 Device pocl() {
-  require_pocl_and_rusticl();
+  require_pocl();
   return Device::open("pocl");
 }
 

@@ -52,7 +52,7 @@ Scene scene_of(bool as_cloud) {
 }
 
 TEST_CASE("the same picture as of single spheres, each a primitive of its cloud") {
-  require_pocl_and_rusticl();
+  require_pocl();
   const RenderResult cloud = render("pocl", scene_of(true), all_aovs());
   const RenderResult single = render("pocl", scene_of(false), all_aovs());
   CHECK(lit_pixels(cloud.color) > 500);

@@ -67,7 +67,7 @@ LitPoints count(const Geometry& geometry, const Vec3& c, double s, const Vec3& t
 }
 
 TEST_CASE("what faces the light is lit") {
-  require_pocl_and_rusticl();
+  require_pocl();
   struct Place {
     Vec3 center;
     double size;

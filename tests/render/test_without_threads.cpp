@@ -37,7 +37,7 @@ class NoThreads {
 }  // namespace
 
 TEST_CASE("a finished picture needs no thread more") {
-  require_pocl_and_rusticl();
+  require_pocl();
   RenderSettings settings;
   settings.error_map = true;
   Renderer renderer(Device::open("pocl"), small_scene(scene_folder / "cornell/cornell-box.xml", 128, 128, 8), settings);

@@ -3,7 +3,8 @@ foreach(name first_principles large_ground invariance launches closed_form termi
              mirror_box numeric_error accuracy_scenes area_lights many_lights path ao disabled error_coverage
              goals resume several_devices sphere_cloud film filter glass
              ignored_surfaces albedo normals media media_edges media_reach open_media ranked_media grids scattering
-             strict_normals panes passing coincident moments last_rays refused without_threads film_parts shared_pixels)
+             strict_normals panes passing coincident moments last_rays refused without_threads film_parts shared_pixels
+             sharing_program)
   strahl_test(render/test_${name}.cpp LABEL render)
 endforeach()
 strahl_test(render/test_paths_in_lanes.cpp LABEL render LIBS strahl_selftest)

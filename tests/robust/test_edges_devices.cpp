@@ -93,7 +93,7 @@ bool is_between(const Question& question, double t) {
 }  // namespace
 
 TEST_CASE("beside an edge hit and miss are exact") {
-  require_pocl_and_rusticl();
+  require_pocl();
   oracle::Random random(11);
   std::vector<Question> questions;
   for (int i = 0; i < 20000; ++i) questions.push_back(beside_an_edge(random));
@@ -111,7 +111,7 @@ TEST_CASE("beside an edge hit and miss are exact") {
 }
 
 TEST_CASE("a ray within the plane hits between the vertices") {
-  require_pocl_and_rusticl();
+  require_pocl();
   oracle::Random random(12);
   std::vector<Question> questions;
   for (int i = 0; i < 20000; ++i) questions.push_back(within_the_plane(random));

@@ -163,7 +163,7 @@ Rendered rendered(const std::string& text) {
 }  // namespace
 
 TEST_CASE("the pictures of the catalogue pass their checks") {
-  require_pocl_and_rusticl();
+  require_pocl();
   std::set<std::string> used;
   for (const Row& row : catalogue()) {
     std::vector<Rendered> pictures;

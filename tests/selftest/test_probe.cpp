@@ -36,7 +36,7 @@ bool same_bits(double a, double b) { return std::bit_cast<std::uint64_t>(a) == s
 }  // namespace
 
 TEST_CASE("PoCL answers questions with the host's bits in the robust tier") {
-  require_pocl_and_rusticl();
+  require_pocl();
   const Device device = Device::open("pocl");
   for (const std::string& kind : list_entries("shapes")) {
     const std::vector<Question> questions = draw(kind, 200);
@@ -62,7 +62,7 @@ TEST_CASE("PoCL answers questions with the host's bits in the robust tier") {
 }
 
 TEST_CASE("a question may be about many primitives, and a batch larger than a launch") {
-  require_pocl_and_rusticl();
+  require_pocl();
   Probe probe(Device::open("pocl"), "sphere", Precision::stable);
   // Spheres of radius 1 at x = 3 i, seen along x: with the first k left out by t_min, the one hit is number k.
   constexpr int spheres = 37;
@@ -97,7 +97,7 @@ TEST_CASE("a question may be about many primitives, and a batch larger than a la
 }
 
 TEST_CASE("double precision answers to the last place of float") {
-  require_pocl_and_rusticl();
+  require_pocl();
   Probe probe(Device::open("pocl", {true}), "sphere", Precision::fp64);
   const std::vector<Question> questions = draw("sphere", 500);
   const std::vector<Answer> answers = probe.ask(questions);
@@ -115,7 +115,7 @@ TEST_CASE("double precision answers to the last place of float") {
 }
 
 TEST_CASE("a change of the program reaches the device") {
-  require_pocl_and_rusticl();
+  require_pocl();
   ProbeOptions options;
   options.change = [](ProgramSource& source) {
     const std::string reported = "ray_given_t(&ray, best.t, in[RAY_T_MIN], in[RAY_T_MAX])";
@@ -132,7 +132,7 @@ TEST_CASE("a change of the program reaches the device") {
 }
 
 TEST_CASE("seams: where nothing is left to be hit, an answer that is no number is wrong") {
-  require_pocl_and_rusticl();
+  require_pocl();
   const std::vector<ClosedSurface> surfaces = surfaces_of("triangle");
   REQUIRE_FALSE(surfaces.empty());
   for (const bool is_faulty : {false, true}) {

@@ -17,7 +17,7 @@ EffectCosts cost_of_sums(int spp) {
 }
 
 TEST_CASE("sub-sums are timed with as many samples as have them") {
-  require_pocl_and_rusticl();
+  require_pocl();
   const EffectCosts costs = cost_of_sums(64);
   CHECK(costs.study.spp == 4);
   CHECK(costs.effects.at("ERROR_SUMS").frame_needed.empty());

@@ -38,7 +38,7 @@ TEST_CASE("every pixel once, 16 in a row are neighbours") {
 }
 
 TEST_CASE("shadow rays end at the lamp, bounces leave by the cosine law") {
-  require_pocl_and_rusticl();
+  require_pocl();
   const Scene scene = small(ten_spheres(), 64, 64);
   const RaySet primary = primary_rays(scene);
   Intersector intersector(Device::open("pocl"), scene);

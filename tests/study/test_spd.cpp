@@ -48,7 +48,7 @@ long hits(const std::string& name) {
 }
 
 TEST_CASE("published counts of rays that hit") {
-  require_pocl_and_rusticl();
+  require_pocl();
   CHECK(hits("balls.nff") == 263169);
   CHECK(hits("tetra.nff") == 49950);
   CHECK(hits("teapot_s12.nff") == 161546);

@@ -12,7 +12,7 @@ namespace strahl::test {
 namespace {
 
 TEST_CASE("every stress, every tier") {
-  require_pocl_and_rusticl();
+  require_pocl();
   const Device device = Device::open("pocl", {true});
   Scene scene = small_scene(scene_folder / "lecture/lit.xml", 40, 30, 1);
   int calls = 0, last = 0;
@@ -75,7 +75,7 @@ void hold_in_double(const std::string& what, const Scene& scene) {
 }
 
 TEST_CASE("media, heights and distances have units, too") {
-  require_pocl_and_rusticl();
+  require_pocl();
   hold_in_double("fog", small_scene(scene_folder / "media/fog.xml", 16, 12, 1));
   hold_in_double("a candle", small_scene(scene_folder / "media/candle.xml", 16, 12, 1));
   hold_in_double("heights", small_scene(scene_folder / "materials/bumpmap.xml", 16, 12, 1));

@@ -59,7 +59,7 @@ nlohmann::json timeless(nlohmann::json json) {
 }
 
 TEST_CASE("what a study writes, and what it goes on from") {
-  require_pocl_and_rusticl();
+  require_pocl();
   const Device device = Device::open("pocl", {true});
   const Scene scene = small_room();
   const Folder whole, parts;
@@ -149,7 +149,7 @@ TEST_CASE("what a study writes, and what it goes on from") {
 }
 
 TEST_CASE("independent samples: the error falls as their root; somebody's reference") {
-  require_pocl_and_rusticl();
+  require_pocl();
   const Device device = Device::open("pocl", {true});
   const Scene scene = small_room();
   const Folder folder;

@@ -41,6 +41,16 @@ inline std::vector<std::string> present_devices() {
   return present;
 }
 
+/// Fails the test case where PoCL is missing, which may not be skipped. rusticl makes no llvmpipe unasked, which takes
+/// it 0.2 s.
+inline void require_pocl() {
+  const std::vector<PlatformInfo> platforms = list_platforms();
+  INFO("PoCL is missing: apt install pocl-opencl-icd");
+  REQUIRE(std::any_of(platforms.begin(), platforms.end(), [](const PlatformInfo& platform) {
+    return platform.name.find("Portable Computing Language") != std::string::npos && !platform.devices.empty();
+  }));
+}
+
 /// Fails the test case where PoCL or rusticl's llvmpipe is missing: those two may not be skipped.
 inline void require_pocl_and_rusticl() {
   const std::vector<std::string> present = present_devices();

@@ -41,10 +41,11 @@ std::string content_hash(const Scene& scene) {
 
 std::string code_hash(const Scene& scene) {
   std::string texts;
-  for (const SamplerKind sampler : {SamplerKind::sobol, SamplerKind::independent})
-    texts += program_source(kinds::integrator(scene.integrator.name).kernel(), features_of(common(scene, sampler), {}),
-                            Precision::robust, 1)
-                 .text;
+  for (const SamplerKind sampler : {SamplerKind::sobol, SamplerKind::independent}) {
+    const Features features = features_of(common(scene, sampler), {});
+    texts += program_source(kinds::integrator(scene.integrator.name).kernel(), features, Precision::robust, 1).text;
+    if (features.flag("SHARED_SAMPLES")) texts += sharing_source(features, Precision::robust, 1).text;
+  }
   return fmt::format("{:016x}", fnv1a(texts));
 }
 

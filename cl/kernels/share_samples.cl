@@ -1,17 +1,25 @@
 // SPDX-License-Identifier: MIT
-// The second kernel of programs with HAS_SHARED_SAMPLES: samples from the ring into the film. A work-item is a span
-// of pixels, as in the first. Included by kernels/render.cl, in PATH_LANES lanes.
+// Samples that count in several pixels, from the ring where the kernel of kernels/render.cl leaves them into the film
+// (docs/decisions/0035-shared-samples.md). A work-item is a span of pixels, as there. A program of its own: it knows
+// nothing of the scene but numbers, so that it is built once for all of them.
+#include "math/vec3.h"
+#include "lanes/lane_ops.h"
+#include "scene/scene.h"
+#include "film/span_film.h"
 #include "film/film_weights.h"
+#include "math/vec3_lanes.h"
+#if LANES != 1
+#include "film/pixel_samples_lanes.h"
+#endif
 #include "film/shared_samples_lanes.h"
 
 /// The pixels columns x rows from (column_first, row_first) of the film on, samples of each. ring_row, ring_column:
 /// where in the ring the first row is whose samples count in them, and their first column.
-KERNEL LANE_HINT_OF(SCENE_LANES) void share_samples(GLOBAL const real* geometry, GLOBAL const real* shading,
-                                                    GLOBAL const int* index, GLOBAL long* film, GLOBAL const real* ring,
-                                                    GLOBAL uint* counters, int column_first, int row_first, int columns,
-                                                    int rows, int span_columns, int film_columns, int sample_first,
-                                                    int samples, int ring_row, int ring_column, int ring_rows,
-                                                    int ring_columns) {
+KERNEL LANE_HINT void share_samples(GLOBAL const real* geometry, GLOBAL const real* shading, GLOBAL const int* index,
+                                    GLOBAL long* film, GLOBAL const real* ring, GLOBAL uint* counters, int column_first,
+                                    int row_first, int columns, int rows, int span_columns, int film_columns,
+                                    int sample_first, int samples, int ring_row, int ring_column, int ring_rows,
+                                    int ring_columns) {
   int column = (int)get_global_id(0) * span_columns, row = (int)get_global_id(1);
   if (column >= columns || row >= rows) return;
   Scene scene = scene_of(geometry, shading, index, counters);
