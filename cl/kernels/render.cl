@@ -2,10 +2,9 @@
 // One work-item a pixel: PATH_LANES samples of it at a time, each a camera ray, then closest hit and integrator step in
 // turns; the results go into the film. Where samples are too few for that, a work-item takes a span of span_columns
 // pixels. A launch covers a rectangle of the picture's pixels, columns x rows from (x_first, y_first) on, and samples
-// [sample_first, sample_first + sample_count) of each of them. Values that are the
-// same for all pixels are arguments where every pixel needs them: PoCL evaluates arguments once for a row of
-// work-items, but reads buffers for each. Samples that count in several pixels wait for a second kernel
-// (kernels/share_samples.cl).
+// [sample_first, sample_first + sample_count) of each of them. Values that are the same for all pixels are arguments
+// where every pixel needs them: PoCL evaluates arguments once for a row of work-items, but reads buffers for each.
+// Samples that count in several pixels wait for the kernel of another program (kernels/share_samples.cl).
 #include "math/vec3.h"
 #include "lanes/lane_ops.h"
 #include "accel/traverse.h"
