@@ -78,6 +78,7 @@ FN SharedSamples_w shared_samples_w(const Neighbourhood_w* n, int first) {
 /// The film's side of a span of pixels.
 typedef struct {
   GLOBAL long* words;  ///< Of the first pixel.
+  GLOBAL uint* done;  ///< With HAS_LOOP_LIMIT: the first sample that is not in the film yet. A span is one pixel there.
   SubSums sums;
   int pixel_words;
 } SharingFilm_w;
@@ -148,9 +149,12 @@ ONCE_FN void share_span_w(const Scene* scene, const Neighbourhood_w* n, const Sh
 #else
 ONCE_FN void share_span_w(const Scene* scene, const Neighbourhood_w* n, const SharingFilm_w* film, int columns) {
   (void)columns;
-  for (int i = 0; i < n->ring.samples; ++i) {
-    SharedSamples_w shared = shared_samples_w(n, i * ring_sample_step(&n->ring));
-    add_shared_sample_w(scene, &shared, 0, film, 0, n->ring.sample_first + i);
+  int first = n->ring.sample_first, next = HAS_LOOP_LIMIT ? max((int)*film->done, first) : first;
+  for (int sample = next; sample < first + n->ring.samples; ++sample) {
+    SharedSamples_w shared = shared_samples_w(n, (sample - first) * ring_sample_step(&n->ring));
+    if (HAS_LOOP_LIMIT && !loops_were_whole()) break;
+    add_shared_sample_w(scene, &shared, 0, film, 0, sample);
+    if (HAS_LOOP_LIMIT) *film->done = (uint)(sample + 1);
   }
 }
 #endif

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Samples that count in several pixels, from the ring where the kernel of kernels/render.cl leaves them into the film
 // (docs/decisions/0035-shared-samples.md). A work-item is a span of pixels, as there. A program of its own: it knows
-// nothing of the scene but numbers, so that it is built once for all of them.
+// nothing of the scene but numbers, so that it is built once for all of them. Where the device ends loops, it goes on
+// where an earlier launch stopped (kernels/whole_loops.h).
 #include "math/vec3.h"
 #include "lanes/lane_ops.h"
 #include "scene/scene.h"
 #include "film/span_film.h"
 #include "film/film_weights.h"
+#include "kernels/whole_loops.h"
 #include "math/vec3_lanes.h"
 #if LANES != 1
 #include "film/pixel_samples_lanes.h"
@@ -39,5 +41,12 @@ KERNEL LANE_HINT void share_samples(GLOBAL const real* geometry, GLOBAL const re
   n.taps = shading + index[HEADER_TAPS];
   ulong pixel = (ulong)(row_first + row) * (ulong)film_columns + (ulong)(column_first + column);
   to.words = film + pixel * (ulong)to.pixel_words;
+  to.done = counters + COUNTERS + ring_pixel(&n.ring, n.row, n.column);
+  int next = 0;
+  if (HAS_LOOP_LIMIT) next = max((int)*to.done, sample_first);
   share_span_w(&scene, &n, &to, min(span_columns, columns - column));
+  if (HAS_LOOP_LIMIT && (int)*to.done < sample_first + samples) {
+    count_event(&scene, COUNT_CUT);
+    if ((int)*to.done <= next) count_event(&scene, COUNT_STUCK);
+  }
 }

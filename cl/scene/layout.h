@@ -274,8 +274,8 @@ enum { AOV_SHAPE, AOV_PRIMITIVE, AOV_INTS };
 
 // COUNT_CUT, COUNT_STUCK: work-items whose loops the device has ended before their last sample, or before their first.
 // Only programs with HAS_LOOP_LIMIT have them. There the counters are followed by one number for each pixel of the
-// film: the first sample that is not in the film yet. Of light paths they are DONE_OF_PATHS numbers: that sample, and
-// how many of its splats are in the film.
+// film, or of the ring where pixels share samples: the first sample that is not there yet. Of light paths they are
+// DONE_OF_PATHS numbers: that sample, and how many of its splats are in the film.
 enum {
   COUNT_SATURATED,
   COUNT_INVALID,

@@ -31,7 +31,7 @@ ProgramSource program_source(const KernelFiles& files, const std::string& root, 
 }
 
 ProgramSource sharing_source(const Features& features, Precision precision, int lanes) {
-  Features few = no_features(false);
+  Features few = no_features(features.flag("LOOP_LIMIT"));
   for (auto& [name, on] : few.flags)
     if (name == "SHARED_SAMPLES" || name == "MOMENT" || name == "ERROR_SUMS") on = features.flag(name);
   return program_source("kernels/share_samples.cl", few, precision, lanes, 0, false, lanes);

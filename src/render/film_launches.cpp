@@ -31,8 +31,8 @@ FilmRun::Unfinished FilmRun::count(const std::function<void()>& launch) {
 
 /// Work-items continue where an earlier launch stopped. Where none makes progress, a part of them is launched alone,
 /// because work-items that run in step share their turns.
-void FilmRun::launch_to_end(const Launch& launch) {
-  const auto once = [&] { return count([&] { state_.launch(launch, band_); }); };
+void FilmRun::launch_to_end(const Launch& launch, Kernel kernel) {
+  const auto once = [&] { return count([&] { (state_.*kernel)(launch, band_); }); };
   Unfinished left = once();
   while (left.cut > left.stuck) left = once();
   if (left.cut == 0) return;
@@ -52,15 +52,17 @@ void FilmRun::launch_to_end(const Launch& launch) {
         state_.device.info().text(), state_.settings.loop_turns.value_or(0), state_.window.x0 + launch.column_first,
         state_.window.y0 + launch.row_first));
   }
-  launch_to_end(first);
-  launch_to_end(second);
+  launch_to_end(first, kernel);
+  launch_to_end(second, kernel);
 }
 
 void FilmRun::launch_shared(const Launch& launch) {
   for (const Launch& part : state_.ring->parts(launch, state_.ring_memory())) {
-    if (const Launch missing = state_.missing_samples(part); missing.rows > 0) launch_to_end(missing);
+    if (const Launch missing = state_.missing_samples(part); missing.rows > 0)
+      launch_to_end(missing, &Renderer::State::launch);
     state_.ring->filled();
-    count([&] { state_.launch_sharing(part, band_); });
+    state_.begin_ring();
+    launch_to_end(part, &Renderer::State::launch_sharing);
   }
 }
 
@@ -70,7 +72,7 @@ double FilmRun::launch_and_count(const Launch& launch) {
   if (state_.ring)
     launch_shared(launch);
   else
-    launch_to_end(launch);
+    launch_to_end(launch, &Renderer::State::launch);
   film_.add_samples(launch);
   run.camera_rays += static_cast<std::uint64_t>(launch.columns) * static_cast<std::uint64_t>(launch.rows) *
                      static_cast<std::uint64_t>(launch.samples);

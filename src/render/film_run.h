@@ -75,7 +75,9 @@ class FilmRun {
   };
   /// One launch by `start`, its seconds and what it has counted.
   Unfinished count(const std::function<void()>& start);
-  void launch_to_end(const Launch& launch);
+  /// Renderer::State::launch or launch_sharing.
+  using Kernel = void (Renderer::State::*)(const Launch&, const Rows&);
+  void launch_to_end(const Launch& launch, Kernel kernel);
   /// Samples that other pixels' samples are made of, and those of the launch.
   void launch_shared(const Launch& launch);
   /// Kernel seconds.

@@ -216,15 +216,18 @@ std::size_t Renderer::State::ring_memory() const {
 
 Launch Renderer::State::missing_samples(const Launch& l) {
   const Launch missing = ring->prepare(l, window.height(), ring_memory());
-  if (!features.flag("LOOP_LIMIT")) return missing;
-  // How far each pixel of the ring has come: not at all.
+  begin_ring();
+  return missing;
+}
+
+void Renderer::State::begin_ring() {
+  if (!features.flag("LOOP_LIMIT")) return;
   const std::size_t words = layout::COUNTERS + ring->pixels(), bytes = words * sizeof(std::uint32_t);
   checked(device.info().text(), [&] {
     if (counters.getInfo<CL_MEM_SIZE>() < bytes) counters = allocate(device, bytes, "the counters");
     device.queue().enqueueFillBuffer(counters, cl_uint{0}, 0, bytes);
     return device.queue().finish();
   });
-  return missing;
 }
 
 /// Launches without pixels. Runtimes that finish compiling at the first launch do it here, outside of the kernel's

@@ -172,6 +172,8 @@ struct Renderer::State {
   [[nodiscard]] std::size_t ring_memory() const;
   /// Samples that count in this launch's pixels and are not there yet.
   [[nodiscard]] Launch missing_samples(const Launch& launch);
+  /// Before either kernel: where the device ends loops, no pixel of the ring has come anywhere yet.
+  void begin_ring();
   void warm_up();
 
   LaunchShape shape, sharing_shape;
