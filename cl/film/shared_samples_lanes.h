@@ -79,6 +79,7 @@ FN SharedSamples_w shared_samples_w(const Neighbourhood_w* n, int first) {
 typedef struct {
   GLOBAL long* words;  ///< Of the first pixel.
   GLOBAL uint* done;  ///< With HAS_LOOP_LIMIT: the first sample that is not in the film yet. A span is one pixel there.
+  int first;          ///< The sample to begin with.
   SubSums sums;
   int pixel_words;
 } SharingFilm_w;
@@ -149,9 +150,9 @@ ONCE_FN void share_span_w(const Scene* scene, const Neighbourhood_w* n, const Sh
 #else
 ONCE_FN void share_span_w(const Scene* scene, const Neighbourhood_w* n, const SharingFilm_w* film, int columns) {
   (void)columns;
-  int first = n->ring.sample_first, next = HAS_LOOP_LIMIT ? max((int)*film->done, first) : first;
-  for (int sample = next; sample < first + n->ring.samples; ++sample) {
-    SharedSamples_w shared = shared_samples_w(n, (sample - first) * ring_sample_step(&n->ring));
+  int begin = n->ring.sample_first;
+  for (int sample = film->first; sample < begin + n->ring.samples; ++sample) {
+    SharedSamples_w shared = shared_samples_w(n, (sample - begin) * ring_sample_step(&n->ring));
     if (HAS_LOOP_LIMIT && !loops_were_whole()) break;
     add_shared_sample_w(scene, &shared, 0, film, 0, sample);
     if (HAS_LOOP_LIMIT) *film->done = (uint)(sample + 1);

@@ -52,8 +52,5 @@ KERNEL LANE_HINT_OF(SCENE_LANES) void render(GLOBAL const real* geometry, GLOBAL
   if (HAS_LOOP_LIMIT) span.first = span.next = min(max(sample_first, (int)splats.done[DONE_SAMPLE]), span.end);
   span.column = 0;
   trace_both_ends_w(scene, span);
-  if (HAS_LOOP_LIMIT && (int)splats.done[DONE_SAMPLE] < span.end) {
-    count_event(&scene, COUNT_CUT);
-    if ((int)splats.done[DONE_SAMPLE] <= span.first) count_event(&scene, COUNT_STUCK);
-  }
+  if (HAS_LOOP_LIMIT) count_unfinished(&scene, span.first, (int)splats.done[DONE_SAMPLE], span.end);
 }

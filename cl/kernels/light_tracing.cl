@@ -86,8 +86,5 @@ KERNEL LANE_HINT_OF(SCENE_LANES) void render(GLOBAL const real* geometry, GLOBAL
 #else
   trace_in_lanes_w(scene, span);
 #endif
-  if (HAS_LOOP_LIMIT && (int)splats.done[DONE_SAMPLE] < span.end) {
-    count_event(&scene, COUNT_CUT);
-    if ((int)splats.done[DONE_SAMPLE] <= span.first) count_event(&scene, COUNT_STUCK);
-  }
+  if (HAS_LOOP_LIMIT) count_unfinished(&scene, span.first, (int)splats.done[DONE_SAMPLE], span.end);
 }

@@ -272,8 +272,5 @@ KERNEL LANE_HINT_OF(SCENE_LANES) void render(GLOBAL const real* geometry, GLOBAL
   first.end = film_row >= 0 && film_row < film_rows ? film_columns - film_column : 0;
   first.lanes = 0u;
   render_span_w(scene, span, first, to);
-  if (HAS_LOOP_LIMIT && (int)*to.done < end) {
-    count_event(&scene, COUNT_CUT);
-    if ((int)*to.done <= next) count_event(&scene, COUNT_STUCK);
-  }
+  if (HAS_LOOP_LIMIT) count_unfinished(&scene, next, (int)*to.done, end);
 }

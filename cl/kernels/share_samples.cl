@@ -42,11 +42,8 @@ KERNEL LANE_HINT void share_samples(GLOBAL const real* geometry, GLOBAL const re
   ulong pixel = (ulong)(row_first + row) * (ulong)film_columns + (ulong)(column_first + column);
   to.words = film + pixel * (ulong)to.pixel_words;
   to.done = counters + COUNTERS + ring_pixel(&n.ring, n.row, n.column);
-  int next = 0;
-  if (HAS_LOOP_LIMIT) next = max((int)*to.done, sample_first);
+  to.first = sample_first;
+  if (HAS_LOOP_LIMIT) to.first = max(sample_first, (int)*to.done);  // Continues where an earlier launch stopped.
   share_span_w(&scene, &n, &to, min(span_columns, columns - column));
-  if (HAS_LOOP_LIMIT && (int)*to.done < sample_first + samples) {
-    count_event(&scene, COUNT_CUT);
-    if ((int)*to.done <= next) count_event(&scene, COUNT_STUCK);
-  }
+  if (HAS_LOOP_LIMIT) count_unfinished(&scene, to.first, (int)*to.done, sample_first + samples);
 }

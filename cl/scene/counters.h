@@ -11,6 +11,14 @@ FN void count_events(const Scene* scene, int counter, uint number) {
 
 FN void count_event(const Scene* scene, int counter) { count_events(scene, counter, 1u); }
 
+/// With HAS_LOOP_LIMIT. first: the sample that a work-item began this launch with; next: the first that is not there
+/// yet; end: of the launch's samples.
+FN void count_unfinished(const Scene* scene, int first, int next, int end) {
+  if (next >= end) return;
+  count_event(scene, COUNT_CUT);
+  if (next <= first) count_event(scene, COUNT_STUCK);
+}
+
 /// How many bits are set.
 FN uint lanes_among(uint bits) {
   uint lanes = 0u;

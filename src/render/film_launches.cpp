@@ -58,11 +58,13 @@ void FilmRun::launch_to_end(const Launch& launch, Kernel kernel) {
 
 void FilmRun::launch_shared(const Launch& launch) {
   for (const Launch& part : state_.ring->parts(launch, state_.ring_memory())) {
-    if (const Launch missing = state_.missing_samples(part); missing.rows > 0)
-      launch_to_end(missing, &Renderer::State::launch);
+    const auto whole = [&](const Launch& pixels, Kernel kernel) {
+      state_.begin_ring();
+      launch_to_end(pixels, kernel);
+    };
+    if (const Launch missing = state_.missing_samples(part); missing.rows > 0) whole(missing, &Renderer::State::launch);
     state_.ring->filled();
-    state_.begin_ring();
-    launch_to_end(part, &Renderer::State::launch_sharing);
+    whole(part, &Renderer::State::launch_sharing);
   }
 }
 

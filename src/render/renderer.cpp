@@ -214,11 +214,7 @@ std::size_t Renderer::State::ring_memory() const {
   return std::min({most_ring_bytes, static_cast<std::size_t>(device.info().max_allocation), memory_left() / 4});
 }
 
-Launch Renderer::State::missing_samples(const Launch& l) {
-  const Launch missing = ring->prepare(l, window.height(), ring_memory());
-  begin_ring();
-  return missing;
-}
+Launch Renderer::State::missing_samples(const Launch& l) { return ring->prepare(l, window.height(), ring_memory()); }
 
 void Renderer::State::begin_ring() {
   if (!features.flag("LOOP_LIMIT")) return;

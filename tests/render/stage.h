@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "render/pictures.h"
+#include "scene/model/build.h"
 
 namespace strahl::test {
 
@@ -41,6 +42,16 @@ Light light(const Emitter& emitter) {
   Light light;
   light.emitter = emitter;
   return light;
+}
+
+/// A lamp with a slanted edge near x = -0.3, looked at directly.
+inline Scene lamp_edge(int samples) {
+  Scene scene = stage({});
+  add(scene, emitting(Rectangle{{-0.3, -9, 0}, {9, 1, 0}, {0, 18, 0}}, {1, 2, 3}));
+  scene.integrator.name = "emission";
+  scene.sampler.kind = SamplerKind::sobol;
+  scene.sampler.sample_count = samples;
+  return scene;
 }
 
 /// Where the ray of a pixel runs.

@@ -97,13 +97,9 @@ TEST_CASE("so are samples that are all the same, more than a loop has turns") {
 
 TEST_CASE("so are samples that count in several pixels, more than a launch of the second kernel has turns for") {
   require_pocl_and_rusticl();
-  Scene scene = stage({});
-  add(scene, emitting(Rectangle{{-0.3, -9, 0}, {9, 1, 0}, {0, 18, 0}}, {1, 2, 3}));
-  scene.integrator.name = "emission";
+  Scene scene = lamp_edge(700);
   scene.film.width = 6;
   scene.film.height = 5;
-  scene.sampler.kind = SamplerKind::sobol;
-  scene.sampler.sample_count = 700;
   const RenderResult result = render("llvmpipe", scene, watched());
   CHECK(lit_pixels(result.color) > 4);
   CHECK(same_bits(render("pocl", scene, watched()), result));

@@ -81,11 +81,7 @@ TEST_CASE("shared samples have the same bits in any passes, lanes and groups") {
 }
 
 TEST_CASE("shared samples have the same bits where a device ends loops before their time") {
-  Scene scene = stage({});
-  add(scene, emitting(Rectangle{{-0.3, -9, 0}, {9, 1, 0}, {0, 18, 0}}, {1, 2, 3}));
-  scene.integrator.name = "emission";
-  scene.sampler.kind = SamplerKind::sobol;
-  scene.sampler.sample_count = 9;
+  const Scene scene = lamp_edge(9);
   RenderSettings watched;
   watched.loop_turns = 65535;
   const Image on_pocl = picture(scene), image = render("llvmpipe", scene, watched).color;
