@@ -53,19 +53,21 @@
 
 /// unused: a program holds only some of the callers. Tests compile this text on the host, where inlining all of it
 /// would take minutes. So does Mesa: it inlines everything at last, but before that takes time by the square of the
-/// program's variables, whose number grows with every copy (docs/decisions/0021-loop-limit.md).
+/// program's variables, whose number grows with every copy (docs/decisions/0021-loop-limit.md). In the program that
+/// holds everything each function has many callers: its compiler chooses (docs/decisions/0017-once.md).
 ///
 /// INLINE_FN: functions that change a struct that they were given by value. Mesa 22.3 hands over the caller's own, so
 /// that such a function, called as one, changes what the caller has (the same decision; tests/lint/changed_structs).
 #ifdef __cplusplus
 #define INLINE_FN static inline __attribute__((unused))
+#define FN INLINE_FN
 #else
 #define INLINE_FN static inline __attribute__((always_inline, unused))
-#endif
-#if HAS_LOOP_LIMIT
+#if HAS_LOOP_LIMIT || IS_GENERIC
 #define FN static __attribute__((unused))
 #else
 #define FN INLINE_FN
+#endif
 #endif
 
 /// As FN, for large functions that are seldom called: a program holds one copy, and callers pay for the call.

@@ -376,6 +376,7 @@ Features features_of(const Scene& scene, const RenderSettings& settings) {
       if (report(list + "/" + entry, {})) active.insert(entry);
   }
   features.light_chooser = causes.light_chooser;
+  features.is_generic = settings.generic;
   for (const auto& [name, purpose] : list_features()) features.flags.emplace_back(name, report(name, purpose));
   return features;
 }

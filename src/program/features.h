@@ -24,6 +24,7 @@ struct Features {
   std::vector<std::pair<std::string, bool>> flags;  ///< Every flag of features.def, in its order.
   std::vector<FeatureReport> report;                ///< All of them, lists first, each in file order.
   std::string light_chooser = "uniform";            ///< The entry of choosers.def by which lights are drawn.
+  bool is_generic = false;                          ///< Of a program for all scenes, too large to inline all of it.
 
   [[nodiscard]] bool has(const std::string& list, const std::string& entry) const;
   [[nodiscard]] bool flag(const std::string& name) const;

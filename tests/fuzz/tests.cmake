@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# The readers under libFuzzer, which tests/fuzz/run builds with the presets `fuzz` and `fuzz-quick`.
+# The readers under libFuzzer, which tests/fuzz/run builds with the preset `fuzz`.
 if(STRAHL_FUZZ)
   # The readers and what they need, not all of libstrahl: sanitizers and coverage make the compiler slow.
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/scene/*.cpp ${PROJECT_SOURCE_DIR}/src/image/*.cpp
@@ -20,16 +20,12 @@ if(STRAHL_FUZZ)
             PkgConfig::turbojpeg Threads::Threads ${CMAKE_DL_LIBS})
   target_link_options(fuzz_readers PRIVATE -fsanitize=fuzzer)
 else()
-  # A second each; twenty minutes each with the label slow.
-  add_test(NAME fuzz_build COMMAND ${CMAKE_CURRENT_LIST_DIR}/run --build)
-  set_tests_properties(fuzz_build PROPERTIES LABELS fuzz SKIP_RETURN_CODE 77 TIMEOUT 900 PROCESSORS 2 COST 60
-                                             FIXTURES_SETUP fuzz)
-  file(STRINGS ${CMAKE_CURRENT_LIST_DIR}/kinds.txt fuzz_kinds)
-  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${CMAKE_CURRENT_LIST_DIR}/kinds.txt)
-  foreach(kind ${fuzz_kinds})
-    add_test(NAME fuzz_${kind} COMMAND ${CMAKE_CURRENT_LIST_DIR}/run --built 1 ${kind})
-    set_tests_properties(fuzz_${kind} PROPERTIES LABELS fuzz SKIP_RETURN_CODE 77 TIMEOUT 120 FIXTURES_REQUIRED fuzz)
-  endforeach()
+  # That their program builds and reads what the fuzzer begins with; 20 minutes of a reader are of the label slow.
+  add_executable(fuzz_replay fuzz/fuzz_readers.cpp fuzz/replay.cpp)
+  target_link_libraries(fuzz_replay PRIVATE strahl ZLIB::ZLIB)
+  target_compile_options(fuzz_replay PRIVATE ${unoptimised})
+  add_test(NAME fuzz_replay COMMAND ${CMAKE_CURRENT_LIST_DIR}/run --replay $<TARGET_FILE:fuzz_replay>)
+  set_tests_properties(fuzz_replay PROPERTIES LABELS fuzz TIMEOUT 300)
   add_test(NAME fuzz_all_for_20_minutes COMMAND ${CMAKE_CURRENT_LIST_DIR}/run 1200)
   set_tests_properties(fuzz_all_for_20_minutes PROPERTIES LABELS slow SKIP_RETURN_CODE 77 TIMEOUT 30000)
 endif()

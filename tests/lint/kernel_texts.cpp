@@ -27,6 +27,7 @@ Features read_every(bool on) {
     for (const std::string& entry : list_entries(list)) features.entries[list].insert(entry);
   }
   for (const auto& [name, why] : list_features()) features.flags.emplace_back(name, on);
+  features.is_generic = on;
   return features;
 }
 
