@@ -63,7 +63,9 @@
 #define FN INLINE_FN
 #else
 #define INLINE_FN static inline __attribute__((always_inline, unused))
-#if HAS_LOOP_LIMIT || IS_GENERIC
+#if HAS_LOOP_LIMIT
+#define FN static __attribute__((unused))
+#elif IS_GENERIC
 #define FN static __attribute__((unused))
 #else
 #define FN INLINE_FN

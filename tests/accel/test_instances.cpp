@@ -110,41 +110,73 @@ void on_host(const Scene& scene, const Check& check) {
   for (const int lanes : {1, 8}) check(HostTracer<double>(scene, lanes), 0x1p-48);
 }
 
-}  // namespace
-
-TEST_CASE("Instances that are only moved are hit as their shapes would be, bit for bit") {
+void hold_moved(Precision precision) {
   InstancedMaker maker(7);
   const Scene scene = maker.scene(
       40, [&](int) { return moved_by(whole(maker.random())); }, kind_names);
   const Scene flat = flattened(scene);
   const std::vector<Ray> rays = on_grid(maker.rays(40000));
-  for (const Precision precision : {Precision::robust, Precision::fp64}) {
-    const auto expected =
-        Intersector(device(), flat, settings_of(precision, widest(precision), Acceleration::tree)).trace(rays);
-    const auto hits =
-        Intersector(device(), scene, settings_of(precision, widest(precision), Acceleration::tree)).trace(rays);
-    int instanced = 0, others = 0, differing = 0;
-    double off = 0;
-    for (std::size_t i = 0; i < rays.size(); ++i) {
-      (hits[i].instance >= 0 ? instanced : others) += hits[i].shape >= 0;
-      const bool same = hits[i].t == expected[i].t && hits[i].primitive == expected[i].primitive &&
-                        flat_shape(scene, hits[i]) == expected[i].shape && hits[i].u == expected[i].u &&
-                        hits[i].v == expected[i].v;
-      differing += !same;
-      if (!same && differing < 5)
-        UNSCOPED_INFO(i << ": " << hits[i].instance << " " << flat_shape(scene, hits[i]) << "/" << hits[i].primitive
-                        << " t " << hits[i].t << " u " << hits[i].u << " v " << hits[i].v << ", flat "
-                        << expected[i].shape << "/" << expected[i].primitive << " t " << expected[i].t << " u "
-                        << expected[i].u << " v " << expected[i].v);
-      if (hits[i].shape >= 0 && expected[i].shape >= 0)
-        off = std::max(off, distance(hits[i].normal, expected[i].normal));
-    }
-    INFO(precision_name(precision));
-    CHECK(differing == 0);
-    CHECK(instanced > 10000);
-    CHECK(others > 1000);
-    CHECK(off < (precision == Precision::fp64 ? 0x1p-50 : 0x1p-21));
+  const auto expected =
+      Intersector(device(), flat, settings_of(precision, widest(precision), Acceleration::tree)).trace(rays);
+  const auto hits =
+      Intersector(device(), scene, settings_of(precision, widest(precision), Acceleration::tree)).trace(rays);
+  int instanced = 0, others = 0, differing = 0;
+  double off = 0;
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    (hits[i].instance >= 0 ? instanced : others) += hits[i].shape >= 0;
+    const bool same = hits[i].t == expected[i].t && hits[i].primitive == expected[i].primitive &&
+                      flat_shape(scene, hits[i]) == expected[i].shape && hits[i].u == expected[i].u &&
+                      hits[i].v == expected[i].v;
+    differing += !same;
+    if (!same && differing < 5)
+      UNSCOPED_INFO(i << ": " << hits[i].instance << " " << flat_shape(scene, hits[i]) << "/" << hits[i].primitive
+                      << " t " << hits[i].t << " u " << hits[i].u << " v " << hits[i].v << ", flat "
+                      << expected[i].shape << "/" << expected[i].primitive << " t " << expected[i].t << " u "
+                      << expected[i].u << " v " << expected[i].v);
+    if (hits[i].shape >= 0 && expected[i].shape >= 0) off = std::max(off, distance(hits[i].normal, expected[i].normal));
   }
+  INFO(precision_name(precision));
+  CHECK(differing == 0);
+  CHECK(instanced > 10000);
+  CHECK(others > 1000);
+  CHECK(off < (precision == Precision::fp64 ? 0x1p-50 : 0x1p-21));
+}
+
+void hold_trees(Precision precision) {
+  const Device on = device();
+  for (int number = 0; number < 15; ++number) {
+    Question q = question(number, 600);
+    const int width = widest(precision);
+    Intersector lists(on, q.scene, settings_of(precision, width, Acceleration::list));
+    std::vector<Ray> rays = q.rays;
+    InstancedMaker other(5);
+    go_on(rays, lists.trace(rays), other.random());
+    const std::vector<Hit> expected = lists.trace(rays);
+    INFO("scene " << number << ", " << precision_name(precision));
+    CHECK(std::count_if(expected.begin(), expected.end(), [](const Hit& hit) { return hit.instance >= 0; }) > 100);
+    // The others in robust: test_trees_equal_lists.
+    for (const int tree : precision == Precision::fp64 ? std::vector{8, 2} : std::vector{16, 4}) {
+      INFO("width " << tree);
+      Intersector trees(on, q.scene, settings_of(precision, tree, Acceleration::tree));
+      CHECK(trees.stats().tree.nodes > 0);
+      CHECK(differing(trees.trace(rays), expected) == 0);
+      const std::vector<Hit> any = trees.trace(rays, true);
+      std::size_t wrong = 0;
+      for (std::size_t i = 0; i < any.size(); ++i) wrong += (any[i].t == 0) != (expected[i].shape >= 0);
+      CHECK(wrong == 0);
+    }
+    if (precision == Precision::fp64) CHECK(differing(HostTracer<double>(q.scene, 8).trace(rays), expected) == 0);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("Instances that are only moved are hit as their shapes would be, bit for bit") {
+  hold_moved(Precision::robust);
+}
+
+TEST_CASE("Instances that are only moved are hit as their shapes would be, in double", "[slow]") {
+  hold_moved(Precision::fp64);
 }
 
 TEST_CASE("On the host that holds for every kind of shape") {
@@ -161,33 +193,10 @@ TEST_CASE("On the host that holds for every kind of shape") {
   CHECK(wrong == 0);
 }
 
-TEST_CASE("With instances trees of every width find what lists find, and the host the same") {
-  const Device on = device();
-  for (int number = 0; number < 15; ++number) {
-    Question q = question(number, 600);
-    for (const Precision precision : {Precision::robust, Precision::fp64}) {
-      const int width = widest(precision);
-      Intersector lists(on, q.scene, settings_of(precision, width, Acceleration::list));
-      std::vector<Ray> rays = q.rays;
-      InstancedMaker other(5);
-      go_on(rays, lists.trace(rays), other.random());
-      const std::vector<Hit> expected = lists.trace(rays);
-      INFO("scene " << number << ", " << precision_name(precision));
-      CHECK(std::count_if(expected.begin(), expected.end(), [](const Hit& hit) { return hit.instance >= 0; }) > 100);
-      // The others in robust: test_trees_equal_lists.
-      for (const int tree : precision == Precision::fp64 ? std::vector{8, 2} : std::vector{16, 4}) {
-        INFO("width " << tree);
-        Intersector trees(on, q.scene, settings_of(precision, tree, Acceleration::tree));
-        CHECK(trees.stats().tree.nodes > 0);
-        CHECK(differing(trees.trace(rays), expected) == 0);
-        const std::vector<Hit> any = trees.trace(rays, true);
-        std::size_t wrong = 0;
-        for (std::size_t i = 0; i < any.size(); ++i) wrong += (any[i].t == 0) != (expected[i].shape >= 0);
-        CHECK(wrong == 0);
-      }
-      if (precision == Precision::fp64) CHECK(differing(HostTracer<double>(q.scene, 8).trace(rays), expected) == 0);
-    }
-  }
+TEST_CASE("With instances trees of every width find what lists find") { hold_trees(Precision::robust); }
+
+TEST_CASE("With instances trees of every width find what lists find, and the host the same, in double", "[slow]") {
+  hold_trees(Precision::fp64);
 }
 
 TEST_CASE("Hits of instances are described in lanes as one by one, of the other kinds, too") {

@@ -233,13 +233,10 @@ TEST_CASE("Packets find the bits that single rays find in instances") {
 }
 
 TEST_CASE("Lists of spheres and planes and disks find in lanes what a tree finds ray by ray") {
-  for (const Precision precision : {Precision::robust, Precision::stable}) {
-    INFO(precision_name(precision));
-    const Tally tally = compare_listed(round_kinds, precision, 16, rays_asked() / 4);
-    CHECK(tally.hits > tally.rays / 4);
-    CHECK(tally.differing == 0);
-    CHECK(tally.any_differing == 0);
-  }
+  const Tally tally = compare_listed(round_kinds, Precision::robust, 16, rays_asked() / 2);
+  CHECK(tally.hits > tally.rays / 4);
+  CHECK(tally.differing == 0);
+  CHECK(tally.any_differing == 0);
 }
 
 TEST_CASE("Lists of flat polygons find in lanes what a tree finds ray by ray") {
@@ -263,6 +260,7 @@ TEST_CASE("Packets of every tier and width, where more rays are asked for") {
   hold_same(Precision::fp64, 8);
   hold_same(Precision::stable, 16);
   hold_same(Precision::stable, 8);
+  CHECK(compare_listed(round_kinds, Precision::stable, 16, rays_asked()).differing == 0);
   for (const auto& kinds : {round_kinds, flat_kinds, other_kinds()}) {
     CHECK(compare_listed(kinds, Precision::robust, 8, rays_asked()).differing == 0);
     CHECK(compare_listed(kinds, Precision::stable, 8, rays_asked()).differing == 0);

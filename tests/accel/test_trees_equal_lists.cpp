@@ -95,7 +95,7 @@ TEST_CASE("Trees of every width find the bits that lists find, in robust") {
   CHECK(tally.any_differing == 0);
 }
 
-TEST_CASE("Trees of every width find the bits that lists find, in double") {
+TEST_CASE("Trees of every width find the bits that lists find, in double", "[slow]") {
   const Tally tally =
       compare(Precision::fp64, is_whole() ? std::vector{8, 4, 2} : std::vector{8, 2}, rays_in_all() / 12);
   CHECK(tally.hits > tally.rays / 4);
@@ -103,7 +103,7 @@ TEST_CASE("Trees of every width find the bits that lists find, in double") {
   CHECK(tally.any_differing == 0);
 }
 
-TEST_CASE("In stable and fast few rays differ, and they are counted") {
+TEST_CASE("In stable and fast few rays differ, and they are counted", "[slow]") {
   for (const Precision precision : {Precision::stable, Precision::fast}) {
     const Tally tally = compare(precision, {16}, rays_in_all() / 16, 4);
     WARN(precision_name(precision) << ": " << tally.differing << " of " << tally.rays << " rays differ, "

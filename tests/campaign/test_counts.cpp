@@ -174,8 +174,8 @@ class Campaign {
   test::Progress<Count> progress_;
 };
 
-/// How many a law: a million of a kind.
-constexpr int usual_count = 125000;
+/// How many a law: 350,000 of a kind.
+constexpr int usual_count = 50000;
 
 /// Of t, in the robust tier. So far boxes keep half an ulp more than they promise.
 double ulps_of(const std::string& kind) { return kind == "box" ? 1.5 : proof_of(kind).promises().robust_ulps; }

@@ -45,7 +45,7 @@ TEST_CASE("a table, JSON, and both beside an earlier run") {
     }
 }
 
-TEST_CASE("the width that was measured best is used from then on") {
+TEST_CASE("the width that was measured best is used from then on", "[slow]") {
   const Folder folder;
   const std::map<std::string, std::string> cache{{"STRAHL_CACHE_DIR", folder.path("cache")}};
   const auto program = [&](std::vector<std::string> more) {

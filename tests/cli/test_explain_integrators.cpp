@@ -116,7 +116,7 @@ TEST_CASE("where the film holds too few samples for the error, that is said") {
   CHECK(path("0.05").at("is_beyond_film") == false);
 }
 
-TEST_CASE("the error is the scene's own, whichever integrators are compared") {
+TEST_CASE("the error is the scene's own, whichever integrators are compared", "[slow]") {
   const Folder folder;
   // Half of the light of path, which is the scene's, comes from the floor's second bounce and is not whitted's.
   folder.file("scene.xml", before + R"(<shape type="sphere"><boolean name="flip_normals" value="true"/>

@@ -213,7 +213,7 @@ TEST_CASE("what is disabled is missing, and the picture and its statistics say s
   CHECK(contains(read_text(folder.path("stats.json")), "\"disabled\": [\n    \"EMISSION\",\n    \"TWOSIDED\"\n  ]"));
 }
 
-TEST_CASE("how it is computed does not change the picture") {
+TEST_CASE("how it is computed does not change the picture", "[slow]") {
   const Folder folder;
   const std::vector<std::string> picture{"--integrator", "normals", "--spp", "6", "--sampler", "independent", "-o"};
   const auto bytes = [&](const std::vector<std::string>& how) {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// kernel_texts FOLDER [NAME]: writes every kernel x precision x {all, no, each single} effect as FOLDER/NAME.cl, for
-// clang to type-check. All, none and all of a scene without a tree at every width of lanes, fast and stable, whose
-// texts are robust's but for shapes, at one lane and the widest; single effects at the widest: shapes in every tier,
-// the others, which are the same for every tier, in the robust one alone. Of the kernels that begin on lights one has
-// single effects, of those that intersect one, and that has shapes and flags. All of the robust tier also as devices
-// with doubles have it. A text that stands already but for names that it never asks for is not written again. NAME:
-// that text alone.
+// kernel_texts FOLDER [NAME | --few]: writes every kernel x precision x {all, no, each single} effect as
+// FOLDER/NAME.cl, for clang to type-check. All, none and all of a scene without a tree at every width of lanes, fast
+// and stable, whose texts are robust's but for shapes, at one lane and the widest; single effects at the widest: shapes
+// in every tier, the others, which are the same for every tier, in the robust one alone. Of the kernels that begin on
+// lights one has single effects, of those that intersect one, and that has shapes and flags. All of the robust tier
+// also as devices with doubles have it. A text that stands already but for names that it never asks for is not written
+// again. NAME: that text alone. --few: single effects of `render` and shapes alone, and doubles' texts at the widest.
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -38,8 +38,9 @@ const Features& every(bool on) {
 }
 
 /// name -> features, one effect alone. What effects do with numbers they do in robust as in every tier; shapes do not.
-std::vector<std::pair<std::string, Features>> singles(const std::string& kernel, Precision precision) {
+std::vector<std::pair<std::string, Features>> singles(const std::string& kernel, Precision precision, bool few) {
   std::vector<std::pair<std::string, Features>> sets;
+  if (few && kernel == "bidirectional") return sets;
   if (kernel.starts_with("intersect_") || kernel == "probe" || kernel == "light_tracing" || kernel == "share_samples")
     return sets;
   const bool is_robust = precision == Precision::robust;
@@ -122,7 +123,8 @@ void write(const Wanted& wanted, const std::string& kernel, const std::string& s
 
 int main(int count, char** arguments) {
   if (count != 2 && count != 3) return 2;
-  const Wanted wanted{arguments[1], count == 3 ? arguments[2] : ""};
+  const bool few = count == 3 && std::string(arguments[2]) == "--few";
+  const Wanted wanted{arguments[1], count == 3 && !few ? arguments[2] : ""};
   for (const std::string kernel :
        {"render", "light_tracing", "bidirectional", "intersect", "intersect_packets", "intersect_any",
         "intersect_any_packets", "probe", "canary", "bandwidth", "share_samples"})
@@ -135,7 +137,8 @@ int main(int count, char** arguments) {
         const bool is_like_robust = precision == Precision::fast || precision == Precision::stable;
         if (is_like_robust && lanes > 1 && lanes < widest) continue;
         write(wanted, kernel, "all", every(true), precision, lanes);
-        if (precision == Precision::robust) write(wanted, kernel, "doubles", every(true), precision, lanes);
+        if (precision == Precision::robust && !(few && lanes < widest))
+          write(wanted, kernel, "doubles", every(true), precision, lanes);
         write(wanted, kernel, "none", every(false), precision, lanes);
         Features flat = every(true);
         for (auto& [name, on] : flat.flags) on = on && name != "INSTANCES";
@@ -146,7 +149,7 @@ int main(int count, char** arguments) {
         write(wanted, kernel, "none-paths", every(false), precision, lanes, true, lanes);
         write(wanted, kernel, "lists-paths", flat, precision, lanes, false, lanes);
       }
-      for (const auto& [name, features] : singles(kernel, precision))
+      for (const auto& [name, features] : singles(kernel, precision, few))
         write(wanted, kernel, name, features, precision, widest);
     }
   return 0;

@@ -71,7 +71,7 @@ inline RenderResult stage_picture(const Scene& scene, Precision precision, const
   return render("pocl", scene, settings);
 }
 
-inline Image color(const Scene& scene, Precision precision = Precision::stable) {
+inline Image color(const Scene& scene, Precision precision = Precision::robust) {
   return stage_picture(scene, precision).color;
 }
 

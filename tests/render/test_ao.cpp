@@ -23,7 +23,7 @@ Scene roofed(double max_distance) {
 
 TEST_CASE("a floor under a disk sees what the disk leaves of the sky") {
   require_pocl();
-  for (const Precision precision : {Precision::stable, Precision::fp64}) {
+  for (const Precision precision : asked_tiers()) {
     const Image image = color(roofed(std::numeric_limits<double>::infinity()), precision);
     double sum = 0, truth = 0, worst = 0;
     for (int y = 0; y < stage_size; ++y)

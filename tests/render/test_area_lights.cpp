@@ -79,7 +79,6 @@ Deviation deviation(const Image& image, const std::function<double(const Vec3&)>
 Image picture(const Scene& scene) {
   static const Device device = Device::open("pocl");
   RenderSettings settings;
-  settings.precision = Precision::stable;
   settings.generic = true;
   return Renderer(device, scene, settings).render().color;
 }
@@ -198,7 +197,7 @@ TEST_CASE("a cylinder that shines inwards is in the way of its own light") {
   require_pocl();
   Scene scene = floor_below(Cylinder{{-0.4, 0, 1.2}, {0.4, 0, 1.2}, 0.4, {0, 0, 1}}, true);
   scene.integrator.name = "whitted";
-  for (const Precision precision : {Precision::robust, Precision::stable}) {
+  for (const Precision precision : asked_tiers()) {
     const Image image = color(scene, precision);
     CHECK(image.at(stage_size / 2, stage_size / 2, 0) == 0);
     CHECK(image.at(stage_size - 1, stage_size / 2, 0) > 0);
@@ -213,11 +212,11 @@ TEST_CASE("the fast tier draws all around a cylinder and a sphere") {
     scene.integrator.name = "whitted";
     RenderSettings settings;  // Of its own program: no other test asks for the generic one in this tier.
     settings.precision = Precision::fast;
-    const Image fast = render("pocl", scene, settings).color, stable = color(scene, Precision::stable);
+    const Image fast = render("pocl", scene, settings).color, robust = color(scene);
     double differing = 0, sum = 0;
     for (std::size_t i = 0; i < fast.data.size(); ++i) {
-      differing += std::fabs(static_cast<double>(fast.data[i]) - static_cast<double>(stable.data[i]));
-      sum += static_cast<double>(stable.data[i]);
+      differing += std::fabs(static_cast<double>(fast.data[i]) - static_cast<double>(robust.data[i]));
+      sum += static_cast<double>(robust.data[i]);
     }
     CHECK(differing < 0.001 * sum);
   }

@@ -123,7 +123,7 @@ TEST_CASE("a lamp behind a pane, from both ends") {
 }
 
 /// Longer paths than all techniques make.
-TEST_CASE("long paths, from both ends") {
+TEST_CASE("long paths, from both ends", "[slow]") {
   require_pocl_and_rusticl();
   Scene scene = load_scene((scene_folder / "cornell/cornell-box.xml").string()).scene;
   for (Material& material : scene.materials) material.bsdf = Diffuse{{{0.9, 0.9, 0.9}}};
@@ -134,7 +134,7 @@ TEST_CASE("long paths, from both ends") {
   }
 }
 
-TEST_CASE("cameras, filters and depths, from both ends") {
+TEST_CASE("cameras, filters and depths, from both ends", "[slow]") {
   require_pocl_and_rusticl();
   Scene scene = under_lamp(diffuse({0.7, 0.5, 0.3}, true));
   scene.film.filter = {FilterKind::tent};

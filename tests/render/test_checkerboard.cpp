@@ -24,7 +24,7 @@ TEST_CASE("squares of 1/2, on both sides of 0, by Mitsuba's rule") {
   require_pocl();
   // A pixel is 1/12 wide, below half a square.
   for (const std::array<double, 6>& m : {std::array<double, 6>{1, 0, 0, 0, 1, 0}, {0.5, 0.25, 0.01, -0.25, 0.5, -7.77}})
-    for (const Precision precision : exact_tiers) {
+    for (const Precision precision : asked_tiers()) {
       const Image image = color(board(m), precision);
       int first = 0;
       for (int y = 0; y < stage_size; ++y)
@@ -93,7 +93,7 @@ TEST_CASE("towards the horizon the board fades to even grey") {
   constexpr int size = 96;
   Scene scene = small_scene(scene_folder / "accuracy/checkerboard.xml", size, size, 1);
   scene.sampler.kind = SamplerKind::centre;
-  for (const Precision precision : exact_tiers) {
+  for (const Precision precision : asked_tiers()) {
     RenderSettings settings;
     settings.precision = precision;
     const Image image = render("pocl", scene, settings).color;

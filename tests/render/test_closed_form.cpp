@@ -20,7 +20,7 @@ TEST_CASE("a point light over a plane: rho / pi I cos / d^2") {
   const Vec3 at{0.3, -0.4, 1.5};
   Scene scene = stage({floor_plane()}, diffuse({0.8, 0.5, 0.25}));
   scene.lights = {light(PointLight{at, {10, 5, 2}})};
-  for (const Precision precision : exact_tiers) {
+  for (const Precision precision : asked_tiers()) {
     const Image image = color(scene, precision);
     double worst = 0;
     for (int y = 0; y < stage_size; ++y)

@@ -135,7 +135,7 @@ TEST_CASE("independent samples: the interval holds the true error as often as it
   check_coverage(SamplerKind::independent);
 }
 
-TEST_CASE("media: the interval holds the true error as often as it says") {
+TEST_CASE("media: the interval holds the true error as often as it says", "[slow]") {
   require_pocl();
   for (const Case& what : {Case{"media/fog.xml", "volpath", 48, 36, true, 0.5, {}},
                            Case{"media/smoke.xml", "volpath", 48, 36, true, 0.2, {}}})
@@ -150,7 +150,7 @@ TEST_CASE("media: the interval holds the true error as often as it says") {
 
 /// Whose pixels are not independent: the whole film is there four times. Four say little of their own spread, so the
 /// interval is wide: of a caustic, whose noise is that of few paths, and of an even picture.
-TEST_CASE("paths from lights: the interval holds the true error as often as it says") {
+TEST_CASE("paths from lights: the interval holds the true error as often as it says", "[slow]") {
   require_pocl();
   for (const Case& what : {Case{"lights/caustic.xml", "ptracer", 48, 48, true, 0.3, {}},
                            Case{"cornell/cornell-box.xml", "ptracer", 48, 48, true, 0.3, {}},

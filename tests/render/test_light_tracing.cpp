@@ -83,7 +83,7 @@ TEST_CASE("what stands between a surface and the camera hides it from light path
   CHECK(lit_pixels(render("pocl", scene, {}).color) > 200);
 }
 
-TEST_CASE("lights of the project's scenes: images of the sky, projectors, spots, textured screens") {
+TEST_CASE("lights of the project's scenes: images of the sky, projectors, spots, textured screens", "[slow]") {
   require_pocl_and_rusticl();
   for (const char* name : {"envmap", "projector", "spot", "screen", "sphere", "disk", "cylinder", "mesh"})
     hold_like_path(name, without_mirrors(std::string("lights/") + name), 64, 0.02);

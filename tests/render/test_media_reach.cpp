@@ -146,8 +146,14 @@ TEST_CASE("lights that are only drawn do not reach what scatters in such a mediu
   scene.media.front().samples_emitters = false;
   CHECK(mean_of(drawn(scene, 16)).g == 0);
   CHECK(features_of(scene, {}).flag("UNLIT_MEDIA"));
+}
+
+TEST_CASE("such media by programs of their own, in lanes and without the effect", "[slow]") {
+  require_pocl();
+  Scene scene = filled(Sphere{{0, 0, 0}, 1}, medium({2, 2, 2}, {0.9, 0.9, 0.9}));
+  scene.lights = {light(PointLight{{0, 0, 3}, {1, 1, 1}})};
+  scene.media.front().samples_emitters = false;
   check_in_lanes(scene);
-  // A program of its own.
   scene.lights = {light(ConstantLight{{1, 1, 1}})};
   scene.media.front().albedo = Rgb{1, 1, 1};
   CHECK(mean_of(render("pocl", scene, {}).color).g == Approx(1).margin(0.1));

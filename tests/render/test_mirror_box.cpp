@@ -116,7 +116,7 @@ TEST_CASE("a cube") {
   }
 }
 
-TEST_CASE("six rectangles") {
+TEST_CASE("six rectangles", "[slow]") {
   require_pocl();
   for (const Place& place : places()) require_closed(rectangles_room(place.to_world, 6), place);
 }

@@ -53,7 +53,7 @@ TEST_CASE("a lamp in ignored glass lights as if the glass were not there") {
 }
 
 /// The camera's ray enters the ball of rank 2, is scattered by the floor and meets the ignored glass at its last depth.
-TEST_CASE("at the last depth, too, ignored glass is passed") {
+TEST_CASE("at the last depth, too, ignored glass is passed", "[slow]") {
   require_pocl();
   for (const char* integrator : {"path", "volpath"}) {
     INFO(integrator);

@@ -75,7 +75,8 @@ TEST_CASE("what is reported of first samples, and counts of rays, in lanes") {
   require_same(scene, settings);
 }
 
-TEST_CASE("shapes that are asked ray by ray in a tree, and emitters that the camera looks through, in lanes") {
+TEST_CASE("shapes that are asked ray by ray in a tree, and emitters that the camera looks through, in lanes",
+          "[slow]") {
   require_pocl();
   Scene scene = of("lights/disk.xml");
   scene.integrator.name = "path";
@@ -291,7 +292,7 @@ void require_same_in_spans(Scene scene, const RenderSettings& settings) {
   }
 }
 
-TEST_CASE("few samples in lanes: meshes, first samples that are reported with textures, branches") {
+TEST_CASE("few samples in lanes: meshes, first samples that are reported with textures, branches", "[slow]") {
   require_pocl();
   require_same_in_spans(of("mesh/torus-and-icosphere.xml"), plain());
   RenderSettings settings = all_aovs();

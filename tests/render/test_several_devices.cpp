@@ -62,7 +62,7 @@ TEST_CASE("two of one kind, and three") {
   CHECK(expected.stats.shares.empty());
 }
 
-TEST_CASE("in double, and one sum a pixel") {
+TEST_CASE("in double, and one sum a pixel", "[slow]") {
   require_pocl_and_rusticl();
   for (RenderSettings settings : {shared_settings(Precision::fp64), shared_settings()}) {
     settings.estimate_error = settings.precision == Precision::fp64;

@@ -74,7 +74,7 @@ void hold_in_double(const std::string& what, const Scene& scene) {
   if (!is_length) hold("light 1e10", brightened(scene, 1e10), 1e10);
 }
 
-TEST_CASE("media, heights and distances have units, too") {
+TEST_CASE("media, heights and distances have units, too", "[slow]") {
   require_pocl();
   hold_in_double("fog", small_scene(scene_folder / "media/fog.xml", 16, 12, 1));
   hold_in_double("a candle", small_scene(scene_folder / "media/candle.xml", 16, 12, 1));
