@@ -11,8 +11,8 @@ FN real3w in_box_frame_w(GLOBAL const real* frame, real3w place) {
                 dot3_w(splat3_w(load3(frame + 9)), p));
 }
 
-/// Between the two texels of a row.
-FN real3w along_row_w(const Scene* scene, GLOBAL const int* image, intw row, Neighbours_w x) {
+/// Between the two texels of a row. A lookup asks for four rows, and programs have four lookups.
+ONCE_FN real3w along_row_w(const Scene* scene, GLOBAL const int* image, intw row, Neighbours_w x) {
   return mean3_w(x.weight, texel_w(scene, image, row + x.first), texel_w(scene, image, row + x.second));
 }
 

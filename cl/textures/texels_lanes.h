@@ -42,8 +42,8 @@ FN realw rgbe_unit_w(uintw exponent) {
 
 FN real3w grey_w(realw value) { return vec3_w(value, value, value); }
 
-/// number: row * width + column, of the image. Every format stands here, and a lookup asks for up to eight texels.
-ONCE_FN real3w texel_w(const Scene* scene, GLOBAL const int* image, intw number) {
+/// number: row * width + column, of the image.
+FN real3w texel_w(const Scene* scene, GLOBAL const int* image, intw number) {
   uintw n = uint_of_int_w(number), byte = splat_uint_w(0xffu), two_bytes = splat_uint_w(0xffffu), word = n;
   int format = image[IMAGE_FORMAT];
   switch (format) {

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "program/features.h"
+#include "program/program_text.h"
 
 using namespace strahl;
 
@@ -26,5 +27,17 @@ TEST_CASE("--generic has everything on but counters, watched loops, what changes
       const bool is_elsewhere = is_other || others.contains(row.name);
       CHECK(row.on == (!never.contains(row.name) && !is_elsewhere));
     }
+  }
+}
+
+TEST_CASE("a program with everything leaves to its compiler what it inlines, one of a scene's own does not") {
+  Scene scene;
+  scene.shapes.resize(1);
+  for (const bool generic : {false, true}) {
+    RenderSettings settings;
+    settings.generic = generic;
+    const std::string text =
+        program_source("kernels/render.cl", features_of(scene, settings), Precision::robust, 16).text;
+    CHECK((text.find("#define IS_GENERIC 1\n") != std::string::npos) == generic);
   }
 }

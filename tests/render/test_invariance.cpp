@@ -26,32 +26,34 @@ TEST_CASE("twice in a row") {
   CHECK_FALSE(same_bits(first, render("pocl", other_seed, all_aovs())));
 }
 
-TEST_CASE("work-groups, lanes and passes") {
+void hold_splits(Precision precision) {
   require_pocl();
-  for (const Precision precision : {Precision::robust, Precision::fp64}) {
-    const RenderResult expected = render("pocl", reference_scene(), all_aovs(precision));
-    const auto check = [&](const std::string& what, const RenderSettings& settings) {
-      INFO(what << ", " << precision_name(precision));
-      CHECK(same_bits(expected, render("pocl", reference_scene(), settings)));
-    };
-    for (const WorkGroup group : {WorkGroup{1, 1}, WorkGroup{8, 8}, WorkGroup{64, 1}, WorkGroup{7, 3}}) {
-      RenderSettings settings = all_aovs(precision);
-      settings.work_group = group;
-      check("work-group " + std::to_string(group.x) + "x" + std::to_string(group.y), settings);
-    }
-    for (const int lanes : {1, 8, 16}) {
-      if (precision == Precision::fp64 && lanes == 16) continue;
-      RenderSettings settings = all_aovs(precision);
-      settings.lanes = lanes;
-      check("lanes " + std::to_string(lanes), settings);
-    }
-    for (const int passes : {1, 7, 64}) {
-      RenderSettings settings = all_aovs(precision);
-      settings.passes = passes;
-      check("passes " + std::to_string(passes), settings);
-    }
+  const RenderResult expected = render("pocl", reference_scene(), all_aovs(precision));
+  const auto check = [&](const std::string& what, const RenderSettings& settings) {
+    INFO(what << ", " << precision_name(precision));
+    CHECK(same_bits(expected, render("pocl", reference_scene(), settings)));
+  };
+  for (const WorkGroup group : {WorkGroup{1, 1}, WorkGroup{8, 8}, WorkGroup{64, 1}, WorkGroup{7, 3}}) {
+    RenderSettings settings = all_aovs(precision);
+    settings.work_group = group;
+    check("work-group " + std::to_string(group.x) + "x" + std::to_string(group.y), settings);
+  }
+  for (const int lanes : {1, 8, 16}) {
+    if (precision == Precision::fp64 && lanes == 16) continue;
+    RenderSettings settings = all_aovs(precision);
+    settings.lanes = lanes;
+    check("lanes " + std::to_string(lanes), settings);
+  }
+  for (const int passes : {1, 7, 64}) {
+    RenderSettings settings = all_aovs(precision);
+    settings.passes = passes;
+    check("passes " + std::to_string(passes), settings);
   }
 }
+
+TEST_CASE("work-groups, lanes and passes") { hold_splits(Precision::robust); }
+
+TEST_CASE("work-groups, lanes and passes, in double", "[slow]") { hold_splits(Precision::fp64); }
 
 TEST_CASE("one sum or four") {
   require_pocl();

@@ -106,7 +106,7 @@ TEST_CASE("lenses, filters, cameras of parallel rays and parts of a picture") {
   hold_like_path("part", scene, 2048);
 }
 
-TEST_CASE("glass scales radiance and not flux; shading normals and reliefs count from both sides") {
+TEST_CASE("glass scales radiance and not flux; shading normals and reliefs count from both sides", "[slow]") {
   require_pocl_and_rusticl();
   Material glass;
   glass.bsdf = RoughDielectric{};

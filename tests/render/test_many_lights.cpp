@@ -59,7 +59,6 @@ TEST_CASE("every way to choose among lamps has the same mean, and less noise the
   double least = INFINITY;
   for (const char* choice : {"uniform", "power", "tree", "each"}) {
     RenderSettings settings;
-    settings.precision = Precision::stable;
     settings.generic = true;
     settings.light_choice = choice;
     const Image image = Renderer(device, scene, settings).render().color;
@@ -145,7 +144,6 @@ TEST_CASE("lights of hardly any weight are drawn, and take nothing from others")
     scene.lights[0].sampling_weight = far;
     scene.lights[1].sampling_weight = scene.lights[2].sampling_weight = near;
     RenderSettings settings;
-    settings.precision = Precision::stable;
     settings.generic = true;
     settings.light_choice = choice;
     return static_cast<double>(mean_of(render("pocl", scene, settings).color).g);

@@ -87,7 +87,7 @@ TEST_CASE("on another device") {
   CHECK(are_one(expected, resumed(other, states[states.size() / 2], {})));
 }
 
-TEST_CASE("in double") {
+TEST_CASE("in double", "[slow]") {
   require_pocl_and_rusticl();
   Renderer renderer(Device::open("pocl", {true}), picture(8), settings_of(Precision::fp64));
   const RenderResult expected = renderer.render();

@@ -76,7 +76,7 @@ TEST_CASE("what faces the light is lit") {
   for (const Place& place : {Place{{0, 0, 0}, 1}, Place{{1234.5, -321.7, 777.1}, 1}, Place{{0.1, 0.2, 0.3}, 1e-3},
                              Place{{-10, 20, 30}, 1e4}})
     for (const Named& shape : convex_shapes(place.center, place.size))
-      for (const Precision precision : {Precision::robust, Precision::fp64}) {
+      for (const Precision precision : asked_tiers()) {
         LitPoints all;
         for (const Vec3& direction : directions)
           for (const bool point : {false, true}) {

@@ -37,13 +37,14 @@ add_test(NAME render_test_oclgrind COMMAND ${CMAKE_CURRENT_LIST_DIR}/test_oclgri
                                            ${PROJECT_SOURCE_DIR}/scenes/lecture/lit.xml ${PROJECT_SOURCE_DIR}/scenes/lecture/first-light.xml)
 set_tests_properties(render_test_oclgrind PROPERTIES LABELS oclgrind SKIP_RETURN_CODE 77 TIMEOUT 120)
 
-add_test(NAME render_test_metamorphic_all_scales COMMAND render_tests "another unit of length")
-set_tests_properties(render_test_metamorphic_all_scales PROPERTIES LABELS slow TIMEOUT 900 ENVIRONMENT
-                                                                                           STRAHL_ALL_SCALES=1)
+add_test(NAME render_test_metamorphic_all_scales COMMAND render_tests "-#" "[#test_metamorphic]")
+set_tests_properties(render_test_metamorphic_all_scales PROPERTIES LABELS slow TIMEOUT 1800 ENVIRONMENT
+                                                                   "STRAHL_ALL_SCALES=1;STRAHL_ALL_TIERS=1")
 
 # 10,000 rays x 10,000 mirrors for every room and tier: about half an hour.
 add_test(NAME render_test_mirror_box_long COMMAND render_tests "-#" "[#test_mirror_box]")
-set_tests_properties(render_test_mirror_box_long PROPERTIES LABELS slow TIMEOUT 7200 ENVIRONMENT STRAHL_MIRRORS=10000)
+set_tests_properties(render_test_mirror_box_long PROPERTIES LABELS slow TIMEOUT 7200 ENVIRONMENT
+                                                                             "STRAHL_MIRRORS=10000;STRAHL_ALL_TIERS=1")
 strahl_test(render/test_every_scene.cpp LABEL slow TIMEOUT 10800)
 
 file(GLOB_RECURSE every_scene CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/scenes/*.xml)
@@ -51,7 +52,7 @@ add_test(NAME render_test_oclgrind_every_scene COMMAND ${CMAKE_CURRENT_LIST_DIR}
                                                        ${every_scene})
 set_tests_properties(render_test_oclgrind_every_scene PROPERTIES LABELS slow SKIP_RETURN_CODE 77 TIMEOUT 3600)
 
-foreach(name closed_form albedo ao area_lights checkerboard coincident glass large_ground mirrors)
+foreach(name closed_form albedo ao area_lights checkerboard coincident glass large_ground mirrors terminator)
   add_test(NAME render_test_${name}_all_tiers COMMAND render_tests "-#" "[#test_${name}]")
   set_tests_properties(render_test_${name}_all_tiers PROPERTIES LABELS slow TIMEOUT 1200 ENVIRONMENT STRAHL_ALL_TIERS=1)
 endforeach()
