@@ -17,16 +17,25 @@ FN InstanceRows_w instance_rows_w(GLOBAL const real* placed) {
   return rows;
 }
 
+/// What maps back as well, one instance a lane: read once for all that is mapped of a hit.
+typedef struct {
+  InstanceRows_w rows;
+  real3w to_world[3];
+} Placement_w;
+
 /// at: where each lane's INSTANCE_REALS begin in the geometry.
-FN InstanceRows_w gather_instance_rows_w(GLOBAL const real* geometry, intw at) {
-  enum { FIRST = INSTANCE_PIVOT, END = INSTANCE_OFFSET + 3 };
+FN Placement_w gather_placement_w(GLOBAL const real* geometry, intw at) {
+  enum { FIRST = INSTANCE_PIVOT, END = INSTANCE_TO_WORLD + 9 };
   realw row[END - FIRST];
   gather_row_w(geometry + FIRST, at, END - FIRST, row);
-  InstanceRows_w rows;
-  for (int k = 0; k < 3; ++k) rows.to_group[k] = real3_at_w(row + INSTANCE_TO_GROUP - FIRST + 3 * k);
-  rows.pivot = real3_at_w(row + INSTANCE_PIVOT - FIRST);
-  rows.offset = real3_at_w(row + INSTANCE_OFFSET - FIRST);
-  return rows;
+  Placement_w placement;
+  for (int k = 0; k < 3; ++k) {
+    placement.rows.to_group[k] = real3_at_w(row + INSTANCE_TO_GROUP - FIRST + 3 * k);
+    placement.to_world[k] = real3_at_w(row + INSTANCE_TO_WORLD - FIRST + 3 * k);
+  }
+  placement.rows.pivot = real3_at_w(row + INSTANCE_PIVOT - FIRST);
+  placement.rows.offset = real3_at_w(row + INSTANCE_OFFSET - FIRST);
+  return placement;
 }
 
 FN realw difference_rest_w(realw a, realw b, realw s) {
@@ -61,25 +70,19 @@ FN void ray_into_group_w(const InstanceRows_w* rows, real3w* o, real3w* d) {
               mapped_each_w(rows->to_group[2], to_d, none, zero));
 }
 
-/// vector_to_world. at: as for gather_instance_rows.
-FN real3w vector_to_world_w(GLOBAL const real* geometry, intw at, real3w v) {
-  realw a[9];
-  gather_row_w(geometry + INSTANCE_TO_WORLD, at, 9, a);
-  return vec3_w(dot3_w(real3_at_w(a), v), dot3_w(real3_at_w(a + 3), v), dot3_w(real3_at_w(a + 6), v));
+/// vector_to_world.
+FN real3w vector_to_world_w(const Placement_w* placement, real3w v) {
+  const real3w* a = placement->to_world;
+  return vec3_w(dot3_w(a[0], v), dot3_w(a[1], v), dot3_w(a[2], v));
 }
 
 /// point_to_world.
-FN real3w point_to_world_w(GLOBAL const real* geometry, intw at, real3w p) {
-  realw offset[4], pivot[4];
-  gather_row_w(geometry + INSTANCE_OFFSET, at, 4, offset);
-  gather_row_w(geometry + INSTANCE_PIVOT, at, 4, pivot);
-  real3w turned = vector_to_world_w(geometry, at, sub3_w(p, real3_at_w(offset)));
-  return add3_w(real3_at_w(pivot), turned);
+FN real3w point_to_world_w(const Placement_w* placement, real3w p) {
+  return add3_w(placement->rows.pivot, vector_to_world_w(placement, sub3_w(p, placement->rows.offset)));
 }
 
 /// normal_to_world.
-FN real3w normal_to_world_w(GLOBAL const real* geometry, intw at, real3w n) {
-  realw a[9];
-  gather_row_w(geometry + INSTANCE_TO_GROUP, at, 9, a);
-  return fma3_w(n.z, real3_at_w(a + 6), fma3_w(n.y, real3_at_w(a + 3), scale3_w(n.x, real3_at_w(a))));
+FN real3w normal_to_world_w(const Placement_w* placement, real3w n) {
+  const real3w* a = placement->rows.to_group;
+  return fma3_w(n.z, a[2], fma3_w(n.y, a[1], scale3_w(n.x, a[0])));
 }

@@ -18,7 +18,8 @@ FN void smooth_each_w(const Scene* scene, const SurfaceHits_w* hits, maskw which
   intw place = mesh_corners_w(scene, hits, s, PART_NORMALS, 9, &which);
   if (!any_w(which)) return;
   real3w smooth = interpolate_each_w(scene->shading, place, at->u, at->v);
-  if (HAS_INSTANCES) smooth = sel3_w(hits->is_placed, normal_to_world_w(scene->geometry, hits->placed, smooth), smooth);
+  if (HAS_INSTANCES && any_w(hits->is_placed))
+    smooth = sel3_w(hits->is_placed, normal_to_world_w(&hits->placement, smooth), smooth);
   which = which & lt_w(splat_w(R(0.0)), dot3_w(smooth, smooth));
   maskw is_flipped = nonzero_w(part_entry_w(scene, s, PART_FLIP));
   smooth = normalize3_w(sel3_w(is_flipped, negate3_w(smooth), smooth));

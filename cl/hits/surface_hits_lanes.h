@@ -8,8 +8,9 @@ typedef struct {
   realw shear_x, shear_y, t;
   maskw is_x, is_y;  ///< Lanes whose largest axis of d is x, y.
   intw kind, slot, id, instance;
-  maskw is_placed;  ///< Lanes that have hit something of an instance,
-  intw placed;      ///< and where its INSTANCE_REALS begin in the geometry; 0 elsewhere.
+  maskw is_placed;        ///< Lanes that have hit something of an instance,
+  intw placed;            ///< and where its INSTANCE_REALS begin in the geometry; 0 elsewhere.
+  Placement_w placement;  ///< Undefined where no lane has.
   real3w world_o, world_d;
   realw world_t;
 } SurfaceHits_w;
@@ -36,9 +37,9 @@ FN SurfaceHits_w surface_hits_w(const Scene* scene, const Rays_w* rays, const Ne
   if (!any_w(hits.is_placed)) return hits;
   intw first = splat_int_w(scene_shape_row(scene, SHAPE_COUNT)[SHAPE_GEOMETRY]);
   hits.placed = sel_int_w(hits.is_placed, first + each->instance * (int)INSTANCE_REALS, splat_int_w(0));
-  InstanceRows_w rows = gather_instance_rows_w(scene->geometry, hits.placed);
+  hits.placement = gather_placement_w(scene->geometry, hits.placed);
   real3w o = hits.o, d = hits.d;
-  ray_into_group_w(&rows, &o, &d);
+  ray_into_group_w(&hits.placement.rows, &o, &d);
   Rays_w within;
   rays_make_w(o, d, planes[RAY_PLANE_T_MIN], splat_w(REAL_MAX), none_w(), &within);
   kz = within.planes[RAY_PLANE_SHEAR];
@@ -52,15 +53,15 @@ FN SurfaceHits_w surface_hits_w(const Scene* scene, const Rays_w* rays, const Ne
   return hits;
 }
 
-FN real3w hit_point_to_world_w(const Scene* scene, const SurfaceHits_w* hits, real3w p) {
-  if (!HAS_INSTANCES) return p;
-  return sel3_w(hits->is_placed, point_to_world_w(scene->geometry, hits->placed, p), p);
+FN real3w hit_point_to_world_w(const SurfaceHits_w* hits, real3w p) {
+  if (!HAS_INSTANCES || !any_w(hits->is_placed)) return p;
+  return sel3_w(hits->is_placed, point_to_world_w(&hits->placement, p), p);
 }
 
 /// A unit normal; stays as it is where nothing is placed.
-FN real3w hit_normal_to_world_w(const Scene* scene, const SurfaceHits_w* hits, real3w n) {
-  if (!HAS_INSTANCES) return n;
-  return sel3_w(hits->is_placed, normalize3_w(normal_to_world_w(scene->geometry, hits->placed, n)), n);
+FN real3w hit_normal_to_world_w(const SurfaceHits_w* hits, real3w n) {
+  if (!HAS_INSTANCES || !any_w(hits->is_placed)) return n;
+  return sel3_w(hits->is_placed, normalize3_w(normal_to_world_w(&hits->placement, n)), n);
 }
 
 FN maskw finite3_w(real3w v) { return finite_w(v.x) & finite_w(v.y) & finite_w(v.z); }
@@ -147,8 +148,8 @@ INLINE_FN void take_surfaces_w(const Scene* scene, const SurfaceHits_w* hits, ma
 /// The same, of points and normals in the frame of the group. Returns the lanes of `which` where all of it is finite.
 INLINE_FN maskw take_own_surfaces_w(const Scene* scene, const SurfaceHits_w* hits, maskw which, real3w position,
                                     real3w normal, realw facing, realw bound, Surfaces_w* s) {
-  position = hit_point_to_world_w(scene, hits, position);
-  normal = hit_normal_to_world_w(scene, hits, normal);
+  position = hit_point_to_world_w(hits, position);
+  normal = hit_normal_to_world_w(hits, normal);
 #if TIER_FAST
   position = fma3_w(hits->world_t, hits->world_d, hits->world_o);
 #endif

@@ -64,9 +64,9 @@ FN void tangents_each_w(const Scene* scene, const SurfaceHits_w* hits, maskw pla
   if (!HAS_INSTANCES) return;
   maskw placed = plain & hits->is_placed;
   if (!any_w(placed)) return;
-  if (HAS_TANGENT) s->along = sel3_w(placed, vector_to_world_w(scene->geometry, hits->placed, s->along), s->along);
+  if (HAS_TANGENT) s->along = sel3_w(placed, vector_to_world_w(&hits->placement, s->along), s->along);
   if (HAS_RELIEF) {
-    s->grad_u = sel3_w(placed, normal_to_world_w(scene->geometry, hits->placed, s->grad_u), s->grad_u);
-    s->grad_v = sel3_w(placed, normal_to_world_w(scene->geometry, hits->placed, s->grad_v), s->grad_v);
+    s->grad_u = sel3_w(placed, normal_to_world_w(&hits->placement, s->grad_u), s->grad_u);
+    s->grad_v = sel3_w(placed, normal_to_world_w(&hits->placement, s->grad_v), s->grad_v);
   }
 }

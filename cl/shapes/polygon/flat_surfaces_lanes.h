@@ -76,17 +76,17 @@ FN maskw flat_surfaces_w(const Scene* scene, const SurfaceHits_w* hits, maskw wh
     p = sel3_w(near.which, near.p, p);
     off = sel_w(near.which & ~hits->is_placed, near.off, zero);
   }
-  p = hit_point_to_world_w(scene, hits, p);
-  normal = hit_normal_to_world_w(scene, hits, normal);
+  p = hit_point_to_world_w(hits, p);
+  normal = hit_normal_to_world_w(hits, normal);
 #if TIER_FAST
   p = fma3_w(hits->world_t, hits->world_d, hits->world_o);
 #endif
   maskw plain = which & finite3_w(p) & finite3_w(normal) & finite_w(facing);
   if (!TIER_FAST & !REPORTS_HITS) {  // departure_bound, is_amid.
     if (HAS_INSTANCES && any_w(hits->is_placed)) {
-      a = hit_point_to_world_w(scene, hits, a);
-      e = sub3_w(hit_point_to_world_w(scene, hits, b), a);
-      f = sub3_w(hit_point_to_world_w(scene, hits, last), a);
+      a = hit_point_to_world_w(hits, a);
+      e = sub3_w(hit_point_to_world_w(hits, b), a);
+      f = sub3_w(hit_point_to_world_w(hits, last), a);
     }
     realw size = edges_size_w(e, f), across = abs_w(dot3_w(normal, plain_cross3_w(e, f)));
     bound = departure_bound_w(scene, hits, max3_w(abs3_w(p)) + size);
