@@ -5,7 +5,7 @@
 // in every tier, the others, which are the same for every tier, in the robust one alone. Of the kernels that begin on
 // lights one has single effects, of those that intersect one, and that has shapes and flags. All of the robust tier
 // also as devices with doubles have it. A text that stands already but for names that it never asks for is not written
-// again. NAME: that text alone. --few: single effects of `render` and shapes alone, and doubles' texts at the widest.
+// again. NAME: that text alone. --few: no single effects of `bidirectional`, and doubles at the widest alone.
 #include <fmt/format.h>
 
 #include <filesystem>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Pictures whose every pixel has a closed form: irradiance by point and directional lights, emission, depth, normals,
-// the edge of a hard shadow, sides, hidden emitters, depth of paths. Of the first in every tier, of the others in
-// robust; with STRAHL_ALL_TIERS all in every tier.
+// the edge of a hard shadow, sides, hidden emitters, depth of paths. In robust; with STRAHL_ALL_TIERS in every tier.
 #include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
