@@ -63,9 +63,7 @@
 #define FN INLINE_FN
 #else
 #define INLINE_FN static inline __attribute__((always_inline, unused))
-#if HAS_LOOP_LIMIT
-#define FN static __attribute__((unused))
-#elif IS_GENERIC
+#if KEEPS_FUNCTIONS
 #define FN static __attribute__((unused))
 #else
 #define FN INLINE_FN

@@ -24,8 +24,10 @@ ProgramSource program_source(const KernelFiles& files, const std::string& root, 
   source.text += fmt::format("#define TIER_FAST {}\n", precision == Precision::fast ? 1 : 0);
   source.text += fmt::format("#define LANES {0}\n#define SCENE_LANES {0}\n#define PATH_LANES {1}\n", lanes, path_lanes);
   if (lanes == 1 && tree_width == 2) source.text += "#define SCALAR_TREE_WIDTH 2\n";
-  source.text +=
-      fmt::format("#define HAS_TREE {}\n#define IS_GENERIC {}\n", has_tree ? 1 : 0, features.is_generic ? 1 : 0);
+  source.text += fmt::format("#define HAS_TREE {}\n", has_tree ? 1 : 0);
+  // Else they are inlined (cl/portable.h).
+  const bool keeps_functions = features.is_generic || features.flag("LOOP_LIMIT");
+  source.text += fmt::format("#define KEEPS_FUNCTIONS {}\n", keeps_functions ? 1 : 0);
   for (const auto& [name, on] : features.flags) source.text += fmt::format("#define HAS_{} {}\n", name, on ? 1 : 0);
   source.text += expand_kernel(files, root, features.entries, features.flags);
   return source;

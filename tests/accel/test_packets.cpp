@@ -6,7 +6,6 @@
 // STRAHL_RAYS: how many a tier and width; STRAHL_DEVICE: where.
 #include <fmt/format.h>
 
-#include <cstdlib>
 #include <limits>
 
 #include "cl/instanced_scenes.h"
@@ -254,8 +253,7 @@ TEST_CASE("Lists of kinds without a body find in lanes what a tree finds ray by 
 }
 
 // Programs take seconds to compile.
-TEST_CASE("Packets of every tier and width, where more rays are asked for") {
-  if (std::getenv("STRAHL_RAYS") == nullptr) return;
+TEST_CASE("Packets of every tier and width", "[slow]") {
   hold_same(Precision::robust, 8);
   hold_same(Precision::fp64, 8);
   hold_same(Precision::stable, 16);

@@ -77,7 +77,7 @@ class House(unittest.TestCase):
         self.quiet("cl/portable.h", SPDX + "#ifdef __cplusplus\n#endif\n")
         self.quiet("cl/a.h", SPDX + "#if LANES == 1\n#endif\n")
         self.red("cl/a.h", SPDX + "#if HAS_LOOP_LIMIT\n#endif\n", "features are constants")
-        self.quiet("cl/portable.h", SPDX + "#if HAS_LOOP_LIMIT\n#endif\n")
+        self.red("cl/portable.h", SPDX + "#if HAS_LOOP_LIMIT\n#endif\n", "features are constants")
 
     def test_places(self):
         self.red("docs/a.md", "see @PLACE@/data\n", "absolute path")

@@ -117,8 +117,7 @@ TEST_CASE("every integrator has a row") {
 
 TEST_CASE("integrators make of a white sky and of a furnace what the closed form does") {
   for (const IntegratorRow& row : integrator_rows())
-    for (const TransportTier& tier : transport_tiers()) {
-      if (tier.lanes > 1) continue;  // The same bits, below.
+    for (const TransportTier& tier : asked_widths(transport_tiers())) {
       INFO(tier.name << ", " << tier.lanes << " lanes, " << row.entry);
       if (kinds::integrator(row.entry).from_lights) {
         hold_splats("ball", tier, seen_along(ball_under_sky(row.entry), at_ball), row.ball);
@@ -146,8 +145,7 @@ Scene floor_seen_from_above(const std::string& integrator) {
 TEST_CASE("beams light what they end on with all of their power, and nothing else") {
   const double pi = std::numbers::pi, side = 2 * std::tan(20 * pi / 180);
   for (const std::string integrator : {"ptracer", "bdpt"})
-    for (const TransportTier& tier : transport_tiers()) {
-      if (tier.lanes > 1) continue;  // The same bits, below.
+    for (const TransportTier& tier : asked_widths(transport_tiers())) {
       INFO(tier.name << ", " << tier.lanes << " lanes, " << integrator);
       Scene sheet = floor_seen_from_above(integrator), tilted = sheet, beam = sheet, beside = sheet;
       const auto shine = [&](Scene& scene, const Rectangle& lamp) {

@@ -39,6 +39,10 @@ endforeach()
 strahl_test(physics/test_flipped_indices.cpp LABEL unit LIBS strahl_host_transport)
 add_test(NAME physics_test_flipped_indices_all COMMAND physics_tests "-#" "[#test_flipped_indices]")
 set_tests_properties(physics_test_flipped_indices_all PROPERTIES LABELS slow TIMEOUT 14400 ENVIRONMENT STRAHL_ALL_FLIPS=1)
+foreach(name materials integrators)
+  add_test(NAME physics_test_${name}_all_widths COMMAND physics_tests "-#" "[#test_${name}]")
+  set_tests_properties(physics_test_${name}_all_widths PROPERTIES LABELS slow TIMEOUT 1200 ENVIRONMENT STRAHL_ALL_WIDTHS=1)
+endforeach()
 strahl_test(physics/test_packets.cpp LABEL unit LIBS strahl_host_transport strahl_selftest)
 
 # Names of their own mean something else in each.

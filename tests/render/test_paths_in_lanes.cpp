@@ -271,8 +271,7 @@ TEST_CASE("light of any size, and black samples, in lanes") {
   if (is_long()) require_same(thin_bars(), plain(Precision::robust, 8));
 }
 
-TEST_CASE("blends, masks, bent normals and textures in lanes, by programs of their own") {
-  if (!is_long()) return;
+TEST_CASE("blends, masks, bent normals and textures in lanes, by programs of their own", "[slow]") {
   require_pocl();
   require_same(of("materials/blendbsdf.xml"), plain());
   require_same(of("materials/mask.xml"), plain(Precision::robust, 8));
