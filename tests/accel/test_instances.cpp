@@ -3,6 +3,7 @@
 // without trees, at every width. What decides equal t, what a ray has left, mirrored and distorted groups.
 #include "cl/instanced_scenes.h"
 #include "cl/same_bits.h"
+#include "support/asked.h"
 #include "support/devices.h"
 
 using namespace strahl;
@@ -17,6 +18,7 @@ Device device() {
 
 RenderSettings settings_of(Precision precision, int width, Acceleration acceleration) {
   RenderSettings settings;
+  settings.generic = asks_generic();
   settings.precision = precision;
   settings.bvh_width = width;
   settings.acceleration = acceleration;

@@ -195,6 +195,7 @@ Tally compare(Precision precision, int lanes) {
     const Vec3 by = number % 4 == 3 ? Vec3{100'000, -30'000, 0.5} : Vec3{};
     for (Ray& ray : rays) ray.origin = ray.origin + by;
     RenderSettings settings;
+    settings.generic = asks_generic();
     settings.precision = precision;
     settings.lanes = lanes;
     settings.acceleration = number % 3 == 0 ? Acceleration::list : Acceleration::tree;
@@ -222,6 +223,7 @@ TEST_CASE("Packets find the bits that single rays find in instances") {
     const Scene scene =
         maker.scene(20, [&](int number) { return distorted(maker.random(), number); }, {"sphere", "triangle"});
     RenderSettings settings;
+    settings.generic = asks_generic();
     settings.lanes = 16;
     settings.acceleration = acceleration;
     compare(device(), scene, bundles(maker, 20'000, true), settings, tally);

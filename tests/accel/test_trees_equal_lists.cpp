@@ -55,6 +55,7 @@ Tally compare(Precision precision, const std::vector<int>& widths, std::size_t r
   for (int number = 0; number < scenes; number += step) {
     const Question q = question(number, rays * static_cast<std::size_t>(step) / scenes);
     RenderSettings settings;
+    settings.generic = asks_generic();
     settings.precision = precision;
     settings.bvh_width = widths.front();
     settings.acceleration = Acceleration::list;

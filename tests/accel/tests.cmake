@@ -7,5 +7,11 @@ strahl_test(accel/test_wide_tree.cpp LABEL unit)
 strahl_test(accel/test_on_threads.cpp LABEL unit)
 strahl_test(accel/test_packets.cpp LABEL device LIBS strahl_host_kernels strahl_selftest TIMEOUT 300)
 
+foreach(name trees_equal_lists instances packets)
+  add_test(NAME accel_test_${name}_own_programs COMMAND accel_tests "-#" "[#test_${name}]")
+  set_tests_properties(accel_test_${name}_own_programs PROPERTIES LABELS slow TIMEOUT 3600 ENVIRONMENT
+                                                                                    STRAHL_OWN_PROGRAMS=1)
+endforeach()
+
 # Names of their own mean something else in each.
 set_source_files_properties(accel/test_instances.cpp accel/test_packets.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)

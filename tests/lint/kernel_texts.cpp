@@ -5,7 +5,8 @@
 // in every tier, the others, which are the same for every tier, in the robust one alone. Of the kernels that begin on
 // lights one has single effects, of those that intersect one, and that has shapes and flags. All of the robust tier
 // also as devices with doubles have it. A text that stands already but for names that it never asks for is not written
-// again. NAME: that text alone. --few: no single effects of `bidirectional`, and doubles at the widest alone.
+// again. NAME: that text alone. --few: in the other tiers all and none alone, at the widest; no single effects of
+// `bidirectional`; doubles at the widest.
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -40,7 +41,7 @@ const Features& every(bool on) {
 /// name -> features, one effect alone. What effects do with numbers they do in robust as in every tier; shapes do not.
 std::vector<std::pair<std::string, Features>> singles(const std::string& kernel, Precision precision, bool few) {
   std::vector<std::pair<std::string, Features>> sets;
-  if (few && kernel == "bidirectional") return sets;
+  if (few && (kernel == "bidirectional" || precision != Precision::robust)) return sets;
   if (kernel.starts_with("intersect_") || kernel == "probe" || kernel == "light_tracing" || kernel == "share_samples")
     return sets;
   const bool is_robust = precision == Precision::robust;
@@ -136,18 +137,20 @@ int main(int count, char** arguments) {
         if (lanes > widest) continue;
         const bool is_like_robust = precision == Precision::fast || precision == Precision::stable;
         if (is_like_robust && lanes > 1 && lanes < widest) continue;
+        if (few && precision != Precision::robust && lanes < widest) continue;
         write(wanted, kernel, "all", every(true), precision, lanes);
         if (precision == Precision::robust && !(few && lanes < widest))
           write(wanted, kernel, "doubles", every(true), precision, lanes);
         write(wanted, kernel, "none", every(false), precision, lanes);
         Features flat = every(true);
         for (auto& [name, on] : flat.flags) on = on && name != "INSTANCES";
-        write(wanted, kernel, "lists", flat, precision, lanes, false);
+        const bool has_lists = !few || precision == Precision::robust;
+        if (has_lists) write(wanted, kernel, "lists", flat, precision, lanes, false);
         const bool makes_pictures = kernel == "render" || kernel == "light_tracing" || kernel == "bidirectional";
         if (!makes_pictures) continue;
         write(wanted, kernel, "all-paths", every(true), precision, lanes, true, lanes);
         write(wanted, kernel, "none-paths", every(false), precision, lanes, true, lanes);
-        write(wanted, kernel, "lists-paths", flat, precision, lanes, false, lanes);
+        if (has_lists) write(wanted, kernel, "lists-paths", flat, precision, lanes, false, lanes);
       }
       for (const auto& [name, features] : singles(kernel, precision, few))
         write(wanted, kernel, name, features, precision, widest);

@@ -20,10 +20,8 @@ struct Blocks {
 inline Blocks blocks_of(Scene scene, const std::string& integrator, int samples) {
   scene.integrator.name = integrator;
   scene.film.width = scene.film.height = block_picture;
-  RenderSettings settings;
-  settings.generic = true;
   static const Device device = Device::open("pocl");
-  Renderer renderer(device, scene, settings);
+  Renderer renderer(device, scene, generic_settings());
   constexpr std::size_t count = blocks * blocks;
   std::vector<double> sum(count), squares(count);
   for (std::uint32_t seed = 0; seed < block_seeds; ++seed) {

@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 
 #include "render/stage.h"
+#include "support/asked.h"
 
 namespace strahl::test {
 
@@ -63,20 +64,21 @@ inline Image drawn(Scene scene, int samples) {
   return color(scene, Precision::robust);
 }
 
-/// Paths are the same one by one and in lanes; in_generic_too: in lanes of the program with everything as well.
-inline void check_in_lanes(Scene scene, bool in_generic_too = false) {
+/// Paths are the same one by one and in lanes by the programs with every effect; in_own_too, and with
+/// STRAHL_OWN_PROGRAMS: by those of the scene's own as well.
+inline void check_in_lanes(Scene scene, bool in_own_too = !asks_generic()) {
   scene.film.width = scene.film.height = 16;
   scene.sampler.kind = SamplerKind::sobol;
   scene.sampler.sample_count = 32;
-  RenderSettings settings;
-  settings.precision = Precision::robust;
+  RenderSettings settings = generic_settings();
+  const RenderResult lanes = render("pocl", scene, settings);
   settings.paths_in_lanes = false;
-  const RenderResult one = render("pocl", scene, settings);
+  CHECK(same_bits(lanes, render("pocl", scene, settings)));
+  if (!in_own_too) return;
+  settings.generic = false;
+  CHECK(same_bits(lanes, render("pocl", scene, settings)));
   settings.paths_in_lanes = true;
-  CHECK(same_bits(one, render("pocl", scene, settings)));
-  if (!in_generic_too) return;
-  settings.generic = true;
-  CHECK(same_bits(one, render("pocl", scene, settings)));
+  CHECK(same_bits(lanes, render("pocl", scene, settings)));
 }
 
 /// What only scatters is not seen in white surroundings.

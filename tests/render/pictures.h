@@ -24,9 +24,12 @@ inline const std::filesystem::path scene_folder = STRAHL_SOURCE_DIR "/scenes";
 /// Tiers that keep closed forms to rounding.
 inline constexpr std::array exact_tiers{Precision::stable, Precision::robust, Precision::fp64};
 
+/// STRAHL_ALL_TIERS, which entries of the label slow set.
+inline bool is_of_all_tiers() { return std::getenv("STRAHL_ALL_TIERS") != nullptr; }
+
 /// Those of them that a run asks where the tiers differ in their numbers alone: robust, all with STRAHL_ALL_TIERS.
 inline std::vector<Precision> asked_tiers() {
-  if (std::getenv("STRAHL_ALL_TIERS") == nullptr) return {Precision::robust};
+  if (!is_of_all_tiers()) return {Precision::robust};
   return {exact_tiers.begin(), exact_tiers.end()};
 }
 
@@ -44,6 +47,15 @@ inline RenderSettings all_aovs(Precision precision = Precision::robust) {
   settings.precision = precision;
   settings.aovs = {Aov::depth,  Aov::normal,     Aov::position, Aov::uv,
                    Aov::albedo, Aov::geo_normal, Aov::shape_id, Aov::primitive_id};
+  return settings;
+}
+
+/// By the program with every effect, which test_generic holds to those of the scenes: one to compile instead of one for
+/// each scene.
+inline RenderSettings generic_settings(Precision precision = Precision::robust) {
+  RenderSettings settings;
+  settings.precision = precision;
+  settings.generic = true;
   return settings;
 }
 

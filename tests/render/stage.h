@@ -58,10 +58,9 @@ inline Scene lamp_edge(int samples) {
 inline double stage_x(int column) { return half_width * (2 * column + 1 - stage_size) / stage_size; }
 inline double stage_y(int row) { return -half_width * (2 * row + 1 - stage_size) / stage_size; }
 
-/// By the generic program, which test_generic holds to the others: one to compile instead of one for each scene.
 inline RenderSettings stage_settings(Precision precision) {
-  RenderSettings settings = all_aovs(precision);
-  settings.generic = true;
+  RenderSettings settings = generic_settings(precision);
+  settings.aovs = all_aovs().aovs;
   return settings;
 }
 

@@ -86,11 +86,12 @@ TEST_CASE("an empty grid around a scene leaves its every bit") {
   Scene within = filled(cube(), varying(grid(2, 2, 2, 1, std::vector<float>(8, 0.0F)), {5, 5, 5}, {1, 1, 1}));
   add(within, std::get<Sphere>(bare.shapes.front().geometry), add(within, Diffuse{{{0.5, 0.4, 0.3}}}));
   for (Scene* scene : {&bare, &within}) scene->sampler.sample_count = 4;
-  CHECK(same_bits(render("pocl", bare, {}), render("pocl", within, {})));
+  CHECK(same_bits(render("pocl", bare, generic_settings()), render("pocl", within, generic_settings())));
   // What is asked beside the picture is that of the grid's boundary.
-  RenderSettings settings;
-  settings.aovs = {Aov::depth};
-  const auto depth = [&](const Scene& scene) { return render("pocl", scene, settings).aov.at(24, 24, 0); };
+  const auto depth = [](const Scene& scene) {
+    const Image aov = stage_picture(scene, Precision::robust).aov;
+    return aov.at(24, 24, channel_of(aov, "depth.Z"));
+  };
   CHECK(depth(within) < depth(bare) - 0.1F);
 }
 
@@ -143,7 +144,7 @@ TEST_CASE("a scene that is turned as a whole looks the same") {
   Medium medium = varying(random_grid(3), {5, 4, 3}, {0.9, 0.8, 0.7});
   medium.sigma_t.wrap = TextureWrap::repeat;
   const Transform turn = rotation({1, 2, 3}, 30);
-  for (const Precision precision : {Precision::robust, Precision::fp64}) {
+  for (const Precision precision : asked_tiers()) {
     std::vector<Rgb> means;
     for (const bool is_turned : {false, true}) {
       Medium placed = medium;

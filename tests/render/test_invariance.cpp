@@ -26,14 +26,14 @@ TEST_CASE("twice in a row") {
   CHECK_FALSE(same_bits(first, render("pocl", other_seed, all_aovs())));
 }
 
-void hold_splits(Precision precision) {
+void hold_splits(Precision precision, const std::vector<WorkGroup>& groups) {
   require_pocl();
   const RenderResult expected = render("pocl", reference_scene(), all_aovs(precision));
   const auto check = [&](const std::string& what, const RenderSettings& settings) {
     INFO(what << ", " << precision_name(precision));
     CHECK(same_bits(expected, render("pocl", reference_scene(), settings)));
   };
-  for (const WorkGroup group : {WorkGroup{1, 1}, WorkGroup{8, 8}, WorkGroup{64, 1}, WorkGroup{7, 3}}) {
+  for (const WorkGroup group : groups) {
     RenderSettings settings = all_aovs(precision);
     settings.work_group = group;
     check("work-group " + std::to_string(group.x) + "x" + std::to_string(group.y), settings);
@@ -51,9 +51,12 @@ void hold_splits(Precision precision) {
   }
 }
 
-TEST_CASE("work-groups, lanes and passes") { hold_splits(Precision::robust); }
+TEST_CASE("work-groups, lanes and passes") { hold_splits(Precision::robust, {{1, 1}, {7, 3}}); }
 
-TEST_CASE("work-groups, lanes and passes, in double", "[slow]") { hold_splits(Precision::fp64); }
+TEST_CASE("more work-groups, and all in double", "[slow]") {
+  hold_splits(Precision::robust, {{8, 8}, {64, 1}});
+  hold_splits(Precision::fp64, {{1, 1}, {8, 8}, {64, 1}, {7, 3}});
+}
 
 TEST_CASE("one sum or four") {
   require_pocl();

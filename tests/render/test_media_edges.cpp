@@ -147,7 +147,7 @@ double lost(Scene scene, double walks) {
   scene.sampler.kind = SamplerKind::independent;
   const int samples = static_cast<int>(std::ceil(walks / (stage_size * stage_size)));
   scene.sampler.sample_count = samples;
-  RenderSettings settings;
+  RenderSettings settings = stage_settings(Precision::robust);
   settings.light_choice = "power";
   const Image image = render("pocl", scene, settings).color;
   double missing = 0;

@@ -153,11 +153,11 @@ TEST_CASE("such media by programs of their own, in lanes and without the effect"
   Scene scene = filled(Sphere{{0, 0, 0}, 1}, medium({2, 2, 2}, {0.9, 0.9, 0.9}));
   scene.lights = {light(PointLight{{0, 0, 3}, {1, 1, 1}})};
   scene.media.front().samples_emitters = false;
-  check_in_lanes(scene);
+  check_in_lanes(scene, true);
   scene.lights = {light(ConstantLight{{1, 1, 1}})};
   scene.media.front().albedo = Rgb{1, 1, 1};
   CHECK(mean_of(render("pocl", scene, {}).color).g == Approx(1).margin(0.1));
-  check_in_lanes(scene);
+  check_in_lanes(scene, true);
   RenderSettings without;
   without.disabled = {"UNLIT_MEDIA"};
   scene.lights = {light(PointLight{{0, 0, 3}, {1, 1, 1}})};

@@ -43,8 +43,8 @@ const std::vector<std::string>& scenes() {
 }
 
 Image picture(const Device& device, const Scene& scene, Precision precision) {
-  RenderSettings settings;
-  settings.precision = precision;
+  RenderSettings settings = generic_settings(precision);
+  settings.generic = precision != Precision::fast;  // Which no other test has built.
   return Renderer(device, scene, settings).render().color;
 }
 

@@ -2,7 +2,8 @@
 // Samples of a pixel that are followed in lanes give the picture, the AOVs and the counts of samples followed one by
 // one, bit for bit: kinds with a body for packets and without, trees, instances, smooth meshes, drawn and taken lights,
 // mirrors, glass, hidden emitters, more samples than a pool holds, and few, so that a work-item takes a span of pixels.
-// Every effect: test_generic.cpp. With STRAHL_LANES=long all tiers and widths, by a program for each scene.
+// By programs with every effect, which test_generic.cpp holds to those of the scenes. With STRAHL_LANES=long all tiers
+// and widths, by a program for each scene.
 #include <catch2/catch.hpp>
 #include <cstdlib>
 #include <set>
@@ -54,6 +55,13 @@ RenderSettings plain(Precision precision = Precision::robust, int lanes = 16) {
 bool is_long() {
   const char* run = std::getenv("STRAHL_LANES");
   return run != nullptr && std::string_view(run) == "long";
+}
+
+/// By the programs with every effect, which scenes share; in the long run by the scene's own.
+RenderSettings shared(Precision precision = Precision::robust, int lanes = 16) {
+  RenderSettings settings = plain(precision, lanes);
+  settings.generic = !is_long();
+  return settings;
 }
 
 TEST_CASE("a closed room in lanes") {
@@ -181,7 +189,7 @@ Scene all_shapes(bool has_relief, bool has_instances) {
 
 TEST_CASE("every shape with its coordinates, in lanes") {
   require_pocl();
-  require_same(all_shapes(true, true), plain());
+  require_same(all_shapes(true, true), shared());
   if (!is_long()) return;
   for (const auto& [has_relief, has_instances] : {std::pair{false, true}, {true, true}, {true, false}}) {
     for (const Precision precision : exact_tiers) {
@@ -217,27 +225,29 @@ TEST_CASE("a camera within a wall sees the wall, or past it what is not too near
   for (const double angle : {0.0, 12.5}) {
     INFO(angle);
     const Scene clipped = within_a_wall(0.01, angle);
-    require_same(clipped, plain());
-    const RenderResult past = followed(clipped, plain(), true);
+    require_same(clipped, shared());
+    const RenderResult past = followed(clipped, shared(), true);
     CHECK(lit_pixels(past.color) > 50);
     // Rounding leaves a wall that is turned before the camera or behind it.
-    if (angle == 0) CHECK(lit_pixels(followed(within_a_wall(0, angle), plain(), true).color) == 0);
+    if (angle == 0) CHECK(lit_pixels(followed(within_a_wall(0, angle), shared(), true).color) == 0);
     Scene open = clipped;
     open.shapes.pop_back();
-    CHECK(same_bits(past, followed(open, plain(), true)));
+    CHECK(same_bits(past, followed(open, shared(), true)));
   }
 }
 
-TEST_CASE("smooth meshes and instances in a tree, in lanes, in both tiers that keep their bits everywhere") {
+TEST_CASE(
+    "smooth meshes, and in the long run instances in both tiers that keep their bits everywhere, in a tree, in lanes") {
   require_pocl();
-  require_same(of("mesh/torus-and-icosphere.xml"), plain());
+  require_same(of("mesh/torus-and-icosphere.xml"), shared());
+  if (!is_long()) return;
   require_same(of("instances/mushrooms.xml"), plain(Precision::fp64, 8));
-  if (is_long()) require_same(of("instances/mushrooms.xml"), plain(Precision::robust, 8));
+  require_same(of("instances/mushrooms.xml"), plain(Precision::robust, 8));
 }
 
 TEST_CASE("glass in a tree, in lanes, and more samples than a pool holds") {
   require_pocl();
-  RenderSettings settings = plain(Precision::robust, 8);
+  RenderSettings settings = shared(Precision::robust, is_long() ? 8 : 16);
   settings.acceleration = Acceleration::tree;
   const Scene scene = small_scene(scene_folder / "materials/dielectric.xml", 12, 10, 150);
   require_same(scene, settings);

@@ -82,7 +82,8 @@ TEST_CASE("the same picture as of single spheres, each a primitive of its cloud"
   CHECK(wrong == 0);
 }
 
-TEST_CASE("nor does a sphere of a cloud shade itself in the fast tier") {
+TEST_CASE("nor does a sphere of a cloud shade itself in the fast tier", "[slow]") {
+  require_pocl();
   const RenderResult cloud = render("pocl", scene_of(true), all_aovs(Precision::fast));
   CHECK(same_bits(cloud.color, render("pocl", scene_of(false), all_aovs(Precision::fast)).color));
 }

@@ -52,9 +52,15 @@ add_test(NAME render_test_oclgrind_every_scene COMMAND ${CMAKE_CURRENT_LIST_DIR}
                                                        ${every_scene})
 set_tests_properties(render_test_oclgrind_every_scene PROPERTIES LABELS slow SKIP_RETURN_CODE 77 TIMEOUT 3600)
 
-foreach(name closed_form albedo ao area_lights checkerboard coincident glass large_ground mirrors terminator)
+foreach(name closed_form albedo ao area_lights checkerboard coincident glass grids large_ground mirror_box mirrors terminator)
   add_test(NAME render_test_${name}_all_tiers COMMAND render_tests "-#" "[#test_${name}]")
   set_tests_properties(render_test_${name}_all_tiers PROPERTIES LABELS slow TIMEOUT 1200 ENVIRONMENT STRAHL_ALL_TIERS=1)
+endforeach()
+
+foreach(name grids media ranked_media)
+  add_test(NAME render_test_${name}_own_programs COMMAND render_tests "-#" "[#test_${name}]")
+  set_tests_properties(render_test_${name}_own_programs PROPERTIES LABELS slow TIMEOUT 1200 ENVIRONMENT
+                                                                                     STRAHL_OWN_PROGRAMS=1)
 endforeach()
 
 add_test(NAME render_test_paths_in_lanes_long COMMAND render_tests "-#" "[#test_paths_in_lanes]")

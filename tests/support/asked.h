@@ -19,4 +19,8 @@ namespace strahl::test {
   return stated == nullptr ? "pocl" : stated;
 }
 
+/// Whether a test of many scenes asks the program with every effect, which tests share and test_generic holds to those
+/// of scenes: true, but with STRAHL_OWN_PROGRAMS, which entries of the label slow set.
+[[nodiscard]] inline bool asks_generic() { return std::getenv("STRAHL_OWN_PROGRAMS") == nullptr; }
+
 }  // namespace strahl::test
