@@ -39,9 +39,8 @@ const Features& every(bool on) {
 }
 
 /// name -> features, one effect alone. What effects do with numbers they do in robust as in every tier; shapes do not.
-std::vector<std::pair<std::string, Features>> singles(const std::string& kernel, Precision precision, bool few) {
+std::vector<std::pair<std::string, Features>> singles(const std::string& kernel, Precision precision) {
   std::vector<std::pair<std::string, Features>> sets;
-  if (few && (kernel == "bidirectional" || precision != Precision::robust)) return sets;
   if (kernel.starts_with("intersect_") || kernel == "probe" || kernel == "light_tracing" || kernel == "share_samples")
     return sets;
   const bool is_robust = precision == Precision::robust;
@@ -132,19 +131,19 @@ int main(int count, char** arguments) {
     for (const Precision precision : {Precision::fast, Precision::stable, Precision::robust, Precision::fp64}) {
       if (!wanted.name.empty() && !wanted.name.starts_with(kernel + "-" + precision_name(precision) + "-")) continue;
       const int widest = default_lanes(16, precision);
+      const bool is_robust = precision == Precision::robust;
       for (int lanes : {1, 8, 16}) {
         if (kernel.ends_with("_packets") && lanes == 1) continue;
         if (lanes > widest) continue;
         const bool is_like_robust = precision == Precision::fast || precision == Precision::stable;
         if (is_like_robust && lanes > 1 && lanes < widest) continue;
-        if (few && precision != Precision::robust && lanes < widest) continue;
+        if (few && !is_robust && lanes < widest) continue;
         write(wanted, kernel, "all", every(true), precision, lanes);
-        if (precision == Precision::robust && !(few && lanes < widest))
-          write(wanted, kernel, "doubles", every(true), precision, lanes);
+        if (is_robust && !(few && lanes < widest)) write(wanted, kernel, "doubles", every(true), precision, lanes);
         write(wanted, kernel, "none", every(false), precision, lanes);
         Features flat = every(true);
         for (auto& [name, on] : flat.flags) on = on && name != "INSTANCES";
-        const bool has_lists = !few || precision == Precision::robust;
+        const bool has_lists = is_robust || !few;
         if (has_lists) write(wanted, kernel, "lists", flat, precision, lanes, false);
         const bool makes_pictures = kernel == "render" || kernel == "light_tracing" || kernel == "bidirectional";
         if (!makes_pictures) continue;
@@ -152,7 +151,8 @@ int main(int count, char** arguments) {
         write(wanted, kernel, "none-paths", every(false), precision, lanes, true, lanes);
         if (has_lists) write(wanted, kernel, "lists-paths", flat, precision, lanes, false, lanes);
       }
-      for (const auto& [name, features] : singles(kernel, precision, few))
+      if (few && (!is_robust || kernel == "bidirectional")) continue;
+      for (const auto& [name, features] : singles(kernel, precision))
         write(wanted, kernel, name, features, precision, widest);
     }
   return 0;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Two integrators make the same picture: means of its blocks over several seeds, by Welch's test. And scenes of a ball.
+// Two integrators make the same picture: means of its blocks over several seeds, by Welch's test. One makes it with the
+// same bits however it is asked. And scenes of a ball.
 #pragma once
 
 #include <catch2/catch.hpp>
@@ -68,6 +69,27 @@ inline void hold_alike(const std::string& integrator, const std::string& other, 
   INFO("together " << ours << " where " << other << " has " << theirs << ", +- " << std::sqrt(variance));
   CHECK(theirs > 0);
   CHECK(ours == Approx(theirs).epsilon(tolerance));
+}
+
+inline bool is_told_alike(const RenderResult& a, const RenderResult& b) {
+  return a.error && b.error && a.error->rmse == b.error->rmse && a.error->rmse_high == b.error->rmse_high;
+}
+
+/// The scene's picture and its told error have the same bits at each width, in other launches, and with 16 lanes by the
+/// program with every effect.
+inline void hold_same_ways(const Scene& scene, const std::vector<int>& widths) {
+  const RenderResult expected = render("pocl", scene, {});
+  CHECK(lit_pixels(expected.color) > 200);
+  for (const int lanes : widths) {
+    RenderSettings other;
+    other.lanes = lanes;
+    other.passes = 5;
+    other.work_group = {3, 2};
+    other.generic = lanes == 16;
+    const RenderResult found = render("pocl", scene, other);
+    CHECK(same_bits(expected, found));
+    CHECK(is_told_alike(expected, found));
+  }
 }
 
 /// A ball over a floor, both of the material.

@@ -78,9 +78,7 @@ Deviation deviation(const Image& image, const std::function<double(const Vec3&)>
 
 Image picture(const Scene& scene) {
   static const Device device = Device::open("pocl");
-  RenderSettings settings;
-  settings.generic = true;
-  return Renderer(device, scene, settings).render().color;
+  return Renderer(device, scene, generic_settings()).render().color;
 }
 
 void hold_picture(const Image& image, const std::function<double(const Vec3&)>& form) {

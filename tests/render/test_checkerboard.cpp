@@ -47,11 +47,11 @@ TEST_CASE("squares of 1/2, on both sides of 0, by Mitsuba's rule") {
 TEST_CASE("a pixel wider than half a square shows the mean over its own size") {
   require_pocl();
   // Six squares a pixel: exactly as much of one colour as of the other.
-  const Image even = color(board({36, 0, 0, 0, 36, 0}), Precision::robust);
+  const Image even = color(board({36, 0, 0, 0, 36, 0}), asked_tiers().back());
   for (std::size_t i = 0; i < even.data.size(); i += 3) REQUIRE(even.data[i] == Approx(0.625).epsilon(1e-6));
   // One square and a bit.
   const double scale = 6.1, width = scale / 12;
-  const Image odd = color(board({scale, 0, 0, 0, scale, 0}), Precision::robust);
+  const Image odd = color(board({scale, 0, 0, 0, scale, 0}), asked_tiers().back());
   const auto wave = [&](double x) {  // The mean of +1 and -1 over a pixel's width, in steps.
     int total = 0;
     for (int i = 0; i < 10000; ++i) total += fraction(x + width * ((i + 0.5) / 10000 - 0.5)) > 0.5 ? -1 : 1;
@@ -75,7 +75,7 @@ TEST_CASE("samples that are spread filter by themselves: the board is not blurre
   scene.sampler.sample_count = 1024;
   scene.film.filter = {FilterKind::box, 0.5, 0.5};
   scene.film.crop = Window{3, 3, 9, 9};
-  const Image image = color(scene, Precision::robust);
+  const Image image = color(scene, asked_tiers().back());
   const auto wave = [&](double x) {
     int total = 0;
     for (int i = 0; i < 10000; ++i) total += fraction(x + width * ((i + 0.5) / 10000 - 0.5)) > 0.5 ? -1 : 1;

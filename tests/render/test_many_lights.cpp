@@ -58,8 +58,7 @@ TEST_CASE("every way to choose among lamps has the same mean, and less noise the
   const Device device = Device::open("pocl");
   double least = INFINITY;
   for (const char* choice : {"uniform", "power", "tree", "each"}) {
-    RenderSettings settings;
-    settings.generic = true;
+    RenderSettings settings = generic_settings();
     settings.light_choice = choice;
     const Image image = Renderer(device, scene, settings).render().color;
     double sum = 0, squares = 0, light = 0;
@@ -143,8 +142,7 @@ TEST_CASE("lights of hardly any weight are drawn, and take nothing from others")
                     light(PointLight{{-1, 0, 1e5}, {1e10, 1e10, 1e10}})};
     scene.lights[0].sampling_weight = far;
     scene.lights[1].sampling_weight = scene.lights[2].sampling_weight = near;
-    RenderSettings settings;
-    settings.generic = true;
+    RenderSettings settings = generic_settings();
     settings.light_choice = choice;
     return static_cast<double>(mean_of(render("pocl", scene, settings).color).g);
   };

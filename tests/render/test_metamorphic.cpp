@@ -43,7 +43,8 @@ const std::vector<std::string>& scenes() {
 }
 
 Image picture(const Device& device, const Scene& scene, Precision precision) {
-  RenderSettings settings = generic_settings(precision);
+  RenderSettings settings;
+  settings.precision = precision;
   settings.generic = precision != Precision::fast;  // Which no other test has built.
   return Renderer(device, scene, settings).render().color;
 }

@@ -92,9 +92,7 @@ TEST_CASE("as in Mitsuba far_clip ends at what a camera's ray passes") {
   const auto beyond = [](Scene scene) {
     scene.sampler.kind = SamplerKind::sobol;
     scene.sampler.sample_count = 16;
-    RenderSettings settings;
-    settings.generic = true;
-    return render("pocl", scene, settings).color;
+    return render("pocl", scene, generic_settings()).color;
   };
   Material mask = diffuse({0, 0, 0});
   mask.opacity = Reflectance{{0.25, 0.25, 0.25}};

@@ -27,9 +27,7 @@ Scene furnace(const Geometry& walls, double reflectance, int max_depth, int rr_d
 
 RenderResult path_picture(const Scene& scene) {
   static const Device device = Device::open("pocl");
-  RenderSettings settings;
-  settings.generic = true;
-  return Renderer(device, scene, settings).render();
+  return Renderer(device, scene, generic_settings()).render();
 }
 
 struct Mean {

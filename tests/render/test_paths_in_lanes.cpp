@@ -3,7 +3,7 @@
 // one, bit for bit: kinds with a body for packets and without, trees, instances, smooth meshes, drawn and taken lights,
 // mirrors, glass, hidden emitters, more samples than a pool holds, and few, so that a work-item takes a span of pixels.
 // By programs with every effect, which test_generic.cpp holds to those of the scenes. With STRAHL_LANES=long all tiers
-// and widths, by a program for each scene.
+// and widths.
 #include <catch2/catch.hpp>
 #include <cstdlib>
 #include <set>
@@ -19,6 +19,7 @@
 #include "scene/scene_text.h"
 #include "selftest/questions.h"
 #include "selftest/shape_proof.h"
+#include "support/asked.h"
 
 namespace strahl::test {
 namespace {
@@ -57,10 +58,10 @@ bool is_long() {
   return run != nullptr && std::string_view(run) == "long";
 }
 
-/// By the programs with every effect, which scenes share; in the long run by the scene's own.
+/// By the programs with every effect, which scenes share, or the scene's own.
 RenderSettings shared(Precision precision = Precision::robust, int lanes = 16) {
   RenderSettings settings = plain(precision, lanes);
-  settings.generic = !is_long();
+  settings.generic = asks_generic();
   return settings;
 }
 

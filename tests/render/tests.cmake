@@ -64,7 +64,8 @@ foreach(name grids media ranked_media)
 endforeach()
 
 add_test(NAME render_test_paths_in_lanes_long COMMAND render_tests "-#" "[#test_paths_in_lanes]")
-set_tests_properties(render_test_paths_in_lanes_long PROPERTIES LABELS slow TIMEOUT 3600 ENVIRONMENT STRAHL_LANES=long)
+set_tests_properties(render_test_paths_in_lanes_long PROPERTIES LABELS slow TIMEOUT 3600 ENVIRONMENT
+                                                                         "STRAHL_LANES=long;STRAHL_OWN_PROGRAMS=1")
 
 add_test(NAME render_test_error_coverage_long COMMAND render_tests "-#" "[#test_error_coverage]")
 set_tests_properties(

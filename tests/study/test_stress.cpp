@@ -58,9 +58,7 @@ TEST_CASE("every stress, every tier") {
 
 /// A scene whose numbers have lengths in them shows the same picture in any unit, in any place, and by more light.
 void hold_in_double(const std::string& what, const Scene& scene) {
-  RenderSettings settings;
-  settings.precision = Precision::fp64;
-  settings.generic = true;  // Which other tests have built.
+  const RenderSettings settings = generic_settings(Precision::fp64);
   const Image first = render("pocl", scene, settings).color;
   const auto hold = [&](const std::string& how, const Scene& other, double unit) {
     CAPTURE(what, how);
