@@ -10,13 +10,14 @@ typedef struct {
 } AreaPoint_w;
 
 /// The density, per solid angle, of a place drawn uniformly from the whole area.
-FN realw uniform_density_w(GLOBAL const real* area, real3w towards, real3w normal) {
+FN realw uniform_density_w(PRIVATE const realw* area, real3w towards, real3w normal) {
   realw zero = splat_w(R(0.0)), square = dot3_w(towards, towards), facing = -dot3_w(normal, towards);
-  realw density = splat_w(area[AREA_INVERSE]) * (square * sqrt_w(square)) / facing;
+  realw density = area[AREA_INVERSE] * (square * sqrt_w(square)) / facing;
   return sel_w(lt_w(zero, facing), density, zero);
 }
 
-FN AreaPoint_w uniform_point_w(GLOBAL const real* area, real3w from, real3w position, real3w normal, realw u, realw v) {
+FN AreaPoint_w uniform_point_w(PRIVATE const realw* area, real3w from, real3w position, real3w normal, realw u,
+                               realw v) {
   AreaPoint_w p;
   p.u = u;
   p.v = v;
@@ -27,15 +28,16 @@ FN AreaPoint_w uniform_point_w(GLOBAL const real* area, real3w from, real3w posi
 }
 
 /// A place on a flat area. item: a corner, two edges and the unit normal on the side that emits.
-FN AreaPoint_w flat_point_w(GLOBAL const real* item, GLOBAL const real* area, real3w from, realw of_u, realw of_v) {
-  real3w edge_u = splat3_w(load3(item + 3)), edge_v = splat3_w(load3(item + 6));
-  real3w position = add3_w(fma3_w(of_u, edge_u, scale3_w(of_v, edge_v)), splat3_w(load3(item)));
-  return uniform_point_w(area, from, position, splat3_w(load3(item + 9)), of_u, of_v);
+FN AreaPoint_w flat_point_w(PRIVATE const realw* item, PRIVATE const realw* area, real3w from, realw of_u, realw of_v) {
+  real3w edge_u = real3_at_w(item + 3), edge_v = real3_at_w(item + 6);
+  real3w position = add3_w(fma3_w(of_u, edge_u, scale3_w(of_v, edge_v)), real3_at_w(item));
+  return uniform_point_w(area, from, position, real3_at_w(item + 9), of_u, of_v);
 }
 
 /// Of a flat area.
-FN real flat_reach_w(GLOBAL const real* item) {
-  return max3(abs3(load3(item))) + (max3(abs3(load3(item + 3))) + max3(abs3(load3(item + 6))));
+FN realw flat_reach_w(PRIVATE const realw* item) {
+  return max3_w(abs3_w(real3_at_w(item))) +
+         (max3_w(abs3_w(real3_at_w(item + 3))) + max3_w(abs3_w(real3_at_w(item + 6))));
 }
 
 /// Texture coordinates of places on flat items. uvs: six reals an item, those of the corner and what each edge adds.

@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: MIT
 // Open cylinder: foot, axis (as long as it is), two perpendicular radii.
 
-FN AreaPoint_w cylinder_point_w(GLOBAL const real* item, GLOBAL const real* area, real3w from, realw u, realw v) {
+FN AreaPoint_w cylinder_point_w(PRIVATE const realw* item, PRIVATE const realw* area, real3w from, realw u, realw v) {
   SinCos_w turned = sincos_turns_w(u);
-  real3w outward = fma3_w(turned.cosine, splat3_w(load3(item + 6)), scale3_w(turned.sine, splat3_w(load3(item + 9))));
-  real3w position = add3_w(fma3_w(v, splat3_w(load3(item + 3)), outward), splat3_w(load3(item)));
-  return uniform_point_w(area, from, position, normalize3_w(scale3_w(splat_w(area[AREA_SIDE]), outward)), u, v);
+  real3w outward = fma3_w(turned.cosine, real3_at_w(item + 6), scale3_w(turned.sine, real3_at_w(item + 9)));
+  real3w position = add3_w(fma3_w(v, real3_at_w(item + 3), outward), real3_at_w(item));
+  return uniform_point_w(area, from, position, normalize3_w(scale3_w(area[AREA_SIDE], outward)), u, v);
 }
 
-FN real cylinder_reach_w(GLOBAL const real* item) { return flat_reach_w(item) + max3(abs3(load3(item + 9))); }
+FN realw cylinder_reach_w(PRIVATE const realw* item) {
+  return flat_reach_w(item) + max3_w(abs3_w(real3_at_w(item + 9)));
+}
 
-FN realw cylinder_density_w(GLOBAL const real* item, GLOBAL const real* area, real3w from, real3w towards,
+FN realw cylinder_density_w(PRIVATE const realw* item, PRIVATE const realw* area, real3w from, real3w towards,
                             real3w normal) {
   (void)item;
   (void)from;

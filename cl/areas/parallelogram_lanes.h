@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Parallelogram: corner, edge u, edge v, unit normal on the side that emits.
 
-FN AreaPoint_w parallelogram_point_w(GLOBAL const real* item, GLOBAL const real* area, real3w from, realw u, realw v) {
+FN AreaPoint_w parallelogram_point_w(PRIVATE const realw* item, PRIVATE const realw* area, real3w from, realw u,
+                                     realw v) {
   return flat_point_w(item, area, from, u, v);
 }
 
-FN real parallelogram_reach_w(GLOBAL const real* item) { return flat_reach_w(item); }
+FN realw parallelogram_reach_w(PRIVATE const realw* item) { return flat_reach_w(item); }
 
-FN realw parallelogram_density_w(GLOBAL const real* item, GLOBAL const real* area, real3w from, real3w towards,
+FN realw parallelogram_density_w(PRIVATE const realw* item, PRIVATE const realw* area, real3w from, real3w towards,
                                  real3w normal) {
   (void)item;
   (void)from;

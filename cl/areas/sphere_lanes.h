@@ -12,10 +12,10 @@ typedef struct {
   maskw is_outside;
 } SphereCone_w;
 
-FN SphereCone_w sphere_cone_w(GLOBAL const real* item, real3w from) {
+FN SphereCone_w sphere_cone_w(PRIVATE const realw* item, real3w from) {
   SphereCone_w cone;
-  real3w to_centre = sub3_w(splat3_w(load3(item)), from);
-  realw zero = splat_w(R(0.0)), one = splat_w(R(1.0)), radius = splat_w(item[3]), distance = length3_w(to_centre);
+  real3w to_centre = sub3_w(real3_at_w(item), from);
+  realw zero = splat_w(R(0.0)), one = splat_w(R(1.0)), radius = item[3], distance = length3_w(to_centre);
   cone.axis = scale3_w(one / distance, to_centre);
   cone.sine = radius / distance;
   realw square = (distance - radius) * (distance + radius);
@@ -25,13 +25,14 @@ FN SphereCone_w sphere_cone_w(GLOBAL const real* item, real3w from) {
   return cone;
 }
 
-FN realw sphere_cone_density_w(GLOBAL const real* area, const SphereCone_w* cone) {
-  return area[AREA_SIDE] > R(0.0) ? splat_w(R(0.5) * ONE_OVER_PI) / cone->less : splat_w(R(0.0));
+FN realw sphere_cone_density_w(PRIVATE const realw* area, const SphereCone_w* cone) {
+  realw zero = splat_w(R(0.0));
+  return sel_w(lt_w(zero, area[AREA_SIDE]), splat_w(R(0.5) * ONE_OVER_PI) / cone->less, zero);
 }
 
-FN AreaPoint_w sphere_point_w(GLOBAL const real* item, GLOBAL const real* area, real3w from, realw u, realw v) {
-  real3w centre = splat3_w(load3(item));
-  realw zero = splat_w(R(0.0)), one = splat_w(R(1.0)), two = splat_w(R(2.0)), radius = splat_w(item[3]);
+FN AreaPoint_w sphere_point_w(PRIVATE const realw* item, PRIVATE const realw* area, real3w from, realw u, realw v) {
+  real3w centre = real3_at_w(item);
+  realw zero = splat_w(R(0.0)), one = splat_w(R(1.0)), two = splat_w(R(2.0)), radius = item[3];
   SphereCone_w cone = sphere_cone_w(item, from);
   Real2_w disk = square_to_disk_w(u, v);
   realw square = fma_w(disk.x, disk.x, disk.y * disk.y);  // Share of the cone's solid angle.
@@ -51,7 +52,7 @@ FN AreaPoint_w sphere_point_w(GLOBAL const real* item, GLOBAL const real* area, 
   if (any_w(~cone.is_outside)) {
     real3w outward = square_to_sphere_w(u, v);
     AreaPoint_w within =
-        uniform_point_w(area, from, fma3_w(radius, outward, centre), scale3_w(splat_w(area[AREA_SIDE]), outward), u, v);
+        uniform_point_w(area, from, fma3_w(radius, outward, centre), scale3_w(area[AREA_SIDE], outward), u, v);
     p.normal = sel3_w(cone.is_outside, p.normal, within.normal);
     p.position = sel3_w(cone.is_outside, p.position, within.position);
     p.density = sel_w(cone.is_outside, p.density, within.density);
@@ -59,9 +60,9 @@ FN AreaPoint_w sphere_point_w(GLOBAL const real* item, GLOBAL const real* area, 
   return p;
 }
 
-FN real sphere_reach_w(GLOBAL const real* item) { return max3(abs3(load3(item))) + item[3]; }
+FN realw sphere_reach_w(PRIVATE const realw* item) { return max3_w(abs3_w(real3_at_w(item))) + item[3]; }
 
-FN realw sphere_density_w(GLOBAL const real* item, GLOBAL const real* area, real3w from, real3w towards,
+FN realw sphere_density_w(PRIVATE const realw* item, PRIVATE const realw* area, real3w from, real3w towards,
                           real3w normal) {
   SphereCone_w cone = sphere_cone_w(item, from);
   return sel_w(cone.is_outside, sphere_cone_density_w(area, &cone), uniform_density_w(area, towards, normal));

@@ -84,67 +84,69 @@ typedef struct {
   int pixel_words;
 } SharingFilm_w;
 
-/// A lane's sample into its pixel. sample: its number.
-FN void add_shared_sample_w(const Scene* scene, const SharedSamples_w* shared, int lane, const SharingFilm_w* film,
-                            int column, int sample) {
+/// Adds sample `sample` to its pixel, whose words these are. squares, weight: as SharedSamples_w has them.
+FN void add_shared_sample(const Scene* scene, real3 light, real3 squares, int weight, SubSums sums, GLOBAL long* words,
+                          int sample) {
   const int row = FILM_CHANNELS * FILM_SUM_WORDS;
-  GLOBAL long* words = film->words + (ulong)column * (ulong)film->pixel_words;
-  int sub = sub_sum_of(film->sums, sample);
-  real3 light = vec3(get_w(&shared->light.x, lane), get_w(&shared->light.y, lane), get_w(&shared->light.z, lane));
+  int sub = sub_sum_of(sums, sample);
   if (light.x != R(0.0) || light.y != R(0.0) || light.z != R(0.0)) film_add_color(scene, words + sub * row, light);
-  if (HAS_MOMENT)
-    add_squared(scene, words + film->sums.count * row,
-                vec3(get_w(&shared->squares.x, lane), get_w(&shared->squares.y, lane), get_w(&shared->squares.z, lane)),
-                1);
-  add_weight(words + (film->sums.count + HAS_MOMENT) * row, film->sums, sub, get_int_w(&shared->weight, lane));
+  if (HAS_MOMENT) add_squared(scene, words + sums.count * row, squares, 1);
+  add_weight(words + (sums.count + HAS_MOMENT) * row, sums, sub, weight);
 }
 
 #if LANES != 1
-/// Samples of one pixel; weights: of their groups.
-FN void add_shared_pixel_w(const Scene* scene, const PixelSamples_w* samples, PRIVATE const intw* weights,
-                           const SharingFilm_w* film, int column) {
-  const int row = FILM_CHANNELS * FILM_SUM_WORDS;
-  GLOBAL long* words = film->words + (ulong)column * (ulong)film->pixel_words;
-  add_samples_w(scene, samples, film->sums, words);
-  for (int k = 0; k < film->sums.count; ++k) {
+/// Samples as they wait, with what else is added of them.
+typedef struct {
+  WaitingSamples_w samples, squares;
+  intw weight[POOL_PATHS / LANES];
+} WaitingShared_w;
+
+/// The weights of a run's groups into its pixel's.
+FN void add_weights_of_run_w(const PixelRun* run, PRIVATE const intw* weights, SubSums sums, GLOBAL long* words) {
+  for (int k = 0; k < sums.count; ++k) {
     intw sum = splat_int_w(0);
-    for (int g = 0; g < groups_of_samples_w(samples); ++g) {
-      maskw is_here = is_in_sub_sum_w(sub_sums_w(film->sums, samples, g), k);
-      sum = sum + sel_int_w(is_here, weights[g], splat_int_w(0));
-    }
-    add_weight(words + (film->sums.count + HAS_MOMENT) * row, film->sums, k, sum_int_w(sum));
+    for (int g = first_group_w(run); g < end_group_w(run); ++g)
+      sum = sum + sel_int_w(is_in_sub_sum_w(sub_sums_w(sums, run, g), k), weights[g], splat_int_w(0));
+    add_weight(words, sums, k, sum_int_w(sum));
+  }
+}
+
+FN void add_shared_run_w(const Scene* scene, const WaitingShared_w* waiting, const PixelRun* run, SubSums sums,
+                         GLOBAL long* words) {
+  if (!HAS_MOMENT && run->count >= LEAST_RUN_w) {
+    add_run_w(scene, &waiting->samples, run, sums, words);
+    add_weights_of_run_w(run, waiting->weight, sums, words + sums.count * FILM_CHANNELS * FILM_SUM_WORDS);
+    return;
+  }
+  for (int i = 0; i < run->count; ++i) {
+    int place = run->place + i;
+    add_shared_sample(scene, light_of_sample_w(&waiting->samples, place), light_of_sample_w(&waiting->squares, place),
+                      get_int_w(waiting->weight + place / LANES, place % LANES), sums, words, run->sample + i);
   }
 }
 
 /// The samples of `columns` pixels into the film, as many at a time as a pool has.
 ONCE_FN void share_span_w(const Scene* scene, const Neighbourhood_w* n, const SharingFilm_w* film, int columns) {
-  int samples = n->ring.samples, column = 0, next = 0;
-  for (int first = 0, count; first < columns * samples; first += count) {
-    count = min((int)POOL_PATHS, columns * samples - first);
-    PixelSamples_w pixel;
-    intw weights[POOL_PATHS / LANES];
-    pixel.first = n->ring.sample_first + next;
-    pixel.count = count;
-    int is_pixel = !HAS_MOMENT && count >= LANES && count <= samples - next;
-    for (int g = 0; g < groups_of_samples_w(&pixel); ++g) {
+  int begin = n->ring.sample_first, end = begin + n->ring.samples, sample = begin;
+  GLOBAL long* words = film->words;
+  WaitingShared_w waiting;
+  for (int first = 0; first < columns * n->ring.samples; first += waiting.samples.count) {
+    waiting.samples.count = min((int)POOL_PATHS, columns * n->ring.samples - first);
+    for (int g = 0; g < groups_of_samples_w(&waiting.samples); ++g) {
       SharedSamples_w shared = shared_samples_w(n, first + g * LANES);
-      pixel.light[0][g] = shared.light.x;
-      pixel.light[1][g] = shared.light.y;
-      pixel.light[2][g] = shared.light.z;
-      weights[g] = shared.weight;
-      for (int lane = 0; !is_pixel && lane < min((int)LANES, count - g * LANES); ++lane) {
-        add_shared_sample_w(scene, &shared, lane, film, column, n->ring.sample_first + next);
-        if (++next < samples) continue;
-        next = 0;
-        ++column;
-      }
+      put_channels_w(shared.light, g, &waiting.samples);
+      put_channels_w(shared.squares, g, &waiting.squares);
+      waiting.weight[g] = shared.weight;
     }
-    if (!is_pixel) continue;
-    add_shared_pixel_w(scene, &pixel, weights, film, column);
-    next += count;
-    if (next < samples) continue;
-    next = 0;
-    ++column;
+    for (int place = 0; place < waiting.samples.count;) {
+      PixelRun run = run_from_w(&waiting.samples, place, sample, end);
+      add_shared_run_w(scene, &waiting, &run, film->sums, words);
+      place += run.count;
+      sample += run.count;
+      if (sample < end) continue;
+      sample = begin;
+      words += film->pixel_words;
+    }
   }
 }
 #else
@@ -154,7 +156,7 @@ ONCE_FN void share_span_w(const Scene* scene, const Neighbourhood_w* n, const Sh
   for (int sample = film->first; sample < begin + n->ring.samples; ++sample) {
     SharedSamples_w shared = shared_samples_w(n, (sample - begin) * ring_sample_step(&n->ring));
     if (HAS_LOOP_LIMIT && !loops_were_whole()) break;
-    add_shared_sample_w(scene, &shared, 0, film, 0, sample);
+    add_shared_sample(scene, shared.light, shared.squares, shared.weight, film->sums, film->words, sample);
     if (HAS_LOOP_LIMIT) *film->done = (uint)(sample + 1);
   }
 }

@@ -66,7 +66,7 @@ FN void add_ended_w(const Scene* scene, const Paths_w* path, uint before, const 
 
 #if LANES != 1
 /// As keep_sample: samples that follow each other in the span do so in the ring.
-FN void keep_samples_w(const Scene* scene, const PixelSamples_w* samples, GLOBAL real* at, int plane) {
+FN void keep_samples_w(const Scene* scene, const WaitingSamples_w* samples, GLOBAL real* at, int plane) {
   for (int g = 0; g < groups_of_samples_w(samples); ++g)
     for (int c = 0; c < FILM_CHANNELS; ++c) {
       int count = min((int)LANES, samples->count - g * LANES);
@@ -134,31 +134,23 @@ ONCE_FN void follow_in_lanes_once_w(Scene scene, Span span, FirstSamples first, 
 #if LANES != 1
 /// Adds the `count` paths that began at `begun`, in the order of their places, to the film.
 FN void add_pool_w(const Scene* scene, const PathPool_w* pool, const Span* begun, int count, const SpanFilm* film) {
-  PixelSamples_w samples;
-  samples.first = begun->next;
+  WaitingSamples_w samples;
   samples.count = count;
-  for (int g = 0; g < groups_of_samples_w(&samples); ++g) {
-    real3w light = pool_light_w(pool, g * LANES);
-    samples.light[0][g] = light.x;
-    samples.light[1][g] = light.y;
-    samples.light[2][g] = light.z;
-  }
+  for (int g = 0; g < groups_of_samples_w(&samples); ++g) put_channels_w(pool_light_w(pool, g * LANES), g, &samples);
   int column = begun->column;
   if (HAS_SHARED_SAMPLES) {
     keep_samples_w(scene, &samples, place_in_ring(film, film->first_pixel + column, begun->next),
                    ring_plane(&film->ring));
     return;
   }
-  if (!HAS_MOMENT && film->times == 1 && count >= LANES && count <= begun->end - begun->next) {
-    add_samples_w(scene, &samples, film->sub_sums, film->sums + (ulong)column * (ulong)film->pixel_words);
-    return;
-  }
-  int sample = begun->next;
-  for (int i = 0; i < count; ++i) {
-    add_to_film(scene, film, film->first_pixel + column, sample, light_of_sample_w(&samples, i));
-    if (++sample < begun->end) continue;
-    sample = begun->first;
-    ++column;
+  for (int place = 0, sample = begun->next; place < count; ++column, sample = begun->first) {
+    PixelRun run = run_from_w(&samples, place, sample, begun->end);
+    if (!HAS_MOMENT && film->times == 1 && run.count >= LEAST_RUN_w)
+      add_run_w(scene, &samples, &run, film->sub_sums, film->sums + (ulong)column * (ulong)film->pixel_words);
+    else
+      for (int i = 0; i < run.count; ++i)
+        add_to_film(scene, film, film->first_pixel + column, sample + i, light_of_sample_w(&samples, place + i));
+    place += run.count;
   }
 }
 

@@ -5,6 +5,9 @@
 FN void gather_row_w(GLOBAL const real* p, intw i, int count, PRIVATE realw* row) {
   for (int k = 0; k < count; ++k) row[k] = gather_w(p + k, i);
 }
+FN void gather_row_once_w(GLOBAL const real* p, intw i, int count, PRIVATE realw* row) {
+  gather_row_w(p, i, count, row);
+}
 #else
 #if REAL_BITS == 64
 typedef double4 Four_w;
@@ -61,5 +64,18 @@ FN void gather_row_w(GLOBAL const real* p, intw i, int count, PRIVATE realw* row
   UNROLLED
   for (int k = 0; k + 4 <= count; k += 4) gather_four_w(p + k, i, row + k);
   if ((count & 3) != 0) gather_four_w(p + (count - 4), i, row + (count - 4));
+}
+
+ONCE_FN void gather_four_once_w(GLOBAL const real* p, intw i, PRIVATE realw* four) { gather_four_w(p, i, four); }
+
+/// As gather_row_w, in less text: for what is seldom read.
+FN void gather_row_once_w(GLOBAL const real* p, intw i, int count, PRIVATE realw* row) {
+  UNROLLED
+  for (int k = 0; k < count; k += 4) {
+    int first = min(k, count - 4);
+    realw four[4];  // The row itself stays in registers.
+    gather_four_once_w(p + first, i, four);
+    for (int j = 0; j < 4; ++j) row[first + j] = four[j];
+  }
 }
 #endif

@@ -5,10 +5,11 @@
 
 enum { area_NUMBERS_w = NUMBERS_NONE_w };
 
-FN LightSample_w area_sample_w(const Scene* scene, GLOBAL const int* row, real3w from, LightNumbers_w numbers) {
-  realw zero = splat_w(R(0.0)), one = splat_w(R(1.0));
-  intw item = area_item_w(scene, row, numbers.item);
-  AreaPoint_w p = area_point_w(scene, row, from, item, numbers.u, numbers.v);
+FN LightSample_w area_sample_w(const Scene* scene, const LightRows_w* at, real3w from, LightNumbers_w numbers) {
+  realw zero = splat_w(R(0.0)), one = splat_w(R(1.0)), area[AREA_ITEMS];
+  intw item = area_item_w(scene, at->row, numbers.item), first_id = light_entry_w(scene, at, LIGHT_FIRST_ID);
+  light_reals_w(scene, at, AREA_ITEMS, area);
+  AreaPoint_w p = area_point_w(scene, at, area, from, item, numbers.u, numbers.v);
   realw bound = area_rounding_w(p.position, from, p.reach);
   LightSample_w s = no_light_w();
   s.towards = sub3_w(p.position, from);
@@ -20,28 +21,31 @@ FN LightSample_w area_sample_w(const Scene* scene, GLOBAL const int* row, real3w
   s.t_max = one;
 #endif
   s.density = p.density;
-  if (row[LIGHT_FIRST_ID] >= 0) s.aim = splat_int_w(row[LIGHT_FIRST_ID]) + item;
-  real3w radiance = splat3_w(load3(scene->shading + row[LIGHT_REALS] + AREA_RADIANCE));
-  if (HAS_LIGHT_TEXTURE && row[LIGHT_TEXTURE] >= 0) radiance = mul3_w(radiance, area_texture_w(scene, row, item, &p));
+  s.aim = sel_int_w(lt_int_w(first_id, splat_int_w(0)), s.aim, first_id + item);
+  real3w radiance = real3_at_w(area + AREA_RADIANCE);
+  if (HAS_LIGHT_TEXTURE && at->row[LIGHT_TEXTURE] >= 0)
+    radiance = mul3_w(radiance, area_texture_w(scene, at->row, item, &p));
   s.radiance = sel3_w(is_lit, radiance, s.radiance);
   return s;
 }
 
-FN realw area_density_w(const Scene* scene, GLOBAL const int* row, real3w from, real3w towards, const Surfaces_w* s) {
-  GLOBAL const real* params = scene->shading + row[LIGHT_REALS];
-  realw density = splat_w(R(0.0));
-  switch (row[LIGHT_AREA]) {
-#define AREA(name, reals)                                                              \
-  case AREA_##name:                                                                    \
-    density = name##_density_w(params + AREA_ITEMS, params, from, towards, s->normal); \
-    break;
+FN realw area_density_w(const Scene* scene, const LightRows_w* at, real3w from, real3w towards, const Surfaces_w* s) {
+  realw density = splat_w(R(0.0)), area[AREA_ITEMS];
+  light_reals_w(scene, at, AREA_ITEMS, area);
+  switch (at->row[LIGHT_AREA]) {
+#define AREA(name, count)                                              \
+  case AREA_##name: {                                                  \
+    realw reals[count];                                                \
+    item_row_w(scene, at, splat_int_w(0), (count), reals);             \
+    density = name##_density_w(reals, area, from, towards, s->normal); \
+    break;                                                             \
+  }
 #include "areas/areas.def"
 #undef AREA
     default:
-      (void)params;
       break;
   }
-  maskw is_lit = lt_w(area_rounding_w(s->position, from, found_reach_w(scene, row, s)), -dot3_w(s->normal, towards));
+  maskw is_lit = lt_w(area_rounding_w(s->position, from, found_reach_w(scene, at, s)), -dot3_w(s->normal, towards));
   return sel_w(is_lit, density, splat_w(R(0.0)));
 }
 

@@ -11,19 +11,31 @@ FN intw area_item_w(const Scene* scene, GLOBAL const int* row, uintw numbers) {
   return chosen_item_w(scene->index + row[LIGHT_CHOICE], splat_int_w(0), items, numbers);
 }
 
-FN AreaPoint_w area_point_of_w(const Scene* scene, GLOBAL const int* row, real3w from, int item, realw u, realw v) {
-  GLOBAL const real* params = scene->shading + row[LIGHT_REALS];
+/// What the lanes' lights have for their items: reals of each.
+FN void item_row_w(const Scene* scene, const LightRows_w* at, intw item, int count, PRIVATE realw* reals) {
+  intw places = light_entry_w(scene, at, LIGHT_REALS) + splat_int_w(AREA_ITEMS) + item * splat_int_w(count);
+  int is_one = at->is_one && !any_w(nonzero_w(item - splat_int_w(get_int_w(&item, 0))));
+  shading_row_w(scene, places, is_one, count, reals);
+}
+
+/// area: the lights' parameters before their items.
+FN AreaPoint_w area_point_w(const Scene* scene, const LightRows_w* at, PRIVATE const realw* area, real3w from,
+                            intw item, realw u, realw v) {
   AreaPoint_w p;
-  switch (row[LIGHT_AREA]) {
-#define AREA(name, reals)                                                         \
-  case AREA_##name:                                                               \
-    p = name##_point_w(params + AREA_ITEMS + item * (reals), params, from, u, v); \
-    p.reach = splat_w(name##_reach_w(params + AREA_ITEMS + item * (reals)));      \
-    return p;
+  switch (at->row[LIGHT_AREA]) {
+#define AREA(name, count)                        \
+  case AREA_##name: {                            \
+    realw reals[count];                          \
+    item_row_w(scene, at, item, (count), reals); \
+    p = name##_point_w(reals, area, from, u, v); \
+    p.reach = name##_reach_w(reals);             \
+    return p;                                    \
+  }
 #include "areas/areas.def"
 #undef AREA
     default:
-      (void)params;
+      (void)scene;
+      (void)area;
       (void)item;
       (void)u;
       (void)v;
@@ -31,26 +43,6 @@ FN AreaPoint_w area_point_of_w(const Scene* scene, GLOBAL const int* row, real3w
       p.density = p.reach = p.u = p.v = splat_w(R(0.0));
       return p;
   }
-}
-
-/// Item by item: the lanes that chose the same item are drawn together.
-FN AreaPoint_w area_point_w(const Scene* scene, GLOBAL const int* row, real3w from, intw item, realw u, realw v) {
-  AreaPoint_w p = area_point_of_w(scene, row, from, get_int_w(&item, 0), u, v);
-  for (uint others = bits_w(nonzero_w(item - splat_int_w(get_int_w(&item, 0)))); others != 0u;) {
-    int one = get_int_w(&item, first_bit(others));
-    maskw of_one = ~nonzero_w(item - splat_int_w(one));
-    AreaPoint_w other = area_point_of_w(scene, row, from, one, u, v);
-    p.position = sel3_w(of_one, other.position, p.position);
-    p.normal = sel3_w(of_one, other.normal, p.normal);
-    p.density = sel_w(of_one, other.density, p.density);
-    p.reach = sel_w(of_one, other.reach, p.reach);
-    if (HAS_LIGHT_TEXTURE) {
-      p.u = sel_w(of_one, other.u, p.u);
-      p.v = sel_w(of_one, other.v, p.v);
-    }
-    others &= ~bits_w(of_one);
-  }
-  return p;
 }
 
 /// As places_rounding_w, of a place and the point that sees it. Shadow rays end this far before a surface, as rays
@@ -62,18 +54,20 @@ FN realw area_rounding_w(real3w position, real3w from, realw reach) {
 }
 
 /// Of a place that a ray has found.
-FN realw found_reach_w(const Scene* scene, GLOBAL const int* row, const Surfaces_w* s) {
-  GLOBAL const real* params = scene->shading + row[LIGHT_REALS];
+FN realw found_reach_w(const Scene* scene, const LightRows_w* at, const Surfaces_w* s) {
   // Among many items, all of them flat, the hit knows its own corners: its bound is 7/4 u of their reach.
-  if (row[LIGHT_ITEMS] > 1) return splat_w(R(4.0) / (R(7.0) * real_roundoff())) * s->bound;
-  switch (row[LIGHT_AREA]) {
-#define AREA(name, reals) \
-  case AREA_##name:       \
-    return splat_w(name##_reach_w(params + AREA_ITEMS));
+  if (at->row[LIGHT_ITEMS] > 1) return splat_w(R(4.0) / (R(7.0) * real_roundoff())) * s->bound;
+  switch (at->row[LIGHT_AREA]) {
+#define AREA(name, count)                                  \
+  case AREA_##name: {                                      \
+    realw reals[count];                                    \
+    item_row_w(scene, at, splat_int_w(0), (count), reals); \
+    return name##_reach_w(reals);                          \
+  }
 #include "areas/areas.def"
 #undef AREA
     default:
-      (void)params;
+      (void)scene;
       return splat_w(R(0.0));
   }
 }

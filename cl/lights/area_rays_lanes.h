@@ -22,14 +22,16 @@ FN real3w area_origin_w(const Scene* scene, GLOBAL const int* row, intw item) {
 
 /// A ray without a direction, whose flux is still the radiance or exitance there.
 FN LightRay_w area_place_w(const Scene* scene, GLOBAL const int* row, LightNumbers_w numbers) {
-  GLOBAL const real* params = scene->shading + row[LIGHT_REALS];
+  LightRows_w at = rows_of_light_w(scene, row);
+  realw area[AREA_ITEMS];
+  light_reals_w(scene, &at, AREA_ITEMS, area);
   intw item = area_item_w(scene, row, numbers.item);
-  AreaPoint_w p = area_point_w(scene, row, area_origin_w(scene, row, item), item, numbers.u, numbers.v);
+  AreaPoint_w p = area_point_w(scene, &at, area, area_origin_w(scene, row, item), item, numbers.u, numbers.v);
   LightRay_w ray = no_light_ray_w();
   ray.from = p.position;
   ray.normal = p.normal;
   ray.bound = area_rounding_w(p.position, p.position, p.reach);
-  real3w radiance = splat3_w(load3(params + AREA_RADIANCE));
+  real3w radiance = real3_at_w(area + AREA_RADIANCE);
   if (HAS_LIGHT_TEXTURE && row[LIGHT_TEXTURE] >= 0) radiance = mul3_w(radiance, area_texture_w(scene, row, item, &p));
   ray.flux = radiance;
   return ray;

@@ -3,8 +3,8 @@
 
 enum { directional_NUMBERS_w = NUMBERS_NONE_w };
 
-FN LightSample_w directional_sample_w(const Scene* scene, GLOBAL const int* row, real3w from, LightNumbers_w numbers) {
-  GLOBAL const real* params = scene->shading + row[LIGHT_REALS];
+FN LightSample_w directional_sample_w(const Scene* scene, const LightRows_w* at, real3w from, LightNumbers_w numbers) {
+  GLOBAL const real* params = scene->shading + at->row[LIGHT_REALS];
   (void)from;
   (void)numbers;
   LightSample_w s = no_light_w();
@@ -17,7 +17,8 @@ FN LightSample_w directional_sample_w(const Scene* scene, GLOBAL const int* row,
 
 #if HAS_LIGHT_PATHS
 FN LightRay_w directional_ray_w(const Scene* scene, GLOBAL const int* row, LightNumbers_w numbers, Real2_w way) {
-  return far_ray_w(scene, directional_sample_w(scene, row, anywhere_w(), numbers), way);
+  LightRows_w at = rows_of_light_w(scene, row);
+  return far_ray_w(scene, directional_sample_w(scene, &at, anywhere_w(), numbers), way);
 }
 
 FN realw directional_spread_w(const Scene* scene, GLOBAL const int* row, real3w way) {

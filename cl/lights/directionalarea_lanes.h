@@ -4,10 +4,10 @@
 
 enum { directionalarea_NUMBERS_w = NUMBERS_NONE_w };
 
-FN LightSample_w directionalarea_sample_w(const Scene* scene, GLOBAL const int* row, real3w from,
+FN LightSample_w directionalarea_sample_w(const Scene* scene, const LightRows_w* at, real3w from,
                                           LightNumbers_w numbers) {
   (void)scene;
-  (void)row;
+  (void)at;
   (void)from;
   (void)numbers;
   LightSample_w s = no_light_w();

@@ -86,17 +86,17 @@ FN realw linear_place_w(realw number, realw a, realw b) {
   return sel_w(lt_w(x, one), x, one);
 }
 
-FN LightSample_w envmap_sample_w(const Scene* scene, GLOBAL const int* row, real3w from, LightNumbers_w numbers) {
-  GLOBAL const int* image = scene->index + row[LIGHT_IMAGE];
-  GLOBAL const int* choices = scene->index + row[LIGHT_CHOICE];
-  GLOBAL const real* axes = scene->shading + row[LIGHT_REALS] + ENVMAP_AXES;
+FN LightSample_w envmap_sample_w(const Scene* scene, const LightRows_w* at, real3w from, LightNumbers_w numbers) {
+  GLOBAL const int* image = scene->index + at->row[LIGHT_IMAGE];
+  GLOBAL const int* choices = scene->index + at->row[LIGHT_CHOICE];
+  GLOBAL const real* axes = scene->shading + at->row[LIGHT_REALS] + ENVMAP_AXES;
   int width = image[IMAGE_WIDTH], rows = image[IMAGE_HEIGHT] - 1;
   (void)from;
   EnvmapPlace_w p;
   p.row = chosen_item_w(choices, splat_int_w(0), (uint)rows, numbers.row);
   p.column = chosen_item_w(choices, splat_int_w(rows) + p.row * splat_int_w(width), (uint)width, numbers.column);
-  EnvmapCorners_w corners = envmap_corners_w(scene, row, &p);
-  EnvmapLuminances_w y = envmap_luminances_w(scene, row, &corners);
+  EnvmapCorners_w corners = envmap_corners_w(scene, at->row, &p);
+  EnvmapLuminances_w y = envmap_luminances_w(scene, at->row, &corners);
   p.t = linear_place_w(numbers.v, y.upper_first + y.upper_second, y.lower_first + y.lower_second);
   p.s = linear_place_w(numbers.u, between_w(p.t, y.upper_first, y.lower_first),
                        between_w(p.t, y.upper_second, y.lower_second));
@@ -110,10 +110,10 @@ FN LightSample_w envmap_sample_w(const Scene* scene, GLOBAL const int* row, real
   real3w level = fma3_w(phi.sine, x, scale3_w(-phi.cosine, z));
   s.towards = fma3_w(theta.cosine, splat3_w(load3(axes + 3)), scale3_w(theta.sine, level));
   s.t_max = splat_w(REAL_MAX);
-  realw density = envmap_place_density_w(scene, row, &y, &p, theta.sine);
+  realw density = envmap_place_density_w(scene, at->row, &y, &p, theta.sine);
   maskw is_drawn = lt_w(zero, density);
   s.density = sel_w(is_drawn, density, s.density);
-  s.radiance = sel3_w(is_drawn, envmap_radiance_w(scene, row, &corners, &p), s.radiance);
+  s.radiance = sel3_w(is_drawn, envmap_radiance_w(scene, at->row, &corners, &p), s.radiance);
   return s;
 }
 
@@ -152,15 +152,16 @@ FN FoundLight_w envmap_background_w(const Scene* scene, GLOBAL const int* row, r
   return found;
 }
 
-FN realw envmap_density_w(const Scene* scene, GLOBAL const int* row, real3w from, real3w towards, const Surfaces_w* s) {
+FN realw envmap_density_w(const Scene* scene, const LightRows_w* at, real3w from, real3w towards, const Surfaces_w* s) {
   (void)from;
   (void)s;
-  return envmap_background_w(scene, row, towards).density;
+  return envmap_background_w(scene, at->row, towards).density;
 }
 
 #if HAS_LIGHT_PATHS
 FN LightRay_w envmap_ray_w(const Scene* scene, GLOBAL const int* row, LightNumbers_w numbers, Real2_w way) {
-  return far_ray_w(scene, envmap_sample_w(scene, row, anywhere_w(), numbers), way);
+  LightRows_w at = rows_of_light_w(scene, row);
+  return far_ray_w(scene, envmap_sample_w(scene, &at, anywhere_w(), numbers), way);
 }
 
 FN realw envmap_spread_w(const Scene* scene, GLOBAL const int* row, real3w way) {

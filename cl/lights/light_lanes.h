@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Dispatch over the active lights, light by light: all lanes of one light are evaluated together. Also the radiance
-// that surfaces emit. One width; no guard.
+// Dispatch over the active lights: all lanes whose lights lie alike are evaluated together. Also the radiance that
+// surfaces emit. One width; no guard.
 #include "lights/light_table.h"
+#include "lights/light_rows_lanes.h"
 #include "lights/light_sample_lanes.h"
 #include "lights/choice_lanes.h"
 #include "textures/texture_lanes.h"
@@ -35,40 +36,44 @@ FN LightNumbers_w light_numbers_w(const Scene* scene, const SampleState_w* sampl
   return numbers;
 }
 
-FN LightSample_w sample_of_light_w(const Scene* scene, int light, real3w from, LightNumbers_w numbers) {
-  GLOBAL const int* row = light_row(scene, light);
-  switch (row[LIGHT_KIND]) {
+FN LightSample_w sample_of_lights_w(const Scene* scene, const LightRows_w* at, real3w from, LightNumbers_w numbers) {
+  switch (at->row[LIGHT_KIND]) {
 #define LIGHT(name)  \
   case LIGHT_##name: \
-    return name##_sample_w(scene, row, from, numbers);
+    return name##_sample_w(scene, at, from, numbers);
 #define DELTA_LIGHT LIGHT
 #include "lights/lights.def"
 #undef DELTA_LIGHT
 #undef LIGHT
     default:
+      (void)scene;
       (void)from;
       (void)numbers;
       return no_light_w();
   }
 }
 
-/// lights: of the lanes of `which`.
+/// lights: of the lanes of `which`. Those that lie alike are asked together.
 FN LightSample_w light_sample_w(const Scene* scene, maskw which, intw lights, real3w from, LightNumbers_w numbers) {
   LightSample_w sample = no_light_w();
+  if (!any_w(which)) return sample;
+  intw row = sel_int_w(which, lights, splat_int_w(0)) * splat_int_w(LIGHT_INTS);
+  intw alike = gather_int_w(light_row(scene, 0) + LIGHT_ALIKE, row);
   for (uint lanes = bits_w(which); lanes != 0u;) {
-    int light;
-    maskw of_light = next_alike_w(lights, which, &lanes, &light);
-    sample = sel_light_w(of_light, sample_of_light_w(scene, light, from, numbers), sample);
+    int one = get_int_w(&lights, first_bit(lanes)), unused;
+    maskw of_lights = next_alike_w(alike, which, &lanes, &unused);
+    LightRows_w at = rows_of_lights_w(scene, sel_int_w(of_lights, lights, splat_int_w(one)));
+    sample = sel_light_w(of_lights, sample_of_lights_w(scene, &at, from, numbers), sample);
   }
   return sample;
 }
 
 FN realw density_of_light_w(const Scene* scene, int light, real3w from, real3w towards, const Surfaces_w* s) {
-  GLOBAL const int* row = light_row(scene, light);
-  switch (row[LIGHT_KIND]) {
+  LightRows_w at = rows_of_light_w(scene, light_row(scene, light));
+  switch (at.row[LIGHT_KIND]) {
 #define LIGHT(name)  \
   case LIGHT_##name: \
-    return name##_density_w(scene, row, from, towards, s);
+    return name##_density_w(scene, &at, from, towards, s);
 #define DELTA_LIGHT(name)
 #include "lights/lights.def"
 #undef DELTA_LIGHT
@@ -82,7 +87,7 @@ FN realw density_of_light_w(const Scene* scene, int light, real3w from, real3w t
 }
 
 /// The density with which light_sample draws the directions along which rays have hit the lights, at s if the lights
-/// have surfaces.
+/// have surfaces. Few rays hit any, so these are asked light by light.
 FN realw light_density_w(const Scene* scene, maskw which, intw lights, real3w from, real3w towards,
                          const Surfaces_w* s) {
   realw density = splat_w(R(0.0));

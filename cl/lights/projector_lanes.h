@@ -6,8 +6,8 @@
 
 enum { projector_NUMBERS_w = NUMBERS_NONE_w };
 
-FN LightSample_w projector_sample_w(const Scene* scene, GLOBAL const int* row, real3w from, LightNumbers_w numbers) {
-  GLOBAL const real* params = scene->shading + row[LIGHT_REALS];
+FN LightSample_w projector_sample_w(const Scene* scene, const LightRows_w* at, real3w from, LightNumbers_w numbers) {
+  GLOBAL const real* params = scene->shading + at->row[LIGHT_REALS];
   (void)numbers;
   realw zero = splat_w(R(0.0)), one = splat_w(R(1.0)), half_one = splat_w(R(0.5));
   LightSample_w s = no_light_w();
@@ -25,9 +25,9 @@ FN LightSample_w projector_sample_w(const Scene* scene, GLOBAL const int* row, r
   realw inverse = one / along;
   real3w radiance = scale3_w(length * inverse * inverse, splat3_w(load3(params + 12)));
   radiance = scale3_w(inverse, radiance);
-  if (HAS_LIGHT_TEXTURE && row[LIGHT_TEXTURE] >= 0) {
-    TexturePlace_w at = texture_at_w(fma_w(half_one, x, half_one), fma_w(half_one, y, half_one));
-    radiance = mul3_w(radiance, texture_value_w(scene, row[LIGHT_TEXTURE], &at));
+  if (HAS_LIGHT_TEXTURE && at->row[LIGHT_TEXTURE] >= 0) {
+    TexturePlace_w place = texture_at_w(fma_w(half_one, x, half_one), fma_w(half_one, y, half_one));
+    radiance = mul3_w(radiance, texture_value_w(scene, at->row[LIGHT_TEXTURE], &place));
   }
   s.radiance = sel3_w(is_lit, radiance, s.radiance);
   s.is_delta = ~none_w();
@@ -37,6 +37,7 @@ FN LightSample_w projector_sample_w(const Scene* scene, GLOBAL const int* row, r
 #if HAS_LIGHT_PATHS
 /// Places on the picture are drawn uniformly.
 FN LightRay_w projector_ray_w(const Scene* scene, GLOBAL const int* row, LightNumbers_w numbers, Real2_w way) {
+  LightRows_w at = rows_of_light_w(scene, row);
   GLOBAL const real* params = scene->shading + row[LIGHT_REALS];
   realw one = splat_w(R(1.0)), two = splat_w(R(2.0));
   real3 right = load3(params + 3), down = load3(params + 6);
@@ -48,7 +49,7 @@ FN LightRay_w projector_ray_w(const Scene* scene, GLOBAL const int* row, LightNu
   out = fma3_w(fma_w(two, numbers.v, -one), splat3_w(scale3(over_down, down)), out);
   realw cosine = one / length3_w(out);
   ray.way = scale3_w(cosine, out);
-  LightSample_w s = projector_sample_w(scene, row, point_in_way_w(ray.from, out), numbers);
+  LightSample_w s = projector_sample_w(scene, &at, point_in_way_w(ray.from, out), numbers);
   // The picture is 4 tan_x tan_y large at distance 1, and the solid angle of a part of it is the cube of the cosine.
   realw solid = splat_w(R(4.0) * real_sqrt(over_right * over_down)) * (cosine * cosine * cosine);
   ray.flux = scale3_w(solid, intensity_of_w(&s));

@@ -17,8 +17,8 @@ FN real3w sun_radiance_w(GLOBAL const real* params, real3w towards) {
   return sel3_w(is_down, no_light_found_w().radiance, splat3_w(load3(params + 4)));
 }
 
-FN LightSample_w sun_sample_w(const Scene* scene, GLOBAL const int* row, real3w from, LightNumbers_w numbers) {
-  GLOBAL const real* params = scene->shading + row[LIGHT_REALS];
+FN LightSample_w sun_sample_w(const Scene* scene, const LightRows_w* at, real3w from, LightNumbers_w numbers) {
+  GLOBAL const real* params = scene->shading + at->row[LIGHT_REALS];
   (void)from;
   LightSample_w s = no_light_w();
   Frame_w frame = frame_around_w(splat3_w(load3(params)));
@@ -41,15 +41,16 @@ FN FoundLight_w sun_background_w(const Scene* scene, GLOBAL const int* row, real
   return found;
 }
 
-FN realw sun_density_w(const Scene* scene, GLOBAL const int* row, real3w from, real3w towards, const Surfaces_w* s) {
+FN realw sun_density_w(const Scene* scene, const LightRows_w* at, real3w from, real3w towards, const Surfaces_w* s) {
   (void)from;
   (void)s;
-  return sun_background_w(scene, row, towards).density;
+  return sun_background_w(scene, at->row, towards).density;
 }
 
 #if HAS_LIGHT_PATHS
 FN LightRay_w sun_ray_w(const Scene* scene, GLOBAL const int* row, LightNumbers_w numbers, Real2_w way) {
-  return far_ray_w(scene, sun_sample_w(scene, row, anywhere_w(), numbers), way);
+  LightRows_w at = rows_of_light_w(scene, row);
+  return far_ray_w(scene, sun_sample_w(scene, &at, anywhere_w(), numbers), way);
 }
 
 FN realw sun_spread_w(const Scene* scene, GLOBAL const int* row, real3w way) {

@@ -151,6 +151,8 @@ enum {
 // scene-wide id of item 0 where the items are primitives in order, else -1. LIGHT_TEXTURE: the row of the table of
 // textures that multiplies its colour; -1: none. LIGHT_UVS: of an area light with a texture, -> shading, what texture
 // coordinates of its places follow from (the area's file says how). LIGHT_PART: an area light's row of the part table.
+// LIGHT_ALIKE: the first light whose parameters lie as this one's do: with the same kind and area, of one item, without
+// a texture; this one where there is none.
 enum {
   LIGHT_KIND,
   LIGHT_REALS,
@@ -161,6 +163,7 @@ enum {
   LIGHT_TEXTURE,
   LIGHT_UVS,
   LIGHT_PART,
+  LIGHT_ALIKE,
   LIGHT_INTS
 };
 // Of an environment: -> index, IMAGE_INTS; LIGHT_CHOICE leads to a table of the rows of cells, and from there on one of

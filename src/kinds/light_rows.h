@@ -44,7 +44,7 @@ struct Row;
 
 template <>
 struct Row<PointLight> {
-  static constexpr LightFacts facts{.entry = "point", .is_delta = true};
+  static constexpr LightFacts facts{.entry = "point", .is_delta = true, .is_alike = true};
   static constexpr auto colour = &PointLight::intensity;
   static std::vector<double> reals(const PointLight& light, const UploadFrame& frame) {
     const Vec3 p = frame.point(light.position);
@@ -67,7 +67,7 @@ struct Row<PointLight> {
 
 template <>
 struct Row<SpotLight> {
-  static constexpr LightFacts facts{.entry = "spot", .is_delta = true};
+  static constexpr LightFacts facts{.entry = "spot", .is_delta = true, .is_alike = true};
   static constexpr auto colour = &SpotLight::intensity;
   static std::vector<double> reals(const SpotLight& light, const UploadFrame& frame) {
     const Vec3 p = frame.point(light.position), axis = normalized(light.axis);

@@ -24,6 +24,7 @@ struct LightFacts {
   bool is_background = false;  ///< Rays that leave the scene see it; a scene has at most one, and a sun.
   bool is_sun = false;         ///< It stands before the other.
   bool is_even = false;        ///< The same from all directions.
+  bool is_alike = false;       ///< Kernels ask several of them together (cl/scene/layout.h, LIGHT_ALIKE).
 };
 
 [[nodiscard]] const LightFacts& light(const Light& light);

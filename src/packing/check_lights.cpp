@@ -59,6 +59,7 @@ class Lights {
  private:
   void light(std::int64_t row, std::int64_t i) {
     const int kind = ranges_.at(row + layout::LIGHT_KIND);
+    ranges_.within(ranges_.at(row + layout::LIGHT_ALIKE), 0, i + 1, "the light that is like light", i);
     ranges_.within(ranges_.at(row + layout::LIGHT_TEXTURE), -1, facts_.texture_rows, "the texture of light", i);
     if (kind >= 0 && (kind == area_ || kind == beams_)) return area(row, i);
     const auto known = reals_.find(kind);

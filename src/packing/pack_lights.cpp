@@ -2,9 +2,11 @@
 #include "packing/pack_lights.h"
 
 #include <algorithm>
+#include <map>
 #include <numbers>
 #include <optional>
 #include <span>
+#include <utility>
 #include <variant>
 
 #include "kinds/entries.h"
@@ -62,6 +64,11 @@ class LightTable {
   [[nodiscard]] bool begins_paths() const { return kinds::integrator(scene_.integrator.name).from_lights; }
   [[nodiscard]] int count() const { return static_cast<int>(rows_.size()) / layout::LIGHT_INTS; }
 
+  /// LIGHT_ALIKE of the next row.
+  int alike(bool is_alike, int kind, int area) {
+    return is_alike ? first_alike_.try_emplace({kind, area}, count()).first->second : count();
+  }
+
   template <typename IsMeant>
   void put_lights(const IsMeant& is_meant) {
     for (const Light& light : scene_.lights)
@@ -80,8 +87,8 @@ class LightTable {
         textured_colour(kinds::light_colour(from), kinds::light_texture(from), scene_, features_);
     kinds::light_colour(light) = colour.colour;
     if (kinds::light_glows(light)) header(layout::HEADER_GLOWS) = 1;
-    rows_.insert(rows_.end(),
-                 {kind, packed_.put_shading(kinds::light_reals(light, frame_)), 0, 0, 0, -1, colour.row, -1, -1});
+    rows_.insert(rows_.end(), {kind, packed_.put_shading(kinds::light_reals(light, frame_)), 0, 0, 0, -1, colour.row,
+                               -1, -1, alike(facts.is_alike && colour.row < 0, kind, 0)});
     // That of an image reads all of its texels.
     const bool is_chosen = features_.light_chooser != "uniform";
     kinds::light_colour(light) = colour.mean;
@@ -140,10 +147,12 @@ class LightTable {
         header(layout::HEADER_MOST_ITEMS) = std::max(header(layout::HEADER_MOST_ITEMS), items);
         const int choice_at = put_choices(packed_, area->choices);
         const int first = first_of_area(shape.geometry, part, area->side < 0);
+        const int area_number = numbers_("areas", area_kind(shape.geometry));
         const int uvs_at = area->uvs.empty() ? -1 : packed_.put_shading(area->uvs);
-        rows_.insert(rows_.end(), {kind, packed_.put_shading(reals), numbers_("areas", area_kind(shape.geometry)),
-                                   items, choice_at, first < 0 ? -1 : first_ids[i] + first, radiance.row, uvs_at,
-                                   static_cast<int>(light_of_part_.size()) - 1});
+        rows_.insert(rows_.end(), {kind, packed_.put_shading(reals), area_number, items, choice_at,
+                                   first < 0 ? -1 : first_ids[i] + first, radiance.row, uvs_at,
+                                   static_cast<int>(light_of_part_.size()) - 1,
+                                   alike(!is_beam && items == 1 && radiance.row < 0, kind, area_number)});
       }
     }
   }
@@ -154,7 +163,8 @@ class LightTable {
   const Features& features_;
   const UploadFrame& frame_;
   std::vector<std::int32_t> rows_;
-  std::vector<LightReach> reaches_;  ///< One a row.
+  std::map<std::pair<int, int>, int> first_alike_;  ///< By kind and area.
+  std::vector<LightReach> reaches_;                 ///< One a row.
   EntryNumbers numbers_{features_};
   std::vector<int> light_of_part_;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Samples of a pixel in one tier; needs REAL_BITS and LANES. No guard: once a unit.
+// Samples of pixels in one tier; needs REAL_BITS and LANES. No guard: once a unit.
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -35,14 +35,21 @@ tier::SubSums sub_sums(const strahl::test::PixelSums& sums) { return {sums.count
 namespace strahl::test {
 
 template <>
-void add_in_lanes(PixelSums& sums, int first, const std::vector<std::array<tier::real, 3>>& light) {
+void add_in_lanes(PixelSums& sums, int first, int place, const std::vector<std::array<tier::real, 3>>& light) {
   const tier::Scene scene{nullptr, nullptr, nullptr, sums.counts.data(), nullptr};
-  tier::PixelSamples_w samples;
-  samples.first = first;
-  samples.count = static_cast<int>(light.size());
+  const int end = first + static_cast<int>(light.size());
+  tier::WaitingSamples_w samples;
+  // The places before and behind are other pixels'.
+  samples.count = tier::POOL_PATHS;
+  for (std::size_t c = 0; c < 3; ++c)
+    for (std::size_t i = 0; i < tier::POOL_PATHS; ++i) samples.light[c][i / LANES][i % LANES] = tier::real(1.5);
   for (std::size_t i = 0; i < light.size(); ++i)
-    for (std::size_t c = 0; c < 3; ++c) samples.light[c][i / LANES][i % LANES] = light[i][c];
-  tier::add_samples_w(&scene, &samples, sub_sums(sums), sums.words.data()->data());
+    for (std::size_t c = 0; c < 3; ++c) {
+      const std::size_t at = static_cast<std::size_t>(place) + i;
+      samples.light[c][at / LANES][at % LANES] = light[i][c];
+    }
+  const tier::PixelRun run = tier::run_from_w(&samples, place, first, end);
+  tier::add_run_w(&scene, &samples, &run, sub_sums(sums), sums.words.data()->data());
 }
 
 template <>

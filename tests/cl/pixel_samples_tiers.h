@@ -18,9 +18,10 @@ struct PixelSums {
   std::array<std::uint32_t, 4> counts;  ///< Saturated, invalid.
 };
 
-/// Adds samples first, first + 1, ..., at most a pool's, in lanes and one by one.
+/// Adds samples first, first + 1, ..., at most a pool's, in lanes and one by one. place: of the first in a pool, whose
+/// other places have other pixels' samples.
 template <class Real>
-void add_in_lanes(PixelSums& sums, int first, const std::vector<std::array<Real, 3>>& light);
+void add_in_lanes(PixelSums& sums, int first, int place, const std::vector<std::array<Real, 3>>& light);
 template <class Real>
 void add_one_by_one(PixelSums& sums, int first, const std::vector<std::array<Real, 3>>& light);
 

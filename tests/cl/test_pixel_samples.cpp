@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A pool's samples of a pixel added in lanes (cl/film/pixel_samples_lanes.h) leave the words that they leave one by
-// one, in sums of any top and of any pattern of turns. Of what they were: test_film.
+// Samples of a pixel in a pool, with other pixels' before and behind them, added in lanes
+// (cl/film/pixel_samples_lanes.h) leave the words that they leave one by one, in sums of any top and of any pattern of
+// turns. Of what they were: test_film.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -85,7 +86,8 @@ TEMPLATE_TEST_CASE("samples in lanes leave the words of samples one by one", "",
     for (int pool = 0; pool < 4; ++pool) {
       const std::size_t count = pool == 0 ? 64 : 1 + random() % 64;
       const auto light = samples.draw(count, kinds.at(static_cast<std::size_t>(pool / 2)));
-      add_in_lanes(lanes, first, light);
+      const int place = static_cast<int>(random() % (65 - count));
+      add_in_lanes(lanes, first, place, light);
       add_one_by_one(single, first, light);
       first += static_cast<int>(count);
       CAPTURE(trial, pool, static_cast<int>(kinds[0]), static_cast<int>(kinds[1]), lanes.count, lanes.sequences);
@@ -100,7 +102,7 @@ TEMPLATE_TEST_CASE("a pool of the largest usual samples fits", "", float, double
   PixelSums single = lanes;
   const TestType largest = std::nextafter(TestType(0x1p20), TestType(0));
   const std::vector<std::array<TestType, 3>> light(64, {largest, largest, TestType(0x1p-20)});
-  add_in_lanes(lanes, 0, light);
+  add_in_lanes(lanes, 0, 0, light);
   add_one_by_one(single, 0, light);
   CHECK(lanes.words == single.words);
 }

@@ -174,7 +174,7 @@ TEST_CASE("whatever light reaches a point has a chance there") {
           INFO(tier.name << ", " << tier.lanes << " lanes, " << entry << ", light " << light);
           const double chance = 1 / tier.rarity(packed.buffers(), light, from);
           whole += chance;
-          for (const LightDraw& drawn : tier.draw(packed.buffers(), light, from, numbers))
+          for (const LightDraw& drawn : tier.draw(packed.buffers(), {light}, from, numbers))
             if (drawn.radiance[0] > 0) CHECK(chance > 0);
         }
         CHECK(whole == Approx(1).epsilon(1e-3));

@@ -95,7 +95,7 @@ TEST_CASE("an environment is drawn by its density, cell by cell, and the density
         }
         CHECK(whole == Approx(1).epsilon(1e-3));
         std::vector<double> counts(expected.size(), 0);
-        for (const LightDraw& one : tier.draw(scene.buffers(), 0, {0, 0, 0}, numbers))
+        for (const LightDraw& one : tier.draw(scene.buffers(), {0}, {0, 0, 0}, numbers))
           if (one.radiance[0] > 0) counts[cell_of(light, normalized(vec(one.towards)))] += 1;
         hold_counts(counts, expected);
       });
@@ -110,7 +110,7 @@ TEST_CASE("radiance over density varies by no more than the angle's sine within 
     // is bright.
     const double most = 3.1 * fluence(light);
     double sum = 0, squares = 0;
-    for (const LightDraw& one : tier.draw(scene.buffers(), 0, {0, 0, 0}, numbers)) {
+    for (const LightDraw& one : tier.draw(scene.buffers(), {0}, {0, 0, 0}, numbers)) {
       const double share = one.radiance[0] / one.density;
       CHECK(share <= most);
       sum += share;
@@ -184,7 +184,7 @@ TEST_CASE("one bright texel lights as a directional light of its fluence") {
   const Vec3 normal = normalized(Vec3{0.3, 1, -0.2});
   double sum = 0;
   const std::vector<PlaceNumbers> numbers = place_numbers(2000);
-  for (const LightDraw& one : tier.draw(scene.buffers(), 0, {0, 0, 0}, numbers))
+  for (const LightDraw& one : tier.draw(scene.buffers(), {0}, {0, 0, 0}, numbers))
     sum += one.radiance[0] / one.density * dot(vec(one.towards), normal);
   const double irradiance = fluence(light) * dot(towards, normal);
   CHECK(sum / static_cast<double>(numbers.size()) == Approx(irradiance).epsilon(1e-4));

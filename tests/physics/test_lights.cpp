@@ -210,7 +210,7 @@ TEST_CASE("directions are drawn as densely as rays that find the light are told"
   const std::vector<PlaceNumbers> numbers = place_numbers(4000);
   for_each_light([&](const TransportTier& tier, const LightRow& row, const TierScene& scene, const Vec3& from) {
     if (row.is_delta || tier.lanes > 1) return;
-    const std::vector<Vec3> directions = lit_directions(tier.draw(scene.buffers(), 0, triad(from), numbers));
+    const std::vector<Vec3> directions = lit_directions(tier.draw(scene.buffers(), {0}, triad(from), numbers));
     REQUIRE(directions.size() > numbers.size() / 4);
     const Cone cone(directions);
     std::vector<double> counts(Cone::rings * Cone::sectors, 0), expected(counts.size(), 0);
@@ -237,7 +237,7 @@ TEST_CASE("what draws a light and what finds it see the same radiance at the sam
   const std::vector<PlaceNumbers> numbers = place_numbers(500);
   for_each_light([&](const TransportTier& tier, const LightRow& row, const TierScene& scene, const Vec3& from) {
     if (row.is_delta) return;
-    const std::vector<LightDraw> all = tier.draw(scene.buffers(), 0, triad(from), numbers);
+    const std::vector<LightDraw> all = tier.draw(scene.buffers(), {0}, triad(from), numbers);
     std::vector<LightDraw> drawn;
     std::vector<Triad> directions;
     for (const LightDraw& one : all) {
@@ -275,7 +275,7 @@ TEST_CASE("drawn radiance over its density is the light's fluence") {
   for_each_light([&](const TransportTier& tier, const LightRow& row, const TierScene& scene, const Vec3& from) {
     if (!row.fluence) return;
     std::vector<double> shares;
-    for (const LightDraw& one : tier.draw(scene.buffers(), 0, triad(from), numbers)) {
+    for (const LightDraw& one : tier.draw(scene.buffers(), {0}, triad(from), numbers)) {
       shares.push_back(is_lit(one) ? one.radiance[0] / one.density : 0);
       // The colour is the light's.
       CHECK(one.radiance[1] == Approx(one.radiance[0] / 2).epsilon(4 * roundoff(tier)));
@@ -290,7 +290,7 @@ TEST_CASE("drawn radiance over its density is the light's fluence") {
 TEST_CASE("a light of one direction is a delta, which no ray finds") {
   const std::vector<PlaceNumbers> numbers = place_numbers(16);
   for_each_light([&](const TransportTier& tier, const LightRow& row, const TierScene& scene, const Vec3& from) {
-    const std::vector<LightDraw> drawn = tier.draw(scene.buffers(), 0, triad(from), numbers);
+    const std::vector<LightDraw> drawn = tier.draw(scene.buffers(), {0}, triad(from), numbers);
     for (const LightDraw& one : drawn) CHECK(one.is_delta == row.is_delta);
     if (!row.is_delta) return;
     for (const LightDraw& one : drawn) {
@@ -315,8 +315,8 @@ TEST_CASE("every width draws and finds lights as one lane does, to the bit") {
     if (tier.lanes == 1) return;
     const TransportTier& one = narrow.at(tier.name);
     const TierScene narrow_scene(scene_of_light(row), one);
-    const auto wide = tier.draw(scene.buffers(), 0, triad(from), numbers),
-               drawn = one.draw(narrow_scene.buffers(), 0, triad(from), numbers);
+    const auto wide = tier.draw(scene.buffers(), {0}, triad(from), numbers),
+               drawn = one.draw(narrow_scene.buffers(), {0}, triad(from), numbers);
     std::vector<Triad> directions;
     for (std::size_t i = 0; i < drawn.size(); ++i) {
       CHECK(wide[i].towards == drawn[i].towards);

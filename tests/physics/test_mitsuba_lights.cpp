@@ -38,7 +38,7 @@ TEST_CASE("lights with textures shine as Mitsuba's") {
                      << " " << told.at[2]);
       const TierScene scene(scene_named(told.scene), tier);
       const Triad found = told.what == "lamp"
-                              ? tier.draw(scene.buffers(), 0, told.at, place_numbers(1)).front().radiance
+                              ? tier.draw(scene.buffers(), {0}, told.at, place_numbers(1)).front().radiance
                               : tier.look(scene.buffers(), {0, 0, 0}, {told.at}).front().radiance;
       for (std::size_t k = 0; k < 3; ++k) CHECK(found[k] == Approx(told.colour[k]).epsilon(3e-4).margin(3e-5));
     }
@@ -52,7 +52,7 @@ struct LitPlaces {
 LitPlaces lit_places(const TransportTier& tier, const TierScene& scene, int light,
                      const std::vector<PlaceNumbers>& numbers) {
   LitPlaces places;
-  for (const LightDraw& drawn : tier.draw(scene.buffers(), light, {0, 0, 0}, numbers)) {
+  for (const LightDraw& drawn : tier.draw(scene.buffers(), {light}, {0, 0, 0}, numbers)) {
     if (drawn.radiance[0] <= 0) continue;
     places.directions.push_back(triad(normalized(vec(drawn.towards))));
     places.colours.push_back(drawn.radiance);

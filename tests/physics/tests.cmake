@@ -33,7 +33,7 @@ target_compile_options(strahl_host_transport PRIVATE -O1 -Wno-psabi -Wno-int-in-
                        -Wno-deprecated-enum-enum-conversion -Wno-maybe-uninitialized
                        $<$<BOOL:${STRAHL_HOST_HAS_FMA}>:-mfma>)
 
-foreach(name areas chosen_items blends coats reliefs sun lights choosers textures environment mitsuba_images mitsuba_lights integrators)
+foreach(name areas chosen_items blends coats reliefs sun lights lights_alike choosers textures environment mitsuba_images mitsuba_lights integrators)
   strahl_test(physics/test_${name}.cpp LABEL unit LIBS strahl_host_transport)
 endforeach()
 strahl_test(physics/test_flipped_indices.cpp LABEL unit LIBS strahl_host_transport)

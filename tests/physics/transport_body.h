@@ -57,7 +57,7 @@ inline std::vector<double> angles_alone(const std::vector<TexturePlace>& points)
 inline std::vector<TransportTier> transport(const char* name) {
 #define QUESTIONS(lanes)                                                                               \
   {                                                                                                    \
-    name, lanes, draw_light_##lanes, area_places_##lanes, chosen_items_##lanes, look_along_##lanes,    \
+    name, lanes, draw_lights_##lanes, area_places_##lanes, chosen_items_##lanes, look_along_##lanes,   \
         density_towards_##lanes, pick_lights_##lanes, rarity_of_##lanes, texture_values_##lanes,       \
         material_rows_##lanes, lit_places_##lanes, mapped_at_##lanes, angles_of_##lanes, angles_alone, \
         radiance_along_##lanes, splats_of_##lanes                                                      \

@@ -103,7 +103,8 @@ struct FoundHit {
 struct TransportTier {
   const char* name;
   int lanes;
-  std::vector<LightDraw> (*draw)(const TierBuffers& scene, int light, const Triad& from,
+  /// lights: of all draws, or one for each.
+  std::vector<LightDraw> (*draw)(const TierBuffers& scene, const std::vector<int>& lights, const Triad& from,
                                  const std::vector<PlaceNumbers>& numbers);
   /// Of a light of kind `area`.
   std::vector<AreaDraw> (*places)(const TierBuffers& scene, int light, const Triad& from,

@@ -28,13 +28,16 @@ inline LightNumbers_w LANED(numbers_at)(const std::vector<PlaceNumbers>& all, st
   return numbers;
 }
 
-inline std::vector<LightDraw> LANED(draw_light)(const TierBuffers& buffers, int light, const Triad& from,
-                                                const std::vector<PlaceNumbers>& numbers) {
+inline std::vector<LightDraw> LANED(draw_lights)(const TierBuffers& buffers, const std::vector<int>& lights,
+                                                 const Triad& from, const std::vector<PlaceNumbers>& numbers) {
   const Scene scene = scene_of(buffers);
   std::vector<LightDraw> drawn(numbers.size());
   for (std::size_t first = 0; first < numbers.size(); first += LANES) {
-    const LightSample_w s = light_sample_w(&scene, ~none_w(), splat_int_w(light), LANED(splat_triad)(from),
-                                           LANED(numbers_at)(numbers, first));
+    intw asked = splat_int_w(lights.front());
+    if (lights.size() > 1) LANED(for_lanes)
+    (first, numbers.size(), [&](std::size_t i, int lane) { put_int_w(&asked, lane, lights[i]); });
+    const LightSample_w s =
+        light_sample_w(&scene, ~none_w(), asked, LANED(splat_triad)(from), LANED(numbers_at)(numbers, first));
     const uint deltas = bits_w(s.is_delta);
     LANED(for_lanes)
     (first, numbers.size(), [&](std::size_t i, int lane) {
@@ -63,11 +66,14 @@ inline std::vector<AreaDraw> LANED(area_places)(const TierBuffers& buffers, int 
                                                 const std::vector<PlaceNumbers>& numbers) {
   const Scene scene = scene_of(buffers);
   const int* row = light_row(&scene, light);
+  const LightRows_w lights = rows_of_light_w(&scene, row);
+  realw area[AREA_ITEMS];
+  light_reals_w(&scene, &lights, AREA_ITEMS, area);
   std::vector<AreaDraw> drawn(numbers.size());
   for (std::size_t first = 0; first < numbers.size(); first += LANES) {
     const LightNumbers_w drawing = LANED(numbers_at)(numbers, first);
-    const AreaPoint_w p = area_point_w(&scene, row, LANED(splat_triad)(from), area_item_w(&scene, row, drawing.item),
-                                       drawing.u, drawing.v);
+    const AreaPoint_w p = area_point_w(&scene, &lights, area, LANED(splat_triad)(from),
+                                       area_item_w(&scene, row, drawing.item), drawing.u, drawing.v);
     const realw bound = area_rounding_w(p.position, LANED(splat_triad)(from), p.reach);
     LANED(for_lanes)
     (first, numbers.size(), [&](std::size_t i, int lane) {
