@@ -7,6 +7,7 @@ scene has much of; 0 stands for the default.
 """
 import random
 
+import lamp_scenes
 import media_scenes
 import surface_scenes
 from meshes import icosahedron, knot, terrain, write_ply
@@ -142,5 +143,18 @@ def materials(folder, pixels, size):
                  shape("rectangle", moved(scaled(2), LAMP_DOWN, to(-3, 6, 2)), diffuse(0, 0, 0), lamp(9, 8, 7)), *things)
 
 
-SCENES = {"cornell": cornell, "instances": instances, "field": field, "box": box, "hall": hall, "lamps": lamps,
-          "terrain": landscape, "materials": materials, **surface_scenes.SCENES, **media_scenes.SCENES}
+def crowd(folder, pixels, size):
+    """100 knots of 1,000 triangles, a mesh each, under a lamp; path, 6 deep. size: their number."""
+    write_ply(folder / "crowd.ply", *knot(1000))
+    chance = random.Random(4)
+    knots = [ply("crowd.ply", moved(scaled(0.3), turned("x", chance.uniform(0, 360)), turned("y", chance.uniform(0, 360)),
+                                    to(chance.uniform(-3, 3), chance.uniform(0.3, 1.5), chance.uniform(-4, 2))),
+                 diffuse(*(chance.uniform(0.2, 0.8) for _ in range(3)))) for _ in range(size or 100)]
+    return scene(folder / "crowd.xml", pixels, ("path", 6), ("0, 3, 8", "0, 0.6, 0", 42),
+                 shape("rectangle", moved(scaled(20), FLOOR_UP), diffuse(0.5, 0.5, 0.5)),
+                 shape("rectangle", moved(scaled(1), LAMP_DOWN, to(-1, 6, 2)), diffuse(0, 0, 0), lamp(20, 18, 16)), *knots)
+
+
+SCENES = {"cornell": cornell, "instances": instances, "field": field, "box": box, "hall": hall, "crowd": crowd,
+          "lamps": lamps, "terrain": landscape, "materials": materials, **surface_scenes.SCENES, **lamp_scenes.SCENES,
+          **media_scenes.SCENES}
