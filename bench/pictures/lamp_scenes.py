@@ -33,7 +33,8 @@ def spots(folder, pixels, size):
     lights = []
     for i in range(count):
         look = element("lookat", origin=f"{6 * i / count - 3}, 4, 2", target="0, 1, 0", up="0, 1, 0.01")
-        lights.append(element("emitter", moved(look) + rgb("intensity", 30, 25, 20) + number("cutoff_angle", 25.0), type="spot"))
+        beam = rgb("intensity", 30, 25, 20) + number("cutoff_angle", 25.0)
+        lights.append(element("emitter", moved(look) + beam, type="spot"))
     return lit_by("spots", folder, pixels, lights)
 
 
@@ -45,10 +46,7 @@ def bulbs(folder, pixels, size):
 
 def glow(folder, pixels, size):
     """A ball of 1,280 triangles that shines. size: triangles."""
-    divisions = 0
-    while 20 * 4 ** divisions < (size or 1280):
-        divisions += 1
-    write_ply(folder / "ball.ply", *icosahedron(divisions))
+    write_ply(folder / "ball.ply", *icosahedron(size or 1280))
     return lit_by("glow", folder, pixels, [ply("ball.ply", moved(scaled(0.4), to(1.5, 2, 1)), BLACK, lamp(9, 8, 7))])
 
 

@@ -67,15 +67,15 @@ def knot(triangles, thickness=0.35, has_uvs=False):
     return vertices, [(a, c, b) for a, b, c in grid_faces(columns, rows, True)]
 
 
-def icosahedron(divisions=0):
-    """Radius 1, without normals; each division makes four triangles of one."""
+def icosahedron(triangles=20):
+    """Radius 1, without normals; each of its triangles divided into four until there are so many or more."""
     g = (1 + math.sqrt(5)) / 2
     corners = [normalized(v) for v in [(-1, g, 0), (1, g, 0), (-1, -g, 0), (1, -g, 0), (0, -1, g), (0, 1, g),
                                        (0, -1, -g), (0, 1, -g), (g, 0, -1), (g, 0, 1), (-g, 0, -1), (-g, 0, 1)]]
     faces = [(0, 11, 5), (0, 5, 1), (0, 1, 7), (0, 7, 10), (0, 10, 11), (1, 5, 9), (5, 11, 4), (11, 10, 2), (10, 7, 6),
              (7, 1, 8), (3, 9, 4), (3, 4, 2), (3, 2, 6), (3, 6, 8), (3, 8, 9), (4, 9, 5), (2, 4, 11), (6, 2, 10),
              (8, 6, 7), (9, 8, 1)]
-    for _ in range(divisions):
+    while len(faces) < triangles:
         middles, finer = {}, []
 
         def middle(a, b):

@@ -81,10 +81,7 @@ def hall(folder, pixels, size):
 
 def lamps(folder, pixels, size):
     """Disk, cylinder, sphere, rectangle and a mesh of 20 triangles that shine; path, 6 deep. size: the mesh's triangles."""
-    divisions = 0
-    while 20 * 4 ** divisions < (size or 20):
-        divisions += 1
-    write_ply(folder / "lamps.ply", *icosahedron(divisions))
+    write_ply(folder / "lamps.ply", *icosahedron(size or 20))
     black, flat = diffuse(0, 0, 0), element("boolean", name="face_normals", value="true")
     cylinder = (element("point", name="p0", x=-1, y=1.8, z=-1.2), element("point", name="p1", x=0.2, y=2.2, z=-1.4))
     return scene(folder / "lamps.xml", pixels, ("path", 6), ("0, 2, 7", "0, 1.2, 0", 42), *walls(3, 4, 3),
@@ -124,7 +121,7 @@ MATERIALS = [diffuse(0.8, 0.8, 0.8), diffuse(0.7, 0.2, 0.1), diffuse(0.2, 0.6, 0
 def materials(folder, pixels, size):
     """200 spheres and small meshes of ten materials in random order; path, 8 deep. size: their number."""
     write_ply(folder / "materials-knot.ply", *knot(400))
-    write_ply(folder / "materials-ball.ply", *icosahedron(1))
+    write_ply(folder / "materials-ball.ply", *icosahedron(80))
     chance, count = random.Random(10), size or 200
     things = []
     for index in range(count):

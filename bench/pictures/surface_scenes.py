@@ -14,9 +14,14 @@ def envmap(turn=0):
     return element("emitter", picture + moved(turned("y", turn)), type="envmap")
 
 
-def image(parameter, scale=1):
-    inside = text("filename", SHIPPED / "textures" / "letter.png") + element("transform", scaled(scale), name="to_uv")
-    return element("texture", inside, type="bitmap", name=parameter)
+RAW = element("boolean", name="raw", value="true")
+
+
+def image(parameter, scale=1, name="letter.png", *inside):
+    """parameter: None where the texture is what the material has without a name."""
+    told = {"name": parameter} if parameter else {}
+    picture = text("filename", SHIPPED / "textures" / name) + "".join(inside)
+    return element("texture", picture + element("transform", scaled(scale), name="to_uv"), type="bitmap", **told)
 
 
 def rows_of(folder, triangles, materials, seed):
@@ -97,26 +102,18 @@ def principled(folder, pixels, size):
     return under_a_sky("principled", folder, pixels, looks, 26, size or 5000, floor=bsdf("diffuse", image("reflectance", 6)))
 
 
-def relief(kind, name, scale, *inside):
-    """The material inside under a shipped image that bends normals; its parameter has a name, or it is the only one."""
-    picture = text("filename", SHIPPED / "textures" / name) + element("boolean", name="raw", value="true")
-    told = {"name": "normalmap"} if kind == "normalmap" else {}
-    texture = element("texture", picture + element("transform", scaled(scale), name="to_uv"), type="bitmap", **told)
-    return bsdf(kind, texture, *inside)
-
-
 def normals(folder, pixels, size):
     """Normal maps on rough metal and on diffuse materials in a room; path, 8 deep. size: triangles of a knot."""
-    kinds = [relief("normalmap", "rivets.png", 3, bsdf("roughconductor", microfacets("ggx", 0.2))),
-             relief("normalmap", "rivets.png", 3, diffuse(0.7, 0.3, 0.2))]
+    kinds = [bsdf("normalmap", image("normalmap", 3, "rivets.png", RAW), bsdf("roughconductor", microfacets("ggx", 0.2))),
+             bsdf("normalmap", image("normalmap", 3, "rivets.png", RAW), diffuse(0.7, 0.3, 0.2))]
     return in_a_room("normals", folder, pixels, kinds, 5, size or 5000)
 
 
 def bumps(folder, pixels, size):
     """Bump maps on rough plastic and on diffuse materials in a room; path, 8 deep. size: triangles of a knot."""
-    kinds = [relief("bumpmap", "waves.png", 4, number("scale", 0.3),
-                    bsdf("roughplastic", rgb("diffuse_reflectance", 0.2, 0.4, 0.7))),
-             relief("bumpmap", "waves.png", 3, number("scale", 0.3), diffuse(0.7, 0.3, 0.2))]
+    kinds = [bsdf("bumpmap", image(None, 4, "waves.png", RAW), number("scale", 0.3),
+                  bsdf("roughplastic", rgb("diffuse_reflectance", 0.2, 0.4, 0.7))),
+             bsdf("bumpmap", image(None, 3, "waves.png", RAW), number("scale", 0.3), diffuse(0.7, 0.3, 0.2))]
     return in_a_room("bumps", folder, pixels, kinds, 5, size or 5000)
 
 

@@ -95,7 +95,7 @@ FN void add_shared_sample(const Scene* scene, real3 light, real3 squares, int we
 }
 
 #if LANES != 1
-/// Samples as they wait, with what else is added of them.
+/// Samples as they wait, with what else is added of them; squares: SharedSamples_w.squares in the place of light.
 typedef struct {
   WaitingSamples_w samples, squares;
   intw weight[POOL_PATHS / LANES];

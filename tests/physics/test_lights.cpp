@@ -319,12 +319,7 @@ TEST_CASE("every width draws and finds lights as one lane does, to the bit") {
                drawn = one.draw(narrow_scene.buffers(), {0}, triad(from), numbers);
     std::vector<Triad> directions;
     for (std::size_t i = 0; i < drawn.size(); ++i) {
-      CHECK(wide[i].towards == drawn[i].towards);
-      CHECK(wide[i].radiance == drawn[i].radiance);
-      CHECK(wide[i].t_max == drawn[i].t_max);
-      CHECK(wide[i].density == drawn[i].density);
-      CHECK(wide[i].is_delta == drawn[i].is_delta);
-      CHECK(wide[i].aim == drawn[i].aim);
+      check_same(wide[i], drawn[i]);
       directions.push_back(drawn[i].towards);
     }
     const auto wide_seen = tier.look(scene.buffers(), triad(from), directions),

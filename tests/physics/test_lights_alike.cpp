@@ -63,12 +63,7 @@ TEST_CASE("lights that lie alike are drawn together as each is by itself, to the
         const std::vector<LightDraw> alone = tier.draw(scene.buffers(), {light}, triad(from), numbers);
         for (std::size_t i = 0; i < lights.size(); ++i) {
           if (lights[i] != light) continue;
-          CHECK(together[i].towards == alone[i].towards);
-          CHECK(together[i].radiance == alone[i].radiance);
-          CHECK(together[i].t_max == alone[i].t_max);
-          CHECK(together[i].density == alone[i].density);
-          CHECK(together[i].is_delta == alone[i].is_delta);
-          CHECK(together[i].aim == alone[i].aim);
+          check_same(together[i], alone[i]);
           if (alone[i].radiance[1] > 0) ++lit;
         }
       }

@@ -74,4 +74,14 @@ class TierScene {
   return numbers;
 }
 
+/// To the bit.
+inline void check_same(const LightDraw& a, const LightDraw& b) {
+  CHECK(a.towards == b.towards);
+  CHECK(a.radiance == b.radiance);
+  CHECK(a.t_max == b.t_max);
+  CHECK(a.density == b.density);
+  CHECK(a.is_delta == b.is_delta);
+  CHECK(a.aim == b.aim);
+}
+
 }  // namespace strahl::test
